@@ -1,0 +1,2 @@
+//! The capwalk command.
+fn main() {}

@@ -1,0 +1,123 @@
+//! Triangle meshes as flat arrays.
+
+use capwalk_math::Vec3;
+
+/// A triangle mesh.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// Vertex positions, in world units.
+    pub positions: Vec<Vec3>,
+    /// Corner indices of each triangle, counter-clockwise seen from outside.
+    pub faces: Vec<[u32; 3]>,
+}
+
+/// What makes a mesh unusable.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MeshError {
+    /// There are no triangles.
+    Empty,
+    /// A vertex position is infinite or NaN.
+    NonFinitePosition {
+        /// Index of the first such vertex.
+        vertex: usize,
+        /// Its position.
+        position: Vec3,
+    },
+    /// A face names a vertex that does not exist.
+    IndexOutOfRange {
+        /// Index of the first such face.
+        face: usize,
+        /// The vertex it names.
+        index: u32,
+        /// How many vertices there are.
+        vertices: usize,
+    },
+}
+
+impl std::fmt::Display for MeshError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Empty => write!(f, "the mesh has no triangles; expected at least one"),
+            Self::NonFinitePosition {
+                vertex,
+                position: p,
+            } => write!(
+                f,
+                "vertex {vertex} has the position ({}, {}, {}); expected finite coordinates",
+                p.x, p.y, p.z
+            ),
+            Self::IndexOutOfRange {
+                face,
+                index,
+                vertices,
+            } => write!(
+                f,
+                "face {face} refers to vertex {index}, but there are {vertices} vertices \
+                 (counted from 0)"
+            ),
+        }
+    }
+}
+
+impl std::error::Error for MeshError {}
+
+impl Mesh {
+    /// Checks that there is a triangle, that positions are finite, and that
+    /// indices are in range. Everything below relies on it.
+    pub fn check(&self) -> Result<(), MeshError> {
+        if self.faces.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        if let Some(vertex) = self.positions.iter().position(|p| !p.is_finite()) {
+            let position = self.positions[vertex];
+            return Err(MeshError::NonFinitePosition { vertex, position });
+        }
+        let vertices = self.positions.len();
+        for (face, corners) in self.faces.iter().enumerate() {
+            if let Some(&index) = corners.iter().find(|&&i| i as usize >= vertices) {
+                return Err(MeshError::IndexOutOfRange {
+                    face,
+                    index,
+                    vertices,
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// The three corners of a face.
+    #[inline]
+    pub fn corners(&self, face: usize) -> [Vec3; 3] {
+        self.faces[face].map(|i| self.positions[i as usize])
+    }
+
+    /// Twice the area times the unit normal of a face; zero if degenerate.
+    #[inline]
+    pub fn face_cross(&self, face: usize) -> Vec3 {
+        let [a, b, c] = self.corners(face);
+        (b - a).cross(c - a)
+    }
+
+    /// Total area.
+    pub fn area(&self) -> f64 {
+        (0..self.faces.len())
+            .map(|face| 0.5 * self.face_cross(face).length())
+            .sum()
+    }
+
+    /// Smallest and largest coordinates of the vertices.
+    pub fn bounds(&self) -> (Vec3, Vec3) {
+        let start = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+        self.positions
+            .iter()
+            .fold(start, |(low, high), &p| (low.min(p), high.max(p)))
+    }
+
+    /// Adds another mesh's vertices and faces behind one's own.
+    pub fn append(&mut self, other: &Mesh) {
+        let offset = self.positions.len() as u32;
+        self.positions.extend_from_slice(&other.positions);
+        self.faces
+            .extend(other.faces.iter().map(|f| f.map(|i| i + offset)));
+    }
+}

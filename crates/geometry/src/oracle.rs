@@ -1,0 +1,56 @@
+//! The brute-force twin of every query: slow, short, and right by reading.
+
+use crate::edge::{Edge, closest_direction};
+use crate::mesh::Mesh;
+use crate::query::{ConeQuery, EdgeSelection, SilhouettePoint};
+use crate::ray::{Hit, Ray, intersect_triangle};
+
+/// The nearest intersection of the ray with any triangle.
+pub fn first_hit(mesh: &Mesh, ray: &Ray) -> Option<Hit> {
+    (0..mesh.faces.len())
+        .filter_map(|face| {
+            let (t, barycentric) = intersect_triangle(ray, mesh.corners(face))?;
+            Some(Hit {
+                face: face as u32,
+                t,
+                barycentric,
+            })
+        })
+        .min_by(|a, b| a.t.total_cmp(&b.t))
+}
+
+/// The boundary point under the smallest angle to the axis, Eq. (30).
+pub fn closest_silhouette(
+    mesh: &Mesh,
+    edges: &[Edge],
+    query: &ConeQuery,
+) -> Option<SilhouettePoint> {
+    let counts = |edge: &Edge| {
+        let [a, b] = edge.vertices.map(|i| mesh.positions[i as usize]);
+        edge.groups & query.groups != 0
+            && (query.edges == EdgeSelection::All || edge.is_silhouette(mesh, query.eye))
+            && query.in_front_of.is_none_or(|plane| {
+                [a, b]
+                    .iter()
+                    .any(|&p| (p - plane.point).dot(plane.normal) >= 0.0)
+            })
+    };
+    edges
+        .iter()
+        .enumerate()
+        .filter(|(_, edge)| counts(edge))
+        .filter_map(|(id, edge)| {
+            let [a, b] = edge
+                .vertices
+                .map(|i| mesh.positions[i as usize] - query.eye);
+            let closest = closest_direction(a, b, query.axis)?;
+            (closest.angle < query.max_angle).then_some(SilhouettePoint {
+                edge: id as u32,
+                t: closest.t,
+                direction: closest.direction,
+                distance: closest.distance,
+                angle: closest.angle,
+            })
+        })
+        .min_by(|a, b| a.angle.total_cmp(&b.angle))
+}

@@ -1,0 +1,7 @@
+//! The trees and their queries.
+
+mod ray_tree;
+mod silhouette_tree;
+
+pub use ray_tree::RayTree;
+pub use silhouette_tree::{ConeQuery, EdgeSelection, Plane, SilhouettePoint, SilhouetteTree};

@@ -1,0 +1,65 @@
+//! Orthonormal frames.
+
+use crate::vec3::Vec3;
+
+/// Three orthonormal directions, right-handed: `s × t = n`.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// First tangent.
+    pub s: Vec3,
+    /// Second tangent.
+    pub t: Vec3,
+    /// The direction the frame was built around.
+    pub n: Vec3,
+}
+
+impl Frame {
+    /// A frame whose third axis is the unit vector `n`; continuous except
+    /// across `n.z = 0`. Duff et al. 2017, "Building an Orthonormal Basis,
+    /// Revisited".
+    #[inline]
+    pub fn from_normal(n: Vec3) -> Self {
+        let sign = 1.0_f64.copysign(n.z);
+        let a = -1.0 / (sign + n.z);
+        let b = n.x * n.y * a;
+        Self {
+            s: Vec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x),
+            t: Vec3::new(b, sign + n.y * n.y * a, -n.y),
+            n,
+        }
+    }
+
+    /// A vector given in the frame's coordinates, in world coordinates.
+    #[inline]
+    pub fn to_world(&self, v: Vec3) -> Vec3 {
+        self.s * v.x + self.t * v.y + self.n * v.z
+    }
+
+    /// A world vector in the frame's coordinates.
+    #[inline]
+    pub fn to_local(&self, v: Vec3) -> Vec3 {
+        Vec3::new(self.s.dot(v), self.t.dot(v), self.n.dot(v))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn is_orthonormal_and_right_handed() {
+        for n in [
+            Vec3::new(0.0, 0.0, 1.0),
+            Vec3::new(0.0, 0.0, -1.0),
+            Vec3::new(0.6, -0.48, 0.64),
+            Vec3::new(1.0, 0.0, -0.0),
+        ] {
+            let frame = Frame::from_normal(n);
+            assert!((frame.s.cross(frame.t) - n).length() < 1e-15);
+            assert!((frame.s.length() - 1.0).abs() < 1e-15);
+            assert!(frame.s.dot(frame.t).abs() < 1e-15);
+            let v = Vec3::new(0.3, 2.0, -0.7);
+            assert!((frame.to_world(frame.to_local(v)) - v).length() < 1e-14);
+        }
+    }
+}

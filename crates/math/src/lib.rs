@@ -1,0 +1,27 @@
+//! The arithmetic of capwalk: scalars that may carry derivatives, vectors,
+//! transforms, frames, the unit sphere and its caps, and running statistics.
+//!
+//! Smooth code is generic over [`Real`], so the same function evaluates a
+//! formula and its derivative:
+//!
+//! ```
+//! use capwalk_math::{Dual, Vec3};
+//! let q = Vec3::new(Dual::variable(3.0, 0), Dual::new(4.0, [0.0]), Dual::new(0.0, [0.0]));
+//! assert_eq!(q.length().value, 5.0);
+//! assert_eq!(q.length().tangent[0], 0.6); // x / |q|
+//! ```
+
+pub mod affine;
+pub mod dual;
+pub mod frame;
+pub mod real;
+pub mod sphere;
+pub mod stats;
+pub mod vec3;
+
+pub use affine::Affine;
+pub use dual::Dual;
+pub use frame::Frame;
+pub use real::Real;
+pub use stats::Moments;
+pub use vec3::{Rgb, Vec3};

@@ -1,0 +1,62 @@
+//! What comes back: pictures with standard errors, and counts.
+
+use capwalk_scene::Image;
+
+/// An estimated picture and its error.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Estimated value of each pixel and channel.
+    pub mean: Image,
+    /// Standard error of each; NaN where there were fewer than two
+    /// independent samples.
+    pub standard_error: Image,
+}
+
+/// A rendered picture.
+#[derive(Clone, Debug)]
+pub struct Rendering {
+    /// The picture.
+    pub value: Estimate,
+    /// What was done.
+    pub statistics: Statistics,
+}
+
+/// A derivative picture, with the picture that came with it.
+#[derive(Clone, Debug)]
+pub struct GradientImage {
+    /// The picture.
+    pub value: Estimate,
+    /// Its derivative per unit of the parameter.
+    pub gradient: Estimate,
+    /// What was done.
+    pub statistics: Statistics,
+}
+
+/// What was done.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Samples taken in each pixel, row by row: all equal to the samples asked
+    /// for unless the work was stopped.
+    pub samples_per_pixel: Vec<u32>,
+    /// False if the work was stopped before all samples were taken.
+    pub complete: bool,
+    /// Samples in all.
+    pub samples: u64,
+    /// Samples that were infinite or NaN. They count as zero in the picture,
+    /// so more than a few of them make it wrong.
+    pub non_finite: u64,
+    /// Rays traced.
+    pub rays: u64,
+    /// Closest-silhouette queries answered.
+    pub cone_queries: u64,
+}
+
+impl Statistics {
+    /// The largest tolerated fraction of non-finite samples.
+    pub const NON_FINITE_LIMIT: f64 = 1e-6;
+
+    /// True if there were too many non-finite samples to trust the picture.
+    pub fn too_many_non_finite(&self) -> bool {
+        self.non_finite as f64 > Self::NON_FINITE_LIMIT * self.samples as f64
+    }
+}

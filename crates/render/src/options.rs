@@ -1,0 +1,90 @@
+//! What a caller can choose, and how it can follow and stop the work.
+
+/// How much to sample, and with which random numbers.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Options {
+    /// Samples per pixel, at least 1 (at least 2 for a standard error).
+    pub spp: u32,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// Worker threads; `None` takes all cores. Changes no bit of the result.
+    pub threads: Option<usize>,
+}
+
+/// How to estimate a gradient.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GradientOptions {
+    /// How much to sample.
+    pub options: Options,
+    /// The walk that builds the velocity field.
+    pub walk: WalkSettings,
+}
+
+/// The walk on spherical caps (METHOD 2).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WalkSettings {
+    /// Number of steps `M`, at least 1.
+    pub steps: u32,
+    /// `A_max`: boundaries farther than this angle (radians) are ignored.
+    /// Unbiased for every value; trades speed for smoothness.
+    pub max_angle: f64,
+    /// How to estimate the divergence.
+    pub estimator: Estimator,
+    /// Average every rim sample with the one on the other side of the cap.
+    pub antithetic: bool,
+}
+
+/// Estimators of the field's divergence (METHOD 2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Estimator {
+    /// Relative to the velocity at the closest boundary point, value and rim
+    /// sample on the same azimuth: finite variance.
+    Anchored,
+    /// The paper's equation 34 as printed: infinite variance.
+    Literal,
+}
+
+impl Default for WalkSettings {
+    fn default() -> Self {
+        Self {
+            steps: 1,
+            max_angle: 0.6,
+            estimator: Estimator::Anchored,
+            antithetic: false,
+        }
+    }
+}
+
+/// Follows the work and may stop it. Called from worker threads.
+pub trait Watch: Sync {
+    /// `done` of `total` units of work are finished.
+    fn progress(&self, done: u64, total: u64);
+    /// True if the work should stop soon; what is done is returned, with its
+    /// real sample counts.
+    fn should_stop(&self) -> bool;
+}
+
+/// Nobody watches.
+pub struct Unwatched;
+
+impl Watch for Unwatched {
+    fn progress(&self, _done: u64, _total: u64) {}
+    fn should_stop(&self) -> bool {
+        false
+    }
+}
+
+/// Why a derivative is refused, and what to do instead.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Refusal {
+    /// A full sentence or two for the user.
+    pub reason: String,
+}
+
+impl std::fmt::Display for Refusal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(&self.reason)
+    }
+}
+
+impl std::error::Error for Refusal {}

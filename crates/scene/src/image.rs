@@ -1,0 +1,30 @@
+//! Pixels.
+
+use capwalk_math::Rgb;
+
+/// A picture of linear colours, row by row from the upper left.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    /// Pixels in a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// `width * height` colours.
+    pub pixels: Vec<Rgb>,
+}
+
+impl Image {
+    /// A black picture.
+    pub fn new(width: usize, height: usize) -> Self {
+        Self {
+            width,
+            height,
+            pixels: vec![Rgb::zero(); width * height],
+        }
+    }
+
+    /// The pixel in column `x` and row `y`.
+    pub fn at(&self, x: usize, y: usize) -> Rgb {
+        self.pixels[y * self.width + x]
+    }
+}

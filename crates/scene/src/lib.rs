@@ -1,0 +1,27 @@
+//! What the world is, and how it answers locally: shapes, materials, emitters,
+//! the sensor and its film, and which numbers of it can be differentiated.
+//!
+//! A [`Scene`] never changes while it is rendered. Nothing here opens a file,
+//! knows an integrator, or casts a ray.
+
+pub mod bsdf;
+pub mod emitter;
+pub mod film;
+pub mod filter;
+pub mod image;
+pub mod motion;
+pub mod scene;
+pub mod sensor;
+pub mod settings;
+pub mod shape;
+
+pub use bsdf::{Bsdf, Diffuse, Material};
+pub use emitter::Emitter;
+pub use film::Film;
+pub use filter::Filter;
+pub use image::Image;
+pub use motion::{Motion, SensorMotion, ShapeMotion};
+pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
+pub use sensor::Perspective;
+pub use settings::{Integrator, SamplerKind, Settings};
+pub use shape::{ShadingNormals, Shape};

@@ -1,0 +1,156 @@
+//! A direction in parameter space: how fast every number of a scene changes
+//! for a unit change of the parameter.
+
+use capwalk_math::{Affine, Rgb, Vec3};
+
+use crate::bsdf::Bsdf;
+use crate::scene::Scene;
+use crate::shape::{ShadingNormals, vertex_normals};
+
+/// Velocities of everything that can move or change.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Motion {
+    /// One per shape; `None` is at rest.
+    pub shapes: Vec<Option<ShapeMotion>>,
+    /// Change of each material's reflectance.
+    pub reflectance: Vec<Rgb>,
+    /// Change of each emitter's radiance.
+    pub radiance: Vec<Rgb>,
+    /// Motion of the sensor.
+    pub sensor: SensorMotion,
+}
+
+/// Velocities of a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShapeMotion {
+    /// One per vertex, world units.
+    pub vertices: Vec<Vec3>,
+    /// One per vertex, for shapes with normals given with the mesh. Computed
+    /// normals follow the vertices, see [`Scene::normal_velocities`].
+    pub normals: Option<Vec<Vec3>>,
+}
+
+/// A rigid motion of the sensor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SensorMotion {
+    /// Velocity of its origin, world units.
+    pub translation: Vec3,
+    /// Angular velocity about its origin, radians, in world axes.
+    pub rotation: Vec3,
+}
+
+impl Motion {
+    /// Everything at rest.
+    pub fn zero(scene: &Scene) -> Self {
+        Self {
+            shapes: vec![None; scene.shapes.len()],
+            reflectance: vec![Rgb::zero(); scene.materials.len()],
+            radiance: vec![Rgb::zero(); scene.emitters.len()],
+            sensor: SensorMotion {
+                translation: Vec3::zero(),
+                rotation: Vec3::zero(),
+            },
+        }
+    }
+
+    /// Both motions at once.
+    pub fn add(&mut self, other: &Self) {
+        for (own, others) in self.shapes.iter_mut().zip(&other.shapes) {
+            match (own.as_mut(), others) {
+                (_, None) => {}
+                (None, Some(_)) => *own = others.clone(),
+                (Some(own), Some(others)) => own.add(others),
+            }
+        }
+        let add = |own: &mut Vec<Rgb>, others: &[Rgb]| {
+            own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
+        };
+        add(&mut self.reflectance, &other.reflectance);
+        add(&mut self.radiance, &other.radiance);
+        self.sensor.translation += other.sensor.translation;
+        self.sensor.rotation += other.sensor.rotation;
+    }
+}
+
+impl ShapeMotion {
+    fn add(&mut self, other: &Self) {
+        let add = |own: &mut Vec<Vec3>, others: &[Vec3]| {
+            own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
+        };
+        add(&mut self.vertices, &other.vertices);
+        match (&mut self.normals, &other.normals) {
+            (Some(own), Some(others)) => add(own, others),
+            (own @ None, Some(others)) => *own = Some(others.clone()),
+            (_, None) => {}
+        }
+    }
+}
+
+impl Scene {
+    /// The scene after the motion has gone on for `step`: vertices, normals
+    /// and colours along straight lines, the sensor turning rigidly. Its
+    /// derivative at `step = 0` is the motion; differences of it are what
+    /// derivatives are checked against.
+    pub fn moved(&self, motion: &Motion, step: f64) -> Scene {
+        let mut scene = self.clone();
+        let along = |values: &mut [Vec3], velocities: &[Vec3]| {
+            values
+                .iter_mut()
+                .zip(velocities)
+                .for_each(|(p, &v)| *p += v * step);
+        };
+        for (shape, motion) in scene.shapes.iter_mut().zip(&motion.shapes) {
+            let Some(motion) = motion else { continue };
+            along(&mut shape.mesh.positions, &motion.vertices);
+            match (&mut shape.normals, &motion.normals) {
+                (ShadingNormals::Given(normals), Some(velocities)) => {
+                    along(normals, velocities);
+                    normals.iter_mut().for_each(|n| *n = n.normalized());
+                }
+                (ShadingNormals::Computed(normals), _) => {
+                    *normals = vertex_normals(&shape.mesh.positions, &shape.mesh.faces);
+                }
+                _ => {}
+            }
+        }
+        for (material, velocity) in scene.materials.iter_mut().zip(&motion.reflectance) {
+            if let Bsdf::Diffuse(diffuse) = &mut material.bsdf {
+                diffuse.reflectance += *velocity * step;
+            }
+        }
+        for (emitter, velocity) in scene.emitters.iter_mut().zip(&motion.radiance) {
+            *emitter.radiance_mut() += *velocity * step;
+        }
+        let sensor = &mut scene.sensor.world_from_camera;
+        let origin = sensor.translation + motion.sensor.translation * step;
+        let rate = motion.sensor.rotation.length();
+        if rate > 0.0 {
+            *sensor = Affine::rotate(motion.sensor.rotation, rate * step) * *sensor;
+        }
+        sensor.translation = origin;
+        scene
+    }
+
+    /// Velocities of a shape's unit shading normals, one per vertex; `None` if
+    /// its triangles are flat or it is at rest.
+    pub fn normal_velocities(&self, motion: &Motion, shape: usize) -> Option<Vec<Vec3>> {
+        let velocities = motion.shapes[shape].as_ref()?;
+        let shape = &self.shapes[shape];
+        match &shape.normals {
+            ShadingNormals::Face => None,
+            ShadingNormals::Given(normals) => Some(match &velocities.normals {
+                Some(turning) => turning.clone(),
+                None => vec![Vec3::zero(); normals.len()],
+            }),
+            ShadingNormals::Computed(_) => {
+                let positions = shape.mesh.positions.iter();
+                let moving: Vec<_> = positions
+                    .zip(&velocities.vertices)
+                    .map(|(p, &v)| p.with_tangent(v))
+                    .collect();
+                let normals = vertex_normals(&moving, &shape.mesh.faces);
+                Some(normals.into_iter().map(|n| n.tangent(0)).collect())
+            }
+        }
+    }
+}
