@@ -1,0 +1,6 @@
+//! Derivatives of the picture.
+
+pub mod boundary;
+pub mod finite;
+mod flux;
+pub mod forward;
