@@ -4,3 +4,4 @@ pub mod boundary;
 pub mod finite;
 mod flux;
 pub mod forward;
+pub mod probe;

@@ -97,11 +97,9 @@ pub struct FieldAt {
 /// Boundaries and how they move: the sink of the walk in forward mode.
 pub struct Field<'a> {
     /// The edges.
-    pub boundaries: &'a Boundaries,
+    pub boundaries: Boundaries,
     /// Their motion.
-    pub world: &'a InMotion<'a>,
-    /// Counts the queries.
-    pub queries: Cell<u64>,
+    pub world: InMotion<'a>,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     pub horizon_distance: f64,
@@ -134,7 +132,10 @@ impl Field<'_> {
         }
         let sphere = self.sphere(eye);
         let sample = sample_field(&sphere, q, walk, |i| random.number(i));
-        self.queries.set(self.queries.get() + sphere.queries.get());
+        random
+            .draw
+            .queries
+            .set(random.draw.queries.get() + sphere.queries.get());
         let (mean, divergence) = sample.evaluate(|site| self.site_velocity(eye, site));
         FieldAt {
             velocity: mean.reject_from(q),
@@ -149,7 +150,10 @@ impl Field<'_> {
         }
         let sphere = self.sphere(eye);
         let site = sample_value(&sphere, q, walk, |i| random.number(i));
-        self.queries.set(self.queries.get() + sphere.queries.get());
+        random
+            .draw
+            .queries
+            .set(random.draw.queries.get() + sphere.queries.get());
         match site {
             None => Vec3::zero(),
             Some(site) => self.site_velocity(eye, &site).reject_from(q),
@@ -182,17 +186,26 @@ impl Field<'_> {
     }
 }
 
+/// One sample: its random numbers, and what it cost.
+#[derive(Clone, Copy)]
+pub struct Draw<'a> {
+    /// The numbers.
+    pub stream: &'a Stream,
+    /// Counts closest-silhouette queries.
+    pub queries: &'a Cell<u64>,
+}
+
 /// The random numbers of one walk.
 #[derive(Clone, Copy)]
 pub struct Numbers<'a> {
-    /// Of the sample.
-    pub stream: &'a Stream,
+    /// Of this sample.
+    pub draw: Draw<'a>,
     /// The first of the walk's dimensions.
     pub dimension: u32,
 }
 
 impl Numbers<'_> {
     fn number(&self, i: u32) -> f64 {
-        self.stream.number(self.dimension + i)
+        self.draw.stream.number(self.dimension + i)
     }
 }

@@ -24,28 +24,24 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::estimate::GradientImage;
 use crate::integrator::{FILM, FILM_CHOICE, FIRST_VERTEX, camera_ray, radiance};
-use crate::light::{LightSampling, emitter_towards, sample_lights};
+use crate::light::{LightSample, LightSampling, emitter_towards, sample_lights};
 use crate::options::{GradientOptions, Refusal, Watch};
 use crate::pixel::{Support, Supports};
-use crate::sampler::Stream;
 use crate::tiles::{self, Sample};
-use crate::world::{D, InMotion, World, surface_at};
+use crate::world::{D, InMotion, Surface, World, surface_at};
 
-use super::boundary::{Boundaries, CAMERA, Eye, Field, LIGHT, Numbers};
+use super::boundary::{Boundaries, CAMERA, Draw, Eye, Field, LIGHT, Numbers};
 use super::flux::lamp_edge_flux;
 
 /// Everything that the samples of a gradient share.
 pub(super) struct Forward<'a> {
     pub accel: &'a Accel<'a>,
-    pub world: &'a InMotion<'a>,
-    pub boundaries: &'a Boundaries,
-    supports: &'a Supports,
+    pub field: Field<'a>,
+    supports: Supports,
     sampling: LightSampling,
     hide_emitters: bool,
     camera_walk: WalkSettings,
     pub light_walk: WalkSettings,
-    /// The sink, with the counter of this sample.
-    pub field: Field<'a>,
 }
 
 /// Share of film points drawn uniformly over the support: the slope of a
@@ -65,30 +61,17 @@ pub fn gradient(
     let (sampling, hide_emitters) = light_paths(&scene.settings.integrator)?;
     check_walk(&options.walk)?;
     let accel = Accel::new(scene);
-    let world = InMotion::new(&accel, motion);
-    let boundaries = Boundaries::new(&accel);
-    let supports = Supports::new(&scene.film);
+    let forward = Forward::new(&accel, motion, options.walk, sampling, hide_emitters);
     let averages = tiles::average(scene, &options.options, watch, |pixel, stream| {
-        let forward = Forward {
-            accel: &accel,
-            world: &world,
-            boundaries: &boundaries,
-            supports: &supports,
-            sampling,
-            hide_emitters,
-            camera_walk: options.walk,
-            light_walk: options.walk,
-            field: Field {
-                boundaries: &boundaries,
-                world: &world,
-                queries: Cell::new(0),
-                horizon_distance: accel.horizon_distance(),
-            },
+        let queries = Cell::new(0);
+        let draw = Draw {
+            stream,
+            queries: &queries,
         };
-        let [value, slope] = forward.pixel_sample(pixel, stream);
+        let [value, slope] = forward.pixel_sample(pixel, draw);
         Sample {
             numbers: [value.x, value.y, value.z, slope.x, slope.y, slope.z],
-            cone_queries: forward.field.queries.get(),
+            cone_queries: queries.get(),
         }
     });
     Ok(GradientImage {
@@ -105,22 +88,21 @@ fn light_paths(integrator: &Integrator) -> Result<(LightSampling, bool), Refusal
             emitter_samples,
             bsdf_samples,
             hide_emitters,
-        } => Ok((
-            LightSampling {
+        } => {
+            let sampling = LightSampling {
                 emitter_samples,
                 bsdf_samples,
-            },
-            hide_emitters,
-        )),
+            };
+            Ok((sampling, hide_emitters))
+        }
         Integrator::Path {
             max_depth: Some(depth @ 1..=2),
             hide_emitters,
             ..
         } => {
-            let samples = depth - 1;
             let sampling = LightSampling {
-                emitter_samples: samples,
-                bsdf_samples: samples,
+                emitter_samples: depth - 1,
+                bsdf_samples: depth - 1,
             };
             Ok((sampling, hide_emitters))
         }
@@ -135,7 +117,7 @@ fn light_paths(integrator: &Integrator) -> Result<(LightSampling, bool), Refusal
     }
 }
 
-fn check_walk(walk: &WalkSettings) -> Result<(), Refusal> {
+pub(super) fn check_walk(walk: &WalkSettings) -> Result<(), Refusal> {
     if walk.steps == 0 {
         return Err(Refusal {
             reason: "a walk of 0 steps gives a field that is not continuous, and a wrong \
@@ -154,7 +136,7 @@ fn check_walk(walk: &WalkSettings) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A moved film point: its velocity and the divergence of the field there.
+/// A film point that moves with the field.
 struct FilmPoint {
     /// Where, pixels.
     at: [f64; 2],
@@ -162,8 +144,9 @@ struct FilmPoint {
     direction: Vec3<D>,
     /// The moving film point.
     film: [D; 2],
-    /// Film area per solid angle, relative to its value: 1, and its change.
+    /// Film area per solid angle over its value: 1, and its change.
     stretch: D,
+    /// Of the field around the camera.
     divergence: f64,
 }
 
@@ -173,85 +156,88 @@ impl FilmPoint {
     }
 }
 
-impl Forward<'_> {
-    /// One sample of a pixel's value and derivative.
-    fn pixel_sample(&self, pixel: [u32; 2], stream: &Stream) -> [Rgb; 2] {
-        let support = self.supports.pixel(pixel);
-        let s = support.sample(UNIFORM, stream.number(FILM_CHOICE), stream.pair(FILM));
-        let mut sum = self.interior(&support, s, stream);
-        let border = self.border_flux(&support, stream);
-        sum[1] += border;
-        sum
+impl<'a> Forward<'a> {
+    pub(super) fn new(
+        accel: &'a Accel<'a>,
+        motion: &'a Motion,
+        walk: WalkSettings,
+        sampling: LightSampling,
+        hide_emitters: bool,
+    ) -> Self {
+        Self {
+            accel,
+            field: Field {
+                boundaries: Boundaries::new(accel),
+                world: InMotion::new(accel, motion),
+                horizon_distance: accel.horizon_distance(),
+            },
+            supports: Supports::new(&accel.scene.film),
+            sampling,
+            hide_emitters,
+            camera_walk: walk,
+            light_walk: walk,
+        }
     }
 
-    fn interior(&self, support: &Support, s: [f64; 2], stream: &Stream) -> [Rgb; 2] {
-        let point = self.film_point(s, self.walk_numbers(stream, 0));
+    /// One sample of a pixel's value and derivative.
+    fn pixel_sample(&self, pixel: [u32; 2], draw: Draw) -> [Rgb; 2] {
+        let support = self.supports.pixel(pixel);
+        let [value, slope] = self.interior(&support, draw);
+        [value, slope + self.border_flux(&support, draw)]
+    }
+
+    fn interior(&self, support: &Support, draw: Draw) -> [Rgb; 2] {
+        let stream = draw.stream;
+        let s = support.sample(UNIFORM, stream.number(FILM_CHOICE), stream.pair(FILM));
         let density = support.pdf(UNIFORM, s);
+        let point = self.film_point(s, self.walk_numbers(draw, 0));
+        if support.jumps() {
+            return self.share(support, &point, density, draw);
+        }
         // The filter's slope points opposite ways on opposite sides of its
         // centre: where the picture moves, averaging both removes most of its
         // noise.
-        let mirrored = support.mirror(s);
-        if support.jumps() {
-            return self.share(support, &point, density, stream);
-        }
-        let other = self.film_point(mirrored, self.walk_numbers(stream, 1));
+        let other = self.film_point(support.mirror(s), self.walk_numbers(draw, 1));
         if !point.moves() && !other.moves() {
-            return self.share(support, &point, density, stream);
+            return self.share(support, &point, density, draw);
         }
-        let pair = [&point, &other].map(|point| self.share(support, point, density, stream));
+        let pair = [&point, &other].map(|point| self.share(support, point, density, draw));
         [0, 1].map(|k| (pair[0][k] + pair[1][k]) * 0.5)
     }
 
     /// The share of a film point drawn with `density`: `W L / J` and its
     /// derivative along the field.
-    fn share(
-        &self,
-        support: &Support,
-        point: &FilmPoint,
-        density: f64,
-        stream: &Stream,
-    ) -> [Rgb; 2] {
+    fn share(&self, support: &Support, point: &FilmPoint, density: f64, draw: Draw) -> [Rgb; 2] {
         let weight = support.weight(point.film) * point.stretch * Dual::constant(1.0 / density);
-        let light = self.radiance(point.at, point.direction, stream) * weight;
-        [
-            light.value(),
-            light.tangent(0) + light.value() * point.divergence,
-        ]
+        let light = self.radiance(point.at, point.direction, draw) * weight;
+        let value = light.value();
+        [value, light.tangent(0) + value * point.divergence]
     }
 
     /// `-∮ W L ṡ·n dl` along the sides of the support where the filter jumps.
     /// Opposite sides are sampled at the same place with the same numbers, so
-    /// that a picture that moves as a whole costs no noise.
-    fn border_flux(&self, support: &Support, stream: &Stream) -> Rgb {
-        if !support.jumps() {
-            return Rgb::zero();
-        }
-        let first = self.walk_dimension(2);
-        let axis = usize::from(stream.number(self.border_dimension()) < 0.5);
-        let along = support.sides[1 - axis];
-        let [low, high] = along.bounds;
-        let c = low + (high - low) * stream.number(self.border_dimension() + 1);
+    /// that a picture that moves as a whole costs little noise.
+    fn border_flux(&self, support: &Support, draw: Draw) -> Rgb {
         let mut flux = Rgb::zero();
-        for end in 0..2 {
-            let side = support.sides[axis];
+        if !support.jumps() {
+            return flux;
+        }
+        let stream = draw.stream;
+        let axis = usize::from(stream.number(self.border_dimension()) < 0.5);
+        let (side, along) = (support.sides[axis], support.sides[1 - axis]);
+        let place = along.bounds[0] + along.width() * stream.number(self.border_dimension() + 1);
+        for (end, outward) in [(0, -1.0), (1, 1.0)] {
             if !side.jumps[end] {
                 continue;
             }
-            let mut s = [c; 2];
+            let mut s = [place; 2];
             s[axis] = side.bounds[end];
-            let numbers = Numbers {
-                stream,
-                dimension: first,
-            };
-            let velocity = self.film_velocity(s, numbers)[axis];
-            if velocity == 0.0 {
-                continue;
+            let velocity = self.film_velocity(s, self.walk_numbers(draw, 2))[axis];
+            if velocity != 0.0 {
+                // Two axes, each drawn half of the time.
+                let weight = support.weight(s) * 2.0 * along.width();
+                flux += radiance(self.accel, s, stream) * (-velocity * outward * weight);
             }
-            let outward = if end == 0 { -1.0 } else { 1.0 };
-            // Two axes, each drawn half of the time.
-            let length = 2.0 * (high - low);
-            let weight = support.weight(s) * length;
-            flux += radiance(self.accel, s, stream) * (-velocity * outward * weight);
         }
         flux
     }
@@ -259,7 +245,7 @@ impl Forward<'_> {
     /// The camera and what it may see jump.
     fn camera(&self) -> Eye {
         Eye {
-            position: self.world.sensor_origin(),
+            position: self.field.world.sensor_origin(),
             face_normal: None,
             // Shading jumps at every crease, seen from either side.
             selection: EdgeSelection::All,
@@ -274,7 +260,7 @@ impl Forward<'_> {
             .sample(&self.camera(), q, &self.camera_walk, numbers);
         let scene = self.accel.scene;
         let direction = q.with_tangent(field.velocity);
-        let local = self.world.camera_direction(direction);
+        let local = self.field.world.camera_direction(direction);
         let area = scene.sensor.film_area_per_solid_angle(&scene.film, local);
         FilmPoint {
             at: s,
@@ -292,11 +278,9 @@ impl Forward<'_> {
             .field
             .sample_value(&self.camera(), q, &self.camera_walk, numbers);
         let scene = self.accel.scene;
-        let local = self.world.camera_direction(q.with_tangent(u));
-        scene
-            .sensor
-            .film_from_camera(&scene.film, local)
-            .map(|x| x.tangent[0])
+        let local = self.field.world.camera_direction(q.with_tangent(u));
+        let film = scene.sensor.film_from_camera(&scene.film, local);
+        film.map(|x| x.tangent[0])
     }
 
     fn film_direction(&self, s: [f64; 2]) -> Vec3 {
@@ -306,60 +290,72 @@ impl Forward<'_> {
     }
 
     /// Radiance along a moving camera ray, with its derivative.
-    fn radiance(&self, s: [f64; 2], direction: Vec3<D>, stream: &Stream) -> Rgb<D> {
+    fn radiance(&self, s: [f64; 2], direction: Vec3<D>, draw: Draw) -> Rgb<D> {
+        let world = &self.field.world;
         let ray = camera_ray(self.accel, s);
         let mut light = Rgb::zero();
         if let Some(emitter) = emitter_towards(self.accel, ray.hit.as_ref(), ray.direction)
             && !self.hide_emitters
         {
-            light += self.world.radiance(emitter);
+            light += world.radiance(emitter);
         }
         let Some(hit) = &ray.hit else { return light };
-        let origin = self.world.sensor_origin();
-        let surface = surface_at(self.world, self.accel, hit, origin, direction);
-        let Some(bsdf) = surface.bsdf else {
+        let surface = surface_at(world, self.accel, hit, world.sensor_origin(), direction);
+        if let Some(bsdf) = surface.bsdf {
+            light += self.reflected(&surface, world.reflectance(bsdf), draw);
+        }
+        light
+    }
+
+    /// Light that arrives from emitters at a moving surface point and is
+    /// reflected there, with its derivative.
+    pub(super) fn reflected(
+        &self,
+        surface: &Surface<D>,
+        reflectance: Rgb<D>,
+        draw: Draw,
+    ) -> Rgb<D> {
+        let mut light = Rgb::zero();
+        if self.sampling.dimensions() == 0 {
             return light;
-        };
-        let reflectance = self.world.reflectance(bsdf);
+        }
         let eye = Eye {
             position: surface.position,
             face_normal: Some(surface.face_normal),
             selection: EdgeSelection::Silhouettes,
             group: LIGHT,
         };
-
-        // Light from a sampled direction that moves with the field around the
-        // surface point.
         let at_rest = surface.value();
-        let shade = |i: u32, sample: crate::light::LightSample| {
-            let numbers = self.walk_numbers(stream, 4 + i);
+
+        // Light from sampled directions that move with the field around the
+        // surface point.
+        let shade = |i: u32, sample: LightSample| {
             let q = sample.direction;
+            let numbers = self.walk_numbers(draw, 4 + i);
             let field = self.field.sample(&eye, q, &self.light_walk, numbers);
             let cos_o = surface.normal.dot(q.with_tangent(field.velocity));
             let f = Diffuse::eval(reflectance, cos_o);
-            let f = f.hadamard(self.world.radiance(sample.emitter));
+            let f = f.hadamard(self.field.world.radiance(sample.emitter));
             let slope = f.tangent(0) + f.value() * field.divergence;
             light += (f.value() * sample.weight).with_tangent(slope * sample.weight);
         };
         let (position, normal) = (at_rest.position, at_rest.normal);
+        let (sampling, stream) = (self.sampling, draw.stream);
         sample_lights(
             self.accel,
             position,
             normal,
-            self.sampling,
+            sampling,
             stream,
             FIRST_VERTEX,
             shade,
         );
 
         // What the field carries over the edges of lamps.
-        if self.sampling.emitter_samples + self.sampling.bsdf_samples > 0 {
-            let numbers = self.walk_numbers(stream, 3);
-            let u = stream.number(self.border_dimension() + 2);
-            let flux = lamp_edge_flux(self, &eye, &at_rest, reflectance.value(), u, numbers);
-            light += Rgb::zero().with_tangent(flux);
-        }
-        light
+        let u = stream.number(self.border_dimension() + 2);
+        let numbers = self.walk_numbers(draw, 3);
+        let flux = lamp_edge_flux(self, &eye, &at_rest, reflectance.value(), u, numbers);
+        light + Rgb::zero().with_tangent(flux)
     }
 
     /// Dimensions behind those of the light samples: the side of the border,
@@ -368,16 +364,10 @@ impl Forward<'_> {
         FIRST_VERTEX + self.sampling.dimensions()
     }
 
-    /// First dimension of the `k`-th walk: 0 and 1 at the film, 2 at its
-    /// border, 3 at a lamp's edge, then one for each light sample.
-    fn walk_dimension(&self, k: u32) -> u32 {
-        self.border_dimension() + 3 + k * self.light_walk.dimensions()
-    }
-
-    fn walk_numbers<'s>(&self, stream: &'s Stream, k: u32) -> Numbers<'s> {
-        Numbers {
-            stream,
-            dimension: self.walk_dimension(k),
-        }
+    /// The numbers of the `k`-th walk: 0 and 1 at the film, 2 at its border, 3
+    /// at a lamp's edge, then one for each light sample.
+    fn walk_numbers<'d>(&self, draw: Draw<'d>, k: u32) -> Numbers<'d> {
+        let dimension = self.border_dimension() + 3 + k * self.light_walk.dimensions();
+        Numbers { draw, dimension }
     }
 }
