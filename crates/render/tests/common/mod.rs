@@ -82,10 +82,11 @@ pub fn add_floor(scene: &mut Scene, half: f64) {
     add(scene, "floor", mesh, normals, 0.7);
 }
 
-/// A square lamp of the given side, facing down from `centre`.
-pub fn add_lamp(scene: &mut Scene, centre: Vec3, side: f64, radiance: f64) {
+/// A square lamp of the given side, facing down from `centre`, turned by some
+/// radians about the vertical.
+pub fn add_lamp(scene: &mut Scene, centre: Vec3, side: f64, turned: f64, radiance: f64) {
     let down = Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::PI);
-    let turn = Affine::rotate(v(0.0, 0.0, 1.0), 0.3);
+    let turn = Affine::rotate(v(0.0, 0.0, 1.0), turned);
     let scale = Affine::scale(v(0.5 * side, 0.5 * side, 1.0));
     let (mesh, normals) = rectangle(Affine::translate(centre) * turn * down * scale);
     add(scene, "lamp", mesh, normals, 0.0);
