@@ -95,15 +95,15 @@ impl<'a> Fields<'a> {
             _ => None,
         })?;
         match number {
-            Some(i) if !range.contains(&i) => Err(Problem::new(
-                self.span_of(name),
-                format!("\"{name}\" is {i}"),
-            )
-            .help(format!(
-                "expected a whole number from {} to {}",
-                range.start(),
-                range.end()
-            ))),
+            Some(i) if !range.contains(&i) => {
+                Err(
+                    Problem::new(self.span_of(name), format!("\"{name}\" is {i}")).help(format!(
+                        "expected a whole number from {} to {}",
+                        range.start(),
+                        range.end()
+                    )),
+                )
+            }
             _ => Ok(number),
         }
     }

@@ -84,7 +84,10 @@ fn finite_position(p: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFi
         true => Ok(p),
         false => Err(MeshFileError::new(
             place,
-            format!("vertex {vertex} has the position ({}, {}, {})", p.x, p.y, p.z),
+            format!(
+                "vertex {vertex} has the position ({}, {}, {})",
+                p.x, p.y, p.z
+            ),
             "expected finite coordinates",
         )),
     }

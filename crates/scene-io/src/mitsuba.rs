@@ -10,8 +10,17 @@ use crate::xml::{Attribute, Element};
 
 /// Tags of properties that are not objects.
 const PROPERTY_TAGS: [&str; 11] = [
-    "float", "integer", "boolean", "string", "vector", "point", "rgb", "spectrum", "transform",
-    "ref", "alias",
+    "float",
+    "integer",
+    "boolean",
+    "string",
+    "vector",
+    "point",
+    "rgb",
+    "spectrum",
+    "transform",
+    "ref",
+    "alias",
 ];
 
 /// The objects of a resolved file.
@@ -117,8 +126,10 @@ impl Parser<'_> {
         };
         if let Some(kind) = kind {
             if kind == Kind::Scene {
-                return Err(Problem::new(element.span, "a <scene> stands inside another")
-                    .help("remove it, or <include> it as a file"));
+                return Err(
+                    Problem::new(element.span, "a <scene> stands inside another")
+                        .help("remove it, or <include> it as a file"),
+                );
             }
             let node = self.object(element, kind)?;
             let value = Value::Object {

@@ -92,7 +92,8 @@ pub(crate) fn resolve(
 fn check_definitions(file: &str, defines: &[(String, String)]) -> Result<(), LoadError> {
     for (i, (name, value)) in defines.iter().enumerate() {
         if name.is_empty() || !name.chars().all(|c| c.is_alphanumeric() || c == '_') {
-            let message = format!("\"{name}\" cannot be the name of a parameter (-D {name}={value})");
+            let message =
+                format!("\"{name}\" cannot be the name of a parameter (-D {name}={value})");
             return Err(LoadError::whole_file(file, message)
                 .with_help("expected letters, digits and underscores"));
         }
@@ -207,20 +208,20 @@ impl Resolver<'_> {
             .map_err(|error| Problem::new(span, error).help("give a scene file to include"))?;
         let canonical = path.canonicalize().unwrap_or_else(|_| path.clone());
         if self.open_files.contains(&canonical) {
-            return Err(Problem::new(
-                span,
-                format!("\"{}\" includes itself", path.display()),
-            )
-            .help("remove this <include>"));
+            return Err(
+                Problem::new(span, format!("\"{}\" includes itself", path.display()))
+                    .help("remove this <include>"),
+            );
         }
         if self.open_files.len() > DEEPEST_INCLUDE || self.sources.count() >= MOST_FILES {
-            return Err(Problem::new(span, "too many files are included").help(format!(
-                "at most {DEEPEST_INCLUDE} within each other and {MOST_FILES} in all are read"
-            )));
+            return Err(
+                Problem::new(span, "too many files are included").help(format!(
+                    "at most {DEEPEST_INCLUDE} within each other and {MOST_FILES} in all are read"
+                )),
+            );
         }
-        let source = read_source(&path, Some(span)).map_err(|error| {
-            Problem::new(span, error).help("give a scene file to include")
-        })?;
+        let source = read_source(&path, Some(span))
+            .map_err(|error| Problem::new(span, error).help("give a scene file to include"))?;
         let file = self.sources.add(source);
         self.open_files.push(canonical);
         let mut root = self.file(file)?;
@@ -296,12 +297,16 @@ pub(crate) fn read_source(path: &Path, included_at: Option<Span>) -> Result<Sour
     }
     if metadata.len() > LARGEST_FILE {
         let (size, most) = (metadata.len() >> 20, LARGEST_FILE >> 20);
-        return Err(cannot(format!("it has {size} MiB; expected at most {most}")));
+        return Err(cannot(format!(
+            "it has {size} MiB; expected at most {most}"
+        )));
     }
     let bytes = std::fs::read(path).map_err(|error| cannot(error.to_string()))?;
     let text = String::from_utf8(bytes).map_err(|error| {
         let valid = error.utf8_error().valid_up_to();
-        cannot(format!("byte {valid} is not UTF-8 text; expected an XML scene file"))
+        cannot(format!(
+            "byte {valid} is not UTF-8 text; expected an XML scene file"
+        ))
     })?;
     Ok(Source {
         name,
@@ -320,7 +325,10 @@ pub(crate) fn find_file(name: &str, directories: &[PathBuf]) -> Result<PathBuf, 
     if let Some(found) = tried.iter().find(|path| path.exists()) {
         return Ok(found.clone());
     }
-    let mut places: Vec<String> = tried.iter().map(|p| format!("\"{}\"", p.display())).collect();
+    let mut places: Vec<String> = tried
+        .iter()
+        .map(|p| format!("\"{}\"", p.display()))
+        .collect();
     places.dedup();
     Err(format!("there is no file {}", places.join(" or ")))
 }
@@ -358,7 +366,10 @@ fn check_version(root: &Element) -> Result<(), Problem> {
         )),
         _ => Err(Problem::new(
             version.value_span,
-            format!("\"{}\" is not a version of Mitsuba that is read", version.value),
+            format!(
+                "\"{}\" is not a version of Mitsuba that is read",
+                version.value
+            ),
         )
         .help("expected 2.0 to 3.x, for example version=\"3.0.0\"")),
     }

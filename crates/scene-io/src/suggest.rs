@@ -9,14 +9,22 @@ const LONGEST_NAME: usize = 64;
 
 /// The candidates that differ from `name` by a typing error: at most one edit
 /// in every three characters, nearest first.
-pub(crate) fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+pub(crate) fn nearest<'a>(
+    name: &str,
+    candidates: impl IntoIterator<Item = &'a str>,
+) -> Vec<String> {
     if name.len() > LONGEST_NAME {
         return Vec::new();
     }
     let mut scored: Vec<(usize, &str)> = candidates
         .into_iter()
         .filter(|candidate| candidate.len() <= LONGEST_NAME)
-        .map(|candidate| (edits(&name.to_lowercase(), &candidate.to_lowercase()), candidate))
+        .map(|candidate| {
+            (
+                edits(&name.to_lowercase(), &candidate.to_lowercase()),
+                candidate,
+            )
+        })
         .filter(|(distance, candidate)| 3 * distance <= name.len().max(candidate.len()))
         .collect();
     scored.sort();

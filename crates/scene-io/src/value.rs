@@ -71,7 +71,10 @@ pub(crate) fn vector(element: &Element, default: Option<f64>) -> Result<Vec3, Pr
     if let Some(mixed) = mixed.next() {
         return Err(Problem::new(
             mixed.name_span,
-            format!("<{}> has both \"value\" and \"{}\"", element.tag, mixed.name),
+            format!(
+                "<{}> has both \"value\" and \"{}\"",
+                element.tag, mixed.name
+            ),
         )
         .help("give either value=\"x, y, z\" or x, y and z"));
     }

@@ -29,7 +29,9 @@ pub(super) fn reflectance(
                     span,
                     format!("\"{name}\" is ({}, {}, {})", rgb.x, rgb.y, rgb.z),
                 )
-                .help("expected numbers from 0 to 1: a surface cannot reflect more than it receives"));
+                .help(
+                    "expected numbers from 0 to 1: a surface cannot reflect more than it receives",
+                ));
             }
             rgb
         }
@@ -83,12 +85,14 @@ fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
 fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
     match value {
         Value::Object { .. } => textures_unsupported(span),
-        Value::Spectrum(Spectrum::Sampled) => {
-            Problem::new(span, format!("\"{name}\" depends on the wavelength")).help(
-                "light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> \
+        Value::Spectrum(Spectrum::Sampled) => Problem::new(
+            span,
+            format!("\"{name}\" depends on the wavelength"),
+        )
+        .help(
+            "light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> \
                  or a <spectrum> with one number",
-            )
-        }
+        ),
         other => Problem::new(span, format!("\"{name}\" is a <{}>", other.tag()))
             .help(format!("expected <rgb name=\"{name}\" value=\"r, g, b\"/>")),
     }

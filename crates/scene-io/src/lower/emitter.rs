@@ -58,10 +58,11 @@ impl Lowering<'_> {
             // Defined here, used in a shape by a <ref>.
             "area" if self.attached.contains(&child.node) => return Ok(()),
             "area" => {
-                return Err(
-                    Problem::new(child.span, "an area emitter stands outside of any shape")
-                        .help("move it into the <shape> that emits"),
-                );
+                return Err(Problem::new(
+                    child.span,
+                    "an area emitter stands outside of any shape",
+                )
+                .help("move it into the <shape> that emits"));
             }
             _ => return Err(fields.unknown_plugin(&EMITTERS)),
         }

@@ -89,13 +89,21 @@ impl Lowering<'_> {
 fn output_format(fields: &Fields) -> Result<(), Problem> {
     let formats: [(&'static str, &[&str], &[&str]); 3] = [
         // Name, what Mitsuba knows, and what is what we write.
-        ("file_format", &["openexr", "exr", "rgbe", "pfm"], &["openexr", "exr"]),
+        (
+            "file_format",
+            &["openexr", "exr", "rgbe", "pfm"],
+            &["openexr", "exr"],
+        ),
         (
             "pixel_format",
             &["luminance", "luminance_alpha", "rgb", "rgba", "xyz", "xyza"],
             &["rgb"],
         ),
-        ("component_format", &["float16", "float32", "uint32"], &["float32"]),
+        (
+            "component_format",
+            &["float16", "float32", "uint32"],
+            &["float32"],
+        ),
     ];
     for (name, known, same) in formats {
         let Some(text) = fields.string(name)? else {

@@ -10,7 +10,14 @@ use crate::source::Problem;
 
 /// Endings of mesh formats; a file with another one's is not read as this one.
 const MESH_ENDINGS: [&str; 8] = [
-    "obj", "ply", "stl", "off", "gltf", "glb", "fbx", "serialized",
+    "obj",
+    "ply",
+    "stl",
+    "off",
+    "gltf",
+    "glb",
+    "fbx",
+    "serialized",
 ];
 
 impl Lowering<'_> {
@@ -22,9 +29,13 @@ impl Lowering<'_> {
     ) -> Result<(MeshFile, PathBuf), Problem> {
         let plugin = fields.node.plugin.as_str();
         let filename = fields.string("filename")?.ok_or_else(|| {
-            Problem::new(fields.node.span, format!("{} names no file", fields.title())).help(
-                format!("add <string name=\"filename\" value=\"mesh.{plugin}\"/>"),
+            Problem::new(
+                fields.node.span,
+                format!("{} names no file", fields.title()),
             )
+            .help(format!(
+                "add <string name=\"filename\" value=\"mesh.{plugin}\"/>"
+            ))
         })?;
         let span = fields.span_of("filename");
         let ending = Path::new(filename).extension().and_then(|e| e.to_str());
@@ -52,8 +63,8 @@ impl Lowering<'_> {
             true => Err("it is a folder; expected a file".to_owned()),
             false => std::fs::read(&path).map_err(|error| error.to_string()),
         };
-        let bytes =
-            bytes.map_err(|error| Problem::new(span, format!("cannot read \"{shown}\": {error}")))?;
+        let bytes = bytes
+            .map_err(|error| Problem::new(span, format!("cannot read \"{shown}\": {error}")))?;
         let mesh = match plugin {
             "obj" => read_obj(&bytes, want_normals),
             _ => read_ply(&bytes, want_normals),

@@ -21,10 +21,7 @@ const RIGID: f64 = 1e-3;
 
 impl Lowering<'_> {
     /// The sensor, its film and its sampler.
-    pub(super) fn sensor(
-        &mut self,
-        node: NodeId,
-    ) -> Result<(Perspective, Film, Sampler), Problem> {
+    pub(super) fn sensor(&mut self, node: NodeId) -> Result<(Perspective, Film, Sampler), Problem> {
         let fields = Fields::new(self.context, node);
         if fields.node.plugin != "perspective" {
             return Err(fields.unknown_plugin(&SENSORS));
@@ -124,8 +121,10 @@ fn fov_x(fields: &Fields, film: &Film) -> Result<f64, Problem> {
     };
     if focal_length.is_some() {
         let span = fields.span_of("focal_length");
-        return Err(Problem::new(span, "both \"fov\" and \"focal_length\" are given")
-            .help("keep one of them"));
+        return Err(
+            Problem::new(span, "both \"fov\" and \"focal_length\" are given")
+                .help("keep one of them"),
+        );
     }
     let span = fields.span_of("fov");
     let limits = "expected an angle between 0 and 180 degrees";

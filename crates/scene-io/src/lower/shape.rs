@@ -152,12 +152,9 @@ fn flip(mesh: &mut Mesh, normals: &mut ShadingNormals) {
     }
 }
 
-/// A sphere, and whether its front is inside. As in Mitsuba, a mirroring
-/// transform turns a sphere inside out.
-fn sphere(
-    fields: &Fields,
-    to_world: Affine,
-) -> Result<(Mesh, ShadingNormals, bool), Problem> {
+/// A sphere, and whether its sides must be exchanged. As in Mitsuba, a mirroring
+/// transform turns a sphere inside out ([`primitive::sphere`] does it).
+fn sphere(fields: &Fields, to_world: Affine) -> Result<(Mesh, ShadingNormals, bool), Problem> {
     let centre = fields.point("center")?.unwrap_or(Vec3::zero());
     let radius = fields.float("radius", 1.0)?;
     if radius == 0.0 {
@@ -182,11 +179,8 @@ fn sphere(
              as a mesh",
         ));
     }
-    let (mesh, normals) = primitive::sphere(
-        Affine::IDENTITY,
-        to_world.point(centre),
-        scale * radius.abs(),
-    );
-    let mirrors = to_world.determinant() * radius < 0.0;
-    Ok((mesh, normals, fields.boolean("flip_normals", false)? != mirrors))
+    let (mesh, normals) = primitive::sphere(to_world, centre, radius.abs());
+    // A negative radius mirrors, too.
+    let is_flipped = fields.boolean("flip_normals", false)? != (radius < 0.0);
+    Ok((mesh, normals, is_flipped))
 }

@@ -124,7 +124,9 @@ impl Body<'_> {
     }
 
     fn binary_number(&mut self, scalar: Scalar) -> Option<Number> {
-        let raw = self.bytes.get(self.position..self.position + scalar.size())?;
+        let raw = self
+            .bytes
+            .get(self.position..self.position + scalar.size())?;
         self.position += scalar.size();
         let mut little = [0; 8];
         little[..raw.len()].copy_from_slice(raw);
@@ -160,7 +162,11 @@ impl Body<'_> {
             false => text.and_then(|t| t.parse().ok()).map(Number::Float),
         };
         let number = number.ok_or_else(|| {
-            let kind = if scalar.is_integer() { "a whole number" } else { "a number" };
+            let kind = if scalar.is_integer() {
+                "a whole number"
+            } else {
+                "a number"
+            };
             MeshFileError::new(
                 self.place(),
                 format!("\"{}\" is not {kind}", String::from_utf8_lossy(word)),
@@ -172,7 +178,11 @@ impl Body<'_> {
     }
 
     fn pass_blanks(&mut self) {
-        while let Some(byte) = self.bytes.get(self.position).filter(|b| b.is_ascii_whitespace()) {
+        while let Some(byte) = self
+            .bytes
+            .get(self.position)
+            .filter(|b| b.is_ascii_whitespace())
+        {
             self.line += usize::from(*byte == b'\n');
             self.position += 1;
         }
@@ -285,7 +295,9 @@ fn vertices(
             _ => body.position,
         };
         let mut values = vec![0.0; element.properties.len()];
-        read_element(body, element, index, |i, number| values[i] = number.as_f64())?;
+        read_element(body, element, index, |i, number| {
+            values[i] = number.as_f64()
+        })?;
         let vector = |at: [usize; 3]| Vec3::from(at.map(|i| values[i]));
         let place = || match body.format {
             Format::Ascii => format!("line {place}"),

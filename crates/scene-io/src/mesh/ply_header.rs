@@ -134,7 +134,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
             (1, ["ply"]) => {}
             (1, _) => {
                 let help = "expected \"ply\" in the first line";
-                return Err(MeshFileError::new("line 1", "the file is not a PLY file", help));
+                return Err(MeshFileError::new(
+                    "line 1",
+                    "the file is not a PLY file",
+                    help,
+                ));
             }
             (_, [] | ["comment", ..] | ["obj_info", ..]) => {}
             (_, ["format", kind, "1.0"]) if format.is_none() => {
@@ -194,7 +198,11 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
                     lines: line,
                 });
             }
-            _ => return Err(bad("expected format, element, property, comment or end_header")),
+            _ => {
+                return Err(bad(
+                    "expected format, element, property, comment or end_header",
+                ));
+            }
         }
     }
     unreachable!("a file has fewer lines than there are numbers")
