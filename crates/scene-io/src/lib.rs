@@ -1,1 +1,4 @@
 //! See ARCHITECTURE.md.
+
+mod atomic;
+pub mod export;
