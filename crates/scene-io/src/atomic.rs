@@ -25,6 +25,17 @@ pub(crate) fn write_atomically(
     written
 }
 
+/// Checks that [`write_atomically`] could write there, by making its temporary
+/// file and removing it again.
+pub(crate) fn check_writable(path: &Path) -> io::Result<()> {
+    if path.is_dir() {
+        return Err(io::Error::from(io::ErrorKind::IsADirectory));
+    }
+    let temporary = temporary_name(path)?;
+    File::create(&temporary)?;
+    fs::remove_file(&temporary)
+}
+
 /// `.name.<process>.tmp` in the same directory, so that the move cannot cross
 /// file systems and two processes do not meet.
 fn temporary_name(path: &Path) -> io::Result<PathBuf> {

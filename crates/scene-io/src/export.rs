@@ -2,11 +2,14 @@
 //! one PLY file per shape.
 //!
 //! Numbers are written with all their digits and meshes in double precision,
-//! so loading the files gives the same scene again, to the bit except for the
-//! field of view (which passes through degrees). Mitsuba rounds to its own
-//! precision when it loads. Two things cannot be told in XML: materials come
-//! back in the order in which they are first used, and the constant emitter
-//! comes back behind the lamps.
+//! so loading the files gives the same scene again: to the bit, but for given
+//! normals, the sensor's rotation and its field of view, which are normalised
+//! or computed anew and may differ in the last digit. Mitsuba rounds to its own
+//! precision when it loads.
+//!
+//! Two things cannot be told in XML: materials come back in the order in which
+//! they are first used, and the constant emitter comes back behind the lamps.
+//! Mitsuba takes seeds below 2³² only.
 
 mod ply;
 mod xml;

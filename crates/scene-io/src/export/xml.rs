@@ -162,8 +162,7 @@ fn bsdf(scene: &Scene, id: BsdfId, at_top: bool, xml: &mut Xml) {
 
 /// The one shape or two-sided material that a material is written into, or
 /// `None` if it stands at the top under its own id. It has a home if only one
-/// place uses it and its id is the one that a nameless material gets there
-/// (such ids contain dots, which Mitsuba refuses in files).
+/// place uses it and its id is the one that a nameless material gets there.
 fn home(scene: &Scene, id: BsdfId) -> Option<String> {
     let mut homes: Vec<String> = Vec::new();
     for shape in scene.shapes.iter().filter(|shape| shape.bsdf == id) {
