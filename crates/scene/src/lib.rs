@@ -5,11 +5,14 @@
 //! knows an integrator, or casts a ray.
 
 pub mod bsdf;
+pub mod builtin;
 pub mod emitter;
 pub mod film;
 pub mod filter;
 pub mod image;
 pub mod motion;
+pub mod params;
+pub mod primitive;
 pub mod scene;
 pub mod sensor;
 pub mod settings;

@@ -223,7 +223,7 @@ pub fn moved(mesh: &Mesh, place: &Place, amount: f64, seed: u64) -> Mesh {
     };
     let mut moved = mesh.clone();
     for p in &mut moved.positions {
-        *p = *p + Vec3::new(random(), random(), random()) * (amount * place.size);
+        *p += Vec3::new(random(), random(), random()) * (amount * place.size);
     }
     moved
 }
