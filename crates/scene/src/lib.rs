@@ -10,6 +10,8 @@ pub mod film;
 pub mod filter;
 pub mod image;
 pub mod motion;
+pub mod params;
+pub mod primitive;
 pub mod scene;
 pub mod sensor;
 pub mod settings;

@@ -73,7 +73,8 @@ impl Motion {
 }
 
 impl ShapeMotion {
-    fn add(&mut self, other: &Self) {
+    /// Both motions at once.
+    pub fn add(&mut self, other: &Self) {
         let add = |own: &mut Vec<Vec3>, others: &[Vec3]| {
             own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
         };

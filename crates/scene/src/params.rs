@@ -1,0 +1,93 @@
+//! Which numbers of a scene can be differentiated, what they are called, and
+//! the [`Motion`] that each of them means.
+//!
+//! | name | unit change |
+//! |---|---|
+//! | `<shape>.translate.x` (`.y`, `.z`) | one world unit along the axis |
+//! | `<shape>.rotate.x` (`.y`, `.z`) | one radian about the world axis through the shape's centre |
+//! | `<shape>.scale` | size times two (`d/ds` at `s = 1`), about the shape's centre |
+//! | `<shape>.emitter.radiance.value` (`.r`, `.g`, `.b`) | radiance by one, in all channels or in one |
+//! | `<emitter>.radiance.value` (…) | the same for the constant emitter |
+//! | `<material>.reflectance.value` (…) | reflectance by one |
+//! | `<shape>.bsdf.reflectance.value` (…) | the same, of the shape's material |
+//! | `sensor.translate.x` (…), `sensor.rotate.x` (…) | as for shapes, about the sensor's origin |
+//!
+//! The sensor answers to its own id too. The centre is that of the bounding
+//! box. Names joined by `+` or `-` move together, each with an optional
+//! factor: `ball.translate.x + 0.5*lamp.translate.y - sensor.rotate.z`. Names
+//! are matched whole and the longest wins, so ids may contain any of `.+-*`.
+
+mod error;
+mod expression;
+mod registry;
+mod velocity;
+
+pub use error::ParameterError;
+pub use velocity::vertex_motion;
+
+use crate::motion::Motion;
+use crate::scene::Scene;
+
+/// A number of the scene, or three that change together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Parameter {
+    /// What it is called in expressions.
+    pub name: String,
+    /// What sort of change it is.
+    pub kind: ParameterKind,
+    /// What it is now: 0 for translations and rotations, 1 for scales, a
+    /// colour (three numbers) or one channel of it.
+    pub value: Vec<f64>,
+    /// Unit of the value, and of the derivative's denominator.
+    pub unit: &'static str,
+    /// True if edges move, seen from somewhere: the derivative then has a
+    /// boundary part.
+    pub moves_discontinuities: bool,
+    /// What changes, in a few words.
+    pub description: String,
+    /// The name under which the same parameter is listed first, if this is
+    /// only another name for it.
+    pub alias_of: Option<String>,
+}
+
+/// Sorts of parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ParameterKind {
+    /// Position of a shape along a world axis.
+    Translation,
+    /// Angle of a shape about a world axis through its centre.
+    Rotation,
+    /// Size of a shape relative to what it is.
+    Scale,
+    /// What an emitter emits.
+    Radiance,
+    /// How much a material reflects.
+    Reflectance,
+    /// Position of the sensor along a world axis.
+    SensorTranslation,
+    /// Angle of the sensor about a world axis through its origin.
+    SensorRotation,
+}
+
+/// Every parameter of the scene, shape by shape, then emitters, materials and
+/// the sensor; other names directly behind the one they stand for.
+pub fn list(scene: &Scene) -> Vec<Parameter> {
+    registry::entries(scene)
+        .into_iter()
+        .filter_map(|entry| entry.describe(scene))
+        .collect()
+}
+
+/// The motion that an expression means: a parameter's name, or several with
+/// factors. See the module's table.
+pub fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
+    let entries = registry::entries(scene);
+    let mut motion = Motion::zero(scene);
+    for term in expression::parse(&entries, expression)? {
+        velocity::accumulate(scene, term.target, term.factor, &mut motion);
+    }
+    Ok(motion)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,219 @@
+//! What can be wrong with a parameter, and the names that were perhaps meant.
+
+use std::fmt;
+
+use capwalk_math::Vec3;
+
+/// Why an expression or a list of velocities means no motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ParameterError {
+    /// Nothing has this name.
+    Unknown {
+        /// What was asked for.
+        name: String,
+        /// Names like it, the likeliest first.
+        near: Vec<String>,
+    },
+    /// A name was expected, but the expression is empty or ends.
+    Missing,
+    /// What stands before `*` is not a finite number.
+    BadFactor {
+        /// What stands there.
+        text: String,
+    },
+    /// Two things of the scene have the same name.
+    Ambiguous {
+        /// The name.
+        name: String,
+    },
+    /// The material has two different sides.
+    TwoSides {
+        /// What was asked for.
+        name: String,
+    },
+    /// No shape has this id.
+    UnknownShape {
+        /// What was asked for.
+        shape: String,
+        /// Ids like it, the likeliest first.
+        near: Vec<String>,
+    },
+    /// There are more or fewer velocities than vertices.
+    VertexCount {
+        /// The shape.
+        shape: String,
+        /// Vertices it has.
+        vertices: usize,
+        /// Velocities given.
+        velocities: usize,
+    },
+    /// A velocity is infinite or NaN.
+    BadVelocity {
+        /// The shape.
+        shape: String,
+        /// The vertex, counted from 0.
+        vertex: usize,
+        /// Its velocity.
+        velocity: Vec3,
+    },
+    /// Two vertices at the same place would part.
+    Torn {
+        /// The shape.
+        shape: String,
+        /// The vertices, counted from 0.
+        vertices: [usize; 2],
+        /// Their velocities.
+        velocities: [Vec3; 2],
+    },
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let vector = |v: &Vec3| format!("({}, {}, {})", v.x, v.y, v.z);
+        match self {
+            Self::Unknown { name, near } => {
+                write!(f, "the scene has no parameter \"{name}\"")?;
+                did_you_mean(f, near)?;
+                write!(f, "; `capwalk info` lists all parameters")
+            }
+            Self::Missing => write!(
+                f,
+                "expected a parameter's name, such as `ball.translate.x`, but the expression \
+                 ends; `capwalk info` lists all parameters"
+            ),
+            Self::BadFactor { text } => write!(
+                f,
+                "\"{text}\" stands before `*`; expected a finite number, as in \
+                 `0.5*ball.translate.x`"
+            ),
+            Self::Ambiguous { name } => write!(
+                f,
+                "\"{name}\" names two different things in this scene; give one of them another id"
+            ),
+            Self::TwoSides { name } => write!(
+                f,
+                "\"{name}\" belongs to a material whose two sides differ; name the material of \
+                 one side instead; `capwalk info` lists all parameters"
+            ),
+            Self::UnknownShape { shape, near } => {
+                write!(f, "the scene has no shape \"{shape}\"")?;
+                did_you_mean(f, near)?;
+                write!(f, "; `capwalk info` lists all shapes")
+            }
+            Self::VertexCount {
+                shape,
+                vertices,
+                velocities,
+            } => write!(
+                f,
+                "{velocities} velocities were given for the shape \"{shape}\", which has \
+                 {vertices} vertices; expected one for each vertex"
+            ),
+            Self::BadVelocity {
+                shape,
+                vertex,
+                velocity,
+            } => write!(
+                f,
+                "vertex {vertex} of the shape \"{shape}\" has the velocity {}; expected finite \
+                 numbers",
+                vector(velocity)
+            ),
+            Self::Torn {
+                shape,
+                vertices: [a, b],
+                velocities: [u, v],
+            } => write!(
+                f,
+                "vertices {a} and {b} of the shape \"{shape}\" are at the same place but have \
+                 the velocities {} and {}; the surface would tear: give them the same",
+                vector(u),
+                vector(v)
+            ),
+        }
+    }
+}
+
+impl std::error::Error for ParameterError {}
+
+fn did_you_mean(f: &mut fmt::Formatter<'_>, near: &[String]) -> fmt::Result {
+    match near {
+        [] => Ok(()),
+        [one] => write!(f, "; did you mean `{one}`?"),
+        [first @ .., last] => write!(f, "; did you mean `{}` or `{last}`?", first.join("`, `")),
+    }
+}
+
+/// How many names a message suggests at most.
+const SUGGESTIONS: usize = 4;
+
+/// The names most like `wanted`: within a third of its length in edits, or
+/// with only some parts between dots left out, each counted as one edit.
+pub(super) fn near<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let farthest = wanted.chars().count().div_ceil(3);
+    let mut scored: Vec<(usize, &str)> = names
+        .filter_map(|name| {
+            let edits = edit_distance(wanted, name);
+            let edits = (edits <= farthest).then_some(edits);
+            let distance = edits.into_iter().chain(missing_parts(wanted, name)).min()?;
+            Some((distance, name))
+        })
+        .collect();
+    scored.sort_by_key(|&(distance, _)| distance); // stable
+    // A suggestion much worse than the best one only distracts.
+    let best = scored.first().map_or(0, |&(distance, _)| distance);
+    let close = scored.iter().filter(|&&(distance, _)| distance <= best + 1);
+    close
+        .map(|&(_, name)| name.to_owned())
+        .take(SUGGESTIONS)
+        .collect()
+}
+
+/// How many parts of `name` are left out in `wanted`, or `None` if `wanted`
+/// has others or another order.
+fn missing_parts(wanted: &str, name: &str) -> Option<usize> {
+    let mut parts = name.split('.');
+    let all_found = wanted.split('.').all(|part| parts.any(|p| p == part));
+    let count = |text: &str| text.split('.').count();
+    all_found.then(|| count(name) - count(wanted))
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that turn one
+/// text into the other (optimal string alignment).
+fn edit_distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut before_last: Vec<usize> = Vec::new();
+    let mut last: Vec<usize> = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let replaced = last[j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let mut best = replaced.min(last[j] + 1).min(row[j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(before_last[j - 2] + 1);
+            }
+            row.push(best);
+        }
+        before_last = std::mem::replace(&mut last, row);
+    }
+    last[b.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edits_are_counted() {
+        for (a, b, distance) in [
+            ("", "abc", 3),
+            ("ball", "ball", 0),
+            ("ball", "blal", 1),
+            ("kitten", "sitting", 3),
+            ("rotate", "translate", 5),
+        ] {
+            assert_eq!(edit_distance(a, b), distance, "{a} {b}");
+            assert_eq!(edit_distance(b, a), distance, "{b} {a}");
+        }
+    }
+}

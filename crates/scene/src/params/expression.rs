@@ -1,0 +1,102 @@
+//! `ball.translate.x + 0.5*lamp.translate.y`: names with signs and factors.
+
+use super::error::{ParameterError, near};
+use super::registry::{Entry, Target};
+
+/// A parameter times a number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Term {
+    pub factor: f64,
+    pub target: Target,
+}
+
+/// The terms of a sum. A name is the longest registered one at its place that
+/// ends where the text or the term ends, so ids may contain signs and dots.
+pub(super) fn parse(entries: &[Entry], text: &str) -> Result<Vec<Term>, ParameterError> {
+    let mut terms = Vec::new();
+    let mut rest = text.trim_start();
+    loop {
+        let mut factor = 1.0;
+        // A sign before a term joins it to the ones before it; without one
+        // only the first term may stand. Names are tried first.
+        let found = loop {
+            if let Some(found) = longest_name(entries, rest) {
+                break found;
+            }
+            if let Some(after) = rest.strip_prefix('-') {
+                factor = -factor;
+                rest = after.trim_start();
+            } else if let Some(after) = rest.strip_prefix('+') {
+                rest = after.trim_start();
+            } else if let Some((number, after)) = split_factor(rest)? {
+                factor *= number;
+                rest = after.trim_start();
+            } else {
+                return Err(unknown(entries, rest));
+            }
+        };
+        terms.push(Term {
+            factor,
+            target: target(entries, found)?,
+        });
+        rest = rest[found.len()..].trim_start();
+        if rest.is_empty() {
+            return Ok(terms);
+        }
+    }
+}
+
+/// The number before `*` and the text behind it, or `None` if this term has no
+/// `*`.
+fn split_factor(text: &str) -> Result<Option<(f64, &str)>, ParameterError> {
+    let Some((before, after)) = text.split_once('*') else {
+        return Ok(None);
+    };
+    let before = before.trim();
+    match before.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(Some((number, after))),
+        // The `*` belongs to a later term: this one is an unknown name.
+        Err(_) if before.contains('+') => Ok(None),
+        _ => Err(ParameterError::BadFactor {
+            text: before.into(),
+        }),
+    }
+}
+
+/// The longest name that `text` starts with and that a sign, white space and a
+/// sign, or nothing follows.
+fn longest_name<'a>(entries: &'a [Entry], text: &str) -> Option<&'a str> {
+    let fits = |name: &&str| {
+        let after = text.strip_prefix(name).map(str::trim_start);
+        after.is_some_and(|after| after.is_empty() || after.starts_with(['+', '-']))
+    };
+    let names = entries.iter().map(|entry| entry.name.as_str());
+    names.filter(fits).max_by_key(|name| name.len())
+}
+
+/// What a registered name refers to, if it is one thing.
+fn target(entries: &[Entry], name: &str) -> Result<Target, ParameterError> {
+    let mut targets = entries.iter().filter(|e| e.name == name).map(|e| e.target);
+    let first = targets.next().expect("the name is registered");
+    if targets.any(|other| other != first) {
+        return Err(ParameterError::Ambiguous { name: name.into() });
+    }
+    first.ok_or_else(|| ParameterError::TwoSides { name: name.into() })
+}
+
+fn unknown(entries: &[Entry], rest: &str) -> ParameterError {
+    // Up to the next `+`: ids seldom contain it, but often a `-`.
+    let name = rest.split('+').next().unwrap_or(rest).trim();
+    let usable = |entry: &&Entry| entry.target.is_some();
+    let names = entries
+        .iter()
+        .filter(usable)
+        .map(|entry| entry.name.as_str());
+    match name {
+        "" => ParameterError::Missing,
+        name => ParameterError::Unknown {
+            name: name.into(),
+            near: near(name, names),
+        },
+    }
+}

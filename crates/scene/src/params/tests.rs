@@ -1,0 +1,331 @@
+use super::*;
+use crate::bsdf::{Bsdf, Diffuse, Material};
+use crate::emitter::Emitter;
+use crate::film::Film;
+use crate::filter::Filter;
+use crate::primitive;
+use crate::scene::{BsdfId, EmitterId, ShapeId};
+use crate::sensor::Perspective;
+use crate::settings::{Integrator, SamplerKind, Settings};
+use crate::shape::{ShadingNormals, Shape};
+use capwalk_math::{Affine, Rgb, Vec3};
+
+/// A ball, a lamp, and a sheet whose id holds all that could confuse a parser.
+fn example() -> Scene {
+    let place = Affine::translate(Vec3::new(0.4, 1.0, -0.3))
+        * Affine::rotate(Vec3::new(1.0, 2.0, 0.5), 0.4)
+        * Affine::scale(Vec3::new(1.0, 0.5, 0.8));
+    let mut ball = primitive::icosphere(2);
+    let given = ball.positions.iter().map(|&n| place.normal(n).normalized());
+    let given = given.collect();
+    ball.positions.iter_mut().for_each(|p| *p = place.point(*p));
+    let (lamp, _) = primitive::rectangle(Affine::translate(Vec3::new(0.0, 3.0, 0.1)));
+    let (sheet, _) = primitive::disk(place);
+    let shape = |id: &str, mesh, normals, bsdf, emitter| Shape {
+        id: id.into(),
+        mesh,
+        normals,
+        bsdf: BsdfId(bsdf),
+        emitter,
+    };
+    let computed = ShadingNormals::computed(&sheet);
+    let diffuse = |id: &str, reflectance: [f64; 3]| Material {
+        id: id.into(),
+        bsdf: Bsdf::Diffuse(Diffuse {
+            reflectance: reflectance.into(),
+        }),
+    };
+    let two_sided = |id: &str, front, back| Material {
+        id: id.into(),
+        bsdf: Bsdf::TwoSided {
+            front: BsdfId(front),
+            back: BsdfId(back),
+        },
+    };
+    Scene {
+        shapes: vec![
+            shape("ball", ball, ShadingNormals::Given(given), 2, None),
+            shape("lamp", lamp, ShadingNormals::Face, 1, Some(EmitterId(0))),
+            shape("-a.b+2*c", sheet, computed, 3, None),
+        ],
+        materials: vec![
+            diffuse("red", [0.8, 0.1, 0.2]),
+            diffuse("lamp.bsdf", [0.5; 3]),
+            two_sided("both", 0, 0),
+            two_sided("mixed", 0, 1),
+        ],
+        emitters: vec![
+            Emitter::Area {
+                shape: ShapeId(1),
+                radiance: Rgb::new(5.0, 6.0, 7.0),
+            },
+            Emitter::Constant {
+                id: "sky".into(),
+                radiance: Rgb::splat(0.25),
+            },
+        ],
+        sensor: Perspective {
+            id: "eye".into(),
+            world_from_camera: Affine::translate(Vec3::new(0.0, 1.0, -5.0))
+                * Affine::rotate(Vec3::new(0.1, 1.0, 0.0), 0.2),
+            fov_x: 0.7,
+            principal_point_offset: [0.0; 2],
+            near_clip: 0.01,
+            far_clip: 1e4,
+        },
+        film: Film::new(4, 3, Filter::Box),
+        settings: Settings {
+            integrator: Integrator::Direct {
+                emitter_samples: 1,
+                bsdf_samples: 1,
+                hide_emitters: false,
+            },
+            spp: 4,
+            sampler: SamplerKind::Independent,
+            seed: 0,
+        },
+    }
+}
+
+/// Central differences of all positions, normals and colours of two scenes,
+/// and of the images of some camera points.
+fn numbers(scene: &Scene) -> Vec<Vec3> {
+    let mut numbers = Vec::new();
+    for shape in &scene.shapes {
+        numbers.extend_from_slice(&shape.mesh.positions);
+        numbers.extend(shape.normals.per_vertex().into_iter().flatten());
+    }
+    numbers.extend(scene.emitters.iter().map(Emitter::radiance));
+    for material in &scene.materials {
+        if let Bsdf::Diffuse(diffuse) = &material.bsdf {
+            numbers.push(diffuse.reflectance);
+        }
+    }
+    let camera = &scene.sensor.world_from_camera;
+    numbers.extend([[0.0; 3], [1.0, 0.0, 0.0], [0.3, -0.2, 2.0]].map(|p| camera.point(p.into())));
+    numbers
+}
+
+/// What `name` should do, written down a second time: the scene changed by the
+/// finite amount `h`.
+fn changed(scene: &Scene, parameter: &Parameter, h: f64) -> Scene {
+    let mut scene = scene.clone();
+    let name = parameter.alias_of.as_ref().unwrap_or(&parameter.name);
+    let axis = match &name[name.len() - 1..] {
+        "x" | "r" => Vec3::new(1.0, 0.0, 0.0),
+        "y" | "g" => Vec3::new(0.0, 1.0, 0.0),
+        "z" | "b" => Vec3::new(0.0, 0.0, 1.0),
+        _ => Vec3::splat(1.0),
+    };
+    let about = |p: Vec3, map: Affine| Affine::translate(p) * map * Affine::translate(-p);
+    let shape = scene.shapes.iter().position(|s| name.starts_with(&s.id));
+    let map = shape.map(|i| match parameter.kind {
+        ParameterKind::Translation => Affine::translate(axis * h),
+        ParameterKind::Rotation => about(scene.shapes[i].centre(), Affine::rotate(axis, h)),
+        ParameterKind::Scale => about(
+            scene.shapes[i].centre(),
+            Affine::scale(Vec3::splat(1.0 + h)),
+        ),
+        _ => Affine::IDENTITY,
+    });
+    if let (Some(map), Some(i)) = (map, shape) {
+        let shape = &mut scene.shapes[i];
+        shape
+            .mesh
+            .positions
+            .iter_mut()
+            .for_each(|p| *p = map.point(*p));
+        if let ShadingNormals::Given(n) | ShadingNormals::Computed(n) = &mut shape.normals {
+            n.iter_mut().for_each(|n| *n = map.normal(*n).normalized());
+        }
+    }
+    let camera = &mut scene.sensor.world_from_camera;
+    match parameter.kind {
+        ParameterKind::SensorTranslation => camera.translation += axis * h,
+        ParameterKind::SensorRotation => {
+            *camera = about(camera.translation, Affine::rotate(axis, h)) * *camera;
+        }
+        ParameterKind::Radiance => {
+            let emitter = usize::from(name.starts_with("sky"));
+            *scene.emitters[emitter].radiance_mut() += axis * h;
+        }
+        ParameterKind::Reflectance => {
+            let material = usize::from(name.starts_with("lamp.bsdf"));
+            let Bsdf::Diffuse(diffuse) = &mut scene.materials[material].bsdf else {
+                unreachable!()
+            };
+            diffuse.reflectance += axis * h;
+        }
+        _ => {}
+    }
+    scene
+}
+
+/// Every listed name, alone: differences of the scene moved along its motion
+/// equal differences of the scene changed by hand.
+#[test]
+fn every_name_means_what_it_says() {
+    let scene = example();
+    let h = 1e-5;
+    let parameters = list(&scene);
+    // 3 shapes × 7, 2 emitters × 4, `red` and its aliases `both`, `ball.bsdf`
+    // and `lamp.bsdf` × 4, the sensor under two names × 6.
+    assert_eq!(parameters.len(), 21 + 8 + 16 + 12);
+    for parameter in parameters {
+        let motion = motion(&scene, &parameter.name).expect("it is listed");
+        let above = numbers(&scene.moved(&motion, h));
+        let below = numbers(&scene.moved(&motion, -h));
+        let expected_above = numbers(&changed(&scene, &parameter, h));
+        let expected_below = numbers(&changed(&scene, &parameter, -h));
+        let mut moves = false;
+        for i in 0..above.len() {
+            let difference = (above[i] - below[i]) / (2.0 * h);
+            let expected = (expected_above[i] - expected_below[i]) / (2.0 * h);
+            let error = (difference - expected).length();
+            assert!(error < 1e-8, "{}: number {i}: {error:e}", parameter.name);
+            moves |= difference.length() > 0.1;
+        }
+        assert!(moves, "{} does nothing", parameter.name);
+    }
+}
+
+/// Unit normals turn without becoming longer, and only when the shape turns.
+#[test]
+fn given_normals_turn() {
+    let scene = example();
+    let normals = scene.shapes[0].normals.per_vertex().expect("given");
+    let turning = motion(&scene, "ball.rotate.y").expect("listed");
+    let velocities = scene.normal_velocities(&turning, 0).expect("moves");
+    for (n, v) in normals.iter().zip(velocities) {
+        assert!((Vec3::new(n.z, 0.0, -n.x) - v).length() < 1e-15); // e_y × n
+    }
+    for name in ["ball.translate.x", "ball.scale"] {
+        let motion = motion(&scene, name).expect("listed");
+        let velocities = scene.normal_velocities(&motion, 0).expect("moves");
+        assert!(velocities.iter().all(|&v| v == Vec3::zero()), "{name}");
+    }
+}
+
+#[test]
+fn terms_add_with_signs_and_factors() {
+    let scene = example();
+    let one = |name: &str| motion(&scene, name).expect(name);
+    let sum = one(" ball.translate.x+ -0.5 * lamp.translate.y - 2*sensor.rotate.z ");
+    assert_eq!(sum.shapes[0], one("ball.translate.x").shapes[0]);
+    let lamp = sum.shapes[1].as_ref().expect("moves");
+    assert!(
+        lamp.vertices
+            .iter()
+            .all(|&v| v == Vec3::new(0.0, -0.5, 0.0))
+    );
+    assert_eq!(sum.sensor.rotation, Vec3::new(0.0, 0.0, -2.0));
+    assert_eq!(one("1e+1*sky.radiance.value").radiance[1], Rgb::splat(10.0));
+    // The same shape twice: a motion and a turn.
+    let both = one("ball.translate.x + ball.rotate.z");
+    let (moving, turning) = (one("ball.translate.x"), one("ball.rotate.z"));
+    let vertex = |m: &Motion| m.shapes[0].as_ref().expect("moves").vertices[5];
+    assert_eq!(vertex(&both), vertex(&moving) + vertex(&turning));
+    assert!(both.shapes[0].as_ref().expect("moves").normals.is_some());
+}
+
+#[test]
+fn ids_may_contain_signs_and_dots() {
+    let scene = example();
+    for (text, x) in [
+        ("-a.b+2*c.translate.x", 1.0),
+        ("--a.b+2*c.translate.x", -1.0),
+        ("3*-a.b+2*c.translate.x", 3.0),
+        ("ball.translate.y + -a.b+2*c.translate.x", 1.0),
+        ("ball.translate.y - -a.b+2*c.translate.x", -1.0),
+    ] {
+        let motion = motion(&scene, text).expect(text);
+        let vertices = &motion.shapes[2].as_ref().expect("moves").vertices;
+        assert!(vertices.iter().all(|v| v.x == x), "{text}");
+    }
+}
+
+#[test]
+fn wrong_names_suggest_right_ones() {
+    let scene = example();
+    let message = |text: &str| motion(&scene, text).expect_err(text).to_string();
+    assert_eq!(
+        message("bal.translate.x"),
+        "the scene has no parameter \"bal.translate.x\"; did you mean `ball.translate.x`, \
+         `ball.translate.y` or `ball.translate.z`?; `capwalk info` lists all parameters"
+    );
+    for (text, part) in [
+        (
+            "lamp.radiance.value",
+            "did you mean `lamp.emitter.radiance.value`",
+        ),
+        (
+            "ball.rotate",
+            "`ball.rotate.x`, `ball.rotate.y` or `ball.rotate.z`",
+        ),
+        (
+            "ball.translate.y + blal.scale",
+            "no parameter \"blal.scale\"; did you mean `ball.scale`",
+        ),
+        ("gizmo.x + 2*ball.scale", "no parameter \"gizmo.x\""),
+        (
+            "x*ball.scale",
+            "\"x\" stands before `*`; expected a finite number",
+        ),
+        (
+            "inf*ball.scale",
+            "\"inf\" stands before `*`; expected a finite number",
+        ),
+        ("", "expected a parameter's name"),
+        ("ball.scale +", "expected a parameter's name"),
+        ("mixed.reflectance.value", "whose two sides differ"),
+        (
+            "-a.b+2*c.bsdf.reflectance.value.r",
+            "whose two sides differ",
+        ),
+        ("gizmo", "no parameter \"gizmo\"; `capwalk info` lists"),
+    ] {
+        assert!(message(text).contains(part), "{text}: {}", message(text));
+    }
+}
+
+#[test]
+fn one_name_for_two_things_is_refused() {
+    let mut scene = example();
+    scene.shapes[0].id = "sensor".into();
+    let error = motion(&scene, "sensor.translate.x").expect_err("ambiguous");
+    assert!(error.to_string().contains("two different things"));
+    assert!(motion(&scene, "eye.translate.x").is_ok());
+    assert!(motion(&scene, "sensor.scale").is_ok());
+}
+
+#[test]
+fn vertices_move_unless_the_mesh_would_tear() {
+    let mut scene = example();
+    let count = scene.shapes[0].mesh.positions.len();
+    let velocities: Vec<Vec3> = (0..count).map(|i| Vec3::splat(i as f64)).collect();
+    let motion = vertex_motion(&scene, "ball", velocities.clone()).expect("right");
+    assert_eq!(
+        motion.shapes[0].as_ref().expect("moves").vertices,
+        velocities
+    );
+    assert!(motion.shapes[1].is_none());
+
+    let message = |scene: &Scene, shape: &str, v: Vec<Vec3>| {
+        vertex_motion(scene, shape, v).expect_err(shape).to_string()
+    };
+    assert!(message(&scene, "bal", vec![]).contains("did you mean `ball`"));
+    assert!(message(&scene, "ball", vec![]).contains("0 velocities were given"));
+    let mut bad = velocities.clone();
+    bad[7].y = f64::NAN;
+    assert!(message(&scene, "ball", bad).contains("vertex 7"));
+    // A seam: the last vertex lies on the first.
+    let positions = &mut scene.shapes[0].mesh.positions;
+    positions[count - 1] = positions[0];
+    let torn = message(&scene, "ball", velocities);
+    assert!(
+        torn.contains(&format!("vertices 0 and {}", count - 1)),
+        "{torn}"
+    );
+    let together = vec![Vec3::splat(1.0); count];
+    assert!(vertex_motion(&scene, "ball", together).is_ok());
+}

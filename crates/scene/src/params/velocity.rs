@@ -1,0 +1,111 @@
+//! From a parameter to the velocities it means.
+
+use capwalk_geometry::topology::weld;
+use capwalk_math::Vec3;
+
+use super::error::{ParameterError, near};
+use super::registry::Target;
+use crate::motion::{Motion, ShapeMotion};
+use crate::scene::{Scene, ShapeId};
+use crate::shape::ShadingNormals;
+
+/// Adds `factor` times a parameter's velocities to a motion.
+pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mut Motion) {
+    let axis = |axis: usize| Vec3::from([0, 1, 2].map(|i| if i == axis { factor } else { 0.0 }));
+    match target {
+        Target::Translate(id, along) => add_rigid(scene, id, axis(along), Vec3::zero(), motion),
+        Target::Rotate(id, about) => add_rigid(scene, id, Vec3::zero(), axis(about), motion),
+        Target::Scale(id) => {
+            let shape = scene.shape(id);
+            let centre = shape.centre();
+            let positions = shape.mesh.positions.iter();
+            let vertices = positions.map(|&p| (p - centre) * factor).collect();
+            // A uniform scale turns no normal.
+            let normals = None;
+            motion.add_to_shape(id, ShapeMotion { vertices, normals });
+        }
+        Target::Radiance(id, channel) => {
+            motion.radiance[id.0 as usize] += channel.unit() * factor;
+        }
+        Target::Reflectance(id, channel) => {
+            motion.reflectance[id.0 as usize] += channel.unit() * factor;
+        }
+        Target::TranslateSensor(along) => motion.sensor.translation += axis(along),
+        Target::RotateSensor(about) => motion.sensor.rotation += axis(about),
+    }
+}
+
+/// Adds a rigid motion of a shape: `translation + rotation × (p - centre)`.
+fn add_rigid(scene: &Scene, id: ShapeId, translation: Vec3, rotation: Vec3, motion: &mut Motion) {
+    let shape = scene.shape(id);
+    let centre = shape.centre();
+    let positions = shape.mesh.positions.iter();
+    let vertices = positions
+        .map(|&p| translation + rotation.cross(p - centre))
+        .collect();
+    let normals = match &shape.normals {
+        ShadingNormals::Given(normals) if rotation != Vec3::zero() => {
+            Some(normals.iter().map(|&n| rotation.cross(n)).collect())
+        }
+        _ => None,
+    };
+    motion.add_to_shape(id, ShapeMotion { vertices, normals });
+}
+
+impl Motion {
+    fn add_to_shape(&mut self, id: ShapeId, velocities: ShapeMotion) {
+        match &mut self.shapes[id.0 as usize] {
+            Some(own) => own.add(&velocities),
+            rest => *rest = Some(velocities),
+        }
+    }
+}
+
+/// The motion of a single shape whose vertices each have a velocity, world
+/// units. Normals given with the mesh stay, computed ones follow.
+///
+/// There must be one finite velocity per vertex, and the same one for vertices
+/// at the same position (seams of normals or texture coordinates).
+pub fn vertex_motion(
+    scene: &Scene,
+    shape: &str,
+    velocities: Vec<Vec3>,
+) -> Result<Motion, ParameterError> {
+    let Some(index) = scene.shapes.iter().position(|s| s.id == shape) else {
+        return Err(ParameterError::UnknownShape {
+            shape: shape.into(),
+            near: near(shape, scene.shapes.iter().map(|s| s.id.as_str())),
+        });
+    };
+    let positions = &scene.shapes[index].mesh.positions;
+    if velocities.len() != positions.len() {
+        return Err(ParameterError::VertexCount {
+            shape: shape.into(),
+            vertices: positions.len(),
+            velocities: velocities.len(),
+        });
+    }
+    if let Some(vertex) = velocities.iter().position(|v| !v.is_finite()) {
+        return Err(ParameterError::BadVelocity {
+            shape: shape.into(),
+            vertex,
+            velocity: velocities[vertex],
+        });
+    }
+    for (vertex, &first) in weld(positions).iter().enumerate() {
+        let first = first as usize;
+        if velocities[first] != velocities[vertex] {
+            return Err(ParameterError::Torn {
+                shape: shape.into(),
+                vertices: [first, vertex],
+                velocities: [velocities[first], velocities[vertex]],
+            });
+        }
+    }
+    let mut motion = Motion::zero(scene);
+    motion.shapes[index] = Some(ShapeMotion {
+        vertices: velocities,
+        normals: None,
+    });
+    Ok(motion)
+}
