@@ -5,6 +5,7 @@
 //! knows an integrator, or casts a ray.
 
 pub mod bsdf;
+pub mod builtin;
 pub mod emitter;
 pub mod film;
 pub mod filter;

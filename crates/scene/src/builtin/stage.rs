@@ -1,0 +1,125 @@
+//! What the built-in scenes are put together from.
+
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Rgb, Vec3};
+
+use crate::bsdf::{Bsdf, Diffuse, Material};
+use crate::emitter::Emitter;
+use crate::film::Film;
+use crate::filter::Filter;
+use crate::primitive;
+use crate::scene::{BsdfId, EmitterId, Scene, ShapeId};
+use crate::sensor::Perspective;
+use crate::settings::{Integrator, SamplerKind, Settings};
+use crate::shape::{ShadingNormals, Shape};
+
+/// An empty scene: a picture of 256 x 192 pixels with a box filter and direct
+/// light, seen from `origin` towards `target` with a horizontal field of view
+/// in degrees.
+pub fn empty(origin: Vec3, target: Vec3, fov_x: f64) -> Scene {
+    Scene {
+        shapes: Vec::new(),
+        materials: Vec::new(),
+        emitters: Vec::new(),
+        sensor: Perspective {
+            id: "sensor".into(),
+            world_from_camera: Affine::look_at(origin, target, Vec3::new(0.0, 1.0, 0.0))
+                .expect("no built-in camera looks straight down"),
+            fov_x: fov_x.to_radians(),
+            principal_point_offset: [0.0, 0.0],
+            near_clip: 0.01,
+            far_clip: 1000.0,
+        },
+        film: Film::new(256, 192, Filter::Box),
+        settings: Settings {
+            integrator: Integrator::Direct {
+                emitter_samples: 1,
+                bsdf_samples: 1,
+                hide_emitters: false,
+            },
+            spp: 64,
+            sampler: SamplerKind::Independent,
+            seed: 0,
+        },
+    }
+}
+
+/// Adds a shape that reflects diffusely from both sides, or from the front
+/// only.
+pub fn add(
+    scene: &mut Scene,
+    id: &str,
+    (mesh, normals): (Mesh, ShadingNormals),
+    reflectance: Rgb,
+    sides: Sides,
+) -> ShapeId {
+    let mut material = |id: String, bsdf| {
+        scene.materials.push(Material { id, bsdf });
+        BsdfId(scene.materials.len() as u32 - 1)
+    };
+    let diffuse = Bsdf::Diffuse(Diffuse { reflectance });
+    let bsdf = match sides {
+        Sides::Front => material(format!("{id}.bsdf"), diffuse),
+        Sides::Both => {
+            let side = material(format!("{id}.bsdf.side"), diffuse);
+            let (front, back) = (side, side);
+            material(format!("{id}.bsdf"), Bsdf::TwoSided { front, back })
+        }
+    };
+    scene.shapes.push(Shape {
+        id: id.into(),
+        mesh,
+        normals,
+        bsdf,
+        emitter: None,
+    });
+    ShapeId(scene.shapes.len() as u32 - 1)
+}
+
+/// Which sides of a shape reflect.
+pub enum Sides {
+    /// Closed shapes, floors and lamps.
+    Front,
+    /// Sheets.
+    Both,
+}
+
+/// Adds a horizontal square that faces up, of half the given width.
+pub fn add_floor(scene: &mut Scene, half_width: f64, reflectance: Rgb) {
+    let (x, z) = (
+        Vec3::new(half_width, 0.0, 0.0),
+        Vec3::new(0.0, 0.0, half_width),
+    );
+    let floor = rectangle(Vec3::zero(), z, x);
+    add(scene, "floor", floor, reflectance, Sides::Front);
+}
+
+/// Adds a square that emits downwards the same radiance in all channels.
+pub fn add_lamp(scene: &mut Scene, centre: Vec3, half_width: f64, radiance: f64) {
+    let (x, z) = (
+        Vec3::new(half_width, 0.0, 0.0),
+        Vec3::new(0.0, 0.0, half_width),
+    );
+    let lamp = rectangle(centre, x, z);
+    let shape = add(scene, "lamp", lamp, Rgb::splat(0.5), Sides::Front);
+    let emitter = EmitterId(scene.emitters.len() as u32);
+    scene.shapes[shape.0 as usize].emitter = Some(emitter);
+    scene.emitters.push(Emitter::Area {
+        shape,
+        radiance: Rgb::splat(radiance),
+    });
+}
+
+/// The rectangle from `centre - s - t` to `centre + s + t`, facing `s × t`;
+/// `s` and `t` are orthogonal.
+pub fn rectangle(centre: Vec3, s: Vec3, t: Vec3) -> (Mesh, ShadingNormals) {
+    let n = s.cross(t).normalized();
+    primitive::rectangle(Affine {
+        rows: [
+            Vec3::new(s.x, t.x, n.x),
+            Vec3::new(s.y, t.y, n.y),
+            Vec3::new(s.z, t.z, n.z),
+        ],
+        translation: centre,
+    })
+}
