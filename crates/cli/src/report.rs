@@ -1,6 +1,8 @@
 //! Numbers for people: sensible digits, standard errors, aligned columns.
 
-use capwalk_render::Statistics;
+use capwalk_math::Rgb;
+use capwalk_render::{Estimate, Options, Statistics};
+use capwalk_scene::Image;
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
@@ -157,6 +159,47 @@ pub fn outcome(statistics: &[&Statistics]) -> Outcome {
     } else {
         Outcome::Done
     }
+}
+
+/// What a floating point file says about how it was made.
+pub fn header(
+    what: &str,
+    scene: &str,
+    options: &Options,
+    statistics: &Statistics,
+) -> Vec<(String, String)> {
+    let entries = [
+        ("command", what.to_owned()),
+        ("scene", scene.to_owned()),
+        ("seed", options.seed.to_string()),
+        ("samples_per_pixel_asked", options.spp.to_string()),
+        ("samples", statistics.samples.to_string()),
+        ("complete", statistics.complete.to_string()),
+        ("non_finite_samples", statistics.non_finite.to_string()),
+        ("capwalk_version", env!("CARGO_PKG_VERSION").to_owned()),
+    ];
+    entries.map(|(key, value)| (key.to_owned(), value)).into()
+}
+
+/// The mean colour of a picture.
+pub fn mean_colour(image: &Image) -> [f64; 3] {
+    let sum = image.pixels.iter().fold(Rgb::zero(), |sum, &p| sum + p);
+    let mean = sum / image.pixels.len() as f64;
+    [mean.x, mean.y, mean.z]
+}
+
+/// Variance of one sample of a pixel: squared standard errors times the
+/// pixel's samples, averaged over pixels and channels. Pixels with fewer than
+/// two samples do not enter; NaN if none does.
+pub fn variance_per_sample(estimate: &Estimate, statistics: &Statistics) -> f64 {
+    let errors = estimate.standard_error.pixels.iter();
+    let (sum, pixels) = errors
+        .zip(&statistics.samples_per_pixel)
+        .filter(|(error, _)| error.is_finite())
+        .fold((0.0, 0_u64), |(sum, pixels), (error, &samples)| {
+            (sum + error.dot(*error) / 3.0 * f64::from(samples), pixels + 1)
+        });
+    sum / pixels as f64
 }
 
 /// The statistics as JSON.

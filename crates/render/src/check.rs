@@ -68,6 +68,9 @@ pub struct Comparison {
     pub sign: f64,
     /// How many pixels entered `z`: those where either picture has noise.
     pub pixels: usize,
+    /// How many pixels have fewer than two samples in one of the pictures, and
+    /// entered nothing.
+    pub left_out: usize,
     /// Best factor from gradient to reference, 1 for a right gradient,
     /// corrected for the noise of the gradient.
     pub slope: f64,
@@ -101,7 +104,8 @@ pub enum Verdict {
     },
 }
 
-/// Compares a gradient with an independent reference of the same size.
+/// Compares a gradient with an independent reference of the same size. Means
+/// are finite in both; where standard errors are not, the pixel is left out.
 pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     assert_eq!(
         (gradient.mean.width, gradient.mean.height),
@@ -109,10 +113,12 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
         "the pictures have different sizes"
     );
     let mut comparison = without_errors(gradient, reference);
-    if !all_finite(gradient) || !all_finite(reference) {
+    let pixels = pixel::split(gradient, reference);
+    comparison.left_out = pixels.left_out;
+    let total = gradient.mean.pixels.len();
+    if 2 * pixels.left_out > total {
         return comparison;
     }
-    let pixels = pixel::split(gradient, reference);
     let slope = slope::fit(&pixels);
     let noisy = &pixels.noisy;
     let weighted =
@@ -146,7 +152,6 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     comparison.pixels = noisy.len();
     comparison.slope = slope.factor;
     comparison.slope_error = slope.error;
-    comparison.z = vec![0.0; gradient.mean.pixels.len()];
     for pixel in noisy {
         comparison.z[pixel.index] = pixel.z;
     }
@@ -176,7 +181,7 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
 }
 
 /// The numbers that need no standard errors, and the verdict of pictures that
-/// have none.
+/// have them in less than half of their pixels.
 fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
     let both = || {
         let channels = gradient.mean.pixels.iter().zip(&reference.mean.pixels);
@@ -190,6 +195,7 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
     let errors = errors.zip(&reference.standard_error.pixels);
     let noise: f64 = errors
         .flat_map(|(&g, &r)| (0..3).map(move |c| channel(g, c).hypot(channel(r, c))))
+        .filter(|error| error.is_finite())
         .sum();
     let (mean_g, mean_r) = (
         both().map(|(g, _)| g).sum::<f64>() / count,
@@ -206,6 +212,7 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
         mean_z_squared_error: f64::NAN,
         sign: f64::NAN,
         pixels: 0,
+        left_out: 0,
         slope: f64::NAN,
         slope_error: f64::INFINITY,
         worst: Vec::new(),
@@ -215,11 +222,6 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
             samples_factor: 2.0,
         },
     }
-}
-
-fn all_finite(estimate: &Estimate) -> bool {
-    let finite = |image: &capwalk_scene::Image| image.pixels.iter().all(|p| p.is_finite());
-    finite(&estimate.mean) && finite(&estimate.standard_error)
 }
 
 /// Everything in which the pictures differ by more than their errors allow.

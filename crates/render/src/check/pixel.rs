@@ -57,6 +57,9 @@ pub(super) struct Pixels {
     pub noisy: Vec<Pixel>,
     /// Gradient and reference of the others, all channels, with the index.
     pub noise_free: Vec<(usize, Rgb, Rgb)>,
+    /// How many have no standard error in one of the pictures, and are in
+    /// neither list: fewer than two samples reached them.
+    pub left_out: usize,
 }
 
 /// Splits the pictures into pixels with and without noise.
@@ -72,6 +75,7 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
     let mut pixels = Pixels {
         noisy: Vec::new(),
         noise_free: Vec::new(),
+        left_out: 0,
     };
     for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
         let index = y * width + x;
@@ -80,6 +84,10 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
             gradient.standard_error.pixels[index],
             reference.standard_error.pixels[index],
         );
+        if !g_error.is_finite() || !r_error.is_finite() {
+            pixels.left_out += 1;
+            continue;
+        }
         let noisy = |c: &usize| {
             let error = channel(g_error, *c).hypot(channel(r_error, *c));
             error > NOISE_FREE * channel(g, *c).abs().max(channel(r, *c).abs())
@@ -142,7 +150,10 @@ impl Surroundings {
         let variances: Vec<Rgb> = error
             .pixels
             .iter()
-            .map(|e| Vec3::new(e.x * e.x, e.y * e.y, e.z * e.z))
+            .map(|e| match e.is_finite() {
+                true => Vec3::new(e.x * e.x, e.y * e.y, e.z * e.z),
+                false => Vec3::zero(), // left out
+            })
             .collect();
         let stride = width + 1;
         let mut sums = vec![Rgb::zero(); stride * (height + 1)];

@@ -278,6 +278,22 @@ fn one_sample_tells_nothing() {
     assert!((comparison.correlation - 1.0).abs() < 1e-12);
 }
 
+/// Pictures that were stopped early are judged by the pixels that were reached.
+#[test]
+fn pixels_without_an_error_are_left_out() {
+    let mut noise = Noise(3);
+    let reference = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
+    let mut gradient = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
+    for index in 0..SIZE * SIZE / 3 {
+        gradient.mean.pixels[index] = Vec3::splat(0.0);
+        gradient.standard_error.pixels[index] = Vec3::splat(f64::NAN);
+    }
+    let comparison = compare(&gradient, &reference);
+    assert_eq!(comparison.left_out, SIZE * SIZE / 3);
+    assert_eq!(comparison.pixels, SIZE * SIZE - SIZE * SIZE / 3);
+    assert_eq!(comparison.verdict, Verdict::Right);
+}
+
 /// An error in one channel only is seen in its third of the pixels.
 #[test]
 fn every_channel_is_looked_at() {
