@@ -1,1 +1,38 @@
-//! See ARCHITECTURE.md.
+//! Files to scenes, pictures to files.
+//!
+//! Scenes are read from Mitsuba 3's XML format; `docs/scene-files.md` says which
+//! part of it. The stages, each in its file:
+//!
+//! ```text
+//! text -> elements  -> elements without $name, <include> -> nodes     -> Scene
+//!         xml          resolve                              mitsuba      lower
+//! ```
+//!
+//! ```
+//! let text = r#"<scene version="3.0.0">
+//!     <integrator type="path"/>
+//!     <sensor type="perspective"/>
+//!     <emitter type="constant"/>
+//!     <shape type="cube" id="box"/>
+//! </scene>"#;
+//! let scene = capwalk_scene_io::load_scene_str(text, "".as_ref(), "example", &[])?;
+//! assert_eq!(scene.shapes[0].id, "box");
+//! # Ok::<(), capwalk_scene_io::LoadError>(())
+//! ```
+
+// Reading scenes and meshes.
+mod error;
+mod fields;
+mod load;
+mod lower;
+pub mod mesh;
+mod mitsuba;
+mod node;
+mod resolve;
+mod source;
+mod suggest;
+mod value;
+mod xml;
+
+pub use error::{LoadError, Position};
+pub use load::{LoadOptions, load_scene, load_scene_str, load_scene_with};

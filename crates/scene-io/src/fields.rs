@@ -1,0 +1,286 @@
+//! The properties of one object, read strictly: what nobody asked for is an
+//! error that lists what could have been asked for.
+
+use std::cell::{Cell, RefCell};
+
+use capwalk_math::{Affine, Vec3};
+
+use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
+use crate::source::{Problem, Sources, Span};
+use crate::suggest::{nearest, snake_case};
+
+/// What every stage of lowering reads.
+pub(crate) struct Context<'a> {
+    pub sources: &'a Sources,
+    pub graph: &'a Graph,
+    /// What does not change the picture but should be known.
+    pub warnings: RefCell<Vec<String>>,
+}
+
+impl Context<'_> {
+    pub fn warn(&self, span: Span, message: &str) {
+        let warning = format!("{}: {message}", self.sources.place(span));
+        self.warnings.borrow_mut().push(warning);
+    }
+}
+
+/// The properties of one object and which of them were asked for.
+pub(crate) struct Fields<'a> {
+    context: &'a Context<'a>,
+    pub node: &'a Node,
+    used: Vec<Cell<bool>>,
+    /// Names that were asked for, whether given or not.
+    known: RefCell<Vec<&'static str>>,
+    /// Kinds of objects that were asked for.
+    known_kinds: RefCell<Vec<Kind>>,
+}
+
+/// An object inside another.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Child {
+    pub node: NodeId,
+    /// Where it stands or is referred to.
+    pub span: Span,
+    pub by_reference: bool,
+}
+
+impl<'a> Fields<'a> {
+    pub fn new(context: &'a Context<'a>, node: NodeId) -> Self {
+        let node = context.graph.node(node);
+        Self {
+            context,
+            node,
+            used: vec![Cell::new(false); node.properties.len()],
+            known: RefCell::new(Vec::new()),
+            known_kinds: RefCell::new(Vec::new()),
+        }
+    }
+
+    /// The property with this name, which from now on counts as used.
+    pub fn get(&self, name: &'static str) -> Option<&'a Property> {
+        self.known.borrow_mut().push(name);
+        let index = self.node.properties.iter().position(|p| p.name == name)?;
+        self.used[index].set(true);
+        Some(&self.node.properties[index])
+    }
+
+    /// Where the value of a property stands, or else the object.
+    pub fn span_of(&self, name: &str) -> Span {
+        let mut properties = self.node.properties.iter();
+        let property = properties.find(|p| p.name == name);
+        property.map_or(self.node.span, |p| p.value_span)
+    }
+
+    pub fn float(&self, name: &'static str, default: f64) -> Result<f64, Problem> {
+        Ok(self.optional_float(name)?.unwrap_or(default))
+    }
+
+    pub fn optional_float(&self, name: &'static str) -> Result<Option<f64>, Problem> {
+        self.typed(name, "float", |value| match *value {
+            Value::Float(x) => Some(x),
+            Value::Integer(i) => Some(i as f64),
+            _ => None,
+        })
+    }
+
+    /// A whole number within `range`.
+    pub fn integer(
+        &self,
+        name: &'static str,
+        range: std::ops::RangeInclusive<i64>,
+    ) -> Result<Option<i64>, Problem> {
+        let number = self.typed(name, "integer", |value| match *value {
+            Value::Integer(i) => Some(i),
+            Value::Float(x) if x.fract() == 0.0 && x.abs() < 9e15 => Some(x as i64),
+            _ => None,
+        })?;
+        match number {
+            Some(i) if !range.contains(&i) => {
+                Err(
+                    Problem::new(self.span_of(name), format!("\"{name}\" is {i}")).help(format!(
+                        "expected a whole number from {} to {}",
+                        range.start(),
+                        range.end()
+                    )),
+                )
+            }
+            _ => Ok(number),
+        }
+    }
+
+    /// A whole number from `least` that fits 32 bits.
+    pub fn count(&self, name: &'static str, least: u32, default: u32) -> Result<u32, Problem> {
+        let number = self.integer(name, i64::from(least)..=i64::from(u32::MAX))?;
+        Ok(number.map_or(default, |i| i as u32))
+    }
+
+    pub fn boolean(&self, name: &'static str, default: bool) -> Result<bool, Problem> {
+        let value = self.typed(name, "boolean", |value| match *value {
+            Value::Boolean(b) => Some(b),
+            _ => None,
+        })?;
+        Ok(value.unwrap_or(default))
+    }
+
+    pub fn string(&self, name: &'static str) -> Result<Option<&'a str>, Problem> {
+        self.typed(name, "string", |value| match value {
+            Value::String(text) => Some(text.as_str()),
+            _ => None,
+        })
+    }
+
+    pub fn point(&self, name: &'static str) -> Result<Option<Vec3>, Problem> {
+        self.typed(name, "point", |value| match *value {
+            Value::Vector(v) => Some(v),
+            _ => None,
+        })
+    }
+
+    pub fn transform(&self, name: &'static str) -> Result<Affine, Problem> {
+        let value = self.typed(name, "transform", |value| match *value {
+            Value::Transform(t) => Some(t),
+            _ => None,
+        })?;
+        Ok(value.unwrap_or(Affine::IDENTITY))
+    }
+
+    fn typed<T>(
+        &self,
+        name: &'static str,
+        tag: &str,
+        read: impl Fn(&'a Value) -> Option<T>,
+    ) -> Result<Option<T>, Problem> {
+        let Some(property) = self.get(name) else {
+            return Ok(None);
+        };
+        read(&property.value).map(Some).ok_or_else(|| {
+            let given = property.value.tag();
+            Problem::new(property.value_span, format!("\"{name}\" is a <{given}>"))
+                .help(format!("expected <{tag} name=\"{name}\" .../>"))
+        })
+    }
+
+    /// The objects of one kind inside this one, in the order of the text.
+    pub fn children(&self, kind: Kind) -> Vec<Child> {
+        self.known_kinds.borrow_mut().push(kind);
+        let properties = self.node.properties.iter().zip(&self.used);
+        let of_kind = properties.filter_map(|(property, used)| match property.value {
+            Value::Object { node, by_reference }
+                if !used.get() && self.context.graph.node(node).kind == kind =>
+            {
+                used.set(true);
+                Some(Child {
+                    node,
+                    span: property.value_span,
+                    by_reference,
+                })
+            }
+            _ => None,
+        });
+        of_kind.collect()
+    }
+
+    /// The one object of a kind inside this one, if there is one.
+    pub fn child(&self, kind: Kind) -> Result<Option<Child>, Problem> {
+        let children = self.children(kind);
+        match children[..] {
+            [] => Ok(None),
+            [child] => Ok(Some(child)),
+            [_, second, ..] => Err(Problem::new(
+                second.span,
+                format!("{} has more than one {}", self.title(), kind.tag()),
+            )
+            .help("keep one of them")),
+        }
+    }
+
+    /// Accepts properties that do not change the picture, with a warning.
+    pub fn cosmetic(&self, names: &[&'static str], reason: &str) {
+        for name in names {
+            if let Some(property) = self.get(name) {
+                let message = format!("\"{name}\" has no effect here: {reason}");
+                self.context.warn(property.name_span, &message);
+            }
+        }
+    }
+
+    /// Refuses properties of Mitsuba's that change the picture and are not
+    /// supported.
+    pub fn refuse(&self, names: &[&str], reason: &str) -> Result<(), Problem> {
+        let mut properties = self.node.properties.iter();
+        match properties.find(|p| names.contains(&p.name.as_str())) {
+            None => Ok(()),
+            Some(property) => Err(Problem::new(
+                property.name_span,
+                format!("\"{}\" is not supported", property.name),
+            )
+            .help(reason)),
+        }
+    }
+
+    /// Refuses what nobody asked for.
+    pub fn finish(&self) -> Result<(), Problem> {
+        let properties = self.node.properties.iter().zip(&self.used);
+        match properties.into_iter().find(|(_, used)| !used.get()) {
+            None => Ok(()),
+            Some((property, _)) => Err(self.unused(property)),
+        }
+    }
+
+    fn unused(&self, property: &Property) -> Problem {
+        if let Value::Object { node, .. } = property.value {
+            let object = self.context.graph.node(node);
+            let kinds = self.known_kinds.borrow();
+            let tags: Vec<String> = kinds.iter().map(|k| format!("<{}>", k.tag())).collect();
+            return Problem::new(
+                property.value_span,
+                format!("{} cannot have a {}", self.title(), object.kind.tag()),
+            )
+            .help(match tags.is_empty() {
+                true => "no objects are read here".into(),
+                false => format!("expected {}", tags.join(", ")),
+            });
+        }
+        let known = self.known.borrow();
+        let name = &property.name;
+        let problem = Problem::new(
+            property.name_span,
+            format!("unknown property \"{name}\" of {}", self.title()),
+        );
+        let snake = snake_case(name);
+        if snake != *name && known.contains(&snake.as_str()) {
+            return problem
+                .help(format!("Mitsuba 2 and 3 call it \"{snake}\""))
+                .near(vec![snake]);
+        }
+        let mut names = known.clone();
+        names.sort_unstable();
+        names.dedup();
+        problem
+            .help(match names.is_empty() {
+                true => "it has no properties".into(),
+                false => format!("its properties are {}", names.join(", ")),
+            })
+            .near(nearest(name, names))
+    }
+
+    /// How messages call the object.
+    pub fn title(&self) -> String {
+        match self.node.kind {
+            Kind::Scene => "the scene".into(),
+            kind => format!("the {} \"{}\"", kind.tag(), self.node.plugin),
+        }
+    }
+
+    /// The error for a plugin that does not exist here.
+    pub fn unknown_plugin(&self, known: &[&str]) -> Problem {
+        let kind = self.node.kind.tag();
+        let plugin = &self.node.plugin;
+        Problem::new(
+            self.node.plugin_span,
+            format!("unknown {kind} plugin \"{plugin}\""),
+        )
+        .help(format!("the {kind} plugins are {}", known.join(", ")))
+        .near(nearest(plugin, known.iter().copied()))
+    }
+}

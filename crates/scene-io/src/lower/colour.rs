@@ -1,0 +1,99 @@
+//! Colours of materials and lamps.
+
+use capwalk_math::Rgb;
+
+use crate::fields::{Context, Fields};
+use crate::node::{Spectrum, Value};
+use crate::source::{Problem, Span};
+
+/// Linear sRGB of a spectrum that is 1 everywhere, which is not white: the
+/// white of sRGB is daylight (D65). `xyz_to_srgb(1, 1, 1)` of Mitsuba.
+const FLAT_SPECTRUM: Rgb = Rgb::new(1.204794, 0.948292, 0.908916);
+
+/// Reflectance: one number is the same for all colours.
+pub(super) fn reflectance(
+    context: &Context,
+    fields: &Fields,
+    name: &'static str,
+    default: f64,
+) -> Result<Rgb, Problem> {
+    let Some(property) = fields.get(name) else {
+        return Ok(Rgb::splat(default));
+    };
+    let span = property.value_span;
+    let colour = match property.value {
+        Value::Rgb(rgb) => {
+            // Mitsuba refuses these as well.
+            if rgb.max_component() > 1.0 {
+                return Err(Problem::new(
+                    span,
+                    format!("\"{name}\" is ({}, {}, {})", rgb.x, rgb.y, rgb.z),
+                )
+                .help(
+                    "expected numbers from 0 to 1: a surface cannot reflect more than it receives",
+                ));
+            }
+            rgb
+        }
+        Value::Float(x) => Rgb::splat(x),
+        Value::Integer(i) => Rgb::splat(i as f64),
+        Value::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
+        ref other => return Err(not_a_colour(name, other, span)),
+    };
+    refuse_negative(name, colour, span)?;
+    if colour.max_component() > 1.0 {
+        let message = format!("\"{name}\" is above 1: the surface reflects more than it receives");
+        context.warn(span, &message);
+    }
+    Ok(colour)
+}
+
+/// Radiance: a uniform spectrum has the colour that it has under daylight white.
+pub(super) fn radiance(fields: &Fields, name: &'static str, default: f64) -> Result<Rgb, Problem> {
+    let Some(property) = fields.get(name) else {
+        return Ok(Rgb::splat(default));
+    };
+    let span = property.value_span;
+    let colour = match property.value {
+        Value::Rgb(rgb) => rgb,
+        Value::Float(x) => Rgb::splat(x),
+        Value::Integer(i) => Rgb::splat(i as f64),
+        Value::Spectrum(Spectrum::Uniform(x)) => FLAT_SPECTRUM * x,
+        ref other => return Err(not_a_colour(name, other, span)),
+    };
+    refuse_negative(name, colour, span)?;
+    Ok(colour)
+}
+
+/// Textures are objects of their own, wherever they stand.
+pub(super) fn textures_unsupported(span: Span) -> Problem {
+    Problem::new(span, "textures are not supported yet")
+        .help("give one colour with <rgb name=\"...\" value=\"r, g, b\"/>")
+}
+
+fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
+    if colour.min(Rgb::zero()) == Rgb::zero() {
+        return Ok(());
+    }
+    Err(Problem::new(
+        span,
+        format!("\"{name}\" is ({}, {}, {})", colour.x, colour.y, colour.z),
+    )
+    .help("expected numbers of at least 0"))
+}
+
+fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
+    match value {
+        Value::Object { .. } => textures_unsupported(span),
+        Value::Spectrum(Spectrum::Sampled) => Problem::new(
+            span,
+            format!("\"{name}\" depends on the wavelength"),
+        )
+        .help(
+            "light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> \
+                 or a <spectrum> with one number",
+        ),
+        other => Problem::new(span, format!("\"{name}\" is a <{}>", other.tag()))
+            .help(format!("expected <rgb name=\"{name}\" value=\"r, g, b\"/>")),
+    }
+}

@@ -1,0 +1,106 @@
+//! Mesh files: OBJ and PLY.
+
+mod obj;
+mod ply;
+mod ply_header;
+
+pub use obj::read_obj;
+pub use ply::read_ply;
+
+use capwalk_geometry::Mesh;
+use capwalk_math::Vec3;
+
+/// A mesh as its file gives it, in its own coordinates.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshFile {
+    /// Positions and triangles; checked.
+    pub mesh: Mesh,
+    /// Unit normals of the vertices, if the file has them and they were wanted.
+    pub normals: Option<Vec<Vec3>>,
+    /// What the file has besides, and was not read.
+    pub skipped: Vec<String>,
+}
+
+/// Why a mesh file cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct MeshFileError {
+    /// Where in the file, for example `line 12`; empty for the file as a whole.
+    pub place: String,
+    /// What is wrong there.
+    pub message: String,
+    /// What was expected.
+    pub help: String,
+}
+
+impl MeshFileError {
+    fn new(place: impl Into<String>, message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self {
+            place: place.into(),
+            message: message.into(),
+            help: help.into(),
+        }
+    }
+}
+
+impl std::fmt::Display for MeshFileError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if !self.place.is_empty() {
+            write!(f, "{}: ", self.place)?;
+        }
+        write!(f, "{}; {}", self.message, self.help)
+    }
+}
+
+impl std::error::Error for MeshFileError {}
+
+/// The finished mesh, or what Mesh::check finds wrong with it.
+fn finish(
+    mesh: Mesh,
+    normals: Option<Vec<Vec3>>,
+    skipped: Vec<String>,
+) -> Result<MeshFile, MeshFileError> {
+    if mesh.faces.is_empty() {
+        return Err(MeshFileError::new(
+            "",
+            "the file has no faces",
+            "expected a mesh with at least one triangle",
+        ));
+    }
+    Ok(MeshFile {
+        mesh,
+        normals,
+        skipped,
+    })
+}
+
+/// Cuts a polygon into triangles around its first corner, as Mitsuba does.
+fn fan(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
+    let pairs = corners[1..].windows(2);
+    pairs.map(|pair| [corners[0], pair[0], pair[1]])
+}
+
+fn finite_position(p: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFileError> {
+    match p.is_finite() {
+        true => Ok(p),
+        false => Err(MeshFileError::new(
+            place,
+            format!(
+                "vertex {vertex} has the position ({}, {}, {})",
+                p.x, p.y, p.z
+            ),
+            "expected finite coordinates",
+        )),
+    }
+}
+
+fn unit_normal(n: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFileError> {
+    let unit = n.normalized();
+    match unit.is_finite() {
+        true => Ok(unit),
+        false => Err(MeshFileError::new(
+            place,
+            format!("normal {vertex} is ({}, {}, {})", n.x, n.y, n.z),
+            "expected a finite vector that is not zero; face_normals does without normals",
+        )),
+    }
+}

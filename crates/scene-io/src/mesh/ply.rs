@@ -1,0 +1,384 @@
+//! Stanford PLY, as text or binary: positions, normals and polygons; everything
+//! else is passed over.
+
+use capwalk_geometry::Mesh;
+use capwalk_math::Vec3;
+
+use super::ply_header::{self, Element, Format, Scalar};
+use super::{MeshFile, MeshFileError, fan, finish, finite_position, unit_normal};
+
+/// The names of the list of corners.
+const CORNER_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
+
+/// The mesh in the bytes of a PLY file. Normals are read if `want_normals`.
+pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileError> {
+    let header = ply_header::parse(bytes)?;
+    let mut body = Body {
+        bytes,
+        position: header.body,
+        format: header.format,
+        line: header.lines + 1,
+    };
+    let (mut positions, mut normals, mut polygons) = (None, None, None);
+    let mut skipped = Vec::new();
+    for element in &header.elements {
+        body.announced(element)?;
+        match element.name.as_str() {
+            "vertex" => {
+                let (p, n) = vertices(&mut body, element, want_normals)?;
+                positions = Some(p);
+                normals = n;
+            }
+            "face" => polygons = Some(faces(&mut body, element)?),
+            "tristrips" => {
+                return Err(MeshFileError::new(
+                    "",
+                    "the file has triangle strips",
+                    "expected faces; convert the strips to triangles",
+                ));
+            }
+            name => {
+                skipped.push(format!("{} elements \"{name}\"", element.count));
+                skip(&mut body, element)?;
+            }
+        }
+    }
+    body.end()?;
+    let missing = |what: &str, message: &str| {
+        let help = format!("expected \"element {what} COUNT\" in the header");
+        MeshFileError::new("", message, help)
+    };
+    let positions = positions.ok_or_else(|| missing("vertex", "the file has no vertices"))?;
+    let polygons: Polygons = polygons.ok_or_else(|| missing("face", "the file has no faces"))?;
+    let mesh = Mesh {
+        faces: polygons.triangles(positions.len())?,
+        positions,
+    };
+    finish(mesh, normals, skipped)
+}
+
+/// What is left of the file behind the header.
+struct Body<'a> {
+    bytes: &'a [u8],
+    position: usize,
+    format: Format,
+    /// Line of the next word, in text.
+    line: usize,
+}
+
+/// A number of the body.
+#[derive(Clone, Copy)]
+enum Number {
+    Integer(i128),
+    Float(f64),
+}
+
+impl Number {
+    fn as_f64(self) -> f64 {
+        match self {
+            Self::Integer(i) => i as f64,
+            Self::Float(x) => x,
+        }
+    }
+}
+
+impl Body<'_> {
+    fn remaining(&self) -> usize {
+        self.bytes.len() - self.position
+    }
+
+    fn place(&self) -> String {
+        match self.format {
+            Format::Ascii => format!("line {}", self.line),
+            _ => format!("byte {}", self.position),
+        }
+    }
+
+    /// Refuses a count that the rest of the file cannot hold, before anything
+    /// is reserved for it.
+    fn announced(&self, element: &Element) -> Result<(), MeshFileError> {
+        let least = element.least_size(self.format) as u128 * u128::from(element.count);
+        // The last number of a text needs no separator.
+        if least <= self.remaining() as u128 + 1 {
+            return Ok(());
+        }
+        Err(MeshFileError::new(
+            self.place(),
+            format!(
+                "the header announces {} elements \"{}\", which take at least {least} bytes, but \
+                 {} bytes are left",
+                element.count,
+                element.name,
+                self.remaining()
+            ),
+            "the file is cut off or its header is wrong",
+        ))
+    }
+
+    /// The next number, or `None` if the file ends.
+    fn number(&mut self, scalar: Scalar) -> Result<Option<Number>, MeshFileError> {
+        match self.format {
+            Format::Ascii => self.text_number(scalar),
+            _ => Ok(self.binary_number(scalar)),
+        }
+    }
+
+    fn binary_number(&mut self, scalar: Scalar) -> Option<Number> {
+        let raw = self
+            .bytes
+            .get(self.position..self.position + scalar.size())?;
+        self.position += scalar.size();
+        let mut little = [0; 8];
+        little[..raw.len()].copy_from_slice(raw);
+        if self.format == Format::BigEndian {
+            little[..raw.len()].reverse();
+        }
+        let bits = u64::from_le_bytes(little);
+        Some(match scalar {
+            Scalar::I8 => Number::Integer((bits as i8).into()),
+            Scalar::U8 => Number::Integer((bits as u8).into()),
+            Scalar::I16 => Number::Integer((bits as i16).into()),
+            Scalar::U16 => Number::Integer((bits as u16).into()),
+            Scalar::I32 => Number::Integer((bits as i32).into()),
+            Scalar::U32 => Number::Integer((bits as u32).into()),
+            Scalar::I64 => Number::Integer((bits as i64).into()),
+            Scalar::U64 => Number::Integer(bits.into()),
+            Scalar::F32 => Number::Float(f32::from_bits(bits as u32).into()),
+            Scalar::F64 => Number::Float(f64::from_bits(bits)),
+        })
+    }
+
+    fn text_number(&mut self, scalar: Scalar) -> Result<Option<Number>, MeshFileError> {
+        self.pass_blanks();
+        let rest = &self.bytes[self.position..];
+        let length = rest.iter().position(u8::is_ascii_whitespace);
+        let word = &rest[..length.unwrap_or(rest.len())];
+        if word.is_empty() {
+            return Ok(None);
+        }
+        let text = std::str::from_utf8(word).ok();
+        let number = match scalar.is_integer() {
+            true => text.and_then(|t| t.parse().ok()).map(Number::Integer),
+            false => text.and_then(|t| t.parse().ok()).map(Number::Float),
+        };
+        let number = number.ok_or_else(|| {
+            let kind = if scalar.is_integer() {
+                "a whole number"
+            } else {
+                "a number"
+            };
+            MeshFileError::new(
+                self.place(),
+                format!("\"{}\" is not {kind}", String::from_utf8_lossy(word)),
+                "expected what the header announces",
+            )
+        })?;
+        self.position += word.len();
+        Ok(Some(number))
+    }
+
+    fn pass_blanks(&mut self) {
+        while let Some(byte) = self
+            .bytes
+            .get(self.position)
+            .filter(|b| b.is_ascii_whitespace())
+        {
+            self.line += usize::from(*byte == b'\n');
+            self.position += 1;
+        }
+    }
+
+    /// Refuses anything behind the last element.
+    fn end(&mut self) -> Result<(), MeshFileError> {
+        if self.format == Format::Ascii {
+            self.pass_blanks();
+        }
+        if self.remaining() == 0 {
+            return Ok(());
+        }
+        Err(MeshFileError::new(
+            self.place(),
+            format!("{} bytes follow the last element", self.remaining()),
+            "the header announces too few elements or the wrong types",
+        ))
+    }
+}
+
+/// Reads one element: calls `visit` with the index of the property and each of
+/// its numbers. `name` and `index` say where the file ends if it does.
+fn read_element(
+    body: &mut Body,
+    element: &Element,
+    index: u64,
+    mut visit: impl FnMut(usize, Number),
+) -> Result<(), MeshFileError> {
+    let cut_off = |body: &Body| {
+        MeshFileError::new(
+            body.place(),
+            format!(
+                "the file ends within {} {index} of {}",
+                element.name, element.count
+            ),
+            "the file is cut off or its header is wrong",
+        )
+    };
+    for (i, property) in element.properties.iter().enumerate() {
+        let mut length = 1;
+        if let Some(scalar) = property.length {
+            let place = body.place();
+            let given = body.number(scalar)?.ok_or_else(|| cut_off(body))?;
+            let Number::Integer(n @ 0..) = given else {
+                return Err(MeshFileError::new(
+                    place,
+                    format!(
+                        "the list \"{}\" of {} {index} has the length {}",
+                        property.name,
+                        element.name,
+                        given.as_f64()
+                    ),
+                    "expected a length of at least 0",
+                ));
+            };
+            length = n;
+        }
+        // A wrong length must not read on for ever: the file ends first.
+        for _ in 0..length {
+            let number = body.number(property.scalar)?;
+            visit(i, number.ok_or_else(|| cut_off(body))?);
+        }
+    }
+    Ok(())
+}
+
+fn skip(body: &mut Body, element: &Element) -> Result<(), MeshFileError> {
+    // Elements without properties take no room; there is nothing to pass over,
+    // however many are announced.
+    if element.properties.is_empty() {
+        return Ok(());
+    }
+    (0..element.count).try_for_each(|index| read_element(body, element, index, |_, _| ()))
+}
+
+/// Positions, and normals if wanted and there.
+fn vertices(
+    body: &mut Body,
+    element: &Element,
+    want_normals: bool,
+) -> Result<(Vec<Vec3>, Option<Vec<Vec3>>), MeshFileError> {
+    let numbers = |names: [&str; 3]| {
+        let found = names.map(|name| {
+            let index = element.position(name)?;
+            element.properties[index].length.is_none().then_some(index)
+        });
+        match found {
+            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+            _ => None,
+        }
+    };
+    let position_at = numbers(["x", "y", "z"]).ok_or_else(|| {
+        MeshFileError::new(
+            "",
+            "the vertices have no positions",
+            "expected the properties x, y and z in the header",
+        )
+    })?;
+    let normal_at = numbers(["nx", "ny", "nz"]).filter(|_| want_normals);
+    let count = element.count as usize;
+    let mut positions = Vec::with_capacity(count);
+    let mut normals = normal_at.map(|_| Vec::with_capacity(count));
+    for index in 0..element.count {
+        let place = match body.format {
+            Format::Ascii => {
+                body.pass_blanks();
+                body.line
+            }
+            _ => body.position,
+        };
+        let mut values = vec![0.0; element.properties.len()];
+        read_element(body, element, index, |i, number| {
+            values[i] = number.as_f64()
+        })?;
+        let vector = |at: [usize; 3]| Vec3::from(at.map(|i| values[i]));
+        let place = || match body.format {
+            Format::Ascii => format!("line {place}"),
+            _ => format!("byte {place}"),
+        };
+        let vertex = index as usize;
+        positions.push(finite_position(vector(position_at), vertex, place())?);
+        if let (Some(normals), Some(at)) = (&mut normals, normal_at) {
+            normals.push(unit_normal(vector(at), vertex, place())?);
+        }
+    }
+    Ok((positions, normals))
+}
+
+/// Corners of all faces, one face behind the other.
+struct Polygons {
+    corners: Vec<i128>,
+    /// Where each face ends.
+    ends: Vec<usize>,
+}
+
+fn faces(body: &mut Body, element: &Element) -> Result<Polygons, MeshFileError> {
+    let list = CORNER_LISTS
+        .iter()
+        .find_map(|name| element.position(name))
+        .filter(|&i| {
+            let property = &element.properties[i];
+            property.length.is_some() && property.scalar.is_integer()
+        });
+    let list = list.ok_or_else(|| {
+        MeshFileError::new(
+            "",
+            "the faces have no list of corners",
+            "expected \"property list uchar int vertex_indices\" in the header",
+        )
+    })?;
+    let mut polygons = Polygons {
+        corners: Vec::new(),
+        ends: Vec::new(),
+    };
+    for index in 0..element.count {
+        read_element(body, element, index, |i, number| {
+            if let Number::Integer(corner) = number
+                && i == list
+            {
+                polygons.corners.push(corner);
+            }
+        })?;
+        polygons.ends.push(polygons.corners.len());
+    }
+    Ok(polygons)
+}
+
+impl Polygons {
+    /// Fans of triangles; the vertices are known only at the end of the file.
+    fn triangles(&self, vertices: usize) -> Result<Vec<[u32; 3]>, MeshFileError> {
+        let mut triangles = Vec::with_capacity(self.ends.len());
+        let mut start = 0;
+        for (face, &end) in self.ends.iter().enumerate() {
+            let corners = &self.corners[start..end];
+            start = end;
+            if corners.len() < 3 {
+                return Err(MeshFileError::new(
+                    format!("face {face}"),
+                    format!("it has {} corners", corners.len()),
+                    "expected at least 3",
+                ));
+            }
+            let in_range = |corner: &i128| {
+                let index = u32::try_from(*corner).ok();
+                index.filter(|&i| (i as usize) < vertices).ok_or_else(|| {
+                    MeshFileError::new(
+                        format!("face {face}"),
+                        format!("it refers to vertex {corner}"),
+                        format!("there are {vertices} vertices (counted from 0)"),
+                    )
+                })
+            };
+            let polygon: Vec<u32> = corners.iter().map(in_range).collect::<Result<_, _>>()?;
+            triangles.extend(fan(&polygon));
+        }
+        Ok(triangles)
+    }
+}

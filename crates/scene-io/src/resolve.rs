@@ -1,0 +1,376 @@
+//! Elements to elements: `<default>`, `$name`, `<include>` and `<path>` are
+//! carried out and gone afterwards.
+//!
+//! As in Mitsuba, everything happens in the order of the text: a parameter is
+//! known from its `<default>` on, and a definition from outside wins over it.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::LoadError;
+use crate::source::{FileId, Problem, Source, Sources, Span};
+use crate::suggest::nearest;
+use crate::xml::{self, Element};
+
+/// Files that include files, at most (Mitsuba's limit).
+const DEEPEST_INCLUDE: usize = 15;
+
+/// Files of one scene, at most: a bound on memory when files include others
+/// several times at every level.
+const MOST_FILES: usize = 1024;
+
+/// Larger scene files are refused; the largest that we know have 30 MB.
+const LARGEST_FILE: u64 = 1 << 29;
+
+/// A scene file without includes and parameters.
+#[derive(Debug)]
+pub(crate) struct Resolved {
+    pub root: Element,
+    /// Directories of `<path>`, the latest first.
+    pub search_directories: Vec<PathBuf>,
+    /// Texts outside of elements, which mean nothing.
+    pub stray: Vec<Span>,
+}
+
+/// A name that `$name` stands for.
+struct Parameter {
+    name: String,
+    value: String,
+    used: bool,
+    /// True for a definition from outside, which must be used.
+    defined: bool,
+}
+
+struct Resolver<'a> {
+    sources: &'a mut Sources,
+    parameters: Vec<Parameter>,
+    search_directories: Vec<PathBuf>,
+    stray: Vec<Span>,
+    /// Files that are being included, outermost first.
+    open_files: Vec<PathBuf>,
+}
+
+/// Carries out everything that is not a description of the scene.
+pub(crate) fn resolve(
+    sources: &mut Sources,
+    main: FileId,
+    defines: &[(String, String)],
+) -> Result<Resolved, LoadError> {
+    check_definitions(&sources.get(main).name, defines)?;
+    let parameters = defines.iter().map(|(name, value)| Parameter {
+        name: name.clone(),
+        value: value.clone(),
+        used: false,
+        defined: true,
+    });
+    let parameters = parameters.collect();
+    let mut resolver = Resolver {
+        sources,
+        parameters,
+        search_directories: Vec::new(),
+        stray: Vec::new(),
+        open_files: Vec::new(),
+    };
+    let main_name = resolver.sources.get(main).name.clone();
+    if let Ok(path) = Path::new(&main_name).canonicalize() {
+        resolver.open_files.push(path);
+    }
+    let root = match resolver.file(main) {
+        Ok(root) => root,
+        Err(problem) => return Err(resolver.sources.error(problem)),
+    };
+    if let Some(unused) = resolver.parameters.iter().find(|p| p.defined && !p.used) {
+        return Err(resolver.unused_definition(&main_name, unused));
+    }
+    Ok(Resolved {
+        root,
+        search_directories: resolver.search_directories,
+        stray: resolver.stray,
+    })
+}
+
+/// Refuses definitions without a name and contradictory ones.
+fn check_definitions(file: &str, defines: &[(String, String)]) -> Result<(), LoadError> {
+    for (i, (name, value)) in defines.iter().enumerate() {
+        if name.is_empty() || !name.chars().all(|c| c.is_alphanumeric() || c == '_') {
+            let message =
+                format!("\"{name}\" cannot be the name of a parameter (-D {name}={value})");
+            return Err(LoadError::whole_file(file, message)
+                .with_help("expected letters, digits and underscores"));
+        }
+        if defines[..i].iter().any(|(other, _)| other == name) {
+            let message = format!("the parameter {name} is defined twice (-D {name}={value})");
+            return Err(LoadError::whole_file(file, message).with_help("define it once"));
+        }
+    }
+    Ok(())
+}
+
+impl Resolver<'_> {
+    fn unused_definition(&self, file: &str, unused: &Parameter) -> LoadError {
+        let others = self.parameters.iter().filter(|p| !p.defined || p.used);
+        let names: Vec<&str> = others.map(|p| p.name.as_str()).collect();
+        let help = match names.is_empty() {
+            true => "the file has no parameters".to_owned(),
+            false => format!("the file's parameters are {}", names.join(", ")),
+        };
+        LoadError::whole_file(
+            file,
+            format!(
+                "nothing in the scene uses ${}, which is defined as \"{}\"",
+                unused.name, unused.value
+            ),
+        )
+        .with_help(help)
+        .with_near(nearest(&unused.name, names))
+    }
+
+    /// The root of one file, resolved.
+    fn file(&mut self, file: FileId) -> Result<Element, Problem> {
+        let (mut root, stray) = xml::parse(self.sources, file)?;
+        self.stray.extend(stray);
+        check_version(&root)?;
+        self.substitute(&mut root)?;
+        root.attributes.retain(|a| a.name != "version");
+        root.children = self.children(root.children, true)?;
+        Ok(root)
+    }
+
+    fn children(&mut self, children: Vec<Element>, of_root: bool) -> Result<Vec<Element>, Problem> {
+        let mut resolved = Vec::with_capacity(children.len());
+        for mut child in children {
+            self.substitute(&mut child)?;
+            match child.tag.as_str() {
+                "default" => self.default(&child)?,
+                "include" => resolved.extend(self.include(&child)?),
+                "path" => self.path(&child, of_root)?,
+                _ => {
+                    child.children = self.children(child.children, false)?;
+                    resolved.push(child);
+                }
+            }
+        }
+        Ok(resolved)
+    }
+
+    /// `<default name="spp" value="16"/>`
+    fn default(&mut self, element: &Element) -> Result<(), Problem> {
+        element.only_attributes(&["name", "value"])?;
+        no_children(element)?;
+        let name = element.required("name")?;
+        let value = element.required("value")?;
+        if name.value.is_empty() {
+            return Err(Problem::new(name.value_span, "the parameter has no name")
+                .help("write <default name=\"spp\" value=\"16\"/> and use it as $spp"));
+        }
+        if !self.parameters.iter().any(|p| p.name == name.value) {
+            self.parameters.push(Parameter {
+                name: name.value.clone(),
+                value: value.value.clone(),
+                used: false,
+                defined: false,
+            });
+        }
+        Ok(())
+    }
+
+    /// `<path value="meshes"/>`
+    fn path(&mut self, element: &Element, of_root: bool) -> Result<(), Problem> {
+        element.only_attributes(&["value"])?;
+        no_children(element)?;
+        if !of_root {
+            return Err(Problem::new(element.span, "<path> stands inside an object")
+                .help("move it directly into <scene>"));
+        }
+        let value = element.required("value")?;
+        let directory = &self.sources.get(element.span.file).directory;
+        let path = directory.join(&value.value);
+        if !path.is_dir() {
+            return Err(Problem::new(
+                value.value_span,
+                format!("there is no folder \"{}\"", path.display()),
+            )
+            .help("give a folder, relative to this file"));
+        }
+        self.search_directories.insert(0, path);
+        Ok(())
+    }
+
+    /// `<include filename="materials.xml"/>`: the children of its scene, or its
+    /// one object.
+    fn include(&mut self, element: &Element) -> Result<Vec<Element>, Problem> {
+        element.only_attributes(&["filename", "name"])?;
+        no_children(element)?;
+        let filename = element.required("filename")?;
+        let span = filename.value_span;
+        let mut directories = vec![self.sources.get(element.span.file).directory.clone()];
+        directories.extend(self.search_directories.iter().cloned());
+        let path = find_file(&filename.value, &directories)
+            .map_err(|error| Problem::new(span, error).help("give a scene file to include"))?;
+        let canonical = path.canonicalize().unwrap_or_else(|_| path.clone());
+        if self.open_files.contains(&canonical) {
+            return Err(
+                Problem::new(span, format!("\"{}\" includes itself", path.display()))
+                    .help("remove this <include>"),
+            );
+        }
+        if self.open_files.len() > DEEPEST_INCLUDE || self.sources.count() >= MOST_FILES {
+            return Err(
+                Problem::new(span, "too many files are included").help(format!(
+                    "at most {DEEPEST_INCLUDE} within each other and {MOST_FILES} in all are read"
+                )),
+            );
+        }
+        let source = read_source(&path, Some(span))
+            .map_err(|error| Problem::new(span, error).help("give a scene file to include"))?;
+        let file = self.sources.add(source);
+        self.open_files.push(canonical);
+        let mut root = self.file(file)?;
+        self.open_files.pop();
+        if root.tag == "scene" {
+            return Ok(root.children);
+        }
+        if let Some(name) = element.attribute("name") {
+            root.attributes.retain(|a| a.name != "name");
+            root.attributes.push(name.clone());
+        }
+        Ok(vec![root])
+    }
+
+    /// Replaces `$name` in all attributes by the parameter with the longest name
+    /// that fits, and `\$` by a dollar sign.
+    fn substitute(&mut self, element: &mut Element) -> Result<(), Problem> {
+        for attribute in &mut element.attributes {
+            if !attribute.value.contains('$') {
+                continue;
+            }
+            let mut result = String::new();
+            let mut rest = attribute.value.as_str();
+            while let Some(dollar) = rest.find('$') {
+                if let Some(before) = rest[..dollar].strip_suffix('\\') {
+                    result.push_str(before);
+                    result.push('$');
+                    rest = &rest[dollar + 1..];
+                    continue;
+                }
+                result.push_str(&rest[..dollar]);
+                rest = &rest[dollar + 1..];
+                let fitting = self.parameters.iter_mut();
+                let longest = fitting
+                    .filter(|p| rest.starts_with(&p.name))
+                    .max_by_key(|p| p.name.len());
+                let Some(parameter) = longest else {
+                    let length = rest
+                        .find(|c: char| !c.is_alphanumeric() && c != '_')
+                        .unwrap_or(rest.len());
+                    let name = rest[..length].to_owned();
+                    let span = attribute.value_span;
+                    return Err(self.undefined(&name, span));
+                };
+                parameter.used = true;
+                result.push_str(&parameter.value);
+                rest = &rest[parameter.name.len()..];
+            }
+            result.push_str(rest);
+            attribute.value = result;
+        }
+        Ok(())
+    }
+
+    fn undefined(&self, name: &str, span: Span) -> Problem {
+        let names = self.parameters.iter().map(|p| p.name.as_str());
+        Problem::new(span, format!("the parameter ${name} is not defined"))
+            .help(format!(
+                "define it with -D {name}=value, or before this place with \
+                 <default name=\"{name}\" value=\"...\"/>; a dollar sign itself is written \\$"
+            ))
+            .near(nearest(name, names))
+    }
+}
+
+/// A text file and where it lies, or what is wrong with it.
+pub(crate) fn read_source(path: &Path, included_at: Option<Span>) -> Result<Source, String> {
+    let name = path.display().to_string();
+    let cannot = |reason: String| format!("cannot read \"{name}\": {reason}");
+    let metadata = std::fs::metadata(path).map_err(|error| cannot(error.to_string()))?;
+    if metadata.is_dir() {
+        return Err(cannot("it is a folder; expected a scene file".into()));
+    }
+    if metadata.len() > LARGEST_FILE {
+        let (size, most) = (metadata.len() >> 20, LARGEST_FILE >> 20);
+        return Err(cannot(format!(
+            "it has {size} MiB; expected at most {most}"
+        )));
+    }
+    let bytes = std::fs::read(path).map_err(|error| cannot(error.to_string()))?;
+    let text = String::from_utf8(bytes).map_err(|error| {
+        let valid = error.utf8_error().valid_up_to();
+        cannot(format!(
+            "byte {valid} is not UTF-8 text; expected an XML scene file"
+        ))
+    })?;
+    Ok(Source {
+        name,
+        directory: path.parent().unwrap_or(Path::new("")).to_owned(),
+        text,
+        included_at,
+    })
+}
+
+/// The first of the directories that has this file, or what was tried.
+pub(crate) fn find_file(name: &str, directories: &[PathBuf]) -> Result<PathBuf, String> {
+    if name.is_empty() {
+        return Err("the file name is empty".into());
+    }
+    let tried: Vec<PathBuf> = directories.iter().map(|d| d.join(name)).collect();
+    if let Some(found) = tried.iter().find(|path| path.exists()) {
+        return Ok(found.clone());
+    }
+    let mut places: Vec<String> = tried
+        .iter()
+        .map(|p| format!("\"{}\"", p.display()))
+        .collect();
+    places.dedup();
+    Err(format!("there is no file {}", places.join(" or ")))
+}
+
+fn no_children(element: &Element) -> Result<(), Problem> {
+    match element.children.first() {
+        None => Ok(()),
+        Some(child) => Err(Problem::new(
+            child.span,
+            format!("<{}> cannot stand inside <{}>", child.tag, element.tag),
+        )
+        .help(format!("move it behind the <{}/>", element.tag))),
+    }
+}
+
+/// Demands a version from 2.0 to 3.x of the root element.
+fn check_version(root: &Element) -> Result<(), Problem> {
+    let Some(version) = root.attribute("version") else {
+        return Err(Problem::new(
+            root.span,
+            format!("<{}> has no attribute \"version\"", root.tag),
+        )
+        .help("write <scene version=\"3.0.0\">, the version of Mitsuba the file is for"));
+    };
+    let parts: Vec<Option<u32>> = version.value.split('.').map(|n| n.parse().ok()).collect();
+    match parts[..] {
+        [Some(2 | 3)] | [Some(2 | 3), Some(_)] | [Some(2 | 3), Some(_), Some(_)] => Ok(()),
+        [Some(0 | 1), ..] => Err(Problem::new(
+            version.value_span,
+            format!("the file is for Mitsuba {}", version.value),
+        )
+        .help(
+            "versions 2.0 to 3.x are read: write version=\"3.0.0\", and the names of properties \
+             in small letters with underscores (to_world, not toWorld)",
+        )),
+        _ => Err(Problem::new(
+            version.value_span,
+            format!(
+                "\"{}\" is not a version of Mitsuba that is read",
+                version.value
+            ),
+        )
+        .help("expected 2.0 to 3.x, for example version=\"3.0.0\"")),
+    }
+}

@@ -1,0 +1,247 @@
+//! The texts of attributes as numbers, vectors, colours and transforms.
+
+use capwalk_math::{Affine, Rgb, Vec3};
+
+use crate::node::Spectrum;
+use crate::source::{Problem, Span};
+use crate::xml::{Attribute, Element};
+
+/// A finite number.
+pub(crate) fn float(text: &str, span: Span) -> Result<f64, Problem> {
+    let number: Option<f64> = text.trim().parse().ok();
+    number.filter(|x| x.is_finite()).ok_or_else(|| {
+        Problem::new(span, format!("\"{text}\" is not a finite number"))
+            .help("expected a number like 1, 0.25 or 1e-3")
+    })
+}
+
+/// A whole number.
+pub(crate) fn integer(text: &str, span: Span) -> Result<i64, Problem> {
+    text.trim().parse().map_err(|_| {
+        Problem::new(span, format!("\"{text}\" is not a whole number")).help("expected one like 64")
+    })
+}
+
+/// `true` or `false`.
+pub(crate) fn boolean(text: &str, span: Span) -> Result<bool, Problem> {
+    match text.to_ascii_lowercase().as_str() {
+        "true" => Ok(true),
+        "false" => Ok(false),
+        _ => Err(Problem::new(span, format!("\"{text}\" is not a boolean"))
+            .help("expected true or false")),
+    }
+}
+
+/// Numbers separated by blanks or commas.
+pub(crate) fn floats(attribute: &Attribute) -> Result<Vec<f64>, Problem> {
+    words(&attribute.value)
+        .map(|word| float(word, attribute.value_span))
+        .collect()
+}
+
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| c == ',' || c.is_whitespace())
+        .filter(|word| !word.is_empty())
+}
+
+fn three(attribute: &Attribute, numbers: &[f64]) -> Result<Vec3, Problem> {
+    match *numbers {
+        [x, y, z] => Ok(Vec3::new(x, y, z)),
+        _ => Err(Problem::new(
+            attribute.value_span,
+            format!("\"{}\" has {} numbers", attribute.value, numbers.len()),
+        )
+        .help(format!("expected three: {}=\"x, y, z\"", attribute.name))),
+    }
+}
+
+/// A vector from the attributes `x`, `y`, `z`, or from `value` with one number
+/// or three. `default` stands for missing components; without it they must be
+/// there.
+pub(crate) fn vector(element: &Element, default: Option<f64>) -> Result<Vec3, Problem> {
+    let Some(value) = element.attribute("value") else {
+        let component = |name| match (element.attribute(name), default) {
+            (Some(a), _) => float(&a.value, a.value_span),
+            (None, Some(default)) => Ok(default),
+            (None, None) => element.required(name).map(|_| 0.0),
+        };
+        return Ok(Vec3::new(component("x")?, component("y")?, component("z")?));
+    };
+    let mut mixed = ["x", "y", "z"].iter().filter_map(|n| element.attribute(n));
+    if let Some(mixed) = mixed.next() {
+        return Err(Problem::new(
+            mixed.name_span,
+            format!(
+                "<{}> has both \"value\" and \"{}\"",
+                element.tag, mixed.name
+            ),
+        )
+        .help("give either value=\"x, y, z\" or x, y and z"));
+    }
+    match floats(value)?[..] {
+        [all] => Ok(Vec3::splat(all)),
+        ref numbers => three(value, numbers),
+    }
+}
+
+/// A linear colour: one number, three, or `#rrggbb` in sRGB.
+pub(crate) fn rgb(attribute: &Attribute) -> Result<Rgb, Problem> {
+    let help = "expected \"r, g, b\", one number for a grey, or #rrggbb (decoded from sRGB)";
+    let text = attribute.value.trim();
+    if let Some(digits) = text.strip_prefix('#') {
+        let code = u32::from_str_radix(digits, 16).ok();
+        let is_hex = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
+        return code.filter(|_| is_hex).map(hex_colour).ok_or_else(|| {
+            Problem::new(attribute.value_span, format!("\"{text}\" is not a colour")).help(help)
+        });
+    }
+    match floats(attribute).map_err(|problem| problem.help(help))?[..] {
+        [grey] => Ok(Rgb::splat(grey)),
+        [r, g, b] => Ok(Rgb::new(r, g, b)),
+        ref numbers => Err(Problem::new(
+            attribute.value_span,
+            format!("\"{text}\" has {} numbers", numbers.len()),
+        )
+        .help(help)),
+    }
+}
+
+/// Linear light of an sRGB code (IEC 61966-2-1).
+fn hex_colour(code: u32) -> Rgb {
+    let channel = |shift: u32| {
+        let encoded = f64::from((code >> shift) & 0xff) / 255.0;
+        match encoded <= 0.04045 {
+            true => encoded / 12.92,
+            false => ((encoded + 0.055) / 1.055).powf(2.4),
+        }
+    };
+    Rgb::new(channel(16), channel(8), channel(0))
+}
+
+/// `<spectrum value="0.5"/>`, or one that depends on the wavelength.
+pub(crate) fn spectrum(element: &Element) -> Result<Spectrum, Problem> {
+    let Some(value) = element.attribute("value") else {
+        element.required("filename").map_err(|_| {
+            Problem::new(element.span, "<spectrum> has no attribute \"value\"")
+                .help("write <spectrum name=\"...\" value=\"0.5\"/>")
+        })?;
+        return Ok(Spectrum::Sampled);
+    };
+    let mut numbers = words(&value.value);
+    match (numbers.next(), numbers.next()) {
+        (Some(word), None) if !word.contains(':') => {
+            Ok(Spectrum::Uniform(float(word, value.value_span)?))
+        }
+        (Some(_), _) => Ok(Spectrum::Sampled),
+        (None, _) => float("", value.value_span).map(Spectrum::Uniform),
+    }
+}
+
+/// The children of a `<transform>`; later ones act after earlier ones.
+pub(crate) fn transform(element: &Element) -> Result<Affine, Problem> {
+    let mut total = Affine::IDENTITY;
+    for step in &element.children {
+        if let Some(child) = step.children.first() {
+            return Err(Problem::new(
+                child.span,
+                format!("<{}> cannot stand inside <{}>", child.tag, step.tag),
+            )
+            .help("move it behind"));
+        }
+        total = transform_step(step)? * total;
+    }
+    Ok(total)
+}
+
+fn transform_step(step: &Element) -> Result<Affine, Problem> {
+    match step.tag.as_str() {
+        "translate" => {
+            step.only_attributes(&["value", "x", "y", "z"])?;
+            Ok(Affine::translate(vector(step, Some(0.0))?))
+        }
+        "scale" => {
+            step.only_attributes(&["value", "x", "y", "z"])?;
+            Ok(Affine::scale(vector(step, Some(1.0))?))
+        }
+        "rotate" => {
+            step.only_attributes(&["value", "x", "y", "z", "angle"])?;
+            let angle = step.required("angle")?;
+            let degrees = float(&angle.value, angle.value_span)?;
+            let axis = vector(step, Some(0.0))?;
+            if axis == Vec3::zero() {
+                return Err(Problem::new(step.span, "the axis of the rotation is zero")
+                    .help("write for example <rotate y=\"1\" angle=\"90\"/>, in degrees"));
+            }
+            Ok(Affine::rotate(axis, degrees.to_radians()))
+        }
+        "lookat" => look_at(step),
+        "matrix" => matrix(step),
+        _ => Err(Problem::new(
+            step.span,
+            format!("<{}> cannot stand inside <transform>", step.tag),
+        )
+        .help("a transform is made of translate, rotate, scale, lookat and matrix")
+        .near(crate::suggest::nearest(
+            &step.tag,
+            ["translate", "rotate", "scale", "lookat", "matrix"],
+        ))),
+    }
+}
+
+fn look_at(step: &Element) -> Result<Affine, Problem> {
+    step.only_attributes(&["origin", "target", "up"])?;
+    let point = |attribute: &Attribute| three(attribute, &floats(attribute)?);
+    let origin = point(step.required("origin")?)?;
+    let target = point(step.required("target")?)?;
+    let up = match step.attribute("up") {
+        Some(attribute) if !attribute.value.is_empty() => point(attribute)?,
+        _ => Vec3::zero(),
+    };
+    let up = match up == Vec3::zero() {
+        true => any_up((target - origin).normalized()),
+        false => up,
+    };
+    Affine::look_at(origin, target, up).ok_or_else(|| {
+        Problem::new(step.span, "the view has no direction")
+            .help("origin and target must differ, and up must not be parallel to the view")
+    })
+}
+
+/// The `up` that Mitsuba takes when none is given: the first tangent of its
+/// coordinate system around the view (Duff et al. 2017, with its sign).
+fn any_up(n: Vec3) -> Vec3 {
+    let sign = 1.0_f64.copysign(n.z);
+    let a = -1.0 / (sign + n.z);
+    let b = n.x * n.y * a;
+    Vec3::new(sign * (n.x * n.x * a) + 1.0, sign * b, -sign * n.x)
+}
+
+fn matrix(step: &Element) -> Result<Affine, Problem> {
+    step.only_attributes(&["value"])?;
+    let attribute = step.required("value")?;
+    let row = |m: &[f64]| Vec3::new(m[0], m[1], m[2]);
+    match &floats(attribute)?[..] {
+        m if m.len() == 9 => Ok(Affine {
+            rows: [row(m), row(&m[3..]), row(&m[6..])],
+            translation: Vec3::zero(),
+        }),
+        m if m.len() == 16 => {
+            if m[12..] != [0.0, 0.0, 0.0, 1.0] {
+                return Err(Problem::new(
+                    attribute.value_span,
+                    "the last row of the matrix is not 0 0 0 1",
+                )
+                .help("only affine transforms are read; give 16 numbers row by row"));
+            }
+            Ok(Affine {
+                rows: [row(m), row(&m[4..]), row(&m[8..])],
+                translation: Vec3::new(m[3], m[7], m[11]),
+            })
+        }
+        m => Err(Problem::new(
+            attribute.value_span,
+            format!("the matrix has {} numbers", m.len()),
+        )
+        .help("expected 9 or 16, row by row")),
+    }
+}

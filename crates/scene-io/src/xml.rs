@@ -1,0 +1,180 @@
+//! Text to elements: XML syntax, and nothing of what it means.
+
+use roxmltree::{Document, ParsingOptions};
+
+use crate::source::{FileId, Problem, Sources, Span};
+
+/// Elements nested more deeply are an error; Mitsuba's formats need six levels.
+const DEEPEST_NESTING: usize = 32;
+
+/// Elements, attributes and texts in one file, at most: far more than any scene
+/// written by hand or by an exporter, and a bound on memory.
+const MOST_NODES: u32 = 1 << 24;
+
+/// An XML element.
+#[derive(Clone, Debug)]
+pub(crate) struct Element {
+    pub tag: String,
+    /// The `<` and the tag's name.
+    pub span: Span,
+    pub attributes: Vec<Attribute>,
+    pub children: Vec<Element>,
+}
+
+/// An attribute of an element.
+#[derive(Clone, Debug)]
+pub(crate) struct Attribute {
+    pub name: String,
+    pub value: String,
+    pub name_span: Span,
+    pub value_span: Span,
+}
+
+impl Element {
+    pub fn attribute(&self, name: &str) -> Option<&Attribute> {
+        self.attributes.iter().find(|a| a.name == name)
+    }
+
+    /// The value of an attribute that must be there.
+    pub fn required(&self, name: &str) -> Result<&Attribute, Problem> {
+        self.attribute(name).ok_or_else(|| {
+            Problem::new(
+                self.span,
+                format!("<{}> has no attribute \"{name}\"", self.tag),
+            )
+            .help(format!("write <{} {name}=\"...\">", self.tag))
+        })
+    }
+
+    /// Refuses attributes with other names than these.
+    pub fn only_attributes(&self, known: &[&str]) -> Result<(), Problem> {
+        let unknown = self
+            .attributes
+            .iter()
+            .find(|a| !known.contains(&a.name.as_str()));
+        let Some(attribute) = unknown else {
+            return Ok(());
+        };
+        let known_names = match known {
+            [] => "it has none".into(),
+            _ => format!("its attributes are {}", known.join(", ")),
+        };
+        Err(Problem::new(
+            attribute.name_span,
+            format!("unknown attribute \"{}\" of <{}>", attribute.name, self.tag),
+        )
+        .help(known_names)
+        .near(crate::suggest::nearest(
+            &attribute.name,
+            known.iter().copied(),
+        )))
+    }
+}
+
+/// The root element of a text, and places of stray text that means nothing.
+pub(crate) fn parse(sources: &Sources, file: FileId) -> Result<(Element, Vec<Span>), Problem> {
+    let text = &sources.get(file).text;
+    let options = ParsingOptions {
+        nodes_limit: MOST_NODES,
+        ..ParsingOptions::default()
+    };
+    let document =
+        Document::parse_with_options(text, options).map_err(|error| syntax(text, file, &error))?;
+    let mut stray = Vec::new();
+    let root = convert(document.root_element(), file, 1, &mut stray)?;
+    Ok((root, stray))
+}
+
+fn convert(
+    node: roxmltree::Node<'_, '_>,
+    file: FileId,
+    depth: usize,
+    stray: &mut Vec<Span>,
+) -> Result<Element, Problem> {
+    let tag = node.tag_name().name().to_owned();
+    let span = |start, end| Span { file, start, end };
+    let start = node.range().start;
+    let element_span = span(start, start + 1 + tag.len());
+    if depth > DEEPEST_NESTING {
+        return Err(Problem::new(
+            element_span,
+            format!("<{tag}> is nested {depth} elements deep"),
+        )
+        .help(format!("at most {DEEPEST_NESTING} are read")));
+    }
+    let attributes = node
+        .attributes()
+        .map(|a| {
+            let (name, value) = (a.range_qname(), a.range_value());
+            Attribute {
+                name: a.name().into(),
+                value: a.value().into(),
+                name_span: span(name.start, name.end),
+                value_span: span(value.start, value.end),
+            }
+        })
+        .collect();
+    let mut children = Vec::new();
+    for child in node.children() {
+        if child.is_element() {
+            children.push(convert(child, file, depth + 1, stray)?);
+        } else if child.is_text() && !child.text().unwrap_or("").trim().is_empty() {
+            let blank = child.text().map_or(0, |t| t.len() - t.trim_start().len());
+            stray.push(span(child.range().start + blank, child.range().end));
+        }
+    }
+    Ok(Element {
+        tag,
+        span: element_span,
+        attributes,
+        children,
+    })
+}
+
+/// The parser's complaint at its place.
+fn syntax(text: &str, file: FileId, error: &roxmltree::Error) -> Problem {
+    use roxmltree::Error as E;
+    let at_end = matches!(
+        error,
+        E::UnclosedRootNode | E::UnexpectedEndOfStream | E::NoRootNode
+    );
+    let offset = match at_end {
+        true => text.trim_end().len(),
+        false => byte_offset(text, error.pos()),
+    };
+    // The parser's own text ends with the position, which we show in front.
+    let complaint = error.to_string();
+    let complaint = match complaint.rsplit_once(" at ") {
+        Some((words, place)) if place.bytes().all(|b| b.is_ascii_digit() || b == b':') => words,
+        _ => &complaint,
+    };
+    let help = match error {
+        E::DtdDetected => "remove the <!DOCTYPE ...>; scene files need none",
+        E::UnclosedRootNode | E::UnexpectedEndOfStream => {
+            "the file ends too early; close every element"
+        }
+        E::NoRootNode => "a scene file contains <scene version=\"3.0.0\"> ... </scene>",
+        _ => "correct the XML syntax here",
+    };
+    let span = Span {
+        file,
+        start: offset,
+        end: offset,
+    };
+    Problem::new(span, format!("malformed XML: {complaint}")).help(help)
+}
+
+/// The byte at a line and column.
+fn byte_offset(text: &str, position: roxmltree::TextPos) -> usize {
+    let line_start = match position.row {
+        0 | 1 => 0,
+        row => text
+            .match_indices('\n')
+            .nth(row as usize - 2)
+            .map_or(text.len(), |(i, _)| i + 1),
+    };
+    text[line_start..]
+        .char_indices()
+        .nth(position.col.saturating_sub(1) as usize)
+        .map_or(text.len(), |(i, _)| line_start + i)
+}
