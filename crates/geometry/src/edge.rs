@@ -38,20 +38,55 @@ pub enum Sides {
 /// within some 1e-14 of it.
 pub const ON_PLANE: f64 = 1e-11;
 
+/// What decides whether an eye sees the front of a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FacePlane {
+    /// The face's first corner.
+    pub point: Vec3,
+    /// Twice its area times its unit normal.
+    pub cross: Vec3,
+    /// Length of `cross`.
+    pub length: f64,
+}
+
+impl FacePlane {
+    /// The plane of a face.
+    #[inline]
+    pub fn new(mesh: &Mesh, face: u32) -> Self {
+        let cross = mesh.face_cross(face as usize);
+        Self {
+            point: mesh.positions[mesh.faces[face as usize][0] as usize],
+            cross,
+            length: cross.length(),
+        }
+    }
+
+    /// True if the eye sees the front of the face, or lies in its plane.
+    #[inline]
+    pub fn faces_eye(&self, flipped: bool, eye: Vec3) -> bool {
+        let height = self.cross.dot(eye - self.point);
+        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+        let tolerance = ON_PLANE * (sum(eye) + sum(self.point)) * self.length;
+        height.abs() <= tolerance || (height > 0.0) != flipped
+    }
+}
+
 /// True if the eye sees the front of the face, or lies in its plane.
 #[inline]
 pub fn faces_eye(mesh: &Mesh, face: u32, flipped: bool, eye: Vec3) -> bool {
-    let a = mesh.positions[mesh.faces[face as usize][0] as usize];
-    let cross = mesh.face_cross(face as usize);
-    let height = cross.dot(eye - a);
-    let size = eye.x.abs() + eye.y.abs() + eye.z.abs() + a.x.abs() + a.y.abs() + a.z.abs();
-    if height.abs() <= ON_PLANE * size * cross.length() {
-        return true;
-    }
-    (height > 0.0) != flipped
+    FacePlane::new(mesh, face).faces_eye(flipped, eye)
 }
 
 impl Edge {
+    /// The two faces at it, if it has just two.
+    pub fn faces(&self) -> impl Iterator<Item = u32> + use<> {
+        let faces = match self.sides {
+            Sides::Open => None,
+            Sides::Between { faces, .. } => Some(faces),
+        };
+        faces.into_iter().flatten()
+    }
+
     /// True if the visible surface ends or folds at this edge seen from `eye`.
     #[inline]
     pub fn is_silhouette(&self, mesh: &Mesh, eye: Vec3) -> bool {
@@ -80,37 +115,48 @@ pub struct ClosestDirection {
 /// The point of the segment `a b` (relative to the eye) under the smallest
 /// angle to the unit vector `axis`, Eq. (30); `None` if the segment passes
 /// through the eye.
+///
+/// The angle has full relative precision however small it is.
 pub fn closest_direction(a: Vec3, b: Vec3, axis: Vec3) -> Option<ClosestDirection> {
     let along = b - a;
     let normal = a.cross(along); // of the plane of the great circle
+    if normal == Vec3::zero() && a.dot(b) <= 0.0 {
+        return None;
+    }
     // The plane through axis and normal meets the segment's line where the
-    // angle is least: (a + t along) · (axis × normal) = 0.
+    // angle is least, or greatest: (a + t along) · (axis × normal) = 0.
     let w = axis.cross(normal);
     let t = -a.dot(w) / along.dot(w);
-    let at = |t: f64| {
-        let point = if t == 1.0 { b } else { a + along * t };
-        let distance = point.length();
-        let direction = point / distance;
-        let angle = sphere::angle_between(axis, direction);
-        ClosestDirection {
-            t,
-            direction,
-            distance,
-            angle,
-        }
-    };
-    // Also covers the segment seen end-on (NaN) and the line's far branch,
-    // whose point lies behind the eye.
-    let mut best = at(0.0);
-    let end = at(1.0);
-    if end.angle < best.angle {
-        best = end;
+    let mut best = (0.0, a);
+    if is_nearer(b, a, axis) {
+        best = (1.0, b);
     }
+    // Comparing with the ends covers the line's far branch, and a segment seen
+    // end-on, whose `t` is noise or NaN.
     if t > 0.0 && t < 1.0 {
-        let inner = at(t);
-        if inner.angle < best.angle {
-            best = inner;
+        let inner = a + along * t;
+        if is_nearer(inner, best.1, axis) {
+            best = (t, inner);
         }
     }
-    best.angle.is_finite().then_some(best)
+    let (t, point) = best;
+    let distance = point.length();
+    let direction = point / distance;
+    let angle = sphere::angle_between(axis, direction);
+    angle.is_finite().then_some(ClosestDirection {
+        t,
+        direction,
+        distance,
+        angle,
+    })
+}
+
+/// True if `p` has a smaller angle to the axis than `q`.
+#[inline]
+fn is_nearer(p: Vec3, q: Vec3, axis: Vec3) -> bool {
+    // (cos, sin) of the two angles, times the distances: their cross product
+    // tells which angle is larger, also when both are tiny.
+    let (p_cos, p_sin) = (axis.dot(p), axis.cross(p).length());
+    let (q_cos, q_sin) = (axis.dot(q), axis.cross(q).length());
+    p_sin * q_cos < q_sin * p_cos
 }

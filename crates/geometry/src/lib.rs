@@ -7,13 +7,18 @@
 //!
 //! Nothing here knows about light or walks.
 
+mod aabb;
+mod bvh;
+mod cone;
 pub mod edge;
 pub mod mesh;
 pub mod oracle;
 pub mod query;
 pub mod ray;
+mod simd;
 pub mod topology;
 
+pub use bvh::validate::TreeError;
 pub use edge::{Edge, Sides};
 pub use mesh::{Mesh, MeshError};
 pub use query::{ConeQuery, EdgeSelection, Plane, RayTree, SilhouettePoint, SilhouetteTree};

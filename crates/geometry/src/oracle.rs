@@ -5,7 +5,8 @@ use crate::mesh::Mesh;
 use crate::query::{ConeQuery, EdgeSelection, SilhouettePoint};
 use crate::ray::{Hit, Ray, intersect_triangle};
 
-/// The nearest intersection of the ray with any triangle.
+/// The nearest intersection of the ray with any triangle; of equally near ones
+/// that of the lowest face.
 pub fn first_hit(mesh: &Mesh, ray: &Ray) -> Option<Hit> {
     (0..mesh.faces.len())
         .filter_map(|face| {
@@ -16,10 +17,11 @@ pub fn first_hit(mesh: &Mesh, ray: &Ray) -> Option<Hit> {
                 barycentric,
             })
         })
-        .min_by(|a, b| a.t.total_cmp(&b.t))
+        .min_by(|a, b| a.t.partial_cmp(&b.t).expect("hits are not at NaN"))
 }
 
-/// The boundary point under the smallest angle to the axis, Eq. (30).
+/// The boundary point under the smallest angle to the axis, Eq. (30); of
+/// equally near ones that of the lowest edge.
 pub fn closest_silhouette(
     mesh: &Mesh,
     edges: &[Edge],
@@ -29,11 +31,7 @@ pub fn closest_silhouette(
         let [a, b] = edge.vertices.map(|i| mesh.positions[i as usize]);
         edge.groups & query.groups != 0
             && (query.edges == EdgeSelection::All || edge.is_silhouette(mesh, query.eye))
-            && query.in_front_of.is_none_or(|plane| {
-                [a, b]
-                    .iter()
-                    .any(|&p| (p - plane.point).dot(plane.normal) >= 0.0)
-            })
+            && !query.in_front_of.is_some_and(|plane| plane.hides([a, b]))
     };
     edges
         .iter()

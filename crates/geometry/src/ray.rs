@@ -44,23 +44,93 @@ pub struct Hit {
     pub barycentric: [f64; 2],
 }
 
+/// The linear map that takes a ray to the positive or negative z axis: the
+/// axes are permuted so that the direction's largest component comes last, and
+/// the other two are sheared to zero (Woop, Benthin and Wald 2013).
+#[derive(Clone, Copy, Debug)]
+pub struct RayShear {
+    /// Which components of the direction become x, y and z.
+    pub axes: [usize; 3],
+    /// How much of z is taken off x and y.
+    pub shear: [f64; 2],
+    /// From z to distance along the ray: one over the largest component.
+    pub inverse_z: f64,
+}
+
+impl RayShear {
+    /// The map of a ray; `None` if its direction is not finite, or zero, or so
+    /// short that its inverse overflows.
+    #[inline]
+    pub fn new(direction: Vec3) -> Option<Self> {
+        let size = direction.map(f64::abs);
+        let z = match (size.x >= size.y, size.x >= size.z, size.y >= size.z) {
+            (true, true, _) => 0,
+            (_, _, true) => 1,
+            _ => 2,
+        };
+        let axes = [(z + 1) % 3, (z + 2) % 3, z];
+        let inverse_z = direction[z].recip();
+        let shear = [direction[axes[0]], direction[axes[1]]].map(|d| d / direction[z]);
+        let is_usable = inverse_z.is_finite() && direction.is_finite();
+        is_usable.then_some(Self {
+            axes,
+            shear,
+            inverse_z,
+        })
+    }
+}
+
+/// A triangle whose projected area is below this fraction of the products it
+/// is summed from is seen edge-on: the area is nothing but their rounding,
+/// some four errors of 2⁻⁵³ each.
+pub const EDGE_ON: f64 = 1.0 / (1_u64 << 50) as f64;
+
 /// Where the ray meets the triangle, without its face; `None` if it misses, is
-/// parallel, or the triangle has no area. Möller and Trumbore 1997, two-sided.
+/// parallel, or the triangle has no area. Two-sided, borders included.
+///
+/// Watertight (Woop, Benthin and Wald 2013): a ray through an edge or vertex
+/// of a closed mesh hits one of the triangles there. An edge function
+/// `x₁y₂ - x₂y₁` can round to zero but never to the wrong sign, is the same
+/// for both triangles up to sign, and zero counts as inside, unless the whole
+/// triangle is edge-on. The distance is a convex combination of the corners',
+/// even for needles.
 #[inline]
-pub fn intersect_triangle(ray: &Ray, [a, b, c]: [Vec3; 3]) -> Option<(f64, [f64; 2])> {
-    let (edge1, edge2) = (b - a, c - a);
-    let p = ray.direction.cross(edge2);
-    let determinant = edge1.dot(p);
-    if determinant == 0.0 {
+pub fn intersect_triangle(ray: &Ray, corners: [Vec3; 3]) -> Option<(f64, [f64; 2])> {
+    let RayShear {
+        axes,
+        shear,
+        inverse_z,
+    } = RayShear::new(ray.direction)?;
+    let [a, b, c] = corners.map(|corner| {
+        let relative = corner - ray.origin;
+        let z = relative[axes[2]];
+        let x = relative[axes[0]] - shear[0] * z;
+        let y = relative[axes[1]] - shear[1] * z;
+        Vec3::new(x, y, z)
+    });
+    // Twice the signed areas opposite to each corner, seen along the ray.
+    let u = c.x * b.y - c.y * b.x;
+    let v = a.x * c.y - a.y * c.x;
+    let w = b.x * a.y - b.y * a.x;
+    let least = u.min(v).min(w);
+    let largest = u.max(v).max(w);
+    if least < 0.0 && largest > 0.0 {
         return None;
     }
-    let inverse = determinant.recip();
-    let s = ray.origin - a;
-    let u = s.dot(p) * inverse;
-    let q = s.cross(edge1);
-    let v = ray.direction.dot(q) * inverse;
-    let t = edge2.dot(q) * inverse;
-    // Written so that NaN misses.
-    let inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
-    (inside && t >= ray.t_min && t <= ray.t_max).then_some((t, [u, v]))
+    let determinant = u + v + w;
+    if least <= 0.0 && largest >= 0.0 {
+        // On the lines of all three edges at once, as far as rounding can tell?
+        let products = (c.x * b.y).abs()
+            + (c.y * b.x).abs()
+            + (a.x * c.y).abs()
+            + (a.y * c.x).abs()
+            + (b.x * a.y).abs()
+            + (b.y * a.x).abs();
+        if determinant.abs() <= EDGE_ON * products {
+            return None;
+        }
+    }
+    // Not a number if the determinant is zero or the ray not finite: a miss.
+    let t = (u * a.z + v * b.z + w * c.z) / determinant * inverse_z;
+    (t >= ray.t_min && t <= ray.t_max).then_some((t, [v / determinant, w / determinant]))
 }

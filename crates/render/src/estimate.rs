@@ -45,8 +45,6 @@ pub struct Statistics {
     /// Samples that were infinite or NaN. They count as zero in the picture,
     /// so more than a few of them make it wrong.
     pub non_finite: u64,
-    /// Rays traced.
-    pub rays: u64,
     /// Closest-silhouette queries answered.
     pub cone_queries: u64,
 }

@@ -9,39 +9,22 @@
 //!
 //! Nothing here opens a file, prints, or reads the clock.
 
+mod accel;
 pub mod check;
+pub mod diff;
 pub mod estimate;
+mod integrator;
+mod lamp;
+mod light;
 pub mod options;
+mod pixel;
+mod sampler;
+mod tiles;
+mod world;
 
+pub use capwalk_walk::{Estimator, WalkSettings};
+pub use diff::finite::finite_difference;
+pub use diff::forward::gradient;
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
-pub use options::{Estimator, GradientOptions, Options, Refusal, Unwatched, WalkSettings, Watch};
-
-use capwalk_scene::{Motion, Scene};
-
-/// The picture of a scene. The scene must have passed [`Scene::check`].
-pub fn render(_scene: &Scene, _options: &Options, _watch: &dyn Watch) -> Rendering {
-    todo!()
-}
-
-/// The derivative of the picture for a unit change along `motion`, in forward
-/// mode. Refuses, with the reason, what it cannot differentiate rightly.
-pub fn gradient(
-    _scene: &Scene,
-    _motion: &Motion,
-    _options: &GradientOptions,
-    _watch: &dyn Watch,
-) -> Result<GradientImage, Refusal> {
-    todo!()
-}
-
-/// The same derivative by central differences with common random numbers over
-/// `±step`, unbiased up to terms of order `step²`.
-pub fn finite_difference(
-    _scene: &Scene,
-    _motion: &Motion,
-    _step: f64,
-    _options: &Options,
-    _watch: &dyn Watch,
-) -> Result<GradientImage, Refusal> {
-    todo!()
-}
+pub use integrator::render;
+pub use options::{GradientOptions, Options, Refusal, Unwatched, Watch};

@@ -1,5 +1,7 @@
 //! What a caller can choose, and how it can follow and stop the work.
 
+use capwalk_walk::WalkSettings;
+
 /// How much to sample, and with which random numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options {
@@ -18,41 +20,6 @@ pub struct GradientOptions {
     pub options: Options,
     /// The walk that builds the velocity field.
     pub walk: WalkSettings,
-}
-
-/// The walk on spherical caps (METHOD 2).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WalkSettings {
-    /// Number of steps `M`, at least 1.
-    pub steps: u32,
-    /// `A_max`: boundaries farther than this angle (radians) are ignored.
-    /// Unbiased for every value; trades speed for smoothness.
-    pub max_angle: f64,
-    /// How to estimate the divergence.
-    pub estimator: Estimator,
-    /// Average every rim sample with the one on the other side of the cap.
-    pub antithetic: bool,
-}
-
-/// Estimators of the field's divergence (METHOD 2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Estimator {
-    /// Relative to the velocity at the closest boundary point, value and rim
-    /// sample on the same azimuth: finite variance.
-    Anchored,
-    /// The paper's equation 34 as printed: infinite variance.
-    Literal,
-}
-
-impl Default for WalkSettings {
-    fn default() -> Self {
-        Self {
-            steps: 1,
-            max_angle: 0.6,
-            estimator: Estimator::Anchored,
-            antithetic: false,
-        }
-    }
 }
 
 /// Follows the work and may stop it. Called from worker threads.

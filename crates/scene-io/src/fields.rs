@@ -250,7 +250,7 @@ impl<'a> Fields<'a> {
         let snake = snake_case(name);
         if snake != *name && known.contains(&snake.as_str()) {
             return problem
-                .help(format!("Mitsuba 2 and 3 call it \"{snake}\""))
+                .help("Mitsuba 2 and 3 write names in small letters with underscores")
                 .near(vec![snake]);
         }
         let mut names = known.clone();
@@ -280,7 +280,7 @@ impl<'a> Fields<'a> {
             self.node.plugin_span,
             format!("unknown {kind} plugin \"{plugin}\""),
         )
-        .help(format!("the {kind} plugins are {}", known.join(", ")))
+        .help(format!("known {kind} plugins: {}", known.join(", ")))
         .near(nearest(plugin, known.iter().copied()))
     }
 }

@@ -1,5 +1,7 @@
 //! The trees and their queries.
 
+mod cone_kernel;
+mod ray_kernel;
 mod ray_tree;
 mod silhouette_tree;
 

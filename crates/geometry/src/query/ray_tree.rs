@@ -1,33 +1,215 @@
 //! Rays against triangles.
 
+use rayon::prelude::*;
+
+use super::ray_kernel::{self, LocalRay, RayNode, TriangleBlock};
+use crate::aabb::{Aabb, LocalFrame};
+use crate::bvh::validate::{self, TreeError};
+use crate::bvh::{ChildKind, Topology, build, refit, traverse::Stack};
 use crate::mesh::Mesh;
-use crate::oracle;
 use crate::ray::{Hit, Ray};
+use crate::simd::{Instructions, Job, Simd};
+
+/// Triangles per leaf: as many as are tested at a time.
+const LEAF_SIZE: usize = ray_kernel::LANES;
 
 /// A tree over the triangles of a mesh. It keeps what it needs of the mesh.
+///
+/// Answers are bitwise those of [`oracle::first_hit`](crate::oracle::first_hit),
+/// on every processor: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct RayTree {
-    mesh: Mesh,
+    topology: Topology,
+    frame: LocalFrame,
+    nodes: Vec<RayNode>,
+    leaves: Vec<TriangleBlock>,
+    instructions: Instructions,
 }
 
 impl RayTree {
     /// Builds the tree. The mesh must have passed [`Mesh::check`] or be empty.
     pub fn build(mesh: &Mesh) -> Self {
-        Self { mesh: mesh.clone() }
+        let frame = frame_of(mesh);
+        let bounds: Vec<Aabb> = (0..mesh.faces.len())
+            .into_par_iter()
+            .with_min_len(1024)
+            .map(|face| face_bounds(mesh, &frame, face))
+            .collect();
+        let mut tree = Self {
+            topology: build::build(&bounds, LEAF_SIZE),
+            frame,
+            nodes: Vec::new(),
+            leaves: Vec::new(),
+            instructions: Instructions::detect(),
+        };
+        tree.refit(mesh);
+        tree
     }
 
     /// Follows moved vertices; the faces must be those it was built with.
+    ///
+    /// Answers stay exact however far vertices move; they only take longer the
+    /// less the mesh resembles the one the tree was built with.
     pub fn refit(&mut self, mesh: &Mesh) {
-        self.mesh = mesh.clone();
+        let topology = &self.topology;
+        assert_eq!(
+            topology.order.len(),
+            mesh.faces.len(),
+            "a tree is refitted with the faces it was built with"
+        );
+        self.frame = frame_of(mesh);
+        let frame = &self.frame;
+        let (leaves, leaf_bounds): (Vec<_>, Vec<_>) = (0..topology.leaf_count())
+            .into_par_iter()
+            .with_min_len(256)
+            .map(|leaf| {
+                let faces = topology.leaf(leaf);
+                let bounds = faces.iter().fold(Aabb::EMPTY, |bounds, &face| {
+                    bounds.union(&face_bounds(mesh, frame, face as usize))
+                });
+                (TriangleBlock::new(mesh, faces), bounds)
+            })
+            .unzip();
+        self.leaves = leaves;
+        self.nodes = refit::child_bounds(topology, &leaf_bounds)
+            .iter()
+            .zip(&topology.nodes)
+            .map(|(bounds, &children)| RayNode::new(bounds, children))
+            .collect();
     }
 
-    /// The nearest intersection within the ray's bounds.
+    /// Uses plain arithmetic from now on, whatever the processor can do: for
+    /// tests and comparisons. The answers stay the same.
+    pub fn without_simd(mut self) -> Self {
+        self.instructions = Instructions::Scalar;
+        self
+    }
+
+    /// The nearest intersection within the ray's bounds; of equally near ones
+    /// that of the lowest face.
+    #[inline]
     pub fn first_hit(&self, ray: &Ray) -> Option<Hit> {
-        oracle::first_hit(&self.mesh, ray)
+        self.instructions.run(FirstHit { tree: self, ray })
     }
 
     /// True if anything lies within the ray's bounds.
+    #[inline]
     pub fn occluded(&self, ray: &Ray) -> bool {
-        oracle::first_hit(&self.mesh, ray).is_some()
+        self.instructions.run(Occluded { tree: self, ray })
+    }
+
+    /// Checks the tree against the mesh it should represent.
+    pub fn validate(&self, mesh: &Mesh) -> Result<(), TreeError> {
+        let topology = &self.topology;
+        validate::check_topology(topology, mesh.faces.len(), LEAF_SIZE)?;
+        for leaf in 0..topology.leaf_count() {
+            let faces = topology.leaf(leaf);
+            if self.leaves[leaf] != TriangleBlock::new(mesh, faces) {
+                let primitive = faces[0] as usize;
+                return Err(TreeError::LeafContent { leaf, primitive });
+            }
+        }
+        validate::check_bounds(
+            topology,
+            |node, slot| self.nodes[node].child_bounds(slot),
+            |bounds, face| {
+                let corners = mesh.corners(face).map(|p| self.frame.local_from_world(p));
+                corners.iter().all(|&p| bounds.contains_point(p))
+            },
+        )
+    }
+}
+
+fn frame_of(mesh: &Mesh) -> LocalFrame {
+    let corners = mesh.faces.iter().flatten();
+    LocalFrame::around(corners.map(|&i| mesh.positions[i as usize]))
+}
+
+fn face_bounds(mesh: &Mesh, frame: &LocalFrame, face: usize) -> Aabb {
+    Aabb::around(mesh.corners(face).map(|p| frame.local_from_world(p)))
+}
+
+struct FirstHit<'a> {
+    tree: &'a RayTree,
+    ray: &'a Ray,
+}
+
+impl Job for FirstHit<'_> {
+    type Output = Option<Hit>;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> Option<Hit> {
+        let tree = self.tree;
+        if tree.nodes.is_empty() {
+            return None;
+        }
+        let local = LocalRay::new(simd, &tree.frame, self.ray)?;
+        let mut bounds = [self.ray.t_min, self.ray.t_max]; // shortened by every hit
+        let mut limit = local.limit(bounds[1]);
+        let mut best: Option<Hit> = None;
+        let mut stack = Stack::with_root();
+        while let Some((near, child)) = stack.pop() {
+            if near > limit {
+                continue;
+            }
+            match child.kind() {
+                Some(ChildKind::Node(node)) => {
+                    let node = &tree.nodes[node];
+                    let (mask, near) = local.children(simd, node, limit);
+                    stack.push_sorted(mask, &near, &node.children);
+                }
+                Some(ChildKind::Leaf(leaf)) => {
+                    tree.leaves[leaf].intersect(simd, &local, bounds, |hit| {
+                        let is_nearer = |best: Hit| (hit.t, hit.face) < (best.t, best.face);
+                        if best.is_none_or(is_nearer) {
+                            best = Some(hit);
+                            bounds[1] = hit.t;
+                            limit = local.limit(hit.t);
+                        }
+                    });
+                }
+                None => {}
+            }
+        }
+        best
+    }
+}
+
+struct Occluded<'a> {
+    tree: &'a RayTree,
+    ray: &'a Ray,
+}
+
+impl Job for Occluded<'_> {
+    type Output = bool;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> bool {
+        let tree = self.tree;
+        if tree.nodes.is_empty() {
+            return false;
+        }
+        let Some(local) = LocalRay::new(simd, &tree.frame, self.ray) else {
+            return false;
+        };
+        let bounds = [self.ray.t_min, self.ray.t_max];
+        let limit = local.limit(bounds[1]);
+        let mut stack = Stack::with_root();
+        while let Some((_, child)) = stack.pop() {
+            match child.kind() {
+                Some(ChildKind::Node(node)) => {
+                    let node = &tree.nodes[node];
+                    let (mask, near) = local.children(simd, node, limit);
+                    stack.push_sorted(mask, &near, &node.children);
+                }
+                Some(ChildKind::Leaf(leaf)) => {
+                    let mut found = false;
+                    tree.leaves[leaf].intersect(simd, &local, bounds, |_| found = true);
+                    if found {
+                        return true;
+                    }
+                }
+                None => {}
+            }
+        }
+        false
     }
 }

@@ -42,7 +42,7 @@ impl Lowering<'_> {
         let mut stem = plugin.to_owned();
         let (mut mesh, mut normals, is_flipped) = match plugin {
             "obj" | "ply" => {
-                let (mesh, normals, name) = self.from_file(&fields, to_world)?;
+                let (mesh, normals, name) = self.placed_file(&fields, to_world)?;
                 stem = name;
                 (mesh, normals, fields.boolean("flip_normals", false)?)
             }
@@ -95,7 +95,7 @@ impl Lowering<'_> {
     }
 
     /// The mesh of a file in the world, its normals, and a name for it.
-    fn from_file(
+    fn placed_file(
         &self,
         fields: &Fields,
         to_world: Affine,

@@ -1,0 +1,272 @@
+//! Building a tree: binned surface-area splits (Wald 2007), then every eight
+//! neighbouring subtrees gathered under one node.
+//!
+//! Large ranges are split in parallel. Which thread does what cannot change
+//! the result: each range of primitives has its own slots for its nodes.
+
+use super::{Child, MAX_DEPTH, Topology, WIDTH};
+use crate::aabb::Aabb;
+
+/// Bins per axis. More find slightly better splits and cost building time.
+const BINS: usize = 16;
+
+/// Ranges with fewer primitives than this are not worth a task.
+const PARALLEL_MINIMUM: usize = 4096;
+
+/// A primitive while building.
+#[derive(Clone, Copy)]
+struct Primitive {
+    bounds: Aabb,
+    id: u32,
+}
+
+/// A node of the binary tree. The `n` primitives from `start` on own the
+/// slots from `2 start` to `2 (start + n) - 2`; their node is the first.
+#[derive(Clone, Copy)]
+struct BinaryNode {
+    half_area: f32,
+    start: u32,
+    /// Primitives in the left half; 0 for a leaf.
+    left: u32,
+}
+
+const UNUSED: BinaryNode = BinaryNode {
+    half_area: 0.0,
+    start: 0,
+    left: 0,
+};
+
+/// A tree over primitives with the given boxes, at most `leaf_size` to a leaf.
+pub fn build(bounds: &[Aabb], leaf_size: usize) -> Topology {
+    if bounds.is_empty() {
+        return Topology::default();
+    }
+    let mut primitives: Vec<Primitive> = bounds
+        .iter()
+        .zip(0..)
+        .map(|(&bounds, id)| Primitive { bounds, id })
+        .collect();
+    let mut binary = vec![UNUSED; 2 * primitives.len() - 1];
+    let whole = Range {
+        primitives: &mut primitives,
+        nodes: &mut binary,
+        start: 0,
+        depth: 0,
+    };
+    split_recursively(whole, leaf_size);
+
+    let mut topology = Topology {
+        nodes: Vec::new(),
+        order: primitives.iter().map(|primitive| primitive.id).collect(),
+        leaf_starts: Vec::new(),
+    };
+    gather_children(&binary, 0, &mut topology);
+    topology.leaf_starts.push(bounds.len() as u32);
+    topology
+}
+
+/// A range of primitives with the node slots it owns.
+struct Range<'a> {
+    primitives: &'a mut [Primitive],
+    nodes: &'a mut [BinaryNode],
+    start: u32,
+    depth: usize,
+}
+
+fn split_recursively(range: Range, leaf_size: usize) {
+    let Range {
+        primitives,
+        nodes,
+        start,
+        depth,
+    } = range;
+    let count = primitives.len();
+    let mut bounds = Aabb::EMPTY;
+    let mut centres = Aabb::EMPTY;
+    for primitive in primitives.iter() {
+        let centre = primitive.bounds.centre2();
+        bounds = bounds.union(&primitive.bounds);
+        centres = centres.union(&Aabb {
+            low: centre,
+            high: centre,
+        });
+    }
+    nodes[0] = BinaryNode {
+        half_area: bounds.half_area(),
+        start,
+        left: 0,
+    };
+    if count <= leaf_size {
+        return;
+    }
+    // Halving the rest all the way down must not exceed the depth limit.
+    let depth_if_halved = depth + count.next_power_of_two().ilog2() as usize;
+    let split = if depth_if_halved < MAX_DEPTH {
+        best_split(primitives, &centres, leaf_size)
+    } else {
+        None
+    };
+    let left = match split {
+        Some(split) => partition(primitives, |p| split.is_left(p)),
+        None => count / 2, // all centres equal, or too deep
+    };
+    nodes[0].left = left as u32;
+    let (left_primitives, right_primitives) = primitives.split_at_mut(left);
+    let (left_nodes, right_nodes) = nodes[1..].split_at_mut(2 * left - 1);
+    let left_range = Range {
+        primitives: left_primitives,
+        nodes: left_nodes,
+        start,
+        depth: depth + 1,
+    };
+    let right_range = Range {
+        primitives: right_primitives,
+        nodes: right_nodes,
+        start: start + left as u32,
+        depth: depth + 1,
+    };
+    if count >= PARALLEL_MINIMUM {
+        rayon::join(
+            || split_recursively(left_range, leaf_size),
+            || split_recursively(right_range, leaf_size),
+        );
+    } else {
+        split_recursively(left_range, leaf_size);
+        split_recursively(right_range, leaf_size);
+    }
+}
+
+/// A plane between two bins.
+#[derive(Clone, Copy)]
+struct Split {
+    bins: Bins,
+    axis: usize,
+    /// Bins up to this one, exclusive, are left.
+    bin: usize,
+}
+
+impl Split {
+    #[inline]
+    fn is_left(&self, primitive: &Primitive) -> bool {
+        self.bins.index(primitive.bounds.centre2(), self.axis) < self.bin
+    }
+}
+
+/// Equal intervals between the smallest and the largest centre on each axis.
+#[derive(Clone, Copy)]
+struct Bins {
+    low: [f32; 3],
+    bins_per_length: [f32; 3],
+}
+
+impl Bins {
+    fn new(centres: &Aabb) -> Self {
+        let bins_per_length = centres.extent().map(|extent| {
+            let scale = BINS as f32 / extent;
+            // Without extent (or with so little that the scale overflows),
+            // everything falls in the first bin.
+            if scale.is_finite() { scale } else { 0.0 }
+        });
+        Self {
+            low: centres.low,
+            bins_per_length,
+        }
+    }
+
+    #[inline]
+    fn index(&self, centre: [f32; 3], axis: usize) -> usize {
+        let position = (centre[axis] - self.low[axis]) * self.bins_per_length[axis];
+        (position as usize).min(BINS - 1)
+    }
+}
+
+/// The split of least surface-area cost; `None` if all centres fall in one
+/// bin on every axis.
+fn best_split(primitives: &[Primitive], centres: &Aabb, leaf_size: usize) -> Option<Split> {
+    let bins = Bins::new(centres);
+    let mut filled = [[(Aabb::EMPTY, 0_usize); BINS]; 3];
+    for primitive in primitives {
+        let centre = primitive.bounds.centre2();
+        for (axis, filled) in filled.iter_mut().enumerate() {
+            let (bounds, count) = &mut filled[bins.index(centre, axis)];
+            *bounds = bounds.union(&primitive.bounds);
+            *count += 1;
+        }
+    }
+    // A leaf costs the same however full it is, so counts are in leaves.
+    let cost = |bounds: &Aabb, count: usize| bounds.half_area() * count.div_ceil(leaf_size) as f32;
+    let mut best: Option<(f32, Split)> = None;
+    for (axis, filled) in filled.iter().enumerate() {
+        let mut right_costs = [0.0; BINS];
+        let (mut bounds, mut count) = (Aabb::EMPTY, 0);
+        for bin in (1..BINS).rev() {
+            bounds = bounds.union(&filled[bin].0);
+            count += filled[bin].1;
+            right_costs[bin] = if count == 0 {
+                f32::NAN
+            } else {
+                cost(&bounds, count)
+            };
+        }
+        let (mut bounds, mut count) = (Aabb::EMPTY, 0);
+        for bin in 1..BINS {
+            bounds = bounds.union(&filled[bin - 1].0);
+            count += filled[bin - 1].1;
+            if count == 0 || right_costs[bin].is_nan() {
+                continue;
+            }
+            let cost = cost(&bounds, count) + right_costs[bin];
+            if best.is_none_or(|(least, _)| cost < least) {
+                best = Some((cost, Split { bins, axis, bin }));
+            }
+        }
+    }
+    best.map(|(_, split)| split)
+}
+
+/// Moves the primitives that are left to the front; how many they are.
+fn partition(primitives: &mut [Primitive], is_left: impl Fn(&Primitive) -> bool) -> usize {
+    let (mut front, mut back) = (0, primitives.len());
+    while front < back {
+        if is_left(&primitives[front]) {
+            front += 1;
+        } else {
+            back -= 1;
+            primitives.swap(front, back);
+        }
+    }
+    front
+}
+
+/// Appends the wide node for the binary node at `slot`, and all below it; its
+/// index.
+fn gather_children(binary: &[BinaryNode], slot: usize, topology: &mut Topology) -> usize {
+    let mut slots = vec![slot];
+    // Open the child of the largest surface until there are eight: a ray is
+    // most likely to enter that one.
+    while slots.len() < WIDTH {
+        let largest = (0..slots.len())
+            .filter(|&i| binary[slots[i]].left > 0)
+            .max_by(|&a, &b| {
+                let area = |i: usize| binary[slots[i]].half_area;
+                area(a).total_cmp(&area(b))
+            });
+        let Some(opened) = largest else { break };
+        let parent = slots[opened];
+        // In the order of the primitives, so that leaves stay consecutive.
+        slots[opened] = parent + 1;
+        slots.insert(opened + 1, parent + 2 * binary[parent].left as usize);
+    }
+    let index = topology.nodes.len();
+    topology.nodes.push([Child::NONE; WIDTH]);
+    for (i, &child) in slots.iter().enumerate() {
+        let node = &binary[child];
+        topology.nodes[index][i] = if node.left == 0 {
+            topology.leaf_starts.push(node.start);
+            Child::leaf(topology.leaf_starts.len() - 1)
+        } else {
+            Child::node(gather_children(binary, child, topology))
+        };
+    }
+    index
+}

@@ -1,0 +1,358 @@
+//! A view cone against the eight children of a node, and against the eight
+//! edges of a leaf: which can contain a boundary, and no nearer than where.
+//!
+//! Angles are compared by a number that is cheaper, and as precise near zero:
+//! for a point at height `z` along the axis and at distance `ρ` from it,
+//!
+//!   ρ / (ρ + z) in front of the eye, 1 + |z| / (ρ + |z|) behind it,
+//!
+//! which grows with the angle, from 0 over 1 at a right angle to 2 at π.
+
+use capwalk_math::Vec3;
+
+use super::silhouette_tree::{ConeQuery, EdgeSelection};
+use crate::aabb::{Aabb, LocalFrame, round_up};
+use crate::bvh::{Child, WIDTH};
+use crate::cone::NormalCone;
+use crate::edge::ON_PLANE;
+use crate::simd::{F32x8, Lanes, Simd};
+
+/// Edges in a leaf.
+pub const LANES: usize = 8;
+
+/// The number that stands for an angle in comparisons, rounded up by more than
+/// the rounding of both. `sin` and `cos` of the angle.
+#[inline]
+pub fn pseudo_angle_limit(sin: f64, cos: f64) -> f32 {
+    let total = sin + cos.abs();
+    let pseudo = if cos >= 0.0 {
+        sin / total
+    } else {
+        1.0 - cos / total
+    };
+    // Bounds are compared with `>` after rounding down by as much.
+    round_up(pseudo)
+}
+
+/// What eight children contain, in local coordinates.
+#[derive(Clone, Debug)]
+#[repr(C, align(32))]
+pub struct ConeNode {
+    /// Centres of their boxes.
+    centre: [[f32; WIDTH]; 3],
+    /// Half their side lengths.
+    half: [[f32; WIDTH]; 3],
+    /// Axes of their cones of normals.
+    axis: [[f32; WIDTH]; 3],
+    /// Squared sines of those cones; infinite for children that can contain a
+    /// silhouette whatever the view.
+    sin_squared: [f32; WIDTH],
+    /// `NormalCone::view_margin` of the box.
+    view_margin: [f32; WIDTH],
+    /// The children.
+    pub children: [Child; WIDTH],
+    /// All groups of the edges below each child; 0 for empty slots.
+    groups: [u8; WIDTH],
+}
+
+/// Relative error of what a node stores in single precision, such as a squared
+/// sine: rounding it and what it is compared with.
+const STORED_MARGIN: f64 = 1.0 / (1 << 20) as f64;
+
+impl ConeNode {
+    /// A node with empty slots only.
+    pub const EMPTY: Self = Self {
+        centre: [[0.0; WIDTH]; 3],
+        half: [[0.0; WIDTH]; 3],
+        axis: [[0.0; WIDTH]; 3],
+        sin_squared: [0.0; WIDTH],
+        view_margin: [0.0; WIDTH],
+        children: [Child::NONE; WIDTH],
+        groups: [0; WIDTH],
+    };
+
+    /// Fills one slot.
+    pub fn set(&mut self, slot: usize, child: Child, bounds: &Aabb, cone: &NormalCone, groups: u8) {
+        let half = [0, 1, 2].map(|axis| {
+            let (low, high) = (f64::from(bounds.low[axis]), f64::from(bounds.high[axis]));
+            let centre = (0.5 * (low + high)) as f32;
+            let reach = (high - f64::from(centre)).max(f64::from(centre) - low);
+            self.centre[axis][slot] = centre;
+            self.half[axis][slot] = round_up(reach);
+            self.axis[axis][slot] = cone.axis[axis] as f32;
+            f64::from(self.half[axis][slot])
+        });
+        self.sin_squared[slot] = round_up(cone.sin * cone.sin * (1.0 + STORED_MARGIN));
+        self.view_margin[slot] = round_up(cone.view_margin(half.into()) * (1.0 + STORED_MARGIN));
+        self.children[slot] = child;
+        self.groups[slot] = groups;
+    }
+
+    /// True if the point, in local coordinates, lies in the box of the child.
+    pub fn contains_point(&self, slot: usize, p: Vec3) -> bool {
+        (0..3).all(|axis| {
+            let (centre, half) = (self.centre[axis][slot], self.half[axis][slot]);
+            (p[axis] - f64::from(centre)).abs() <= f64::from(half)
+        })
+    }
+
+    /// True if the child's cone contains the normal, or all; `None` needs all.
+    pub fn covers_normal(&self, slot: usize, normal: Option<Vec3>) -> bool {
+        let sin_squared = f64::from(self.sin_squared[slot]);
+        let axis = Vec3::from([0, 1, 2].map(|i| f64::from(self.axis[i][slot])));
+        let is_inside = |normal: Vec3| {
+            let cross = axis.cross(normal).length() - AXIS_ROUNDING;
+            axis.dot(normal) > 0.0 && (cross <= 0.0 || cross * cross <= sin_squared)
+        };
+        sin_squared.is_infinite() || normal.is_some_and(is_inside)
+    }
+
+    /// All groups of the edges below a child.
+    pub fn groups(&self, slot: usize) -> u8 {
+        self.groups[slot]
+    }
+}
+
+/// Error of a unit vector rounded to single precision.
+const AXIS_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
+
+/// Up to eight edges, in local coordinates.
+#[derive(Clone, Debug, PartialEq)]
+#[repr(C, align(32))]
+pub struct EdgeBlock {
+    /// Midpoints.
+    middle: [[f32; LANES]; 3],
+    /// From the midpoints to the second ends.
+    half: [[f32; LANES]; 3],
+    /// Unit normals of the two faces; zero for edges that may be silhouettes
+    /// whatever the view.
+    normals: [[[f32; LANES]; 3]; 2],
+    /// Groups; 0 for empty lanes.
+    groups: [u8; LANES],
+}
+
+/// An edge as blocks and nodes see it, in local coordinates.
+#[derive(Clone, Copy, Debug)]
+pub struct LocalEdge {
+    /// Its ends.
+    pub ends: [Vec3; 2],
+    /// Unit normals of its two faces, towards the same side of the surface;
+    /// `None` if it may be a silhouette whatever the view.
+    pub normals: Option<[Vec3; 2]>,
+    /// Its groups.
+    pub groups: u8,
+}
+
+impl EdgeBlock {
+    /// The block of these edges.
+    pub fn new(edges: &[LocalEdge]) -> Self {
+        let mut block = Self {
+            middle: [[0.0; LANES]; 3],
+            half: [[0.0; LANES]; 3],
+            normals: [[[0.0; LANES]; 3]; 2],
+            groups: [0; LANES],
+        };
+        for (lane, edge) in edges.iter().enumerate() {
+            let [a, b] = edge.ends;
+            let (middle, half) = ((a + b) * 0.5, (b - a) * 0.5);
+            let normals = edge.normals.unwrap_or([Vec3::zero(); 2]);
+            for axis in 0..3 {
+                block.middle[axis][lane] = middle[axis] as f32;
+                block.half[axis][lane] = half[axis] as f32;
+                block.normals[0][axis][lane] = normals[0][axis] as f32;
+                block.normals[1][axis][lane] = normals[1][axis] as f32;
+            }
+            block.groups[lane] = edge.groups;
+        }
+        block
+    }
+}
+
+/// A plane in local coordinates, unit normal `n`: in front is `n·p >= offset`.
+#[derive(Clone, Copy)]
+struct LocalPlane {
+    normal: [f32; 3],
+    /// `offset`, less a margin for rounding.
+    offset: f32,
+}
+
+/// Error of positions in local coordinates, and of what is computed from them,
+/// per local unit of distance from the eye. The numbers compared are sums of
+/// some thirty terms of at most that size, each rounded by at most 2⁻²⁴.
+const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
+
+/// A bound of an angle is off by at most this factor, margins of positions
+/// aside.
+const BOUND_SHRINK: f32 = 1.0 - 1.0 / (1 << 20) as f32;
+
+/// A view cone in the coordinates of a tree.
+pub struct LocalCone<S: Simd> {
+    eye: [S::F32x8; 3],
+    axis: [S::F32x8; 3],
+    /// Error of positions.
+    margin: S::F32x8,
+    /// Distance from a face's plane below which the eye may count as in it.
+    plane_margin: S::F32x8,
+    /// Whether all edges count, silhouettes or not.
+    all_edges: bool,
+    groups: u8,
+    in_front_of: Option<LocalPlane>,
+}
+
+impl<S: Simd> LocalCone<S> {
+    /// The cone of a query.
+    #[inline(always)]
+    pub fn new(simd: S, frame: &LocalFrame, query: &ConeQuery) -> Self {
+        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+        let eye = frame.local_from_world(query.eye);
+        // Everything in the tree is nearer to the eye than this.
+        let range = sum(eye) + 3.0;
+        let margin = POSITION_MARGIN * range;
+        let on_plane = ON_PLANE * (sum(query.eye) + frame.reach) * frame.inverse_scale;
+        let in_front_of = query.in_front_of.map(|plane| {
+            let normal = plane.normal.normalized();
+            let offset = frame.local_from_world(plane.point).dot(normal);
+            LocalPlane {
+                normal: normal.to_array().map(|v| v as f32),
+                offset: (offset - POSITION_MARGIN * (offset.abs() + 3.0)) as f32,
+            }
+        });
+        Self {
+            eye: eye.to_array().map(|v| simd.splat(v as f32)),
+            axis: query.axis.to_array().map(|v| simd.splat(v as f32)),
+            margin: simd.splat(round_up(margin)),
+            // Twice: the test in double precision rounds, too.
+            plane_margin: simd.splat(round_up(margin + 2.0 * on_plane)),
+            all_edges: query.edges == EdgeSelection::All,
+            groups: query.groups,
+            in_front_of,
+        }
+    }
+
+    /// Which children may contain a boundary at a pseudo-angle up to `limit`,
+    /// and lower bounds of their pseudo-angles.
+    #[inline(always)]
+    pub fn children(&self, simd: S, node: &ConeNode, limit: f32) -> (u32, [f32; WIDTH]) {
+        let mut mask = groups_mask(&node.groups, self.groups);
+        let centre = load(simd, &node.centre);
+        let half = load(simd, &node.half);
+        let view = sub(centre, self.eye);
+        let z = dot(self.axis, view);
+        let radial = reject(view, self.axis, z);
+        let radial_squared = dot(radial, radial);
+        // The box reaches this far from its centre along the axis, and away
+        // from the axis (times the distance).
+        let z_reach = dot(self.axis.map(S::F32x8::abs), half);
+        let radial_reach = dot(radial.map(S::F32x8::abs), half);
+        let reach = half[0] + half[1] + half[2];
+        let bound = self.pseudo_angle(simd, z, radial_squared, z_reach, radial_reach, reach);
+        mask &= bound.le(simd.splat(limit));
+        if !self.all_edges {
+            // No silhouettes if |axis·v| > sin |v| + k (NormalCone).
+            let towards = dot(load(simd, &node.axis), view).abs();
+            let clearance = towards - simd.load(&node.view_margin) - self.plane_margin;
+            let distance_squared = dot(view, view);
+            let sin_squared = simd.load(&node.sin_squared);
+            let is_clear = simd.splat(0.0).lt(clearance)
+                & (sin_squared * distance_squared).lt(clearance * clearance);
+            mask &= !is_clear;
+        }
+        if let Some(plane) = self.in_front_of {
+            let normal = plane.normal.map(|v| simd.splat(v));
+            let nearest = dot(normal, centre) + dot(normal.map(S::F32x8::abs), half);
+            mask &= !nearest.lt(simd.splat(plane.offset));
+        }
+        (mask, bound.to_array())
+    }
+
+    /// Which edges may be boundaries at a pseudo-angle up to `limit`, and lower
+    /// bounds of their pseudo-angles.
+    #[inline(always)]
+    pub fn edges(&self, simd: S, block: &EdgeBlock, limit: f32) -> (u32, [f32; LANES]) {
+        let mut mask = groups_mask(&block.groups, self.groups);
+        let view = sub(load(simd, &block.middle), self.eye);
+        if !self.all_edges {
+            let [first, second] = [0, 1].map(|i| dot(load(simd, &block.normals[i]), view));
+            // No silhouette if both faces are seen from the same side.
+            let zero = simd.splat(0.0);
+            let behind = self.plane_margin.lt(first.min(second));
+            let front = first.max(second).lt(zero - self.plane_margin);
+            mask &= !(behind | front);
+            if mask == 0 {
+                return (0, [0.0; LANES]);
+            }
+        }
+        let half = load(simd, &block.half);
+        let z = dot(self.axis, view);
+        let radial = reject(view, self.axis, z);
+        let radial_squared = dot(radial, radial);
+        let z_reach = dot(self.axis, half).abs();
+        let radial_reach = dot(radial, half).abs();
+        let reach = half[0].abs() + half[1].abs() + half[2].abs();
+        let bound = self.pseudo_angle(simd, z, radial_squared, z_reach, radial_reach, reach);
+        mask &= bound.le(simd.splat(limit));
+        (mask, bound.to_array())
+    }
+
+    /// Lower bound of the pseudo-angles of points around a centre at height
+    /// `z` and distance `ρ = √radial_squared` from the axis, that reach at most
+    /// `z_reach` along the axis, `radial_reach / ρ` in the radial direction,
+    /// and `reach` in any.
+    #[inline(always)]
+    fn pseudo_angle(
+        &self,
+        simd: S,
+        z: S::F32x8,
+        radial_squared: S::F32x8,
+        z_reach: S::F32x8,
+        radial_reach: S::F32x8,
+        reach: S::F32x8,
+    ) -> S::F32x8 {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        let radial = radial_squared.sqrt();
+        let highest = z + z_reach + self.margin;
+        // In front: least ρ over largest z. Both times the centre's ρ. The
+        // radial direction is only orthogonal to the axis up to rounding
+        // (margin / ρ), so the reach along the axis leaks into it.
+        let near = radial_squared - radial_reach - self.margin * (radial + reach);
+        let near = near.max(zero);
+        let front_sum = highest.mul_add(radial, near);
+        // All behind: least |z| over largest ρ.
+        let behind_sum = radial + reach + self.margin - highest;
+        let numerator = highest.select_by_sign(zero - highest, near);
+        let denominator = highest.select_by_sign(behind_sum, front_sum);
+        let base = highest.select_by_sign(one, zero);
+        // 0/0 on the axis: the maximum makes NaN zero.
+        let bound = (numerator / denominator + base) * simd.splat(BOUND_SHRINK);
+        bound.max(zero)
+    }
+}
+
+/// One bit for each entry that shares a group with `selected`.
+#[inline(always)]
+fn groups_mask(groups: &[u8; 8], selected: u8) -> u32 {
+    (0..8).fold(0, |mask, i| {
+        mask | u32::from(groups[i] & selected != 0) << i
+    })
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, v: &[[f32; 8]; 3]) -> [S::F32x8; 3] {
+    [simd.load(&v[0]), simd.load(&v[1]), simd.load(&v[2])]
+}
+
+#[inline(always)]
+fn sub<F: F32x8>(a: [F; 3], b: [F; 3]) -> [F; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+#[inline(always)]
+fn dot<F: F32x8>(a: [F; 3], b: [F; 3]) -> F {
+    a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+/// `v - axis z`.
+#[inline(always)]
+fn reject<F: F32x8>(v: [F; 3], axis: [F; 3], z: F) -> [F; 3] {
+    [v[0] - axis[0] * z, v[1] - axis[1] * z, v[2] - axis[2] * z]
+}

@@ -1,0 +1,189 @@
+//! AVX2 with fused multiply-add: the one file that allows `unsafe`.
+//!
+//! The intrinsics are safe to execute exactly if the processor has them. That
+//! is proved by the token [`Avx2`]: only [`Avx2::detect`] makes one, and every
+//! vector is made from a token or from other vectors.
+#![allow(unsafe_code)]
+
+use std::arch::x86_64::*;
+use std::ops::{Add, Div, Mul, Sub};
+
+use super::{F32x8, F64x4, Job, Lanes, Simd};
+
+/// Proof that the processor has AVX2 and fused multiply-add.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Avx2(());
+
+impl Avx2 {
+    /// The proof, if it is true.
+    pub fn detect() -> Option<Self> {
+        (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self(()))
+    }
+
+    /// Runs the job compiled for AVX2.
+    #[inline]
+    pub fn run<J: Job>(self, job: J) -> J::Output {
+        #[target_feature(enable = "avx2,fma")]
+        fn compiled<J: Job>(avx2: Avx2, job: J) -> J::Output {
+            job.run(avx2)
+        }
+        // SAFETY: `self` proves that the processor has the features.
+        unsafe { compiled(self, job) }
+    }
+}
+
+/// Eight single-precision numbers in a register.
+#[derive(Clone, Copy)]
+pub struct F32x8Avx2(__m256);
+
+/// Four double-precision numbers in a register.
+#[derive(Clone, Copy)]
+pub struct F64x4Avx2(__m256d);
+
+impl Simd for Avx2 {
+    type F32x8 = F32x8Avx2;
+    type F64x4 = F64x4Avx2;
+    #[inline(always)]
+    fn splat(self, v: f32) -> F32x8Avx2 {
+        // SAFETY: `self` proves the feature.
+        F32x8Avx2(unsafe { _mm256_set1_ps(v) })
+    }
+    #[inline(always)]
+    fn load(self, v: &[f32; 8]) -> F32x8Avx2 {
+        // SAFETY: `self` proves the feature; 32 bytes are readable at `v`, and
+        // the load needs no alignment.
+        F32x8Avx2(unsafe { _mm256_loadu_ps(v.as_ptr()) })
+    }
+    #[inline(always)]
+    fn splat_f64(self, v: f64) -> F64x4Avx2 {
+        // SAFETY: `self` proves the feature.
+        F64x4Avx2(unsafe { _mm256_set1_pd(v) })
+    }
+    #[inline(always)]
+    fn load_f64(self, v: &[f64; 4]) -> F64x4Avx2 {
+        // SAFETY: `self` proves the feature; 32 bytes are readable at `v`, and
+        // the load needs no alignment.
+        F64x4Avx2(unsafe { _mm256_loadu_pd(v.as_ptr()) })
+    }
+}
+
+/// One operator of a vector type as one intrinsic.
+macro_rules! operator {
+    ($vector:ident, $operator:ident, $method:ident, $intrinsic:ident) => {
+        impl $operator for $vector {
+            type Output = Self;
+            #[inline(always)]
+            fn $method(self, b: Self) -> Self {
+                // SAFETY: the vectors were made from a token, which proves the
+                // feature.
+                Self(unsafe { $intrinsic(self.0, b.0) })
+            }
+        }
+    };
+}
+
+operator!(F32x8Avx2, Add, add, _mm256_add_ps);
+operator!(F32x8Avx2, Sub, sub, _mm256_sub_ps);
+operator!(F32x8Avx2, Mul, mul, _mm256_mul_ps);
+operator!(F32x8Avx2, Div, div, _mm256_div_ps);
+operator!(F64x4Avx2, Add, add, _mm256_add_pd);
+operator!(F64x4Avx2, Sub, sub, _mm256_sub_pd);
+operator!(F64x4Avx2, Mul, mul, _mm256_mul_pd);
+operator!(F64x4Avx2, Div, div, _mm256_div_pd);
+
+impl Lanes for F32x8Avx2 {
+    #[inline(always)]
+    fn min(self, b: Self) -> Self {
+        // SAFETY: the vectors were made from a token, which proves the feature.
+        Self(unsafe { _mm256_min_ps(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn max(self, b: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_max_ps(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_andnot_ps(_mm256_set1_ps(-0.0), self.0) })
+    }
+    #[inline(always)]
+    fn le(self, b: Self) -> u32 {
+        // SAFETY: as above.
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LE_OQ>(self.0, b.0)) as u32 }
+    }
+    #[inline(always)]
+    fn lt(self, b: Self) -> u32 {
+        // SAFETY: as above.
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, b.0)) as u32 }
+    }
+}
+
+impl F32x8 for F32x8Avx2 {
+    #[inline(always)]
+    fn mul_add(self, b: Self, c: Self) -> Self {
+        // SAFETY: the vectors were made from a token, which proves the feature.
+        Self(unsafe { _mm256_fmadd_ps(self.0, b.0, c.0) })
+    }
+    #[inline(always)]
+    fn mul_sub(self, b: Self, c: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_fmsub_ps(self.0, b.0, c.0) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_sqrt_ps(self.0) })
+    }
+    #[inline(always)]
+    fn select_by_sign(self, negative: Self, other: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_blendv_ps(other.0, negative.0, self.0) })
+    }
+    #[inline(always)]
+    fn to_array(self) -> [f32; 8] {
+        let mut array = [0.0; 8];
+        // SAFETY: as above; 32 bytes are writable, without alignment.
+        unsafe { _mm256_storeu_ps(array.as_mut_ptr(), self.0) };
+        array
+    }
+}
+
+impl Lanes for F64x4Avx2 {
+    #[inline(always)]
+    fn min(self, b: Self) -> Self {
+        // SAFETY: the vectors were made from a token, which proves the feature.
+        Self(unsafe { _mm256_min_pd(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn max(self, b: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_max_pd(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
+    }
+    #[inline(always)]
+    fn le(self, b: Self) -> u32 {
+        // SAFETY: as above.
+        unsafe { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LE_OQ>(self.0, b.0)) as u32 }
+    }
+    #[inline(always)]
+    fn lt(self, b: Self) -> u32 {
+        // SAFETY: as above.
+        unsafe { _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_LT_OQ>(self.0, b.0)) as u32 }
+    }
+}
+
+impl F64x4 for F64x4Avx2 {
+    #[inline(always)]
+    fn to_array(self) -> [f64; 4] {
+        let mut array = [0.0; 4];
+        // SAFETY: the vector was made from a token, which proves the feature;
+        // 32 bytes are writable, without alignment.
+        unsafe { _mm256_storeu_pd(array.as_mut_ptr(), self.0) };
+        array
+    }
+}

@@ -1,0 +1,87 @@
+//! The ray tree against brute force.
+
+mod common;
+
+use capwalk_geometry::{Mesh, Ray, RayTree, oracle};
+use capwalk_math::Vec3;
+use common::{Place, Spot};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+/// A ray in words: from where, to where, how long, which part counts.
+#[derive(Clone, Copy, Debug)]
+struct Aim {
+    from: Spot,
+    towards: Result<Spot, Vec3>,
+    length: f64,
+    bounds: [f64; 2],
+}
+
+fn aim() -> impl Strategy<Value = Aim> {
+    let towards = prop_oneof![
+        common::spot().prop_map(Ok),
+        common::direction().prop_map(Err)
+    ];
+    let length = prop_oneof![Just(1.0), Just(1e-9), Just(1e12), 0.1..10.0_f64];
+    let bounds = prop_oneof![
+        3 => Just([0.0, f64::INFINITY]),
+        1 => Just([f64::NEG_INFINITY, f64::INFINITY]),
+        1 => (0.0..1.0_f64, 0.0..3.0_f64).prop_map(|(near, more)| [near, near + more]),
+    ];
+    (common::spot(), towards, length, bounds).prop_map(|(from, towards, length, bounds)| Aim {
+        from,
+        towards,
+        length,
+        bounds,
+    })
+}
+
+impl Aim {
+    fn ray(&self, mesh: &Mesh, place: &Place) -> Ray {
+        let origin = self.from.position(mesh, place);
+        let direction = match self.towards {
+            Ok(spot) => spot.position(mesh, place) - origin,
+            Err(direction) => direction * place.size,
+        };
+        Ray {
+            origin,
+            direction: direction * self.length,
+            t_min: self.bounds[0] / self.length,
+            t_max: self.bounds[1] / self.length,
+        }
+    }
+}
+
+fn check(tree: &RayTree, mesh: &Mesh, rays: &[Ray]) -> Result<(), TestCaseError> {
+    tree.validate(mesh)
+        .map_err(|error| TestCaseError::fail(error.to_string()))?;
+    let scalar = tree.clone().without_simd();
+    for ray in rays {
+        let expected = oracle::first_hit(mesh, ray);
+        for tree in [tree, &scalar] {
+            prop_assert_eq!(tree.first_hit(ray), expected, "{:?}", ray);
+            prop_assert_eq!(tree.occluded(ray), expected.is_some(), "{:?}", ray);
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 4000, rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..Default::default() })]
+
+    /// The tree finds what brute force finds, bit for bit; also after vertices
+    /// moved.
+    #[test]
+    fn tree_is_brute_force(
+        (mesh, place) in common::mesh(),
+        aims in prop::collection::vec(aim(), 20),
+        seed in 1..u64::MAX,
+    ) {
+        let rays_at = |mesh: &Mesh| aims.iter().map(|aim| aim.ray(mesh, &place)).collect::<Vec<_>>();
+        let mut tree = RayTree::build(&mesh);
+        check(&tree, &mesh, &rays_at(&mesh))?;
+        let moved = common::moved(&mesh, &place, 1.0, seed);
+        tree.refit(&moved);
+        check(&tree, &moved, &rays_at(&moved))?;
+    }
+}

@@ -1,0 +1,119 @@
+//! A scene made ready to answer: one mesh, its rays, its lamps.
+
+use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
+use capwalk_math::Vec3;
+use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
+
+use crate::lamp::Lamp;
+
+/// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
+/// face indices of a shape follow those of the shapes before it.
+pub struct Accel<'s> {
+    /// The scene.
+    pub scene: &'s Scene,
+    /// All triangles.
+    pub mesh: Mesh,
+    /// The shape of each face.
+    pub shape_of_face: Vec<ShapeId>,
+    /// First vertex of each shape.
+    pub first_vertex: Vec<u32>,
+    /// How to draw points on each emitter; `None` for an environment.
+    pub lamps: Vec<Option<Lamp>>,
+    rays: RayTree,
+    /// Distances below this (world units) around a ray's origin belong to the
+    /// surface it starts on.
+    self_distance: f64,
+}
+
+/// The surface a ray starts on is found again at distances around 1e-16 of
+/// the coordinates; grazing rays find it up to 1e6 times farther. Relative to
+/// the scene's size.
+const SELF_INTERSECTION: f64 = 1e-10;
+/// Fraction by which a shadow ray stops short of the point it is sent to.
+const SHORT_OF_TARGET: f64 = 1e-9;
+
+impl<'s> Accel<'s> {
+    /// Builds the tree of a checked scene.
+    pub fn new(scene: &'s Scene) -> Self {
+        let mut mesh = Mesh::default();
+        let mut shape_of_face = Vec::new();
+        let mut first_vertex = Vec::new();
+        for (i, shape) in scene.shapes.iter().enumerate() {
+            first_vertex.push(mesh.positions.len() as u32);
+            mesh.append(&shape.mesh);
+            shape_of_face.resize(mesh.faces.len(), ShapeId(i as u32));
+        }
+        let lamps = scene
+            .emitters
+            .iter()
+            .map(|emitter| match emitter {
+                Emitter::Area { shape, .. } => Some(Lamp::new(&scene.shape(*shape).mesh)),
+                Emitter::Constant { .. } => None,
+            })
+            .collect();
+        let size = mesh
+            .positions
+            .iter()
+            .map(|p| p.x.abs().max(p.y.abs()).max(p.z.abs()))
+            .fold(scene.sensor.origin().length(), f64::max);
+        Self {
+            scene,
+            shape_of_face,
+            first_vertex,
+            lamps,
+            rays: RayTree::build(&mesh),
+            mesh,
+            self_distance: SELF_INTERSECTION * size,
+        }
+    }
+
+    /// Points this close (world units) to a plane lie in it, as far as ray hits
+    /// are precise.
+    pub fn horizon_distance(&self) -> f64 {
+        self.self_distance
+    }
+
+    /// The first surface seen from a point on another one.
+    #[inline]
+    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        let t_min = self.self_distance;
+        self.rays.first_hit(&Ray {
+            t_min,
+            ..Ray::new(origin, direction)
+        })
+    }
+
+    /// The first surface along a ray with bounds of its own.
+    #[inline]
+    pub fn first_hit_within(&self, ray: &Ray) -> Option<Hit> {
+        self.rays.first_hit(ray)
+    }
+
+    /// True if nothing lies between two points on surfaces.
+    #[inline]
+    pub fn visible(&self, from: Vec3, to: Vec3) -> bool {
+        let offset = to - from;
+        let distance = offset.length();
+        !self.rays.occluded(&Ray {
+            origin: from,
+            direction: offset / distance,
+            t_min: self.self_distance,
+            t_max: distance * (1.0 - SHORT_OF_TARGET),
+        })
+    }
+
+    /// The shape that was hit.
+    #[inline]
+    pub fn shape_of(&self, hit: &Hit) -> ShapeId {
+        self.shape_of_face[hit.face as usize]
+    }
+
+    /// What emits at a hit towards a viewer that looks along `direction`: only
+    /// the front does.
+    #[inline]
+    pub fn emitter_at(&self, hit: &Hit, direction: Vec3) -> Option<EmitterId> {
+        let emitter = self.scene.shape(self.shape_of(hit)).emitter?;
+        let front = self.mesh.face_cross(hit.face as usize).dot(direction) < 0.0;
+        front.then_some(emitter)
+    }
+}

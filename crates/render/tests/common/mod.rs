@@ -1,0 +1,94 @@
+//! Small scenes, put together by code.
+#![allow(dead_code, reason = "each test program uses some of it")]
+
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_scene::primitive::rectangle;
+use capwalk_scene::*;
+
+pub fn v(x: f64, y: f64, z: f64) -> Vec3 {
+    Vec3::new(x, y, z)
+}
+
+/// A scene to be filled: a camera at `from` that looks at `to`, direct light
+/// from emitters only.
+pub fn empty(from: Vec3, to: Vec3, fov_degrees: f64, size: u32) -> Scene {
+    let up = v(0.1, 0.2, 1.0);
+    Scene {
+        shapes: Vec::new(),
+        materials: Vec::new(),
+        emitters: Vec::new(),
+        sensor: Perspective {
+            id: "sensor".into(),
+            world_from_camera: Affine::look_at(from, to, up).expect("not along the up vector"),
+            fov_x: fov_degrees.to_radians(),
+            principal_point_offset: [0.0, 0.0],
+            near_clip: 1e-2,
+            far_clip: 1e4,
+        },
+        film: Film::new(size, size, Filter::Box),
+        settings: Settings {
+            integrator: Integrator::Direct {
+                emitter_samples: 1,
+                bsdf_samples: 0,
+                hide_emitters: false,
+            },
+            spp: 16,
+            sampler: SamplerKind::Independent,
+            seed: 0,
+        },
+    }
+}
+
+/// Adds a two-sided grey shape.
+pub fn add(scene: &mut Scene, id: &str, mesh: Mesh, normals: ShadingNormals, grey: f64) {
+    let inner = BsdfId(scene.materials.len() as u32);
+    scene.materials.push(Material {
+        id: format!("{id}.bsdf"),
+        bsdf: Bsdf::Diffuse(Diffuse {
+            reflectance: Rgb::splat(grey),
+        }),
+    });
+    scene.materials.push(Material {
+        id: format!("{id}.twosided"),
+        bsdf: Bsdf::TwoSided {
+            front: inner,
+            back: inner,
+        },
+    });
+    scene.shapes.push(Shape {
+        id: id.into(),
+        mesh,
+        normals,
+        bsdf: BsdfId(inner.0 + 1),
+        emitter: None,
+    });
+}
+
+/// Makes the last shape added a lamp.
+pub fn light_up(scene: &mut Scene, radiance: f64) {
+    let shape = ShapeId(scene.shapes.len() as u32 - 1);
+    let id = EmitterId(scene.emitters.len() as u32);
+    scene.emitters.push(Emitter::Area {
+        shape,
+        radiance: Rgb::splat(radiance),
+    });
+    scene.shapes[shape.0 as usize].emitter = Some(id);
+}
+
+/// A floor in the plane z = 0, of the given half width.
+pub fn add_floor(scene: &mut Scene, half: f64) {
+    let (mesh, normals) = rectangle(Affine::scale(v(half, half, 1.0)));
+    add(scene, "floor", mesh, normals, 0.7);
+}
+
+/// A square lamp of the given side, facing down from `centre`, turned by some
+/// radians about the vertical.
+pub fn add_lamp(scene: &mut Scene, centre: Vec3, side: f64, turned: f64, radiance: f64) {
+    let down = Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::PI);
+    let turn = Affine::rotate(v(0.0, 0.0, 1.0), turned);
+    let scale = Affine::scale(v(0.5 * side, 0.5 * side, 1.0));
+    let (mesh, normals) = rectangle(Affine::translate(centre) * turn * down * scale);
+    add(scene, "lamp", mesh, normals, 0.0);
+    light_up(scene, radiance);
+}

@@ -1,0 +1,201 @@
+//! The fixed-step walk: Algorithms 2 to 4 in flat domains, 6 and 7 on the
+//! sphere, which are one algorithm.
+//!
+//! The field of no steps is the velocity of the closest boundary point,
+//! Eqs. (18) and (31). The field of `M` steps is the mean of the field of
+//! `M - 1` steps over the largest empty ball around the point, Eqs. (20) and
+//! (32), whose radius is `A`. Its derivative along a tangent `d` is, for any
+//! constant vector `c`,
+//!
+//! ```text
+//! ∂_d v = κ { E_rim[ (v(z) - c) (d·(e(z) + g)) ] - (d·g) (v̄ - c) }
+//! ```
+//!
+//! with `κ = |rim|/|ball|`, `e(z)` the unit tangent towards the rim point `z`,
+//! and `g = ∇A` pointing away from the closest boundary point (Eqs. 27 and 34
+//! after working out the rim's motion). Summed over an orthonormal basis of
+//! tangents this is the divergence, Eq. (21), up to the domain's curvature.
+//!
+//! The radius is limited to `max_radius`, and boundaries beyond it count as
+//! absent with velocity zero: the field stays continuous and exact on the
+//! boundaries (METHOD 1).
+
+use crate::domain::{Domain, Nearest, Vector};
+use crate::field::FieldSample;
+
+/// How the field is built and its divergence estimated.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WalkSettings {
+    /// Number of steps `M`, at least 1: with none the field is not continuous.
+    pub steps: u32,
+    /// `A_max`, the largest radius of a ball, radians on the sphere. Any value
+    /// is unbiased; smaller ones are faster, larger ones smoother.
+    pub max_radius: f64,
+    /// How the divergence is estimated.
+    pub estimator: Estimator,
+    /// Average every sample with the one on the opposite azimuth.
+    pub antithetic: bool,
+}
+
+/// Estimators of the divergence (METHOD 2).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Estimator {
+    /// `c` is the velocity at the closest boundary point, and the value sample
+    /// lies on the same azimuth as the rim sample: finite variance.
+    Anchored,
+    /// `c = 0` and independent samples, as printed: the second moment grows
+    /// like `∫ A⁻² dA` at the boundary, so its variance is infinite.
+    Literal,
+}
+
+impl Default for WalkSettings {
+    fn default() -> Self {
+        Self {
+            steps: 1,
+            max_radius: 0.6,
+            estimator: Estimator::Anchored,
+            antithetic: false,
+        }
+    }
+}
+
+impl WalkSettings {
+    /// How many random numbers a sample takes: their dimensions are
+    /// `0 .. dimensions()`.
+    pub fn dimensions(&self) -> u32 {
+        2 * self.steps + 1
+    }
+}
+
+/// An unbiased sample of the field's value and divergence at `x`, Algorithms 3
+/// and 7. `random(i)` is the `i`-th uniform number of this sample.
+pub fn sample_field<D: Domain>(
+    domain: &D,
+    x: D::Vector,
+    settings: &WalkSettings,
+    random: impl Fn(u32) -> f64,
+) -> FieldSample<D::Site, D::Vector> {
+    debug_assert!(
+        settings.steps > 0,
+        "the field of no steps is not continuous"
+    );
+    let mut sample = FieldSample::zero();
+    // A ball around x of radius at most max_radius and the balls around its
+    // points see no boundary beyond twice that.
+    let Some(nearest) = domain.closest(x, reach(settings, settings.steps)) else {
+        return sample;
+    };
+    let within = nearest.distance < settings.max_radius;
+    let radius = nearest.distance.min(settings.max_radius);
+    let kappa = domain.rim_over_ball(radius);
+    let g = match within {
+        true => -domain.towards(x, nearest.point),
+        false => D::Vector::ZERO,
+    };
+    let walker = Walker {
+        domain,
+        settings,
+        random: &random,
+    };
+
+    let azimuth = random(0);
+    let pair = [azimuth, (azimuth + 0.5) % 1.0];
+    let azimuths = &pair[..if settings.antithetic { 2 } else { 1 }];
+    let share = 1.0 / azimuths.len() as f64;
+    let mut mean_e = D::Vector::ZERO;
+    for &azimuth in azimuths {
+        let e = domain.tangent(x, azimuth);
+        mean_e = mean_e + e * share;
+        // The literal estimator's value sample has an azimuth of its own.
+        let e_inside = match settings.estimator {
+            Estimator::Anchored => e,
+            Estimator::Literal => domain.tangent(x, random(2 * settings.steps)),
+        };
+        let inside = domain.radius_inside(radius, random(1));
+        let y = domain.walk(x, e_inside, inside);
+        let z = domain.walk(x, e, radius);
+        let steps = settings.steps - 1;
+        let value = (g * -kappa + domain.curvature(x)) * share;
+        sample.add(walker.value(y, steps, Some(nearest)), share, value);
+        let rim = (e + g) * (kappa * share);
+        sample.add(walker.value(z, steps, Some(nearest)), 0.0, rim);
+    }
+    if settings.estimator == Estimator::Anchored && within {
+        sample.add(Some(nearest.site), 0.0, mean_e * -kappa);
+    }
+    sample
+}
+
+/// An unbiased sample of the field's value at `x` alone, Algorithms 2 and 6:
+/// the boundary point whose velocity it is, or `None` for velocity zero.
+pub fn sample_value<D: Domain>(
+    domain: &D,
+    x: D::Vector,
+    settings: &WalkSettings,
+    random: impl Fn(u32) -> f64,
+) -> Option<D::Site> {
+    // random(0), random(1) are the first step, as in `sample_field`.
+    let walker = Walker {
+        domain,
+        settings,
+        random: &random,
+    };
+    walker.value(x, settings.steps, None)
+}
+
+/// Boundaries farther than this from the start do not matter to the field of
+/// `steps` steps that is not zero everywhere in the first ball: the walk moves
+/// at most `max_radius` each step, and looks `max_radius` ahead. One query
+/// with this reach decides whether the sample is zero.
+fn reach(settings: &WalkSettings, steps: u32) -> f64 {
+    settings.max_radius * f64::from(steps + 1)
+}
+
+struct Walker<'a, D: Domain, R> {
+    domain: &'a D,
+    settings: &'a WalkSettings,
+    random: &'a R,
+}
+
+impl<D: Domain, R: Fn(u32) -> f64> Walker<'_, D, R> {
+    /// The boundary point whose velocity is a sample of the field of `steps`
+    /// steps at `x`. `known` is a boundary point found before: no search needs
+    /// to look farther than it.
+    fn value(
+        &self,
+        mut x: D::Vector,
+        steps: u32,
+        mut known: Option<Nearest<D::Site, D::Vector>>,
+    ) -> Option<D::Site> {
+        let max_radius = self.settings.max_radius;
+        for step in (0..=steps).rev() {
+            // The last look only asks what is within max_radius; the looks
+            // before it also decide whether the rest can be skipped.
+            let far = reach(self.settings, step);
+            let bound = match known {
+                Some(nearest) => far.min(self.domain.distance(x, nearest.point)),
+                None => far,
+            };
+            let found = self.domain.closest(x, bound);
+            // Nothing nearer than a known point within reach: it is the one.
+            let nearest = found.or_else(|| {
+                known.filter(|_| bound < far).map(|nearest| Nearest {
+                    distance: bound,
+                    ..nearest
+                })
+            })?;
+            if step == 0 {
+                return Some(nearest.site);
+            }
+            known = Some(nearest);
+            let radius = nearest.distance.min(max_radius);
+            let dimension = 2 * (self.settings.steps - step);
+            let e = self.domain.tangent(x, (self.random)(dimension));
+            let inside = self
+                .domain
+                .radius_inside(radius, (self.random)(dimension + 1));
+            x = self.domain.walk(x, e, inside);
+        }
+        unreachable!("the loop returns at step 0")
+    }
+}

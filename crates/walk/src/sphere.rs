@@ -1,0 +1,85 @@
+//! The sphere of directions around a shading point; balls are spherical caps.
+
+use std::cell::Cell;
+
+use capwalk_geometry::{ConeQuery, EdgeSelection, Plane, SilhouettePoint, SilhouetteTree};
+use capwalk_math::{Frame, Vec3, sphere};
+
+use crate::domain::{Domain, Nearest};
+
+/// The sphere of directions around `eye`, bounded by the edges seen from it.
+pub struct Sphere<'a> {
+    /// The edges.
+    pub tree: &'a SilhouetteTree,
+    /// The shading point, the paper's `p_{K+1}`.
+    pub eye: Vec3,
+    /// Which edges are boundaries.
+    pub edges: EdgeSelection,
+    /// Only edges of these groups are.
+    pub groups: u8,
+    /// Edges wholly behind it are not (`domain = triangle`).
+    pub in_front_of: Option<Plane>,
+    /// Counts the queries.
+    pub queries: Cell<u64>,
+}
+
+impl Domain for Sphere<'_> {
+    type Vector = Vec3;
+    type Site = SilhouettePoint;
+
+    #[inline]
+    fn closest(&self, q: Vec3, limit: f64) -> Option<Nearest<SilhouettePoint, Vec3>> {
+        self.queries.set(self.queries.get() + 1);
+        let site = self.tree.closest(&ConeQuery {
+            eye: self.eye,
+            axis: q,
+            max_angle: limit,
+            edges: self.edges,
+            groups: self.groups,
+            in_front_of: self.in_front_of,
+        })?;
+        Some(Nearest {
+            site,
+            point: site.direction,
+            distance: site.angle,
+        })
+    }
+
+    #[inline]
+    fn distance(&self, q: Vec3, y: Vec3) -> f64 {
+        sphere::angle_between(q, y)
+    }
+
+    #[inline]
+    fn towards(&self, q: Vec3, y: Vec3) -> Vec3 {
+        sphere::tangent_towards(q, y)
+    }
+
+    #[inline]
+    fn tangent(&self, q: Vec3, azimuth: f64) -> Vec3 {
+        sphere::sample_tangent(&Frame::from_normal(q), azimuth)
+    }
+
+    #[inline]
+    fn walk(&self, q: Vec3, e: Vec3, angle: f64) -> Vec3 {
+        sphere::walk_along(q, e, angle)
+    }
+
+    /// `1 - cos θ = u (1 - cos A)`, in half angles.
+    #[inline]
+    fn radius_inside(&self, half_angle: f64, u: f64) -> f64 {
+        2.0 * (u.sqrt() * (0.5 * half_angle).sin()).asin()
+    }
+
+    /// `2π sin A / (2π (1 - cos A)) = cot(A/2)`, Eq. (34).
+    #[inline]
+    fn rim_over_ball(&self, half_angle: f64) -> f64 {
+        (0.5 * half_angle).tan().recip()
+    }
+
+    /// `div(P_q ū) = Σ d·∂_d ū - 2 q·ū` (METHOD 2).
+    #[inline]
+    fn curvature(&self, q: Vec3) -> Vec3 {
+        q * -2.0
+    }
+}

@@ -1,0 +1,262 @@
+//! The fields against closed forms: a moving boundary's flux through a smooth
+//! window is known by quadrature, and must equal the area integral of the
+//! window over the field (the divergence theorem, Eq. 3).
+
+use capwalk_geometry::{Edge, EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_math::{Moments, Vec3, sphere};
+use capwalk_walk::interval::End;
+use capwalk_walk::{Estimator, Interval, Sphere, WalkSettings, sample_field, sample_value};
+
+/// A number that looks random, from its index.
+fn random(index: u64) -> f64 {
+    let mut x = index.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    ((x ^ (x >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+}
+
+/// Section 3.3: the right end moves, the length grows by one.
+#[test]
+fn toy_integral_has_derivative_one() {
+    let velocity = |end: &End| if *end == End::Right { 1.0 } else { 0.0 };
+    for steps in 1..=4 {
+        for antithetic in [false, true] {
+            let settings = WalkSettings {
+                steps,
+                max_radius: 1.0,
+                estimator: Estimator::Anchored,
+                antithetic,
+            };
+            let mut moments = Moments::default();
+            for i in 0..40_000 {
+                let x = random(100 * i + 99);
+                let number = |d: u32| random(100 * i + u64::from(d));
+                moments.add(
+                    sample_field(&Interval, x, &settings, number)
+                        .evaluate(velocity)
+                        .1,
+                );
+            }
+            // Eight cases, two-sided: 4 σ fails one run in 2000.
+            let error = (moments.mean - 1.0).abs();
+            assert!(
+                error < 4.0 * moments.standard_error() + 1e-12,
+                "M = {steps}: {} ± {}",
+                moments.mean,
+                moments.standard_error()
+            );
+        }
+    }
+}
+
+/// One triangle over a shading point, its corners moving differently.
+struct Moving {
+    mesh: Mesh,
+    edges: Vec<Edge>,
+    tree: SilhouetteTree,
+    velocities: [Vec3; 3],
+    eye: Vec3,
+    eye_velocity: Vec3,
+}
+
+impl Moving {
+    fn example() -> Self {
+        let mesh = Mesh {
+            positions: vec![
+                Vec3::new(-0.4, -0.2, 1.0),
+                Vec3::new(0.5, -0.1, 1.2),
+                Vec3::new(0.0, 0.5, 0.9),
+            ],
+            faces: vec![[0, 1, 2]],
+        };
+        let edges = topology::edges(&mesh);
+        Self {
+            tree: SilhouetteTree::build(&mesh, &edges),
+            mesh,
+            edges,
+            velocities: [
+                Vec3::new(1.0, 0.0, 0.2),
+                Vec3::new(0.3, -0.8, 0.0),
+                Vec3::new(-0.2, 0.5, 1.0),
+            ],
+            eye: Vec3::new(0.05, 0.02, -0.1),
+            eye_velocity: Vec3::new(0.2, -0.1, 0.3),
+        }
+    }
+
+    fn domain(&self) -> Sphere<'_> {
+        Sphere {
+            tree: &self.tree,
+            eye: self.eye,
+            edges: EdgeSelection::Silhouettes,
+            groups: u8::MAX,
+            in_front_of: None,
+            queries: Default::default(),
+        }
+    }
+
+    /// Angular velocity of the direction to a point, METHOD 2.
+    fn angular(&self, x: Vec3, velocity: Vec3) -> Vec3 {
+        let offset = x - self.eye;
+        let q = offset.normalized();
+        (velocity - self.eye_velocity).reject_from(q) / offset.length()
+    }
+
+    fn velocity(&self, site: &SilhouettePoint) -> Vec3 {
+        let [i, k] = self.edges[site.edge as usize].vertices.map(|v| v as usize);
+        let v = self.velocities[i] * (1.0 - site.t) + self.velocities[k] * site.t;
+        self.angular(self.eye + site.direction * site.distance, v)
+    }
+
+    fn hides(&self, d: Vec3) -> bool {
+        let [p, q, r] = self.mesh.corners(0).map(|p| p - self.eye);
+        let sides = [d.dot(p.cross(q)), d.dot(q.cross(r)), d.dot(r.cross(p))];
+        sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0)
+    }
+
+    /// `-∮ w u·n dl` over the outline: derivative of the window's integral
+    /// over the directions that miss the triangle.
+    fn exact(&self, window: impl Fn(Vec3) -> f64) -> f64 {
+        let p = &self.mesh.positions;
+        let centre = (p[0] + p[1] + p[2]) / 3.0 - self.eye;
+        let n = 20_000;
+        let mut sum = 0.0;
+        for i in 0..3 {
+            let next_corner = (i + 1) % 3;
+            let (a, b) = (p[i] - self.eye, p[next_corner] - self.eye);
+            let normal = a.cross(b).normalized();
+            let outward = normal * -normal.dot(centre).signum();
+            let at = |k: f64| a + (b - a) * (k / f64::from(n));
+            for k in 0..n {
+                let k = f64::from(k);
+                let t = (k + 0.5) / f64::from(n);
+                let middle = at(k + 0.5);
+                let v = self.velocities[i] * (1.0 - t) + self.velocities[next_corner] * t;
+                let u = self.angular(middle + self.eye, v);
+                let length = sphere::angle_between(at(k).normalized(), at(k + 1.0).normalized());
+                sum -= window(middle.normalized()) * u.dot(outward) * length;
+            }
+        }
+        sum
+    }
+}
+
+#[test]
+fn field_carries_the_boundary_flux() {
+    let scene = Moving::example();
+    let domain = scene.domain();
+    // A smooth window, zero with its slope at the rim of a cap around +z.
+    let cap: f64 = 1.1;
+    let depth = |q: Vec3| (q.z - cap.cos()).max(0.0);
+    let window = |q: Vec3| depth(q).powi(2) * (1.0 + q.x);
+    let slope = |q: Vec3| Vec3::new(depth(q).powi(2), 0.0, 2.0 * depth(q) * (1.0 + q.x));
+    let exact = scene.exact(window);
+    for (steps, max_radius, antithetic, n) in [
+        (1, 0.6, false, 600_000),
+        (1, 0.1, true, 600_000),
+        (1, 3.2, false, 300_000),
+        (2, 0.6, false, 300_000),
+        (3, 0.3, true, 300_000),
+    ] {
+        let settings = WalkSettings {
+            steps,
+            max_radius,
+            estimator: Estimator::Anchored,
+            antithetic,
+        };
+        let mut moments = Moments::default();
+        for i in 0..n {
+            let number = |d: u32| random(100 * i + u64::from(d));
+            let q = sphere::sample_cap(cap, [number(98), number(99)]);
+            if scene.hides(q) {
+                moments.add(0.0);
+                continue;
+            }
+            let field = sample_field(&domain, q, &settings, number);
+            let (mean, divergence) = field.evaluate(|site| scene.velocity(site));
+            let integrand = slope(q).dot(mean.reject_from(q)) + window(q) * divergence;
+            moments.add(integrand / sphere::cap_pdf(cap));
+        }
+        let error = moments.standard_error();
+        let z = (moments.mean - exact) / error;
+        // Five cases, two-sided: 4 σ fails one run in 3000.
+        assert!(
+            z.abs() < 4.0,
+            "M = {steps}, A_max = {max_radius}: {} ± {error}, exact {exact}",
+            moments.mean,
+        );
+        assert!(
+            error < 0.1 * exact.abs(),
+            "too noisy to tell: {error} of {exact}"
+        );
+    }
+}
+
+/// The value alone is the same field as the value with the divergence.
+#[test]
+fn value_agrees_with_field() {
+    let scene = Moving::example();
+    let domain = scene.domain();
+    for steps in 1..=3 {
+        let settings = WalkSettings {
+            steps,
+            ..Default::default()
+        };
+        for i in 0..500 {
+            let number = |d: u32| random(100 * i + u64::from(d));
+            let q = sphere::sample_cap(1.0, [number(98), number(99)]);
+            let field = sample_field(&domain, q, &settings, number);
+            let value: Vec<_> = field.terms().filter(|term| term.weight != 0.0).collect();
+            match sample_value(&domain, q, &settings, number) {
+                None => assert!(value.is_empty()),
+                Some(site) => {
+                    assert_eq!(value.len(), 1);
+                    assert!((value[0].site.t - site.t).abs() < 1e-9);
+                    assert_eq!(value[0].site.edge, site.edge);
+                }
+            }
+        }
+    }
+}
+
+/// At a fixed direction both estimators have finite variance and the same
+/// mean; only over all directions does the literal one's variance diverge.
+#[test]
+fn literal_and_anchored_agree_at_fixed_directions() {
+    let scene = Moving::example();
+    let domain = scene.domain();
+    for (k, steps) in [1, 1, 1, 2, 3].into_iter().enumerate() {
+        let q = sphere::sample_cap(0.8, [random(7 + k as u64), random(70 + k as u64)]);
+        let estimate = |estimator: Estimator, antithetic: bool| {
+            let settings = WalkSettings {
+                steps,
+                max_radius: 0.6,
+                estimator,
+                antithetic,
+            };
+            let mut moments = Moments::default();
+            for i in 0..100_000 {
+                let number = |d: u32| random(1_000_000 + 100 * i + u64::from(d));
+                let field = sample_field(&domain, q, &settings, number);
+                moments.add(field.evaluate(|site| scene.velocity(site)).1);
+            }
+            moments
+        };
+        let anchored = estimate(Estimator::Anchored, false);
+        let others = [
+            estimate(Estimator::Literal, false),
+            estimate(Estimator::Anchored, true),
+        ];
+        for other in others {
+            let error = anchored.standard_error().hypot(other.standard_error());
+            let z = (anchored.mean - other.mean) / error;
+            // Ten cases: 4 σ fails one run in 1500.
+            assert!(
+                z.abs() < 4.0 && error < 0.2,
+                "M = {steps} at {q:?}: {} against {} ± {error}",
+                anchored.mean,
+                other.mean
+            );
+        }
+    }
+}
