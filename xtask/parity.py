@@ -102,7 +102,7 @@ def main():
         sys.exit(f"sizes differ: {ours['value'].shape} and {theirs.shape}")
     result, z = compare(
         ours["value"].astype(np.float64),
-        ours["standard_error"].astype(np.float64),
+        ours["value_stderr"].astype(np.float64),
         theirs,
         theirs_error,
     )

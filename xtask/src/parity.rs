@@ -38,8 +38,8 @@ pub fn run(names: &[String]) -> Result<()> {
     let mut differing = Vec::new();
     for scene in &scenes {
         let name = stem(scene);
-        let result = compare(&python, scene, &work)
-            .with_context(|| format!("scene {}", scene.display()))?;
+        let result =
+            compare(&python, scene, &work).with_context(|| format!("scene {}", scene.display()))?;
         let number = |key: &str| result[key].as_f64().unwrap_or(f64::NAN);
         let right = result["right"].as_bool().unwrap_or(false);
         println!(

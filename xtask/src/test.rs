@@ -16,7 +16,12 @@ pub fn run() -> Result<()> {
         &["clippy", "--workspace", "--all-targets"],
         &["--", "-D", "warnings"],
     )?;
-    let mut doc = cargo(&["doc", "--workspace", "--no-deps", "--document-private-items"]);
+    let mut doc = cargo(&[
+        "doc",
+        "--workspace",
+        "--no-deps",
+        "--document-private-items",
+    ]);
     doc.env("RUSTDOCFLAGS", "-D warnings");
     step("documentation", doc)?;
     step("tests", cargo(&["test", "--workspace", "--no-fail-fast"]))

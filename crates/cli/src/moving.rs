@@ -110,9 +110,7 @@ fn npy_numbers(bytes: &[u8]) -> Result<Vec<f64>> {
     let Ok(floats) = open()?.try_data::<f32>() else {
         bail!("the array holds no floating point numbers; expected float32 or float64");
     };
-    Ok(floats
-        .map(|x| x.map(f64::from))
-        .collect::<Result<_, _>>()?)
+    Ok(floats.map(|x| x.map(f64::from)).collect::<Result<_, _>>()?)
 }
 
 fn text_numbers(bytes: &[u8]) -> Result<Vec<f64>> {
@@ -146,6 +144,9 @@ mod tests {
         let rows = b"# velocities\n1 2 3\n\n 4e-1 -5 6 # last\n";
         assert_eq!(text_numbers(rows).unwrap(), [1.0, 2.0, 3.0, 0.4, -5.0, 6.0]);
         let message = text_numbers(b"1 2 3\n1 2\n").unwrap_err().to_string();
-        assert_eq!(message, "line 2 is \"1 2\"; expected three numbers, \"x y z\"");
+        assert_eq!(
+            message,
+            "line 2 is \"1 2\"; expected three numbers, \"x y z\""
+        );
     }
 }

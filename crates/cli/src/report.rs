@@ -1,7 +1,7 @@
 //! Numbers for people: sensible digits, standard errors, aligned columns.
 
 use capwalk_math::Rgb;
-use capwalk_render::{Estimate, Options, Statistics};
+use capwalk_render::{Estimate, Statistics};
 use capwalk_scene::Image;
 use serde_json::{Value, json};
 
@@ -102,9 +102,9 @@ pub fn list(lines: &[(&str, String)]) -> String {
 pub fn work(what: &str, statistics: &Statistics, elapsed: f64) -> String {
     let rate = |n: u64| number(n as f64 / elapsed / 1e6);
     let mut text = format!(
-        "{what}: {} samples, {} million rays/s",
+        "{what}: {} samples, {} million/s",
         count(statistics.samples),
-        rate(statistics.rays)
+        rate(statistics.samples)
     );
     if statistics.cone_queries > 0 {
         text += &format!(
@@ -161,26 +161,6 @@ pub fn outcome(statistics: &[&Statistics]) -> Outcome {
     }
 }
 
-/// What a floating point file says about how it was made.
-pub fn header(
-    what: &str,
-    scene: &str,
-    options: &Options,
-    statistics: &Statistics,
-) -> Vec<(String, String)> {
-    let entries = [
-        ("command", what.to_owned()),
-        ("scene", scene.to_owned()),
-        ("seed", options.seed.to_string()),
-        ("samples_per_pixel_asked", options.spp.to_string()),
-        ("samples", statistics.samples.to_string()),
-        ("complete", statistics.complete.to_string()),
-        ("non_finite_samples", statistics.non_finite.to_string()),
-        ("capwalk_version", env!("CARGO_PKG_VERSION").to_owned()),
-    ];
-    entries.map(|(key, value)| (key.to_owned(), value)).into()
-}
-
 /// The mean colour of a picture.
 pub fn mean_colour(image: &Image) -> [f64; 3] {
     let sum = image.pixels.iter().fold(Rgb::zero(), |sum, &p| sum + p);
@@ -197,7 +177,10 @@ pub fn variance_per_sample(estimate: &Estimate, statistics: &Statistics) -> f64 
         .zip(&statistics.samples_per_pixel)
         .filter(|(error, _)| error.is_finite())
         .fold((0.0, 0_u64), |(sum, pixels), (error, &samples)| {
-            (sum + error.dot(*error) / 3.0 * f64::from(samples), pixels + 1)
+            (
+                sum + error.dot(*error) / 3.0 * f64::from(samples),
+                pixels + 1,
+            )
         });
     sum / pixels as f64
 }
@@ -211,7 +194,6 @@ pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
         "fewest_samples_per_pixel": taken.iter().min(),
         "most_samples_per_pixel": taken.iter().max(),
         "non_finite": statistics.non_finite,
-        "rays": statistics.rays,
         "cone_queries": statistics.cone_queries,
         "seconds": elapsed,
     })

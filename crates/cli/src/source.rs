@@ -76,7 +76,7 @@ pub fn gradient_options(options: Options, args: &WalkArgs) -> GradientOptions {
         options,
         walk: WalkSettings {
             steps: args.walk_steps,
-            max_angle: args.max_angle.map_or(default.max_angle, f64::to_radians),
+            max_radius: args.max_angle.map_or(default.max_radius, f64::to_radians),
             estimator: match args.estimator {
                 EstimatorName::Anchored => Estimator::Anchored,
                 EstimatorName::Literal => Estimator::Literal,

@@ -243,7 +243,7 @@ fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usi
     }
     if c.sign.abs() > SIGNIFICANT && relative_offset > REFERENCE_BIAS {
         reasons.push(format!(
-            "the gradient is systematically too {} ({:.1} standard errors over the picture)",
+            "it is systematically too {} ({:.1} standard errors over the picture)",
             if c.sign > 0.0 { "large" } else { "small" },
             c.sign.abs()
         ));
@@ -251,7 +251,7 @@ fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usi
     let slope_off = (c.slope - 1.0).abs();
     if slope_off > SIGNIFICANT * c.slope_error && slope_off > REFERENCE_BIAS {
         reasons.push(format!(
-            "the reference is {:.3} ± {:.3} times the gradient",
+            "the reference is {:.3} ± {:.3} times as large",
             c.slope, c.slope_error
         ));
     }

@@ -3,14 +3,16 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
+use capwalk_math::Vec3;
 use capwalk_render::check::{Comparison, Verdict, compare};
 use capwalk_render::{GradientImage, GradientOptions, Options};
-use capwalk_scene::{Motion, Scene};
+use capwalk_scene::{Image, Motion, Scene};
+use capwalk_scene_io::image::{self, Panel, Style};
 use serde_json::{Value, json};
 
 use crate::args::Check;
 use crate::diagnostics::Outcome;
-use crate::output::{Files, Layer, Preview};
+use crate::output::{self, Files};
 use crate::progress::Progress;
 use crate::{moving, report, source};
 
@@ -65,32 +67,23 @@ pub fn run(args: &Check) -> Result<Outcome> {
     } = &checked;
 
     let parameter = moving::describe(&typed.motion);
-    let mut header = report::header("check", &typed.scene.scene, &options, &gradient.statistics);
-    header.push(("parameter".into(), parameter.clone()));
-    header.push(("step".into(), reference.step.to_string()));
-    let z = z_picture(comparison, &scene);
-    let written = files.write(
-        &[
-            Layer::new("value", &gradient.value.mean),
-            Layer::new("standard_error", &gradient.value.standard_error),
-            Layer::new("gradient", &gradient.gradient.mean),
-            Layer::new("gradient_standard_error", &gradient.gradient.standard_error),
-            Layer::new("reference", &differences.gradient.mean),
-            Layer::new(
-                "reference_standard_error",
-                &differences.gradient.standard_error,
-            ),
-            Layer::new("z", &z),
-        ],
-        &Preview::Check {
-            value: &gradient.value.mean,
-            gradient: &gradient.gradient.mean,
-            reference: &differences.gradient.mean,
-            z: &z,
-        },
-        &header,
+    let name = &typed.scene.scene;
+    let mut picture = output::picture(
+        "check",
+        name,
+        Some(&parameter),
+        &options,
         &gradient.statistics,
-    )?;
+    );
+    let metadata = &mut picture.metadata;
+    metadata.push(("step".into(), reference.step.to_string()));
+    metadata.push(("reference_spp".into(), reference.spp.to_string()));
+    output::push_estimate(&mut picture, "value", &gradient.value);
+    output::push_estimate(&mut picture, "gradient", &gradient.gradient);
+    output::push_estimate(&mut picture, "reference", &differences.gradient);
+    let z = z_picture(comparison, &gradient.value.mean);
+    picture.push("z", z.clone());
+    let written = files.write(&picture, &panels(&checked, &z))?;
     eprint!("{}", report::warnings("gradient", &gradient.statistics));
     eprint!("{}", report::warnings("reference", &differences.statistics));
     if typed.output.json {
@@ -167,18 +160,40 @@ pub fn check(
     })
 }
 
-/// The z of each pixel as a picture.
-pub fn z_picture(comparison: &Comparison, scene: &Scene) -> capwalk_scene::Image {
-    let [width, height] = scene.film.crop_size.map(|side| side as usize);
-    capwalk_scene::Image {
-        width,
-        height,
-        pixels: comparison
-            .z
-            .iter()
-            .map(|&z| capwalk_math::Vec3::splat(z))
-            .collect(),
+/// The z of each pixel as a picture of the same size as another.
+pub fn z_picture(comparison: &Comparison, like: &Image) -> Image {
+    let z = comparison.z.iter();
+    Image {
+        pixels: z.map(|&z| Vec3::splat(z)).collect(),
+        ..*like
     }
+}
+
+/// Where the colours of z end: beyond this, a pixel is not an accident.
+const Z_LIMIT: f64 = 4.0;
+
+/// Value, gradient and reference with the same colours, and z.
+pub fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
+    let (gradient, reference) = (
+        &checked.gradient.gradient.mean,
+        &checked.reference.gradient.mean,
+    );
+    let limit = image::robust_limit([gradient, reference]);
+    let panel = |title, image, style| Panel {
+        title,
+        image,
+        style,
+    };
+    [
+        panel(
+            "value",
+            &checked.gradient.value.mean,
+            Style::Photographic { exposure: 0.0 },
+        ),
+        panel("gradient", gradient, Style::Diverging { limit }),
+        panel("reference", reference, Style::Diverging { limit }),
+        panel("z", z, Style::Diverging { limit: Z_LIMIT }),
+    ]
 }
 
 /// The numbers of a comparison, one on each line.
@@ -227,7 +242,9 @@ pub fn describe(c: &Comparison) -> String {
 /// What follows, in a sentence.
 pub fn verdict(comparison: &Comparison, options: &Options, reference: &Reference) -> String {
     match &comparison.verdict {
-        Verdict::Right => "right: they agree, and a factor wrong by 10 % would have been seen".into(),
+        Verdict::Right => {
+            "right: they agree, and a factor wrong by 10 % would have been seen".into()
+        }
         Verdict::Wrong { reason } => format!(
             "wrong: {reason}\n(if a smaller --step changes this, the reference is at fault)"
         ),

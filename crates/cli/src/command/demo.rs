@@ -10,7 +10,7 @@ use serde_json::json;
 use super::check::{self, Checked, Reference};
 use crate::args::Demo;
 use crate::diagnostics::Outcome;
-use crate::output::{Files, Layer, Preview};
+use crate::output::{self, Files};
 use crate::progress::Progress;
 use crate::{moving, report};
 
@@ -71,44 +71,21 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         ..
     } = &checked;
 
-    let header = |what: &str, options: &Options, statistics| {
-        let mut header = report::header(what, SCENE, options, statistics);
-        header.push(("parameter".into(), parameter.into()));
-        header
-    };
-    let value = &rendering.value;
-    let mut written = picture_files.write(
-        &[
-            Layer::new("value", &value.mean),
-            Layer::new("standard_error", &value.standard_error),
-        ],
-        &Preview::Radiance(&value.mean),
-        &header("render", &options(SPP), &rendering.statistics),
-        &rendering.statistics,
-    )?;
-    let slope = &gradient.gradient;
-    written.extend(gradient_files.write(
-        &[
-            Layer::new("value", &gradient.value.mean),
-            Layer::new("standard_error", &gradient.value.standard_error),
-            Layer::new("gradient", &slope.mean),
-            Layer::new("gradient_standard_error", &slope.standard_error),
-        ],
-        &Preview::Signed(&slope.mean),
-        &header("gradient", &options(SPP), &gradient.statistics),
+    let mut picture = output::picture("render", SCENE, None, &options(SPP), &rendering.statistics);
+    output::push_estimate(&mut picture, "value", &rendering.value);
+    let mut written = picture_files.write(&picture, &[])?;
+    let mut picture = output::picture(
+        "gradient",
+        SCENE,
+        Some(parameter),
+        &options(SPP),
         &gradient.statistics,
-    )?);
-    written.extend(check_files.write(
-        &[],
-        &Preview::Check {
-            value: &value.mean,
-            gradient: &slope.mean,
-            reference: &differences.gradient.mean,
-            z: &check::z_picture(comparison, &scene),
-        },
-        &[],
-        &gradient.statistics,
-    )?);
+    );
+    output::push_estimate(&mut picture, "value", &gradient.value);
+    output::push_estimate(&mut picture, "gradient", &gradient.gradient);
+    written.extend(gradient_files.write(&picture, &[])?);
+    let z = check::z_picture(comparison, &gradient.value.mean);
+    written.extend(check_files.write(&picture, &check::panels(&checked, &z))?);
 
     let all = [
         &rendering.statistics,
@@ -156,10 +133,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
             report::number(queries / 1e6),
             report::seconds(seconds)
         );
-        println!(
-            "{}",
-            check::verdict(comparison, &options(SPP), &reference)
-        );
+        println!("{}", check::verdict(comparison, &options(SPP), &reference));
         println!("wrote {}", written.join(", "));
     }
     Ok(match report::outcome(&all) {

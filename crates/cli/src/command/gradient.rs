@@ -5,7 +5,7 @@ use serde_json::json;
 
 use crate::args::Gradient;
 use crate::diagnostics::Outcome;
-use crate::output::{Files, Layer, Preview};
+use crate::output::{self, Files};
 use crate::progress::Progress;
 use crate::{moving, report, source};
 
@@ -24,19 +24,11 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
     let parameter = moving::describe(&args.motion);
-    let mut header = report::header("gradient", &args.scene.scene, &options, statistics);
-    header.push(("parameter".into(), parameter.clone()));
-    let written = files.write(
-        &[
-            Layer::new("value", &value.mean),
-            Layer::new("standard_error", &value.standard_error),
-            Layer::new("gradient", &gradient.mean),
-            Layer::new("gradient_standard_error", &gradient.standard_error),
-        ],
-        &Preview::Signed(&gradient.mean),
-        &header,
-        statistics,
-    )?;
+    let name = &args.scene.scene;
+    let mut picture = output::picture("gradient", name, Some(&parameter), &options, statistics);
+    output::push_estimate(&mut picture, "value", value);
+    output::push_estimate(&mut picture, "gradient", gradient);
+    let written = files.write(&picture, &[])?;
     eprint!("{}", report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
     if args.output.json {

@@ -105,7 +105,11 @@ fn vector(v: Vec3) -> String {
 }
 
 fn shapes(scene: &Scene) -> String {
-    let mut rows = vec![["", "triangles", "vertices", "normals", "material", "emits"].map(String::from).to_vec()];
+    let mut rows = vec![
+        ["", "triangles", "vertices", "normals", "material", "emits"]
+            .map(String::from)
+            .to_vec(),
+    ];
     for shape in &scene.shapes {
         let normals = match &shape.normals {
             ShadingNormals::Face => "flat",

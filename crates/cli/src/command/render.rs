@@ -5,7 +5,7 @@ use serde_json::json;
 
 use crate::args::Render;
 use crate::diagnostics::Outcome;
-use crate::output::{Files, Layer, Preview};
+use crate::output::{self, Files};
 use crate::progress::Progress;
 use crate::{report, source};
 
@@ -20,15 +20,10 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let elapsed = progress.finish().as_secs_f64();
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
-    let written = files.write(
-        &[
-            Layer::new("value", &value.mean),
-            Layer::new("standard_error", &value.standard_error),
-        ],
-        &Preview::Radiance(&value.mean),
-        &report::header("render", &args.scene.scene, &options, statistics),
-        statistics,
-    )?;
+    let name = &args.scene.scene;
+    let mut picture = output::picture("render", name, None, &options, statistics);
+    output::push_estimate(&mut picture, "value", value);
+    let written = files.write(&picture, &[])?;
     eprint!("{}", report::warnings("picture", statistics));
     if args.output.json {
         let document = json!({

@@ -58,7 +58,10 @@ fn list(scenes: &[&Builtin], as_json: bool) {
     let lines: Vec<(&str, String)> = scenes
         .iter()
         .map(|s| {
-            let text = format!("{}\n{:17}made for {}", s.description, "", s.default_parameter);
+            let text = format!(
+                "{}\n{:17}made for {}",
+                s.description, "", s.default_parameter
+            );
             (s.name, text)
         })
         .collect();

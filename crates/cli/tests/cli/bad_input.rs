@@ -13,7 +13,10 @@ fn unknown_scene() {
 fn unknown_parameter_lists_near_names() {
     let capwalk = Capwalk::new("unknown_parameter");
     let message = capwalk.error("gradient ball -p bal.translate.x");
-    assert_has(&message, &["bal.translate.x", "did you mean", "ball.translate.x"]);
+    assert_has(
+        &message,
+        &["bal.translate.x", "did you mean", "ball.translate.x"],
+    );
 }
 
 #[test]
@@ -55,7 +58,10 @@ fn broken_scene_files_show_the_place() {
         "<scene version=\"3.0.0\">\n  <shape type=\"teapot\"/>\n</scene>\n",
     );
     let message = capwalk.error("info broken.xml");
-    assert_has(&message, &["--> broken.xml:2:", "2 |   <shape type=\"teapot\"/>", "^"]);
+    assert_has(
+        &message,
+        &["--> broken.xml:2:", "2 |   <shape type=\"teapot\"/>", "^"],
+    );
     let message = capwalk.error("info broken.xml -D nothing");
     assert_has(&message, &["NAME=VALUE"]);
 }

@@ -26,7 +26,9 @@ fn a_darker_picture_differs() {
     assert_ne!(scene, darker, "the lamp of leaf has a radiance of 70");
     capwalk.write("darker.xml", &darker);
     for scene in ["leaf", "darker"] {
-        capwalk.run(&format!("render {scene}.xml {options} {scene}.npz --seed 3"));
+        capwalk.run(&format!(
+            "render {scene}.xml {options} {scene}.npz --seed 3"
+        ));
     }
     let finished = capwalk.run("compare darker.npz leaf.npz");
     assert_eq!(finished.status, 1, "{}", finished.stdout);
@@ -39,5 +41,8 @@ fn sizes_must_agree() {
     capwalk.run("render leaf --size 6x8 --spp 2 -o b.npz");
     let message = capwalk.error("compare a.npz b.npz");
     assert_has(&message, &["8 x 6", "6 x 8"]);
-    assert_has(&capwalk.error("compare a.npz missing.npz"), &["missing.npz"]);
+    assert_has(
+        &capwalk.error("compare a.npz missing.npz"),
+        &["missing.npz"],
+    );
 }

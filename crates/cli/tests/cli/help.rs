@@ -7,7 +7,14 @@ fn help_lists_commands_and_exit_statuses() {
     assert_has(
         &finished.stdout,
         &[
-            "render", "gradient", "check", "info", "compare", "scenes", "demo", "Exit status",
+            "render",
+            "gradient",
+            "check",
+            "info",
+            "compare",
+            "scenes",
+            "demo",
+            "Exit status",
             "stopped by Ctrl-C",
         ],
     );
@@ -16,7 +23,9 @@ fn help_lists_commands_and_exit_statuses() {
 #[test]
 fn every_command_has_help() {
     let capwalk = Capwalk::new("help_commands");
-    for command in ["render", "gradient", "check", "info", "compare", "scenes", "demo"] {
+    for command in [
+        "render", "gradient", "check", "info", "compare", "scenes", "demo",
+    ] {
         let finished = capwalk.run(&format!("{command} --help"));
         assert_eq!(finished.status, 0, "{command}");
         assert_has(&finished.stdout, &["Usage: capwalk", "--json"]);
@@ -27,7 +36,13 @@ fn every_command_has_help() {
 #[test]
 fn wrong_usage_is_bad_input() {
     let capwalk = Capwalk::new("usage");
-    for arguments in ["", "frobnicate", "render", "render leaf --spp 0", "gradient leaf"] {
+    for arguments in [
+        "",
+        "frobnicate",
+        "render",
+        "render leaf --spp 0",
+        "gradient leaf",
+    ] {
         assert_eq!(capwalk.run(arguments).status, 3, "\"{arguments}\"");
     }
     let message = capwalk.error("check leaf -p leaf.translate.x --step -1");
@@ -40,7 +55,12 @@ fn info_lists_parameters() {
     let text = capwalk.run("info ball").stdout;
     assert_has(
         &text,
-        &["triangles", "ball.translate.x", "lamp.emitter.radiance.value", "sensor.rotate.z"],
+        &[
+            "triangles",
+            "ball.translate.x",
+            "lamp.emitter.radiance.value",
+            "sensor.rotate.z",
+        ],
     );
     let json = capwalk.json("info ball --json --size 30x20");
     assert_eq!(json["size"], serde_json::json!([30, 20]));

@@ -74,7 +74,11 @@ impl Capwalk {
         let finished = self.run(arguments);
         assert_eq!(finished.status, 3, "{arguments}: {}", finished.stderr);
         assert_eq!(finished.stdout, "", "{arguments}");
-        assert!(finished.stderr.starts_with("error: "), "{}", finished.stderr);
+        assert!(
+            finished.stderr.starts_with("error: "),
+            "{}",
+            finished.stderr
+        );
         finished.stderr
     }
 }

@@ -14,7 +14,11 @@ fn render_writes_all_formats() {
     assert_eq!(json["statistics"]["samples"], 12 * 9 * 8);
     assert_eq!(json["statistics"]["non_finite"], 0);
     assert_eq!(json["files"].as_array().map(Vec::len), Some(3));
-    assert!(capwalk.bytes("new/folder/a.exr").starts_with(&[0x76, 0x2f, 0x31, 0x01]));
+    assert!(
+        capwalk
+            .bytes("new/folder/a.exr")
+            .starts_with(&[0x76, 0x2f, 0x31, 0x01])
+    );
     assert!(capwalk.bytes("a.npz").starts_with(b"PK"));
     assert!(capwalk.bytes("a.png").starts_with(b"\x89PNG"));
 }
@@ -25,7 +29,10 @@ fn default_outputs_are_named_after_the_scene() {
     let finished = capwalk.run(&format!("render leaf {TINY}"));
     assert_eq!(finished.status, 0, "{}", finished.stderr);
     assert_has(&finished.stdout, &["wrote leaf.exr, leaf.png"]);
-    assert_eq!(finished.stderr, "", "nothing to say, and no bar without a terminal");
+    assert_eq!(
+        finished.stderr, "",
+        "nothing to say, and no bar without a terminal"
+    );
     capwalk.run(&format!("gradient leaf -p leaf.translate.x {TINY}"));
     capwalk.bytes("leaf-gradient.exr");
     capwalk.bytes("leaf-gradient.png");
@@ -51,7 +58,11 @@ fn the_number_of_threads_changes_no_bit() {
 fn gradients_of_files_of_velocities() {
     let capwalk = Capwalk::new("motion_file");
     capwalk.write("x.txt", "1 0 0\n1 0 0\n1 0 0\n");
-    capwalk.run(&format!("gradient leaf --motion leaf=x.txt {TINY} -o file.npz"));
-    capwalk.run(&format!("gradient leaf -p leaf.translate.x {TINY} -o name.npz"));
+    capwalk.run(&format!(
+        "gradient leaf --motion leaf=x.txt {TINY} -o file.npz"
+    ));
+    capwalk.run(&format!(
+        "gradient leaf -p leaf.translate.x {TINY} -o name.npz"
+    ));
     assert!(capwalk.bytes("file.npz") == capwalk.bytes("name.npz"));
 }

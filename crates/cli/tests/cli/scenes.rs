@@ -4,7 +4,16 @@ use crate::{Capwalk, assert_has};
 fn scenes_are_listed() {
     let capwalk = Capwalk::new("scenes_list");
     let text = capwalk.run("scenes").stdout;
-    assert_has(&text, &["leaf", "ball", "box-room", "lattice-shadow", "ball.translate.x"]);
+    assert_has(
+        &text,
+        &[
+            "leaf",
+            "ball",
+            "box-room",
+            "lattice-shadow",
+            "ball.translate.x",
+        ],
+    );
     let json = capwalk.json("scenes --json leaf");
     assert_eq!(json["scenes"].as_array().map(Vec::len), Some(1));
     assert_has(&capwalk.error("scenes loaf"), &["loaf", "leaf"]);

@@ -31,7 +31,10 @@ fn ctrl_c_stops_cleanly() {
     let mut command = capwalk.command(&format!(
         "gradient leaf -p leaf.translate.x {LONG} --json -o partial.npz"
     ));
-    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn();
+    let child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
     let child = child.expect("it starts");
     std::thread::sleep(Duration::from_millis(1500));
     let interrupt = std::process::Command::new("kill")

@@ -24,7 +24,10 @@ fn few_samples_cannot_tell() {
     let few = "--spp 2 --reference-spp 2";
     let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {few}"));
     assert_eq!(finished.status, 2, "{}", finished.stdout);
-    assert_has(&finished.stdout, &["could not tell", "times the samples", "--reference-spp"]);
+    assert_has(
+        &finished.stdout,
+        &["could not tell", "times the samples", "--reference-spp"],
+    );
     let one = "--spp 1 --reference-spp 1";
     let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {one}"));
     assert_eq!(finished.status, 2, "{}", finished.stdout);
