@@ -139,7 +139,7 @@ pub struct WalkArgs {
     pub estimator: EstimatorName,
     /// Ignore silhouettes farther than this angle, degrees; right for every
     /// value, smaller is faster and larger is smoother
-    #[arg(long, value_name = "DEGREES", value_parser = parse_angle)]
+    #[arg(long, value_name = "DEGREES", value_parser = parse_angle, allow_negative_numbers = true)]
     pub max_angle: Option<f64>,
     /// Average each rim sample with the one on the other side of the cap
     #[arg(long)]
@@ -190,7 +190,7 @@ pub struct Check {
     /// Step of the finite differences, in units of the parameter [default:
     /// moves the fastest vertex by 1/500 of the size of the shape it belongs
     /// to (of the scene, where the sensor moves); for colours, 0.01]
-    #[arg(long, value_name = "H", value_parser = parse_step)]
+    #[arg(long, value_name = "H", value_parser = parse_step, allow_negative_numbers = true)]
     pub step: Option<f64>,
 }
 

@@ -24,10 +24,21 @@ pub fn motion(scene: &Scene, args: &MotionArgs) -> Result<Motion> {
         motion.add(&of_shape);
     }
     ensure!(
-        motion != Motion::zero(scene),
+        !is_zero(&motion),
         "nothing moves: the parameters and velocities add up to zero"
     );
     Ok(motion)
+}
+
+fn is_zero(motion: &Motion) -> bool {
+    let shapes = motion.shapes.iter().flatten();
+    let sensor = [motion.sensor.translation, motion.sensor.rotation];
+    shapes
+        .flat_map(|shape| &shape.vertices)
+        .chain(&motion.reflectance)
+        .chain(&motion.radiance)
+        .chain(&sensor)
+        .all(|&velocity| velocity == Vec3::zero())
 }
 
 /// A name for the motion in file headers and tables.
