@@ -62,9 +62,9 @@ mod tests {
         });
         assert_eq!(interrupted.expect_err("failed").to_string(), "interrupted");
         assert_eq!(fs::read(&path).expect("readable"), b"first");
+        assert_eq!(fs::read_dir(&directory).expect("readable").count(), 1);
         write_atomically(&path, |w| w.write_all(b"third")).expect("writable");
         assert_eq!(fs::read(&path).expect("readable"), b"third");
-        assert_eq!(fs::read_dir(&directory).expect("readable").count(), 1);
         fs::remove_dir_all(&directory).expect("removable");
     }
 }

@@ -81,10 +81,32 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Picture, String> {
         let name = file.name().map_err(|error| error.to_string())?.into_owned();
         let name = name.strip_suffix(".npy").unwrap_or(&name);
         let in_array = |error: std::io::Error| format!("the array \"{name}\": {error}");
+        let stored = file.size();
         let array = NpyFile::new(file).map_err(in_array)?;
+        // Memory is taken for what the header promises: not more than there is.
+        let items = array
+            .shape()
+            .iter()
+            .try_fold(1_u64, |n, &m| n.checked_mul(m));
+        let item = array.dtype().num_bytes().unwrap_or(1) as u64;
+        if items
+            .and_then(|n| n.checked_mul(item))
+            .is_none_or(|size| size > stored)
+        {
+            let shape = array.shape();
+            return Err(format!(
+                "the array \"{name}\" ends before its shape {shape:?} is full"
+            ));
+        }
+        let holds = |kind| match array.dtype() {
+            DType::Plain(t) => t.type_char() == kind,
+            _ => false,
+        };
         match name {
-            SAMPLES => picture.samples = Some(array.into_vec().map_err(in_array)?),
-            METADATA => {
+            SAMPLES if holds(TypeChar::Uint) => {
+                picture.samples = Some(array.into_vec().map_err(in_array)?);
+            }
+            METADATA if holds(TypeChar::UnicodeStr) => {
                 let strings: Vec<String> = array.into_vec().map_err(in_array)?;
                 let pairs = strings.chunks_exact(2);
                 picture.metadata = pairs.map(|p| (p[0].clone(), p[1].clone())).collect();

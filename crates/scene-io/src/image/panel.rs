@@ -52,6 +52,11 @@ pub fn write_panels(
             known,
         });
     }
+    for panel in panels {
+        if let Style::Diverging { limit } = panel.style {
+            check_limit(path, limit)?;
+        }
+    }
     save_canvas(path, &draw(panels), metadata)?;
     let images = panels.iter().map(|panel| panel.image);
     Ok(images.map(tone::non_finite_pixels).sum())
@@ -74,6 +79,7 @@ pub(super) fn write_preview(
         photograph(image, preview.exposure)
     } else {
         let chosen = preview.limit.unwrap_or_else(|| robust_limit([image]));
+        check_limit(path, chosen)?;
         limit = Some(chosen);
         draw(&[Panel {
             title: name,
@@ -86,6 +92,16 @@ pub(super) fn write_preview(
         non_finite_pixels: tone::non_finite_pixels(image),
         limit,
     })
+}
+
+fn check_limit(path: &Path, limit: f64) -> Result<(), ImageError> {
+    match limit.is_finite() && limit > 0.0 {
+        true => Ok(()),
+        false => {
+            let reason = format!("the limit of its colours is {limit}; expected a number above 0");
+            Err(write_error(path, reason))
+        }
+    }
 }
 
 fn save_canvas(

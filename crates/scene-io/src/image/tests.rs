@@ -172,6 +172,13 @@ fn errors_say_what_to_do() {
     assert_eq!(check_writable(&file.0), Ok(()));
     assert!(!file.0.exists());
 
+    let flat = Preview {
+        limit: Some(0.0),
+        exposure: 0.0,
+    };
+    let text = message(write(Path::new("flat.png"), &picture, &flat));
+    assert!(text.contains("limit of its colours is 0"), "{text}");
+
     let mut uneven = example();
     uneven.push("z", Image::new(3, 3));
     let text = message(write(&file.0, &uneven, &options));
@@ -196,4 +203,25 @@ fn errors_say_what_to_do() {
     }
     let text = read(Path::new("a.png")).expect_err("8 bits").to_string();
     assert!(text.contains("known endings: .exr, .npz"), "{text}");
+}
+
+/// A header that promises more than the file has is refused before memory is
+/// taken for it.
+#[test]
+fn impossible_shapes_are_refused() {
+    let file = Temporary::new("shape.npz");
+    write(&file.0, &example(), &Preview::default()).expect("writable");
+    let mut bytes = std::fs::read(&file.0).expect("readable");
+    // Numbers of the first header; the checksum is compared at its end only.
+    let at = bytes
+        .windows(7)
+        .position(|w| w == b"(5, 7, ")
+        .expect("a shape");
+    bytes[at + 1] = b'9';
+    std::fs::write(&file.0, &bytes).expect("writable");
+    let text = read(&file.0).expect_err("too large").to_string();
+    assert!(
+        text.contains("\"value\" ends before its shape [9, 7, 3]"),
+        "{text}"
+    );
 }
