@@ -165,9 +165,7 @@ impl<'a> Fields<'a> {
         self.known_kinds.borrow_mut().push(kind);
         let properties = self.node.properties.iter().zip(&self.used);
         let of_kind = properties.filter_map(|(property, used)| match property.value {
-            Value::Object { node, by_reference }
-                if !used.get() && self.context.graph.node(node).kind == kind =>
-            {
+            Value::Object { node, by_reference } if self.context.graph.node(node).kind == kind => {
                 used.set(true);
                 Some(Child {
                     node,

@@ -30,13 +30,19 @@ impl Lowering<'_> {
             return Err(Problem::new(child.span, "a shape is referred to")
                 .help("each shape stands in the scene once; copy it"));
         }
+        if fields.node.id.as_deref() == Some("sensor") {
+            return Err(
+                Problem::new(fields.node.span, "the id \"sensor\" is the sensor's")
+                    .help("parameters are called by it; give the shape another id"),
+            );
+        }
         let to_world = fields.transform("to_world")?;
         if to_world.determinant() == 0.0 || !to_world.determinant().is_finite() {
             return Err(Problem::new(
                 fields.span_of("to_world"),
-                "\"to_world\" flattens the shape",
+                "\"to_world\" cannot be inverted",
             )
-            .help("expected an invertible transform: scale by numbers other than 0"));
+            .help("scale by finite numbers other than 0"));
         }
         let plugin = fields.node.plugin.as_str();
         let mut stem = plugin.to_owned();

@@ -289,6 +289,7 @@ fn vertices(
     let count = element.count as usize;
     let mut positions = Vec::with_capacity(count);
     let mut normals = normal_at.map(|_| Vec::with_capacity(count));
+    let mut values = vec![0.0; element.properties.len()];
     for index in 0..element.count {
         let place = match body.format {
             Format::Ascii => {
@@ -297,7 +298,6 @@ fn vertices(
             }
             _ => body.position,
         };
-        let mut values = vec![0.0; element.properties.len()];
         read_element(body, element, index, |i, number| {
             values[i] = number.as_f64()
         })?;

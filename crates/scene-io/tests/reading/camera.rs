@@ -317,3 +317,29 @@ fn border_of_mitsuba_2() {
         ],
     );
 }
+
+/// Sensors that are not rendered are read strictly, too.
+#[test]
+fn mistake_in_another_sensor() {
+    check(
+        &scene(r#"<sensor type="perspective"><float name="fow" value="3"/></sensor>"#),
+        &[
+            "scene.xml:5:43: unknown property \"fow\" of the sensor \"perspective\"",
+            "  its properties are far_clip, focal_length, focus_distance, fov, fov_axis, near_clip, principal_point_offset_x, principal_point_offset_y, shutter_close, shutter_open, to_world",
+            "  did you mean \"fov\"?",
+        ],
+    );
+}
+
+/// Parts of sensors may stand in the scene, to be referred to.
+#[test]
+fn film_and_sampler_by_reference() {
+    let text = sensor("<ref id=\"film\"/><ref id=\"sampler\"/>").replace(
+        "</scene>",
+        "<film type=\"hdrfilm\" id=\"film\"><integer name=\"width\" value=\"7\"/></film>\
+         <sampler type=\"sobol\" id=\"sampler\"/></scene>",
+    );
+    let scene = load(&text);
+    assert_eq!(scene.film.size, [7, 576]);
+    assert_eq!(scene.settings.sampler, capwalk_scene::SamplerKind::Sobol);
+}

@@ -10,5 +10,6 @@ mod meshes;
 mod names;
 mod objects;
 mod parameters;
+mod parity;
 mod robustness;
 mod syntax;

@@ -152,7 +152,7 @@ fn principal_point_and_handedness() {
 #[test]
 fn rounded_sensor_matrices_become_rigid() {
     let scene = load(&sensor(
-        "<transform name=\"to_world\"><matrix value=\"0.8661 0 0.4999 1 0 1 0 2 -0.4999 0 0.8661 3 \
+        "<transform name=\"to_world\"><matrix value=\"0.8661 0 0.4999 1 0 1 0.0005 2 -0.4999 0 0.8661 3 \
          0 0 0 1\"/></transform>",
     ));
     let m = scene.sensor.world_from_camera;
@@ -160,7 +160,7 @@ fn rounded_sensor_matrices_become_rigid() {
         assert!((row.length() - 1.0).abs() < 1e-15);
         assert!(row.dot(m.rows[(i + 1) % 3]).abs() < 1e-15);
     }
-    let forward = Vec3::new(0.4999, 0.0, 0.8661).normalized();
+    let forward = Vec3::new(0.4999, 0.0005, 0.8661).normalized();
     assert!((m.vector(Vec3::new(0.0, 0.0, 1.0)) - forward).length() < 1e-15);
     assert_eq!(m.translation, Vec3::new(1.0, 2.0, 3.0));
     let mirrored = load(&sensor(

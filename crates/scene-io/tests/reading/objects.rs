@@ -132,8 +132,8 @@ fn flattening_transform() {
             r#"<shape type="cube"><transform name="to_world"><scale y="0"/></transform></shape>"#,
         ),
         &[
-            "scene.xml:5:22: \"to_world\" flattens the shape",
-            "  expected an invertible transform: scale by numbers other than 0",
+            "scene.xml:5:22: \"to_world\" cannot be inverted",
+            "  scale by finite numbers other than 0",
         ],
     );
 }
@@ -315,6 +315,17 @@ fn mesh_of_foreign_ending() {
         &[
             "scene.xml:5:52: the shape \"obj\" cannot read \"bunny.stl\"",
             "  convert the mesh to .ply or .obj",
+        ],
+    );
+}
+
+#[test]
+fn shape_called_sensor() {
+    check(
+        &scene(r#"<shape type="cube" id="sensor"/>"#),
+        &[
+            "scene.xml:5:3: the id \"sensor\" is the sensor's",
+            "  parameters are called by it; give the shape another id",
         ],
     );
 }

@@ -139,6 +139,20 @@ fn aliases_are_second_names() {
     );
 }
 
+/// Files from some editors begin with a byte order mark and end lines with
+/// carriage returns.
+#[test]
+fn byte_order_marks_and_carriage_returns() {
+    let text = format!(
+        "\u{feff}{}",
+        scene("<shape type=\"spere\"/>").replace('\n', "\r\n")
+    );
+    let error = try_load(&text, &[]).expect_err("a bad scene");
+    let position = error.position().expect("a place");
+    assert_eq!((position.line, position.column), (5, 16));
+    assert_eq!(&text[position.span.clone()], "spere");
+}
+
 #[test]
 fn missing_scene_file() {
     let error = capwalk_scene_io::load_scene("no/such.xml".as_ref(), &[]).expect_err("no file");
