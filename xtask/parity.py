@@ -11,7 +11,8 @@ share their samples):
 
 * z of each pixel, two-sided, at a level of 0.01 for the whole picture after
   Sidak's correction; 99.75 % of the pixels must pass, as in Mitsuba's own
-  test_renders.py.
+  test_renders.py. The variance is the larger of the pixel's own and that around
+  it: a pixel that no sample of a rare event met states an error of zero.
 * the sum of squared differences over the sum of variances, both weighted by
   the noise around the pixel, within 0.8 to 1.25 or four of its standard errors.
 * the weighted sum of differences, within four standard errors.
@@ -62,10 +63,11 @@ def compare(ours, ours_error, theirs, theirs_error):
     # The emitters themselves have no noise, but single precision there.
     noisy = np.sqrt(variance) > 1e-5 * np.abs(mosaic(theirs))
     exact = np.abs(difference[~noisy]) <= 1e-4 * np.abs(mosaic(theirs)[~noisy]) + 1e-12
-    weight = 1.0 / around(variance)[noisy]
+    local = around(variance)[noisy]
+    weight = 1.0 / local
     d, v = difference[noisy], variance[noisy]
     z = np.zeros_like(difference)
-    z[noisy] = d / np.sqrt(v)
+    z[noisy] = d / np.sqrt(np.maximum(v, local))
     level = 1.0 - (1.0 - PICTURE_LEVEL) ** (1.0 / max(d.size, 1))
     tails = np.array([math.erfc(abs(x) / math.sqrt(2.0)) for x in z[noisy]])
     passing = float(np.mean(tails > level)) if d.size else 1.0

@@ -16,16 +16,22 @@ use crate::{moving, report};
 
 const SCENE: &str = "lattice-shadow";
 
-/// Chosen so that the check comes to a verdict, within a minute on two cores.
-const SPP: u32 = 64;
+/// Half the scene's size: four times the samples in each pixel.
+const SIZE: [u32; 2] = [128, 96];
+/// Samples per pixel, chosen so that the check comes to a verdict within a
+/// minute on two cores.
+const SPP: u32 = 96;
 /// Samples of the estimator that is only shown for its variance.
-const LITERAL_SPP: u32 = 16;
-const REFERENCE_SPP: u32 = 512;
+const LITERAL_SPP: u32 = 8;
+/// Samples of the reference on each side of the difference.
+const REFERENCE_SPP: u32 = 768;
 const SEED: u64 = 1;
 
 pub fn run(args: &Demo) -> Result<Outcome> {
     let started = Instant::now();
-    let scene = builtin::scene(SCENE).expect("it is built in");
+    let mut scene = builtin::scene(SCENE).expect("it is built in");
+    scene.film.size = SIZE;
+    scene.film.crop_size = SIZE;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
     let motion = params::motion(&scene, parameter)?;
     let file = |name: &str, endings: &[&str]| {
@@ -119,7 +125,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         });
         println!("{document:#}");
     } else {
-        let [width, height] = scene.film.crop_size;
+        let [width, height] = SIZE;
         println!("{SCENE}, {width} x {height} pixels, derivative for {parameter}\n");
         print!("{}", check::describe(comparison));
         let variances = [

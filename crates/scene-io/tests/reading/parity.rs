@@ -17,5 +17,5 @@ fn parity_scenes_load() {
             scenes += 1;
         }
     }
-    assert!(scenes >= 17, "{scenes}");
+    assert!(scenes >= 18, "{scenes}");
 }
