@@ -97,7 +97,19 @@ fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
         "{name}: {n} pixels, mean z² {mean:.3}, sign {sign:.2}, slope {:.3} ± {slope_error:.3}, worst {worst:?}",
         product / noise
     );
-    for i in 0..ours.gradient.mean.pixels.len() { let (g, r) = (ours.gradient.mean.pixels[i].x, reference.gradient.mean.pixels[i].x); let (e,f)=(ours.gradient.standard_error.pixels[i].x,reference.gradient.standard_error.pixels[i].x); if (g-r).abs()>4.5*e.hypot(f) {println!("   bad {i} {g:.5} ± {e:.5}  {r:.5} ± {f:.5}");} }
+    for i in 0..ours.gradient.mean.pixels.len() {
+        let (g, r) = (
+            ours.gradient.mean.pixels[i].x,
+            reference.gradient.mean.pixels[i].x,
+        );
+        let (e, f) = (
+            ours.gradient.standard_error.pixels[i].x,
+            reference.gradient.standard_error.pixels[i].x,
+        );
+        if (g - r).abs() > 4.5 * e.hypot(f) {
+            println!("   bad {i} {g:.5} ± {e:.5}  {r:.5} ± {f:.5}");
+        }
+    }
     assert!(n >= 1000.0, "{name}: only {n} pixels have noise");
     assert!((0.8..=1.25).contains(&mean), "{name}: mean z² {mean}");
     assert!(sign.abs() < 4.5, "{name}: systematic sign {sign}");
