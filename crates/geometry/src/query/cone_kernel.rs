@@ -209,17 +209,18 @@ impl<S: Simd> LocalCone<S> {
         let range = sum(eye) + 3.0;
         let margin = POSITION_MARGIN * range;
         let on_plane = ON_PLANE * (sum(query.eye) + frame.reach) * frame.inverse_scale;
+        let axis = query.axis;
         let in_front_of = query.in_front_of.map(|plane| {
             let normal = plane.normal.normalized();
             let offset = frame.local_from_world(plane.point).dot(normal);
             LocalPlane {
-                normal: normal.to_array().map(|v| v as f32),
+                normal: [normal.x as f32, normal.y as f32, normal.z as f32],
                 offset: (offset - POSITION_MARGIN * (offset.abs() + 3.0)) as f32,
             }
         });
         Self {
-            eye: eye.to_array().map(|v| simd.splat(v as f32)),
-            axis: query.axis.to_array().map(|v| simd.splat(v as f32)),
+            eye: splat(simd, [eye.x as f32, eye.y as f32, eye.z as f32]),
+            axis: splat(simd, [axis.x as f32, axis.y as f32, axis.z as f32]),
             margin: simd.splat(round_up(margin)),
             // Twice: the test in double precision rounds, too.
             plane_margin: simd.splat(round_up(margin + 2.0 * on_plane)),
@@ -242,8 +243,8 @@ impl<S: Simd> LocalCone<S> {
         let radial_squared = dot(radial, radial);
         // The box reaches this far from its centre along the axis, and away
         // from the axis (times the distance).
-        let z_reach = dot(self.axis.map(S::F32x8::abs), half);
-        let radial_reach = dot(radial.map(S::F32x8::abs), half);
+        let z_reach = dot(abs(self.axis), half);
+        let radial_reach = dot(abs(radial), half);
         let reach = half[0] + half[1] + half[2];
         let bound = self.pseudo_angle(simd, z, radial_squared, z_reach, radial_reach, reach);
         mask &= bound.le(simd.splat(limit));
@@ -258,8 +259,8 @@ impl<S: Simd> LocalCone<S> {
             mask &= !is_clear;
         }
         if let Some(plane) = self.in_front_of {
-            let normal = plane.normal.map(|v| simd.splat(v));
-            let nearest = dot(normal, centre) + dot(normal.map(S::F32x8::abs), half);
+            let normal = splat(simd, plane.normal);
+            let nearest = dot(normal, centre) + dot(abs(normal), half);
             mask &= !nearest.lt(simd.splat(plane.offset));
         }
         (mask, bound.to_array())
@@ -272,7 +273,8 @@ impl<S: Simd> LocalCone<S> {
         let mut mask = groups_mask(&block.groups, self.groups);
         let view = sub(load(simd, &block.middle), self.eye);
         if !self.all_edges {
-            let [first, second] = [0, 1].map(|i| dot(load(simd, &block.normals[i]), view));
+            let first = dot(load(simd, &block.normals[0]), view);
+            let second = dot(load(simd, &block.normals[1]), view);
             // No silhouette if both faces are seen from the same side.
             let zero = simd.splat(0.0);
             let behind = self.plane_margin.lt(first.min(second));
@@ -336,9 +338,21 @@ fn groups_mask(groups: &[u8; 8], selected: u8) -> u32 {
     })
 }
 
+// No closures over vectors: they would not be compiled with the instructions.
+
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: [f32; 3]) -> [S::F32x8; 3] {
+    [simd.splat(v[0]), simd.splat(v[1]), simd.splat(v[2])]
+}
+
 #[inline(always)]
 fn load<S: Simd>(simd: S, v: &[[f32; 8]; 3]) -> [S::F32x8; 3] {
     [simd.load(&v[0]), simd.load(&v[1]), simd.load(&v[2])]
+}
+
+#[inline(always)]
+fn abs<F: F32x8>(v: [F; 3]) -> [F; 3] {
+    [v[0].abs(), v[1].abs(), v[2].abs()]
 }
 
 #[inline(always)]
