@@ -38,62 +38,27 @@ pub enum Sides {
 /// within some 1e-14 of it.
 pub const ON_PLANE: f64 = 1e-11;
 
-/// What decides whether an eye sees the front of a face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FacePlane {
-    /// The face's first corner.
-    pub point: Vec3,
-    /// Twice its area times its unit normal.
-    pub cross: Vec3,
-    /// Length of `cross`.
-    pub length: f64,
-}
-
-impl FacePlane {
-    /// The plane of a face.
-    #[inline]
-    pub fn new(mesh: &Mesh, face: u32) -> Self {
-        let cross = mesh.face_cross(face as usize);
-        Self {
-            point: mesh.positions[mesh.faces[face as usize][0] as usize],
-            cross,
-            length: cross.length(),
-        }
-    }
-
-    /// True if the eye sees the front of the face, or lies in its plane.
-    #[inline]
-    pub fn faces_eye(&self, flipped: bool, eye: Vec3) -> bool {
-        let height = self.cross.dot(eye - self.point);
-        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
-        let tolerance = ON_PLANE * (sum(eye) + sum(self.point)) * self.length;
-        height.abs() <= tolerance || (height > 0.0) != flipped
-    }
-}
-
-/// True if the eye sees the front of the face, or lies in its plane.
+/// True if the eye sees the front of a face, or lies in its plane. The face
+/// has the normal `cross`, of any length, and contains `point`.
 #[inline]
-pub fn faces_eye(mesh: &Mesh, face: u32, flipped: bool, eye: Vec3) -> bool {
-    FacePlane::new(mesh, face).faces_eye(flipped, eye)
+pub fn faces_eye(cross: Vec3, point: Vec3, flipped: bool, eye: Vec3) -> bool {
+    let height = cross.dot(eye - point);
+    let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+    let tolerance = ON_PLANE * (sum(eye) + sum(point)) * cross.length();
+    height.abs() <= tolerance || (height > 0.0) != flipped
 }
 
 impl Edge {
-    /// The two faces at it, if it has just two.
-    pub fn faces(&self) -> impl Iterator<Item = u32> + use<> {
-        let faces = match self.sides {
-            Sides::Open => None,
-            Sides::Between { faces, .. } => Some(faces),
-        };
-        faces.into_iter().flatten()
-    }
-
     /// True if the visible surface ends or folds at this edge seen from `eye`.
     #[inline]
     pub fn is_silhouette(&self, mesh: &Mesh, eye: Vec3) -> bool {
         match self.sides {
             Sides::Open => true,
             Sides::Between { faces, flipped } => {
-                faces_eye(mesh, faces[0], false, eye) != faces_eye(mesh, faces[1], flipped, eye)
+                // On both faces, so both planes are met at the same point.
+                let point = mesh.positions[self.vertices[0] as usize];
+                let [first, second] = faces.map(|face| mesh.face_cross(face as usize));
+                faces_eye(first, point, false, eye) != faces_eye(second, point, flipped, eye)
             }
         }
     }

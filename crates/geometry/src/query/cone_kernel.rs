@@ -15,7 +15,7 @@ use crate::aabb::{Aabb, LocalFrame, round_up};
 use crate::bvh::{Child, WIDTH};
 use crate::cone::NormalCone;
 use crate::edge::ON_PLANE;
-use crate::simd::{F32x8, Lanes, Simd};
+use crate::simd::{ESTIMATE_ERROR, F32x8, Lanes, Simd};
 
 /// Edges in a leaf.
 pub const LANES: usize = 8;
@@ -181,9 +181,9 @@ struct LocalPlane {
 /// some thirty terms of at most that size, each rounded by at most 2⁻²⁴.
 const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
 
-/// A bound of an angle is off by at most this factor, margins of positions
-/// aside.
-const BOUND_SHRINK: f32 = 1.0 - 1.0 / (1 << 20) as f32;
+/// Margins of positions aside, a bound of an angle is off by at most the errors
+/// of two estimates, and a few roundings that are much smaller.
+const BOUND_SHRINK: f32 = 1.0 - 2.5 * ESTIMATE_ERROR;
 
 /// A view cone in the coordinates of a tree.
 pub struct LocalCone<S: Simd> {
@@ -311,7 +311,7 @@ impl<S: Simd> LocalCone<S> {
         reach: S::F32x8,
     ) -> S::F32x8 {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-        let radial = radial_squared.sqrt();
+        let radial = radial_squared * radial_squared.rsqrt_estimate();
         let highest = z + z_reach + self.margin;
         // In front: least ρ over largest z. Both times the centre's ρ. The
         // radial direction is only orthogonal to the axis up to rounding
@@ -324,8 +324,9 @@ impl<S: Simd> LocalCone<S> {
         let numerator = highest.select_by_sign(zero - highest, near);
         let denominator = highest.select_by_sign(behind_sum, front_sum);
         let base = highest.select_by_sign(one, zero);
-        // 0/0 on the axis: the maximum makes NaN zero.
-        let bound = (numerator / denominator + base) * simd.splat(BOUND_SHRINK);
+        // On the axis there are infinities and 0/0: the maximum makes NaN zero.
+        let ratio = numerator * denominator.recip_estimate();
+        let bound = (ratio + base) * simd.splat(BOUND_SHRINK);
         bound.max(zero)
     }
 }
