@@ -19,6 +19,7 @@ fn main() {
                 (eye, (target - eye).normalized())
             })
             .collect();
+        let views = &views[..std::env::args().nth(1).map_or(4096, |v| v.parse().unwrap())];
         let edges = topology::edges(&mesh);
         let rt = RayTree::build(&mesh);
         let st = SilhouetteTree::build(&mesh, &edges);
@@ -40,7 +41,7 @@ fn main() {
                 let mut k = 0;
                 while {
                     n += 1;
-                    for v in &views {
+                    for v in views {
                         k += f(black_box(v)) as usize;
                     }
                     cpu() - t < 6e7

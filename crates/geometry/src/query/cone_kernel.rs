@@ -8,7 +8,7 @@
 //!
 //! which grows with the angle, from 0 over 1 at a right angle to 2 at π.
 
-use capwalk_math::Vec3;
+use capwalk_math::{Frame, Vec3};
 
 use super::silhouette_tree::{ConeQuery, EdgeSelection};
 use crate::aabb::{Aabb, LocalFrame, round_up};
@@ -189,6 +189,8 @@ const BOUND_SHRINK: f32 = 1.0 - 2.5 * ESTIMATE_ERROR;
 pub struct LocalCone<S: Simd> {
     eye: [S::F32x8; 3],
     axis: [S::F32x8; 3],
+    /// Two unit vectors that complete the axis to a frame.
+    across: [[S::F32x8; 3]; 2],
     /// Error of positions.
     margin: S::F32x8,
     /// Distance from a face's plane below which the eye may count as in it.
@@ -210,6 +212,7 @@ impl<S: Simd> LocalCone<S> {
         let margin = POSITION_MARGIN * range;
         let on_plane = ON_PLANE * (sum(query.eye) + frame.reach) * frame.inverse_scale;
         let axis = query.axis;
+        let Frame { s, t, .. } = Frame::from_normal(axis);
         let in_front_of = query.in_front_of.map(|plane| {
             let normal = plane.normal.normalized();
             let offset = frame.local_from_world(plane.point).dot(normal);
@@ -221,6 +224,10 @@ impl<S: Simd> LocalCone<S> {
         Self {
             eye: splat(simd, [eye.x as f32, eye.y as f32, eye.z as f32]),
             axis: splat(simd, [axis.x as f32, axis.y as f32, axis.z as f32]),
+            across: [
+                splat(simd, [s.x as f32, s.y as f32, s.z as f32]),
+                splat(simd, [t.x as f32, t.y as f32, t.z as f32]),
+            ],
             margin: simd.splat(round_up(margin)),
             // Twice: the test in double precision rounds, too.
             plane_margin: simd.splat(round_up(margin + 2.0 * on_plane)),
@@ -286,14 +293,63 @@ impl<S: Simd> LocalCone<S> {
         }
         let half = load(simd, &block.half);
         let z = dot(self.axis, view);
-        let radial = reject(view, self.axis, z);
-        let radial_squared = dot(radial, radial);
-        let z_reach = dot(self.axis, half).abs();
-        let radial_reach = dot(radial, half).abs();
-        let reach = half[0].abs() + half[1].abs() + half[2].abs();
-        let bound = self.pseudo_angle(simd, z, radial_squared, z_reach, radial_reach, reach);
+        let z_half = dot(self.axis, half);
+        let least_z = z - z_half.abs();
+        // Edges wholly in front of the eye are projected; the others, too close
+        // or behind, are bounded like boxes.
+        let in_front = self.margin.lt(least_z);
+        let mut bound = self.projected_pseudo_angle(simd, view, half, z, z_half);
+        if mask & !in_front != 0 {
+            let radial = reject(view, self.axis, z);
+            let radial_squared = dot(radial, radial);
+            let radial_reach = dot(radial, half).abs();
+            let reach = half[0].abs() + half[1].abs() + half[2].abs();
+            let rough =
+                self.pseudo_angle(simd, z, radial_squared, z_half.abs(), radial_reach, reach);
+            bound = (self.margin - least_z).select_by_sign(bound, rough);
+        }
         mask &= bound.le(simd.splat(limit));
         (mask, bound.to_array())
+    }
+
+    /// Lower bound of the pseudo-angles of segments in front of the eye.
+    ///
+    /// Projected on the plane at height 1, a segment stays a segment, and its
+    /// point nearest to the axis stays the nearest, at the tangent of the
+    /// angle. The margins: a point projected at `p` is off by at most
+    /// `margin / z (1 + |p|)`, and the nearest point, along the segment, by
+    /// less than that.
+    #[inline(always)]
+    fn projected_pseudo_angle(
+        &self,
+        simd: S,
+        view: [S::F32x8; 3],
+        half: [S::F32x8; 3],
+        z: S::F32x8,
+        z_half: S::F32x8,
+    ) -> S::F32x8 {
+        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+        let (x, x_half) = (dot(self.across[0], view), dot(self.across[0], half));
+        let (y, y_half) = (dot(self.across[1], view), dot(self.across[1], half));
+        let from_scale = recip(simd, z - z_half);
+        let to_scale = recip(simd, z + z_half);
+        let (from_x, from_y) = ((x - x_half) * from_scale, (y - y_half) * from_scale);
+        let (to_x, to_y) = ((x + x_half) * to_scale, (y + y_half) * to_scale);
+        let (along_x, along_y) = (to_x - from_x, to_y - from_y);
+        let length_squared = along_x.mul_add(along_x, along_y * along_y);
+        let towards = zero - from_x.mul_add(along_x, from_y * along_y);
+        // A segment seen end-on has 0/0 here, which the maximum makes 0.
+        let t = (towards * recip(simd, length_squared)).max(zero).min(one);
+        let nearest_x = t.mul_add(along_x, from_x);
+        let nearest_y = t.mul_add(along_y, from_y);
+        let squared = nearest_x.mul_add(nearest_x, nearest_y * nearest_y);
+        // Estimates treat subnormal numbers as zero: none of those.
+        let squared = squared.max(simd.splat(f32::MIN_POSITIVE));
+        let tangent = squared * squared.rsqrt_estimate();
+        let size = from_x.abs() + from_y.abs() + to_x.abs() + to_y.abs() + one;
+        let error = self.margin * from_scale.max(to_scale) * size;
+        let tangent = (tangent * simd.splat(BOUND_SHRINK) - error).max(zero);
+        tangent * (one + tangent).recip_estimate() * simd.splat(BOUND_SHRINK)
     }
 
     /// Lower bound of the pseudo-angles of points around a centre at height
@@ -364,6 +420,14 @@ fn sub<F: F32x8>(a: [F; 3], b: [F; 3]) -> [F; 3] {
 #[inline(always)]
 fn dot<F: F32x8>(a: [F; 3], b: [F; 3]) -> F {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
+}
+
+/// One over each number, to almost full precision: an estimate and one step of
+/// Newton's method.
+#[inline(always)]
+fn recip<S: Simd>(simd: S, v: S::F32x8) -> S::F32x8 {
+    let estimate = v.recip_estimate();
+    estimate * (simd.splat(2.0) - v * estimate)
 }
 
 /// `v - axis z`.

@@ -407,6 +407,13 @@ impl Job for Closest<'_> {
                 Some(ChildKind::Leaf(leaf)) => {
                     let (mask, bounds) = cone.edges(simd, &tree.leaves[leaf], limit);
                     let start = tree.topology.leaf_starts[leaf] as usize;
+                    let mut rest = mask;
+                    while rest != 0 {
+                        simd.prefetch(
+                            &tree.edges[start + rest.trailing_zeros() as usize % LEAF_SIZE],
+                        );
+                        rest &= rest - 1;
+                    }
                     for_each_sorted(mask, &bounds, |lane, bound| {
                         if bound > limit {
                             return;
