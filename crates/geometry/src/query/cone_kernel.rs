@@ -71,21 +71,60 @@ impl ConeNode {
         groups: [0; WIDTH],
     };
 
-    /// Fills one slot.
-    pub fn set(&mut self, slot: usize, child: Child, bounds: &Aabb, cone: &NormalCone, groups: u8) {
-        let half = [0, 1, 2].map(|axis| {
+    /// Fills one slot with a child that contains the edges and has the box.
+    pub fn set(&mut self, slot: usize, child: Child, bounds: &Aabb, edges: &[LocalEdge]) {
+        let cone = NormalCone::around(|| edges.iter().flat_map(LocalEdge::usable_normals));
+        for axis in 0..3 {
             let (low, high) = (f64::from(bounds.low[axis]), f64::from(bounds.high[axis]));
             let centre = (0.5 * (low + high)) as f32;
             let reach = (high - f64::from(centre)).max(f64::from(centre) - low);
             self.centre[axis][slot] = centre;
             self.half[axis][slot] = round_up(reach);
             self.axis[axis][slot] = cone.axis[axis] as f32;
-            f64::from(self.half[axis][slot])
-        });
+        }
         self.sin_squared[slot] = round_up(cone.sin * cone.sin * (1.0 + STORED_MARGIN));
-        self.view_margin[slot] = round_up(cone.view_margin(half.into()) * (1.0 + STORED_MARGIN));
+        let view_margin = self.view_margin(slot, edges);
+        self.view_margin[slot] = round_up(view_margin * (1.0 + STORED_MARGIN));
         self.children[slot] = child;
-        self.groups[slot] = groups;
+        self.groups[slot] = edges.iter().fold(0, |groups, edge| groups | edge.groups);
+    }
+
+    /// `NormalCone::view_margin` of the child's edges around its centre.
+    fn view_margin(&self, slot: usize, edges: &[LocalEdge]) -> f64 {
+        let at = |v: &[[f32; WIDTH]; 3]| Vec3::from([0, 1, 2].map(|i| f64::from(v[i][slot])));
+        let centre = at(&self.centre);
+        let mut height = 0.0_f64;
+        for edge in edges {
+            for normal in edge.usable_normals().flatten() {
+                height = height.max((edge.ends[0] - centre).dot(normal).abs());
+            }
+        }
+        let cone = NormalCone {
+            axis: at(&self.axis),
+            sin: f64::from(self.sin_squared[slot]).sqrt(),
+        };
+        cone.view_margin(at(&self.half).length(), height)
+    }
+
+    /// True if no view is skipped for the child that can see a silhouette of
+    /// the edge: the cone contains its normals, and its planes pass the centre
+    /// near enough.
+    pub fn covers(&self, slot: usize, edge: &LocalEdge) -> bool {
+        let sin_squared = f64::from(self.sin_squared[slot]);
+        if sin_squared.is_infinite() {
+            return true;
+        }
+        let axis = Vec3::from([0, 1, 2].map(|i| f64::from(self.axis[i][slot])));
+        let is_inside = |normal: Vec3| {
+            let cross = axis.cross(normal).length() - AXIS_ROUNDING;
+            axis.dot(normal) > 0.0 && (cross <= 0.0 || cross * cross <= sin_squared)
+        };
+        let needed = self.view_margin(slot, std::slice::from_ref(edge));
+        let is_within = needed <= f64::from(self.view_margin[slot]);
+        is_within
+            && edge
+                .usable_normals()
+                .all(|normal| normal.is_some_and(is_inside))
     }
 
     /// True if the point, in local coordinates, lies in the box of the child.
@@ -94,17 +133,6 @@ impl ConeNode {
             let (centre, half) = (self.centre[axis][slot], self.half[axis][slot]);
             (p[axis] - f64::from(centre)).abs() <= f64::from(half)
         })
-    }
-
-    /// True if the child's cone contains the normal, or all; `None` needs all.
-    pub fn covers_normal(&self, slot: usize, normal: Option<Vec3>) -> bool {
-        let sin_squared = f64::from(self.sin_squared[slot]);
-        let axis = Vec3::from([0, 1, 2].map(|i| f64::from(self.axis[i][slot])));
-        let is_inside = |normal: Vec3| {
-            let cross = axis.cross(normal).length() - AXIS_ROUNDING;
-            axis.dot(normal) > 0.0 && (cross <= 0.0 || cross * cross <= sin_squared)
-        };
-        sin_squared.is_infinite() || normal.is_some_and(is_inside)
     }
 
     /// All groups of the edges below a child.
@@ -116,20 +144,32 @@ impl ConeNode {
 /// Error of a unit vector rounded to single precision.
 const AXIS_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 
-/// Up to eight edges, in local coordinates.
+/// Up to eight edges, in three cache lines: rounded to fixed point, which only
+/// costs a little of the bounds' tightness.
 #[derive(Clone, Debug, PartialEq)]
-#[repr(C, align(32))]
+#[repr(C, align(64))]
 pub struct EdgeBlock {
-    /// Midpoints.
-    middle: [[f32; LANES]; 3],
-    /// From the midpoints to the second ends.
-    half: [[f32; LANES]; 3],
-    /// Unit normals of the two faces; zero for edges that may be silhouettes
-    /// whatever the view.
-    normals: [[[f32; LANES]; 3]; 2],
+    /// Midpoints, less `origin`, in units of `step`.
+    middle: [[i16; LANES]; 3],
+    /// From the midpoints to the second ends, in units of `step`.
+    half: [[i16; LANES]; 3],
+    /// Normals of the two faces, of length [`NORMAL_SCALE`]; zero for edges
+    /// that may be silhouettes whatever the view.
+    normals: [[[i8; LANES]; 3]; 2],
+    /// In local coordinates.
+    origin: [f32; 3],
+    /// In local units. The ends are rounded by at most this much on each axis.
+    step: f32,
     /// Groups; 0 for empty lanes.
     groups: [u8; LANES],
 }
+
+/// Length of the normals in a block.
+const NORMAL_SCALE: f32 = i8::MAX as f32;
+
+/// Error of each component of the normals in a block: half a unit, and what
+/// single precision adds.
+const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 10) as f32;
 
 /// An edge as blocks and nodes see it, in local coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -143,24 +183,51 @@ pub struct LocalEdge {
     pub groups: u8,
 }
 
+impl LocalEdge {
+    /// Its normals; one `None` if it may be a silhouette whatever the view.
+    pub fn usable_normals(&self) -> impl Iterator<Item = Option<Vec3>> + use<> {
+        let [first, second] = match self.normals {
+            Some([first, second]) => [Some(first), Some(second)],
+            None => [None, None],
+        };
+        [first, second].into_iter()
+    }
+}
+
 impl EdgeBlock {
     /// The block of these edges.
     pub fn new(edges: &[LocalEdge]) -> Self {
+        let middles = || edges.iter().map(|edge| (edge.ends[0] + edge.ends[1]) * 0.5);
+        let bounds = Aabb::around(middles());
+        let origin = [0, 1, 2].map(|axis| 0.5 * (bounds.low[axis] + bounds.high[axis]));
+        let around = |middle: Vec3| middle - Vec3::from(origin.map(f64::from));
+        let halves = edges.iter().map(|edge| (edge.ends[1] - edge.ends[0]) * 0.5);
+        let largest = middles()
+            .map(around)
+            .chain(halves)
+            .map(|v| v.map(f64::abs).max_component())
+            .fold(f64::from(f32::MIN_POSITIVE), f64::max);
+        let step = round_up(largest / f64::from(i16::MAX));
         let mut block = Self {
-            middle: [[0.0; LANES]; 3],
-            half: [[0.0; LANES]; 3],
-            normals: [[[0.0; LANES]; 3]; 2],
+            middle: [[0; LANES]; 3],
+            half: [[0; LANES]; 3],
+            normals: [[[0; LANES]; 3]; 2],
+            origin,
+            step,
             groups: [0; LANES],
         };
+        let fixed = |v: f64| (v / f64::from(step)).round() as i16;
         for (lane, edge) in edges.iter().enumerate() {
             let [a, b] = edge.ends;
-            let (middle, half) = ((a + b) * 0.5, (b - a) * 0.5);
+            let (middle, half) = (around((a + b) * 0.5), (b - a) * 0.5);
             let normals = edge.normals.unwrap_or([Vec3::zero(); 2]);
             for axis in 0..3 {
-                block.middle[axis][lane] = middle[axis] as f32;
-                block.half[axis][lane] = half[axis] as f32;
-                block.normals[0][axis][lane] = normals[0][axis] as f32;
-                block.normals[1][axis][lane] = normals[1][axis] as f32;
+                block.middle[axis][lane] = fixed(middle[axis]);
+                block.half[axis][lane] = fixed(half[axis]);
+                for (face, normal) in normals.iter().enumerate() {
+                    let scaled = normal[axis] * f64::from(NORMAL_SCALE);
+                    block.normals[face][axis][lane] = scaled.round() as i8;
+                }
             }
             block.groups[lane] = edge.groups;
         }
@@ -253,7 +320,15 @@ impl<S: Simd> LocalCone<S> {
         let z_reach = dot(abs(self.axis), half);
         let radial_reach = dot(abs(radial), half);
         let reach = half[0] + half[1] + half[2];
-        let bound = self.pseudo_angle(simd, z, radial_squared, z_reach, radial_reach, reach);
+        let bound = pseudo_angle(
+            simd,
+            self.margin,
+            z,
+            radial_squared,
+            z_reach,
+            radial_reach,
+            reach,
+        );
         mask &= bound.le(simd.splat(limit));
         if !self.all_edges {
             // No silhouettes if |axis·v| > sin |v| + k (NormalCone).
@@ -278,35 +353,55 @@ impl<S: Simd> LocalCone<S> {
     #[inline(always)]
     pub fn edges(&self, simd: S, block: &EdgeBlock, limit: f32) -> (u32, [f32; LANES]) {
         let mut mask = groups_mask(&block.groups, self.groups);
-        let view = sub(load(simd, &block.middle), self.eye);
+        let step = simd.splat(block.step);
+        let base = sub(splat(simd, block.origin), self.eye);
+        let middle = load_i16(simd, &block.middle);
+        let view = [
+            middle[0].mul_add(step, base[0]),
+            middle[1].mul_add(step, base[1]),
+            middle[2].mul_add(step, base[2]),
+        ];
+        // Both ends are rounded by a step on each axis.
+        let margin = self.margin + simd.splat(2.0) * step;
         if !self.all_edges {
-            let first = dot(load(simd, &block.normals[0]), view);
-            let second = dot(load(simd, &block.normals[1]), view);
-            // No silhouette if both faces are seen from the same side.
-            let zero = simd.splat(0.0);
-            let behind = self.plane_margin.lt(first.min(second));
-            let front = first.max(second).lt(zero - self.plane_margin);
+            let first = dot(load_i8(simd, &block.normals[0]), view);
+            let second = dot(load_i8(simd, &block.normals[1]), view);
+            // No silhouette if both faces are seen from the same side, whatever
+            // the rounding of normals and ends.
+            let size = view[0].abs() + view[1].abs() + view[2].abs();
+            let heights = (self.plane_margin + margin) * simd.splat(NORMAL_SCALE);
+            let clearance = size.mul_add(simd.splat(NORMAL_ERROR), heights);
+            let behind = clearance.lt(first.min(second));
+            let front = first.max(second).lt(simd.splat(0.0) - clearance);
             mask &= !(behind | front);
             if mask == 0 {
                 return (0, [0.0; LANES]);
             }
         }
-        let half = load(simd, &block.half);
+        let half = load_i16(simd, &block.half);
+        let half = [half[0] * step, half[1] * step, half[2] * step];
         let z = dot(self.axis, view);
         let z_half = dot(self.axis, half);
         let least_z = z - z_half.abs();
         // Edges wholly in front of the eye are projected; the others, too close
         // or behind, are bounded like boxes.
-        let in_front = self.margin.lt(least_z);
-        let mut bound = self.projected_pseudo_angle(simd, view, half, z, z_half);
+        let in_front = margin.lt(least_z);
+        let mut bound = self.projected_pseudo_angle(simd, margin, view, half, z, z_half);
         if mask & !in_front != 0 {
             let radial = reject(view, self.axis, z);
             let radial_squared = dot(radial, radial);
             let radial_reach = dot(radial, half).abs();
             let reach = half[0].abs() + half[1].abs() + half[2].abs();
-            let rough =
-                self.pseudo_angle(simd, z, radial_squared, z_half.abs(), radial_reach, reach);
-            bound = (self.margin - least_z).select_by_sign(bound, rough);
+            let rough = pseudo_angle(
+                simd,
+                margin,
+                z,
+                radial_squared,
+                z_half.abs(),
+                radial_reach,
+                reach,
+            );
+            bound = (margin - least_z).select_by_sign(bound, rough);
         }
         mask &= bound.le(simd.splat(limit));
         (mask, bound.to_array())
@@ -323,6 +418,7 @@ impl<S: Simd> LocalCone<S> {
     fn projected_pseudo_angle(
         &self,
         simd: S,
+        margin: S::F32x8,
         view: [S::F32x8; 3],
         half: [S::F32x8; 3],
         z: S::F32x8,
@@ -347,44 +443,44 @@ impl<S: Simd> LocalCone<S> {
         let squared = squared.max(simd.splat(f32::MIN_POSITIVE));
         let tangent = squared * squared.rsqrt_estimate();
         let size = from_x.abs() + from_y.abs() + to_x.abs() + to_y.abs() + one;
-        let error = self.margin * from_scale.max(to_scale) * size;
+        let error = margin * from_scale.max(to_scale) * size;
         let tangent = (tangent * simd.splat(BOUND_SHRINK) - error).max(zero);
         tangent * (one + tangent).recip_estimate() * simd.splat(BOUND_SHRINK)
     }
+}
 
-    /// Lower bound of the pseudo-angles of points around a centre at height
-    /// `z` and distance `ρ = √radial_squared` from the axis, that reach at most
-    /// `z_reach` along the axis, `radial_reach / ρ` in the radial direction,
-    /// and `reach` in any.
-    #[inline(always)]
-    fn pseudo_angle(
-        &self,
-        simd: S,
-        z: S::F32x8,
-        radial_squared: S::F32x8,
-        z_reach: S::F32x8,
-        radial_reach: S::F32x8,
-        reach: S::F32x8,
-    ) -> S::F32x8 {
-        let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-        let radial = radial_squared * radial_squared.rsqrt_estimate();
-        let highest = z + z_reach + self.margin;
-        // In front: least ρ over largest z. Both times the centre's ρ. The
-        // radial direction is only orthogonal to the axis up to rounding
-        // (margin / ρ), so the reach along the axis leaks into it.
-        let near = radial_squared - radial_reach - self.margin * (radial + reach);
-        let near = near.max(zero);
-        let front_sum = highest.mul_add(radial, near);
-        // All behind: least |z| over largest ρ.
-        let behind_sum = radial + reach + self.margin - highest;
-        let numerator = highest.select_by_sign(zero - highest, near);
-        let denominator = highest.select_by_sign(behind_sum, front_sum);
-        let base = highest.select_by_sign(one, zero);
-        // On the axis there are infinities and 0/0: the maximum makes NaN zero.
-        let ratio = numerator * denominator.recip_estimate();
-        let bound = (ratio + base) * simd.splat(BOUND_SHRINK);
-        bound.max(zero)
-    }
+/// Lower bound of the pseudo-angles of points around a centre at height
+/// `z` and distance `ρ = √radial_squared` from the axis, that reach at most
+/// `z_reach` along the axis, `radial_reach / ρ` in the radial direction,
+/// and `reach` in any.
+#[inline(always)]
+fn pseudo_angle<S: Simd>(
+    simd: S,
+    margin: S::F32x8,
+    z: S::F32x8,
+    radial_squared: S::F32x8,
+    z_reach: S::F32x8,
+    radial_reach: S::F32x8,
+    reach: S::F32x8,
+) -> S::F32x8 {
+    let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+    let radial = radial_squared * radial_squared.rsqrt_estimate();
+    let highest = z + z_reach + margin;
+    // In front: least ρ over largest z. Both times the centre's ρ. The
+    // radial direction is only orthogonal to the axis up to rounding
+    // (margin / ρ), so the reach along the axis leaks into it.
+    let near = radial_squared - radial_reach - margin * (radial + reach);
+    let near = near.max(zero);
+    let front_sum = highest.mul_add(radial, near);
+    // All behind: least |z| over largest ρ.
+    let behind_sum = radial + reach + margin - highest;
+    let numerator = highest.select_by_sign(zero - highest, near);
+    let denominator = highest.select_by_sign(behind_sum, front_sum);
+    let base = highest.select_by_sign(one, zero);
+    // On the axis there are infinities and 0/0: the maximum makes NaN zero.
+    let ratio = numerator * denominator.recip_estimate();
+    let bound = (ratio + base) * simd.splat(BOUND_SHRINK);
+    bound.max(zero)
 }
 
 /// One bit for each entry that shares a group with `selected`.
@@ -405,6 +501,24 @@ fn splat<S: Simd>(simd: S, v: [f32; 3]) -> [S::F32x8; 3] {
 #[inline(always)]
 fn load<S: Simd>(simd: S, v: &[[f32; 8]; 3]) -> [S::F32x8; 3] {
     [simd.load(&v[0]), simd.load(&v[1]), simd.load(&v[2])]
+}
+
+#[inline(always)]
+fn load_i16<S: Simd>(simd: S, v: &[[i16; 8]; 3]) -> [S::F32x8; 3] {
+    [
+        simd.load_i16(&v[0]),
+        simd.load_i16(&v[1]),
+        simd.load_i16(&v[2]),
+    ]
+}
+
+#[inline(always)]
+fn load_i8<S: Simd>(simd: S, v: &[[i8; 8]; 3]) -> [S::F32x8; 3] {
+    [
+        simd.load_i8(&v[0]),
+        simd.load_i8(&v[1]),
+        simd.load_i8(&v[2]),
+    ]
 }
 
 #[inline(always)]

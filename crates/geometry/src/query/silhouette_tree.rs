@@ -8,7 +8,6 @@ use crate::aabb::{Aabb, LocalFrame};
 use crate::bvh::traverse::{Stack, for_each_sorted};
 use crate::bvh::validate::{self, TreeError};
 use crate::bvh::{ChildKind, Topology, build, refit};
-use crate::cone::NormalCone;
 use crate::edge::{Edge, Sides, closest_direction, faces_eye};
 use crate::mesh::Mesh;
 use crate::simd::{Instructions, Job, Simd};
@@ -278,9 +277,7 @@ impl SilhouetteTree {
                     let [start, end] = [below[index][slot].start, below[index][slot].end]
                         .map(|leaf| topology.leaf_starts[leaf as usize] as usize);
                     let edges = &local[start..end];
-                    let cone = NormalCone::around(|| edges.iter().flat_map(normals));
-                    let groups = edges.iter().fold(0, |groups, edge| groups | edge.groups);
-                    node.set(slot, child, &bounds[index][slot], &cone, groups);
+                    node.set(slot, child, &bounds[index][slot], edges);
                 }
                 node
             })
@@ -333,7 +330,7 @@ impl SilhouetteTree {
                     primitive,
                 });
             }
-            if !normals(&local).all(|normal| child.covers_normal(slot, normal)) {
+            if !child.covers(slot, &local) {
                 return Err(TreeError::NormalCone { node, slot, edge });
             }
             if child.groups(slot) & local.groups != local.groups {
@@ -348,16 +345,6 @@ impl SilhouetteTree {
 /// units, are too thin for their normals to be used. Part of the margin of
 /// positions.
 const EDGE_TILT: f64 = 1.0 / (1 << 24) as f64;
-
-/// The normals of an edge; one `None` if it may be a silhouette whatever the
-/// view.
-fn normals(edge: &LocalEdge) -> impl Iterator<Item = Option<Vec3>> {
-    let [first, second] = match edge.normals {
-        Some([first, second]) => [Some(first), Some(second)],
-        None => [None, None],
-    };
-    [first, second].into_iter()
-}
 
 fn frame_of(mesh: &Mesh, edges: &[Edge]) -> LocalFrame {
     let ends = edges.iter().flat_map(|edge| edge.vertices);
