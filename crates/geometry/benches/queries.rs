@@ -183,9 +183,9 @@ fn count(views: &[View], found: impl Fn(&View) -> bool) -> usize {
 fn print_ratios(scene: &Scene) {
     let found = QUERIES.map(|(_, query)| query(scene, &scene.views)); // also warms up
     let batches: Vec<&[View]> = scene.views.chunks(BATCH).collect();
-    // times[query][batch][round]
-    let mut times = vec![vec![vec![0.0; ROUNDS]; batches.len()]; QUERIES.len()];
-    for round in 0..ROUNDS {
+    // times[query][batch], one for each round
+    let mut times = vec![vec![Vec::new(); batches.len()]; QUERIES.len()];
+    for _ in 0..ROUNDS {
         for step in 0..batches.len() {
             for (q, (_, query)) in QUERIES.iter().enumerate() {
                 // Another batch than the query before, which has left its
@@ -193,7 +193,7 @@ fn print_ratios(scene: &Scene) {
                 let b = (step + q) % batches.len();
                 let start = Instant::now();
                 black_box(query(scene, batches[b]));
-                times[q][b][round] = start.elapsed().as_secs_f64();
+                times[q][b].push(start.elapsed().as_secs_f64());
             }
         }
     }

@@ -26,6 +26,9 @@ impl NormalCone {
         let Some(sum) = normals().try_fold(Vec3::zero(), |sum, n| Some(sum + n?)) else {
             return Self::ALL;
         };
+        if sum == Vec3::zero() {
+            return Self::ALL;
+        }
         let axis = sum.normalized();
         let mut sin = 0.0_f64;
         for normal in normals().flatten() {
@@ -56,5 +59,41 @@ impl NormalCone {
         }
         let cos = (1.0 - self.sin * self.sin).max(0.0).sqrt();
         (height / cos).min(radius * cos)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cone(normals: &[Option<Vec3>]) -> NormalCone {
+        NormalCone::around(|| normals.iter().copied())
+    }
+
+    const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
+    const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    /// Two orthogonal normals: half a right angle around their middle.
+    #[test]
+    fn cone_of_two_normals() {
+        let cone = cone(&[Some(X), Some(Y)]);
+        assert!((cone.axis - (X + Y).normalized()).length() < 1e-15);
+        assert!((cone.sin - 0.5_f64.sqrt()).abs() < 1e-15);
+    }
+
+    /// Opposite normals, or an edge that always counts: no cone, no margin.
+    #[test]
+    fn no_cone() {
+        assert_eq!(cone(&[Some(X), Some(-X)]), NormalCone::ALL);
+        assert_eq!(cone(&[Some(X), None]), NormalCone::ALL);
+        assert_eq!(cone(&[]), NormalCone::ALL);
+        assert_eq!(NormalCone::ALL.view_margin(0.0, 0.0), f64::INFINITY);
+    }
+
+    /// A flat patch seen at any angle off its plane shows no silhouette.
+    #[test]
+    fn flat_patch_has_no_margin() {
+        let cone = cone(&[Some(X), Some(X)]);
+        assert_eq!((cone.sin, cone.view_margin(1.0, 0.0)), (0.0, 0.0));
     }
 }

@@ -125,3 +125,53 @@ fn is_nearer(p: Vec3, q: Vec3, axis: Vec3) -> bool {
     let (q_cos, q_sin) = (axis.dot(q), axis.cross(q).length());
     p_sin * q_cos < q_sin * p_cos
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AXIS: Vec3 = Vec3::new(0.0, 0.0, 1.0);
+
+    /// Inside the segment, at either end, and behind the eye.
+    #[test]
+    fn closest_is_inside_or_an_end() {
+        let at = |a: [f64; 3], b: [f64; 3]| closest_direction(a.into(), b.into(), AXIS);
+        let inside = at([-1.0, 1e-9, 1.0], [3.0, 1e-9, 1.0]).expect("does not meet the eye");
+        assert_eq!(inside.t, 0.25);
+        assert!((inside.angle / 1e-9 - 1.0).abs() < 1e-9);
+        let first = at([1.0, 0.0, 1.0], [3.0, 1.0, 1.0]).expect("does not meet the eye");
+        assert_eq!((first.t, first.distance), (0.0, 2.0_f64.sqrt()));
+        let second = at([3.0, 1.0, 1.0], [1.0, 0.0, 1.0]).expect("does not meet the eye");
+        assert_eq!((second.t, second.angle), (1.0, first.angle));
+        // The line's nearest point lies behind: the segment is farthest there.
+        let behind = at([-1.0, 0.1, -1.0], [2.0, 0.1, -1.0]).expect("does not meet the eye");
+        assert_eq!(behind.t, 1.0);
+    }
+
+    /// Segments through the eye have no direction, whichever end comes first.
+    #[test]
+    fn segments_through_the_eye() {
+        let (zero, p) = (Vec3::zero(), Vec3::new(1.0, 2.0, 3.0));
+        for (a, b) in [(zero, p), (p, zero), (p, -p), (zero, zero)] {
+            assert!(closest_direction(a, b, AXIS).is_none(), "{a:?} {b:?}");
+        }
+        // Seen end-on, but not through the eye.
+        let end_on = closest_direction(p, p * 2.0, AXIS).expect("does not meet the eye");
+        assert!((end_on.direction - p.normalized()).length() < 1e-15);
+        // A point.
+        assert!(closest_direction(p, p, AXIS).is_some());
+    }
+
+    /// A point of the closest direction is never farther from the axis than
+    /// the points of a fine subdivision.
+    #[test]
+    fn closest_is_closest() {
+        let [a, b] = [[0.3, -2.0, 1.0], [0.2, 1.5, -0.5]].map(Vec3::from);
+        let closest = closest_direction(a, b, AXIS).expect("does not meet the eye");
+        let angle_at = |t: f64| sphere::angle_between(AXIS, (a + (b - a) * t).normalized());
+        let least = (0..=1000)
+            .map(|i| angle_at(1e-3 * f64::from(i)))
+            .fold(f64::INFINITY, f64::min);
+        assert!(closest.angle <= least && least < closest.angle + 1e-3);
+    }
+}
