@@ -1,2 +1,67 @@
-//! The capwalk command.
-fn main() {}
+//! The capwalk command: what was typed ([`args`]), one file per [`command`],
+//! progress and Ctrl-C ([`progress`]), and how things end ([`diagnostics`]).
+
+mod args;
+mod command;
+mod diagnostics;
+mod moving;
+mod output;
+mod progress;
+mod report;
+mod source;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use clap::error::ErrorKind;
+
+use args::{Cli, Command};
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            let asked = matches!(
+                error.kind(),
+                ErrorKind::DisplayHelp | ErrorKind::DisplayVersion
+            );
+            // A closed pipe leaves nobody to tell.
+            let _ = error.print();
+            return ExitCode::from(if asked { 0 } else { diagnostics::BAD_INPUT });
+        }
+    };
+    start_log(cli.verbose);
+    let result = progress::catch_interrupts().and_then(|()| match &cli.command {
+        Command::Render(args) => command::render::run(args),
+        Command::Gradient(args) => command::gradient::run(args),
+        Command::Check(args) => command::check::run(args),
+        Command::Info(args) => command::info::run(args),
+        Command::Compare(args) => command::compare::run(args),
+        Command::Scenes(args) => command::scenes::run(args),
+        Command::Demo(args) => command::demo::run(args),
+    });
+    match result {
+        Ok(outcome) => outcome.into(),
+        Err(error) => {
+            eprintln!("{}", diagnostics::describe(&error));
+            ExitCode::from(diagnostics::BAD_INPUT)
+        }
+    }
+}
+
+/// Shows the libraries' warnings, and more if asked to.
+fn start_log(verbose: u8) {
+    let level = match verbose {
+        0 => log::LevelFilter::Warn,
+        1 => log::LevelFilter::Info,
+        _ => log::LevelFilter::Debug,
+    };
+    env_logger::Builder::new()
+        .filter_level(level)
+        .format(|out, record| {
+            use std::io::Write;
+            let level = record.level().as_str().to_lowercase();
+            writeln!(out, "{level}: {}", record.args())
+        })
+        .init();
+}

@@ -39,9 +39,12 @@ struct Accumulator<const C: usize> {
 
 /// Pixels that a worker takes at a time.
 const CHUNK: usize = 16;
-/// The work is done in about this many passes over the picture, so that it can
-/// be stopped with all pixels equally far.
+/// The work is done in at least this many passes over the picture, so that it
+/// can be stopped with all pixels nearly equally far.
 const PASSES: u32 = 32;
+/// Samples of a pixel in one pass at most (except for a whole batch), so that
+/// it can be stopped at once.
+const MOST_PER_PASS: u32 = 32;
 
 /// Averages `options.spp` samples of every pixel. `sample(pixel, stream)` gets
 /// the pixel's column and row. The same to the bit for every number of
@@ -66,12 +69,13 @@ pub fn average<const C: usize>(
     let mut pixels = vec![empty; scene.film.pixel_count()];
     let total = pixels.len() as u64 * u64::from(options.spp);
     let done = std::sync::atomic::AtomicU64::new(0);
-    let per_pass = options.spp.div_ceil(PASSES).next_multiple_of(batch);
+    let per_pass = options.spp.div_ceil(PASSES).min(MOST_PER_PASS);
+    let per_pass = per_pass.next_multiple_of(batch);
 
     let mut run = || {
         let mut first = 0;
         while first < options.spp && !watch.should_stop() {
-            let last = (first + per_pass).min(options.spp);
+            let last = first.saturating_add(per_pass).min(options.spp);
             let chunks = pixels.par_chunks_mut(CHUNK).enumerate();
             chunks.for_each(|(chunk, pixels)| {
                 if watch.should_stop() {

@@ -165,9 +165,7 @@ impl<'a> Fields<'a> {
         self.known_kinds.borrow_mut().push(kind);
         let properties = self.node.properties.iter().zip(&self.used);
         let of_kind = properties.filter_map(|(property, used)| match property.value {
-            Value::Object { node, by_reference }
-                if !used.get() && self.context.graph.node(node).kind == kind =>
-            {
+            Value::Object { node, by_reference } if self.context.graph.node(node).kind == kind => {
                 used.set(true);
                 Some(Child {
                     node,
@@ -250,7 +248,7 @@ impl<'a> Fields<'a> {
         let snake = snake_case(name);
         if snake != *name && known.contains(&snake.as_str()) {
             return problem
-                .help(format!("Mitsuba 2 and 3 call it \"{snake}\""))
+                .help("Mitsuba 2 and 3 write names in small letters with underscores")
                 .near(vec![snake]);
         }
         let mut names = known.clone();
@@ -280,7 +278,7 @@ impl<'a> Fields<'a> {
             self.node.plugin_span,
             format!("unknown {kind} plugin \"{plugin}\""),
         )
-        .help(format!("the {kind} plugins are {}", known.join(", ")))
+        .help(format!("known {kind} plugins: {}", known.join(", ")))
         .near(nearest(plugin, known.iter().copied()))
     }
 }

@@ -1,7 +1,8 @@
 //! Files to scenes, pictures to files.
 //!
 //! Scenes are read from Mitsuba 3's XML format; `docs/scene-files.md` says which
-//! part of it. The stages, each in its file:
+//! part of it. [`export`] writes scenes, [`image`] writes and reads pictures.
+//! The stages of reading, each in its file:
 //!
 //! ```text
 //! text -> elements  -> elements without $name, <include> -> nodes     -> Scene
@@ -33,6 +34,11 @@ mod source;
 mod suggest;
 mod value;
 mod xml;
+
+// Writing scenes and pictures.
+mod atomic;
+pub mod export;
+pub mod image;
 
 pub use error::{LoadError, Position};
 pub use load::{LoadOptions, load_scene, load_scene_str, load_scene_with};

@@ -96,3 +96,77 @@ fn load_and_collect(
     let scene = lower::lower(&context, directories, options.sensor).map_err(located)?;
     Ok((scene, context.warnings.into_inner()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn warnings(text: &str) -> Vec<String> {
+        let source = Source {
+            name: "scene.xml".into(),
+            directory: "".into(),
+            text: text.into(),
+            included_at: None,
+        };
+        let loaded = load_and_collect(source, &LoadOptions::default());
+        loaded.unwrap_or_else(|error| panic!("{error}")).1
+    }
+
+    /// What does not change the picture is accepted, each with its place.
+    #[test]
+    fn cosmetic_properties_warn() {
+        let text = r#"<scene version="3.0.0">
+<integer name="kd_max_depth" value="3"/>
+<integrator type="path"><integer name="block_size" value="32"/></integrator>
+<sensor type="perspective"><float name="focus_distance" value="3"/>
+<film type="hdrfilm"><boolean name="banner" value="false"/>
+<string name="pixel_format" value="rgba"/><string name="component_format" value="float16"/>
+<boolean name="compensate" value="true"/>
+<string name="file_format" value="pfm"/></film></sensor>
+<shape type="cube"><float name="silhouette_sampling_weight" value="2"/>
+<emitter type="area"><float name="sampling_weight" value="2"/></emitter></shape>
+stray text
+</scene>"#;
+        let places: Vec<String> = warnings(text)
+            .iter()
+            .map(|w| w.split(": ").take(2).collect::<Vec<_>>().join(": "))
+            .collect();
+        let expected = [
+            "scene.xml:11:1: text outside of an attribute means nothing",
+            "scene.xml:2:16: \"kd_max_depth\" has no effect here",
+            "scene.xml:3:40: \"block_size\" has no effect here",
+            "scene.xml:8:15: \"file_format\" has no effect here",
+            "scene.xml:6:15: \"pixel_format\" has no effect here",
+            "scene.xml:6:57: \"component_format\" has no effect here",
+            "scene.xml:5:37: \"banner\" has no effect here",
+            "scene.xml:7:16: \"compensate\" has no effect here",
+            "scene.xml:4:41: \"focus_distance\" has no effect here",
+            "scene.xml:10:35: \"sampling_weight\" has no effect here",
+            "scene.xml:9:33: \"silhouette_sampling_weight\" has no effect here",
+        ];
+        assert_eq!(places, expected);
+    }
+
+    #[test]
+    fn doubtful_scenes_warn() {
+        let text = r#"<scene version="3.0.0"><integrator type="path"/>
+<sensor type="perspective"/><sensor type="perspective"/>
+<bsdf type="diffuse" id="m"><float name="reflectance" value="2"/></bsdf></scene>"#;
+        let expected = [
+            "scene.xml:2:29: the scene has 2 sensors; rendering with the first",
+            "scene.xml:3:62: \"reflectance\" is above 1: the surface reflects more than it receives",
+            "scene.xml:1:1: the scene has no emitter; the picture will be black",
+        ];
+        assert_eq!(warnings(text), expected);
+    }
+
+    /// What Mitsuba writes itself needs no warnings.
+    #[test]
+    fn ordinary_scenes_are_silent() {
+        let text = r#"<scene version="3.0.0"><integrator type="path"/>
+<sensor type="perspective"><film type="hdrfilm"><string name="pixel_format" value="rgb"/>
+<string name="component_format" value="float32"/></film></sensor>
+<emitter type="constant"><float name="sampling_weight" value="1"/></emitter></scene>"#;
+        assert!(warnings(text).is_empty());
+    }
+}

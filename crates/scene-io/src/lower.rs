@@ -124,8 +124,18 @@ impl Lowering<'_> {
                 .help("add for example <integrator type=\"path\"/>")
         })?;
         let integrator = integrator::lower(&Fields::new(self.context, integrator.node))?;
-        let sensor = choose_sensor(self.context, root, &fields.children(Kind::Sensor), sensor)?;
+        let sensors = fields.children(Kind::Sensor);
+        let sensor = choose_sensor(self.context, root, &sensors, sensor)?;
+        // The others are read for their mistakes, the chosen one last: its
+        // places in the text count.
+        for other in sensors.iter().filter(|other| other.node != sensor) {
+            self.sensor(other.node)?;
+        }
         let (sensor, film, sampler) = self.sensor(sensor)?;
+        // Parts of sensors may stand in the scene to be referred to.
+        for part in [Kind::Film, Kind::Filter, Kind::Sampler] {
+            fields.children(part);
+        }
         for bsdf in fields.children(Kind::Bsdf) {
             self.bsdf(bsdf.node, &format!("bsdf_{}", self.materials.len()))?;
         }

@@ -53,7 +53,7 @@ impl std::fmt::Display for MeshFileError {
 
 impl std::error::Error for MeshFileError {}
 
-/// The finished mesh, or what Mesh::check finds wrong with it.
+/// The finished mesh, unless it is empty.
 fn finish(
     mesh: Mesh,
     normals: Option<Vec<Vec3>>,

@@ -6,6 +6,10 @@ use crate::node::Spectrum;
 use crate::source::{Problem, Span};
 use crate::xml::{Attribute, Element};
 
+/// How far the length of a rotation's axis may be from 1: the rounding of axes
+/// written with three digits.
+const ROUNDED_AXIS: f64 = 2e-3;
+
 /// A finite number.
 pub(crate) fn float(text: &str, span: Span) -> Result<f64, Problem> {
     let number: Option<f64> = text.trim().parse().ok();
@@ -171,6 +175,14 @@ fn transform_step(step: &Element) -> Result<Affine, Problem> {
             if axis == Vec3::zero() {
                 return Err(Problem::new(step.span, "the axis of the rotation is zero")
                     .help("write for example <rotate y=\"1\" angle=\"90\"/>, in degrees"));
+            }
+            let length = axis.length();
+            if (length - 1.0).abs() > ROUNDED_AXIS {
+                return Err(Problem::new(
+                    step.span,
+                    format!("the axis of the rotation has the length {length:.4}"),
+                )
+                .help("expected length 1; with another, Mitsuba distorts instead of rotating"));
             }
             Ok(Affine::rotate(axis, degrees.to_radians()))
         }

@@ -6,7 +6,7 @@ use capwalk_scene::{Bsdf, Diffuse, Material};
 use super::{Lowering, colour};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
-use crate::source::{Problem, Span};
+use crate::source::Problem;
 
 /// The plugins.
 const BSDFS: [&str; 2] = ["diffuse", "twosided"];
@@ -65,9 +65,14 @@ impl Lowering<'_> {
         }
         let mut sides = Vec::with_capacity(2);
         for (i, child) in nested.iter().enumerate() {
-            let side = self.bsdf(child.node, &format!("{name}.brdf_{i}"))?;
-            self.refuse_nested_sides(side, child.span)?;
-            sides.push(side);
+            if self.context.graph.node(child.node).plugin == "twosided" {
+                return Err(Problem::new(
+                    child.span,
+                    "a twosided material stands inside a twosided material",
+                )
+                .help("put one-sided materials into it, such as <bsdf type=\"diffuse\"/>"));
+            }
+            sides.push(self.bsdf(child.node, &format!("{name}.brdf_{i}"))?);
         }
         match sides[..] {
             [both] => Ok(Bsdf::TwoSided {
@@ -79,17 +84,6 @@ impl Lowering<'_> {
                 Problem::new(fields.node.span, "the bsdf \"twosided\" has no material")
                     .help("put a one-sided material into it, such as <bsdf type=\"diffuse\"/>"),
             ),
-        }
-    }
-
-    fn refuse_nested_sides(&self, side: BsdfId, span: Span) -> Result<(), Problem> {
-        match self.materials[side.0 as usize].bsdf {
-            Bsdf::TwoSided { .. } => Err(Problem::new(
-                span,
-                "a twosided material stands inside a twosided material",
-            )
-            .help("put one-sided materials into it, such as <bsdf type=\"diffuse\"/>")),
-            Bsdf::Diffuse(_) => Ok(()),
         }
     }
 }

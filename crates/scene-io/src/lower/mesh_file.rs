@@ -63,8 +63,10 @@ impl Lowering<'_> {
             true => Err("it is a folder; expected a file".to_owned()),
             false => std::fs::read(&path).map_err(|error| error.to_string()),
         };
-        let bytes = bytes
-            .map_err(|error| Problem::new(span, format!("cannot read \"{shown}\": {error}")))?;
+        let bytes = bytes.map_err(|error| {
+            Problem::new(span, format!("cannot read \"{shown}\": {error}"))
+                .help("give the file of a mesh")
+        })?;
         let mesh = match plugin {
             "obj" => read_obj(&bytes, want_normals),
             _ => read_ply(&bytes, want_normals),

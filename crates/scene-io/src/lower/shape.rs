@@ -30,19 +30,25 @@ impl Lowering<'_> {
             return Err(Problem::new(child.span, "a shape is referred to")
                 .help("each shape stands in the scene once; copy it"));
         }
+        if fields.node.id.as_deref() == Some("sensor") {
+            return Err(
+                Problem::new(fields.node.span, "the id \"sensor\" is the sensor's")
+                    .help("parameters are called by it; give the shape another id"),
+            );
+        }
         let to_world = fields.transform("to_world")?;
         if to_world.determinant() == 0.0 || !to_world.determinant().is_finite() {
             return Err(Problem::new(
                 fields.span_of("to_world"),
-                "\"to_world\" flattens the shape",
+                "\"to_world\" cannot be inverted",
             )
-            .help("expected an invertible transform: scale by numbers other than 0"));
+            .help("scale by finite numbers other than 0"));
         }
         let plugin = fields.node.plugin.as_str();
         let mut stem = plugin.to_owned();
         let (mut mesh, mut normals, is_flipped) = match plugin {
             "obj" | "ply" => {
-                let (mesh, normals, name) = self.from_file(&fields, to_world)?;
+                let (mesh, normals, name) = self.placed_file(&fields, to_world)?;
                 stem = name;
                 (mesh, normals, fields.boolean("flip_normals", false)?)
             }
@@ -95,7 +101,7 @@ impl Lowering<'_> {
     }
 
     /// The mesh of a file in the world, its normals, and a name for it.
-    fn from_file(
+    fn placed_file(
         &self,
         fields: &Fields,
         to_world: Affine,

@@ -127,6 +127,14 @@ impl Reader {
                 "expected at least 3",
             ));
         }
+        let form = |c: &Corner| (c.texture.is_some(), c.normal.is_some());
+        if corners.iter().any(|c| form(c) != form(&corners[0])) {
+            return Err(MeshFileError::new(
+                format!("line {line}"),
+                "the corners of the face are written in different forms",
+                "expected all of them as v, v/vt, v//vn or v/vt/vn",
+            ));
+        }
         let mut polygon = Vec::with_capacity(corners.len());
         for corner in corners {
             let seen = match corner.normal {

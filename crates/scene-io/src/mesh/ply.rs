@@ -19,7 +19,13 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
         format: header.format,
         line: header.lines + 1,
     };
-    let (mut positions, mut normals, mut polygons) = (None, None, None);
+    let is_vertex = |element: &&Element| element.name == "vertex";
+    let vertex_count = header
+        .elements
+        .iter()
+        .find(is_vertex)
+        .map_or(0, |e| e.count);
+    let (mut positions, mut normals, mut triangles) = (None, None, None);
     let mut skipped = Vec::new();
     for element in &header.elements {
         body.announced(element)?;
@@ -29,7 +35,7 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
                 positions = Some(p);
                 normals = n;
             }
-            "face" => polygons = Some(faces(&mut body, element)?),
+            "face" => triangles = Some(faces(&mut body, element, vertex_count)?),
             "tristrips" => {
                 return Err(MeshFileError::new(
                     "",
@@ -49,11 +55,8 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
         MeshFileError::new("", message, help)
     };
     let positions = positions.ok_or_else(|| missing("vertex", "the file has no vertices"))?;
-    let polygons: Polygons = polygons.ok_or_else(|| missing("face", "the file has no faces"))?;
-    let mesh = Mesh {
-        faces: polygons.triangles(positions.len())?,
-        positions,
-    };
+    let faces = triangles.ok_or_else(|| missing("face", "the file has no faces"))?;
+    let mesh = Mesh { positions, faces };
     finish(mesh, normals, skipped)
 }
 
@@ -286,6 +289,7 @@ fn vertices(
     let count = element.count as usize;
     let mut positions = Vec::with_capacity(count);
     let mut normals = normal_at.map(|_| Vec::with_capacity(count));
+    let mut values = vec![0.0; element.properties.len()];
     for index in 0..element.count {
         let place = match body.format {
             Format::Ascii => {
@@ -294,7 +298,6 @@ fn vertices(
             }
             _ => body.position,
         };
-        let mut values = vec![0.0; element.properties.len()];
         read_element(body, element, index, |i, number| {
             values[i] = number.as_f64()
         })?;
@@ -312,14 +315,12 @@ fn vertices(
     Ok((positions, normals))
 }
 
-/// Corners of all faces, one face behind the other.
-struct Polygons {
-    corners: Vec<i128>,
-    /// Where each face ends.
-    ends: Vec<usize>,
-}
-
-fn faces(body: &mut Body, element: &Element) -> Result<Polygons, MeshFileError> {
+/// Triangles; polygons become fans.
+fn faces(
+    body: &mut Body,
+    element: &Element,
+    vertices: u64,
+) -> Result<Vec<[u32; 3]>, MeshFileError> {
     let list = CORNER_LISTS
         .iter()
         .find_map(|name| element.position(name))
@@ -334,51 +335,37 @@ fn faces(body: &mut Body, element: &Element) -> Result<Polygons, MeshFileError> 
             "expected \"property list uchar int vertex_indices\" in the header",
         )
     })?;
-    let mut polygons = Polygons {
-        corners: Vec::new(),
-        ends: Vec::new(),
-    };
+    let mut triangles = Vec::with_capacity(element.count as usize);
+    let mut polygon: Vec<u32> = Vec::new();
     for index in 0..element.count {
+        polygon.clear();
+        let mut bad_corner = None;
         read_element(body, element, index, |i, number| {
-            if let Number::Integer(corner) = number
-                && i == list
-            {
-                polygons.corners.push(corner);
+            let Number::Integer(corner) = number else {
+                return;
+            };
+            if i == list {
+                match u32::try_from(corner) {
+                    Ok(vertex) if u64::from(vertex) < vertices => polygon.push(vertex),
+                    _ => bad_corner = bad_corner.or(Some(corner)),
+                }
             }
         })?;
-        polygons.ends.push(polygons.corners.len());
-    }
-    Ok(polygons)
-}
-
-impl Polygons {
-    /// Fans of triangles; the vertices are known only at the end of the file.
-    fn triangles(&self, vertices: usize) -> Result<Vec<[u32; 3]>, MeshFileError> {
-        let mut triangles = Vec::with_capacity(self.ends.len());
-        let mut start = 0;
-        for (face, &end) in self.ends.iter().enumerate() {
-            let corners = &self.corners[start..end];
-            start = end;
-            if corners.len() < 3 {
-                return Err(MeshFileError::new(
-                    format!("face {face}"),
-                    format!("it has {} corners", corners.len()),
-                    "expected at least 3",
-                ));
-            }
-            let in_range = |corner: &i128| {
-                let index = u32::try_from(*corner).ok();
-                index.filter(|&i| (i as usize) < vertices).ok_or_else(|| {
-                    MeshFileError::new(
-                        format!("face {face}"),
-                        format!("it refers to vertex {corner}"),
-                        format!("there are {vertices} vertices (counted from 0)"),
-                    )
-                })
-            };
-            let polygon: Vec<u32> = corners.iter().map(in_range).collect::<Result<_, _>>()?;
-            triangles.extend(fan(&polygon));
+        if let Some(corner) = bad_corner {
+            return Err(MeshFileError::new(
+                format!("face {index}"),
+                format!("it refers to vertex {corner}"),
+                format!("there are {vertices} vertices (counted from 0)"),
+            ));
         }
-        Ok(triangles)
+        if polygon.len() < 3 {
+            return Err(MeshFileError::new(
+                format!("face {index}"),
+                format!("it has {} corners", polygon.len()),
+                "expected at least 3",
+            ));
+        }
+        triangles.extend(fan(&polygon));
     }
+    Ok(triangles)
 }

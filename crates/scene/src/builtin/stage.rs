@@ -61,7 +61,7 @@ pub fn add(
     let bsdf = match sides {
         Sides::Front => material(format!("{id}.bsdf"), diffuse),
         Sides::Both => {
-            let side = material(format!("{id}.bsdf.side"), diffuse);
+            let side = material(format!("{id}.bsdf.brdf_0"), diffuse);
             let (front, back) = (side, side);
             material(format!("{id}.bsdf"), Bsdf::TwoSided { front, back })
         }

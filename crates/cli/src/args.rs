@@ -1,0 +1,331 @@
+//! What was typed.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+
+/// Unbiased derivatives of rendered images.
+#[derive(Parser, Debug)]
+#[command(name = "capwalk", version, after_help = EXIT_CODES, max_term_width = 100)]
+pub struct Cli {
+    /// Say more: once for what is being done, twice for details
+    #[arg(short, long, global = true, action = ArgAction::Count)]
+    pub verbose: u8,
+    /// What to do
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The meaning of each exit status, shown under `--help`.
+const EXIT_CODES: &str = "\
+A SCENE is a Mitsuba XML file or the name of a built-in scene (see `capwalk scenes`).
+
+Exit status:
+  0  done; for check: the gradient is right
+  1  check: the gradient is wrong; compare: the pictures differ beyond their errors
+  2  check, compare: the noise is too large to tell
+  3  bad input, or a derivative that is refused
+  4  more than 1 in 10^6 samples was infinite or NaN (the pictures are written)
+  5  stopped by Ctrl-C (what was done is written, marked as partial)";
+
+#[derive(Subcommand, Debug)]
+pub enum Command {
+    /// Render a picture
+    ///
+    /// Writes <scene>.exr and <scene>.png unless -o says otherwise.
+    Render(Render),
+    /// Differentiate the picture for one parameter
+    ///
+    /// Writes <scene>-gradient.exr (value, gradient and their standard errors)
+    /// and <scene>-gradient.png (blue negative, white zero, red positive)
+    /// unless -o says otherwise.
+    Gradient(Gradient),
+    /// Check a gradient against central finite differences
+    ///
+    /// Writes <scene>-check.png (value | gradient | reference | z) unless -o
+    /// says otherwise. Exit status 0: right, 1: wrong, 2: could not tell.
+    Check(Check),
+    /// Show what is in a scene, and which of its numbers can be differentiated
+    Info(Info),
+    /// Compare two pictures, with their standard errors if they have them
+    Compare(Compare),
+    /// List the built-in scenes, or export them as files
+    Scenes(Scenes),
+    /// Render, differentiate and check the scene lattice-shadow
+    ///
+    /// Takes about a minute on two cores.
+    Demo(Demo),
+}
+
+/// Which scene, and changes to it.
+#[derive(Args, Debug)]
+pub struct SceneArgs {
+    /// Mitsuba XML file, or name of a built-in scene
+    pub scene: String,
+    /// Replace the value of a <default> of the scene file
+    #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse_define)]
+    pub defines: Vec<(String, String)>,
+    /// Width and height of the picture, without crop
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<[u32; 2]>,
+    /// Reconstruction filter, with the widths that are Mitsuba's defaults
+    #[arg(long)]
+    pub filter: Option<FilterName>,
+}
+
+/// Reconstruction filters by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum FilterName {
+    /// One pixel wide
+    Box,
+    /// Triangle of radius 1
+    Tent,
+    /// Standard deviation 0.5, radius 2
+    Gaussian,
+}
+
+/// How much to sample.
+#[derive(Args, Debug)]
+pub struct SamplingArgs {
+    /// Samples per pixel [default: the scene's]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub spp: Option<u32>,
+    /// Seed of all random numbers [default: the scene's]
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Worker threads; changes no bit of the result [default: all cores]
+    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
+    pub threads: Option<usize>,
+    /// Stop after this time (30, 30s, 5m, 1h) and keep what is done
+    #[arg(long, value_name = "TIME", value_parser = parse_duration)]
+    pub time_limit: Option<Duration>,
+}
+
+/// Where results go.
+#[derive(Args, Debug)]
+pub struct OutputArgs {
+    /// Output file: .exr and .npz hold all layers in floating point, .png a
+    /// preview; may be repeated or separated by commas
+    #[arg(short, long, value_name = "FILE", value_delimiter = ',')]
+    pub output: Vec<PathBuf>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// What moves.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = true)]
+pub struct MotionArgs {
+    /// Parameter, or several that move together: 'lamp.translate.x -
+    /// 0.5*floor.rotate.z' (`capwalk info SCENE` lists them)
+    #[arg(short, long, value_name = "EXPRESSION", allow_hyphen_values = true)]
+    pub param: Option<String>,
+    /// Velocity of each vertex of a shape: .npy array (V, 3), or a text file
+    /// with one "x y z" per line; adds to --param
+    #[arg(long, value_name = "SHAPE=FILE", value_parser = parse_motion)]
+    pub motion: Vec<(String, PathBuf)>,
+}
+
+/// How the velocity field is estimated.
+#[derive(Args, Debug)]
+pub struct WalkArgs {
+    /// Steps of the walk on spherical caps
+    #[arg(long, value_name = "M", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub walk_steps: u32,
+    /// Estimator of the field's divergence
+    #[arg(long, default_value = "anchored")]
+    pub estimator: EstimatorName,
+    /// Ignore silhouettes farther than this angle, degrees; right for every
+    /// value, smaller is faster and larger is smoother
+    #[arg(long, value_name = "DEGREES", value_parser = parse_angle, allow_negative_numbers = true)]
+    pub max_angle: Option<f64>,
+    /// Average each rim sample with the one on the other side of the cap
+    #[arg(long)]
+    pub antithetic: bool,
+}
+
+/// Estimators by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum EstimatorName {
+    /// Relative to the closest silhouette's velocity: finite variance
+    Anchored,
+    /// The paper's equation as printed: infinite variance
+    Literal,
+}
+
+#[derive(Args, Debug)]
+pub struct Render {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub output: OutputArgs,
+}
+
+#[derive(Args, Debug)]
+pub struct Gradient {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub motion: MotionArgs,
+    #[command(flatten)]
+    pub walk: WalkArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    #[command(flatten)]
+    pub output: OutputArgs,
+}
+
+#[derive(Args, Debug)]
+pub struct Check {
+    #[command(flatten)]
+    pub gradient: Gradient,
+    /// Samples per pixel of the reference, taken on each side of the difference
+    /// [default: 4 times --spp]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub reference_spp: Option<u32>,
+    /// Step of the finite differences, in units of the parameter [default:
+    /// moves the fastest vertex by 1/500 of the size of the shape it belongs
+    /// to (of the scene, where the sensor moves); for colours, 0.01]
+    #[arg(long, value_name = "H", value_parser = parse_step, allow_negative_numbers = true)]
+    pub step: Option<f64>,
+}
+
+#[derive(Args, Debug)]
+pub struct Info {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Compare {
+    /// The picture in question (.exr, .npz)
+    pub picture: PathBuf,
+    /// What it should be (.exr, .npz)
+    pub reference: PathBuf,
+    /// Compare these layers, for example "gradient" [default: gradient if both
+    /// have it, else value]
+    #[arg(long, value_name = "NAME")]
+    pub layer: Option<String>,
+    #[command(flatten)]
+    pub output: OutputArgs,
+}
+
+#[derive(Args, Debug)]
+pub struct Scenes {
+    /// Write scenes as Mitsuba XML, with their meshes, into this folder
+    #[arg(long, value_name = "FOLDER")]
+    pub export: Option<PathBuf>,
+    /// Only these scenes
+    pub names: Vec<String>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Demo {
+    /// Folder for the pictures
+    #[arg(short, long, value_name = "FOLDER", default_value = "demo")]
+    pub output: PathBuf,
+    /// Worker threads [default: all cores]
+    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
+    pub threads: Option<usize>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn parse_define(text: &str) -> Result<(String, String), String> {
+    match text.split_once('=') {
+        Some((name, value)) if !name.is_empty() => Ok((name.into(), value.into())),
+        _ => Err("expected NAME=VALUE, for example spp=64".into()),
+    }
+}
+
+fn parse_motion(text: &str) -> Result<(String, PathBuf), String> {
+    match text.split_once('=') {
+        Some((shape, file)) if !shape.is_empty() && !file.is_empty() => {
+            Ok((shape.into(), file.into()))
+        }
+        _ => Err("expected SHAPE=FILE, for example bunny=velocities.npy".into()),
+    }
+}
+
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once(['x', 'X', '×']);
+    let parse = |(w, h): (&str, &str)| Some([w.trim().parse().ok()?, h.trim().parse().ok()?]);
+    sides
+        .and_then(parse)
+        .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, for example 640x480".into())
+}
+
+fn parse_threads(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(threads) if (1..=4096).contains(&threads) => Ok(threads),
+        _ => Err("expected a number from 1 to 4096".into()),
+    }
+}
+
+fn parse_angle(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
+        _ => Err("expected an angle above 0 and up to 180 degrees".into()),
+    }
+}
+
+fn parse_step(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(step) if step > 0.0 && step.is_finite() => Ok(step),
+        _ => Err("expected a number above 0, in units of the parameter".into()),
+    }
+}
+
+fn parse_duration(text: &str) -> Result<Duration, String> {
+    let (number, unit) = match text.trim_end_matches(['s', 'm', 'h']) {
+        number if text.ends_with('m') => (number, 60.0),
+        number if text.ends_with('h') => (number, 3600.0),
+        number => (number, 1.0),
+    };
+    let seconds = number.parse::<f64>().map(|x| x * unit);
+    match seconds {
+        Ok(s) if s > 0.0 && s < 1e9 && text.len() <= number.len() + 1 => {
+            Ok(Duration::from_secs_f64(s))
+        }
+        _ => Err("expected a time above 0, for example 30s, 5m or 1h".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        use clap::CommandFactory;
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn durations() {
+        assert_eq!(parse_duration("90"), Ok(Duration::from_secs(90)));
+        assert_eq!(parse_duration("1.5m"), Ok(Duration::from_secs(90)));
+        assert_eq!(parse_duration("2h"), Ok(Duration::from_secs(7200)));
+        for bad in ["", "s", "0", "-3", "nan", "5ms", "1e30"] {
+            assert!(parse_duration(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn sizes() {
+        assert_eq!(parse_size("64x48"), Ok([64, 48]));
+        assert!(parse_size("64").is_err());
+        assert!(parse_size("-1x3").is_err());
+    }
+}

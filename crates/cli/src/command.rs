@@ -1,0 +1,10 @@
+//! What the command line can do, one file each. Every `run` says how it ended;
+//! an error is bad input or a refusal.
+
+pub mod check;
+pub mod compare;
+pub mod demo;
+pub mod gradient;
+pub mod info;
+pub mod render;
+pub mod scenes;

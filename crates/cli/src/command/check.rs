@@ -1,0 +1,299 @@
+//! `capwalk check`: a gradient against finite differences, with a verdict.
+
+use std::time::{Duration, Instant};
+
+use anyhow::Result;
+use capwalk_math::Vec3;
+use capwalk_render::check::{Comparison, Verdict, compare};
+use capwalk_render::{GradientImage, GradientOptions, Options};
+use capwalk_scene::{Image, Motion, Scene};
+use capwalk_scene_io::image::{self, Panel, Style};
+use serde_json::{Value, json};
+
+use crate::args::Check;
+use crate::diagnostics::Outcome;
+use crate::output::{self, Files};
+use crate::progress::Progress;
+use crate::{moving, report, source};
+
+/// Samples of the reference for each one of the gradient, if nothing is said:
+/// differences are cheaper, and noisier.
+const REFERENCE_FACTOR: u32 = 4;
+
+/// Makes the reference's random numbers independent of the gradient's.
+const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// How many of the worst pixels are shown.
+const SHOWN_PIXELS: usize = 4;
+
+/// A gradient, its reference, and how they compare.
+pub struct Checked {
+    pub gradient: GradientImage,
+    pub reference: GradientImage,
+    pub comparison: Comparison,
+    /// Seconds for the gradient and for the reference.
+    pub seconds: [f64; 2],
+}
+
+/// How to make the reference.
+pub struct Reference {
+    pub step: f64,
+    pub spp: u32,
+}
+
+pub fn run(args: &Check) -> Result<Outcome> {
+    let typed = &args.gradient;
+    let scene = source::load(&typed.scene)?;
+    let motion = moving::motion(&scene, &typed.motion)?;
+    let options = source::options(&typed.sampling, &scene);
+    let stem = format!("{}-check", source::stem(&typed.scene));
+    let files = Files::new(&typed.output.output, &stem, &["png"])?;
+    let reference = Reference {
+        step: args
+            .step
+            .unwrap_or_else(|| moving::default_step(&scene, &motion)),
+        spp: args
+            .reference_spp
+            .unwrap_or(options.spp.saturating_mul(REFERENCE_FACTOR)),
+    };
+    let settings = source::gradient_options(options, &typed.walk);
+    let limit = typed.sampling.time_limit;
+    let checked = check(&scene, &motion, &settings, &reference, limit)?;
+    let Checked {
+        gradient,
+        reference: differences,
+        comparison,
+        ..
+    } = &checked;
+
+    let parameter = moving::describe(&typed.motion);
+    let name = &typed.scene.scene;
+    let mut picture = output::picture(
+        "check",
+        name,
+        Some(&parameter),
+        &options,
+        &gradient.statistics,
+    );
+    let metadata = &mut picture.metadata;
+    metadata.push(("step".into(), reference.step.to_string()));
+    metadata.push(("reference_spp".into(), reference.spp.to_string()));
+    output::push_estimate(&mut picture, "value", &gradient.value);
+    output::push_estimate(&mut picture, "gradient", &gradient.gradient);
+    output::push_estimate(&mut picture, "reference", &differences.gradient);
+    let z = z_picture(comparison, &gradient.value.mean);
+    picture.push("z", z.clone());
+    let written = files.write(&picture, &panels(&checked, &z))?;
+    eprint!("{}", report::warnings("gradient", &gradient.statistics));
+    eprint!("{}", report::warnings("reference", &differences.statistics));
+    if typed.output.json {
+        let document = json!({
+            "scene": typed.scene.scene,
+            "parameter": parameter,
+            "size": scene.film.crop_size,
+            "spp": options.spp,
+            "seed": options.seed,
+            "reference_spp": reference.spp,
+            "step": reference.step,
+            "comparison": comparison_json(comparison),
+            "gradient": report::statistics_json(&gradient.statistics, checked.seconds[0]),
+            "reference": report::statistics_json(&differences.statistics, checked.seconds[1]),
+            "files": written,
+        });
+        println!("{document:#}");
+    } else {
+        print!(
+            "{}",
+            report::work("gradient", &gradient.statistics, checked.seconds[0])
+        );
+        print!(
+            "{}",
+            report::work("reference", &differences.statistics, checked.seconds[1])
+        );
+        println!(
+            "reference: central differences over ± {}\n",
+            report::number(reference.step)
+        );
+        print!("{}", describe(comparison));
+        println!("{}", verdict(comparison, &options, &reference));
+        println!("wrote {}", written.join(", "));
+    }
+    Ok(
+        match report::outcome(&[&gradient.statistics, &differences.statistics]) {
+            Outcome::Done => outcome(comparison),
+            trouble => trouble,
+        },
+    )
+}
+
+/// Estimates a gradient and its reference with independent random numbers, and
+/// compares them. Half of a time limit is for the gradient.
+pub fn check(
+    scene: &Scene,
+    motion: &Motion,
+    settings: &GradientOptions,
+    reference: &Reference,
+    limit: Option<Duration>,
+) -> Result<Checked> {
+    let started = Instant::now();
+    let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
+    let gradient = capwalk_render::gradient(scene, motion, settings, &progress);
+    let gradient_seconds = progress.finish().as_secs_f64();
+    let gradient = gradient?;
+
+    let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
+    let progress = Progress::new("reference", rest);
+    let options = Options {
+        spp: reference.spp,
+        seed: settings.options.seed ^ REFERENCE_SEED,
+        ..settings.options
+    };
+    let differences =
+        capwalk_render::finite_difference(scene, motion, reference.step, &options, &progress);
+    let reference_seconds = progress.finish().as_secs_f64();
+    let differences = differences?;
+    Ok(Checked {
+        comparison: compare(&gradient.gradient, &differences.gradient),
+        gradient,
+        reference: differences,
+        seconds: [gradient_seconds, reference_seconds],
+    })
+}
+
+/// The z of each pixel as a picture of the same size as another.
+pub fn z_picture(comparison: &Comparison, like: &Image) -> Image {
+    let z = comparison.z.iter();
+    Image {
+        pixels: z.map(|&z| Vec3::splat(z)).collect(),
+        ..*like
+    }
+}
+
+/// Where the colours of z end: beyond this, a pixel is not an accident.
+const Z_LIMIT: f64 = 4.0;
+
+/// Value, gradient and reference with the same colours, and z.
+pub fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
+    let (gradient, reference) = (
+        &checked.gradient.gradient.mean,
+        &checked.reference.gradient.mean,
+    );
+    let limit = image::robust_limit([gradient, reference]);
+    let panel = |title, image, style| Panel {
+        title,
+        image,
+        style,
+    };
+    [
+        panel(
+            "value",
+            &checked.gradient.value.mean,
+            Style::Photographic { exposure: 0.0 },
+        ),
+        panel("gradient", gradient, Style::Diverging { limit }),
+        panel("reference", reference, Style::Diverging { limit }),
+        panel("z", z, Style::Diverging { limit: Z_LIMIT }),
+    ]
+}
+
+/// The numbers of a comparison, one on each line.
+pub fn describe(c: &Comparison) -> String {
+    let worst = c.worst.iter().take(SHOWN_PIXELS);
+    let worst: Vec<String> = worst
+        .map(|(x, y, z)| format!("({x}, {y}) {z:.1}"))
+        .collect();
+    let mut lines = vec![
+        (
+            "relative L1",
+            format!(
+                "{} (noise alone: {})",
+                report::number(c.relative_l1),
+                report::number(c.relative_l1_of_noise)
+            ),
+        ),
+        ("correlation", format!("{:.4}", c.correlation)),
+        (
+            "slope",
+            format!(
+                "{} (reference / gradient)",
+                report::plus_minus(c.slope, c.slope_error)
+            ),
+        ),
+        (
+            "mean z²",
+            format!(
+                "{} over {} pixels with noise",
+                report::plus_minus(c.mean_z_squared, c.mean_z_squared_error),
+                report::count(c.pixels as u64)
+            ),
+        ),
+        ("sign", format!("{:+.2} standard errors", c.sign)),
+        ("worst z", worst.join(", ")),
+    ];
+    if c.left_out > 0 {
+        lines.push((
+            "left out",
+            format!("{} pixels with fewer than two samples", c.left_out),
+        ));
+    }
+    report::list(&lines)
+}
+
+/// What follows, in a sentence.
+pub fn verdict(comparison: &Comparison, options: &Options, reference: &Reference) -> String {
+    match &comparison.verdict {
+        Verdict::Right => {
+            "right: they agree, and a factor wrong by 10 % would have been seen".into()
+        }
+        Verdict::Wrong { reason } => format!(
+            "wrong: {reason}\n(if a smaller --step changes this, the reference is at fault)"
+        ),
+        Verdict::CouldNotTell { samples_factor } if samples_factor.is_finite() => {
+            let times = |spp: u32| (f64::from(spp) * samples_factor).ceil();
+            format!(
+                "could not tell: about {} times the samples would be enough (--spp {} \
+                 --reference-spp {})",
+                report::significant(*samples_factor, 2),
+                times(options.spp),
+                times(reference.spp)
+            )
+        }
+        Verdict::CouldNotTell { .. } => {
+            "could not tell: there is no derivative to be seen, only noise".into()
+        }
+    }
+}
+
+/// How a command ends that came to this comparison.
+pub fn outcome(comparison: &Comparison) -> Outcome {
+    match comparison.verdict {
+        Verdict::Right => Outcome::Done,
+        Verdict::Wrong { .. } => Outcome::Wrong,
+        Verdict::CouldNotTell { .. } => Outcome::CouldNotTell,
+    }
+}
+
+/// All numbers of a comparison.
+pub fn comparison_json(c: &Comparison) -> Value {
+    let (verdict, reason, samples_factor) = match &c.verdict {
+        Verdict::Right => ("right", None, None),
+        Verdict::Wrong { reason } => ("wrong", Some(reason), None),
+        Verdict::CouldNotTell { samples_factor } => ("could not tell", None, Some(samples_factor)),
+    };
+    json!({
+        "verdict": verdict,
+        "reason": reason,
+        "samples_factor": samples_factor,
+        "relative_l1": c.relative_l1,
+        "relative_l1_of_noise": c.relative_l1_of_noise,
+        "correlation": c.correlation,
+        "mean_z_squared": c.mean_z_squared,
+        "mean_z_squared_error": c.mean_z_squared_error,
+        "pixels": c.pixels,
+        "left_out": c.left_out,
+        "sign": c.sign,
+        "slope": c.slope,
+        "slope_error": c.slope_error,
+        "worst": c.worst.iter().map(|&(x, y, z)| json!({"x": x, "y": y, "z": z})).collect::<Vec<_>>(),
+    })
+}

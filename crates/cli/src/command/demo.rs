@@ -1,0 +1,149 @@
+//! `capwalk demo`: everything at once, on a scene that is hard for others.
+
+use std::time::Instant;
+
+use anyhow::Result;
+use capwalk_render::{Estimator, GradientImage, GradientOptions, Options, WalkSettings};
+use capwalk_scene::{builtin, params};
+use serde_json::json;
+
+use super::check::{self, Checked, Reference};
+use crate::args::Demo;
+use crate::diagnostics::Outcome;
+use crate::output::{self, Files};
+use crate::progress::Progress;
+use crate::{moving, report};
+
+const SCENE: &str = "lattice-shadow";
+
+/// Half the scene's size: four times the samples in each pixel.
+const SIZE: [u32; 2] = [128, 96];
+/// Samples per pixel, chosen so that the check comes to a verdict within a
+/// minute on two cores.
+const SPP: u32 = 96;
+/// Samples of the estimator that is only shown for its variance.
+const LITERAL_SPP: u32 = 8;
+/// Samples of the reference on each side of the difference.
+const REFERENCE_SPP: u32 = 768;
+const SEED: u64 = 1;
+
+pub fn run(args: &Demo) -> Result<Outcome> {
+    let started = Instant::now();
+    let mut scene = builtin::scene(SCENE).expect("it is built in");
+    scene.film.size = SIZE;
+    scene.film.crop_size = SIZE;
+    let parameter = builtin::default_parameter(SCENE).expect("it is built in");
+    let motion = params::motion(&scene, parameter)?;
+    let file = |name: &str, endings: &[&str]| {
+        let stem = args.output.join(name).display().to_string();
+        Files::new(&[], &stem, endings)
+    };
+    let picture_files = file(SCENE, &["exr", "png"])?;
+    let gradient_files = file("lattice-shadow-gradient", &["exr", "png"])?;
+    let check_files = file("lattice-shadow-check", &["png"])?;
+
+    let options = |spp: u32| Options {
+        spp,
+        seed: SEED,
+        threads: args.threads,
+    };
+    let progress = Progress::new("render", None);
+    let rendering = capwalk_render::render(&scene, &options(SPP), &progress);
+    let render_seconds = progress.finish().as_secs_f64();
+
+    let settings = |estimator, spp| GradientOptions {
+        options: options(spp),
+        walk: WalkSettings {
+            estimator,
+            ..WalkSettings::default()
+        },
+    };
+    let progress = Progress::new("literal", None);
+    let literal = settings(Estimator::Literal, LITERAL_SPP);
+    let literal = capwalk_render::gradient(&scene, &motion, &literal, &progress);
+    progress.finish();
+    let literal = literal?;
+
+    let reference = Reference {
+        step: moving::default_step(&scene, &motion),
+        spp: REFERENCE_SPP,
+    };
+    let anchored = settings(Estimator::Anchored, SPP);
+    let checked = check::check(&scene, &motion, &anchored, &reference, None)?;
+    let Checked {
+        gradient,
+        reference: differences,
+        comparison,
+        ..
+    } = &checked;
+
+    let mut picture = output::picture("render", SCENE, None, &options(SPP), &rendering.statistics);
+    output::push_estimate(&mut picture, "value", &rendering.value);
+    let mut written = picture_files.write(&picture, &[])?;
+    let mut picture = output::picture(
+        "gradient",
+        SCENE,
+        Some(parameter),
+        &options(SPP),
+        &gradient.statistics,
+    );
+    output::push_estimate(&mut picture, "value", &gradient.value);
+    output::push_estimate(&mut picture, "gradient", &gradient.gradient);
+    written.extend(gradient_files.write(&picture, &[])?);
+    let z = check::z_picture(comparison, &gradient.value.mean);
+    written.extend(check_files.write(&picture, &check::panels(&checked, &z))?);
+
+    let all = [
+        &rendering.statistics,
+        &literal.statistics,
+        &gradient.statistics,
+        &differences.statistics,
+    ];
+    for (what, statistics) in ["picture", "literal gradient", "gradient", "reference"]
+        .iter()
+        .zip(all)
+    {
+        eprint!("{}", report::warnings(what, statistics));
+    }
+    let variance =
+        |image: &GradientImage| report::variance_per_sample(&image.gradient, &image.statistics);
+    let queries = gradient.statistics.cone_queries as f64 / checked.seconds[0];
+    let seconds = started.elapsed().as_secs_f64();
+    if args.json {
+        let document = json!({
+            "scene": SCENE,
+            "parameter": parameter,
+            "comparison": check::comparison_json(comparison),
+            "variance_per_sample": {
+                "anchored": variance(gradient),
+                "literal": variance(&literal),
+            },
+            "silhouette_queries_per_second": queries,
+            "seconds": { "render": render_seconds, "gradient": checked.seconds[0],
+                         "reference": checked.seconds[1], "all": seconds },
+            "files": written,
+        });
+        println!("{document:#}");
+    } else {
+        let [width, height] = SIZE;
+        println!("{SCENE}, {width} x {height} pixels, derivative for {parameter}\n");
+        print!("{}", check::describe(comparison));
+        let variances = [
+            ("anchored", report::number(variance(gradient))),
+            ("literal", report::number(variance(&literal))),
+        ];
+        println!("\nvariance per sample");
+        print!("{}", report::list(&variances.map(|(name, x)| (name, x))));
+        println!(
+            "\n{} million silhouette queries per second, {} in all",
+            report::number(queries / 1e6),
+            report::seconds(seconds)
+        );
+        println!("{}", check::verdict(comparison, &options(SPP), &reference));
+        println!("wrote {}", written.join(", "));
+    }
+    Ok(match report::outcome(&all) {
+        Outcome::Done => check::outcome(comparison),
+        trouble => trouble,
+    })
+}

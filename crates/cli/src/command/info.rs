@@ -1,0 +1,232 @@
+//! `capwalk info`: what is in a scene, and what can be differentiated.
+
+use anyhow::Result;
+use capwalk_math::Vec3;
+use capwalk_scene::params::{self, Parameter};
+use capwalk_scene::{Bsdf, Emitter, Filter, Integrator, SamplerKind, Scene, ShadingNormals};
+use serde_json::{Value, json};
+
+use crate::args::Info;
+use crate::diagnostics::Outcome;
+use crate::{moving, report, source};
+
+pub fn run(args: &Info) -> Result<Outcome> {
+    let scene = source::load(&args.scene)?;
+    let parameters = params::list(&scene);
+    if args.json {
+        println!("{:#}", to_json(&scene, &parameters));
+    } else {
+        print!("{}", summary(&args.scene.scene, &scene));
+        println!("\nshapes");
+        print!("{}", shapes(&scene));
+        println!("\nparameters (∂: differentiable, D: edges move)");
+        print!("{}", table(&parameters));
+    }
+    Ok(Outcome::Done)
+}
+
+fn summary(name: &str, scene: &Scene) -> String {
+    let film = &scene.film;
+    let [w, h] = film.crop_size;
+    let crop = if film.crop_size == film.size {
+        String::new()
+    } else {
+        let ([x, y], [whole_w, whole_h]) = (film.crop_offset, film.size);
+        format!(" (from ({x}, {y}) of {whole_w} x {whole_h})")
+    };
+    let (low, high) = moving::bounds(scene);
+    let triangles: usize = scene.shapes.iter().map(|s| s.mesh.faces.len()).sum();
+    let settings = &scene.settings;
+    let sampler = match settings.sampler {
+        SamplerKind::Independent => "independent",
+        SamplerKind::Sobol => "Sobol",
+    };
+    report::list(&[
+        ("scene", name.into()),
+        (
+            "picture",
+            format!("{w} x {h} pixels{crop}, {} filter", filter(&film.filter)),
+        ),
+        ("integrator", integrator(&settings.integrator)),
+        (
+            "sampling",
+            format!(
+                "{} samples per pixel, {sampler}, seed {}",
+                settings.spp, settings.seed
+            ),
+        ),
+        (
+            "camera",
+            format!(
+                "at {}, {:.1}° wide",
+                vector(scene.sensor.origin()),
+                scene.sensor.fov_x.to_degrees()
+            ),
+        ),
+        (
+            "contents",
+            format!(
+                "{} shapes, {} triangles, {} materials, {} emitters",
+                scene.shapes.len(),
+                report::count(triangles as u64),
+                scene.materials.len(),
+                scene.emitters.len()
+            ),
+        ),
+        ("extent", format!("{} to {}", vector(low), vector(high))),
+    ])
+}
+
+fn filter(filter: &Filter) -> String {
+    match filter {
+        Filter::Box => "box".into(),
+        Filter::Tent { radius } => format!("tent (radius {radius})"),
+        Filter::Gaussian { stddev } => format!("Gaussian (σ {stddev})"),
+    }
+}
+
+fn integrator(integrator: &Integrator) -> String {
+    match integrator {
+        Integrator::Direct {
+            emitter_samples,
+            bsdf_samples,
+            ..
+        } => format!("direct light ({emitter_samples} emitter, {bsdf_samples} material samples)"),
+        Integrator::Path { max_depth, .. } => match max_depth {
+            Some(depth) => format!("paths of up to {depth} segments"),
+            None => "paths of any length".into(),
+        },
+    }
+}
+
+fn vector(v: Vec3) -> String {
+    let [x, y, z] = [v.x, v.y, v.z].map(report::number);
+    format!("({x}, {y}, {z})")
+}
+
+fn shapes(scene: &Scene) -> String {
+    let mut rows = vec![
+        ["", "triangles", "vertices", "normals", "material", "emits"]
+            .map(String::from)
+            .to_vec(),
+    ];
+    for shape in &scene.shapes {
+        let normals = match &shape.normals {
+            ShadingNormals::Face => "flat",
+            ShadingNormals::Given(_) => "given",
+            ShadingNormals::Computed(_) => "smooth",
+        };
+        let emits = shape.emitter.map(|id| vector(scene.emitter(id).radiance()));
+        rows.push(vec![
+            shape.id.clone(),
+            report::count(shape.mesh.faces.len() as u64),
+            report::count(shape.mesh.positions.len() as u64),
+            normals.into(),
+            material(scene, shape.bsdf),
+            emits.unwrap_or_else(|| "-".into()),
+        ]);
+    }
+    let mut text = report::table(&rows);
+    for emitter in &scene.emitters {
+        if let Emitter::Constant { id, radiance } = emitter {
+            text += &format!("{id}: surrounds the scene with {}\n", vector(*radiance));
+        }
+    }
+    text
+}
+
+fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
+    let material = scene.material(id);
+    match &material.bsdf {
+        Bsdf::Diffuse(diffuse) => format!("diffuse {}", vector(diffuse.reflectance)),
+        Bsdf::TwoSided { front, back } if front == back => {
+            format!("two-sided {}", self::material(scene, *front))
+        }
+        Bsdf::TwoSided { front, back } => format!(
+            "{} | {}",
+            self::material(scene, *front),
+            self::material(scene, *back)
+        ),
+    }
+}
+
+/// One line for each parameter, with other names under the first.
+fn table(parameters: &[Parameter]) -> String {
+    let mut rows = Vec::new();
+    for parameter in parameters {
+        if let Some(other) = &parameter.alias_of {
+            rows.push([
+                format!("  {}", parameter.name),
+                "∂".into(),
+                String::new(),
+                format!("= {other}"),
+            ]);
+            continue;
+        }
+        rows.push([
+            format!("  {}", parameter.name),
+            if parameter.moves_discontinuities {
+                "∂ D".into()
+            } else {
+                "∂".into()
+            },
+            values(&parameter.value),
+            format!("{} ({})", parameter.description, parameter.unit),
+        ]);
+    }
+    let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
+    let widths = [width(0), width(1), width(2)];
+    rows.iter()
+        .map(|[name, flags, value, what]| {
+            let line = format!(
+                "{name:0$}   {flags:1$}   {value:2$}   {what}",
+                widths[0], widths[1], widths[2]
+            );
+            format!("{}\n", line.trim_end())
+        })
+        .collect()
+}
+
+fn values(values: &[f64]) -> String {
+    let numbers: Vec<String> = values.iter().map(|&x| report::number(x)).collect();
+    numbers.join(" ")
+}
+
+fn to_json(scene: &Scene, parameters: &[Parameter]) -> Value {
+    let (low, high) = moving::bounds(scene);
+    let shapes = scene.shapes.iter().map(|shape| {
+        json!({
+            "id": shape.id,
+            "triangles": shape.mesh.faces.len(),
+            "vertices": shape.mesh.positions.len(),
+            "material": scene.material(shape.bsdf).id,
+            "emits": shape.emitter.map(|id| array(scene.emitter(id).radiance())),
+        })
+    });
+    let parameters = parameters.iter().map(|p| {
+        json!({
+            "name": p.name,
+            "kind": format!("{:?}", p.kind),
+            "value": p.value,
+            "unit": p.unit,
+            "description": p.description,
+            "differentiable": true,
+            "moves_discontinuities": p.moves_discontinuities,
+            "alias_of": p.alias_of,
+        })
+    });
+    json!({
+        "size": scene.film.crop_size,
+        "spp": scene.settings.spp,
+        "seed": scene.settings.seed,
+        "integrator": integrator(&scene.settings.integrator),
+        "bounds": [array(low), array(high)],
+        "triangles": scene.shapes.iter().map(|s| s.mesh.faces.len()).sum::<usize>(),
+        "shapes": shapes.collect::<Vec<_>>(),
+        "parameters": parameters.collect::<Vec<_>>(),
+    })
+}
+
+fn array(v: Vec3) -> [f64; 3] {
+    [v.x, v.y, v.z]
+}

@@ -1,0 +1,44 @@
+//! `capwalk render`: a picture.
+
+use anyhow::Result;
+use serde_json::json;
+
+use crate::args::Render;
+use crate::diagnostics::Outcome;
+use crate::output::{self, Files};
+use crate::progress::Progress;
+use crate::{report, source};
+
+pub fn run(args: &Render) -> Result<Outcome> {
+    let scene = source::load(&args.scene)?;
+    let options = source::options(&args.sampling, &scene);
+    let stem = source::stem(&args.scene);
+    let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
+
+    let progress = Progress::new("render", args.sampling.time_limit);
+    let rendering = capwalk_render::render(&scene, &options, &progress);
+    let elapsed = progress.finish().as_secs_f64();
+
+    let (value, statistics) = (&rendering.value, &rendering.statistics);
+    let name = &args.scene.scene;
+    let mut picture = output::picture("render", name, None, &options, statistics);
+    output::push_estimate(&mut picture, "value", value);
+    let written = files.write(&picture, &[])?;
+    eprint!("{}", report::warnings("picture", statistics));
+    if args.output.json {
+        let document = json!({
+            "scene": args.scene.scene,
+            "size": scene.film.crop_size,
+            "spp": options.spp,
+            "seed": options.seed,
+            "mean": report::mean_colour(&value.mean),
+            "statistics": report::statistics_json(statistics, elapsed),
+            "files": written,
+        });
+        println!("{document:#}");
+    } else {
+        print!("{}", report::work("render", statistics, elapsed));
+        println!("wrote {}", written.join(", "));
+    }
+    Ok(report::outcome(&[statistics]))
+}

@@ -1,0 +1,125 @@
+//! How commands end: the exit status, and the one place where errors are shown.
+
+use std::fs;
+use std::process::ExitCode;
+
+use capwalk_scene_io::LoadError;
+
+/// How a command that wrote its results ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Done; a checked gradient is right.
+    Done,
+    /// The gradient is wrong.
+    Wrong,
+    /// The noise hides whether the gradient is right.
+    CouldNotTell,
+    /// Too many samples were infinite or NaN.
+    NonFinite,
+    /// Stopped by Ctrl-C.
+    Interrupted,
+}
+
+/// Exit status of bad input and refused derivatives.
+pub const BAD_INPUT: u8 = 3;
+
+impl From<Outcome> for ExitCode {
+    fn from(outcome: Outcome) -> Self {
+        Self::from(match outcome {
+            Outcome::Done => 0,
+            Outcome::Wrong => 1,
+            Outcome::CouldNotTell => 2,
+            Outcome::NonFinite => 4,
+            Outcome::Interrupted => 5,
+        })
+    }
+}
+
+/// The text of an error: what failed, then each cause on a line of its own, or
+/// the place in the scene file.
+pub fn describe(error: &anyhow::Error) -> String {
+    if let Some(error) = error.downcast_ref::<LoadError>() {
+        return describe_load(error, &fs::read_to_string(error.file()).unwrap_or_default());
+    }
+    let mut text = format!("error: {error}");
+    let mut last = error.to_string();
+    for cause in error.chain().skip(1) {
+        let cause = cause.to_string();
+        // Some errors name their cause in their own text.
+        if !last.contains(&cause) {
+            text += &format!("\n  because {}", cause.replace('\n', "\n  "));
+        }
+        last = cause;
+    }
+    text
+}
+
+/// The longest part of a source line that is shown, characters.
+const SHOWN: usize = 100;
+
+/// An error in a scene file with the line it is in, as compilers show it.
+fn describe_load(error: &LoadError, source: &str) -> String {
+    let mut text = format!("error: {}", error.message());
+    let Some(position) = error.position() else {
+        text += &format!("\n  in {}", error.file());
+        return text + &advice(error, "  ");
+    };
+    let number = position.line.to_string();
+    let margin = " ".repeat(number.len());
+    text += &format!(
+        "\n{margin}--> {}:{}:{}",
+        error.file(),
+        position.line,
+        position.column
+    );
+    if let Some(line) = source.lines().nth(position.line as usize - 1) {
+        let column = position.column as usize - 1;
+        // A long line is shown around the place.
+        let start = column.saturating_sub(SHOWN / 2);
+        let shown: String = line
+            .chars()
+            .skip(start)
+            .take(SHOWN)
+            .map(|c| if c == '\t' { ' ' } else { c })
+            .collect();
+        let marked = source.get(position.span.clone()).unwrap_or("");
+        let marked = marked.lines().next().unwrap_or("").chars().count();
+        let room = shown.chars().count().saturating_sub(column - start);
+        let carets = "^".repeat(marked.clamp(1, room.max(1)));
+        let indent = " ".repeat(column - start);
+        text += &format!("\n{margin} |\n{number} | {shown}\n{margin} | {indent}{carets}");
+    }
+    text + &advice(error, &format!("{margin} = "))
+}
+
+/// What was expected, names that were perhaps meant, and notes.
+fn advice(error: &LoadError, before: &str) -> String {
+    let mut text = String::new();
+    if let Some(help) = error.help() {
+        text += &format!("\n{before}{}", help.replace('\n', "\n    "));
+    }
+    if !error.near().is_empty() {
+        let names: Vec<String> = error.near().iter().map(|n| format!("\"{n}\"")).collect();
+        text += &format!("\n{before}did you mean {}?", names.join(" or "));
+    }
+    for note in error.notes() {
+        text += &format!("\n{before}{note}");
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn causes_follow_in_order() {
+        let error = anyhow::anyhow!("no space left").context("cannot write a.exr");
+        assert_eq!(
+            describe(&error),
+            "error: cannot write a.exr\n  because no space left"
+        );
+        let error = anyhow::anyhow!("no space left").context("a.exr: no space left");
+        assert_eq!(describe(&error), "error: a.exr: no space left");
+    }
+}

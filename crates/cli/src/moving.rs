@@ -1,0 +1,163 @@
+//! What moves, from parameters and files of velocities, and by how much a
+//! finite difference moves it.
+
+use std::fs;
+use std::path::Path;
+
+use anyhow::{Context, Result, bail, ensure};
+use capwalk_math::{Rgb, Vec3};
+use capwalk_scene::{Motion, Scene, params};
+
+use crate::args::MotionArgs;
+
+/// The motion that the command line asks for.
+pub fn motion(scene: &Scene, args: &MotionArgs) -> Result<Motion> {
+    let mut motion = match &args.param {
+        Some(expression) => params::motion(scene, expression)?,
+        None => Motion::zero(scene),
+    };
+    for (shape, file) in &args.motion {
+        let velocities = read_velocities(file)
+            .with_context(|| format!("cannot read the velocities of \"{shape}\""))?;
+        let of_shape = params::vertex_motion(scene, shape, velocities)
+            .with_context(|| format!("cannot use the velocities in {}", file.display()))?;
+        motion.add(&of_shape);
+    }
+    ensure!(
+        !is_zero(&motion),
+        "nothing moves: the parameters and velocities add up to zero"
+    );
+    Ok(motion)
+}
+
+fn is_zero(motion: &Motion) -> bool {
+    let shapes = motion.shapes.iter().flatten();
+    let sensor = [motion.sensor.translation, motion.sensor.rotation];
+    shapes
+        .flat_map(|shape| &shape.vertices)
+        .chain(&motion.reflectance)
+        .chain(&motion.radiance)
+        .chain(&sensor)
+        .all(|&velocity| velocity == Vec3::zero())
+}
+
+/// A name for the motion in file headers and tables.
+pub fn describe(args: &MotionArgs) -> String {
+    let files = args.motion.iter();
+    let files = files.map(|(shape, file)| format!("{shape}={}", file.display()));
+    let parameters = args.param.iter().cloned();
+    parameters.chain(files).collect::<Vec<_>>().join(" + ")
+}
+
+/// Part of the size of the fastest shape that it moves by on each side of a
+/// finite difference. The bias of the difference grows with its square, the
+/// variance with its inverse.
+const STEP_FRACTION: f64 = 1.0 / 500.0;
+
+/// Change of a colour on each side of a finite difference. Pictures are linear
+/// in radiance and nearly so in reflectance: the bias stays small.
+const COLOUR_STEP: f64 = 0.01;
+
+/// The step of a finite difference along the motion, in units of its
+/// parameter: the smallest that any of the things that move asks for.
+pub fn default_step(scene: &Scene, motion: &Motion) -> f64 {
+    let mut step = f64::INFINITY;
+    for (shape, motion) in scene.shapes.iter().zip(&motion.shapes) {
+        if let Some(motion) = motion {
+            let (low, high) = shape.mesh.bounds();
+            let speeds = motion.vertices.iter().map(|v| v.length());
+            let fastest = speeds.fold(0.0, f64::max);
+            step = step.min(STEP_FRACTION * (high - low).length() / fastest);
+        }
+    }
+    let (low, high) = bounds(scene);
+    let size = (high - low).length();
+    let sensor = &motion.sensor;
+    let speed = sensor.translation.length() + sensor.rotation.length() * size;
+    step = step.min(STEP_FRACTION * size / speed);
+    let colours = motion.reflectance.iter().chain(&motion.radiance);
+    let rate = colours.map(largest).fold(0.0, f64::max);
+    step.min(COLOUR_STEP / rate)
+}
+
+fn largest(colour: &Rgb) -> f64 {
+    colour.x.abs().max(colour.y.abs()).max(colour.z.abs())
+}
+
+/// Smallest and largest coordinates of all shapes.
+pub fn bounds(scene: &Scene) -> (Vec3, Vec3) {
+    let start = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+    let shapes = scene.shapes.iter().map(|shape| shape.mesh.bounds());
+    shapes.fold(start, |(low, high), (a, b)| (low.min(a), high.max(b)))
+}
+
+/// Velocities from a .npy array of shape (V, 3), or from rows of three numbers.
+fn read_velocities(file: &Path) -> Result<Vec<Vec3>> {
+    let bytes = fs::read(file).with_context(|| format!("cannot open {}", file.display()))?;
+    let numbers = if bytes.starts_with(b"\x93NUMPY") {
+        npy_numbers(&bytes)
+    } else {
+        text_numbers(&bytes)
+    };
+    let numbers = numbers.with_context(|| format!("{} is not usable", file.display()))?;
+    let rows = numbers.chunks_exact(3);
+    Ok(rows.map(|row| Vec3::new(row[0], row[1], row[2])).collect())
+}
+
+fn npy_numbers(bytes: &[u8]) -> Result<Vec<f64>> {
+    let open = || npyz::NpyFile::new(bytes);
+    let shape = open()?.shape().to_vec();
+    ensure!(
+        shape.len() == 2 && shape[1] == 3,
+        "the array has the shape {shape:?}; expected (V, 3)"
+    );
+    ensure!(
+        open()?.order() == npyz::Order::C,
+        "the array is stored column by column; save numpy.ascontiguousarray(array) instead"
+    );
+    if let Ok(doubles) = open()?.try_data::<f64>() {
+        return Ok(doubles.collect::<Result<_, _>>()?);
+    }
+    let Ok(floats) = open()?.try_data::<f32>() else {
+        bail!("the array holds no floating point numbers; expected float32 or float64");
+    };
+    Ok(floats.map(|x| x.map(f64::from)).collect::<Result<_, _>>()?)
+}
+
+fn text_numbers(bytes: &[u8]) -> Result<Vec<f64>> {
+    let text = std::str::from_utf8(bytes).context("it is neither a .npy file nor text")?;
+    let mut numbers = Vec::new();
+    for (i, line) in text.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or_default();
+        let words: Vec<&str> = line.split_whitespace().collect();
+        if words.is_empty() {
+            continue;
+        }
+        let row: Result<Vec<f64>, _> = words.iter().map(|word| word.parse()).collect();
+        match row {
+            Ok(row) if row.len() == 3 => numbers.extend(row),
+            _ => bail!(
+                "line {} is \"{}\"; expected three numbers, \"x y z\"",
+                i + 1,
+                line.trim()
+            ),
+        }
+    }
+    Ok(numbers)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_of_text() {
+        let rows = b"# velocities\n1 2 3\n\n 4e-1 -5 6 # last\n";
+        assert_eq!(text_numbers(rows).unwrap(), [1.0, 2.0, 3.0, 0.4, -5.0, 6.0]);
+        let message = text_numbers(b"1 2 3\n1 2\n").unwrap_err().to_string();
+        assert_eq!(
+            message,
+            "line 2 is \"1 2\"; expected three numbers, \"x y z\""
+        );
+    }
+}

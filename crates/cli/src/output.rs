@@ -1,0 +1,113 @@
+//! Where pictures go: places that are known to be writable before the work
+//! starts, and what a picture's file says about how it was made.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result};
+use capwalk_render::{Estimate, Options, Statistics};
+use capwalk_scene::Image;
+use capwalk_scene_io::image::{self, Panel, Picture, Preview};
+
+/// Output files of a command, checked.
+pub struct Files {
+    paths: Vec<PathBuf>,
+}
+
+impl Files {
+    /// The files that were asked for, or `stem` with the default endings.
+    /// Folders are created; a file that cannot be written is an error now.
+    pub fn new(asked: &[PathBuf], stem: &str, endings: &[&str]) -> Result<Self> {
+        let paths = if asked.is_empty() {
+            let endings = endings.iter();
+            endings
+                .map(|ending| PathBuf::from(format!("{stem}.{ending}")))
+                .collect()
+        } else {
+            asked.to_vec()
+        };
+        for path in &paths {
+            prepare(path)?;
+        }
+        Ok(Self { paths })
+    }
+
+    /// Writes the picture into all files, PNG files as these panels if there
+    /// are any. Returns the files' names.
+    pub fn write(&self, picture: &Picture, panels: &[Panel]) -> Result<Vec<String>> {
+        for path in &self.paths {
+            let is_png = path
+                .extension()
+                .is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+            if is_png && !panels.is_empty() {
+                image::write_panels(path, panels, &picture.metadata)?;
+            } else {
+                image::write(path, picture, &Preview::default())?;
+            }
+        }
+        let names = self.paths.iter();
+        Ok(names.map(|path| path.display().to_string()).collect())
+    }
+}
+
+/// Creates the folder of a file, and checks that the file can be written.
+fn prepare(path: &Path) -> Result<()> {
+    if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
+        fs::create_dir_all(folder).with_context(|| {
+            format!(
+                "cannot write {}: cannot create the folder {}",
+                path.display(),
+                folder.display()
+            )
+        })?;
+    }
+    Ok(image::check_writable(path)?)
+}
+
+/// A picture to be filled with layers, and what there is to say about it.
+pub fn picture(
+    command: &str,
+    scene: &str,
+    parameter: Option<&str>,
+    options: &Options,
+    statistics: &Statistics,
+) -> Picture {
+    let mut metadata: Vec<(String, String)> = [
+        ("command", command.to_owned()),
+        ("scene", scene.to_owned()),
+        ("seed", options.seed.to_string()),
+        ("spp", options.spp.to_string()),
+        ("samples", statistics.samples.to_string()),
+        ("complete", statistics.complete.to_string()),
+        ("non_finite_samples", statistics.non_finite.to_string()),
+        ("version", env!("CARGO_PKG_VERSION").to_owned()),
+    ]
+    .map(|(key, value)| (key.to_owned(), value))
+    .into();
+    metadata.extend(parameter.map(|name| ("parameter".to_owned(), name.to_owned())));
+    Picture {
+        layers: Vec::new(),
+        metadata,
+        samples: Some(statistics.samples_per_pixel.clone()),
+    }
+}
+
+/// Adds an estimate as the layers `name` and `name_stderr`.
+pub fn push_estimate(picture: &mut Picture, name: &str, estimate: &Estimate) {
+    picture.push(name, estimate.mean.clone());
+    picture.push(&error_layer(name), estimate.standard_error.clone());
+}
+
+/// The name of the layer with the standard errors of another.
+pub fn error_layer(name: &str) -> String {
+    format!("{name}_stderr")
+}
+
+/// An estimate from the layers `name` and `name_stderr`, if both are there.
+pub fn read_estimate(picture: &Picture, name: &str) -> Option<Estimate> {
+    let layer = |name: &str| -> Option<Image> { picture.layer(name).cloned() };
+    Some(Estimate {
+        mean: layer(name)?,
+        standard_error: layer(&error_layer(name))?,
+    })
+}

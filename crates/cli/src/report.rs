@@ -1,0 +1,236 @@
+//! Numbers for people: sensible digits, standard errors, aligned columns.
+
+use capwalk_math::Rgb;
+use capwalk_render::{Estimate, Statistics};
+use capwalk_scene::Image;
+use serde_json::{Value, json};
+
+use crate::diagnostics::Outcome;
+use crate::progress;
+
+/// A number with three significant digits.
+pub fn number(x: f64) -> String {
+    significant(x, 3)
+}
+
+/// A number with so many significant digits, in powers of ten where plain
+/// digits would be long.
+pub fn significant(x: f64, digits: i32) -> String {
+    if x == 0.0 || !x.is_finite() {
+        return format!("{x}");
+    }
+    let magnitude = x.abs().log10().floor() as i32;
+    if (-4..7).contains(&magnitude) {
+        let decimals = (digits - 1 - magnitude).max(0) as usize;
+        format!("{x:.decimals$}")
+    } else {
+        let decimals = (digits - 1).max(0) as usize;
+        format!("{x:.decimals$e}")
+    }
+}
+
+/// A number and its standard error, both to the second digit of the error.
+pub fn plus_minus(x: f64, error: f64) -> String {
+    if !error.is_finite() || error <= 0.0 || !x.is_finite() {
+        return format!("{} ± {}", number(x), number(error));
+    }
+    let decimals = (1 - error.log10().floor() as i32).max(0) as usize;
+    if decimals > 8 {
+        return format!("{x:.6e} ± {error:.1e}");
+    }
+    format!("{x:.decimals$} ± {error:.decimals$}")
+}
+
+/// A whole number with its thousands apart.
+pub fn count(n: u64) -> String {
+    let digits = n.to_string();
+    let groups: Vec<&str> = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .map(|group| std::str::from_utf8(group).expect("digits are ASCII"))
+        .collect();
+    groups.join(",")
+}
+
+/// A time in its usual unit.
+pub fn seconds(s: f64) -> String {
+    match s {
+        s if s < 0.1 => format!("{:.1} ms", 1e3 * s),
+        s if s < 120.0 => format!("{s:.1} s"),
+        s if s < 7200.0 => format!("{:.1} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
+}
+
+/// Rows as a table: the first column to the left, the others to the right.
+pub fn table(rows: &[Vec<String>]) -> String {
+    let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width = |c: usize| {
+        let cells = rows.iter().filter_map(|row| row.get(c));
+        cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+    };
+    let widths: Vec<usize> = (0..columns).map(width).collect();
+    let mut text = String::new();
+    for row in rows {
+        let cells = row.iter().enumerate().map(|(c, cell)| {
+            let pad = " ".repeat(widths[c] - cell.chars().count());
+            if c == 0 {
+                format!("{cell}{pad}")
+            } else {
+                format!("{pad}{cell}")
+            }
+        });
+        let line = cells.collect::<Vec<_>>().join("   ");
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}
+
+/// Lines of a name and what belongs to it, aligned.
+pub fn list(lines: &[(&str, String)]) -> String {
+    let width = lines.iter().map(|(name, _)| name.chars().count()).max();
+    let width = width.unwrap_or(0);
+    lines
+        .iter()
+        .map(|(name, what)| format!("{name:width$}   {what}\n"))
+        .collect()
+}
+
+/// One line on what was done, and one for each thing that is not as it should be.
+pub fn work(what: &str, statistics: &Statistics, elapsed: f64) -> String {
+    let rate = |n: u64| number(n as f64 / elapsed / 1e6);
+    let mut text = format!(
+        "{what}: {} samples, {} million/s",
+        count(statistics.samples),
+        rate(statistics.samples)
+    );
+    if statistics.cone_queries > 0 {
+        text += &format!(
+            ", {} million silhouette queries/s",
+            rate(statistics.cone_queries)
+        );
+    }
+    text += &format!(", {}\n", seconds(elapsed));
+    text
+}
+
+/// What is to be said on the standard error about a finished piece of work:
+/// that it is partial, and non-finite samples.
+pub fn warnings(what: &str, statistics: &Statistics) -> String {
+    let mut text = String::new();
+    if !statistics.complete {
+        let taken = &statistics.samples_per_pixel;
+        let (least, most) = (
+            taken.iter().min().copied().unwrap_or(0),
+            taken.iter().max().copied().unwrap_or(0),
+        );
+        text += &format!(
+            "warning: the {what} is partial: {least} to {most} samples per pixel were taken\n"
+        );
+    }
+    if statistics.non_finite > 0 {
+        text += &format!(
+            "{}: {} of {} samples of the {what} were infinite or NaN; they count as zero{}\n",
+            if statistics.too_many_non_finite() {
+                "error"
+            } else {
+                "warning"
+            },
+            count(statistics.non_finite),
+            count(statistics.samples),
+            if statistics.too_many_non_finite() {
+                ", more than 1 in 10^6: do not use these pictures"
+            } else {
+                ""
+            }
+        );
+    }
+    text
+}
+
+/// How a command ends whose pictures were made with these statistics.
+pub fn outcome(statistics: &[&Statistics]) -> Outcome {
+    if statistics.iter().any(|s| s.too_many_non_finite()) {
+        Outcome::NonFinite
+    } else if progress::interrupted() {
+        Outcome::Interrupted
+    } else {
+        Outcome::Done
+    }
+}
+
+/// The mean colour of a picture.
+pub fn mean_colour(image: &Image) -> [f64; 3] {
+    let sum = image.pixels.iter().fold(Rgb::zero(), |sum, &p| sum + p);
+    let mean = sum / image.pixels.len() as f64;
+    [mean.x, mean.y, mean.z]
+}
+
+/// Variance of one sample of a pixel: squared standard errors times the
+/// pixel's samples, averaged over pixels and channels. Pixels with fewer than
+/// two samples do not enter; NaN if none does.
+pub fn variance_per_sample(estimate: &Estimate, statistics: &Statistics) -> f64 {
+    let errors = estimate.standard_error.pixels.iter();
+    let (sum, pixels) = errors
+        .zip(&statistics.samples_per_pixel)
+        .filter(|(error, _)| error.is_finite())
+        .fold((0.0, 0_u64), |(sum, pixels), (error, &samples)| {
+            (
+                sum + error.dot(*error) / 3.0 * f64::from(samples),
+                pixels + 1,
+            )
+        });
+    sum / pixels as f64
+}
+
+/// The statistics as JSON.
+pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
+    let taken = &statistics.samples_per_pixel;
+    json!({
+        "complete": statistics.complete,
+        "samples": statistics.samples,
+        "fewest_samples_per_pixel": taken.iter().min(),
+        "most_samples_per_pixel": taken.iter().max(),
+        "non_finite": statistics.non_finite,
+        "cone_queries": statistics.cone_queries,
+        "seconds": elapsed,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_follow_the_error() {
+        assert_eq!(plus_minus(0.98731, 0.00213), "0.9873 ± 0.0021");
+        assert_eq!(plus_minus(1234.5, 21.0), "1234 ± 21");
+        assert_eq!(plus_minus(1.0, f64::INFINITY), "1.00 ± inf");
+        assert_eq!(plus_minus(1.0, 0.0), "1.00 ± 0");
+        assert_eq!(plus_minus(1e-12, 2e-13), "1.000000e-12 ± 2.0e-13");
+    }
+
+    #[test]
+    fn numbers_keep_three_digits() {
+        for (x, text) in [
+            (0.0, "0"),
+            (1.0, "1.00"),
+            (0.012345, "0.0123"),
+            (123456.0, "123456"),
+            (1.5e-9, "1.50e-9"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(number(x), text);
+        }
+        assert_eq!(count(1234567), "1,234,567");
+        assert_eq!(count(12), "12");
+    }
+
+    #[test]
+    fn columns_align() {
+        let rows = [["a", "10"], ["long", "5"]].map(|row| row.map(String::from).to_vec());
+        assert_eq!(table(&rows), "a      10\nlong    5\n");
+    }
+}

@@ -1,0 +1,98 @@
+//! One test for each sort of bad input: the message names what, where, what
+//! was expected, and what to do.
+
+use crate::{Capwalk, assert_has};
+
+#[test]
+fn unknown_scene() {
+    let message = Capwalk::new("unknown_scene").error("render teapot");
+    assert_has(&message, &["no file teapot", "leaf", "lattice-shadow"]);
+}
+
+#[test]
+fn unknown_parameter_lists_near_names() {
+    let capwalk = Capwalk::new("unknown_parameter");
+    let message = capwalk.error("gradient ball -p bal.translate.x");
+    assert_has(
+        &message,
+        &["bal.translate.x", "did you mean", "ball.translate.x"],
+    );
+}
+
+#[test]
+fn picture_sizes() {
+    let capwalk = Capwalk::new("picture_size");
+    let none = capwalk.error("render leaf --size 0x4");
+    assert_has(&none, &["0 x 4 pixels", "at least 1 x 1"]);
+    let billion = capwalk.error("render leaf --size 100000x10000");
+    assert_has(&billion, &["100000 x 10000 pixels", "at most"]);
+    assert_has(&capwalk.error("render leaf --size 12"), &["640x480"]);
+}
+
+/// Found before any work is done.
+#[test]
+fn unwritable_outputs() {
+    let capwalk = Capwalk::new("unwritable");
+    capwalk.write("file", "");
+    let long = "render leaf --size 2000x2000 --spp 100000 -o";
+    let message = capwalk.error(&format!("{long} file/picture.exr"));
+    assert_has(&message, &["cannot write file/picture.exr", "because"]);
+    let message = capwalk.error(&format!("{long} /proc/picture.exr"));
+    assert_has(&message, &["cannot write /proc/picture.exr"]);
+    std::fs::create_dir(capwalk.path("folder.png")).expect("writable");
+    let message = capwalk.error(&format!("{long} folder.png"));
+    assert_has(&message, &["cannot write folder.png", "folder"]);
+}
+
+#[test]
+fn unknown_picture_format() {
+    let message = Capwalk::new("format").error("render leaf -o picture.bmp");
+    assert_has(&message, &["picture.bmp", ".exr, .png, .npz"]);
+}
+
+#[test]
+fn broken_scene_files_show_the_place() {
+    let capwalk = Capwalk::new("broken_file");
+    capwalk.write(
+        "broken.xml",
+        "<scene version=\"3.0.0\"><integrator type=\"path\"/><sensor type=\"perspective\"/>\n  <shape type=\"teapot\"/>\n</scene>\n",
+    );
+    let message = capwalk.error("info broken.xml");
+    assert_has(
+        &message,
+        &["--> broken.xml:2:", "2 |   <shape type=\"teapot\"/>", "^"],
+    );
+    let message = capwalk.error("info broken.xml -D nothing");
+    assert_has(&message, &["NAME=VALUE"]);
+}
+
+#[test]
+fn definitions_need_a_file() {
+    let message = Capwalk::new("define").error("info leaf -D spp=4");
+    assert_has(&message, &["leaf", "nothing to define", "--export"]);
+}
+
+#[test]
+fn velocities_that_do_not_fit() {
+    let capwalk = Capwalk::new("velocities");
+    capwalk.write("two.txt", "0 0 0\n1 0 0\n");
+    capwalk.write("words.txt", "0 0 0\n1 zero 0\n");
+    let message = capwalk.error("gradient leaf --motion leaf=two.txt");
+    assert_has(&message, &["two.txt", "2 velocities", "3 vertices"]);
+    let message = capwalk.error("gradient leaf --motion leaf=words.txt");
+    assert_has(&message, &["words.txt", "line 2", "three numbers"]);
+    let message = capwalk.error("gradient leaf --motion leaf=missing.npy");
+    assert_has(&message, &["missing.npy"]);
+    let message = capwalk.error("gradient leaf --motion loaf=two.txt");
+    assert_has(&message, &["loaf", "did you mean", "leaf"]);
+}
+
+#[test]
+fn motions_that_cancel() {
+    let mut command = Capwalk::new("cancel").command("gradient leaf -p");
+    let output = command.arg("leaf.translate.x - leaf.translate.x").output();
+    let output = output.expect("it starts");
+    assert_eq!(output.status.code(), Some(3));
+    let message = String::from_utf8(output.stderr).expect("text");
+    assert_has(&message, &["nothing moves"]);
+}

@@ -1,0 +1,74 @@
+use crate::{Capwalk, assert_has};
+
+#[test]
+fn help_lists_commands_and_exit_statuses() {
+    let finished = Capwalk::new("help").run("--help");
+    assert_eq!(finished.status, 0);
+    assert_has(
+        &finished.stdout,
+        &[
+            "render",
+            "gradient",
+            "check",
+            "info",
+            "compare",
+            "scenes",
+            "demo",
+            "Exit status",
+            "stopped by Ctrl-C",
+        ],
+    );
+}
+
+#[test]
+fn every_command_has_help() {
+    let capwalk = Capwalk::new("help_commands");
+    for command in [
+        "render", "gradient", "check", "info", "compare", "scenes", "demo",
+    ] {
+        let finished = capwalk.run(&format!("{command} --help"));
+        assert_eq!(finished.status, 0, "{command}");
+        assert_has(&finished.stdout, &["Usage: capwalk", "--json"]);
+    }
+}
+
+/// Scripts take status 2 for "could not tell", so wrong usage must be 3.
+#[test]
+fn wrong_usage_is_bad_input() {
+    let capwalk = Capwalk::new("usage");
+    for arguments in [
+        "",
+        "frobnicate",
+        "render",
+        "render leaf --spp 0",
+        "gradient leaf",
+    ] {
+        assert_eq!(capwalk.run(arguments).status, 3, "\"{arguments}\"");
+    }
+    let message = capwalk.error("check leaf -p leaf.translate.x --step -1");
+    assert_has(&message, &["--step", "above 0"]);
+}
+
+#[test]
+fn info_lists_parameters() {
+    let capwalk = Capwalk::new("info");
+    let text = capwalk.run("info ball").stdout;
+    assert_has(
+        &text,
+        &[
+            "triangles",
+            "ball.translate.x",
+            "lamp.emitter.radiance.value",
+            "sensor.rotate.z",
+        ],
+    );
+    let json = capwalk.json("info ball --json --size 30x20");
+    assert_eq!(json["size"], serde_json::json!([30, 20]));
+    let parameters = json["parameters"].as_array().expect("a list");
+    let moves = |name: &str| {
+        let found = parameters.iter().find(|p| p["name"] == name).expect(name);
+        found["moves_discontinuities"].as_bool()
+    };
+    assert_eq!(moves("ball.translate.x"), Some(true));
+    assert_eq!(moves("lamp.emitter.radiance.value"), Some(false));
+}

@@ -1,0 +1,103 @@
+//! The built command from outside: what it prints, writes, and returns.
+
+mod bad_input;
+mod compare;
+mod help;
+mod pictures;
+mod scenes;
+mod stopping;
+mod verdicts;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use serde_json::Value;
+
+/// The command, to be run in a folder of its own.
+struct Capwalk {
+    folder: PathBuf,
+}
+
+/// What a finished command left.
+struct Finished {
+    status: i32,
+    stdout: String,
+    stderr: String,
+}
+
+impl Capwalk {
+    /// In an empty folder named after the test.
+    fn new(test: &str) -> Self {
+        let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
+        if folder.exists() {
+            std::fs::remove_dir_all(&folder).expect("it is ours");
+        }
+        std::fs::create_dir_all(&folder).expect("the build folder is writable");
+        Self { folder }
+    }
+
+    fn command(&self, arguments: &str) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_capwalk"));
+        command
+            .args(arguments.split_whitespace())
+            .current_dir(&self.folder);
+        command
+    }
+
+    /// Runs with arguments that are separated by spaces.
+    fn run(&self, arguments: &str) -> Finished {
+        let output = self.command(arguments).output().expect("it starts");
+        Finished::from(output)
+    }
+
+    /// The JSON that a successful run prints.
+    fn json(&self, arguments: &str) -> Value {
+        let finished = self.run(arguments);
+        assert_eq!(finished.status, 0, "{}", finished.stderr);
+        serde_json::from_str(&finished.stdout).expect("one JSON object")
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(name)
+    }
+
+    fn bytes(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.path(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.path(name), text).expect("the folder is writable");
+    }
+
+    /// The error that bad input gives: status 3, nothing on standard output.
+    fn error(&self, arguments: &str) -> String {
+        let finished = self.run(arguments);
+        assert_eq!(finished.status, 3, "{arguments}: {}", finished.stderr);
+        assert_eq!(finished.stdout, "", "{arguments}");
+        assert!(
+            finished.stderr.starts_with("error: "),
+            "{}",
+            finished.stderr
+        );
+        finished.stderr
+    }
+}
+
+impl From<Output> for Finished {
+    fn from(output: Output) -> Self {
+        let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+        Self {
+            status: output.status.code().unwrap_or(-1),
+            stdout: text(output.stdout),
+            stderr: text(output.stderr),
+        }
+    }
+}
+
+/// Asserts that a text has all these parts.
+#[track_caller]
+fn assert_has(text: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(text.contains(part), "no \"{part}\" in:\n{text}");
+    }
+}

@@ -1,0 +1,70 @@
+//! What `render` and `gradient` write.
+
+use crate::{Capwalk, assert_has};
+
+const TINY: &str = "--size 12x9 --spp 8";
+
+#[test]
+fn render_writes_all_formats() {
+    let capwalk = Capwalk::new("render_formats");
+    let json = capwalk.json(&format!(
+        "render leaf {TINY} --json -o new/folder/a.exr,a.npz -o a.png"
+    ));
+    assert_eq!(json["statistics"]["complete"], true);
+    assert_eq!(json["statistics"]["samples"], 12 * 9 * 8);
+    assert_eq!(json["statistics"]["non_finite"], 0);
+    assert_eq!(json["files"].as_array().map(Vec::len), Some(3));
+    assert!(
+        capwalk
+            .bytes("new/folder/a.exr")
+            .starts_with(&[0x76, 0x2f, 0x31, 0x01])
+    );
+    assert!(capwalk.bytes("a.npz").starts_with(b"PK"));
+    assert!(capwalk.bytes("a.png").starts_with(b"\x89PNG"));
+}
+
+#[test]
+fn default_outputs_are_named_after_the_scene() {
+    let capwalk = Capwalk::new("default_outputs");
+    let finished = capwalk.run(&format!("render leaf {TINY}"));
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(&finished.stdout, &["wrote leaf.exr, leaf.png"]);
+    assert_eq!(
+        finished.stderr, "",
+        "nothing to say, and no bar without a terminal"
+    );
+    capwalk.run(&format!("gradient leaf -p leaf.translate.x {TINY}"));
+    capwalk.bytes("leaf-gradient.exr");
+    capwalk.bytes("leaf-gradient.png");
+}
+
+#[test]
+fn the_number_of_threads_changes_no_bit() {
+    let capwalk = Capwalk::new("threads");
+    for command in ["render leaf", "gradient ball -p ball.translate.x"] {
+        for threads in [1, 2, 3] {
+            let finished = capwalk.run(&format!("{command} {TINY} -t {threads} -o {threads}.npz"));
+            assert_eq!(finished.status, 0, "{}", finished.stderr);
+        }
+        let reference = capwalk.bytes("1.npz");
+        assert!(reference == capwalk.bytes("2.npz"), "{command}");
+        assert!(reference == capwalk.bytes("3.npz"), "{command}");
+        capwalk.run(&format!("{command} {TINY} --seed 7 -o seed.npz"));
+        assert!(reference != capwalk.bytes("seed.npz"), "{command}");
+    }
+}
+
+#[test]
+fn gradients_of_files_of_velocities() {
+    let capwalk = Capwalk::new("motion_file");
+    capwalk.write("x.txt", "1 0 0\n1 0 0\n1 0 0\n");
+    capwalk.run(&format!(
+        "gradient leaf --motion leaf=x.txt {TINY} -o file.npz"
+    ));
+    capwalk.run(&format!(
+        "gradient leaf -p leaf.translate.x {TINY} -o name.npz"
+    ));
+    let json = capwalk.json("compare file.npz name.npz --json");
+    assert_eq!(json["layer"], "gradient");
+    assert_eq!(json["largest_difference"], 0.0);
+}

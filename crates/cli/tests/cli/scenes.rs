@@ -1,0 +1,39 @@
+use crate::{Capwalk, assert_has};
+
+#[test]
+fn scenes_are_listed() {
+    let capwalk = Capwalk::new("scenes_list");
+    let text = capwalk.run("scenes").stdout;
+    assert_has(
+        &text,
+        &[
+            "leaf",
+            "ball",
+            "box-room",
+            "lattice-shadow",
+            "ball.translate.x",
+        ],
+    );
+    let json = capwalk.json("scenes --json leaf");
+    assert_eq!(json["scenes"].as_array().map(Vec::len), Some(1));
+    assert_has(&capwalk.error("scenes loaf"), &["loaf", "leaf"]);
+}
+
+/// A scene comes back from its files as it was. The field of view passes
+/// through degrees, so pictures are equal up to rounding.
+#[test]
+fn exported_scenes_load_again() {
+    let capwalk = Capwalk::new("scenes_export");
+    capwalk.json("scenes --export out --json leaf ball");
+    for scene in ["leaf", "ball"] {
+        let options = "--size 16x12 --spp 4 -o";
+        for (source, file) in [(scene.to_owned(), "a"), (format!("out/{scene}.xml"), "b")] {
+            let finished = capwalk.run(&format!("render {source} {options} {file}.npz"));
+            assert_eq!(finished.status, 0, "{}", finished.stderr);
+        }
+        let finished = capwalk.run("compare b.npz a.npz --json");
+        let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+        let difference = json["relative_l1"].as_f64().expect("a number");
+        assert!(difference < 1e-5, "{scene}: {difference}");
+    }
+}

@@ -1,0 +1,51 @@
+//! Time limits and Ctrl-C: what is done is written, with its real counts.
+
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use crate::{Capwalk, Finished, assert_has};
+
+/// Hours of work.
+const LONG: &str = "--size 64x48 --spp 100000000";
+
+#[test]
+fn a_time_limit_keeps_what_is_done() {
+    let capwalk = Capwalk::new("time_limit");
+    let started = Instant::now();
+    let finished = capwalk.run(&format!("render leaf {LONG} --time-limit 0.5s --json"));
+    assert!(started.elapsed() < Duration::from_secs(30));
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(&finished.stderr, &["partial", "samples per pixel"]);
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    let statistics = &json["statistics"];
+    assert_eq!(statistics["complete"], false);
+    let samples = statistics["samples"].as_u64().expect("a count");
+    assert!(samples > 0 && samples < 64 * 48 * 100_000_000);
+    capwalk.bytes("leaf.exr");
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_stops_cleanly() {
+    let capwalk = Capwalk::new("ctrl_c");
+    let mut command = capwalk.command(&format!(
+        "gradient leaf -p leaf.translate.x {LONG} --json -o partial.npz"
+    ));
+    let child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
+    let child = child.expect("it starts");
+    std::thread::sleep(Duration::from_millis(1500));
+    let interrupt = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(interrupt.expect("kill exists").success());
+    let finished = Finished::from(child.wait_with_output().expect("it ends"));
+    assert_eq!(finished.status, 5, "{}", finished.stderr);
+    assert_has(&finished.stderr, &["stopping", "partial"]);
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    assert_eq!(json["statistics"]["complete"], false);
+    assert!(json["statistics"]["samples"].as_u64().expect("a count") > 0);
+    capwalk.bytes("partial.npz");
+}

@@ -1,0 +1,45 @@
+//! `check`: its three answers, and what it writes.
+
+use crate::{Capwalk, assert_has};
+
+const SIZE: &str = "--size 24x18";
+
+#[test]
+fn a_right_gradient_is_right() {
+    let capwalk = Capwalk::new("check_right");
+    let json = capwalk.json(&format!(
+        "check leaf -p leaf.translate.x {SIZE} --spp 256 --reference-spp 4096 --json -o c.png,c.npz"
+    ));
+    let comparison = &json["comparison"];
+    assert_eq!(comparison["verdict"], "right");
+    let slope = comparison["slope"].as_f64().expect("a number");
+    assert!((slope - 1.0).abs() < 0.1, "{slope}");
+    capwalk.bytes("c.png");
+    capwalk.bytes("c.npz");
+}
+
+#[test]
+fn few_samples_cannot_tell() {
+    let capwalk = Capwalk::new("check_unsure");
+    let few = "--spp 2 --reference-spp 2";
+    let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {few}"));
+    assert_eq!(finished.status, 2, "{}", finished.stdout);
+    assert_has(
+        &finished.stdout,
+        &["could not tell", "times the samples", "--reference-spp"],
+    );
+    let one = "--spp 1 --reference-spp 1";
+    let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {one}"));
+    assert_eq!(finished.status, 2, "{}", finished.stdout);
+}
+
+/// A step so large that the difference is no derivative: the reference is
+/// wrong, and the answer says how to find out.
+#[test]
+fn a_wrong_reference_is_found() {
+    let capwalk = Capwalk::new("check_wrong");
+    let large = "--spp 256 --reference-spp 256 --step 0.7";
+    let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {large}"));
+    assert_eq!(finished.status, 1, "{}", finished.stdout);
+    assert_has(&finished.stdout, &["wrong: ", "--step"]);
+}

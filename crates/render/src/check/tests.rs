@@ -1,0 +1,318 @@
+//! Synthetic pictures with known truth, fixed seeds, counted failures.
+
+use capwalk_math::{Rgb, Vec3};
+use capwalk_scene::Image;
+
+use super::*;
+
+const SIZE: usize = 40;
+
+/// A small generator of standard normal numbers: SplitMix64 (Steele et al.
+/// 2014) and Box and Muller 1958.
+struct Noise(u64);
+
+impl Noise {
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn normal(&mut self) -> f64 {
+        let radius = (-2.0 * (1.0 - self.uniform()).ln()).sqrt();
+        radius * (2.0 * std::f64::consts::PI * self.uniform()).cos()
+    }
+
+    /// Number of events if `mean` are expected (Knuth).
+    fn poisson(&mut self, mean: f64) -> f64 {
+        let (limit, mut product, mut count) = ((-mean).exp(), self.uniform(), 0.0);
+        while product > limit {
+            product *= self.uniform();
+            count += 1.0;
+        }
+        count
+    }
+}
+
+/// A derivative like that of a shadow's edge: a dark and a bright ridge on a
+/// ground of zero.
+fn truth(x: usize, y: usize) -> f64 {
+    let at = (x as f64 + 0.3 * y as f64) / SIZE as f64;
+    let ridge = |centre: f64, width: f64| (-((at - centre) / width).powi(2)).exp();
+    2.0 * ridge(0.4, 0.15) - ridge(0.9, 0.1)
+}
+
+/// How far noise reaches, in standard deviations per unit of `sigma`: strong
+/// on the ridges, weak beside them.
+fn noise_at(x: usize, y: usize) -> f64 {
+    0.1 + truth(x, y).abs()
+}
+
+/// A picture of `factor · truth + offset` with noise, whose stated errors are
+/// `stated` times the true ones.
+fn gaussian(noise: &mut Noise, sigma: f64, factor: f64, offset: f64, stated: f64) -> Estimate {
+    picture(|x, y| {
+        let sigma = sigma * noise_at(x, y);
+        let value = factor * truth(x, y) + offset + sigma * noise.normal();
+        (value, stated * sigma)
+    })
+}
+
+fn picture(mut pixel: impl FnMut(usize, usize) -> (f64, f64)) -> Estimate {
+    let mut mean = Image::new(SIZE, SIZE);
+    let mut standard_error = Image::new(SIZE, SIZE);
+    for (y, x) in (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (y, x))) {
+        let (value, error) = pixel(x, y);
+        mean.pixels[y * SIZE + x] = Vec3::splat(value);
+        standard_error.pixels[y * SIZE + x] = Vec3::splat(error);
+    }
+    Estimate {
+        mean,
+        standard_error,
+    }
+}
+
+/// Verdicts of many trials: right, wrong, could not tell.
+fn count(trials: u64, mut trial: impl FnMut(&mut Noise) -> Comparison) -> [u32; 3] {
+    let mut counts = [0; 3];
+    for seed in 0..trials {
+        counts[match trial(&mut Noise(seed << 32)).verdict {
+            Verdict::Right => 0,
+            Verdict::Wrong { .. } => 1,
+            Verdict::CouldNotTell { .. } => 2,
+        }] += 1;
+    }
+    counts
+}
+
+/// No false alarm in 300 checks; four tests at 6.3e-5 each would raise one in
+/// 13 such runs of other seeds. The statistics have the moments they claim.
+#[test]
+fn right_gradients_pass() {
+    let (mut z_squared, mut signs, mut slopes) = (0.0, 0.0, 0.0);
+    let counts = count(300, |noise| {
+        let reference = gaussian(noise, 0.3, 1.0, 0.0, 1.0);
+        let c = compare(&gaussian(noise, 0.3, 1.0, 0.0, 1.0), &reference);
+        z_squared += ((c.mean_z_squared - 1.0) / c.mean_z_squared_error).powi(2) / 300.0;
+        signs += c.sign.powi(2) / 300.0;
+        slopes += ((c.slope - 1.0) / c.slope_error).powi(2) / 300.0;
+        c
+    });
+    assert_eq!(counts, [300, 0, 0]);
+    // A mean of 300 squared standard normal variables is within four standard
+    // errors, 0.33, of 1.
+    for mean in [z_squared, signs, slopes] {
+        assert!((mean - 1.0).abs() < 0.33, "{z_squared} {signs} {slopes}");
+    }
+}
+
+/// A factor of 10 to 20 per cent is found, or hidden by noise, but never
+/// called right.
+#[test]
+fn a_wrong_factor_is_never_right() {
+    for (factor, sigma, wrong_at_least) in [
+        (0.9, 0.1, 100),
+        (1.1, 0.1, 100),
+        (0.8, 0.5, 95),
+        (1.3, 1.0, 20),
+        (0.85, 4.0, 0),
+    ] {
+        let [right, wrong, unsure] = count(100, |noise| {
+            let reference = gaussian(noise, sigma, 1.0, 0.0, 1.0);
+            compare(&gaussian(noise, sigma, factor, 0.0, 1.0), &reference)
+        });
+        // At exactly ten per cent, two standard errors leave 2.3 per cent.
+        assert!(right <= 3, "factor {factor}, sigma {sigma}: {right} right");
+        assert!(
+            wrong >= wrong_at_least,
+            "factor {factor}, sigma {sigma}: {wrong} wrong, {unsure} unsure"
+        );
+    }
+}
+
+/// Noise in the gradient does not flatten the slope.
+#[test]
+fn the_slope_is_not_attenuated() {
+    let mut mean = capwalk_math::Moments::default();
+    for seed in 0..100 {
+        let mut noise = Noise(seed << 32);
+        let reference = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
+        mean.add(compare(&gaussian(&mut noise, 1.0, 1.0, 0.0, 1.0), &reference).slope);
+    }
+    let off = mean.mean - 1.0;
+    assert!(off.abs() < 4.0 * mean.standard_error(), "{mean:?}");
+    assert!(mean.standard_error() < 0.01, "{mean:?}"); // ordinary regression: 0.5
+}
+
+/// A common offset far below the noise of each pixel.
+#[test]
+fn a_systematic_sign_is_found() {
+    let counts = count(100, |noise| {
+        let reference = gaussian(noise, 0.5, 1.0, 0.0, 1.0);
+        compare(&gaussian(noise, 0.5, 1.0, 0.08, 1.0), &reference)
+    });
+    assert_eq!(counts, [0, 100, 0]);
+}
+
+/// Standard errors that are half or twice the truth.
+#[test]
+fn wrong_standard_errors_are_found() {
+    for stated in [0.5, 2.0] {
+        let counts = count(50, |noise| {
+            let reference = gaussian(noise, 0.3, 1.0, 0.0, 1.0);
+            compare(&gaussian(noise, 0.3, 1.0, 0.0, stated), &reference)
+        });
+        assert_eq!(counts, [0, 50, 0], "stated {stated}");
+    }
+}
+
+/// One pixel that is wrong among 1600.
+#[test]
+fn one_wrong_pixel_is_found() {
+    let mut noise = Noise(1);
+    let reference = gaussian(&mut noise, 0.3, 1.0, 0.0, 1.0);
+    let mut gradient = gaussian(&mut noise, 0.3, 1.0, 0.0, 1.0);
+    gradient.mean.pixels[7 * SIZE + 30] += Vec3::splat(8.0);
+    let comparison = compare(&gradient, &reference);
+    assert_eq!((comparison.worst[0].0, comparison.worst[0].1), (30, 7));
+    let Verdict::Wrong { reason } = comparison.verdict else {
+        panic!("{:?}", comparison.verdict);
+    };
+    assert!(reason.contains("pixel (30, 7)"), "{reason}");
+}
+
+/// Differences are rare events of large size: `z` of a pixel is far from
+/// normal, and a pixel that met no event states an error of zero. Right
+/// gradients pass all the same, and wrong ones do not.
+#[test]
+fn rare_events_raise_no_false_alarm() {
+    for events in [1.0, 4.0, 30.0] {
+        let sparse = |noise: &mut Noise| {
+            picture(|x, y| {
+                let (truth, size) = (truth(x, y), 1.0 / events);
+                let count = noise.poisson(events * truth.abs());
+                (truth.signum() * size * count, size * f64::sqrt(count))
+            })
+        };
+        let against = |factor: f64| {
+            count(200, |noise| {
+                let c = compare(&gaussian(noise, 0.05, factor, 0.0, 1.0), &sparse(noise));
+                // A pixel that met no event is not infinitely wrong.
+                assert!(c.worst[0].2.abs() < 9.0, "{:?}", c.worst[0]);
+                c
+            })
+        };
+        // At one event per pixel, 1 in 5000 is called wrong; at four, none was.
+        let [_, wrong, _] = against(1.0);
+        assert!(wrong <= 1, "{events} events: {wrong} wrong");
+        let [right, ..] = against(0.8);
+        assert_eq!(right, 0, "{events} events");
+    }
+}
+
+/// The promised number of samples is enough nine times out of ten, and not
+/// many times too large.
+#[test]
+fn the_promised_samples_are_enough() {
+    for sigma in [1.0, 2.0, 4.0] {
+        let mut noise = Noise(5 << 32);
+        let reference = gaussian(&mut noise, sigma, 1.0, 0.0, 1.0);
+        let first = compare(&gaussian(&mut noise, sigma, 1.0, 0.0, 1.0), &reference);
+        let Verdict::CouldNotTell { samples_factor } = first.verdict else {
+            panic!("sigma {sigma}: {:?}", first.verdict);
+        };
+        let with = |factor: f64| {
+            let sigma = sigma / factor.sqrt();
+            count(50, |noise| {
+                let reference = gaussian(noise, sigma, 1.0, 0.0, 1.0);
+                compare(&gaussian(noise, sigma, 1.0, 0.0, 1.0), &reference)
+            })
+        };
+        assert!(
+            with(samples_factor)[0] >= 40,
+            "sigma {sigma}: {samples_factor}"
+        );
+        assert!(
+            with(samples_factor / 8.0)[0] <= 10,
+            "sigma {sigma}: {samples_factor}"
+        );
+    }
+}
+
+/// A gradient that misses the whole effect.
+#[test]
+fn a_zero_gradient_is_wrong() {
+    let counts = count(20, |noise| {
+        let reference = gaussian(noise, 0.3, 1.0, 0.0, 1.0);
+        compare(&picture(|_, _| (0.0, 0.0)), &reference)
+    });
+    assert_eq!(counts, [0, 20, 0]);
+}
+
+#[test]
+fn pictures_without_noise() {
+    let exact = |factor: f64| picture(|x, y| (factor * truth(x, y), 0.0));
+    let verdict = |a: &Estimate, b: &Estimate| compare(a, b).verdict;
+    assert_eq!(verdict(&exact(0.0), &exact(0.0)), Verdict::Right);
+    assert_eq!(verdict(&exact(1.0), &exact(1.001)), Verdict::Right);
+    assert!(matches!(
+        verdict(&exact(1.0), &exact(1.1)),
+        Verdict::Wrong { .. }
+    ));
+    assert!(matches!(
+        verdict(&exact(0.0), &exact(1.0)),
+        Verdict::Wrong { .. }
+    ));
+}
+
+#[test]
+fn one_sample_tells_nothing() {
+    let unknown = picture(|x, y| (truth(x, y), f64::NAN));
+    let comparison = compare(&unknown, &unknown);
+    assert_eq!(
+        comparison.verdict,
+        Verdict::CouldNotTell {
+            samples_factor: 2.0
+        }
+    );
+    assert_eq!(comparison.relative_l1, 0.0);
+    assert!((comparison.correlation - 1.0).abs() < 1e-12);
+}
+
+/// Pictures that were stopped early are judged by the pixels that were reached.
+#[test]
+fn pixels_without_an_error_are_left_out() {
+    let mut noise = Noise(3);
+    let reference = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
+    let mut gradient = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
+    for index in 0..SIZE * SIZE / 3 {
+        gradient.mean.pixels[index] = Vec3::splat(0.0);
+        gradient.standard_error.pixels[index] = Vec3::splat(f64::NAN);
+    }
+    let comparison = compare(&gradient, &reference);
+    assert_eq!(comparison.left_out, SIZE * SIZE / 3);
+    assert_eq!(comparison.pixels, SIZE * SIZE - SIZE * SIZE / 3);
+    assert_eq!(comparison.verdict, Verdict::Right);
+}
+
+/// An error in one channel only is seen in its third of the pixels.
+#[test]
+fn every_channel_is_looked_at() {
+    for c in 0..3 {
+        let mut noise = Noise(c << 32);
+        let reference = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
+        let mut gradient = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
+        for pixel in &mut gradient.mean.pixels {
+            let factors = std::array::from_fn::<_, 3, _>(|i| 1.0 + 0.5 * f64::from(i as u64 == c));
+            *pixel = Rgb::new(
+                pixel.x * factors[0],
+                pixel.y * factors[1],
+                pixel.z * factors[2],
+            );
+        }
+        let verdict = compare(&gradient, &reference).verdict;
+        assert!(matches!(verdict, Verdict::Wrong { .. }), "channel {c}");
+    }
+}

@@ -1,0 +1,70 @@
+//! Files that appear whole or not at all.
+
+use std::fs::{self, File};
+use std::io::{self, BufWriter, Write};
+use std::path::{Path, PathBuf};
+
+/// Writes a file under a temporary name beside its place and moves it there
+/// when it is complete. If anything fails, the place is left as it was.
+pub(crate) fn write_atomically(
+    path: &Path,
+    fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+) -> io::Result<()> {
+    let temporary = temporary_name(path)?;
+    let written = (|| {
+        let mut writer = BufWriter::new(File::create(&temporary)?);
+        fill(&mut writer)?;
+        writer.flush()?;
+        writer.into_inner()?.sync_all()?;
+        fs::rename(&temporary, path)
+    })();
+    if written.is_err() {
+        // The error that is reported is the first one.
+        let _ = fs::remove_file(&temporary);
+    }
+    written
+}
+
+/// Checks that [`write_atomically`] could write there, by making its temporary
+/// file and removing it again.
+pub(crate) fn check_writable(path: &Path) -> io::Result<()> {
+    if path.is_dir() {
+        return Err(io::Error::from(io::ErrorKind::IsADirectory));
+    }
+    let temporary = temporary_name(path)?;
+    File::create(&temporary)?;
+    fs::remove_file(&temporary)
+}
+
+/// `.name.<process>.tmp` in the same directory, so that the move cannot cross
+/// file systems and two processes do not meet.
+fn temporary_name(path: &Path) -> io::Result<PathBuf> {
+    let name = path.file_name().ok_or_else(|| {
+        io::Error::new(io::ErrorKind::InvalidInput, "the path does not name a file")
+    })?;
+    let name = format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id());
+    Ok(path.with_file_name(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn failing_writers_leave_nothing_and_spoil_nothing() {
+        let directory = std::env::temp_dir().join(format!("capwalk-atomic-{}", std::process::id()));
+        fs::create_dir_all(&directory).expect("a temporary directory");
+        let path = directory.join("file.txt");
+        write_atomically(&path, |w| w.write_all(b"first")).expect("writable");
+        let interrupted = write_atomically(&path, |w| {
+            w.write_all(b"second")?;
+            Err(io::Error::other("interrupted"))
+        });
+        assert_eq!(interrupted.expect_err("failed").to_string(), "interrupted");
+        assert_eq!(fs::read(&path).expect("readable"), b"first");
+        assert_eq!(fs::read_dir(&directory).expect("readable").count(), 1);
+        write_atomically(&path, |w| w.write_all(b"third")).expect("writable");
+        assert_eq!(fs::read(&path).expect("readable"), b"third");
+        fs::remove_dir_all(&directory).expect("removable");
+    }
+}

@@ -1,0 +1,118 @@
+//! A [`Scene`] as files that Mitsuba 3 and capwalk read: one XML file, and
+//! one PLY file per shape.
+//!
+//! Numbers are written with all their digits and meshes in double precision,
+//! so loading the files gives the same scene again: to the bit, but for given
+//! normals, the sensor's rotation and its field of view, which are normalised
+//! or computed anew and may differ in the last digit. Mitsuba rounds to its own
+//! precision when it loads.
+//!
+//! Two things cannot be told in XML: materials come back in the order in which
+//! they are first used, and the constant emitter comes back behind the lamps.
+//! Mitsuba takes seeds below 2³² only.
+
+mod ply;
+mod xml;
+
+use std::collections::HashSet;
+use std::fmt;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use capwalk_scene::Scene;
+
+use crate::atomic::write_atomically;
+
+/// A file that could not be written.
+#[derive(Debug)]
+pub struct ExportError {
+    /// The file or directory.
+    pub path: PathBuf,
+    /// Why.
+    pub error: io::Error,
+}
+
+impl fmt::Display for ExportError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "cannot write {}: {}", self.path.display(), self.error)
+    }
+}
+
+impl std::error::Error for ExportError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.error)
+    }
+}
+
+/// Writes the scene and returns the path of its XML file. A path that ends in
+/// `.xml` is that file; any other is a directory to put `scene.xml` into. The
+/// meshes go to a directory beside the XML, named after it: `scene_meshes`.
+/// Directories are made where they are missing, files of the same name
+/// replaced.
+pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
+    let is_xml = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("xml"));
+    let xml_path = match is_xml {
+        true => path.to_owned(),
+        false => path.join("scene.xml"),
+    };
+    let stem = xml_path.file_stem().unwrap_or_default().to_string_lossy();
+    let folder = format!("{stem}_meshes");
+    let directory = xml_path.with_file_name(&folder);
+    at(&directory, fs::create_dir_all(&directory))?;
+
+    let names = mesh_names(scene);
+    for (shape, name) in scene.shapes.iter().zip(&names) {
+        let path = directory.join(name);
+        at(
+            &path,
+            write_atomically(&path, |file| ply::write(shape, file)),
+        )?;
+    }
+    // The XML comes last: where it is, the meshes it names are.
+    let files: Vec<String> = names
+        .iter()
+        .map(|name| format!("{folder}/{name}"))
+        .collect();
+    let text = xml::text(scene, &files);
+    let written = write_atomically(&xml_path, |file| file.write_all(text.as_bytes()));
+    at(&xml_path, written)?;
+    Ok(xml_path)
+}
+
+fn at<T>(path: &Path, result: io::Result<T>) -> Result<T, ExportError> {
+    result.map_err(|error| ExportError {
+        path: path.to_owned(),
+        error,
+    })
+}
+
+/// A file name for each shape: its id, with what file systems dislike replaced
+/// by `_`, and a number where two would be the same in any case.
+fn mesh_names(scene: &Scene) -> Vec<String> {
+    let mut taken = HashSet::new();
+    let plain = |c: char| c.is_alphanumeric() || "-_.".contains(c);
+    let name_of = |id: &str| {
+        let name: String = id.chars().map(|c| if plain(c) { c } else { '_' }).collect();
+        // No hidden files.
+        match name.strip_prefix('.') {
+            Some(rest) => format!("_{rest}"),
+            None => name,
+        }
+    };
+    let unique = |shape: &capwalk_scene::Shape| {
+        let name = name_of(&shape.id);
+        let numbered = (2..).map(|n: u64| format!("{name}_{n}"));
+        let mut candidates = std::iter::once(name.clone()).chain(numbered);
+        let free = candidates
+            .find(|candidate| taken.insert(candidate.to_lowercase()))
+            .expect("numbers do not run out before names do");
+        format!("{free}.ply")
+    };
+    scene.shapes.iter().map(unique).collect()
+}
+
+#[cfg(test)]
+mod tests;

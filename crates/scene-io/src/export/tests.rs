@@ -1,0 +1,191 @@
+use super::*;
+use crate::load_scene;
+use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_scene::scene::BsdfId;
+use capwalk_scene::{
+    Bsdf, Diffuse, Emitter, Filter, Integrator, Material, SamplerKind, ShadingNormals, builtin,
+    primitive,
+};
+
+struct Directory(PathBuf);
+
+impl Directory {
+    fn new(name: &str) -> Self {
+        let name = format!("capwalk-export-{name}-{}", std::process::id());
+        Self(std::env::temp_dir().join(name))
+    }
+}
+
+impl Drop for Directory {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+#[test]
+fn mesh_files_have_plain_and_different_names() {
+    let mut scene = builtin::scene("box-room").expect("built in");
+    for (shape, id) in scene
+        .shapes
+        .iter_mut()
+        .zip(["a/b", "A b", "a_b", "../x", "é.1"])
+    {
+        shape.id = id.into();
+    }
+    let names = mesh_names(&scene);
+    assert_eq!(
+        names[..5],
+        ["a_b.ply", "A_b_2.ply", "a_b_3.ply", "_._x.ply", "é.1.ply"]
+    );
+}
+
+#[test]
+fn unwritable_places_are_named() {
+    let directory = Directory::new("unwritable");
+    fs::create_dir_all(&directory.0).expect("writable");
+    let file = directory.0.join("file");
+    fs::write(&file, "in the way").expect("writable");
+    let scene = builtin::scene("leaf").expect("built in");
+    let error = write_scene(&scene, &file).expect_err("a file is no directory");
+    assert!(error.to_string().contains("file"), "{error}");
+}
+
+/// Writes and loads a scene, and checks that it is the same but for rounding
+/// in the sensor's rotation and field of view and in given normals.
+fn check_round_trip(scene: &Scene, name: &str) {
+    let directory = Directory::new(name);
+    let path = write_scene(scene, &directory.0).expect("writable");
+    let mut loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let (own, other) = (&scene.sensor, &mut loaded.sensor);
+    for axis in 0..3 {
+        let difference = own.world_from_camera.rows[axis] - other.world_from_camera.rows[axis];
+        assert!(difference.length() < 1e-15, "{name}: row {axis}");
+    }
+    assert!((own.fov_x - other.fov_x).abs() < 1e-15, "{name}");
+    other.world_from_camera.rows = own.world_from_camera.rows;
+    other.fov_x = own.fov_x;
+    for (a, b) in scene.shapes.iter().zip(&mut loaded.shapes) {
+        // Not printed: they may be long.
+        assert!(a.mesh == b.mesh, "{name}: {}", a.id);
+        if let (ShadingNormals::Given(a), ShadingNormals::Given(b)) = (&a.normals, &mut b.normals) {
+            let same = |(n, m): (&Vec3, &Vec3)| (*n - *m).length() < 1e-15;
+            assert!(a.iter().zip(&*b).all(same), "{name}: normals");
+            b.clone_from(a);
+        }
+    }
+    // Everything else, with its own names first to keep messages short.
+    assert_eq!(scene.materials, loaded.materials, "{name}");
+    assert_eq!(scene.emitters, loaded.emitters, "{name}");
+    assert_eq!(
+        (&scene.film, &scene.settings),
+        (&loaded.film, &loaded.settings),
+        "{name}"
+    );
+    assert!(*scene == loaded, "{name}");
+}
+
+#[test]
+fn built_in_scenes_come_back() {
+    for name in builtin::names() {
+        check_round_trip(&builtin::scene(name).expect("it is listed"), name);
+    }
+}
+
+/// Everything that the built-in scenes do not have: shared and two-coloured
+/// materials, odd names, computed normals, an environment, other settings.
+#[test]
+fn every_setting_comes_back() {
+    let mut scene = builtin::scene("leaf").expect("built in");
+    let diffuse = |id: &str, r: f64| Material {
+        id: id.into(),
+        bsdf: Bsdf::Diffuse(Diffuse {
+            reflectance: Rgb::new(r, 0.1 + 0.2, 1.0 / 3.0),
+        }),
+    };
+    let two_sided = |front, back| Bsdf::TwoSided {
+        front: BsdfId(front),
+        back: BsdfId(back),
+    };
+    // In the order in which the file tells them: named ones first.
+    scene.materials = vec![
+        diffuse("shared <&> \"red\"", 0.7),
+        diffuse("front", 0.2),
+        Material {
+            id: "both".into(),
+            bsdf: two_sided(0, 1),
+        },
+        diffuse("floor.bsdf", 0.4),
+        diffuse("leaf.bsdf.brdf_0", 0.5),
+        diffuse("leaf.bsdf.brdf_1", 0.6),
+        Material {
+            id: "leaf.bsdf".into(),
+            bsdf: two_sided(4, 5),
+        },
+    ];
+    for (shape, bsdf) in scene.shapes.iter_mut().zip([3, 0, 6]) {
+        shape.bsdf = BsdfId(bsdf);
+    }
+    let mut add = |id: &str, mesh, normals, bsdf| {
+        scene.shapes.push(capwalk_scene::Shape {
+            id: id.into(),
+            mesh,
+            normals,
+            bsdf: BsdfId(bsdf),
+            emitter: None,
+        });
+    };
+    let mesh = primitive::icosphere(3);
+    let normals = ShadingNormals::computed(&mesh);
+    add("a/b: 1", mesh, normals, 2);
+    let mesh = primitive::icosphere(2);
+    let normals = mesh.positions.iter().map(|p| p.normalized()).collect();
+    add("a_b_ 1", mesh, ShadingNormals::Given(normals), 0);
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance: Rgb::new(0.1, 0.2, 1e-300),
+    });
+    scene.sensor.id = "eye".into();
+    scene.sensor.world_from_camera = Affine::translate(Vec3::new(0.1, -1e-17, 3e5))
+        * Affine::rotate(Vec3::new(0.3, 1.0, -0.2), 2.0);
+    scene.sensor.fov_x = 1.234567890123;
+    scene.sensor.principal_point_offset = [0.1, -0.3];
+    scene.sensor.near_clip = 0.3;
+    scene.sensor.far_clip = 77.7;
+    scene.film.crop_offset = [10, 20];
+    scene.film.crop_size = [100, 50];
+    scene.film.sample_border = true;
+    scene.film.filter = Filter::Gaussian { stddev: 0.7 };
+    scene.settings.spp = 17;
+    scene.settings.seed = 1 << 40;
+    scene.settings.sampler = SamplerKind::Sobol;
+    scene.settings.integrator = Integrator::Path {
+        max_depth: None,
+        rr_depth: 9,
+        hide_emitters: true,
+    };
+    check_round_trip(&scene, "everything");
+
+    scene.film.filter = Filter::Tent { radius: 1.5 };
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(3),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    check_round_trip(&scene, "tent");
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 3,
+        bsdf_samples: 0,
+        hide_emitters: true,
+    };
+    check_round_trip(&scene, "direct");
+}
+
+#[test]
+fn xml_paths_name_the_file() {
+    let directory = Directory::new("named");
+    let scene = builtin::scene("leaf").expect("built in");
+    let path = write_scene(&scene, &directory.0.join("my leaf.XML")).expect("writable");
+    assert_eq!(path, directory.0.join("my leaf.XML"));
+    assert!(directory.0.join("my leaf_meshes/leaf.ply").is_file());
+    assert!(load_scene(&path, &[]).is_ok());
+}

@@ -1,0 +1,266 @@
+//! Previews: pictures side by side with titles and colour bars.
+
+use std::path::Path;
+
+use capwalk_scene::Image;
+
+use super::canvas::{Canvas, text_width};
+use super::{
+    Format, GRADIENT, ImageError, Picture, Preview, VALUE, Written, format, png, robust_limit,
+    save, tone, write_error,
+};
+
+/// A picture of a panel.
+#[derive(Clone, Debug)]
+pub struct Panel<'a> {
+    /// What stands above it.
+    pub title: &'a str,
+    /// Its pixels.
+    pub image: &'a Image,
+    /// How they are shown.
+    pub style: Style,
+}
+
+/// How numbers become colours.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Style {
+    /// Light: multiplied by `2^exposure`, clamped to `[0, 1]`, sRGB.
+    Photographic {
+        /// Exposure in stops.
+        exposure: f64,
+    },
+    /// Signed numbers (the mean of the channels) from blue to red, with a
+    /// colour bar. White is zero.
+    Diverging {
+        /// The number at either end.
+        limit: f64,
+    },
+}
+
+/// Writes pictures side by side into a PNG file, and returns how many of their
+/// pixels are infinite or NaN (those are magenta). For a check: value,
+/// gradient and reference with the same limit, and z.
+pub fn write_panels(
+    path: &Path,
+    panels: &[Panel],
+    metadata: &[(String, String)],
+) -> Result<usize, ImageError> {
+    let known = ".png";
+    if format(path, known)? != Format::Png {
+        return Err(ImageError::UnknownEnding {
+            path: path.to_owned(),
+            known,
+        });
+    }
+    for panel in panels {
+        if let Style::Diverging { limit } = panel.style {
+            check_limit(path, limit)?;
+        }
+    }
+    save_canvas(path, &draw(panels), metadata)?;
+    let images = panels.iter().map(|panel| panel.image);
+    Ok(images.map(tone::non_finite_pixels).sum())
+}
+
+/// Writes the preview of a picture: its gradient, or else its value, or else
+/// its first layer.
+pub(super) fn write_preview(
+    path: &Path,
+    picture: &Picture,
+    preview: &Preview,
+) -> Result<Written, ImageError> {
+    let first = &picture.layers[0]; // there is one, or it had no size
+    let names = [GRADIENT, VALUE];
+    let name = names.into_iter().find(|name| picture.layer(name).is_some());
+    let name = name.unwrap_or(&first.name);
+    let image = picture.layer(name).unwrap_or(&first.image);
+    let mut limit = None;
+    let canvas = if name == VALUE {
+        photograph(image, preview.exposure)
+    } else {
+        let chosen = preview.limit.unwrap_or_else(|| robust_limit([image]));
+        check_limit(path, chosen)?;
+        limit = Some(chosen);
+        draw(&[Panel {
+            title: name,
+            image,
+            style: Style::Diverging { limit: chosen },
+        }])
+    };
+    save_canvas(path, &canvas, &picture.metadata)?;
+    Ok(Written {
+        non_finite_pixels: tone::non_finite_pixels(image),
+        limit,
+    })
+}
+
+fn check_limit(path: &Path, limit: f64) -> Result<(), ImageError> {
+    match limit.is_finite() && limit > 0.0 {
+        true => Ok(()),
+        false => {
+            let reason = format!("the limit of its colours is {limit}; expected a number above 0");
+            Err(write_error(path, reason))
+        }
+    }
+}
+
+fn save_canvas(
+    path: &Path,
+    canvas: &Canvas,
+    metadata: &[(String, String)],
+) -> Result<(), ImageError> {
+    let bytes = png::encode(canvas, metadata).map_err(|reason| write_error(path, reason))?;
+    save(path, &bytes)
+}
+
+/// The pixels as they are, without decoration.
+fn photograph(image: &Image, exposure: f64) -> Canvas {
+    let scale = exposure.exp2();
+    let pixels = image.pixels.iter();
+    Canvas {
+        width: image.width,
+        height: image.height,
+        pixels: pixels.map(|&p| tone::photographic(p, scale)).collect(),
+    }
+}
+
+/// Pictures smaller than this are enlarged by a whole factor, pixels.
+const LEAST_HEIGHT: usize = 192;
+/// Height of a line of text, dots.
+const LINE: usize = 9;
+/// Width of a colour bar, dots.
+const BAR: usize = 8;
+/// Space between things, dots.
+const GAP: usize = 6;
+
+/// Where a panel's parts are, pixels.
+struct Layout {
+    title: String,
+    /// Left edge of the picture.
+    left: usize,
+    /// Size of the picture.
+    size: [usize; 2],
+    /// Pixels per pixel.
+    zoom: usize,
+    /// Marks of the colour bar from top to bottom.
+    ticks: Vec<String>,
+}
+
+fn draw(panels: &[Panel]) -> Canvas {
+    let tallest = panels.iter().map(|p| p.image.height).max().unwrap_or(0);
+    // Text that can be read beside large pictures too.
+    let dot = (tallest / 400 + 1).min(4);
+    let top = (LINE + GAP) * dot;
+    let mut left = GAP * dot;
+    let mut layouts = Vec::new();
+    for panel in panels {
+        let zoom = (LEAST_HEIGHT / panel.image.height.max(1)).max(1);
+        let size = [panel.image.width * zoom, panel.image.height * zoom];
+        let ticks = match panel.style {
+            Style::Photographic { .. } => Vec::new(),
+            Style::Diverging { limit } => [1.0, 0.5, 0.0, -0.5, -1.0]
+                .iter()
+                .map(|t| label(t * limit))
+                .collect(),
+        };
+        let labels = ticks.iter().map(|t| text_width(t, dot)).max();
+        let bar = labels.map_or(0, |width| (2 * GAP + BAR) * dot + width);
+        let title = match tone::non_finite_pixels(panel.image) {
+            0 => panel.title.to_owned(),
+            // A magenta pixel alone is easily overlooked.
+            count => format!("{} ({count} not finite)", panel.title),
+        };
+        let title_width = text_width(&title, dot);
+        layouts.push(Layout {
+            title,
+            left,
+            size,
+            zoom,
+            ticks,
+        });
+        left += (size[0] + bar).max(title_width) + 2 * GAP * dot;
+    }
+    let bottom = layouts.iter().map(|l| l.size[1]).max().unwrap_or(0) + top + GAP * dot;
+    let mut canvas = Canvas::new(left.saturating_sub(GAP * dot), bottom);
+    for (panel, layout) in panels.iter().zip(&layouts) {
+        canvas.text([layout.left, GAP * dot / 2], dot, &layout.title);
+        draw_pixels(&mut canvas, panel, layout, top);
+        if let Style::Diverging { .. } = panel.style {
+            draw_bar(&mut canvas, layout, top, dot);
+        }
+    }
+    canvas
+}
+
+fn draw_pixels(canvas: &mut Canvas, panel: &Panel, layout: &Layout, top: usize) {
+    canvas.frame([layout.left, top], layout.size);
+    for y in 0..panel.image.height {
+        for x in 0..panel.image.width {
+            let pixel = panel.image.at(x, y);
+            let colour = match panel.style {
+                Style::Photographic { exposure } => tone::photographic(pixel, exposure.exp2()),
+                Style::Diverging { limit } => tone::diverging(tone::mean(pixel), limit),
+            };
+            let corner = [layout.left + x * layout.zoom, top + y * layout.zoom];
+            canvas.fill(corner, [layout.zoom; 2], colour);
+        }
+    }
+}
+
+fn draw_bar(canvas: &mut Canvas, layout: &Layout, top: usize, dot: usize) {
+    let height = layout.size[1];
+    let left = layout.left + layout.size[0] + GAP * dot;
+    canvas.frame([left, top], [BAR * dot, height]);
+    for row in 0..height {
+        // The middle of the row, from 1 at the top to -1 at the bottom.
+        let value = 1.0 - (2 * row + 1) as f64 / height as f64;
+        let corner = [left, top + row];
+        canvas.fill(corner, [BAR * dot, 1], tone::diverging(value, 1.0));
+    }
+    let last = layout.ticks.len() - 1;
+    for (i, tick) in layout.ticks.iter().enumerate() {
+        // Text is 7 dots high; the first and the last stay within the bar.
+        let y = top + (height.saturating_sub(7 * dot)) * i / last;
+        canvas.text([left + (BAR + GAP / 2) * dot, y], dot, tick);
+    }
+}
+
+/// A number in at most three digits.
+fn label(value: f64) -> String {
+    let size = value.abs();
+    if size == 0.0 {
+        return "0".into();
+    }
+    if !(1e-3..1e5).contains(&size) {
+        let text = format!("{value:.2e}");
+        let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+        let digits = digits.trim_end_matches('0').trim_end_matches('.');
+        return format!("{digits}e{exponent}");
+    }
+    let decimals = (2 - size.log10().floor() as i32).max(0) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').into(),
+        false => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_are_short() {
+        for (value, text) in [
+            (0.0, "0"),
+            (0.014, "0.014"),
+            (-0.007, "-0.007"),
+            (2.5, "2.5"),
+            (1234.0, "1234"),
+            (-1.25e-7, "-1.25e-7"),
+            (3e8, "3e8"),
+        ] {
+            assert_eq!(label(value), text);
+        }
+    }
+}

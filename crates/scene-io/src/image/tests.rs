@@ -1,0 +1,227 @@
+use super::*;
+use capwalk_math::Rgb;
+use std::path::PathBuf;
+
+/// A path in the temporary directory; the file is removed at the end.
+struct Temporary(PathBuf);
+
+impl Temporary {
+    fn new(name: &str) -> Self {
+        Self(std::env::temp_dir().join(format!("capwalk-{}-{name}", std::process::id())))
+    }
+}
+
+impl Drop for Temporary {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_file(&self.0);
+    }
+}
+
+/// Values that single precision holds exactly.
+fn example() -> Picture {
+    let (width, height) = (7, 5);
+    let image = |f: fn(f64, f64) -> [f64; 3]| {
+        let mut image = Image::new(width, height);
+        for y in 0..height {
+            for x in 0..width {
+                image.pixels[y * width + x] = Rgb::from(f(x as f64, y as f64));
+            }
+        }
+        image
+    };
+    let mut picture = Picture::default();
+    picture.push("value", image(|x, y| [0.125 * x, 0.25 * y, 0.5]));
+    picture.push(
+        "gradient",
+        image(|x, y| [x - 3.0, 2.0 * (y - 2.0), 1e-3_f32.into()]),
+    );
+    picture.push("stderr", image(|x, y| [0.5, x * y, f64::INFINITY]));
+    picture.metadata = [
+        ("parameter", "ball.translate.x"),
+        ("scene", "bälle.xml"),
+        ("seed", "7"),
+    ]
+    .map(|(k, v)| (k.into(), v.into()))
+    .to_vec();
+    picture.samples = Some((0..35).collect());
+    picture
+}
+
+#[test]
+fn exr_and_npz_give_back_what_was_written() {
+    for ending in ["exr", "npz"] {
+        let file = Temporary::new(&format!("back.{ending}"));
+        let picture = example();
+        let written = write(&file.0, &picture, &Preview::default()).expect("writable");
+        assert_eq!(written.non_finite_pixels, 0);
+        assert_eq!(read(&file.0).expect("readable"), picture, "{ending}");
+        // The same bytes each time.
+        let bytes = std::fs::read(&file.0).expect("readable");
+        for _ in 0..5 {
+            write(&file.0, &picture, &Preview::default()).expect("writable");
+            assert_eq!(std::fs::read(&file.0).expect("readable"), bytes, "{ending}");
+        }
+    }
+}
+
+/// NaN comes back as NaN and is counted where it matters.
+#[test]
+fn non_finite_pixels_are_counted_and_kept() {
+    let mut picture = example();
+    picture.layers[0].image.pixels[3].y = f64::NAN;
+    picture.layers[1].image.pixels[4].x = f64::NEG_INFINITY;
+    for (ending, count) in [("exr", 2), ("npz", 2), ("png", 1)] {
+        let file = Temporary::new(&format!("nan.{ending}"));
+        let written = write(&file.0, &picture, &Preview::default()).expect("writable");
+        assert_eq!(written.non_finite_pixels, count, "{ending}");
+        if ending != "png" {
+            let back = read(&file.0).expect("readable");
+            assert!(back.layers[0].image.pixels[3].y.is_nan());
+        }
+    }
+}
+
+#[test]
+fn png_shows_the_gradient_or_else_the_value() {
+    let file = Temporary::new("preview.png");
+    let mut picture = example();
+    let gradient = write(&file.0, &picture, &Preview::default()).expect("writable");
+    assert_eq!(
+        gradient.limit,
+        Some(robust_limit([&picture.layers[1].image]))
+    );
+    let preview = Preview {
+        limit: Some(0.5),
+        exposure: 0.0,
+    };
+    let limited = write(&file.0, &picture, &preview).expect("writable");
+    assert_eq!(limited.limit, Some(0.5));
+
+    picture.layers.remove(1);
+    let value = write(&file.0, &picture, &Preview::default()).expect("writable");
+    assert_eq!(value.limit, None);
+    let (width, height, pixels) = decode_png(&file.0);
+    assert_eq!((width, height), (7, 5));
+    for (i, pixel) in picture.layers[0].image.pixels.iter().enumerate() {
+        assert_eq!(pixels[3 * i..3 * i + 3], tone::photographic(*pixel, 1.0));
+    }
+}
+
+fn decode_png(path: &Path) -> (u32, u32, Vec<u8>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).expect("readable"));
+    let mut reader = ::png::Decoder::new(file).read_info().expect("a PNG");
+    let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
+    let info = reader.next_frame(&mut pixels).expect("a PNG");
+    (info.width, info.height, pixels)
+}
+
+/// A NaN pixel of a panel is magenta, and only it.
+#[test]
+fn panels_show_non_finite_pixels() {
+    let file = Temporary::new("panels.png");
+    let picture = example();
+    let mut broken = picture.layers[1].image.clone();
+    broken.pixels[0].x = f64::NAN;
+    let panel = |title, image, style| Panel {
+        title,
+        image,
+        style,
+    };
+    let limit = robust_limit([&picture.layers[1].image]);
+    let panels = [
+        panel(
+            "value",
+            &picture.layers[0].image,
+            Style::Photographic { exposure: 0.0 },
+        ),
+        panel(
+            "gradient",
+            &picture.layers[1].image,
+            Style::Diverging { limit },
+        ),
+        panel("reference", &broken, Style::Diverging { limit }),
+    ];
+    assert_eq!(write_panels(&file.0, &panels, &picture.metadata), Ok(1));
+    let (_, _, pixels) = decode_png(&file.0);
+    let magenta = pixels.chunks(3).filter(|c| *c == tone::NON_FINITE).count();
+    let zoom = 192 / 5;
+    assert_eq!(magenta, zoom * zoom);
+    let wrong = write_panels(Path::new("panels.exr"), &panels, &[]).expect_err("not a PNG");
+    assert!(wrong.to_string().contains("known endings: .png"));
+}
+
+#[test]
+fn errors_say_what_to_do() {
+    let message = |result: Result<Written, ImageError>| result.expect_err("wrong").to_string();
+    let picture = example();
+    let options = Preview::default();
+    for name in ["out.jpg", "out", "out.exr.gz"] {
+        let text = message(write(Path::new(name), &picture, &options));
+        assert!(text.contains("known endings: .exr, .png, .npz"), "{text}");
+        assert!(check_writable(Path::new(name)).is_err());
+    }
+    let nowhere = Path::new("/nonexistent/directory/out.exr");
+    let text = message(write(nowhere, &picture, &options));
+    assert!(
+        text.starts_with("cannot write /nonexistent/directory/out.exr: "),
+        "{text}"
+    );
+    assert!(check_writable(nowhere).is_err());
+
+    let file = Temporary::new("checked.exr");
+    assert_eq!(check_writable(&file.0), Ok(()));
+    assert!(!file.0.exists());
+
+    let flat = Preview {
+        limit: Some(0.0),
+        exposure: 0.0,
+    };
+    let text = message(write(Path::new("flat.png"), &picture, &flat));
+    assert!(text.contains("limit of its colours is 0"), "{text}");
+
+    let mut uneven = example();
+    uneven.push("z", Image::new(3, 3));
+    let text = message(write(&file.0, &uneven, &options));
+    assert!(
+        text.contains("\"value\" has 7 x 5 pixels, but \"z\" has 3 x 3"),
+        "{text}"
+    );
+    let text = message(write(&file.0, &Picture::default(), &options));
+    assert!(text.contains("no layers"), "{text}");
+    assert!(!file.0.exists());
+
+    for ending in ["exr", "npz"] {
+        let file = Temporary::new(&format!("broken.{ending}"));
+        let missing = read(&file.0).expect_err("missing").to_string();
+        assert!(missing.starts_with("cannot read "), "{missing}");
+        write(&file.0, &picture, &options).expect("writable");
+        let bytes = std::fs::read(&file.0).expect("readable");
+        for length in [0, 10, bytes.len() / 2, bytes.len() - 30] {
+            std::fs::write(&file.0, &bytes[..length]).expect("writable");
+            assert!(read(&file.0).is_err(), "{ending} cut to {length} bytes");
+        }
+    }
+    let text = read(Path::new("a.png")).expect_err("8 bits").to_string();
+    assert!(text.contains("known endings: .exr, .npz"), "{text}");
+}
+
+/// A header that promises more than the file has is refused before memory is
+/// taken for it.
+#[test]
+fn impossible_shapes_are_refused() {
+    let file = Temporary::new("shape.npz");
+    write(&file.0, &example(), &Preview::default()).expect("writable");
+    let mut bytes = std::fs::read(&file.0).expect("readable");
+    // Numbers of the first header; the checksum is compared at its end only.
+    let at = bytes
+        .windows(7)
+        .position(|w| w == b"(5, 7, ")
+        .expect("a shape");
+    bytes[at + 1] = b'9';
+    std::fs::write(&file.0, &bytes).expect("writable");
+    let text = read(&file.0).expect_err("too large").to_string();
+    assert!(
+        text.contains("\"value\" ends before its shape [9, 7, 3]"),
+        "{text}"
+    );
+}

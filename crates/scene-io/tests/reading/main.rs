@@ -1,0 +1,15 @@
+//! Reading scenes and meshes: what the files mean, and what is said about bad
+//! ones. The texts of messages are part of the program: they must name the
+//! place, what is wrong, and what to do.
+
+mod camera;
+mod common;
+mod meaning;
+mod mesh_files;
+mod meshes;
+mod names;
+mod objects;
+mod parameters;
+mod parity;
+mod robustness;
+mod syntax;

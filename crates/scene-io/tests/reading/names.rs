@@ -1,0 +1,83 @@
+//! Ids of shapes, materials, emitters and the sensor, which name parameters.
+
+use capwalk_scene::{Bsdf, Emitter};
+
+use crate::common::*;
+
+fn shape_ids(objects: &str) -> Vec<String> {
+    let scene = load(&scene(objects));
+    scene.shapes.into_iter().map(|shape| shape.id).collect()
+}
+
+#[test]
+fn shapes_without_id_are_called_after_their_plugin_or_file() {
+    let ids = shape_ids(
+        "<shape type=\"sphere\"/><shape type=\"cube\"/><shape type=\"sphere\"/>\
+         <shape type=\"obj\"><string name=\"filename\" value=\"square.obj\"/></shape>\
+         <shape type=\"obj\"><string name=\"filename\" value=\"square.obj\"/></shape>\
+         <shape type=\"sphere\"/>",
+    );
+    let expected = [
+        "sphere", "cube", "sphere_2", "square", "square_2", "sphere_3",
+    ];
+    assert_eq!(ids, expected);
+}
+
+/// An id of the file never gives way to a made up one, wherever it stands.
+#[test]
+fn given_ids_are_kept() {
+    let ids = shape_ids(
+        "<shape type=\"sphere\"/><shape type=\"cube\" id=\"sphere\"/>\
+         <shape type=\"sphere\"/><shape type=\"cube\" id=\"sphere_2\"/>",
+    );
+    assert_eq!(ids, ["sphere_3", "sphere", "sphere_4", "sphere_2"]);
+}
+
+#[test]
+fn materials_are_called_after_their_id_or_shape() {
+    let scene = load(&scene(
+        "<bsdf type=\"diffuse\" id=\"white\"/>\
+         <shape type=\"cube\" id=\"a\"><ref id=\"white\"/></shape>\
+         <shape type=\"cube\" id=\"b\"><bsdf type=\"diffuse\"/></shape>\
+         <shape type=\"cube\" id=\"c\"/>\
+         <shape type=\"cube\" id=\"d\"><bsdf type=\"twosided\"><bsdf type=\"diffuse\"/>\
+         <ref id=\"white\"/></bsdf></shape>",
+    ));
+    let material_of = |i: usize| scene.material(scene.shapes[i].bsdf);
+    assert_eq!(material_of(0).id, "white");
+    assert_eq!(material_of(1).id, "b.bsdf");
+    assert_eq!(material_of(2).id, "c.bsdf");
+    assert_eq!(material_of(3).id, "d.bsdf");
+    let Bsdf::TwoSided { front, back } = material_of(3).bsdf else {
+        panic!("two sides");
+    };
+    assert_eq!(scene.material(front).id, "d.bsdf.brdf_0");
+    assert_eq!(scene.material(back).id, "white");
+}
+
+/// Shapes that share a material share its parameters.
+#[test]
+fn references_share_one_material() {
+    let scene = load(&scene(
+        "<bsdf type=\"diffuse\" id=\"white\"/>\
+         <shape type=\"cube\"><ref id=\"white\"/></shape>\
+         <shape type=\"disk\"><ref id=\"white\"/></shape>",
+    ));
+    assert_eq!(scene.shapes[0].bsdf, scene.shapes[1].bsdf);
+    assert_eq!(scene.materials.len(), 1);
+}
+
+#[test]
+fn environment_and_sensor_have_names() {
+    let unnamed = load(&scene(""));
+    assert_eq!(unnamed.sensor.id, "sensor");
+    assert_eq!(
+        unnamed.emitters[0].parameter_name(&unnamed),
+        "environment.radiance.value"
+    );
+    let text = scene("").replace("\"constant\"", "\"constant\" id=\"sky\"");
+    let text = text.replace("\"perspective\"", "\"perspective\" id=\"eye\"");
+    let named = load(&text);
+    assert_eq!(named.sensor.id, "eye");
+    assert!(matches!(&named.emitters[0], Emitter::Constant { id, .. } if id == "sky"));
+}

@@ -1,0 +1,140 @@
+//! `cargo xtask parity`: the same scenes in capwalk and in Mitsuba 3.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use anyhow::{Context, Result, bail, ensure};
+use serde_json::Value;
+
+use crate::{cargo, root, step};
+
+/// Samples per pixel of capwalk's picture.
+const SPP: u32 = 1024;
+/// Samples per pixel of each of Mitsuba's pictures, and how many there are:
+/// enough for an error of its own to a fifth.
+const MITSUBA_SPP: u32 = 64;
+const MITSUBA_SEEDS: u32 = 16;
+/// The release compared with.
+const MITSUBA: &str = "mitsuba==3.9.1";
+
+/// Renders every scene of `tests/parity`, or those named, with both programs.
+pub fn run(names: &[String]) -> Result<()> {
+    let scenes = scenes(names)?;
+    let work = root().join("target/parity");
+    fs::create_dir_all(&work)?;
+    let python = environment(&work.join("venv"))?;
+    step(
+        "build",
+        cargo(&["build", "--release", "--package", "capwalk-cli"]),
+    )?;
+
+    println!("--- parity with {MITSUBA}, scalar_rgb");
+    let width = scenes.iter().map(|s| stem(s).len()).max().unwrap_or(0);
+    println!(
+        "{:width$}   pixels   passing   mean z²           sign   brightness",
+        "scene"
+    );
+    let mut differing = Vec::new();
+    for scene in &scenes {
+        let name = stem(scene);
+        let result =
+            compare(&python, scene, &work).with_context(|| format!("scene {}", scene.display()))?;
+        let number = |key: &str| result[key].as_f64().unwrap_or(f64::NAN);
+        let right = result["right"].as_bool().unwrap_or(false);
+        println!(
+            "{name:width$}   {:6}   {:6.2}%   {:.3} ± {:.3}   {:+5.1}   {:+9.2}%   {}",
+            number("pixels"),
+            100.0 * number("passing"),
+            number("mean_z_squared"),
+            number("mean_z_squared_error"),
+            number("sign"),
+            100.0 * number("relative_mean_difference"),
+            if right { "equal" } else { "DIFFERENT" }
+        );
+        if !right {
+            differing.push(name);
+        }
+    }
+    ensure!(
+        differing.is_empty(),
+        "{} differ; see the pictures in {}",
+        differing.join(", "),
+        work.display()
+    );
+    Ok(())
+}
+
+fn stem(scene: &Path) -> String {
+    let stem = scene.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
+fn scenes(names: &[String]) -> Result<Vec<PathBuf>> {
+    let folder = root().join("tests/parity");
+    let entries =
+        fs::read_dir(&folder).with_context(|| format!("cannot list {}", folder.display()))?;
+    let mut scenes = Vec::new();
+    for entry in entries {
+        let path = entry?.path();
+        let wanted = names.is_empty() || names.contains(&stem(&path));
+        if path.extension().is_some_and(|e| e == "xml") && wanted {
+            scenes.push(path);
+        }
+    }
+    ensure!(
+        !scenes.is_empty(),
+        "no scene to compare in {}",
+        folder.display()
+    );
+    scenes.sort();
+    Ok(scenes)
+}
+
+/// The Python of a virtual environment with Mitsuba, made if there is none.
+fn environment(folder: &Path) -> Result<PathBuf> {
+    let python = folder.join("bin/python");
+    let has_mitsuba = python.exists()
+        && Command::new(&python)
+            .args(["-c", "import mitsuba, numpy"])
+            .status()?
+            .success();
+    if !has_mitsuba {
+        let mut create = Command::new("python3");
+        create.args(["-m", "venv"]).arg(folder);
+        step("virtual environment", create)?;
+        let mut install = Command::new(&python);
+        install.args(["-m", "pip", "install", "--quiet", MITSUBA, "numpy"]);
+        step("install Mitsuba", install)?;
+    }
+    Ok(python)
+}
+
+/// Renders a scene with both and compares.
+fn compare(python: &Path, scene: &Path, work: &Path) -> Result<Value> {
+    let picture = work.join(format!("{}.npz", stem(scene)));
+    let capwalk = root().join("target/release/capwalk");
+    let output = Command::new(capwalk)
+        .arg("render")
+        .arg(scene)
+        .args(["--spp", &SPP.to_string()])
+        .arg("-o")
+        .arg(&picture)
+        .output()?;
+    if !output.status.success() {
+        bail!("capwalk: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    let output = Command::new(python)
+        .arg(root().join("xtask/parity.py"))
+        .arg(scene)
+        .arg(&picture)
+        .args([MITSUBA_SPP.to_string(), MITSUBA_SEEDS.to_string()])
+        .arg(work.join(format!("{}-differs", stem(scene))))
+        .output()?;
+    if !output.status.success() {
+        bail!("Mitsuba: {}", String::from_utf8_lossy(&output.stderr));
+    }
+    let text = String::from_utf8_lossy(&output.stdout);
+    let last = text.lines().last().unwrap_or_default();
+    serde_json::from_str(last).with_context(|| format!("Mitsuba's script said \"{last}\""))
+}
