@@ -26,6 +26,9 @@ impl NormalCone {
         let Some(sum) = normals().try_fold(Vec3::zero(), |sum, n| Some(sum + n?)) else {
             return Self::ALL;
         };
+        if sum == Vec3::zero() {
+            return Self::ALL;
+        }
         let axis = sum.normalized();
         let mut sin = 0.0_f64;
         for normal in normals().flatten() {
@@ -38,24 +41,59 @@ impl NormalCone {
         Self { axis, sin }
     }
 
-    /// For a box with these half sides: the number `k` such that no edge in it
-    /// whose normals are in the cone is a silhouette if the vector `v` from
-    /// the eye to the centre of the box has
+    /// For edges within `radius` of a centre, and in planes that pass the centre
+    /// within `height`: the number `k` such that none of the edges, if their
+    /// normals are in the cone, is a silhouette if the vector `v` from the eye
+    /// to the centre has
     ///
     ///   |axis · v| > sin |v| + k.
     ///
-    /// A point of the box is seen along `q = v + h`. All its normals face the
-    /// same way if the angle between `axis` and ±`q` is less than a right
-    /// angle minus the cone's, `|axis · q| > sin |q|`. With `r` the box's half
-    /// diagonal this follows from `k = Σ|axisᵢ|hᵢ + sin r`. By the angle that
-    /// the box's sphere subtends, it also follows from `k = cos r`.
-    pub fn view_margin(&self, half: Vec3) -> f64 {
+    /// The eye lies on the same side of all planes if `n · v > height` for all
+    /// normals `n`. The least `n · v` is `x cos - √(v² - x²) sin` with
+    /// `x = axis · v`; it vanishes at `x = sin |v|` and grows from there at
+    /// least like `x cos`, hence `k = height / cos`. By the angle that the
+    /// sphere around the centre subtends, `k = radius cos` also does.
+    pub fn view_margin(&self, radius: f64, height: f64) -> f64 {
         if !self.sin.is_finite() {
             return f64::INFINITY;
         }
-        let radius = half.length();
-        let by_box = self.axis.map(f64::abs).dot(half) + self.sin * radius;
-        let by_sphere = (1.0 - self.sin * self.sin).max(0.0).sqrt() * radius;
-        by_box.min(by_sphere)
+        let cos = (1.0 - self.sin * self.sin).max(0.0).sqrt();
+        (height / cos).min(radius * cos)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cone(normals: &[Option<Vec3>]) -> NormalCone {
+        NormalCone::around(|| normals.iter().copied())
+    }
+
+    const X: Vec3 = Vec3::new(1.0, 0.0, 0.0);
+    const Y: Vec3 = Vec3::new(0.0, 1.0, 0.0);
+
+    /// Two orthogonal normals: half a right angle around their middle.
+    #[test]
+    fn cone_of_two_normals() {
+        let cone = cone(&[Some(X), Some(Y)]);
+        assert!((cone.axis - (X + Y).normalized()).length() < 1e-15);
+        assert!((cone.sin - 0.5_f64.sqrt()).abs() < 1e-15);
+    }
+
+    /// Opposite normals, or an edge that always counts: no cone, no margin.
+    #[test]
+    fn no_cone() {
+        assert_eq!(cone(&[Some(X), Some(-X)]), NormalCone::ALL);
+        assert_eq!(cone(&[Some(X), None]), NormalCone::ALL);
+        assert_eq!(cone(&[]), NormalCone::ALL);
+        assert_eq!(NormalCone::ALL.view_margin(0.0, 0.0), f64::INFINITY);
+    }
+
+    /// A flat patch seen at any angle off its plane shows no silhouette.
+    #[test]
+    fn flat_patch_has_no_margin() {
+        let cone = cone(&[Some(X), Some(X)]);
+        assert_eq!((cone.sin, cone.view_margin(1.0, 0.0)), (0.0, 0.0));
     }
 }

@@ -38,62 +38,27 @@ pub enum Sides {
 /// within some 1e-14 of it.
 pub const ON_PLANE: f64 = 1e-11;
 
-/// What decides whether an eye sees the front of a face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FacePlane {
-    /// The face's first corner.
-    pub point: Vec3,
-    /// Twice its area times its unit normal.
-    pub cross: Vec3,
-    /// Length of `cross`.
-    pub length: f64,
-}
-
-impl FacePlane {
-    /// The plane of a face.
-    #[inline]
-    pub fn new(mesh: &Mesh, face: u32) -> Self {
-        let cross = mesh.face_cross(face as usize);
-        Self {
-            point: mesh.positions[mesh.faces[face as usize][0] as usize],
-            cross,
-            length: cross.length(),
-        }
-    }
-
-    /// True if the eye sees the front of the face, or lies in its plane.
-    #[inline]
-    pub fn faces_eye(&self, flipped: bool, eye: Vec3) -> bool {
-        let height = self.cross.dot(eye - self.point);
-        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
-        let tolerance = ON_PLANE * (sum(eye) + sum(self.point)) * self.length;
-        height.abs() <= tolerance || (height > 0.0) != flipped
-    }
-}
-
-/// True if the eye sees the front of the face, or lies in its plane.
+/// True if the eye sees the front of a face, or lies in its plane. The face
+/// has the normal `cross`, of any length, and contains `point`.
 #[inline]
-pub fn faces_eye(mesh: &Mesh, face: u32, flipped: bool, eye: Vec3) -> bool {
-    FacePlane::new(mesh, face).faces_eye(flipped, eye)
+pub fn faces_eye(cross: Vec3, point: Vec3, flipped: bool, eye: Vec3) -> bool {
+    let height = cross.dot(eye - point);
+    let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+    let tolerance = ON_PLANE * (sum(eye) + sum(point)) * cross.length();
+    height.abs() <= tolerance || (height > 0.0) != flipped
 }
 
 impl Edge {
-    /// The two faces at it, if it has just two.
-    pub fn faces(&self) -> impl Iterator<Item = u32> + use<> {
-        let faces = match self.sides {
-            Sides::Open => None,
-            Sides::Between { faces, .. } => Some(faces),
-        };
-        faces.into_iter().flatten()
-    }
-
     /// True if the visible surface ends or folds at this edge seen from `eye`.
     #[inline]
     pub fn is_silhouette(&self, mesh: &Mesh, eye: Vec3) -> bool {
         match self.sides {
             Sides::Open => true,
             Sides::Between { faces, flipped } => {
-                faces_eye(mesh, faces[0], false, eye) != faces_eye(mesh, faces[1], flipped, eye)
+                // On both faces, so both planes are met at the same point.
+                let point = mesh.positions[self.vertices[0] as usize];
+                let [first, second] = faces.map(|face| mesh.face_cross(face as usize));
+                faces_eye(first, point, false, eye) != faces_eye(second, point, flipped, eye)
             }
         }
     }
@@ -159,4 +124,54 @@ fn is_nearer(p: Vec3, q: Vec3, axis: Vec3) -> bool {
     let (p_cos, p_sin) = (axis.dot(p), axis.cross(p).length());
     let (q_cos, q_sin) = (axis.dot(q), axis.cross(q).length());
     p_sin * q_cos < q_sin * p_cos
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const AXIS: Vec3 = Vec3::new(0.0, 0.0, 1.0);
+
+    /// Inside the segment, at either end, and behind the eye.
+    #[test]
+    fn closest_is_inside_or_an_end() {
+        let at = |a: [f64; 3], b: [f64; 3]| closest_direction(a.into(), b.into(), AXIS);
+        let inside = at([-1.0, 1e-9, 1.0], [3.0, 1e-9, 1.0]).expect("does not meet the eye");
+        assert_eq!(inside.t, 0.25);
+        assert!((inside.angle / 1e-9 - 1.0).abs() < 1e-9);
+        let first = at([1.0, 0.0, 1.0], [3.0, 1.0, 1.0]).expect("does not meet the eye");
+        assert_eq!((first.t, first.distance), (0.0, 2.0_f64.sqrt()));
+        let second = at([3.0, 1.0, 1.0], [1.0, 0.0, 1.0]).expect("does not meet the eye");
+        assert_eq!((second.t, second.angle), (1.0, first.angle));
+        // The line's nearest point lies behind: the segment is farthest there.
+        let behind = at([-1.0, 0.1, -1.0], [2.0, 0.1, -1.0]).expect("does not meet the eye");
+        assert_eq!(behind.t, 1.0);
+    }
+
+    /// Segments through the eye have no direction, whichever end comes first.
+    #[test]
+    fn segments_through_the_eye() {
+        let (zero, p) = (Vec3::zero(), Vec3::new(1.0, 2.0, 3.0));
+        for (a, b) in [(zero, p), (p, zero), (p, -p), (zero, zero)] {
+            assert!(closest_direction(a, b, AXIS).is_none(), "{a:?} {b:?}");
+        }
+        // Seen end-on, but not through the eye.
+        let end_on = closest_direction(p, p * 2.0, AXIS).expect("does not meet the eye");
+        assert!((end_on.direction - p.normalized()).length() < 1e-15);
+        // A point.
+        assert!(closest_direction(p, p, AXIS).is_some());
+    }
+
+    /// A point of the closest direction is never farther from the axis than
+    /// the points of a fine subdivision.
+    #[test]
+    fn closest_is_closest() {
+        let [a, b] = [[0.3, -2.0, 1.0], [0.2, 1.5, -0.5]].map(Vec3::from);
+        let closest = closest_direction(a, b, AXIS).expect("does not meet the eye");
+        let angle_at = |t: f64| sphere::angle_between(AXIS, (a + (b - a) * t).normalized());
+        let least = (0..=1000)
+            .map(|i| angle_at(1e-3 * f64::from(i)))
+            .fold(f64::INFINITY, f64::min);
+        assert!(closest.angle <= least && least < closest.angle + 1e-3);
+    }
 }

@@ -134,3 +134,50 @@ pub fn intersect_triangle(ray: &Ray, corners: [Vec3; 3]) -> Option<(f64, [f64; 2
     let t = (u * a.z + v * b.z + w * c.z) / determinant * inverse_z;
     (t >= ray.t_min && t <= ray.t_max).then_some((t, [v / determinant, w / determinant]))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn corners() -> [Vec3; 3] {
+        [[0.0, 0.0, 2.0], [1.0, 0.0, 2.0], [0.0, 1.0, 2.0]].map(Vec3::from)
+    }
+
+    fn ray(x: f64, y: f64) -> Ray {
+        Ray::new(Vec3::new(x, y, 0.0), Vec3::new(0.0, 0.0, 0.5))
+    }
+
+    /// Inside, on the border, outside; the bounds of `t` are inclusive.
+    #[test]
+    fn inside_border_and_bounds() {
+        let hit = |ray: &Ray| intersect_triangle(ray, corners());
+        assert_eq!(hit(&ray(0.25, 0.5)), Some((4.0, [0.25, 0.5])));
+        assert_eq!(hit(&ray(0.0, 0.0)), Some((4.0, [0.0, 0.0])));
+        assert_eq!(hit(&ray(0.5, 0.5)), Some((4.0, [0.5, 0.5])));
+        assert_eq!(hit(&ray(0.6, 0.5)), None);
+        for (t_min, t_max, is_hit) in [(4.0, 4.0, true), (4.1, 9.0, false), (0.0, 3.9, false)] {
+            let bounded = Ray {
+                t_min,
+                t_max,
+                ..ray(0.25, 0.5)
+            };
+            assert_eq!(hit(&bounded).is_some(), is_hit, "{t_min} {t_max}");
+        }
+    }
+
+    /// In the plane, without direction, not finite, without area: misses.
+    #[test]
+    fn degenerate_cases_miss() {
+        let along = Vec3::new(1.0, 0.3, 0.0);
+        let in_plane = Ray::new(Vec3::new(-1.0, 0.0, 2.0), along);
+        assert_eq!(intersect_triangle(&in_plane, corners()), None);
+        for direction in [0.0, f64::NAN, f64::INFINITY, 1e-320] {
+            let bad = Ray::new(Vec3::zero(), Vec3::new(0.0, 0.0, direction));
+            assert_eq!(intersect_triangle(&bad, corners()), None, "{direction}");
+        }
+        let [a, b, _] = corners();
+        for flat in [[a, a, a], [a, b, b], [a, b, (a + b) * 0.5]] {
+            assert_eq!(intersect_triangle(&ray(0.25, 0.0), flat), None);
+        }
+    }
+}

@@ -4,9 +4,10 @@
 //! for each instruction set ([`Scalar`], and AVX2 in `simd/avx2.rs`). Which
 //! one runs is decided once per tree, see [`Instructions`].
 //!
-//! Only [`F32x8::mul_add`] rounds differently between instruction sets (fused
-//! or not). It is used for bounds, which carry margins for it; the tests of
-//! triangles and edges themselves are bitwise the same everywhere.
+//! Only [`F32x8::mul_add`] (fused or not) and the estimates of [`F32x8`] differ
+//! between instruction sets. They are used for bounds, which carry margins for
+//! it; the tests of triangles and edges themselves are bitwise the same
+//! everywhere.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
@@ -64,8 +65,14 @@ pub trait Simd: Copy {
     fn splat(self, v: f32) -> Self::F32x8;
     /// Eight numbers from memory.
     fn load(self, v: &[f32; 8]) -> Self::F32x8;
+    /// Eight integers from memory.
+    fn load_i16(self, v: &[i16; 8]) -> Self::F32x8;
+    /// Eight integers from memory.
+    fn load_i8(self, v: &[i8; 8]) -> Self::F32x8;
     /// The same number four times.
     fn splat_f64(self, v: f64) -> Self::F64x4;
+    /// Brings a value into the caches that will be needed soon.
+    fn prefetch<T>(self, value: &T);
     /// Four numbers from memory.
     fn load_f64(self, v: &[f64; 4]) -> Self::F64x4;
 }
@@ -86,14 +93,19 @@ pub trait Lanes:
     fn lt(self, b: Self) -> u32;
 }
 
+/// Largest relative error of estimates on any processor.
+pub const ESTIMATE_ERROR: f32 = 1.5 / (1 << 12) as f32;
+
 /// Eight single-precision numbers.
 pub trait F32x8: Lanes {
     /// `self * b + c`, rounded once or twice.
     fn mul_add(self, b: Self, c: Self) -> Self;
     /// `self * b - c`, rounded once or twice.
     fn mul_sub(self, b: Self, c: Self) -> Self;
-    /// The square roots.
-    fn sqrt(self) -> Self;
+    /// About one over each number, to a relative error of [`ESTIMATE_ERROR`].
+    fn recip_estimate(self) -> Self;
+    /// About one over the square root of each number, as precise.
+    fn rsqrt_estimate(self) -> Self;
     /// Lanes of `negative` where `self` has its sign bit set, else of `other`.
     fn select_by_sign(self, negative: Self, other: Self) -> Self;
     /// The numbers.
@@ -126,6 +138,14 @@ impl Simd for Scalar {
         Array(*v)
     }
     #[inline(always)]
+    fn load_i16(self, v: &[i16; 8]) -> Self::F32x8 {
+        Array(v.map(f32::from))
+    }
+    #[inline(always)]
+    fn load_i8(self, v: &[i8; 8]) -> Self::F32x8 {
+        Array(v.map(f32::from))
+    }
+    #[inline(always)]
     fn splat_f64(self, v: f64) -> Self::F64x4 {
         Array([v; 4])
     }
@@ -133,6 +153,8 @@ impl Simd for Scalar {
     fn load_f64(self, v: &[f64; 4]) -> Self::F64x4 {
         Array(*v)
     }
+    #[inline(always)]
+    fn prefetch<T>(self, _value: &T) {}
 }
 
 /// Numbers that have an absolute value.
@@ -234,8 +256,12 @@ impl F32x8 for Array<f32, 8> {
         self * b - c
     }
     #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self(self.0.map(f32::sqrt))
+    fn recip_estimate(self) -> Self {
+        Self(self.0.map(f32::recip))
+    }
+    #[inline(always)]
+    fn rsqrt_estimate(self) -> Self {
+        Self(self.0.map(|v| v.sqrt().recip()))
     }
     #[inline(always)]
     fn select_by_sign(self, negative: Self, other: Self) -> Self {

@@ -2,7 +2,7 @@
 
 mod common;
 
-use capwalk_geometry::{Mesh, Ray, RayTree, oracle};
+use capwalk_geometry::{Mesh, Ray, RayTree, TreeError, oracle};
 use capwalk_math::Vec3;
 use common::{Place, Spot};
 use proptest::prelude::*;
@@ -84,4 +84,66 @@ proptest! {
         tree.refit(&moved);
         check(&tree, &moved, &rays_at(&moved))?;
     }
+}
+
+/// No ray slips through a closed mesh between two faces: rays from inside, at
+/// the vertices and at points of the edges as exactly as they can be aimed,
+/// all hit.
+#[test]
+fn closed_meshes_are_watertight() {
+    for (n, offset, size) in [(1, 0.0, 1.0), (4, 0.0, 1.0), (9, 1e5, 1e-2), (7, 0.0, 1e-6)] {
+        let mut mesh = common::ball(n, |d| 1.0 + 0.2 * (5.0 * d.x + 3.0 * d.y).sin());
+        for p in &mut mesh.positions {
+            *p = *p * size + Vec3::splat(offset);
+        }
+        let tree = RayTree::build(&mesh);
+        for face in 0..mesh.faces.len() {
+            let corners = mesh.corners(face);
+            for step in 0..=30 {
+                let origin =
+                    Vec3::new(0.1, -0.05, 0.02 * f64::from(step % 3)) * size + Vec3::splat(offset);
+                for side in 0..3 {
+                    let (a, b) = (corners[side], corners[(side + 1) % 3]);
+                    let target = a + (b - a) * (f64::from(step) / 30.0);
+                    let ray = Ray::new(origin, target - origin);
+                    assert!(tree.first_hit(&ray).is_some(), "{n} {face} {step} {side}");
+                }
+            }
+        }
+    }
+}
+
+/// No faces: nothing is hit.
+#[test]
+fn empty_mesh() {
+    let tree = RayTree::build(&Mesh::default());
+    let ray = Ray::new(Vec3::zero(), Vec3::new(0.0, 0.0, 1.0));
+    assert_eq!((tree.first_hit(&ray), tree.occluded(&ray)), (None, false));
+    assert_eq!(tree.validate(&Mesh::default()), Ok(()));
+}
+
+/// All triangles in one place, where no split helps: still a tree.
+#[test]
+fn many_equal_triangles() {
+    let mut mesh = common::sheet(1, |_, _| 0.0);
+    let faces = mesh.faces[0];
+    mesh.faces = vec![faces; 5000];
+    let tree = RayTree::build(&mesh);
+    assert_eq!(tree.validate(&mesh), Ok(()));
+    let ray = Ray::new(Vec3::new(0.3, -0.2, 1.0), Vec3::new(0.0, 0.0, -1.0));
+    assert_eq!(tree.first_hit(&ray), oracle::first_hit(&mesh, &ray));
+}
+
+/// A tree does not pass for another mesh's.
+#[test]
+fn validation_notices_moved_vertices() {
+    let mesh = common::ball(3, |_| 1.0);
+    let mut tree = RayTree::build(&mesh);
+    let moved = common::ball(3, |d| 1.0 + 0.1 * d.x);
+    assert!(matches!(
+        tree.validate(&moved),
+        Err(TreeError::LeafContent { .. })
+    ));
+    tree.refit(&moved);
+    assert_eq!(tree.validate(&moved), Ok(()));
 }

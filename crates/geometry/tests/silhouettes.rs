@@ -3,7 +3,8 @@
 mod common;
 
 use capwalk_geometry::{
-    ConeQuery, Edge, EdgeSelection, Mesh, Plane, SilhouetteTree, oracle, topology,
+    ConeQuery, Edge, EdgeSelection, Mesh, Plane, SilhouettePoint, SilhouetteTree, TreeError,
+    oracle, topology,
 };
 use capwalk_math::Vec3;
 use common::{Place, Spot};
@@ -85,6 +86,9 @@ fn check(
         let expected = oracle::closest_silhouette(mesh, edges, query);
         prop_assert_eq!(tree.closest(query), expected, "{:?}", query);
         prop_assert_eq!(scalar.closest(query), expected, "scalar, {:?}", query);
+        let accept = |point: &SilhouettePoint| point.edge % 3 == 1;
+        let expected = oracle::closest_silhouette_where(mesh, edges, query, accept);
+        prop_assert_eq!(tree.closest_where(query, accept), expected, "{:?}", query);
     }
     Ok(())
 }
@@ -113,4 +117,87 @@ proptest! {
         tree.refit(&moved);
         check(&tree, &moved, &edges, &queries_at(&moved))?;
     }
+}
+
+fn query(eye: Vec3, axis: Vec3, max_angle: f64) -> ConeQuery {
+    ConeQuery {
+        eye,
+        axis,
+        max_angle,
+        edges: EdgeSelection::Silhouettes,
+        groups: u8::MAX,
+        in_front_of: None,
+    }
+}
+
+/// Larger meshes than above, with several levels of nodes, from eyes on and
+/// near the surface, looking along it, at silhouettes down to 1e-9 radians.
+#[test]
+fn deep_trees_are_brute_force() {
+    let mesh = common::ball(20, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
+    let edges = topology::edges(&mesh);
+    let tree = SilhouetteTree::build(&mesh, &edges);
+    assert_eq!(tree.validate(&mesh, &edges), Ok(()));
+    for i in 0..300 {
+        let face = (i * 97) % mesh.faces.len();
+        let [a, b, c] = mesh.corners(face);
+        let height = [0.0, 1e-3, 0.5, 3.0][i % 4];
+        let eye = (a + b + c) / 3.0 * (1.0 + height);
+        let axis = (mesh.positions[(i * 31) % mesh.positions.len()] - eye).normalized();
+        let wide = query(eye, axis, 4.0);
+        let found = oracle::closest_silhouette(&mesh, &edges, &wide);
+        assert_eq!(tree.closest(&wide), found);
+        // Aimed past the silhouette by a little.
+        let point = found.expect("a closed surface has a silhouette");
+        for digits in [3, 6, 9] {
+            let aside = Vec3::new(0.3, -0.8, 0.5) * 10_f64.powi(-digits);
+            let axis = (point.direction + aside).normalized();
+            let query = query(eye, axis, [4.0, 1e-2][i % 2]);
+            assert_eq!(
+                tree.closest(&query),
+                oracle::closest_silhouette(&mesh, &edges, &query)
+            );
+        }
+    }
+}
+
+/// Nothing to find: no edges; an angle limit of zero; no groups.
+#[test]
+fn nothing_is_found() {
+    let axis = Vec3::new(0.0, 0.0, 1.0);
+    let empty = SilhouetteTree::build(&Mesh::default(), &[]);
+    assert_eq!(empty.closest(&query(Vec3::zero(), axis, 4.0)), None);
+    let mesh = common::sheet(2, |_, _| 0.0);
+    let tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
+    let eye = Vec3::new(0.1, 0.2, -1.0);
+    assert!(tree.closest(&query(eye, axis, 4.0)).is_some());
+    for max_angle in [0.0, -1.0, f64::NAN] {
+        assert_eq!(tree.closest(&query(eye, axis, max_angle)), None);
+    }
+    let no_groups = ConeQuery {
+        groups: 0,
+        ..query(eye, axis, 4.0)
+    };
+    assert_eq!(tree.closest(&no_groups), None);
+}
+
+/// A tree does not pass for another mesh's, nor for other groups.
+#[test]
+fn validation_notices_changes() {
+    let mesh = common::ball(3, |_| 1.0);
+    let edges = topology::edges(&mesh);
+    let mut tree = SilhouetteTree::build(&mesh, &edges);
+    let mut regrouped = edges.clone();
+    regrouped[5].groups = 1;
+    assert!(matches!(
+        tree.validate(&mesh, &regrouped),
+        Err(TreeError::LeafContent { .. })
+    ));
+    let moved = common::ball(3, |d| 1.0 + 0.1 * d.x);
+    assert!(matches!(
+        tree.validate(&moved, &edges),
+        Err(TreeError::LeafContent { .. })
+    ));
+    tree.refit(&moved);
+    assert_eq!(tree.validate(&moved, &edges), Ok(()));
 }

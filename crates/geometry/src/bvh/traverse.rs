@@ -53,6 +53,25 @@ impl Stack {
     }
 }
 
+/// Calls `visit` with each lane whose bit is set and its bound, the nearest
+/// first.
+#[inline(always)]
+pub fn for_each_sorted(mut mask: u32, bounds: &[f32; WIDTH], mut visit: impl FnMut(usize, f32)) {
+    while mask != 0 {
+        let mut nearest = mask.trailing_zeros() as usize % WIDTH;
+        let mut rest = mask & (mask - 1);
+        while rest != 0 {
+            let lane = rest.trailing_zeros() as usize % WIDTH;
+            rest &= rest - 1;
+            if bounds[lane] < bounds[nearest] {
+                nearest = lane;
+            }
+        }
+        mask &= !(1 << nearest);
+        visit(nearest, bounds[nearest]);
+    }
+}
+
 #[inline(always)]
 fn pack(bound: f32, child: Child) -> u64 {
     debug_assert!(bound.is_sign_positive(), "bound {bound}");

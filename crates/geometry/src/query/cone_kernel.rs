@@ -8,14 +8,14 @@
 //!
 //! which grows with the angle, from 0 over 1 at a right angle to 2 at π.
 
-use capwalk_math::Vec3;
+use capwalk_math::{Frame, Vec3};
 
 use super::silhouette_tree::{ConeQuery, EdgeSelection};
 use crate::aabb::{Aabb, LocalFrame, round_up};
 use crate::bvh::{Child, WIDTH};
 use crate::cone::NormalCone;
 use crate::edge::ON_PLANE;
-use crate::simd::{F32x8, Lanes, Simd};
+use crate::simd::{ESTIMATE_ERROR, F32x8, Lanes, Simd};
 
 /// Edges in a leaf.
 pub const LANES: usize = 8;
@@ -71,21 +71,60 @@ impl ConeNode {
         groups: [0; WIDTH],
     };
 
-    /// Fills one slot.
-    pub fn set(&mut self, slot: usize, child: Child, bounds: &Aabb, cone: &NormalCone, groups: u8) {
-        let half = [0, 1, 2].map(|axis| {
+    /// Fills one slot with a child that contains the edges and has the box.
+    pub fn set(&mut self, slot: usize, child: Child, bounds: &Aabb, edges: &[LocalEdge]) {
+        let cone = NormalCone::around(|| edges.iter().flat_map(LocalEdge::usable_normals));
+        for axis in 0..3 {
             let (low, high) = (f64::from(bounds.low[axis]), f64::from(bounds.high[axis]));
             let centre = (0.5 * (low + high)) as f32;
             let reach = (high - f64::from(centre)).max(f64::from(centre) - low);
             self.centre[axis][slot] = centre;
             self.half[axis][slot] = round_up(reach);
             self.axis[axis][slot] = cone.axis[axis] as f32;
-            f64::from(self.half[axis][slot])
-        });
+        }
         self.sin_squared[slot] = round_up(cone.sin * cone.sin * (1.0 + STORED_MARGIN));
-        self.view_margin[slot] = round_up(cone.view_margin(half.into()) * (1.0 + STORED_MARGIN));
+        let view_margin = self.view_margin(slot, edges);
+        self.view_margin[slot] = round_up(view_margin * (1.0 + STORED_MARGIN));
         self.children[slot] = child;
-        self.groups[slot] = groups;
+        self.groups[slot] = edges.iter().fold(0, |groups, edge| groups | edge.groups);
+    }
+
+    /// `NormalCone::view_margin` of the child's edges around its centre.
+    fn view_margin(&self, slot: usize, edges: &[LocalEdge]) -> f64 {
+        let at = |v: &[[f32; WIDTH]; 3]| Vec3::from([0, 1, 2].map(|i| f64::from(v[i][slot])));
+        let centre = at(&self.centre);
+        let mut height = 0.0_f64;
+        for edge in edges {
+            for normal in edge.usable_normals().flatten() {
+                height = height.max((edge.ends[0] - centre).dot(normal).abs());
+            }
+        }
+        let cone = NormalCone {
+            axis: at(&self.axis),
+            sin: f64::from(self.sin_squared[slot]).sqrt(),
+        };
+        cone.view_margin(at(&self.half).length(), height)
+    }
+
+    /// True if no view is skipped for the child that can see a silhouette of
+    /// the edge: the cone contains its normals, and its planes pass the centre
+    /// near enough.
+    pub fn covers(&self, slot: usize, edge: &LocalEdge) -> bool {
+        let sin_squared = f64::from(self.sin_squared[slot]);
+        if sin_squared.is_infinite() {
+            return true;
+        }
+        let axis = Vec3::from([0, 1, 2].map(|i| f64::from(self.axis[i][slot])));
+        let is_inside = |normal: Vec3| {
+            let cross = axis.cross(normal).length() - AXIS_ROUNDING;
+            axis.dot(normal) > 0.0 && (cross <= 0.0 || cross * cross <= sin_squared)
+        };
+        let needed = self.view_margin(slot, std::slice::from_ref(edge));
+        let is_within = needed <= f64::from(self.view_margin[slot]);
+        is_within
+            && edge
+                .usable_normals()
+                .all(|normal| normal.is_some_and(is_inside))
     }
 
     /// True if the point, in local coordinates, lies in the box of the child.
@@ -94,17 +133,6 @@ impl ConeNode {
             let (centre, half) = (self.centre[axis][slot], self.half[axis][slot]);
             (p[axis] - f64::from(centre)).abs() <= f64::from(half)
         })
-    }
-
-    /// True if the child's cone contains the normal, or all; `None` needs all.
-    pub fn covers_normal(&self, slot: usize, normal: Option<Vec3>) -> bool {
-        let sin_squared = f64::from(self.sin_squared[slot]);
-        let axis = Vec3::from([0, 1, 2].map(|i| f64::from(self.axis[i][slot])));
-        let is_inside = |normal: Vec3| {
-            let cross = axis.cross(normal).length() - AXIS_ROUNDING;
-            axis.dot(normal) > 0.0 && (cross <= 0.0 || cross * cross <= sin_squared)
-        };
-        sin_squared.is_infinite() || normal.is_some_and(is_inside)
     }
 
     /// All groups of the edges below a child.
@@ -116,20 +144,32 @@ impl ConeNode {
 /// Error of a unit vector rounded to single precision.
 const AXIS_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 
-/// Up to eight edges, in local coordinates.
+/// Up to eight edges, in three cache lines: rounded to fixed point, which only
+/// costs a little of the bounds' tightness.
 #[derive(Clone, Debug, PartialEq)]
-#[repr(C, align(32))]
+#[repr(C, align(64))]
 pub struct EdgeBlock {
-    /// Midpoints.
-    middle: [[f32; LANES]; 3],
-    /// From the midpoints to the second ends.
-    half: [[f32; LANES]; 3],
-    /// Unit normals of the two faces; zero for edges that may be silhouettes
-    /// whatever the view.
-    normals: [[[f32; LANES]; 3]; 2],
+    /// Midpoints, less `origin`, in units of `step`.
+    middle: [[i16; LANES]; 3],
+    /// From the midpoints to the second ends, in units of `step`.
+    half: [[i16; LANES]; 3],
+    /// Normals of the two faces, of length [`NORMAL_SCALE`]; zero for edges
+    /// that may be silhouettes whatever the view.
+    normals: [[[i8; LANES]; 3]; 2],
+    /// In local coordinates.
+    origin: [f32; 3],
+    /// In local units. The ends are rounded by at most this much on each axis.
+    step: f32,
     /// Groups; 0 for empty lanes.
     groups: [u8; LANES],
 }
+
+/// Length of the normals in a block.
+const NORMAL_SCALE: f32 = i8::MAX as f32;
+
+/// Error of each component of the normals in a block: half a unit, and what
+/// single precision adds.
+const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 10) as f32;
 
 /// An edge as blocks and nodes see it, in local coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -143,24 +183,51 @@ pub struct LocalEdge {
     pub groups: u8,
 }
 
+impl LocalEdge {
+    /// Its normals; one `None` if it may be a silhouette whatever the view.
+    pub fn usable_normals(&self) -> impl Iterator<Item = Option<Vec3>> + use<> {
+        let [first, second] = match self.normals {
+            Some([first, second]) => [Some(first), Some(second)],
+            None => [None, None],
+        };
+        [first, second].into_iter()
+    }
+}
+
 impl EdgeBlock {
     /// The block of these edges.
     pub fn new(edges: &[LocalEdge]) -> Self {
+        let middles = || edges.iter().map(|edge| (edge.ends[0] + edge.ends[1]) * 0.5);
+        let bounds = Aabb::around(middles());
+        let origin = [0, 1, 2].map(|axis| 0.5 * (bounds.low[axis] + bounds.high[axis]));
+        let around = |middle: Vec3| middle - Vec3::from(origin.map(f64::from));
+        let halves = edges.iter().map(|edge| (edge.ends[1] - edge.ends[0]) * 0.5);
+        let largest = middles()
+            .map(around)
+            .chain(halves)
+            .map(|v| v.map(f64::abs).max_component())
+            .fold(f64::from(f32::MIN_POSITIVE), f64::max);
+        let step = round_up(largest / f64::from(i16::MAX));
         let mut block = Self {
-            middle: [[0.0; LANES]; 3],
-            half: [[0.0; LANES]; 3],
-            normals: [[[0.0; LANES]; 3]; 2],
+            middle: [[0; LANES]; 3],
+            half: [[0; LANES]; 3],
+            normals: [[[0; LANES]; 3]; 2],
+            origin,
+            step,
             groups: [0; LANES],
         };
+        let fixed = |v: f64| (v / f64::from(step)).round() as i16;
         for (lane, edge) in edges.iter().enumerate() {
             let [a, b] = edge.ends;
-            let (middle, half) = ((a + b) * 0.5, (b - a) * 0.5);
+            let (middle, half) = (around((a + b) * 0.5), (b - a) * 0.5);
             let normals = edge.normals.unwrap_or([Vec3::zero(); 2]);
             for axis in 0..3 {
-                block.middle[axis][lane] = middle[axis] as f32;
-                block.half[axis][lane] = half[axis] as f32;
-                block.normals[0][axis][lane] = normals[0][axis] as f32;
-                block.normals[1][axis][lane] = normals[1][axis] as f32;
+                block.middle[axis][lane] = fixed(middle[axis]);
+                block.half[axis][lane] = fixed(half[axis]);
+                for (face, normal) in normals.iter().enumerate() {
+                    let scaled = normal[axis] * f64::from(NORMAL_SCALE);
+                    block.normals[face][axis][lane] = scaled.round() as i8;
+                }
             }
             block.groups[lane] = edge.groups;
         }
@@ -181,14 +248,16 @@ struct LocalPlane {
 /// some thirty terms of at most that size, each rounded by at most 2⁻²⁴.
 const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
 
-/// A bound of an angle is off by at most this factor, margins of positions
-/// aside.
-const BOUND_SHRINK: f32 = 1.0 - 1.0 / (1 << 20) as f32;
+/// Margins of positions aside, a bound of an angle is off by at most the errors
+/// of two estimates, and a few roundings that are much smaller.
+const BOUND_SHRINK: f32 = 1.0 - 2.5 * ESTIMATE_ERROR;
 
 /// A view cone in the coordinates of a tree.
 pub struct LocalCone<S: Simd> {
     eye: [S::F32x8; 3],
     axis: [S::F32x8; 3],
+    /// Two unit vectors that complete the axis to a frame.
+    across: [[S::F32x8; 3]; 2],
     /// Error of positions.
     margin: S::F32x8,
     /// Distance from a face's plane below which the eye may count as in it.
@@ -209,17 +278,23 @@ impl<S: Simd> LocalCone<S> {
         let range = sum(eye) + 3.0;
         let margin = POSITION_MARGIN * range;
         let on_plane = ON_PLANE * (sum(query.eye) + frame.reach) * frame.inverse_scale;
+        let axis = query.axis;
+        let Frame { s, t, .. } = Frame::from_normal(axis);
         let in_front_of = query.in_front_of.map(|plane| {
             let normal = plane.normal.normalized();
             let offset = frame.local_from_world(plane.point).dot(normal);
             LocalPlane {
-                normal: normal.to_array().map(|v| v as f32),
+                normal: [normal.x as f32, normal.y as f32, normal.z as f32],
                 offset: (offset - POSITION_MARGIN * (offset.abs() + 3.0)) as f32,
             }
         });
         Self {
-            eye: eye.to_array().map(|v| simd.splat(v as f32)),
-            axis: query.axis.to_array().map(|v| simd.splat(v as f32)),
+            eye: splat(simd, [eye.x as f32, eye.y as f32, eye.z as f32]),
+            axis: splat(simd, [axis.x as f32, axis.y as f32, axis.z as f32]),
+            across: [
+                splat(simd, [s.x as f32, s.y as f32, s.z as f32]),
+                splat(simd, [t.x as f32, t.y as f32, t.z as f32]),
+            ],
             margin: simd.splat(round_up(margin)),
             // Twice: the test in double precision rounds, too.
             plane_margin: simd.splat(round_up(margin + 2.0 * on_plane)),
@@ -242,10 +317,18 @@ impl<S: Simd> LocalCone<S> {
         let radial_squared = dot(radial, radial);
         // The box reaches this far from its centre along the axis, and away
         // from the axis (times the distance).
-        let z_reach = dot(self.axis.map(S::F32x8::abs), half);
-        let radial_reach = dot(radial.map(S::F32x8::abs), half);
+        let z_reach = dot(abs(self.axis), half);
+        let radial_reach = dot(abs(radial), half);
         let reach = half[0] + half[1] + half[2];
-        let bound = self.pseudo_angle(simd, z, radial_squared, z_reach, radial_reach, reach);
+        let bound = pseudo_angle(
+            simd,
+            self.margin,
+            z,
+            radial_squared,
+            z_reach,
+            radial_reach,
+            reach,
+        );
         mask &= bound.le(simd.splat(limit));
         if !self.all_edges {
             // No silhouettes if |axis·v| > sin |v| + k (NormalCone).
@@ -258,8 +341,8 @@ impl<S: Simd> LocalCone<S> {
             mask &= !is_clear;
         }
         if let Some(plane) = self.in_front_of {
-            let normal = plane.normal.map(|v| simd.splat(v));
-            let nearest = dot(normal, centre) + dot(normal.map(S::F32x8::abs), half);
+            let normal = splat(simd, plane.normal);
+            let nearest = dot(normal, centre) + dot(abs(normal), half);
             mask &= !nearest.lt(simd.splat(plane.offset));
         }
         (mask, bound.to_array())
@@ -270,75 +353,180 @@ impl<S: Simd> LocalCone<S> {
     #[inline(always)]
     pub fn edges(&self, simd: S, block: &EdgeBlock, limit: f32) -> (u32, [f32; LANES]) {
         let mut mask = groups_mask(&block.groups, self.groups);
-        let view = sub(load(simd, &block.middle), self.eye);
+        let step = simd.splat(block.step);
+        let base = sub(splat(simd, block.origin), self.eye);
+        let middle = load_i16(simd, &block.middle);
+        let view = [
+            middle[0].mul_add(step, base[0]),
+            middle[1].mul_add(step, base[1]),
+            middle[2].mul_add(step, base[2]),
+        ];
+        // Both ends are rounded by a step on each axis.
+        let margin = self.margin + simd.splat(2.0) * step;
         if !self.all_edges {
-            let [first, second] = [0, 1].map(|i| dot(load(simd, &block.normals[i]), view));
-            // No silhouette if both faces are seen from the same side.
-            let zero = simd.splat(0.0);
-            let behind = self.plane_margin.lt(first.min(second));
-            let front = first.max(second).lt(zero - self.plane_margin);
+            let first = dot(load_i8(simd, &block.normals[0]), view);
+            let second = dot(load_i8(simd, &block.normals[1]), view);
+            // No silhouette if both faces are seen from the same side, whatever
+            // the rounding of normals and ends.
+            let size = view[0].abs() + view[1].abs() + view[2].abs();
+            let heights = (self.plane_margin + margin) * simd.splat(NORMAL_SCALE);
+            let clearance = size.mul_add(simd.splat(NORMAL_ERROR), heights);
+            let behind = clearance.lt(first.min(second));
+            let front = first.max(second).lt(simd.splat(0.0) - clearance);
             mask &= !(behind | front);
             if mask == 0 {
                 return (0, [0.0; LANES]);
             }
         }
-        let half = load(simd, &block.half);
+        let half = load_i16(simd, &block.half);
+        let half = [half[0] * step, half[1] * step, half[2] * step];
         let z = dot(self.axis, view);
-        let radial = reject(view, self.axis, z);
-        let radial_squared = dot(radial, radial);
-        let z_reach = dot(self.axis, half).abs();
-        let radial_reach = dot(radial, half).abs();
-        let reach = half[0].abs() + half[1].abs() + half[2].abs();
-        let bound = self.pseudo_angle(simd, z, radial_squared, z_reach, radial_reach, reach);
+        let z_half = dot(self.axis, half);
+        let least_z = z - z_half.abs();
+        // Edges wholly in front of the eye are projected; the others, too close
+        // or behind, are bounded like boxes.
+        let in_front = margin.lt(least_z);
+        let mut bound = self.projected_pseudo_angle(simd, margin, view, half, z, z_half);
+        if mask & !in_front != 0 {
+            let radial = reject(view, self.axis, z);
+            let radial_squared = dot(radial, radial);
+            let radial_reach = dot(radial, half).abs();
+            let reach = half[0].abs() + half[1].abs() + half[2].abs();
+            let rough = pseudo_angle(
+                simd,
+                margin,
+                z,
+                radial_squared,
+                z_half.abs(),
+                radial_reach,
+                reach,
+            );
+            bound = (margin - least_z).select_by_sign(bound, rough);
+        }
         mask &= bound.le(simd.splat(limit));
         (mask, bound.to_array())
     }
 
-    /// Lower bound of the pseudo-angles of points around a centre at height
-    /// `z` and distance `ρ = √radial_squared` from the axis, that reach at most
-    /// `z_reach` along the axis, `radial_reach / ρ` in the radial direction,
-    /// and `reach` in any.
+    /// Lower bound of the pseudo-angles of segments in front of the eye.
+    ///
+    /// Projected on the plane at height 1, a segment stays a segment, and its
+    /// point nearest to the axis stays the nearest, at the tangent of the
+    /// angle. The margins: a point projected at `p` is off by at most
+    /// `margin / z (1 + |p|)`, and the nearest point, along the segment, by
+    /// less than that.
     #[inline(always)]
-    fn pseudo_angle(
+    fn projected_pseudo_angle(
         &self,
         simd: S,
+        margin: S::F32x8,
+        view: [S::F32x8; 3],
+        half: [S::F32x8; 3],
         z: S::F32x8,
-        radial_squared: S::F32x8,
-        z_reach: S::F32x8,
-        radial_reach: S::F32x8,
-        reach: S::F32x8,
+        z_half: S::F32x8,
     ) -> S::F32x8 {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
-        let radial = radial_squared.sqrt();
-        let highest = z + z_reach + self.margin;
-        // In front: least ρ over largest z. Both times the centre's ρ. The
-        // radial direction is only orthogonal to the axis up to rounding
-        // (margin / ρ), so the reach along the axis leaks into it.
-        let near = radial_squared - radial_reach - self.margin * (radial + reach);
-        let near = near.max(zero);
-        let front_sum = highest.mul_add(radial, near);
-        // All behind: least |z| over largest ρ.
-        let behind_sum = radial + reach + self.margin - highest;
-        let numerator = highest.select_by_sign(zero - highest, near);
-        let denominator = highest.select_by_sign(behind_sum, front_sum);
-        let base = highest.select_by_sign(one, zero);
-        // 0/0 on the axis: the maximum makes NaN zero.
-        let bound = (numerator / denominator + base) * simd.splat(BOUND_SHRINK);
-        bound.max(zero)
+        let (x, x_half) = (dot(self.across[0], view), dot(self.across[0], half));
+        let (y, y_half) = (dot(self.across[1], view), dot(self.across[1], half));
+        let from_scale = recip(simd, z - z_half);
+        let to_scale = recip(simd, z + z_half);
+        let (from_x, from_y) = ((x - x_half) * from_scale, (y - y_half) * from_scale);
+        let (to_x, to_y) = ((x + x_half) * to_scale, (y + y_half) * to_scale);
+        let (along_x, along_y) = (to_x - from_x, to_y - from_y);
+        let length_squared = along_x.mul_add(along_x, along_y * along_y);
+        let towards = zero - from_x.mul_add(along_x, from_y * along_y);
+        // A segment seen end-on has 0/0 here, which the maximum makes 0.
+        let t = (towards * recip(simd, length_squared)).max(zero).min(one);
+        let nearest_x = t.mul_add(along_x, from_x);
+        let nearest_y = t.mul_add(along_y, from_y);
+        let squared = nearest_x.mul_add(nearest_x, nearest_y * nearest_y);
+        // Estimates treat subnormal numbers as zero: none of those.
+        let squared = squared.max(simd.splat(f32::MIN_POSITIVE));
+        let tangent = squared * squared.rsqrt_estimate();
+        let size = from_x.abs() + from_y.abs() + to_x.abs() + to_y.abs() + one;
+        let error = margin * from_scale.max(to_scale) * size;
+        let tangent = (tangent * simd.splat(BOUND_SHRINK) - error).max(zero);
+        tangent * (one + tangent).recip_estimate() * simd.splat(BOUND_SHRINK)
     }
+}
+
+/// Lower bound of the pseudo-angles of points around a centre at height
+/// `z` and distance `ρ = √radial_squared` from the axis, that reach at most
+/// `z_reach` along the axis, `radial_reach / ρ` in the radial direction,
+/// and `reach` in any.
+#[inline(always)]
+fn pseudo_angle<S: Simd>(
+    simd: S,
+    margin: S::F32x8,
+    z: S::F32x8,
+    radial_squared: S::F32x8,
+    z_reach: S::F32x8,
+    radial_reach: S::F32x8,
+    reach: S::F32x8,
+) -> S::F32x8 {
+    let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
+    let radial = radial_squared * radial_squared.rsqrt_estimate();
+    let highest = z + z_reach + margin;
+    // In front: least ρ over largest z. Both times the centre's ρ. The
+    // radial direction is only orthogonal to the axis up to rounding
+    // (margin / ρ), so the reach along the axis leaks into it.
+    let near = radial_squared - radial_reach - margin * (radial + reach);
+    let near = near.max(zero);
+    let front_sum = highest.mul_add(radial, near);
+    // All behind: least |z| over largest ρ.
+    let behind_sum = radial + reach + margin - highest;
+    let numerator = highest.select_by_sign(zero - highest, near);
+    let denominator = highest.select_by_sign(behind_sum, front_sum);
+    let base = highest.select_by_sign(one, zero);
+    // On the axis there are infinities and 0/0: the maximum makes NaN zero.
+    let ratio = numerator * denominator.recip_estimate();
+    let bound = (ratio + base) * simd.splat(BOUND_SHRINK);
+    bound.max(zero)
 }
 
 /// One bit for each entry that shares a group with `selected`.
 #[inline(always)]
 fn groups_mask(groups: &[u8; 8], selected: u8) -> u32 {
-    (0..8).fold(0, |mask, i| {
-        mask | u32::from(groups[i] & selected != 0) << i
-    })
+    const LOW_BITS: u64 = 0x7f7f_7f7f_7f7f_7f7f;
+    let shared = u64::from_le_bytes(*groups) & u64::from_le_bytes([selected; 8]);
+    // The top bit of each byte that is not zero; no byte carries to the next.
+    let top_bits = (((shared & LOW_BITS) + LOW_BITS) | shared) & !LOW_BITS;
+    // The product gathers the eight bits in the top byte.
+    ((top_bits >> 7).wrapping_mul(0x0102_0408_1020_4080) >> 56) as u32
+}
+
+// No closures over vectors: they would not be compiled with the instructions.
+
+#[inline(always)]
+fn splat<S: Simd>(simd: S, v: [f32; 3]) -> [S::F32x8; 3] {
+    [simd.splat(v[0]), simd.splat(v[1]), simd.splat(v[2])]
 }
 
 #[inline(always)]
 fn load<S: Simd>(simd: S, v: &[[f32; 8]; 3]) -> [S::F32x8; 3] {
     [simd.load(&v[0]), simd.load(&v[1]), simd.load(&v[2])]
+}
+
+#[inline(always)]
+fn load_i16<S: Simd>(simd: S, v: &[[i16; 8]; 3]) -> [S::F32x8; 3] {
+    [
+        simd.load_i16(&v[0]),
+        simd.load_i16(&v[1]),
+        simd.load_i16(&v[2]),
+    ]
+}
+
+#[inline(always)]
+fn load_i8<S: Simd>(simd: S, v: &[[i8; 8]; 3]) -> [S::F32x8; 3] {
+    [
+        simd.load_i8(&v[0]),
+        simd.load_i8(&v[1]),
+        simd.load_i8(&v[2]),
+    ]
+}
+
+#[inline(always)]
+fn abs<F: F32x8>(v: [F; 3]) -> [F; 3] {
+    [v[0].abs(), v[1].abs(), v[2].abs()]
 }
 
 #[inline(always)]
@@ -351,8 +539,48 @@ fn dot<F: F32x8>(a: [F; 3], b: [F; 3]) -> F {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
 }
 
+/// One over each number, to almost full precision: an estimate and one step of
+/// Newton's method.
+#[inline(always)]
+fn recip<S: Simd>(simd: S, v: S::F32x8) -> S::F32x8 {
+    let estimate = v.recip_estimate();
+    estimate * (simd.splat(2.0) - v * estimate)
+}
+
 /// `v - axis z`.
 #[inline(always)]
 fn reject<F: F32x8>(v: [F; 3], axis: [F; 3], z: F) -> [F; 3] {
     [v[0] - axis[0] * z, v[1] - axis[1] * z, v[2] - axis[2] * z]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The bit tricks do what the loop does.
+    #[test]
+    fn mask_of_groups() {
+        let mut groups = [0, 1, 2, 3, 128, 255, 64, 0];
+        for selected in 0..=255 {
+            groups.rotate_left(1);
+            let expected = (0..8).filter(|&i| groups[i] & selected != 0);
+            let expected = expected.fold(0, |mask, i| mask | 1 << i);
+            assert_eq!(
+                groups_mask(&groups, selected),
+                expected,
+                "{groups:?} {selected}"
+            );
+        }
+    }
+
+    /// The stand-in for angles grows with them, from 0 to 2.
+    #[test]
+    fn pseudo_angle_grows() {
+        let pseudo = |angle: f64| pseudo_angle_limit(angle.sin(), angle.cos());
+        let angles = (0..=100).map(|i| 0.01 * f64::from(i) * std::f64::consts::PI);
+        let values: Vec<f32> = angles.map(pseudo).collect();
+        assert!(values.is_sorted());
+        assert_eq!((values[0], values[50], values[100]), (0.0, 1.0, 2.0));
+        assert!((pseudo(1e-9) / 1e-9 - 1.0).abs() < 1e-6);
+    }
 }

@@ -81,6 +81,8 @@ impl TriangleBlock {
         [t_min, t_max]: [f64; 2],
         mut found: impl FnMut(Hit),
     ) {
+        // No closures over vectors here and below: they would not be compiled
+        // with the instructions.
         let [ax, ay, az] = local.shear_corner(simd, &self.corners[0]);
         let [bx, by, bz] = local.shear_corner(simd, &self.corners[1]);
         let [cx, cy, cz] = local.shear_corner(simd, &self.corners[2]);
@@ -153,15 +155,8 @@ pub struct LocalRay<S: Simd> {
     shear: RayShear,
     origin: [S::F64x4; 3],
     shears: [S::F64x4; 2],
-    /// For boxes: which plane of each axis comes first (an index to
-    /// `RayNode::planes`) and which last.
-    first: [usize; 3],
-    last: [usize; 3],
-    inverse: [S::F32x8; 3],
-    /// `start / direction`, with the margin that makes planes nearer, or
-    /// farther.
-    offset_first: [S::F32x8; 3],
-    offset_last: [S::F32x8; 3],
+    /// For boxes.
+    slabs: [Slab<S>; 3],
     /// Local distance at which the ray enters the tree, and leaves it.
     enter: f64,
     exit: f64,
@@ -202,29 +197,22 @@ impl<S: Simd> LocalRay<S> {
         if !is_in_reach {
             return None;
         }
-        let start = origin + direction * enter;
-        let inverse = direction.map(|d| {
-            let d = if d.abs() < SLOWEST {
-                SLOWEST.copysign(d)
-            } else {
-                d
-            };
-            d.recip()
-        });
-        let offset = |sign: f64, axis: usize| {
-            let inverse: f64 = inverse[axis];
-            simd.splat((start[axis] * inverse + sign * margin * inverse.abs()) as f32)
-        };
-        let is_negative = |axis: usize| usize::from(inverse[axis] < 0.0);
+        let x = Slab::new(simd, origin.x, direction.x, enter, margin);
+        let y = Slab::new(simd, origin.y, direction.y, enter, margin);
+        let z = Slab::new(simd, origin.z, direction.z, enter, margin);
+        let [i, j, k] = shear.axes;
         Some(Self {
-            origin: shear.axes.map(|axis| simd.splat_f64(ray.origin[axis])),
-            shears: shear.shear.map(|s| simd.splat_f64(s)),
+            origin: [
+                simd.splat_f64(ray.origin[i]),
+                simd.splat_f64(ray.origin[j]),
+                simd.splat_f64(ray.origin[k]),
+            ],
+            shears: [
+                simd.splat_f64(shear.shear[0]),
+                simd.splat_f64(shear.shear[1]),
+            ],
             shear,
-            first: [0, 1, 2].map(|axis| axis + 3 * is_negative(axis)),
-            last: [0, 1, 2].map(|axis| axis + 3 - 3 * is_negative(axis)),
-            inverse: inverse.to_array().map(|v| simd.splat(v as f32)),
-            offset_first: [0, 1, 2].map(|axis| offset(1.0, axis)),
-            offset_last: [0, 1, 2].map(|axis| offset(-1.0, axis)),
+            slabs: [x, y, z],
             enter,
             exit,
             local_per_world,
@@ -243,22 +231,69 @@ impl<S: Simd> LocalRay<S> {
     /// where.
     #[inline(always)]
     pub fn children(&self, simd: S, node: &RayNode, limit: f32) -> (u32, [f32; WIDTH]) {
-        let crossing = |planes: &[usize; 3], offset: &[S::F32x8; 3], axis: usize| {
-            let plane = simd.load(&node.planes[planes[axis]]);
-            plane.mul_sub(self.inverse[axis], offset[axis])
-        };
-        let [x, y, z] = [0, 1, 2].map(|axis| crossing(&self.first, &self.offset_first, axis));
-        let near = x.max(y).max(z.max(simd.splat(0.0)));
-        let [x, y, z] = [0, 1, 2].map(|axis| crossing(&self.last, &self.offset_last, axis));
-        let far = x.min(y).min(z.min(simd.splat(limit)));
+        let [x, y, z] = &self.slabs;
+        let [low_x, low_y, low_z, high_x, high_y, high_z] = &node.planes;
+        let (x_near, x_far) = x.crossings(simd, low_x, high_x);
+        let (y_near, y_far) = y.crossings(simd, low_y, high_y);
+        let (z_near, z_far) = z.crossings(simd, low_z, high_z);
+        let near = x_near.max(y_near).max(z_near.max(simd.splat(0.0)));
+        let far = x_far.min(y_far).min(z_far.min(simd.splat(limit)));
         (near.le(far), near.to_array())
     }
 
     /// A corner of four triangles, relative to the ray and sheared.
     #[inline(always)]
     fn shear_corner(&self, simd: S, corner: &[[f64; LANES]; 3]) -> [S::F64x4; 3] {
-        let axes = &self.shear.axes;
-        let [x, y, z] = [0, 1, 2].map(|i| simd.load_f64(&corner[axes[i]]) - self.origin[i]);
+        let [i, j, k] = self.shear.axes;
+        let z = simd.load_f64(&corner[k]) - self.origin[2];
+        let x = simd.load_f64(&corner[i]) - self.origin[0];
+        let y = simd.load_f64(&corner[j]) - self.origin[1];
         [x - self.shears[0] * z, y - self.shears[1] * z, z]
+    }
+}
+
+/// A ray's motion along one axis.
+struct Slab<S: Simd> {
+    /// Distance per movement along the axis.
+    inverse: S::F32x8,
+    /// `start / direction`, with the margin that makes planes nearer, or
+    /// farther.
+    offset_near: S::F32x8,
+    offset_far: S::F32x8,
+    is_reversed: bool,
+}
+
+impl<S: Simd> Slab<S> {
+    /// For a ray that starts at the distance `enter` from the origin.
+    #[inline(always)]
+    fn new(simd: S, origin: f64, direction: f64, enter: f64, margin: f64) -> Self {
+        let start = origin + direction * enter;
+        let is_slow = direction.abs() < SLOWEST;
+        let direction = if is_slow {
+            SLOWEST.copysign(direction)
+        } else {
+            direction
+        };
+        let inverse = direction.recip();
+        let (offset, margin) = (start * inverse, margin * inverse.abs());
+        Self {
+            inverse: simd.splat(inverse as f32),
+            offset_near: simd.splat((offset + margin) as f32),
+            offset_far: simd.splat((offset - margin) as f32),
+            is_reversed: inverse < 0.0,
+        }
+    }
+
+    /// Where the ray enters and leaves eight boxes, as far as this axis goes.
+    #[inline(always)]
+    fn crossings(&self, simd: S, low: &[f32; WIDTH], high: &[f32; WIDTH]) -> (S::F32x8, S::F32x8) {
+        let (first, last) = if self.is_reversed {
+            (high, low)
+        } else {
+            (low, high)
+        };
+        let near = simd.load(first).mul_sub(self.inverse, self.offset_near);
+        let far = simd.load(last).mul_sub(self.inverse, self.offset_far);
+        (near, far)
     }
 }

@@ -1,22 +1,20 @@
 //! Closest silhouettes, Algorithm 5.
 
-use std::cmp::Ordering;
-use std::collections::BinaryHeap;
-
 use capwalk_math::Vec3;
 use rayon::prelude::*;
 
+use super::best_first::ClosestWhere;
 use super::cone_kernel::{self, ConeNode, EdgeBlock, LocalCone, LocalEdge};
 use crate::aabb::{Aabb, LocalFrame};
+use crate::bvh::traverse::{Stack, for_each_sorted};
 use crate::bvh::validate::{self, TreeError};
-use crate::bvh::{Child, ChildKind, Topology, build, refit, traverse::Stack};
-use crate::cone::NormalCone;
-use crate::edge::{Edge, FacePlane, Sides, closest_direction};
+use crate::bvh::{ChildKind, Topology, build, refit};
+use crate::edge::{Edge, Sides, closest_direction, faces_eye};
 use crate::mesh::Mesh;
 use crate::simd::{Instructions, Job, Simd};
 
 /// Edges per leaf: as many as are tested at a time.
-const LEAF_SIZE: usize = cone_kernel::LANES;
+pub(super) const LEAF_SIZE: usize = cone_kernel::LANES;
 
 /// Which edges count as boundaries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -87,23 +85,121 @@ pub struct SilhouettePoint {
 /// processor: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct SilhouetteTree {
-    topology: Topology,
-    frame: LocalFrame,
-    nodes: Vec<ConeNode>,
-    leaves: Vec<EdgeBlock>,
-    /// The edges in the order of the leaves.
-    edges: Vec<TreeEdge>,
-    /// The planes of all faces of the mesh.
-    planes: Vec<FacePlane>,
+    pub(super) topology: Topology,
+    pub(super) frame: LocalFrame,
+    pub(super) nodes: Vec<ConeNode>,
+    pub(super) leaves: Vec<EdgeBlock>,
+    /// The edges in the order of the leaves: what queries need, and the rest.
+    pub(super) edges: Vec<TreeEdge>,
+    sources: Vec<Edge>,
     instructions: Instructions,
 }
 
-/// An edge as the tree keeps it.
-#[derive(Clone, Copy, Debug)]
-struct TreeEdge {
+/// What queries need of an edge, in two cache lines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(align(64))]
+pub(super) struct TreeEdge {
     ends: [Vec3; 2],
+    /// `Mesh::face_cross` of its two faces; zero if it is open.
+    crosses: [Vec3; 2],
     id: u32,
-    edge: Edge,
+    kind: EdgeKind,
+}
+
+/// [`Sides`] without the faces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum EdgeKind {
+    Open,
+    Between { flipped: bool },
+}
+
+impl TreeEdge {
+    fn new(mesh: &Mesh, id: u32, edge: &Edge) -> Self {
+        let (kind, crosses) = match edge.sides {
+            Sides::Open => (EdgeKind::Open, [Vec3::zero(); 2]),
+            Sides::Between { faces, flipped } => {
+                let crosses = faces.map(|face| mesh.face_cross(face as usize));
+                (EdgeKind::Between { flipped }, crosses)
+            }
+        };
+        Self {
+            ends: edge.vertices.map(|i| mesh.positions[i as usize]),
+            crosses,
+            id,
+            kind,
+        }
+    }
+
+    /// As [`Edge::is_silhouette`].
+    #[inline(always)]
+    fn is_silhouette(&self, eye: Vec3) -> bool {
+        match self.kind {
+            EdgeKind::Open => true,
+            EdgeKind::Between { flipped } => {
+                let ([first, second], point) = (self.crosses, self.ends[0]);
+                faces_eye(first, point, false, eye) != faces_eye(second, point, flipped, eye)
+            }
+        }
+    }
+
+    /// The edge in local coordinates.
+    fn local(&self, frame: &LocalFrame, groups: u8) -> LocalEdge {
+        let normals = match self.kind {
+            EdgeKind::Open => None,
+            EdgeKind::Between { flipped } => {
+                let [first, second] = self.crosses.map(|cross| self.usable_normal(frame, cross));
+                let second = second.map(|n| if flipped { -n } else { n });
+                first.zip(second).map(|(first, second)| [first, second])
+            }
+        };
+        LocalEdge {
+            ends: self.ends.map(|p| frame.local_from_world(p)),
+            normals,
+            groups,
+        }
+    }
+
+    /// The unit normal of a face; `None` if the face is degenerate, or so thin
+    /// that rounding tilts its normal against the edge: the orientation towards
+    /// an eye then depends on where along the edge it is measured.
+    fn usable_normal(&self, frame: &LocalFrame, cross: Vec3) -> Option<Vec3> {
+        let normal = cross.normalized();
+        let [a, b] = self.ends;
+        let tilt = (b - a).dot(normal).abs() * frame.inverse_scale;
+        (tilt <= EDGE_TILT).then_some(normal) // not for NaN
+    }
+
+    /// The point of the edge closest to the axis, if the edge is a boundary and
+    /// the point nearer than `max_angle`, or as near as `best` and the edge
+    /// before it.
+    #[inline(always)]
+    pub(super) fn closest(
+        &self,
+        query: &ConeQuery,
+        best: Option<&SilhouettePoint>,
+    ) -> Option<SilhouettePoint> {
+        let counts = query.edges == EdgeSelection::All || self.is_silhouette(query.eye);
+        if !counts
+            || query
+                .in_front_of
+                .is_some_and(|plane| plane.hides(self.ends))
+        {
+            return None;
+        }
+        let [a, b] = self.ends.map(|p| p - query.eye);
+        let closest = closest_direction(a, b, query.axis)?;
+        let is_nearer = match best {
+            Some(best) => (closest.angle, self.id) < (best.angle, best.edge),
+            None => closest.angle < query.max_angle,
+        };
+        is_nearer.then_some(SilhouettePoint {
+            edge: self.id,
+            t: closest.t,
+            direction: closest.direction,
+            distance: closest.distance,
+            angle: closest.angle,
+        })
+    }
 }
 
 impl SilhouetteTree {
@@ -120,18 +216,17 @@ impl SilhouetteTree {
             })
             .collect();
         let topology = build::build(&bounds, LEAF_SIZE);
-        let in_leaf_order = |&id: &u32| TreeEdge {
-            ends: [Vec3::zero(); 2],
-            id,
-            edge: edges[id as usize],
-        };
         let mut tree = Self {
-            edges: topology.order.iter().map(in_leaf_order).collect(),
+            sources: topology
+                .order
+                .iter()
+                .map(|&id| edges[id as usize])
+                .collect(),
             topology,
             frame,
             nodes: Vec::new(),
             leaves: Vec::new(),
-            planes: Vec::new(),
+            edges: Vec::new(),
             instructions: Instructions::detect(),
         };
         tree.refit(mesh);
@@ -145,29 +240,18 @@ impl SilhouetteTree {
     /// coplanar faces: if a motion can bend such a pair, list the edges again
     /// and build a new tree.
     pub fn refit(&mut self, mesh: &Mesh) {
-        for edge in &mut self.edges {
-            edge.ends = edge.edge.vertices.map(|i| mesh.positions[i as usize]);
-        }
-        self.frame = LocalFrame::around(self.edges.iter().flat_map(|edge| edge.ends));
-        self.planes = (0..mesh.faces.len() as u32)
+        let topology = &self.topology;
+        self.edges = (&topology.order, &self.sources)
             .into_par_iter()
             .with_min_len(1024)
-            .map(|face| FacePlane::new(mesh, face))
+            .map(|(&id, edge)| TreeEdge::new(mesh, id, edge))
             .collect();
-        // The tolerance of faces_eye also depends on the faces' corners.
-        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
-        let corners = self.edges.iter().flat_map(|edge| edge.edge.faces());
-        self.frame.reach = corners
-            .map(|face| sum(self.planes[face as usize].point))
-            .fold(self.frame.reach, f64::max);
-
-        let local: Vec<LocalEdge> = self
-            .edges
-            .par_iter()
+        self.frame = LocalFrame::around(self.edges.iter().flat_map(|edge| edge.ends));
+        let local: Vec<LocalEdge> = (&self.edges, &self.sources)
+            .into_par_iter()
             .with_min_len(1024)
-            .map(|edge| self.local_edge(edge))
+            .map(|(edge, source)| edge.local(&self.frame, source.groups))
             .collect();
-        let topology = &self.topology;
         let edges_of_leaf = |leaf: usize| {
             let [start, end] = [leaf, leaf + 1].map(|i| topology.leaf_starts[i] as usize);
             &local[start..end]
@@ -194,9 +278,7 @@ impl SilhouetteTree {
                     let [start, end] = [below[index][slot].start, below[index][slot].end]
                         .map(|leaf| topology.leaf_starts[leaf as usize] as usize);
                     let edges = &local[start..end];
-                    let cone = NormalCone::around(|| edges.iter().flat_map(normals));
-                    let groups = edges.iter().fold(0, |groups, edge| groups | edge.groups);
-                    node.set(slot, child, &bounds[index][slot], &cone, groups);
+                    node.set(slot, child, &bounds[index][slot], edges);
                 }
                 node
             })
@@ -237,34 +319,24 @@ impl SilhouetteTree {
     pub fn validate(&self, mesh: &Mesh, edges: &[Edge]) -> Result<(), TreeError> {
         let topology = &self.topology;
         validate::check_topology(topology, edges.len(), LEAF_SIZE)?;
+        let expected = |id: u32| TreeEdge::new(mesh, id, &edges[id as usize]);
         for leaf in 0..topology.leaf_count() {
-            let start = topology.leaf_starts[leaf] as usize;
-            let kept = &self.edges[start..start + topology.leaf(leaf).len()];
-            for (kept, &id) in kept.iter().zip(topology.leaf(leaf)) {
-                let edge = edges[id as usize];
-                let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
-                if (kept.id, kept.edge, kept.ends) != (id, edge, ends) {
+            let mut local = Vec::new();
+            for (place, &id) in (topology.leaf_starts[leaf] as usize..).zip(topology.leaf(leaf)) {
+                let edge = expected(id);
+                if self.edges[place] != edge || self.sources[place] != edges[id as usize] {
                     let primitive = id as usize;
                     return Err(TreeError::LeafContent { leaf, primitive });
                 }
+                local.push(edge.local(&self.frame, edges[id as usize].groups));
             }
-            let local: Vec<_> = kept.iter().map(|edge| self.local_edge(edge)).collect();
             if self.leaves[leaf] != EdgeBlock::new(&local) {
-                let primitive = kept[0].id as usize;
+                let primitive = topology.leaf(leaf)[0] as usize;
                 return Err(TreeError::LeafContent { leaf, primitive });
             }
         }
-        let place_of = |id: usize| {
-            let edge = edges[id];
-            let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
-            self.local_edge(&TreeEdge {
-                ends,
-                id: id as u32,
-                edge,
-            })
-        };
         validate::for_each_below(topology, |node, slot, edge| {
-            let local = place_of(edge);
+            let local = expected(edge as u32).local(&self.frame, edges[edge].groups);
             let child = &self.nodes[node];
             if !local.ends.iter().all(|&p| child.contains_point(slot, p)) {
                 let primitive = edge;
@@ -274,7 +346,7 @@ impl SilhouetteTree {
                     primitive,
                 });
             }
-            if !normals(&local).all(|normal| child.covers_normal(slot, normal)) {
+            if !child.covers(slot, &local) {
                 return Err(TreeError::NormalCone { node, slot, edge });
             }
             if child.groups(slot) & local.groups != local.groups {
@@ -283,89 +355,12 @@ impl SilhouetteTree {
             Ok(())
         })
     }
-
-    /// The edge in local coordinates.
-    fn local_edge(&self, edge: &TreeEdge) -> LocalEdge {
-        let normals = match edge.edge.sides {
-            Sides::Open => None,
-            Sides::Between { faces, flipped } => {
-                let [first, second] = faces.map(|face| self.usable_normal(face, edge.ends));
-                let second = second.map(|n| if flipped { -n } else { n });
-                first.zip(second).map(|(first, second)| [first, second])
-            }
-        };
-        LocalEdge {
-            ends: edge.ends.map(|p| self.frame.local_from_world(p)),
-            normals,
-            groups: edge.edge.groups,
-        }
-    }
-
-    /// The unit normal of a face; `None` if the face is degenerate, or so thin
-    /// that rounding tilts its normal against its edge: the orientation towards
-    /// an eye then depends on where on the face it is measured.
-    fn usable_normal(&self, face: u32, ends: [Vec3; 2]) -> Option<Vec3> {
-        let plane = &self.planes[face as usize];
-        let normal = plane.cross / plane.length;
-        let height = |p: Vec3| (p - plane.point).dot(normal).abs() * self.frame.inverse_scale;
-        // Written so that NaN is not usable.
-        let lies_in_plane = ends.iter().all(|&p| height(p) <= EDGE_TILT);
-        lies_in_plane.then_some(normal)
-    }
-
-    /// The point of an edge closest to the axis, if the edge is a boundary and
-    /// the point nearer than `max_angle`, or as near and `best` a later edge.
-    fn closest_on(
-        &self,
-        edge: &TreeEdge,
-        query: &ConeQuery,
-        best: Option<&SilhouettePoint>,
-    ) -> Option<SilhouettePoint> {
-        let is_silhouette = match edge.edge.sides {
-            _ if query.edges == EdgeSelection::All => true,
-            Sides::Open => true,
-            Sides::Between { faces, flipped } => {
-                let [first, second] = faces.map(|face| &self.planes[face as usize]);
-                first.faces_eye(false, query.eye) != second.faces_eye(flipped, query.eye)
-            }
-        };
-        if !is_silhouette
-            || query
-                .in_front_of
-                .is_some_and(|plane| plane.hides(edge.ends))
-        {
-            return None;
-        }
-        let [a, b] = edge.ends.map(|p| p - query.eye);
-        let closest = closest_direction(a, b, query.axis)?;
-        let is_nearer = match best {
-            Some(best) => (closest.angle, edge.id) < (best.angle, best.edge),
-            None => closest.angle < query.max_angle,
-        };
-        is_nearer.then_some(SilhouettePoint {
-            edge: edge.id,
-            t: closest.t,
-            direction: closest.direction,
-            distance: closest.distance,
-            angle: closest.angle,
-        })
-    }
 }
 
 /// Faces whose computed plane misses their edge by more than this, in local
 /// units, are too thin for their normals to be used. Part of the margin of
 /// positions.
 const EDGE_TILT: f64 = 1.0 / (1 << 24) as f64;
-
-/// The normals of an edge; one `None` if it may be a silhouette whatever the
-/// view.
-fn normals(edge: &LocalEdge) -> impl Iterator<Item = Option<Vec3>> {
-    let [first, second] = match edge.normals {
-        Some([first, second]) => [Some(first), Some(second)],
-        None => [None, None],
-    };
-    [first, second].into_iter()
-}
 
 fn frame_of(mesh: &Mesh, edges: &[Edge]) -> LocalFrame {
     let ends = edges.iter().flat_map(|edge| edge.vertices);
@@ -400,139 +395,44 @@ impl Job for Closest<'_> {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
                     let (mask, bounds) = cone.children(simd, node, limit);
+                    let mut rest = mask;
+                    while rest != 0 {
+                        let i = rest.trailing_zeros() as usize % 8;
+                        rest &= rest - 1;
+                        match node.children[i].kind() {
+                            Some(ChildKind::Node(index)) => simd.prefetch(&tree.nodes[index]),
+                            Some(ChildKind::Leaf(index)) => simd.prefetch(&tree.leaves[index]),
+                            None => {}
+                        }
+                    }
                     stack.push_sorted(mask, &bounds, &node.children);
                 }
                 Some(ChildKind::Leaf(leaf)) => {
-                    let (mut mask, bounds) = cone.edges(simd, &tree.leaves[leaf], limit);
+                    let (mask, bounds) = cone.edges(simd, &tree.leaves[leaf], limit);
                     let start = tree.topology.leaf_starts[leaf] as usize;
-                    while mask != 0 {
-                        let lane = mask.trailing_zeros() as usize % LEAF_SIZE;
-                        mask &= mask - 1;
-                        if bounds[lane] > limit {
-                            continue;
+                    let mut rest = mask;
+                    while rest != 0 {
+                        simd.prefetch(
+                            &tree.edges[start + rest.trailing_zeros() as usize % LEAF_SIZE],
+                        );
+                        rest &= rest - 1;
+                    }
+                    for_each_sorted(mask, &bounds, |lane, bound| {
+                        if bound > limit {
+                            return;
                         }
-                        let edge = &tree.edges[start + lane];
-                        if let Some(point) = tree.closest_on(edge, query, best.as_ref()) {
+                        if let Some(point) = tree.edges[start + lane].closest(query, best.as_ref())
+                        {
                             let sin = query.axis.cross(point.direction).length();
                             let cos = query.axis.dot(point.direction);
                             limit = cone_kernel::pseudo_angle_limit(sin, cos);
                             best = Some(point);
                         }
-                    }
+                    });
                 }
                 None => {}
             }
         }
         best
-    }
-}
-
-/// Best first instead of depth first: what was rejected must not be what
-/// decides where to look next, and a depth-first search would look through
-/// everything hidden in a subtree before it turned to its neighbour.
-struct ClosestWhere<'a, F> {
-    tree: &'a SilhouetteTree,
-    query: &'a ConeQuery,
-    counts: F,
-}
-
-/// Something to look at: a part of the tree, or the closest point of an edge.
-#[derive(Clone, Copy)]
-enum Candidate {
-    Below(Child),
-    Point(SilhouettePoint),
-}
-
-/// A candidate and the least pseudo-angle it may have; ordered so that a heap
-/// gives the smallest first, of equal ones the parts of the tree, then the
-/// lowest edge.
-struct Queued(f32, Candidate);
-
-impl Queued {
-    fn key(&self) -> (u32, u32, f64, u32) {
-        // The bits of non-negative floats compare like the floats.
-        let bound = self.0.to_bits();
-        match &self.1 {
-            Candidate::Below(_) => (bound, 0, 0.0, 0),
-            Candidate::Point(point) => (bound, 1, point.angle, point.edge),
-        }
-    }
-}
-
-impl PartialEq for Queued {
-    fn eq(&self, other: &Self) -> bool {
-        self.cmp(other).is_eq()
-    }
-}
-impl Eq for Queued {}
-impl PartialOrd for Queued {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-impl Ord for Queued {
-    fn cmp(&self, other: &Self) -> Ordering {
-        let (a, b) = (self.key(), other.key());
-        let points = b.2.total_cmp(&a.2).then(b.3.cmp(&a.3));
-        (b.0, b.1).cmp(&(a.0, a.1)).then(points)
-    }
-}
-
-impl<F: Fn(&SilhouettePoint) -> bool> Job for ClosestWhere<'_, F> {
-    type Output = Option<SilhouettePoint>;
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> Option<SilhouettePoint> {
-        let Self {
-            tree,
-            query,
-            counts,
-        } = self;
-        if tree.nodes.is_empty() {
-            return None;
-        }
-        let cone = LocalCone::new(simd, &tree.frame, query);
-        let limit = {
-            let (sin, cos) = query.max_angle.min(std::f64::consts::PI).sin_cos();
-            cone_kernel::pseudo_angle_limit(sin.abs(), cos)
-        };
-        let mut queue = BinaryHeap::with_capacity(64);
-        queue.push(Queued(0.0, Candidate::Below(Child::node(0))));
-        while let Some(Queued(_, candidate)) = queue.pop() {
-            let child = match candidate {
-                Candidate::Point(point) if counts(&point) => return Some(point),
-                Candidate::Point(_) => continue,
-                Candidate::Below(child) => child,
-            };
-            match child.kind() {
-                Some(ChildKind::Node(node)) => {
-                    let node = &tree.nodes[node];
-                    let (mut mask, bounds) = cone.children(simd, node, limit);
-                    while mask != 0 {
-                        let i = mask.trailing_zeros() as usize % LEAF_SIZE;
-                        mask &= mask - 1;
-                        queue.push(Queued(bounds[i], Candidate::Below(node.children[i])));
-                    }
-                }
-                Some(ChildKind::Leaf(leaf)) => {
-                    let (mut mask, _) = cone.edges(simd, &tree.leaves[leaf], limit);
-                    let start = tree.topology.leaf_starts[leaf] as usize;
-                    while mask != 0 {
-                        let lane = mask.trailing_zeros() as usize % LEAF_SIZE;
-                        mask &= mask - 1;
-                        let edge = &tree.edges[start + lane];
-                        if let Some(point) = tree.closest_on(edge, query, None) {
-                            // Rounded up: everything that may be nearer comes
-                            // before it.
-                            let sin = query.axis.cross(point.direction).length();
-                            let cos = query.axis.dot(point.direction);
-                            let bound = cone_kernel::pseudo_angle_limit(sin, cos);
-                            queue.push(Queued(bound, Candidate::Point(point)));
-                        }
-                    }
-                }
-                None => {}
-            }
-        }
-        None
     }
 }

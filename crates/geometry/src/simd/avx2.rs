@@ -32,6 +32,9 @@ impl Avx2 {
     }
 }
 
+/// Bytes that are fetched together.
+const CACHE_LINE: usize = 64;
+
 /// Eight single-precision numbers in a register.
 #[derive(Clone, Copy)]
 pub struct F32x8Avx2(__m256);
@@ -55,6 +58,24 @@ impl Simd for Avx2 {
         F32x8Avx2(unsafe { _mm256_loadu_ps(v.as_ptr()) })
     }
     #[inline(always)]
+    fn load_i16(self, v: &[i16; 8]) -> F32x8Avx2 {
+        // SAFETY: `self` proves the feature; 16 bytes are readable at `v`, and
+        // the load needs no alignment.
+        F32x8Avx2(unsafe {
+            let integers = _mm_loadu_si128(v.as_ptr().cast());
+            _mm256_cvtepi32_ps(_mm256_cvtepi16_epi32(integers))
+        })
+    }
+    #[inline(always)]
+    fn load_i8(self, v: &[i8; 8]) -> F32x8Avx2 {
+        // SAFETY: `self` proves the feature; 8 bytes are readable at `v`, and
+        // the load needs no alignment.
+        F32x8Avx2(unsafe {
+            let integers = _mm_loadl_epi64(v.as_ptr().cast());
+            _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(integers))
+        })
+    }
+    #[inline(always)]
     fn splat_f64(self, v: f64) -> F64x4Avx2 {
         // SAFETY: `self` proves the feature.
         F64x4Avx2(unsafe { _mm256_set1_pd(v) })
@@ -64,6 +85,14 @@ impl Simd for Avx2 {
         // SAFETY: `self` proves the feature; 32 bytes are readable at `v`, and
         // the load needs no alignment.
         F64x4Avx2(unsafe { _mm256_loadu_pd(v.as_ptr()) })
+    }
+    #[inline(always)]
+    fn prefetch<T>(self, value: &T) {
+        let start = std::ptr::from_ref(value).cast::<i8>();
+        for offset in (0..size_of::<T>()).step_by(CACHE_LINE) {
+            // SAFETY: `self` proves the feature; a prefetch accesses nothing.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.wrapping_add(offset)) };
+        }
     }
 }
 
@@ -131,9 +160,14 @@ impl F32x8 for F32x8Avx2 {
         Self(unsafe { _mm256_fmsub_ps(self.0, b.0, c.0) })
     }
     #[inline(always)]
-    fn sqrt(self) -> Self {
+    fn recip_estimate(self) -> Self {
         // SAFETY: as above.
-        Self(unsafe { _mm256_sqrt_ps(self.0) })
+        Self(unsafe { _mm256_rcp_ps(self.0) })
+    }
+    #[inline(always)]
+    fn rsqrt_estimate(self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm256_rsqrt_ps(self.0) })
     }
     #[inline(always)]
     fn select_by_sign(self, negative: Self, other: Self) -> Self {
