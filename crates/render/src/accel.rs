@@ -102,6 +102,23 @@ impl<'s> Accel<'s> {
         })
     }
 
+    /// True if the camera sees the point at a distance along a unit direction:
+    /// between its clip planes, nothing is before it.
+    pub fn camera_sees(&self, direction: Vec3, distance: f64) -> bool {
+        let sensor = &self.scene.sensor;
+        let forward = sensor.world_from_camera.vector(Vec3::new(0.0, 0.0, 1.0));
+        let cosine = direction.dot(forward);
+        let depth = cosine * distance;
+        depth > sensor.near_clip
+            && depth < sensor.far_clip
+            && !self.rays.occluded(&Ray {
+                origin: sensor.origin(),
+                direction,
+                t_min: sensor.near_clip / cosine,
+                t_max: distance * (1.0 - SHORT_OF_TARGET),
+            })
+    }
+
     /// The shape that was hit.
     #[inline]
     pub fn shape_of(&self, hit: &Hit) -> ShapeId {

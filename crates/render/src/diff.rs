@@ -1,6 +1,7 @@
 //! Derivatives of the picture.
 
 pub mod boundary;
+mod crossing;
 pub mod finite;
 mod flux;
 pub mod forward;

@@ -34,8 +34,6 @@ pub struct InMotion<'a> {
     pub vertices: Vec<Vec3>,
     /// Velocities of each shape's shading normals, where it has any.
     normals: Vec<Option<Vec<Vec3>>>,
-    /// True if some vertex moves.
-    pub geometry_moves: bool,
 }
 
 /// A number and its derivative by the parameter.
@@ -55,22 +53,12 @@ impl<'a> InMotion<'a> {
         let normals = (0..scene.shapes.len())
             .map(|shape| scene.normal_velocities(motion, shape))
             .collect();
-        let geometry_moves = vertices.iter().any(|&v| v != Vec3::zero());
         Self {
             accel,
             motion,
             vertices,
             normals,
-            geometry_moves,
         }
-    }
-}
-
-impl InMotion<'_> {
-    /// Position of a vertex of the joined mesh.
-    #[inline]
-    pub fn position(&self, vertex: u32) -> Vec3 {
-        self.accel.mesh.positions[vertex as usize]
     }
 }
 

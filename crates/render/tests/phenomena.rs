@@ -470,3 +470,24 @@ fn lattice_shadow() {
 fn box_room() {
     builtin_case("box-room", "box.translate.x", primary());
 }
+
+/// Surfaces that pass through each other: the camera sees a jump where no mesh
+/// has an edge, and both sides of it move.
+#[test]
+fn interpenetrating_shapes() {
+    let mut scene = visible_cube();
+    scene.shapes[2].mesh = placed(
+        scene.shapes[2].mesh.clone(),
+        Affine::translate(v(0.0, 0.0, -0.35)),
+    );
+    let ball = placed(
+        icosphere(3),
+        Affine::translate(v(0.3, -0.25, 0.25)) * Affine::scale(Vec3::splat(0.3)),
+    );
+    add(&mut scene, "ball", ball, ShadingNormals::Face, 0.9);
+    primary_case(
+        "interpenetrating",
+        scene,
+        "thing.translate.z+ball.translate.x",
+    );
+}

@@ -11,6 +11,8 @@ use crate::accel::Accel;
 use crate::sampler::Stream;
 use crate::world::{D, InMotion};
 
+use super::crossing::crossings;
+
 /// Edges that are boundaries for segments that start at the camera.
 pub const CAMERA: u8 = 1;
 /// Edges that are boundaries for segments from a surface towards light: all
@@ -21,10 +23,16 @@ pub const LIGHT: u8 = 2;
 /// (METHOD 3); the edges of others join the boundaries.
 const FEW_EDGES: usize = 64;
 
-/// The edges of a scene that can be boundaries.
+/// The edges of a scene that can be boundaries, and how they move.
 pub struct Boundaries {
     edges: Vec<Edge>,
     tree: SilhouetteTree,
+    /// Positions of the joined mesh's vertices, then of the ends of crossings.
+    pub positions: Vec<Vec3>,
+    /// Their velocities.
+    pub velocities: Vec<Vec3>,
+    /// True if any of them is not zero.
+    any_moves: bool,
     /// End points (vertices of the joined mesh) of the edges of lamps with few
     /// edges, and the total length up to and including each.
     pub lamp_edges: Vec<([u32; 2], f64)>,
@@ -33,7 +41,7 @@ pub struct Boundaries {
 impl Boundaries {
     /// The boundaries of a scene. Edges are welded within each shape: shapes
     /// may move against each other.
-    pub fn new(accel: &Accel) -> Self {
+    pub fn new(accel: &Accel, world: &InMotion) -> Self {
         let scene = accel.scene;
         let mut edges = Vec::new();
         let mut lamp_edges = Vec::new();
@@ -56,9 +64,24 @@ impl Boundaries {
             edges.append(&mut own);
             first_face += shape.mesh.faces.len() as u32;
         }
+        let mut velocities = world.vertices.clone();
+        let mut mesh = accel.mesh.clone();
+        for crossing in crossings(accel, &velocities) {
+            let first = mesh.positions.len() as u32;
+            mesh.positions.extend(crossing.ends);
+            velocities.extend(crossing.velocities);
+            edges.push(Edge {
+                vertices: [first, first + 1],
+                sides: Sides::Open,
+                groups: CAMERA,
+            });
+        }
         Self {
-            tree: SilhouetteTree::build(&accel.mesh, &edges),
+            tree: SilhouetteTree::build(&mesh, &edges),
             edges,
+            positions: mesh.positions,
+            any_moves: velocities.iter().any(|&v| v != Vec3::zero()),
+            velocities,
             lamp_edges,
         }
     }
@@ -83,11 +106,11 @@ pub struct Eye {
     pub selection: EdgeSelection,
     /// The group of edges that counts.
     pub group: u8,
-    /// True if only what the eye can see of them counts. If the closest point
+    /// If the eye is the camera, only what it can see of them counts. If the closest point
     /// of an edge is hidden, what hides it has an outline between that point
     /// and the rest of the edge: leaving out the edge leaves out no visible
     /// point that would be the closest.
-    pub visible_only: bool,
+    pub is_camera: bool,
 }
 
 /// The velocity field around an eye at one direction.
@@ -99,14 +122,12 @@ pub struct FieldAt {
     pub divergence: f64,
 }
 
-/// Boundaries and how they move: the sink of the walk in forward mode.
+/// The sink of the walk in forward mode: it sums up the velocities.
 pub struct Field<'a> {
     /// What hides them.
     pub accel: &'a Accel<'a>,
     /// The edges.
     pub boundaries: Boundaries,
-    /// Their motion.
-    pub world: InMotion<'a>,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     pub horizon_distance: f64,
@@ -115,11 +136,11 @@ pub struct Field<'a> {
 impl Field<'_> {
     /// True if no boundary moves relative to the eye.
     fn at_rest(&self, eye: &Eye) -> bool {
-        !self.world.geometry_moves && eye.position.tangent(0) == Vec3::zero()
+        !self.boundaries.any_moves && eye.position.tangent(0) == Vec3::zero()
     }
 
     fn sphere(&self, eye: &Eye) -> Sphere<'_, impl Fn(&SilhouettePoint) -> bool> {
-        let (visible_only, origin) = (eye.visible_only, eye.position.value());
+        let is_camera = eye.is_camera;
         Sphere {
             tree: &self.boundaries.tree,
             eye: eye.position.value(),
@@ -127,10 +148,7 @@ impl Field<'_> {
             groups: eye.group,
             in_front_of: None,
             counts: move |site: &SilhouettePoint| {
-                !visible_only
-                    || self
-                        .accel
-                        .visible(origin, origin + site.direction * site.distance)
+                !is_camera || self.accel.camera_sees(site.direction, site.distance)
             },
             queries: Cell::new(0),
         }
@@ -178,7 +196,8 @@ impl Field<'_> {
     /// `P_x̂ (ẋ - ȯ) / |x - o|`.
     fn site_velocity(&self, eye: &Eye, site: &SilhouettePoint) -> Vec3 {
         let edge = &self.boundaries.edges[site.edge as usize];
-        let [va, vb] = edge.vertices.map(|i| self.world.vertices[i as usize]);
+        let velocities = &self.boundaries.velocities;
+        let [va, vb] = edge.vertices.map(|i| velocities[i as usize]);
         let relative = va + (vb - va) * site.t - eye.position.tangent(0);
         if let Some(normal) = eye.face_normal
             && self.in_horizon(eye, edge, normal)
@@ -194,7 +213,7 @@ impl Field<'_> {
     fn in_horizon(&self, eye: &Eye, edge: &Edge, normal: Vec3) -> bool {
         let eye = eye.position.value();
         edge.vertices.iter().all(|&i| {
-            let offset = self.world.position(i) - eye;
+            let offset = self.boundaries.positions[i as usize] - eye;
             offset.dot(normal).abs() <= self.horizon_distance
         })
     }

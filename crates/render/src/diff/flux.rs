@@ -37,7 +37,8 @@ pub fn lamp_edge_flux(
     u: f64,
     numbers: Numbers,
 ) -> Rgb {
-    let edges = &forward.field.boundaries.lamp_edges;
+    let boundaries = &forward.field.boundaries;
+    let edges = &boundaries.lamp_edges;
     let Some(&(_, total)) = edges.last() else {
         return Rgb::zero();
     };
@@ -46,8 +47,8 @@ pub fn lamp_edge_flux(
         .partition_point(|&(_, cumulative)| cumulative <= target)
         .min(edges.len() - 1);
     let (vertices, cumulative) = edges[i];
-    let [a, b] = vertices.map(|v| forward.field.world.position(v));
-    let [va, vb] = vertices.map(|v| forward.field.world.vertices[v as usize]);
+    let [a, b] = vertices.map(|v| boundaries.positions[v as usize]);
+    let [va, vb] = vertices.map(|v| boundaries.velocities[v as usize]);
     let length = (b - a).length();
     let t = ((cumulative - target) / length).clamp(0.0, 1.0);
 

@@ -36,6 +36,7 @@ use super::flux::lamp_edge_flux;
 /// Everything that the samples of a gradient share.
 pub(super) struct Forward<'a> {
     pub accel: &'a Accel<'a>,
+    world: InMotion<'a>,
     pub field: Field<'a>,
     supports: Supports,
     sampling: LightSampling,
@@ -176,14 +177,15 @@ impl<'a> Forward<'a> {
         sampling: LightSampling,
         hide_emitters: bool,
     ) -> Self {
+        let world = InMotion::new(accel, motion);
         Self {
             accel,
             field: Field {
                 accel,
-                boundaries: Boundaries::new(accel),
-                world: InMotion::new(accel, motion),
+                boundaries: Boundaries::new(accel, &world),
                 horizon_distance: accel.horizon_distance(),
             },
+            world,
             supports: Supports::new(&accel.scene.film),
             sampling,
             hide_emitters,
@@ -261,12 +263,12 @@ impl<'a> Forward<'a> {
     /// The camera and what it may see jump.
     fn camera(&self) -> Eye {
         Eye {
-            position: self.field.world.sensor_origin(),
+            position: self.world.sensor_origin(),
             face_normal: None,
             // Shading jumps at every crease, seen from either side.
             selection: EdgeSelection::All,
             group: CAMERA,
-            visible_only: true,
+            is_camera: true,
         }
     }
 
@@ -277,7 +279,7 @@ impl<'a> Forward<'a> {
             .sample(&self.camera(), q, &self.camera_walk, numbers);
         let scene = self.accel.scene;
         let direction = q.with_tangent(field.velocity);
-        let local = self.field.world.camera_direction(direction);
+        let local = self.world.camera_direction(direction);
         let area = scene.sensor.film_area_per_solid_angle(&scene.film, local);
         FilmPoint {
             at: s,
@@ -295,7 +297,7 @@ impl<'a> Forward<'a> {
             .field
             .sample_value(&self.camera(), q, &self.camera_walk, numbers);
         let scene = self.accel.scene;
-        let local = self.field.world.camera_direction(q.with_tangent(u));
+        let local = self.world.camera_direction(q.with_tangent(u));
         let film = scene.sensor.film_from_camera(&scene.film, local);
         film.map(|x| x.tangent[0])
     }
@@ -308,7 +310,7 @@ impl<'a> Forward<'a> {
 
     /// Radiance along a moving camera ray, with its derivative.
     fn radiance(&self, s: [f64; 2], direction: Vec3<D>, draw: Draw) -> Rgb<D> {
-        let world = &self.field.world;
+        let world = &self.world;
         let ray = camera_ray(self.accel, s);
         let mut light = Rgb::zero();
         if let Some(emitter) = emitter_towards(self.accel, ray.hit.as_ref(), ray.direction)
@@ -343,7 +345,7 @@ impl<'a> Forward<'a> {
             group: LIGHT,
             // Around a direction that reaches light nothing is hidden: what
             // hides an edge would have an outline nearer than the edge.
-            visible_only: false,
+            is_camera: false,
         };
         let at_rest = surface.value();
 
@@ -355,7 +357,7 @@ impl<'a> Forward<'a> {
             let field = self.field.sample(&eye, q, &self.light_walk, numbers);
             let cos_o = surface.normal.dot(q.with_tangent(field.velocity));
             let f = Diffuse::eval(reflectance, cos_o);
-            let f = f.hadamard(self.field.world.radiance(sample.emitter));
+            let f = f.hadamard(self.world.radiance(sample.emitter));
             let slope = f.tangent(0) + f.value() * field.divergence;
             light += (f.value() * sample.weight).with_tangent(slope * sample.weight);
         };
