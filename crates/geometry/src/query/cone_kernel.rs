@@ -175,8 +175,8 @@ impl ConeNode {
 /// Error of a unit vector rounded to single precision.
 const AXIS_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 
-/// Up to eight edges, in three cache lines: rounded to fixed point, which only
-/// costs a little of the bounds' tightness.
+/// Up to eight edges, rounded to fixed point: half the memory, which only costs
+/// a little of the bounds' tightness.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct EdgeBlock {
@@ -186,7 +186,7 @@ pub struct EdgeBlock {
     half: [[i16; LANES]; 3],
     /// Normals of the two faces, of length [`NORMAL_SCALE`]; zero for edges
     /// that may be silhouettes whatever the view.
-    normals: [[[i8; LANES]; 3]; 2],
+    normals: [[[i16; LANES]; 3]; 2],
     /// In local coordinates.
     origin: [f32; 3],
     /// In local units. The ends are rounded by at most this much on each axis.
@@ -196,11 +196,11 @@ pub struct EdgeBlock {
 }
 
 /// Length of the normals in a block.
-const NORMAL_SCALE: f32 = i8::MAX as f32;
+const NORMAL_SCALE: f32 = i16::MAX as f32;
 
 /// Error of each component of the normals in a block: half a unit, and what
 /// single precision adds.
-const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 10) as f32;
+const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 6) as f32;
 
 /// An edge as blocks and nodes see it, in local coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -257,7 +257,7 @@ impl EdgeBlock {
                 block.half[axis][lane] = fixed(half[axis]);
                 for (face, normal) in normals.iter().enumerate() {
                     let scaled = normal[axis] * f64::from(NORMAL_SCALE);
-                    block.normals[face][axis][lane] = scaled.round() as i8;
+                    block.normals[face][axis][lane] = scaled.round() as i16;
                 }
             }
             block.groups[lane] = edge.groups;
@@ -410,8 +410,8 @@ impl<S: Simd> LocalCone<S> {
         // Both ends are rounded by a step on each axis.
         let margin = self.margin + simd.splat(2.0) * step;
         if !self.all_edges {
-            let first = dot(load_i8(simd, &block.normals[0]), view);
-            let second = dot(load_i8(simd, &block.normals[1]), view);
+            let first = dot(load_i16(simd, &block.normals[0]), view);
+            let second = dot(load_i16(simd, &block.normals[1]), view);
             // No silhouette if both faces are seen from the same side, whatever
             // the rounding of normals and ends.
             let size = view[0].abs() + view[1].abs() + view[2].abs();
@@ -558,15 +558,6 @@ fn load_i16<S: Simd>(simd: S, v: &[[i16; 8]; 3]) -> [S::F32x8; 3] {
         simd.load_i16(&v[0]),
         simd.load_i16(&v[1]),
         simd.load_i16(&v[2]),
-    ]
-}
-
-#[inline(always)]
-fn load_i8<S: Simd>(simd: S, v: &[[i8; 8]; 3]) -> [S::F32x8; 3] {
-    [
-        simd.load_i8(&v[0]),
-        simd.load_i8(&v[1]),
-        simd.load_i8(&v[2]),
     ]
 }
 
