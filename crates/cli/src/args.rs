@@ -22,7 +22,7 @@ const EXIT_CODES: &str = "\
 A SCENE is a Mitsuba XML file or the name of a built-in scene (see `capwalk scenes`).
 
 Exit status:
-  0  done; for check: the gradient is right
+  0  done, also within a --time-limit; for check: the gradient is right
   1  check: the gradient is wrong; compare: the pictures differ beyond their errors
   2  check, compare: the noise is too large to tell
   3  bad input, or a derivative that is refused
@@ -33,17 +33,17 @@ Exit status:
 pub enum Command {
     /// Render a picture
     ///
-    /// Writes <scene>.exr and <scene>.png unless -o says otherwise.
+    /// Writes SCENE.exr and SCENE.png unless -o says otherwise.
     Render(Render),
     /// Differentiate the picture for one parameter
     ///
-    /// Writes <scene>-gradient.exr (value, gradient and their standard errors)
-    /// and <scene>-gradient.png (blue negative, white zero, red positive)
+    /// Writes SCENE-gradient.exr (value, gradient and their standard errors)
+    /// and SCENE-gradient.png (blue negative, white zero, red positive)
     /// unless -o says otherwise.
     Gradient(Gradient),
     /// Check a gradient against central finite differences
     ///
-    /// Writes <scene>-check.png (value | gradient | reference | z) unless -o
+    /// Writes SCENE-check.png (value | gradient | reference | z) unless -o
     /// says otherwise. Exit status 0: right, 1: wrong, 2: could not tell.
     Check(Check),
     /// Show what is in a scene, and which of its numbers can be differentiated
@@ -63,7 +63,7 @@ pub enum Command {
 pub struct SceneArgs {
     /// Mitsuba XML file, or name of a built-in scene
     pub scene: String,
-    /// Replace the value of a <default> of the scene file
+    /// Replace the default of a $name in the scene file
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse_define)]
     pub defines: Vec<(String, String)>,
     /// Width and height of the picture, without crop

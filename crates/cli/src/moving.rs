@@ -160,4 +160,57 @@ mod tests {
             "line 2 is \"1 2\"; expected three numbers, \"x y z\""
         );
     }
+
+    /// An array file as numpy writes it.
+    fn npy(dtype: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+        let header = format!("{{'descr': '{dtype}', 'fortran_order': False, 'shape': {shape}, }}");
+        let header = format!("{header:117}\n"); // 128 bytes with what stands before
+        let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
+        bytes.extend((header.len() as u16).to_le_bytes());
+        bytes.extend(header.bytes());
+        bytes.extend(data);
+        bytes
+    }
+
+    #[test]
+    fn arrays_of_numpy() {
+        let numbers = [1.0, -2.0, 0.5, 4.0, 5.0, 6.0];
+        let doubles: Vec<u8> = numbers.iter().flat_map(|x: &f64| x.to_le_bytes()).collect();
+        let floats = numbers.iter().map(|&x| x as f32);
+        let floats: Vec<u8> = floats.flat_map(f32::to_le_bytes).collect();
+        assert_eq!(
+            npy_numbers(&npy("<f8", "(2, 3)", &doubles)).unwrap(),
+            numbers
+        );
+        assert_eq!(
+            npy_numbers(&npy("<f4", "(2, 3)", &floats)).unwrap(),
+            numbers
+        );
+        let message = |bytes: &[u8]| npy_numbers(bytes).unwrap_err().to_string();
+        assert_eq!(
+            message(&npy("<f8", "(3, 2)", &doubles)),
+            "the array has the shape [3, 2]; expected (V, 3)"
+        );
+        assert!(message(&npy("<i8", "(2, 3)", &doubles)).contains("float32 or float64"));
+        assert!(npy_numbers(&npy("<f8", "(4, 3)", &doubles)).is_err());
+    }
+
+    /// The fastest vertex moves by a fixed part of the shape, whatever the
+    /// parameter's unit.
+    #[test]
+    fn steps_follow_the_size_of_what_moves() {
+        let scene = capwalk_scene::builtin::scene("leaf").unwrap();
+        let step = |expression: &str| {
+            let motion = params::motion(&scene, expression).unwrap();
+            default_step(&scene, &motion)
+        };
+        let leaf = scene.shapes.iter().find(|s| s.id == "leaf").unwrap();
+        let (low, high) = leaf.mesh.bounds();
+        let expected = (high - low).length() / 500.0;
+        assert!((step("leaf.translate.x") / expected - 1.0).abs() < 1e-12);
+        assert!((step("10*leaf.translate.x") / expected - 0.1).abs() < 1e-12);
+        let both = step("leaf.translate.x + 100*floor.bsdf.reflectance.value");
+        assert!((both / (COLOUR_STEP / 100.0) - 1.0).abs() < 1e-12);
+        assert!(step("sensor.translate.x") > step("leaf.translate.x"));
+    }
 }

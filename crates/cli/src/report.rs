@@ -228,6 +228,23 @@ mod tests {
         assert_eq!(count(12), "12");
     }
 
+    /// Two samples of a million are too many, one is reported.
+    #[test]
+    fn non_finite_samples_are_counted_and_reported() {
+        let with = |non_finite: u64| Statistics {
+            samples_per_pixel: vec![1_000_000],
+            complete: true,
+            samples: 1_000_000,
+            non_finite,
+            ..Statistics::default()
+        };
+        assert_eq!(outcome(&[&with(0), &with(1)]), Outcome::Done);
+        assert_eq!(outcome(&[&with(0), &with(2)]), Outcome::NonFinite);
+        assert_eq!(warnings("picture", &with(0)), "");
+        assert!(warnings("picture", &with(1)).starts_with("warning: 1 of 1,000,000 samples"));
+        assert!(warnings("picture", &with(2)).starts_with("error: 2 of 1,000,000 samples"));
+    }
+
     #[test]
     fn columns_align() {
         let rows = [["a", "10"], ["long", "5"]].map(|row| row.map(String::from).to_vec());

@@ -38,6 +38,13 @@ pub fn load(args: &SceneArgs) -> Result<Scene> {
     scene
         .check()
         .with_context(|| format!("the scene {} cannot be rendered", args.scene))?;
+    let triangles: usize = scene.shapes.iter().map(|s| s.mesh.faces.len()).sum();
+    log::info!(
+        "{}: {} shapes, {triangles} triangles, {} parameters",
+        args.scene,
+        scene.shapes.len(),
+        capwalk_scene::params::list(&scene).len()
+    );
     Ok(scene)
 }
 

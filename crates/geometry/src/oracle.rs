@@ -27,6 +27,16 @@ pub fn closest_silhouette(
     edges: &[Edge],
     query: &ConeQuery,
 ) -> Option<SilhouettePoint> {
+    closest_silhouette_where(mesh, edges, query, |_| true)
+}
+
+/// The same, leaving out edges whose closest point `accept` rejects.
+pub fn closest_silhouette_where(
+    mesh: &Mesh,
+    edges: &[Edge],
+    query: &ConeQuery,
+    accept: impl Fn(&SilhouettePoint) -> bool,
+) -> Option<SilhouettePoint> {
     let counts = |edge: &Edge| {
         let [a, b] = edge.vertices.map(|i| mesh.positions[i as usize]);
         edge.groups & query.groups != 0
@@ -50,5 +60,6 @@ pub fn closest_silhouette(
                 angle: closest.angle,
             })
         })
+        .filter(accept)
         .min_by(|a, b| a.angle.total_cmp(&b.angle))
 }

@@ -3,7 +3,8 @@
 mod common;
 
 use capwalk_geometry::{
-    ConeQuery, Edge, EdgeSelection, Mesh, Plane, SilhouetteTree, TreeError, oracle, topology,
+    ConeQuery, Edge, EdgeSelection, Mesh, Plane, SilhouettePoint, SilhouetteTree, TreeError,
+    oracle, topology,
 };
 use capwalk_math::Vec3;
 use common::{Place, Spot};
@@ -85,6 +86,9 @@ fn check(
         let expected = oracle::closest_silhouette(mesh, edges, query);
         prop_assert_eq!(tree.closest(query), expected, "{:?}", query);
         prop_assert_eq!(scalar.closest(query), expected, "scalar, {:?}", query);
+        let accept = |point: &SilhouettePoint| point.edge % 3 == 1;
+        let expected = oracle::closest_silhouette_where(mesh, edges, query, accept);
+        prop_assert_eq!(tree.closest_where(query, accept), expected, "{:?}", query);
     }
     Ok(())
 }

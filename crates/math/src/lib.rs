@@ -8,7 +8,7 @@
 //! use capwalk_math::{Dual, Vec3};
 //! let q = Vec3::new(Dual::variable(3.0, 0), Dual::new(4.0, [0.0]), Dual::new(0.0, [0.0]));
 //! assert_eq!(q.length().value, 5.0);
-//! assert_eq!(q.length().tangent[0], 0.6); // x / |q|
+//! assert!((q.length().tangent[0] - 0.6).abs() < 1e-15); // x / |q|
 //! ```
 
 pub mod affine;

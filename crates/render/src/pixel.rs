@@ -9,7 +9,7 @@
 //!
 //! `W` jumps where the rectangle ends while the filter is not zero: all sides
 //! for the box filter, cut-off sides for the others. The derivative lives
-//! there, see [`crate::diff::primary`].
+//! there, see [`crate::diff`].
 
 use capwalk_math::Real;
 use capwalk_scene::{Film, Filter};

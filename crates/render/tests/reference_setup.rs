@@ -53,7 +53,10 @@ fn differences(scene: &Scene, motion: &Motion) -> Vec<Moments> {
 fn anchored_is_unbiased_and_has_the_promised_variance() {
     let scene = scene();
     let motion = params::motion(&scene, "ball.translate.x").expect("a known name");
-    let walk = WalkSettings::default();
+    let walk = WalkSettings {
+        max_radius: 0.6,
+        ..Default::default()
+    };
     let results = irradiance(&scene, &motion, &points(), walk, 2_000, 1).expect("covered");
     let variance = mean_variance(&results);
     println!("anchored: mean variance per sample {variance:.3}");
@@ -84,6 +87,7 @@ fn literal_has_a_variance_beyond_use() {
     let motion = params::motion(&scene, "ball.translate.x").expect("a known name");
     let walk = WalkSettings {
         estimator: Estimator::Literal,
+        max_radius: 0.6,
         ..Default::default()
     };
     let results = irradiance(&scene, &motion, &points(), walk, 2_000, 1).expect("covered");

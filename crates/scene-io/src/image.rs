@@ -174,7 +174,7 @@ fn format(path: &Path, known: &'static str) -> Result<Format, ImageError> {
     }
 }
 
-/// The endings that [`write`] knows.
+/// The endings that [`write()`] knows.
 const WRITABLE: &str = ".exr, .png, .npz";
 /// The endings that [`read`] knows.
 const READABLE: &str = ".exr, .npz";

@@ -52,7 +52,7 @@ impl Default for WalkSettings {
     fn default() -> Self {
         Self {
             steps: 1,
-            max_radius: 0.6,
+            max_radius: 0.2,
             estimator: Estimator::Anchored,
             antithetic: false,
         }

@@ -8,7 +8,7 @@ use capwalk_math::{Frame, Vec3, sphere};
 use crate::domain::{Domain, Nearest};
 
 /// The sphere of directions around `eye`, bounded by the edges seen from it.
-pub struct Sphere<'a> {
+pub struct Sphere<'a, F = fn(&SilhouettePoint) -> bool> {
     /// The edges.
     pub tree: &'a SilhouetteTree,
     /// The shading point, the paper's `p_{K+1}`.
@@ -19,25 +19,28 @@ pub struct Sphere<'a> {
     pub groups: u8,
     /// Edges wholly behind it are not (`domain = triangle`).
     pub in_front_of: Option<Plane>,
+    /// Which points of these edges count: all, or only those that can be seen.
+    pub counts: F,
     /// Counts the queries.
     pub queries: Cell<u64>,
 }
 
-impl Domain for Sphere<'_> {
+impl<F: Fn(&SilhouettePoint) -> bool> Domain for Sphere<'_, F> {
     type Vector = Vec3;
     type Site = SilhouettePoint;
 
     #[inline]
     fn closest(&self, q: Vec3, limit: f64) -> Option<Nearest<SilhouettePoint, Vec3>> {
         self.queries.set(self.queries.get() + 1);
-        let site = self.tree.closest(&ConeQuery {
+        let query = ConeQuery {
             eye: self.eye,
             axis: q,
             max_angle: limit,
             edges: self.edges,
             groups: self.groups,
             in_front_of: self.in_front_of,
-        })?;
+        };
+        let site = self.tree.closest_where(&query, &self.counts)?;
         Some(Nearest {
             site,
             point: site.direction,

@@ -91,6 +91,7 @@ impl Moving {
             edges: EdgeSelection::Silhouettes,
             groups: u8::MAX,
             in_front_of: None,
+            counts: |_| true,
             queries: Default::default(),
         }
     }

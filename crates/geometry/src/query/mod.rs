@@ -1,5 +1,6 @@
 //! The trees and their queries.
 
+mod best_first;
 mod cone_kernel;
 mod ray_kernel;
 mod ray_tree;

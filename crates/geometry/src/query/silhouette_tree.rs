@@ -3,6 +3,7 @@
 use capwalk_math::Vec3;
 use rayon::prelude::*;
 
+use super::best_first::ClosestWhere;
 use super::cone_kernel::{self, ConeNode, EdgeBlock, LocalCone, LocalEdge};
 use crate::aabb::{Aabb, LocalFrame};
 use crate::bvh::traverse::{Stack, for_each_sorted};
@@ -13,7 +14,7 @@ use crate::mesh::Mesh;
 use crate::simd::{Instructions, Job, Simd};
 
 /// Edges per leaf: as many as are tested at a time.
-const LEAF_SIZE: usize = cone_kernel::LANES;
+pub(super) const LEAF_SIZE: usize = cone_kernel::LANES;
 
 /// Which edges count as boundaries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,12 +85,12 @@ pub struct SilhouettePoint {
 /// processor: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct SilhouetteTree {
-    topology: Topology,
-    frame: LocalFrame,
-    nodes: Vec<ConeNode>,
-    leaves: Vec<EdgeBlock>,
+    pub(super) topology: Topology,
+    pub(super) frame: LocalFrame,
+    pub(super) nodes: Vec<ConeNode>,
+    pub(super) leaves: Vec<EdgeBlock>,
     /// The edges in the order of the leaves: what queries need, and the rest.
-    edges: Vec<TreeEdge>,
+    pub(super) edges: Vec<TreeEdge>,
     sources: Vec<Edge>,
     instructions: Instructions,
 }
@@ -97,7 +98,7 @@ pub struct SilhouetteTree {
 /// What queries need of an edge, in two cache lines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
-struct TreeEdge {
+pub(super) struct TreeEdge {
     ends: [Vec3; 2],
     /// `Mesh::face_cross` of its two faces; zero if it is open.
     crosses: [Vec3; 2],
@@ -172,7 +173,7 @@ impl TreeEdge {
     /// the point nearer than `max_angle`, or as near as `best` and the edge
     /// before it.
     #[inline(always)]
-    fn closest(
+    pub(super) fn closest(
         &self,
         query: &ConeQuery,
         best: Option<&SilhouettePoint>,
@@ -297,6 +298,21 @@ impl SilhouetteTree {
     #[inline]
     pub fn closest(&self, query: &ConeQuery) -> Option<SilhouettePoint> {
         self.instructions.run(Closest { tree: self, query })
+    }
+
+    /// The same, leaving out edges whose closest point `counts` rejects. It is
+    /// asked about edges in the order of their angles until it accepts one.
+    #[inline]
+    pub fn closest_where(
+        &self,
+        query: &ConeQuery,
+        counts: impl Fn(&SilhouettePoint) -> bool,
+    ) -> Option<SilhouettePoint> {
+        self.instructions.run(ClosestWhere {
+            tree: self,
+            query,
+            counts,
+        })
     }
 
     /// Checks the tree against the mesh and edges it should represent.

@@ -83,6 +83,11 @@ pub struct Eye {
     pub selection: EdgeSelection,
     /// The group of edges that counts.
     pub group: u8,
+    /// True if only what the eye can see of them counts. If the closest point
+    /// of an edge is hidden, what hides it has an outline between that point
+    /// and the rest of the edge: leaving out the edge leaves out no visible
+    /// point that would be the closest.
+    pub visible_only: bool,
 }
 
 /// The velocity field around an eye at one direction.
@@ -96,6 +101,8 @@ pub struct FieldAt {
 
 /// Boundaries and how they move: the sink of the walk in forward mode.
 pub struct Field<'a> {
+    /// What hides them.
+    pub accel: &'a Accel<'a>,
     /// The edges.
     pub boundaries: Boundaries,
     /// Their motion.
@@ -111,13 +118,20 @@ impl Field<'_> {
         !self.world.geometry_moves && eye.position.tangent(0) == Vec3::zero()
     }
 
-    fn sphere(&self, eye: &Eye) -> Sphere<'_> {
+    fn sphere(&self, eye: &Eye) -> Sphere<'_, impl Fn(&SilhouettePoint) -> bool> {
+        let (visible_only, origin) = (eye.visible_only, eye.position.value());
         Sphere {
             tree: &self.boundaries.tree,
             eye: eye.position.value(),
             edges: eye.selection,
             groups: eye.group,
             in_front_of: None,
+            counts: move |site: &SilhouettePoint| {
+                !visible_only
+                    || self
+                        .accel
+                        .visible(origin, origin + site.direction * site.distance)
+            },
             queries: Cell::new(0),
         }
     }
