@@ -77,16 +77,22 @@ fn cargo(arguments: &[&str]) -> Command {
     command
 }
 
-/// Runs a command under a heading, and fails if it fails.
-fn step(name: &str, mut command: Command) -> Result<()> {
-    println!("--- {name}");
+/// Runs a command under a heading, fails if it fails, and says how long it took.
+fn step(name: &str, command: Command) -> Result<()> {
     let started = Instant::now();
+    last_step(name, command)?;
+    println!("    {name}: {:.0} s", started.elapsed().as_secs_f64());
+    Ok(())
+}
+
+/// The same without a word behind it: the command's own summary ends the output.
+fn last_step(name: &str, mut command: Command) -> Result<()> {
+    println!("--- {name}");
     let status = command
         .status()
         .with_context(|| format!("cannot start {:?}", command.get_program()))?;
     if !status.success() {
         bail!("{name} failed ({status})");
     }
-    println!("    {name}: {:.0} s", started.elapsed().as_secs_f64());
     Ok(())
 }

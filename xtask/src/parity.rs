@@ -113,7 +113,9 @@ fn environment(folder: &Path) -> Result<PathBuf> {
 /// Renders a scene with both and compares.
 fn compare(python: &Path, scene: &Path, work: &Path) -> Result<Value> {
     let picture = work.join(format!("{}.npz", stem(scene)));
-    let capwalk = root().join("target/release/capwalk");
+    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    let target = root().join(target.unwrap_or_else(|| "target".into()));
+    let capwalk = target.join("release/capwalk");
     let output = Command::new(capwalk)
         .arg("render")
         .arg(scene)

@@ -4,7 +4,7 @@ use std::process::{Command, Stdio};
 
 use anyhow::Result;
 
-use crate::{cargo, step};
+use crate::{cargo, last_step, step};
 
 /// Runs the quick steps first, stops at the first that fails, and ends with
 /// the tests' own summary lines.
@@ -24,7 +24,7 @@ pub fn run() -> Result<()> {
     ]);
     doc.env("RUSTDOCFLAGS", "-D warnings");
     step("documentation", doc)?;
-    step("tests", cargo(&["test", "--workspace", "--no-fail-fast"]))
+    last_step("tests", cargo(&["test", "--workspace", "--no-fail-fast"]))
 }
 
 /// A step that needs a component of the toolchain; says so and goes on where

@@ -68,8 +68,8 @@ pub struct Comparison {
     pub sign: f64,
     /// How many pixels entered `z`: those where either picture has noise.
     pub pixels: usize,
-    /// How many pixels have fewer than two samples in one of the pictures, and
-    /// entered nothing.
+    /// How many pixels have no finite value or standard error in one of the
+    /// pictures (fewer than two samples reached them), and entered nothing.
     pub left_out: usize,
     /// Best factor from gradient to reference, 1 for a right gradient,
     /// corrected for the noise of the gradient.
@@ -104,8 +104,8 @@ pub enum Verdict {
     },
 }
 
-/// Compares a gradient with an independent reference of the same size. Means
-/// are finite in both; where standard errors are not, the pixel is left out.
+/// Compares a gradient with an independent reference of the same size. Pixels
+/// without a finite value and standard error in both are left out.
 pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     assert_eq!(
         (gradient.mean.width, gradient.mean.height),
@@ -155,18 +155,7 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     for pixel in noisy {
         comparison.z[pixel.index] = pixel.z;
     }
-    let mut order: Vec<&Pixel> = noisy.iter().collect();
-    order.sort_by(|a, b| b.z.abs().total_cmp(&a.z.abs()));
-    comparison.worst = order[..order.len().min(WORST_PIXELS)]
-        .iter()
-        .map(|p| {
-            (
-                p.index % gradient.mean.width,
-                p.index / gradient.mean.width,
-                p.z,
-            )
-        })
-        .collect();
+    comparison.worst = worst(noisy, gradient.mean.width);
 
     let relative_offset = offset.abs() / (slope.signal.max(0.0) * noisy.len() as f64).sqrt();
     let reasons = differences(&comparison, &pixels, relative_offset, gradient.mean.width);
@@ -180,14 +169,26 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     comparison
 }
 
+/// Column, row and z of the pixels with the largest `|z|`.
+fn worst(noisy: &[Pixel], width: usize) -> Vec<(usize, usize, f64)> {
+    let mut order: Vec<&Pixel> = noisy.iter().collect();
+    order.sort_by(|a, b| b.z.abs().total_cmp(&a.z.abs()));
+    let worst = order.iter().take(WORST_PIXELS);
+    worst
+        .map(|p| (p.index % width, p.index / width, p.z))
+        .collect()
+}
+
 /// The numbers that need no standard errors, and the verdict of pictures that
 /// have them in less than half of their pixels.
 fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
     let both = || {
         let channels = gradient.mean.pixels.iter().zip(&reference.mean.pixels);
-        channels.flat_map(|(&g, &r)| (0..3).map(move |c| (channel(g, c), channel(r, c))))
+        channels
+            .filter(|(g, r)| g.is_finite() && r.is_finite())
+            .flat_map(|(&g, &r)| (0..3).map(move |c| (channel(g, c), channel(r, c))))
     };
-    let count = (3 * gradient.mean.pixels.len()) as f64;
+    let count = both().count() as f64;
     let difference: f64 = both().map(|(g, r)| (g - r).abs()).sum();
     let size: f64 = both().map(|(_, r)| r.abs()).sum();
     let ratio = |x: f64| if x == 0.0 { 0.0 } else { x / size };

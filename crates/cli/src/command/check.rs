@@ -233,7 +233,7 @@ pub fn describe(c: &Comparison) -> String {
     if c.left_out > 0 {
         lines.push((
             "left out",
-            format!("{} pixels with fewer than two samples", c.left_out),
+            format!("{} pixels without a standard error", c.left_out),
         ));
     }
     report::list(&lines)

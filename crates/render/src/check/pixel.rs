@@ -57,8 +57,8 @@ pub(super) struct Pixels {
     pub noisy: Vec<Pixel>,
     /// Gradient and reference of the others, all channels, with the index.
     pub noise_free: Vec<(usize, Rgb, Rgb)>,
-    /// How many have no standard error in one of the pictures, and are in
-    /// neither list: fewer than two samples reached them.
+    /// How many have no finite value or standard error in one of the pictures,
+    /// and are in neither list: fewer than two samples reached them.
     pub left_out: usize,
 }
 
@@ -84,7 +84,7 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
             gradient.standard_error.pixels[index],
             reference.standard_error.pixels[index],
         );
-        if !g_error.is_finite() || !r_error.is_finite() {
+        if ![g, r, g_error, r_error].iter().all(|x| x.is_finite()) {
             pixels.left_out += 1;
             continue;
         }
