@@ -10,10 +10,10 @@
 
 use capwalk_math::{Frame, Vec3};
 
+use super::cone_node::{ConeNode, EdgeBlock, NORMAL_ERROR, NORMAL_SCALE};
 use super::silhouette_tree::{ConeQuery, EdgeSelection};
-use crate::aabb::{Aabb, LocalFrame, round_up};
-use crate::bvh::{Child, WIDTH};
-use crate::cone::NormalCone;
+use crate::aabb::{LocalFrame, round_up};
+use crate::bvh::WIDTH;
 use crate::edge::ON_PLANE;
 use crate::simd::{ESTIMATE_ERROR, F32x8, Lanes, Simd};
 
@@ -34,207 +34,6 @@ pub fn pseudo_angle_limit(sin: f64, cos: f64) -> f32 {
     round_up(pseudo)
 }
 
-/// What eight children contain, in local coordinates.
-#[derive(Clone, Debug)]
-#[repr(C, align(32))]
-pub struct ConeNode {
-    /// Centres of their boxes.
-    centre: [[f32; WIDTH]; 3],
-    /// Half their side lengths.
-    half: [[f32; WIDTH]; 3],
-    /// Axes of their cones of normals.
-    axis: [[f32; WIDTH]; 3],
-    /// Squared sines of those cones; infinite for children that can contain a
-    /// silhouette whatever the view.
-    sin_squared: [f32; WIDTH],
-    /// `NormalCone::view_margin` of the box.
-    view_margin: [f32; WIDTH],
-    /// The children.
-    pub children: [Child; WIDTH],
-    /// All groups of the edges below each child; 0 for empty slots.
-    groups: [u8; WIDTH],
-}
-
-/// Relative error of what a node stores in single precision, such as a squared
-/// sine: rounding it and what it is compared with.
-const STORED_MARGIN: f64 = 1.0 / (1 << 20) as f64;
-
-impl ConeNode {
-    /// A node with empty slots only.
-    pub const EMPTY: Self = Self {
-        centre: [[0.0; WIDTH]; 3],
-        half: [[0.0; WIDTH]; 3],
-        axis: [[0.0; WIDTH]; 3],
-        sin_squared: [0.0; WIDTH],
-        view_margin: [0.0; WIDTH],
-        children: [Child::NONE; WIDTH],
-        groups: [0; WIDTH],
-    };
-
-    /// Fills one slot with a child that contains the edges and has the box.
-    pub fn set(&mut self, slot: usize, child: Child, bounds: &Aabb, edges: &[LocalEdge]) {
-        let cone = NormalCone::around(|| edges.iter().flat_map(LocalEdge::usable_normals));
-        for axis in 0..3 {
-            let (low, high) = (f64::from(bounds.low[axis]), f64::from(bounds.high[axis]));
-            let centre = (0.5 * (low + high)) as f32;
-            let reach = (high - f64::from(centre)).max(f64::from(centre) - low);
-            self.centre[axis][slot] = centre;
-            self.half[axis][slot] = round_up(reach);
-            self.axis[axis][slot] = cone.axis[axis] as f32;
-        }
-        self.sin_squared[slot] = round_up(cone.sin * cone.sin * (1.0 + STORED_MARGIN));
-        let view_margin = self.view_margin(slot, edges);
-        self.view_margin[slot] = round_up(view_margin * (1.0 + STORED_MARGIN));
-        self.children[slot] = child;
-        self.groups[slot] = edges.iter().fold(0, |groups, edge| groups | edge.groups);
-    }
-
-    /// `NormalCone::view_margin` of the child's edges around its centre.
-    fn view_margin(&self, slot: usize, edges: &[LocalEdge]) -> f64 {
-        let at = |v: &[[f32; WIDTH]; 3]| Vec3::from([0, 1, 2].map(|i| f64::from(v[i][slot])));
-        let centre = at(&self.centre);
-        let mut height = 0.0_f64;
-        for edge in edges {
-            for normal in edge.usable_normals().flatten() {
-                height = height.max((edge.ends[0] - centre).dot(normal).abs());
-            }
-        }
-        let cone = NormalCone {
-            axis: at(&self.axis),
-            sin: f64::from(self.sin_squared[slot]).sqrt(),
-        };
-        cone.view_margin(at(&self.half).length(), height)
-    }
-
-    /// True if no view is skipped for the child that can see a silhouette of
-    /// the edge: the cone contains its normals, and its planes pass the centre
-    /// near enough.
-    pub fn covers(&self, slot: usize, edge: &LocalEdge) -> bool {
-        let sin_squared = f64::from(self.sin_squared[slot]);
-        if sin_squared.is_infinite() {
-            return true;
-        }
-        let axis = Vec3::from([0, 1, 2].map(|i| f64::from(self.axis[i][slot])));
-        let is_inside = |normal: Vec3| {
-            let cross = axis.cross(normal).length() - AXIS_ROUNDING;
-            axis.dot(normal) > 0.0 && (cross <= 0.0 || cross * cross <= sin_squared)
-        };
-        let needed = self.view_margin(slot, std::slice::from_ref(edge));
-        let is_within = needed <= f64::from(self.view_margin[slot]);
-        is_within
-            && edge
-                .usable_normals()
-                .all(|normal| normal.is_some_and(is_inside))
-    }
-
-    /// True if the point, in local coordinates, lies in the box of the child.
-    pub fn contains_point(&self, slot: usize, p: Vec3) -> bool {
-        (0..3).all(|axis| {
-            let (centre, half) = (self.centre[axis][slot], self.half[axis][slot]);
-            (p[axis] - f64::from(centre)).abs() <= f64::from(half)
-        })
-    }
-
-    /// All groups of the edges below a child.
-    pub fn groups(&self, slot: usize) -> u8 {
-        self.groups[slot]
-    }
-}
-
-/// Error of a unit vector rounded to single precision.
-const AXIS_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
-
-/// Up to eight edges, in three cache lines: rounded to fixed point, which only
-/// costs a little of the bounds' tightness.
-#[derive(Clone, Debug, PartialEq)]
-#[repr(C, align(64))]
-pub struct EdgeBlock {
-    /// Midpoints, less `origin`, in units of `step`.
-    middle: [[i16; LANES]; 3],
-    /// From the midpoints to the second ends, in units of `step`.
-    half: [[i16; LANES]; 3],
-    /// Normals of the two faces, of length [`NORMAL_SCALE`]; zero for edges
-    /// that may be silhouettes whatever the view.
-    normals: [[[i8; LANES]; 3]; 2],
-    /// In local coordinates.
-    origin: [f32; 3],
-    /// In local units. The ends are rounded by at most this much on each axis.
-    step: f32,
-    /// Groups; 0 for empty lanes.
-    groups: [u8; LANES],
-}
-
-/// Length of the normals in a block.
-const NORMAL_SCALE: f32 = i8::MAX as f32;
-
-/// Error of each component of the normals in a block: half a unit, and what
-/// single precision adds.
-const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 10) as f32;
-
-/// An edge as blocks and nodes see it, in local coordinates.
-#[derive(Clone, Copy, Debug)]
-pub struct LocalEdge {
-    /// Its ends.
-    pub ends: [Vec3; 2],
-    /// Unit normals of its two faces, towards the same side of the surface;
-    /// `None` if it may be a silhouette whatever the view.
-    pub normals: Option<[Vec3; 2]>,
-    /// Its groups.
-    pub groups: u8,
-}
-
-impl LocalEdge {
-    /// Its normals; one `None` if it may be a silhouette whatever the view.
-    pub fn usable_normals(&self) -> impl Iterator<Item = Option<Vec3>> + use<> {
-        let [first, second] = match self.normals {
-            Some([first, second]) => [Some(first), Some(second)],
-            None => [None, None],
-        };
-        [first, second].into_iter()
-    }
-}
-
-impl EdgeBlock {
-    /// The block of these edges.
-    pub fn new(edges: &[LocalEdge]) -> Self {
-        let middles = || edges.iter().map(|edge| (edge.ends[0] + edge.ends[1]) * 0.5);
-        let bounds = Aabb::around(middles());
-        let origin = [0, 1, 2].map(|axis| 0.5 * (bounds.low[axis] + bounds.high[axis]));
-        let around = |middle: Vec3| middle - Vec3::from(origin.map(f64::from));
-        let halves = edges.iter().map(|edge| (edge.ends[1] - edge.ends[0]) * 0.5);
-        let largest = middles()
-            .map(around)
-            .chain(halves)
-            .map(|v| v.map(f64::abs).max_component())
-            .fold(f64::from(f32::MIN_POSITIVE), f64::max);
-        let step = round_up(largest / f64::from(i16::MAX));
-        let mut block = Self {
-            middle: [[0; LANES]; 3],
-            half: [[0; LANES]; 3],
-            normals: [[[0; LANES]; 3]; 2],
-            origin,
-            step,
-            groups: [0; LANES],
-        };
-        let fixed = |v: f64| (v / f64::from(step)).round() as i16;
-        for (lane, edge) in edges.iter().enumerate() {
-            let [a, b] = edge.ends;
-            let (middle, half) = (around((a + b) * 0.5), (b - a) * 0.5);
-            let normals = edge.normals.unwrap_or([Vec3::zero(); 2]);
-            for axis in 0..3 {
-                block.middle[axis][lane] = fixed(middle[axis]);
-                block.half[axis][lane] = fixed(half[axis]);
-                for (face, normal) in normals.iter().enumerate() {
-                    let scaled = normal[axis] * f64::from(NORMAL_SCALE);
-                    block.normals[face][axis][lane] = scaled.round() as i8;
-                }
-            }
-            block.groups[lane] = edge.groups;
-        }
-        block
-    }
-}
-
 /// A plane in local coordinates, unit normal `n`: in front is `n·p >= offset`.
 #[derive(Clone, Copy)]
 struct LocalPlane {
@@ -251,6 +50,10 @@ const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
 /// Margins of positions aside, a bound of an angle is off by at most the errors
 /// of two estimates, and a few roundings that are much smaller.
 const BOUND_SHRINK: f32 = 1.0 - 2.5 * ESTIMATE_ERROR;
+
+/// Error of the difference of two squares of components of a vector, relative
+/// to its squared length: some ten roundings.
+const SQUARES_MARGIN: f32 = 1.0 / (1 << 19) as f32;
 
 /// A view cone in the coordinates of a tree.
 pub struct LocalCone<S: Simd> {
@@ -318,7 +121,18 @@ impl<S: Simd> LocalCone<S> {
         // The box reaches this far from its centre along the axis, and away
         // from the axis (times the distance).
         let z_reach = dot(abs(self.axis), half);
-        let radial_reach = dot(abs(radial), half);
+        let normal = load(simd, &node.axis);
+        let radial_reach = {
+            let by_box = dot(abs(radial), half);
+            // Thin along the normal, and within a sphere: the reach along both
+            // parts of the radial direction, the larger one rounded up.
+            let along = dot(normal, radial);
+            let across_squared = radial_squared * simd.splat(1.0 + SQUARES_MARGIN) - along * along;
+            let across_squared = across_squared.max(simd.splat(f32::MIN_POSITIVE));
+            let across = across_squared * across_squared.rsqrt_estimate();
+            let by_slab = along.abs() * simd.load(&node.thickness);
+            by_box.min(across.mul_add(simd.load(&node.radius), by_slab))
+        };
         let reach = half[0] + half[1] + half[2];
         let bound = pseudo_angle(
             simd,
@@ -332,7 +146,7 @@ impl<S: Simd> LocalCone<S> {
         mask &= bound.le(simd.splat(limit));
         if !self.all_edges {
             // No silhouettes if |axis·v| > sin |v| + k (NormalCone).
-            let towards = dot(load(simd, &node.axis), view).abs();
+            let towards = dot(normal, view).abs();
             let clearance = towards - simd.load(&node.view_margin) - self.plane_margin;
             let distance_squared = dot(view, view);
             let sin_squared = simd.load(&node.sin_squared);
@@ -364,8 +178,8 @@ impl<S: Simd> LocalCone<S> {
         // Both ends are rounded by a step on each axis.
         let margin = self.margin + simd.splat(2.0) * step;
         if !self.all_edges {
-            let first = dot(load_i8(simd, &block.normals[0]), view);
-            let second = dot(load_i8(simd, &block.normals[1]), view);
+            let first = dot(load_i16(simd, &block.normals[0]), view);
+            let second = dot(load_i16(simd, &block.normals[1]), view);
             // No silhouette if both faces are seen from the same side, whatever
             // the rounding of normals and ends.
             let size = view[0].abs() + view[1].abs() + view[2].abs();
@@ -512,15 +326,6 @@ fn load_i16<S: Simd>(simd: S, v: &[[i16; 8]; 3]) -> [S::F32x8; 3] {
         simd.load_i16(&v[0]),
         simd.load_i16(&v[1]),
         simd.load_i16(&v[2]),
-    ]
-}
-
-#[inline(always)]
-fn load_i8<S: Simd>(simd: S, v: &[[i8; 8]; 3]) -> [S::F32x8; 3] {
-    [
-        simd.load_i8(&v[0]),
-        simd.load_i8(&v[1]),
-        simd.load_i8(&v[2]),
     ]
 }
 

@@ -4,7 +4,8 @@ use capwalk_math::Vec3;
 use rayon::prelude::*;
 
 use super::best_first::ClosestWhere;
-use super::cone_kernel::{self, ConeNode, EdgeBlock, LocalCone, LocalEdge};
+use super::cone_kernel::{self, LocalCone};
+use super::cone_node::{ConeNode, EdgeBlock, LocalEdge};
 use crate::aabb::{Aabb, LocalFrame};
 use crate::bvh::traverse::{Stack, for_each_sorted};
 use crate::bvh::validate::{self, TreeError};
@@ -338,7 +339,7 @@ impl SilhouetteTree {
         validate::for_each_below(topology, |node, slot, edge| {
             let local = expected(edge as u32).local(&self.frame, edges[edge].groups);
             let child = &self.nodes[node];
-            if !local.ends.iter().all(|&p| child.contains_point(slot, p)) {
+            if !child.contains(slot, &local) {
                 let primitive = edge;
                 return Err(TreeError::Bounds {
                     node,
