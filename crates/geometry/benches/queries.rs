@@ -5,7 +5,9 @@
 //! prints a table of ratios. The ratios are measured by themselves: the views
 //! in small batches, every query on a batch in turn, in many rounds. A time is
 //! the sum over the batches of the medians over the rounds, so neither a slow
-//! phase of the machine nor being interrupted counts for one query only.
+//! phase of the machine nor being interrupted counts for one query only. Before
+//! each, the same query runs on the batch before, so that the caches hold what
+//! they do when nothing else runs.
 
 mod meshes;
 
@@ -24,8 +26,7 @@ use obvhs::triangle::Triangle;
 
 /// Views per scene.
 const VIEWS: usize = 4096;
-/// Views per batch: few, so that most batches are not interrupted, but enough
-/// to fill the caches with what the query needs.
+/// Views per batch: few, so that most batches are not interrupted.
 const BATCH: usize = 512;
 /// Rounds; odd, so that there is a median.
 const ROUNDS: usize = 21;
@@ -186,11 +187,12 @@ fn print_ratios(scene: &Scene) {
     // times[query][batch], one for each round
     let mut times = vec![vec![Vec::new(); batches.len()]; QUERIES.len()];
     for _ in 0..ROUNDS {
-        for step in 0..batches.len() {
+        for b in 0..batches.len() {
             for (q, (_, query)) in QUERIES.iter().enumerate() {
-                // Another batch than the query before, which has left its
-                // nodes in the caches.
-                let b = (step + q) % batches.len();
+                black_box(query(
+                    scene,
+                    batches[(b + batches.len() - 1) % batches.len()],
+                ));
                 let start = Instant::now();
                 black_box(query(scene, batches[b]));
                 times[q][b].push(start.elapsed().as_secs_f64());

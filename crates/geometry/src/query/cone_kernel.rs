@@ -44,6 +44,11 @@ pub struct ConeNode {
     half: [[f32; WIDTH]; 3],
     /// Axes of their cones of normals.
     axis: [[f32; WIDTH]; 3],
+    /// How far the edges reach from the centres along those axes: patches of a
+    /// smooth surface are thin that way.
+    thickness: [f32; WIDTH],
+    /// How far they reach in any direction.
+    radius: [f32; WIDTH],
     /// Squared sines of those cones; infinite for children that can contain a
     /// silhouette whatever the view.
     sin_squared: [f32; WIDTH],
@@ -65,6 +70,8 @@ impl ConeNode {
         centre: [[0.0; WIDTH]; 3],
         half: [[0.0; WIDTH]; 3],
         axis: [[0.0; WIDTH]; 3],
+        thickness: [0.0; WIDTH],
+        radius: [0.0; WIDTH],
         sin_squared: [0.0; WIDTH],
         view_margin: [0.0; WIDTH],
         children: [Child::NONE; WIDTH],
@@ -83,10 +90,27 @@ impl ConeNode {
             self.axis[axis][slot] = cone.axis[axis] as f32;
         }
         self.sin_squared[slot] = round_up(cone.sin * cone.sin * (1.0 + STORED_MARGIN));
+        let [thickness, radius] = self.reach(slot, edges);
+        self.thickness[slot] = round_up(thickness);
+        self.radius[slot] = round_up(radius * (1.0 + f64::from(ESTIMATE_ERROR)));
         let view_margin = self.view_margin(slot, edges);
         self.view_margin[slot] = round_up(view_margin * (1.0 + STORED_MARGIN));
         self.children[slot] = child;
         self.groups[slot] = edges.iter().fold(0, |groups, edge| groups | edge.groups);
+    }
+
+    /// How far the edges reach from the child's centre along the axis of its
+    /// cone, and in any direction.
+    fn reach(&self, slot: usize, edges: &[LocalEdge]) -> [f64; 2] {
+        let at = |v: &[[f32; WIDTH]; 3]| Vec3::from([0, 1, 2].map(|i| f64::from(v[i][slot])));
+        let (centre, axis) = (at(&self.centre), at(&self.axis));
+        let mut reach = [0.0_f64; 2];
+        for end in edges.iter().flat_map(|edge| edge.ends) {
+            let around = end - centre;
+            reach[0] = reach[0].max(around.dot(axis).abs());
+            reach[1] = reach[1].max(around.length());
+        }
+        reach
     }
 
     /// `NormalCone::view_margin` of the child's edges around its centre.
@@ -127,12 +151,19 @@ impl ConeNode {
                 .all(|normal| normal.is_some_and(is_inside))
     }
 
-    /// True if the point, in local coordinates, lies in the box of the child.
-    pub fn contains_point(&self, slot: usize, p: Vec3) -> bool {
-        (0..3).all(|axis| {
-            let (centre, half) = (self.centre[axis][slot], self.half[axis][slot]);
-            (p[axis] - f64::from(centre)).abs() <= f64::from(half)
-        })
+    /// True if the edge lies in the box of the child, and no farther from its
+    /// centre than the child says.
+    pub fn contains(&self, slot: usize, edge: &LocalEdge) -> bool {
+        let is_inside = |p: &Vec3| {
+            (0..3).all(|axis| {
+                let (centre, half) = (self.centre[axis][slot], self.half[axis][slot]);
+                (p[axis] - f64::from(centre)).abs() <= f64::from(half)
+            })
+        };
+        let [thickness, radius] = self.reach(slot, std::slice::from_ref(edge));
+        edge.ends.iter().all(is_inside)
+            && thickness <= f64::from(self.thickness[slot])
+            && radius <= f64::from(self.radius[slot])
     }
 
     /// All groups of the edges below a child.
@@ -144,8 +175,8 @@ impl ConeNode {
 /// Error of a unit vector rounded to single precision.
 const AXIS_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 
-/// Up to eight edges, in three cache lines: rounded to fixed point, which only
-/// costs a little of the bounds' tightness.
+/// Up to eight edges, rounded to fixed point: half the memory, which only costs
+/// a little of the bounds' tightness.
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(64))]
 pub struct EdgeBlock {
@@ -155,7 +186,7 @@ pub struct EdgeBlock {
     half: [[i16; LANES]; 3],
     /// Normals of the two faces, of length [`NORMAL_SCALE`]; zero for edges
     /// that may be silhouettes whatever the view.
-    normals: [[[i8; LANES]; 3]; 2],
+    normals: [[[i16; LANES]; 3]; 2],
     /// In local coordinates.
     origin: [f32; 3],
     /// In local units. The ends are rounded by at most this much on each axis.
@@ -165,11 +196,11 @@ pub struct EdgeBlock {
 }
 
 /// Length of the normals in a block.
-const NORMAL_SCALE: f32 = i8::MAX as f32;
+const NORMAL_SCALE: f32 = i16::MAX as f32;
 
 /// Error of each component of the normals in a block: half a unit, and what
 /// single precision adds.
-const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 10) as f32;
+const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 6) as f32;
 
 /// An edge as blocks and nodes see it, in local coordinates.
 #[derive(Clone, Copy, Debug)]
@@ -226,7 +257,7 @@ impl EdgeBlock {
                 block.half[axis][lane] = fixed(half[axis]);
                 for (face, normal) in normals.iter().enumerate() {
                     let scaled = normal[axis] * f64::from(NORMAL_SCALE);
-                    block.normals[face][axis][lane] = scaled.round() as i8;
+                    block.normals[face][axis][lane] = scaled.round() as i16;
                 }
             }
             block.groups[lane] = edge.groups;
@@ -251,6 +282,10 @@ const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
 /// Margins of positions aside, a bound of an angle is off by at most the errors
 /// of two estimates, and a few roundings that are much smaller.
 const BOUND_SHRINK: f32 = 1.0 - 2.5 * ESTIMATE_ERROR;
+
+/// Error of the difference of two squares of components of a vector, relative
+/// to its squared length: some ten roundings.
+const SQUARES_MARGIN: f32 = 1.0 / (1 << 19) as f32;
 
 /// A view cone in the coordinates of a tree.
 pub struct LocalCone<S: Simd> {
@@ -318,7 +353,18 @@ impl<S: Simd> LocalCone<S> {
         // The box reaches this far from its centre along the axis, and away
         // from the axis (times the distance).
         let z_reach = dot(abs(self.axis), half);
-        let radial_reach = dot(abs(radial), half);
+        let normal = load(simd, &node.axis);
+        let radial_reach = {
+            let by_box = dot(abs(radial), half);
+            // Thin along the normal, and within a sphere: the reach along both
+            // parts of the radial direction, the larger one rounded up.
+            let along = dot(normal, radial);
+            let across_squared = radial_squared * simd.splat(1.0 + SQUARES_MARGIN) - along * along;
+            let across_squared = across_squared.max(simd.splat(f32::MIN_POSITIVE));
+            let across = across_squared * across_squared.rsqrt_estimate();
+            let by_slab = along.abs() * simd.load(&node.thickness);
+            by_box.min(across.mul_add(simd.load(&node.radius), by_slab))
+        };
         let reach = half[0] + half[1] + half[2];
         let bound = pseudo_angle(
             simd,
@@ -332,7 +378,7 @@ impl<S: Simd> LocalCone<S> {
         mask &= bound.le(simd.splat(limit));
         if !self.all_edges {
             // No silhouettes if |axis·v| > sin |v| + k (NormalCone).
-            let towards = dot(load(simd, &node.axis), view).abs();
+            let towards = dot(normal, view).abs();
             let clearance = towards - simd.load(&node.view_margin) - self.plane_margin;
             let distance_squared = dot(view, view);
             let sin_squared = simd.load(&node.sin_squared);
@@ -364,8 +410,8 @@ impl<S: Simd> LocalCone<S> {
         // Both ends are rounded by a step on each axis.
         let margin = self.margin + simd.splat(2.0) * step;
         if !self.all_edges {
-            let first = dot(load_i8(simd, &block.normals[0]), view);
-            let second = dot(load_i8(simd, &block.normals[1]), view);
+            let first = dot(load_i16(simd, &block.normals[0]), view);
+            let second = dot(load_i16(simd, &block.normals[1]), view);
             // No silhouette if both faces are seen from the same side, whatever
             // the rounding of normals and ends.
             let size = view[0].abs() + view[1].abs() + view[2].abs();
@@ -512,15 +558,6 @@ fn load_i16<S: Simd>(simd: S, v: &[[i16; 8]; 3]) -> [S::F32x8; 3] {
         simd.load_i16(&v[0]),
         simd.load_i16(&v[1]),
         simd.load_i16(&v[2]),
-    ]
-}
-
-#[inline(always)]
-fn load_i8<S: Simd>(simd: S, v: &[[i8; 8]; 3]) -> [S::F32x8; 3] {
-    [
-        simd.load_i8(&v[0]),
-        simd.load_i8(&v[1]),
-        simd.load_i8(&v[2]),
     ]
 }
 

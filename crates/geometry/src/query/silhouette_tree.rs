@@ -338,7 +338,7 @@ impl SilhouetteTree {
         validate::for_each_below(topology, |node, slot, edge| {
             let local = expected(edge as u32).local(&self.frame, edges[edge].groups);
             let child = &self.nodes[node];
-            if !local.ends.iter().all(|&p| child.contains_point(slot, p)) {
+            if !child.contains(slot, &local) {
                 let primitive = edge;
                 return Err(TreeError::Bounds {
                     node,
