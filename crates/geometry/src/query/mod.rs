@@ -2,6 +2,7 @@
 
 mod best_first;
 mod cone_kernel;
+mod cone_node;
 mod ray_kernel;
 mod ray_tree;
 mod silhouette_tree;

@@ -4,7 +4,8 @@ use capwalk_math::Vec3;
 use rayon::prelude::*;
 
 use super::best_first::ClosestWhere;
-use super::cone_kernel::{self, ConeNode, EdgeBlock, LocalCone, LocalEdge};
+use super::cone_kernel::{self, LocalCone};
+use super::cone_node::{ConeNode, EdgeBlock, LocalEdge};
 use crate::aabb::{Aabb, LocalFrame};
 use crate::bvh::traverse::{Stack, for_each_sorted};
 use crate::bvh::validate::{self, TreeError};
