@@ -54,7 +54,7 @@ fn main() -> ExitCode {
 }
 
 fn bench(rest: &[String]) -> Result<()> {
-    let mut command = cargo(&["bench", "--workspace"]);
+    let mut command = cargo(&["bench", "--workspace", "--bench", "*"]);
     if !rest.is_empty() {
         command.arg("--").args(rest);
     }

@@ -115,7 +115,7 @@ pub fn run(args: &Check) -> Result<Outcome> {
             report::number(reference.step)
         );
         print!("{}", describe(comparison));
-        println!("{}", verdict(comparison, &options, &reference));
+        println!("{}", verdict(&checked));
         println!("wrote {}", written.join(", "));
     }
     Ok(
@@ -240,24 +240,32 @@ pub fn describe(c: &Comparison) -> String {
 }
 
 /// What follows, in a sentence.
-pub fn verdict(comparison: &Comparison, options: &Options, reference: &Reference) -> String {
-    match &comparison.verdict {
+pub fn verdict(checked: &Checked) -> String {
+    // Samples that were really taken: the work may have been stopped.
+    let taken = |image: &GradientImage| {
+        let statistics = &image.statistics;
+        statistics.samples as f64 / statistics.samples_per_pixel.len() as f64
+    };
+    let (spp, reference_spp) = (taken(&checked.gradient), taken(&checked.reference));
+    match &checked.comparison.verdict {
         Verdict::Right => {
             "right: they agree, and a factor wrong by 10 % would have been seen".into()
         }
-        Verdict::Wrong { reason } => format!(
-            "wrong: {reason}\n(if a smaller --step changes this, the reference is at fault)"
-        ),
-        Verdict::CouldNotTell { samples_factor } if samples_factor.is_finite() => {
-            let times = |spp: u32| (f64::from(spp) * samples_factor).ceil();
+        Verdict::Wrong { reason } => {
             format!(
-                "could not tell: about {} times the samples would be enough (--spp {} \
-                 --reference-spp {})",
-                report::significant(*samples_factor, 2),
-                times(options.spp),
-                times(reference.spp)
+                "wrong: {reason}\n(if a smaller --step changes this, the reference is at fault)"
             )
         }
+        Verdict::CouldNotTell { .. } if spp.min(reference_spp) < 2.0 => {
+            "could not tell: standard errors take at least two samples per pixel".into()
+        }
+        Verdict::CouldNotTell { samples_factor } if samples_factor.is_finite() => format!(
+            "could not tell: about {} times the samples would be enough (--spp {} \
+             --reference-spp {})",
+            report::significant(*samples_factor, 2),
+            (spp * samples_factor).ceil(),
+            (reference_spp * samples_factor).ceil()
+        ),
         Verdict::CouldNotTell { .. } => {
             "could not tell: there is no derivative to be seen, only noise".into()
         }

@@ -31,6 +31,7 @@ fn few_samples_cannot_tell() {
     let one = "--spp 1 --reference-spp 1";
     let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {one}"));
     assert_eq!(finished.status, 2, "{}", finished.stdout);
+    assert_has(&finished.stdout, &["at least two samples"]);
 }
 
 /// A step so large that the difference is no derivative: the reference is
