@@ -33,19 +33,29 @@ pub enum Sides {
 }
 
 /// A face whose plane passes the eye within this fraction of the coordinates'
-/// size counts as seen from the front: it is the face the eye lies on, whose
-/// orientation test would be 0/0 (METHOD 1). Ray hits in double precision stay
-/// within some 1e-14 of it.
+/// size is the face that the eye lies on, whose orientation test would be 0/0
+/// (METHOD 1). Ray hits in double precision stay within some 1e-14 of it.
 pub const ON_PLANE: f64 = 1e-11;
 
-/// True if the eye sees the front of a face, or lies in its plane. The face
-/// has the normal `cross`, of any length, and contains `point`.
+/// 1 if the eye sees the front of a face, -1 if its back, 0 if it lies in its
+/// plane. The face has the normal `cross`, of any length, and contains `point`.
 #[inline]
-pub fn faces_eye(cross: Vec3, point: Vec3, flipped: bool, eye: Vec3) -> bool {
+fn side_seen(cross: Vec3, point: Vec3, eye: Vec3) -> i32 {
     let height = cross.dot(eye - point);
     let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
     let tolerance = ON_PLANE * (sum(eye) + sum(point)) * cross.length();
-    height.abs() <= tolerance || (height > 0.0) != flipped
+    i32::from(height > tolerance) - i32::from(height < -tolerance)
+}
+
+/// True if an edge through `point` between faces with these normals may bound
+/// what the eye sees: one face is seen from the front and the other from
+/// behind, or one has the eye in its plane. The latter is the eye's own face;
+/// its edges are the horizon, whichever side of the face the eye is on.
+#[inline]
+pub fn separates(crosses: [Vec3; 2], point: Vec3, flipped: bool, eye: Vec3) -> bool {
+    let [first, second] = crosses.map(|cross| side_seen(cross, point, eye));
+    let second = if flipped { -second } else { second };
+    first * second <= 0
 }
 
 impl Edge {
@@ -57,8 +67,8 @@ impl Edge {
             Sides::Between { faces, flipped } => {
                 // On both faces, so both planes are met at the same point.
                 let point = mesh.positions[self.vertices[0] as usize];
-                let [first, second] = faces.map(|face| mesh.face_cross(face as usize));
-                faces_eye(first, point, false, eye) != faces_eye(second, point, flipped, eye)
+                let crosses = faces.map(|face| mesh.face_cross(face as usize));
+                separates(crosses, point, flipped, eye)
             }
         }
     }

@@ -31,8 +31,15 @@ struct HalfEdge {
 
 /// The edges of one mesh that can be boundaries, with `groups = u8::MAX`, in
 /// the order in which the faces first mention them. Coplanar neighbours have
-/// none between them, degenerate faces (no area) count as holes.
+/// none between them unless they are wound against each other (what is seen
+/// changes from front to back), degenerate faces (no area) count as holes.
 pub fn edges(mesh: &Mesh) -> Vec<Edge> {
+    edges_with(mesh, |_| false)
+}
+
+/// The same, with the edges between those pairs of coplanar faces for which
+/// `differ` says so: something else than their plane changes between them.
+pub fn edges_with(mesh: &Mesh, differ: impl Fn([u32; 2]) -> bool + Sync) -> Vec<Edge> {
     let welded = weld(&mesh.positions);
     // Zero for degenerate faces.
     let normals: Vec<Vec3> = (0..mesh.faces.len())
@@ -63,7 +70,7 @@ pub fn edges(mesh: &Mesh) -> Vec<Edge> {
         .flat_map_iter(|uses| {
             uses.sort_unstable_by_key(|half_edge| (half_edge.larger, half_edge.side));
             uses.chunk_by(|a, b| a.larger == b.larger)
-                .filter_map(|uses| Some((uses[0].side, edge_of(mesh, &normals, uses)?)))
+                .filter_map(|uses| Some((uses[0].side, edge_of(mesh, &normals, uses, &differ)?)))
         })
         .collect();
     found.par_sort_unstable_by_key(|&(first_side, _)| first_side);
@@ -116,15 +123,21 @@ fn half_edges_by_smaller_vertex(
     (starts, sorted)
 }
 
-/// The edge with these uses; `None` if it lies between coplanar faces.
-fn edge_of(mesh: &Mesh, normals: &[Vec3], uses: &[HalfEdge]) -> Option<Edge> {
+/// The edge with these uses; `None` if nothing changes across it.
+fn edge_of(
+    mesh: &Mesh,
+    normals: &[Vec3],
+    uses: &[HalfEdge],
+    differ: &impl Fn([u32; 2]) -> bool,
+) -> Option<Edge> {
     let first = uses[0].side as usize;
     let corners = mesh.faces[first / 3];
     let sides = match uses {
         [a, b] => {
             let faces = [a.side / 3, b.side / 3];
             let flipped = a.ascends == b.ascends;
-            if coplanar(faces.map(|face| normals[face as usize]), flipped) {
+            let same_plane = coplanar(faces.map(|face| normals[face as usize]));
+            if same_plane && !flipped && !differ(faces) {
                 return None;
             }
             Sides::Between { faces, flipped }
@@ -154,9 +167,8 @@ pub fn weld(positions: &[Vec3]) -> Vec<u32> {
 }
 
 /// True if faces with these unit normals at one edge lie side by side in one
-/// plane (not folded onto each other).
-fn coplanar([first, second]: [Vec3; 2], flipped: bool) -> bool {
-    let second = if flipped { -second } else { second };
+/// plane (not folded onto each other), wound the same way.
+fn coplanar([first, second]: [Vec3; 2]) -> bool {
     first.dot(second) > 0.0 && first.cross(second).length() < COPLANAR
 }
 
@@ -189,15 +201,22 @@ mod tests {
         edges.iter().find(same).map(|edge| edge.sides)
     }
 
-    /// The diagonal of a quad is no edge, however its halves are wound; its
-    /// border is open.
+    /// The diagonal of a quad is no edge, unless its halves are wound against
+    /// each other or something else differs between them; its border is open.
     #[test]
-    fn diagonal_of_a_quad_is_no_edge() {
-        for second in [[0, 2, 3], [0, 3, 2]] {
-            let edges = edges(&mesh(&CORNERS, &[[0, 1, 2], second]));
-            assert_eq!(edges.len(), 4);
-            assert!(edges.iter().all(|edge| edge.sides == Sides::Open));
-        }
+    fn diagonal_of_a_quad() {
+        let quad = mesh(&CORNERS, &[[0, 1, 2], [0, 2, 3]]);
+        let border = edges(&quad);
+        assert_eq!(border.len(), 4);
+        assert!(border.iter().all(|edge| edge.sides == Sides::Open));
+        let sides = |flipped| Sides::Between {
+            faces: [0, 1],
+            flipped,
+        };
+        let differing = edges_with(&quad, |_| true);
+        assert_eq!(sides_of(&differing, [0, 2]), Some(sides(false)));
+        let turned = edges(&mesh(&CORNERS, &[[0, 1, 2], [0, 3, 2]]));
+        assert_eq!(sides_of(&turned, [0, 2]), Some(sides(true)));
     }
 
     /// Two coplanar faces on the same side of their edge, folded onto each

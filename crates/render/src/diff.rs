@@ -1,6 +1,7 @@
 //! Derivatives of the picture.
 
 pub mod boundary;
+mod clip;
 mod crossing;
 pub mod finite;
 mod flux;

@@ -22,6 +22,8 @@ pub(crate) const FILM: u32 = 0;
 pub(crate) const FILM_CHOICE: u32 = 2;
 /// The first vertex's numbers start here.
 pub(crate) const FIRST_VERTEX: u32 = 3;
+/// Numbers that each vertex of a path takes: light, continuation, roulette.
+pub(crate) const PER_VERTEX: u32 = EMITTER_NUMBERS + 3;
 
 /// The picture of a scene. The scene must have passed [`Scene::check`].
 pub fn render(scene: &Scene, options: &Options, watch: &dyn Watch) -> Rendering {
@@ -157,8 +159,6 @@ fn path(
     hide_emitters: bool,
     stream: &Stream,
 ) -> Rgb {
-    /// Numbers that each vertex takes: light, continuation, roulette.
-    const PER_VERTEX: u32 = EMITTER_NUMBERS + 3;
     /// Most that throughput may be trusted to survive roulette.
     const RR_MAX: f64 = 0.95;
 

@@ -207,8 +207,10 @@ pub fn surface_at<R: Real, W: World<R>>(
     } else {
         1.0
     };
-    let outward = match shape.normals.per_vertex() {
-        None => cross.normalized(),
+    // Normals given with a mesh say which side of a face is out, even against
+    // its winding; all three together, so that it is the same all over it.
+    let (outward, out) = match shape.normals.per_vertex() {
+        None => (cross.normalized(), 1.0),
         Some(_) => {
             // Barycentric weights by the areas opposite to the corners.
             let offset = position - a;
@@ -217,11 +219,12 @@ pub fn surface_at<R: Real, W: World<R>>(
             let wc = edge1.cross(offset).dot(cross) * scale;
             let first = accel.first_vertex[shape_id.0 as usize];
             let [na, nb, nc] = corners.map(|i| world.normal(shape_id.0 as usize, i - first));
-            (na + (nb - na) * wb + (nc - na) * wc).normalized()
+            let out = (na + nb + nc).value().dot(face_normal).signum();
+            let normal = (na + (nb - na) * wb + (nc - na) * wc).normalized();
+            (normal, out)
         }
     };
-    // Normals given with a mesh say which side is out, even against its winding.
-    let facing = seen * outward.value().dot(face_normal).signum();
+    let facing = seen * out;
     let bsdf = scene.facing_bsdf(shape.bsdf, facing);
     Surface {
         position,

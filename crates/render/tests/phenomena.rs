@@ -501,3 +501,96 @@ fn interpenetrating_shapes() {
         "thing.translate.z+ball.translate.x",
     );
 }
+
+/// What lies before the near plane is not seen, and hides nothing.
+#[test]
+fn screen_before_the_near_plane() {
+    let mut scene = visible_cube();
+    let towards = v(1.2, -4.0, 1.9) - v(0.0, 0.05, 0.4);
+    let facing = Affine::look_at(v(0.9, -3.0, 1.525), v(1.2, -4.0, 1.9), v(0.0, 0.0, 1.0));
+    let (mesh, normals) = capwalk_scene::primitive::rectangle(facing.expect("not up"));
+    add(&mut scene, "screen", mesh, normals, 0.5);
+    scene.sensor.near_clip = 0.4 * towards.length();
+    primary_case("near plane", scene, "thing.translate.x");
+}
+
+/// Smooth normals: the horizon of each face bounds the light it reflects, on
+/// whichever side of its winding the eye is.
+#[test]
+fn rotating_coarse_smooth_ball() {
+    for inside_out in [false, true] {
+        let mut scene = visible_stage(v(1.2, -4.0, 1.9));
+        let place = Affine::translate(v(0.0, 0.0, 0.55)) * Affine::scale(Vec3::splat(0.5));
+        let mut ball = placed(icosphere(1), place);
+        if inside_out {
+            ball.faces.iter_mut().for_each(|face| face.swap(1, 2));
+        }
+        let normals = ShadingNormals::computed(&ball);
+        add(&mut scene, "ball", ball, normals, 0.6);
+        let name = format!("coarse smooth ball, inside out: {inside_out}");
+        let motion = motion(&scene, "ball.rotate.y");
+        let case = Case {
+            gradient_spp: 600,
+            reference_spp: 1600,
+            ..primary()
+        };
+        agree(&name, scene, &motion, case);
+    }
+}
+
+/// The numbers of Russian roulette are nobody else's.
+#[test]
+fn early_roulette() {
+    let mut scene = empty(v(0.3, -2.0, 1.0), v(0.0, 1.0, 0.0), 60.0, 36);
+    add_floor(&mut scene, 8.0);
+    add_lamp(&mut scene, v(0.0, 0.0, 4.0), 10.0, 0.3, 3.0);
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(2),
+        rr_depth: 1,
+        hide_emitters: false,
+    };
+    let motion = motion(&scene, "sensor.rotate.x");
+    agree("early roulette", scene, &motion, primary());
+}
+
+/// A blade cuts through the lamp.
+#[test]
+fn lamp_cut_by_a_blade() {
+    let blade = Mesh {
+        positions: vec![v(-0.7, -0.6, 2.3), v(-0.6, 0.7, 2.2), v(0.5, 0.1, 3.5)],
+        faces: vec![[0, 1, 2]],
+    };
+    shadow_case("blade", with(blade), "thing.translate.x");
+}
+
+/// Correlated samples: their errors come from batches.
+#[test]
+fn sobol_points() {
+    let mut scene = with(triangle());
+    scene.settings.sampler = SamplerKind::Sobol;
+    let case = Case {
+        gradient_spp: 512,
+        reference_spp: 1024,
+        ..Case::default()
+    };
+    let motion = motion(&scene, "thing.translate.x");
+    agree("sobol", scene, &motion, case);
+}
+
+/// A surface cut by a clip plane in view is refused, by name.
+#[test]
+fn clipped_surfaces_are_refused() {
+    let mut scene = visible_cube();
+    scene.sensor.near_clip = 4.2;
+    let motion = motion(&scene, "thing.translate.x");
+    let settings = GradientOptions {
+        options: Options {
+            spp: 2,
+            seed: 1,
+            threads: None,
+        },
+        walk: WalkSettings::default(),
+    };
+    let refusal = gradient(&scene, &motion, &settings, &Unwatched).expect_err("clipped");
+    assert!(refusal.reason.contains("near_clip of 4.2"), "{refusal}");
+}

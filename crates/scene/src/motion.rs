@@ -30,13 +30,22 @@ pub struct ShapeMotion {
     pub normals: Option<Vec<Vec3>>,
 }
 
-/// A rigid motion of the sensor.
+/// A rigid motion of the sensor; at rest by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorMotion {
     /// Velocity of its origin, world units.
     pub translation: Vec3,
     /// Angular velocity about its origin, radians, in world axes.
     pub rotation: Vec3,
+}
+
+impl Default for SensorMotion {
+    fn default() -> Self {
+        Self {
+            translation: Vec3::zero(),
+            rotation: Vec3::zero(),
+        }
+    }
 }
 
 impl Motion {
@@ -46,10 +55,7 @@ impl Motion {
             shapes: vec![None; scene.shapes.len()],
             reflectance: vec![Rgb::zero(); scene.materials.len()],
             radiance: vec![Rgb::zero(); scene.emitters.len()],
-            sensor: SensorMotion {
-                translation: Vec3::zero(),
-                rotation: Vec3::zero(),
-            },
+            sensor: SensorMotion::default(),
         }
     }
 

@@ -82,8 +82,7 @@ impl Perspective {
             b.dot(c),
             c.dot(a),
         ];
-        // Six digits are what scene files commonly give.
-        if !rigid.iter().all(|x| x.abs() < 1e-4) || !self.origin().is_finite() {
+        if !rigid.iter().all(|x| x.abs() < RIGID) || !self.origin().is_finite() {
             return bad(
                 "to_world",
                 format!("{:?}", self.world_from_camera),
@@ -114,6 +113,10 @@ impl Perspective {
         Ok(())
     }
 }
+
+/// Largest deviation of the inner products of a rotation's rows from those of
+/// an orthonormal frame. The transpose serves as the inverse.
+const RIGID: f64 = 1e-9;
 
 #[cfg(test)]
 mod tests {

@@ -10,7 +10,7 @@ use crate::aabb::{Aabb, LocalFrame};
 use crate::bvh::traverse::{Stack, for_each_sorted};
 use crate::bvh::validate::{self, TreeError};
 use crate::bvh::{ChildKind, Topology, build, refit};
-use crate::edge::{Edge, Sides, closest_direction, faces_eye};
+use crate::edge::{Edge, Sides, closest_direction, separates};
 use crate::mesh::Mesh;
 use crate::simd::{Instructions, Job, Simd};
 
@@ -136,10 +136,7 @@ impl TreeEdge {
     fn is_silhouette(&self, eye: Vec3) -> bool {
         match self.kind {
             EdgeKind::Open => true,
-            EdgeKind::Between { flipped } => {
-                let ([first, second], point) = (self.crosses, self.ends[0]);
-                faces_eye(first, point, false, eye) != faces_eye(second, point, flipped, eye)
-            }
+            EdgeKind::Between { flipped } => separates(self.crosses, self.ends[0], flipped, eye),
         }
     }
 

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::Vec3;
-use capwalk_scene::Emitter;
+use capwalk_scene::{Emitter, Shape};
 use capwalk_walk::{Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
@@ -23,6 +23,10 @@ pub const LIGHT: u8 = 2;
 /// (METHOD 3); the edges of others join the boundaries.
 const FEW_EDGES: usize = 64;
 
+/// Unit normals that differ by less than this are the same: rounding to single
+/// precision moves them by about 1e-7.
+const SAME_NORMAL: f64 = 1e-6;
+
 /// The edges of a scene that can be boundaries, and how they move.
 pub struct Boundaries {
     edges: Vec<Edge>,
@@ -32,7 +36,7 @@ pub struct Boundaries {
     /// Their velocities.
     pub velocities: Vec<Vec3>,
     /// True if any of them is not zero.
-    any_moves: bool,
+    pub any_moves: bool,
     /// End points (vertices of the joined mesh) of the edges of lamps with few
     /// edges, and the total length up to and including each.
     pub lamp_edges: Vec<([u32; 2], f64)>,
@@ -48,13 +52,19 @@ impl Boundaries {
         let mut length = 0.0;
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
-            let mut own = topology::edges(&shape.mesh);
+            let mut own = topology::edges_with(&shape.mesh, |faces| shades_apart(shape, faces));
             let is_lamp = shape.emitter.is_some_and(|id| {
                 matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
             });
             for edge in &mut own {
                 shift(edge, first_vertex, first_face);
                 edge.groups = if is_lamp { CAMERA } else { CAMERA | LIGHT };
+                if shape.emitter.is_some()
+                    && matches!(edge.sides, Sides::Between { flipped: true, .. })
+                {
+                    // Light ends where a lamp turns its back, folded or not.
+                    edge.sides = Sides::Open;
+                }
                 if is_lamp {
                     let [a, b] = edge.vertices.map(|i| accel.mesh.positions[i as usize]);
                     length += (b - a).length();
@@ -73,7 +83,12 @@ impl Boundaries {
             edges.push(Edge {
                 vertices: [first, first + 1],
                 sides: Sides::Open,
-                groups: CAMERA,
+                // A lamp that something cuts through ends there.
+                groups: if crossing.emits {
+                    CAMERA | LIGHT
+                } else {
+                    CAMERA
+                },
             });
         }
         Self {
@@ -85,6 +100,22 @@ impl Boundaries {
             lamp_edges,
         }
     }
+}
+
+/// True if two neighbouring faces have different shading normals at an end of
+/// their common edge.
+fn shades_apart(shape: &Shape, faces: [u32; 2]) -> bool {
+    let Some(normals) = shape.normals.per_vertex() else {
+        return false;
+    };
+    let [first, second] = faces.map(|face| shape.mesh.faces[face as usize]);
+    let position = |i: u32| shape.mesh.positions[i as usize];
+    first.iter().any(|&i| {
+        let twins = second.iter().filter(|&&k| position(k) == position(i));
+        twins
+            .map(|&k| (normals[i as usize] - normals[k as usize]).length())
+            .any(|difference| difference > SAME_NORMAL)
+    })
 }
 
 /// Makes an edge of a shape one of the joined mesh.

@@ -3,7 +3,8 @@
 //! The camera sees a jump along the curve in which two faces cross, though no
 //! mesh has an edge there. The curve is made of straight pieces, one for each
 //! pair of crossing faces, and its motion follows from theirs: a point of it
-//! stays in both moving planes. (Shadows need none of it: both faces hide.)
+//! stays in both moving planes. Shadows need none of it, since both faces hide,
+//! unless one of them is the lamp.
 
 use std::collections::BTreeMap;
 
@@ -20,6 +21,8 @@ pub struct Crossing {
     pub ends: [Vec3; 2],
     /// The velocities of its ends, across the curve.
     pub velocities: [Vec3; 2],
+    /// True if one of the faces belongs to a lamp.
+    pub emits: bool,
 }
 
 /// Fraction of an edge at its ends that may touch another face without
@@ -105,6 +108,10 @@ fn crossing(
     Some(Crossing {
         ends,
         velocities: ends.map(velocity),
+        emits: faces.iter().any(|&face| {
+            let shape = accel.shape_of_face[face as usize];
+            accel.scene.shape(shape).emitter.is_some()
+        }),
     })
 }
 

@@ -18,12 +18,12 @@ use std::cell::Cell;
 
 use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Dual, Real, Rgb, Vec3};
-use capwalk_scene::{Diffuse, Integrator, Motion, Scene};
+use capwalk_scene::{Diffuse, Integrator, Motion, Scene, SensorMotion};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::estimate::GradientImage;
-use crate::integrator::{FILM, FILM_CHOICE, FIRST_VERTEX, camera_ray, radiance};
+use crate::integrator::{FILM, FILM_CHOICE, FIRST_VERTEX, PER_VERTEX, camera_ray, radiance};
 use crate::light::{LightSample, LightSampling, emitter_towards, sample_lights};
 use crate::options::{GradientOptions, Refusal, Watch};
 use crate::pixel::{Support, Supports};
@@ -31,6 +31,7 @@ use crate::tiles::{self, Sample};
 use crate::world::{D, InMotion, Surface, World, surface_at};
 
 use super::boundary::{Boundaries, CAMERA, Draw, Eye, Field, LIGHT, Numbers};
+use super::clip::refuse_clipped;
 use super::flux::lamp_edge_flux;
 
 /// Everything that the samples of a gradient share.
@@ -52,7 +53,8 @@ const UNIFORM: f64 = 0.5;
 
 /// The derivative of the picture for a unit change along `motion`, in forward
 /// mode, with its standard error. Refuses what it cannot differentiate rightly:
-/// paths longer than camera - surface - emitter.
+/// paths longer than camera - surface - emitter, and surfaces that move while a
+/// clip plane of the camera cuts them.
 pub fn gradient(
     scene: &Scene,
     motion: &Motion,
@@ -63,6 +65,9 @@ pub fn gradient(
     check_walk(&options.walk)?;
     let accel = Accel::new(scene);
     let forward = Forward::new(&accel, motion, options.walk, sampling, hide_emitters);
+    if forward.field.boundaries.any_moves || motion.sensor != SensorMotion::default() {
+        refuse_clipped(&accel)?;
+    }
     let averages = tiles::average(scene, &options.options, watch, |pixel, stream| {
         let queries = Cell::new(0);
         let draw = Draw {
@@ -380,10 +385,11 @@ impl<'a> Forward<'a> {
         light + Rgb::zero().with_tangent(flux)
     }
 
-    /// Dimensions behind those of the light samples: the side of the border,
-    /// the place on it, and the place on the lamps' edges.
+    /// Dimensions behind those of the light samples and of the primal at the
+    /// border: the side of the border, the place on it, and the place on the
+    /// lamps' edges.
     fn border_dimension(&self) -> u32 {
-        FIRST_VERTEX + self.sampling.dimensions()
+        FIRST_VERTEX + self.sampling.dimensions().max(PER_VERTEX)
     }
 
     /// The numbers of the `k`-th walk: 0 and 1 at the film, 2 at its border, 3
