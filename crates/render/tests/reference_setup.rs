@@ -3,33 +3,11 @@
 
 mod common;
 
-use capwalk_math::{Moments, Vec3};
+use capwalk_math::Moments;
 use capwalk_render::diff::probe::{Irradiance, difference, irradiance};
 use capwalk_render::{Estimator, WalkSettings};
-use capwalk_scene::primitive::icosphere;
 use capwalk_scene::*;
-use common::{add, add_lamp, empty, v};
-
-fn scene() -> Scene {
-    let mut scene = empty(v(0.0, -5.0, 1.0), v(0.0, 0.0, 1.0), 40.0, 4);
-    add_lamp(&mut scene, v(0.0, 0.0, 2.0), 1.0, 0.0, 1.0);
-    let mut ball = icosphere(4);
-    assert_eq!(ball.faces.len(), 320);
-    ball.positions
-        .iter_mut()
-        .for_each(|p| *p = *p * 0.35 + v(0.0, 0.0, 1.0));
-    add(&mut scene, "ball", ball, ShadingNormals::Face, 0.5);
-    scene.check().expect("a valid scene");
-    scene
-}
-
-/// Cell centres of a 12 × 12 grid over [-1.2, 1.2]².
-fn points() -> Vec<(Vec3, Vec3)> {
-    let centre = |i: i32| (f64::from(i) + 0.5) * 0.2 - 1.2;
-    (0..144)
-        .map(|i| (v(centre(i % 12), centre(i / 12), 0.0), v(0.0, 0.0, 1.0)))
-        .collect()
-}
+use common::{reference_points, reference_scene};
 
 fn mean_variance(results: &[Irradiance]) -> f64 {
     let sum: f64 = results.iter().map(|point| point.gradient.variance()).sum();
@@ -41,7 +19,7 @@ fn mean_variance(results: &[Irradiance]) -> f64 {
 fn differences(scene: &Scene, motion: &Motion) -> Vec<Moments> {
     let step = 1e-2;
     let sides = [scene.moved(motion, step), scene.moved(motion, -step)];
-    let mut moments = difference(&sides, &points(), 20_000, 7);
+    let mut moments = difference(&sides, &reference_points(), 20_000, 7);
     for point in &mut moments {
         point.mean /= 2.0 * step;
         point.sum_of_squares /= (2.0 * step) * (2.0 * step);
@@ -51,13 +29,14 @@ fn differences(scene: &Scene, motion: &Motion) -> Vec<Moments> {
 
 #[test]
 fn anchored_is_unbiased_and_has_the_promised_variance() {
-    let scene = scene();
+    let scene = reference_scene();
     let motion = params::motion(&scene, "ball.translate.x").expect("a known name");
     let walk = WalkSettings {
         max_radius: 0.6,
         ..Default::default()
     };
-    let results = irradiance(&scene, &motion, &points(), walk, 2_000, 1).expect("covered");
+    let results =
+        irradiance(&scene, &motion, &reference_points(), walk, 2_000, 1).expect("covered");
     let variance = mean_variance(&results);
     println!("anchored: mean variance per sample {variance:.3}");
     assert!(variance < 0.6, "{variance}");
@@ -83,14 +62,15 @@ fn anchored_is_unbiased_and_has_the_promised_variance() {
 
 #[test]
 fn literal_has_a_variance_beyond_use() {
-    let scene = scene();
+    let scene = reference_scene();
     let motion = params::motion(&scene, "ball.translate.x").expect("a known name");
     let walk = WalkSettings {
         estimator: Estimator::Literal,
         max_radius: 0.6,
         ..Default::default()
     };
-    let results = irradiance(&scene, &motion, &points(), walk, 2_000, 1).expect("covered");
+    let results =
+        irradiance(&scene, &motion, &reference_points(), walk, 2_000, 1).expect("covered");
     let variance = mean_variance(&results);
     println!("literal: mean variance per sample {variance:.3e}");
     assert!(variance > 1e4, "{variance}");

@@ -3,7 +3,7 @@
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::primitive::rectangle;
+use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::*;
 
 pub fn v(x: f64, y: f64, z: f64) -> Vec3 {
@@ -91,4 +91,27 @@ pub fn add_lamp(scene: &mut Scene, centre: Vec3, side: f64, turned: f64, radianc
     let (mesh, normals) = rectangle(Affine::translate(centre) * turn * down * scale);
     add(scene, "lamp", mesh, normals, 0.0);
     light_up(scene, radiance);
+}
+
+/// METHOD's reference set-up: a square lamp of side 1 and radiance 1 at height
+/// 2 and an icosphere of 320 faces and radius 0.35 at height 1.
+pub fn reference_scene() -> Scene {
+    let mut scene = empty(v(0.0, -5.0, 1.0), v(0.0, 0.0, 1.0), 40.0, 4);
+    add_lamp(&mut scene, v(0.0, 0.0, 2.0), 1.0, 0.0, 1.0);
+    let mut ball = icosphere(4);
+    assert_eq!(ball.faces.len(), 320);
+    ball.positions
+        .iter_mut()
+        .for_each(|p| *p = *p * 0.35 + v(0.0, 0.0, 1.0));
+    add(&mut scene, "ball", ball, ShadingNormals::Face, 0.5);
+    scene.check().expect("a valid scene");
+    scene
+}
+
+/// Floor points of the reference set-up, with their normals: cell centres of a 12 × 12 grid over [-1.2, 1.2]².
+pub fn reference_points() -> Vec<(Vec3, Vec3)> {
+    let centre = |i: i32| (f64::from(i) + 0.5) * 0.2 - 1.2;
+    (0..144)
+        .map(|i| (v(centre(i % 12), centre(i / 12), 0.0), v(0.0, 0.0, 1.0)))
+        .collect()
 }
