@@ -6,7 +6,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::{Motion, Scene, params};
+use capwalk_scene::{Filter, Motion, Scene, params};
 
 use crate::args::MotionArgs;
 
@@ -75,9 +75,89 @@ pub fn default_step(scene: &Scene, motion: &Motion) -> f64 {
     let sensor = &motion.sensor;
     let speed = sensor.translation.length() + sensor.rotation.length() * size;
     step = step.min(STEP_FRACTION * size / speed);
+    step = step.min(film_step(scene) / film_speed(scene, motion));
     let colours = motion.reflectance.iter().chain(&motion.radiance);
     let rate = colours.map(largest).fold(0.0, f64::max);
     step.min(COLOUR_STEP / rate)
+}
+
+/// How far, in pixels, what is in the picture moves on each side of a finite
+/// difference. Where an outline passes a place at which the filter has a jump
+/// (box) or a kink within the step, the difference smears it.
+fn film_step(scene: &Scene) -> f64 {
+    match scene.film.filter {
+        Filter::Box => 0.03,
+        Filter::Tent { .. } | Filter::Gaussian { .. } => 0.2,
+    }
+}
+
+/// The largest speed on the film, in pixels per unit of the parameter, of a
+/// vertex in the picture, hidden or not; and of the picture itself if the
+/// sensor turns.
+fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
+    let (sensor, film) = (&scene.sensor, &scene.film);
+    // The transpose of a rotation is its inverse.
+    let [a, b, c] = sensor.world_from_camera.rows;
+    let to_camera = |v: Vec3| a * v.x + b * v.y + c * v.z;
+    let turn = motion.sensor.rotation;
+    // Speed on the film of a point seen along `offset`, from the sensor.
+    let speed = |offset: Vec3, velocity: Vec3| {
+        let seen = velocity - turn.cross(offset);
+        let at = to_camera(offset).with_tangent(to_camera(seen));
+        let [x, y] = sensor.film_from_camera(film, at);
+        let reach = film.filter.radius();
+        let in_picture = [x, y].iter().enumerate().all(|(axis, c)| {
+            let low = f64::from(film.crop_offset[axis]);
+            let high = low + f64::from(film.crop_size[axis]);
+            (low - reach..=high + reach).contains(&c.value)
+        });
+        let depth = at.z.value;
+        let in_depth = depth > 0.0 && depth > sensor.near_clip && depth < sensor.far_clip;
+        match in_picture && in_depth {
+            true => x.tangent[0].hypot(y.tangent[0]),
+            false => 0.0,
+        }
+    };
+    let vertices = scene
+        .shapes
+        .iter()
+        .zip(&motion.shapes)
+        .flat_map(|(shape, motion)| {
+            shape
+                .mesh
+                .positions
+                .iter()
+                .enumerate()
+                .map(move |(i, &position)| {
+                    let velocity = motion
+                        .as_ref()
+                        .map_or(Vec3::zero(), |motion| motion.vertices[i]);
+                    (position, velocity)
+                })
+        });
+    let of_vertices = vertices.map(|(position, velocity)| {
+        speed(
+            position - sensor.origin(),
+            velocity - motion.sensor.translation,
+        )
+    });
+    let [x, y] = film.crop_offset.map(f64::from);
+    let [width, height] = film.crop_size.map(f64::from);
+    let corners = [
+        [x, y],
+        [x + width, y],
+        [x, y + height],
+        [x + width, y + height],
+    ];
+    let of_corners = corners.map(|corner| {
+        let direction = sensor.camera_from_film(film, corner);
+        let depth = 0.5 * (sensor.near_clip + sensor.far_clip) / direction.z;
+        speed(
+            sensor.world_from_camera.vector(direction) * depth,
+            Vec3::zero(),
+        )
+    });
+    of_vertices.chain(of_corners).fold(0.0, f64::max)
 }
 
 fn largest(colour: &Rgb) -> f64 {
@@ -193,6 +273,31 @@ mod tests {
         );
         assert!(message(&npy("<i8", "(2, 3)", &doubles)).contains("float32 or float64"));
         assert!(npy_numbers(&npy("<f8", "(4, 3)", &doubles)).is_err());
+    }
+
+    /// What is in the picture moves by a fixed part of a pixel.
+    #[test]
+    fn steps_follow_the_film() {
+        let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let step = |scene: &Scene, expression: &str| {
+            let motion = params::motion(scene, expression).unwrap();
+            default_step(scene, &motion)
+        };
+        // The middle of the picture turns by this many pixels per radian.
+        let focal = 0.5 * f64::from(scene.film.size[0]) / (0.5 * scene.sensor.fov_x).tan();
+        let turn = step(&scene, "sensor.rotate.y");
+        assert!(
+            turn < 0.03 / focal * 1.2 && turn > 0.03 / focal * 0.6,
+            "{turn}"
+        );
+        let coarse = step(&scene, "ball.translate.x");
+        scene.film.size = scene.film.size.map(|n| 2 * n);
+        scene.film.crop_size = scene.film.size;
+        let fine = step(&scene, "ball.translate.x");
+        assert!(
+            (coarse / fine - 2.0).abs() < 1e-6,
+            "{coarse} against {fine}"
+        );
     }
 
     /// The fastest vertex moves by a fixed part of the shape, whatever the

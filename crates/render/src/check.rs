@@ -17,10 +17,11 @@ mod slope;
 #[cfg(test)]
 mod tests;
 
+use capwalk_math::Rgb;
 use capwalk_math::stats::normal_upper_tail;
 
 use crate::estimate::Estimate;
-use pixel::{Pixel, Pixels, channel};
+use pixel::{NoiseFree, Pixel, Pixels, channel};
 use slope::Slope;
 
 /// Standard errors beyond which a statistic is not an accident.
@@ -265,13 +266,14 @@ fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usi
         ));
     }
     let wrong: Vec<_> = pixels.noise_free.iter().filter(|p| differs(p)).collect();
-    if let Some((index, g, r)) = wrong.first() {
+    if let Some(first) = wrong.first() {
+        let (g, r) = (first.gradient, first.reference);
         reasons.push(format!(
             "{} pixels without noise differ, the first is ({}, {}) with ({}, {}, {}) instead of \
              ({}, {}, {})",
             wrong.len(),
-            index % width,
-            index / width,
+            first.index % width,
+            first.index / width,
             g.x,
             g.y,
             g.z,
@@ -283,11 +285,13 @@ fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usi
     reasons
 }
 
-/// True if two colours without noise differ by more than the reference's bias.
-fn differs((_, g, r): &(usize, capwalk_math::Rgb, capwalk_math::Rgb)) -> bool {
+/// True if a pixel without noise differs by more than the reference's bias, and
+/// by more than the noise of the pixels around it explains.
+fn differs(pixel: &NoiseFree) -> bool {
     (0..3).any(|i| {
-        let (g, r) = (channel(*g, i), channel(*r, i));
-        (g - r).abs() > REFERENCE_BIAS * g.abs().max(r.abs())
+        let (g, r) = (channel(pixel.gradient, i), channel(pixel.reference, i));
+        let around = SIGNIFICANT * HEAVY_TAILS * channel(pixel.error_around, i);
+        (g - r).abs() > (REFERENCE_BIAS * g.abs().max(r.abs())).max(around)
     })
 }
 
@@ -307,9 +311,7 @@ fn worst_outlier(noisy: &[Pixel]) -> Option<&Pixel> {
 
 /// Right, or how many more samples would tell.
 fn visible(pixels: &Pixels, slope: &Slope) -> Verdict {
-    let zero = |p: &(usize, capwalk_math::Rgb, capwalk_math::Rgb)| {
-        p.1 == capwalk_math::Rgb::zero() && p.2 == capwalk_math::Rgb::zero()
-    };
+    let zero = |p: &NoiseFree| p.gradient == Rgb::zero() && p.reference == Rgb::zero();
     let nothing_there = pixels.noisy.is_empty() && pixels.noise_free.iter().all(zero);
     let largest_error = (slope.factor - 1.0).abs() + EXCLUDED_AT * slope.error;
     if nothing_there || largest_error <= EXCLUDED_ERROR {

@@ -51,12 +51,25 @@ const NEIGHBOURHOODS: [(usize, f64); 3] = [(2, 0.9), (8, 0.09), (usize::MAX, 0.0
 /// free of noise: the reference's own bias, of order `step²`, is larger.
 const NOISE_FREE: f64 = 1e-3;
 
+/// A pixel that claims to have no noise.
+pub(super) struct NoiseFree {
+    /// Its index in the picture.
+    pub index: usize,
+    /// The gradient.
+    pub gradient: Rgb,
+    /// The reference.
+    pub reference: Rgb,
+    /// Standard error of their difference in the pixels around it: with very
+    /// few samples a pixel can look free of noise by accident.
+    pub error_around: Rgb,
+}
+
 /// The pixels with noise, and those without.
 pub(super) struct Pixels {
     /// Pixels where at least one picture has noise.
     pub noisy: Vec<Pixel>,
-    /// Gradient and reference of the others, all channels, with the index.
-    pub noise_free: Vec<(usize, Rgb, Rgb)>,
+    /// The others.
+    pub noise_free: Vec<NoiseFree>,
     /// How many have no finite value or standard error in one of the pictures,
     /// and are in neither list: fewer than two samples reached them.
     pub left_out: usize,
@@ -93,7 +106,16 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
             error > NOISE_FREE * channel(g, *c).abs().max(channel(r, *c).abs())
         };
         let Some(c) = (0..3).map(|c| (x + y + c) % 3).find(noisy) else {
-            pixels.noise_free.push((index, g, r));
+            let around = [0, 1, 2].map(|c| {
+                let gradient = gradient_around.variance(x, y, c);
+                (gradient + reference_around.variance(x, y, c)).sqrt()
+            });
+            pixels.noise_free.push(NoiseFree {
+                index,
+                gradient: g,
+                reference: r,
+                error_around: around.into(),
+            });
             continue;
         };
         let around = [

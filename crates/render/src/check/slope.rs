@@ -40,7 +40,7 @@ pub(super) fn fit(pixels: &Pixels) -> Slope {
     if pixels.noisy.is_empty() {
         let both = || {
             let channels = pixels.noise_free.iter();
-            channels.flat_map(|(_, g, r)| (0..3).map(|c| (channel(*g, c), channel(*r, c))))
+            channels.flat_map(|p| (0..3).map(|c| (channel(p.gradient, c), channel(p.reference, c))))
         };
         let signal: f64 = both().map(|(g, _)| g * g).sum();
         return Slope {
