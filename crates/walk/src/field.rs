@@ -9,32 +9,40 @@ pub struct Term<S, V> {
     pub site: S,
     /// Weight of its velocity in the field's value.
     pub weight: f64,
-    /// Covector on its velocity in the field's divergence.
-    pub divergence: V,
+    /// The weight's slope: along a tangent `d`, the velocity's weight in the
+    /// field's directional derivative is `slope·d`.
+    pub slope: V,
 }
 
-/// An unbiased sample of a field and its divergence at one point, linear in
+/// An unbiased sample of a field and its derivatives at one point, linear in
 /// the velocities of at most five boundary points (METHOD 5).
 #[derive(Clone, Copy, Debug)]
 pub struct FieldSample<S, V> {
     terms: [Option<Term<S, V>>; 5],
+    /// What the domain's curvature adds to the divergence of the field
+    /// projected on the tangent space: its inner product with the value.
+    curvature: V,
 }
 
 impl<S: Copy, V: Vector> FieldSample<S, V> {
-    /// The field that is zero around the point.
-    pub fn zero() -> Self {
-        Self { terms: [None; 5] }
+    /// The field that is zero around a point, of a domain with this curvature
+    /// there ([`crate::Domain::curvature`]).
+    pub fn zero(curvature: V) -> Self {
+        Self {
+            terms: [None; 5],
+            curvature,
+        }
     }
 
     /// Adds a boundary point's share; a point that does not exist moves with
     /// velocity zero and is left out.
-    pub(crate) fn add(&mut self, site: Option<S>, weight: f64, divergence: V) {
+    pub(crate) fn add(&mut self, site: Option<S>, weight: f64, slope: V) {
         let Some(site) = site else { return };
         let free = self.terms.iter_mut().find(|term| term.is_none());
         *free.expect("no estimator uses more than five boundary points") = Some(Term {
             site,
             weight,
-            divergence,
+            slope,
         });
     }
 
@@ -44,9 +52,16 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
         self.terms.iter().flatten()
     }
 
+    /// The covector on a boundary point's velocity in the divergence of the
+    /// projected field, Eq. (21).
+    #[inline]
+    pub fn divergence_covector(&self, term: &Term<S, V>) -> V {
+        term.slope + self.curvature * term.weight
+    }
+
     /// The field's value and divergence for the given boundary velocities; on
     /// a curved domain the value still has to be projected on the tangent
-    /// space.
+    /// space, and the divergence is that of the projected field.
     #[inline]
     pub fn evaluate(&self, velocity: impl Fn(&S) -> V) -> (V, f64) {
         let mut value = V::ZERO;
@@ -54,8 +69,17 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
         for term in self.terms() {
             let u = velocity(&term.site);
             value = value + u * term.weight;
-            divergence += term.divergence.dot(u);
+            divergence += self.divergence_covector(term).dot(u);
         }
         (value, divergence)
+    }
+
+    /// The derivative of the field (not projected) along a tangent `d` of any
+    /// length, for the given boundary velocities, Eqs. (27) and (34).
+    pub fn directional_derivative(&self, d: V, velocity: impl Fn(&S) -> V) -> V {
+        let terms = self.terms();
+        terms.fold(V::ZERO, |sum, term| {
+            sum + velocity(&term.site) * term.slope.dot(d)
+        })
     }
 }

@@ -79,7 +79,7 @@ pub fn sample_field<D: Domain>(
         settings.steps > 0,
         "the field of no steps is not continuous"
     );
-    let mut sample = FieldSample::zero();
+    let mut sample = FieldSample::zero(domain.curvature(x));
     // A ball around x of radius at most max_radius and the balls around its
     // points see no boundary beyond twice that.
     let Some(nearest) = domain.closest(x, reach(settings, settings.steps)) else {
@@ -115,10 +115,10 @@ pub fn sample_field<D: Domain>(
         let y = domain.walk(x, e_inside, inside);
         let z = domain.walk(x, e, radius);
         let steps = settings.steps - 1;
-        let value = (g * -kappa + domain.curvature(x)) * share;
-        sample.add(walker.value(y, steps, Some(nearest)), share, value);
-        let rim = (e + g) * (kappa * share);
-        sample.add(walker.value(z, steps, Some(nearest)), 0.0, rim);
+        let slope_y = g * (-kappa * share);
+        sample.add(walker.value(y, steps, Some(nearest)), share, slope_y);
+        let slope_z = (e + g) * (kappa * share);
+        sample.add(walker.value(z, steps, Some(nearest)), 0.0, slope_z);
     }
     if settings.estimator == Estimator::Anchored && within {
         sample.add(Some(nearest.site), 0.0, mean_e * -kappa);

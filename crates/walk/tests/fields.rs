@@ -3,7 +3,7 @@
 //! window over the field (the divergence theorem, Eq. 3).
 
 use capwalk_geometry::{Edge, EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
-use capwalk_math::{Moments, Vec3, sphere};
+use capwalk_math::{Frame, Moments, Vec3, sphere};
 use capwalk_walk::interval::End;
 use capwalk_walk::{Estimator, Interval, Sphere, WalkSettings, sample_field, sample_value};
 
@@ -259,5 +259,49 @@ fn literal_and_anchored_agree_at_fixed_directions() {
                 other.mean
             );
         }
+    }
+}
+
+/// The directional derivative is that of the mean value, both by quadrature
+/// over the numbers of one step; also where the radius limit cuts the caps.
+#[test]
+fn directional_derivative_is_that_of_the_mean() {
+    let scene = Moving::example();
+    let domain = scene.domain();
+    let settings = WalkSettings {
+        max_radius: 0.5,
+        ..Default::default()
+    };
+    let n = 300;
+    let quadrature = |f: &dyn Fn([f64; 2]) -> Vec3| {
+        let mut sum = Vec3::zero();
+        for i in 0..n * n {
+            let u = [i / n, i % n].map(|k| (f64::from(k) + 0.5) / f64::from(n));
+            sum += f(u) / f64::from(n * n);
+        }
+        sum
+    };
+    let velocity = |site: &SilhouettePoint| scene.velocity(site);
+    let mean = |q: Vec3| {
+        quadrature(&|u| {
+            let site = sample_value(&domain, q, &settings, |i| u[i as usize]);
+            site.map_or(Vec3::zero(), |site| velocity(&site))
+        })
+    };
+    for k in 0..4 {
+        let q = sphere::sample_cap(0.9, [random(3 + k), random(30 + k)]);
+        let d = sphere::sample_tangent(&Frame::from_normal(q), random(300 + k));
+        let h = 0.01;
+        let ahead = mean(sphere::walk_along(q, d, h));
+        let behind = mean(sphere::walk_along(q, d, -h));
+        let expected = (ahead - behind) / (2.0 * h);
+        let found = quadrature(&|u| {
+            let field = sample_field(&domain, q, &settings, |i| u[i as usize]);
+            field.directional_derivative(d, velocity)
+        });
+        // The quadrature meets jumps: it is good to a few parts in a hundred.
+        let error = (found - expected).length();
+        assert!(error < 0.05, "at {q:?}: {found:?} against {expected:?}");
+        assert!(expected.length() > 0.2, "nothing to see at {q:?}");
     }
 }
