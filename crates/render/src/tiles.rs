@@ -171,3 +171,40 @@ impl<const C: usize> Averages<C> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::options::Unwatched;
+
+    /// Samples that are not finite count as zero, are all counted, and never
+    /// reach the picture.
+    #[test]
+    fn non_finite_samples_are_counted() {
+        let mut scene = capwalk_scene::builtin::scene("leaf").expect("a built-in scene");
+        scene.film.size = [8, 6];
+        scene.film.crop_size = [8, 6];
+        let options = Options {
+            spp: 50,
+            seed: 3,
+            threads: None,
+        };
+        let bad = |stream: &Stream| stream.number(0) < 0.1;
+        let averages = average(&scene, &options, &Unwatched, |_, stream| Sample {
+            numbers: match bad(stream) {
+                true => [1.0, f64::NAN, f64::INFINITY],
+                false => [1.0; 3],
+            },
+            cone_queries: 0,
+        });
+        let statistics = &averages.statistics;
+        let share = statistics.non_finite as f64 / statistics.samples as f64;
+        assert_eq!(statistics.samples, 8 * 6 * 50);
+        assert!((share - 0.1).abs() < 0.03, "{share}");
+        assert!(statistics.too_many_non_finite() && statistics.complete);
+        let picture = averages.estimate(&scene, 0).mean;
+        assert!(picture.pixels.iter().all(|pixel| pixel.is_finite()));
+        let mean = picture.pixels.iter().map(|pixel| pixel.x).sum::<f64>() / 48.0;
+        assert!((mean - (1.0 - share)).abs() < 1e-12, "{mean}");
+    }
+}
