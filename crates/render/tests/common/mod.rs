@@ -1,6 +1,9 @@
 //! Small scenes, put together by code.
 #![allow(dead_code, reason = "each test program uses some of it")]
 
+pub mod agree;
+pub mod stages;
+
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{icosphere, rectangle};

@@ -1,0 +1,87 @@
+//! Runs a gradient and its finite differences, and demands agreement.
+
+use capwalk_render::check::{Verdict, compare};
+use capwalk_render::{
+    GradientOptions, Options, Unwatched, WalkSettings, finite_difference, gradient,
+};
+use capwalk_scene::*;
+
+/// Sizes and seeds of a case.
+pub struct Case {
+    pub size: u32,
+    pub gradient_spp: u32,
+    pub reference_spp: u32,
+    pub step: f64,
+    pub walk: WalkSettings,
+}
+
+impl Default for Case {
+    fn default() -> Self {
+        Self {
+            size: 36,
+            gradient_spp: 400,
+            reference_spp: 1024,
+            step: 3e-2,
+            walk: WalkSettings::default(),
+        }
+    }
+}
+
+/// Runs both and demands agreement.
+pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
+    scene.film.size = [case.size; 2];
+    scene.film.crop_size = [case.size; 2];
+    scene.check().expect("a valid scene");
+    let options = |spp: u32, seed: u64| Options {
+        spp,
+        seed,
+        threads: None,
+    };
+    let settings = GradientOptions {
+        options: options(case.gradient_spp, 1),
+        walk: case.walk,
+    };
+    let ours = gradient(&scene, motion, &settings, &Unwatched).expect("covered");
+    let reference = finite_difference(
+        &scene,
+        motion,
+        case.step,
+        &options(case.reference_spp, 2),
+        &Unwatched,
+    )
+    .expect("covered");
+    assert_eq!(
+        ours.statistics.non_finite + reference.statistics.non_finite,
+        0,
+        "{name}"
+    );
+
+    let result = compare(&ours.gradient, &reference.gradient);
+    println!(
+        "{name}: {} pixels, mean z² {:.3} ± {:.3}, sign {:.2}, slope {:.3} ± {:.3}, worst {:?}",
+        result.pixels,
+        result.mean_z_squared,
+        result.mean_z_squared_error,
+        result.sign,
+        result.slope,
+        result.slope_error,
+        result.worst[0]
+    );
+    assert_eq!(result.verdict, Verdict::Right, "{name}");
+    assert!(
+        result.pixels >= 1000,
+        "{name}: only {} pixels have noise",
+        result.pixels
+    );
+    let z2 = result.mean_z_squared;
+    assert!((0.8..=1.25).contains(&z2), "{name}: mean z² {z2}");
+    assert!(
+        result.sign.abs() < 4.0,
+        "{name}: systematic sign {}",
+        result.sign
+    );
+}
+
+pub fn motion(scene: &Scene, expression: &str) -> Motion {
+    params::motion(scene, expression).expect("a known name")
+}

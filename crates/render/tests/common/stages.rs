@@ -1,0 +1,71 @@
+//! Stages: what the cases of the phenomena play on.
+
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::primitive::{cube, icosphere, sphere};
+use capwalk_scene::*;
+
+use super::*;
+
+/// A camera that sees only the floor (its middle ±1.2) from above.
+pub fn shadow_stage() -> Scene {
+    let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 40);
+    scene.sensor.near_clip = 5.6; // what is above the floor is not seen
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
+    scene
+}
+
+pub fn triangle() -> Mesh {
+    Mesh {
+        positions: vec![v(-0.45, -0.3, 1.2), v(0.5, -0.25, 1.0), v(0.05, 0.5, 1.1)],
+        faces: vec![[0, 1, 2]],
+    }
+}
+
+pub fn placed(mut mesh: Mesh, map: Affine) -> Mesh {
+    mesh.positions.iter_mut().for_each(|p| *p = map.point(*p));
+    mesh
+}
+
+pub fn small_ball() -> Mesh {
+    placed(
+        icosphere(4),
+        Affine::translate(v(0.0, 0.0, 1.0)) * Affine::scale(Vec3::splat(0.5)),
+    )
+}
+
+pub fn tilted_cube() -> (Mesh, ShadingNormals) {
+    let turn = Affine::rotate(v(0.3, 0.8, 0.5), 0.7);
+    cube(Affine::translate(v(0.0, 0.0, 1.1)) * turn * Affine::scale(v(0.3, 0.4, 0.25)))
+}
+
+pub fn with(mesh: Mesh) -> Scene {
+    let mut scene = shadow_stage();
+    add(&mut scene, "thing", mesh, ShadingNormals::Face, 0.5);
+    scene
+}
+
+/// A visible, shaded thing over a lit floor, its shadow in the picture too.
+pub fn visible_stage(from: Vec3) -> Scene {
+    let mut scene = empty(from, v(0.0, 0.05, 0.4), 22.0, 36);
+    add_floor(&mut scene, 4.0);
+    add_lamp(&mut scene, v(0.9, -0.6, 2.6), 0.8, 0.3, 10.0);
+    scene
+}
+
+pub fn visible_ball(filter: Filter) -> Scene {
+    let mut scene = visible_stage(v(1.2, -4.0, 1.9));
+    let (mesh, normals) = sphere(Affine::IDENTITY, v(0.0, 0.0, 0.55), 0.5);
+    add(&mut scene, "ball", mesh, normals, 0.6);
+    scene.film.filter = filter;
+    scene
+}
+
+pub fn visible_cube() -> Scene {
+    let mut scene = visible_stage(v(1.2, -4.0, 1.9));
+    let (mesh, normals) = tilted_cube();
+    let mesh = placed(mesh, Affine::translate(v(0.0, 0.0, -0.5)));
+    add(&mut scene, "thing", mesh, normals, 0.6);
+    scene
+}
