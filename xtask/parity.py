@@ -104,7 +104,7 @@ def main():
         sys.exit(f"sizes differ: {ours['value'].shape} and {theirs.shape}")
     result, z = compare(
         ours["value"].astype(np.float64),
-        ours["value_stderr"].astype(np.float64),
+        ours["stderr"].astype(np.float64),
         theirs,
         theirs_error,
     )

@@ -92,22 +92,27 @@ pub fn picture(
     }
 }
 
-/// Adds an estimate as the layers `name` and `name_stderr`.
-pub fn push_estimate(picture: &mut Picture, name: &str, estimate: &Estimate) {
+/// Adds an estimate as a layer and another with its standard errors: `stderr`
+/// for what the command is about, `<name>_stderr` for what comes with it.
+pub fn push_estimate(picture: &mut Picture, name: &str, errors: &str, estimate: &Estimate) {
     picture.push(name, estimate.mean.clone());
-    picture.push(&error_layer(name), estimate.standard_error.clone());
+    picture.push(errors, estimate.standard_error.clone());
 }
 
-/// The name of the layer with the standard errors of another.
-pub fn error_layer(name: &str) -> String {
-    format!("{name}_stderr")
-}
-
-/// An estimate from the layers `name` and `name_stderr`, if both are there.
+/// An estimate from a layer and that with its standard errors, if both are
+/// there.
 pub fn read_estimate(picture: &Picture, name: &str) -> Option<Estimate> {
     let layer = |name: &str| -> Option<Image> { picture.layer(name).cloned() };
+    let about = match picture.layer("gradient") {
+        Some(_) => "gradient",
+        None => "value",
+    };
+    let errors = match name == about {
+        true => "stderr".to_owned(),
+        false => format!("{name}_stderr"),
+    };
     Some(Estimate {
         mean: layer(name)?,
-        standard_error: layer(&error_layer(name))?,
+        standard_error: layer(&errors)?,
     })
 }

@@ -20,6 +20,11 @@ pub fn first_hit(mesh: &Mesh, ray: &Ray) -> Option<Hit> {
         .min_by(|a, b| a.t.partial_cmp(&b.t).expect("hits are not at NaN"))
 }
 
+/// True if the ray meets any triangle.
+pub fn occluded(mesh: &Mesh, ray: &Ray) -> bool {
+    (0..mesh.faces.len()).any(|face| intersect_triangle(ray, mesh.corners(face)).is_some())
+}
+
 /// The boundary point under the smallest angle to the axis, Eq. (30); of
 /// equally near ones that of the lowest edge.
 pub fn closest_silhouette(

@@ -78,9 +78,17 @@ pub fn run(args: &Check) -> Result<Outcome> {
     let metadata = &mut picture.metadata;
     metadata.push(("step".into(), reference.step.to_string()));
     metadata.push(("reference_spp".into(), reference.spp.to_string()));
-    output::push_estimate(&mut picture, "value", &gradient.value);
-    output::push_estimate(&mut picture, "gradient", &gradient.gradient);
-    output::push_estimate(&mut picture, "reference", &differences.gradient);
+    let done = &differences.statistics;
+    metadata.push(("reference_samples".into(), done.samples.to_string()));
+    metadata.push(("reference_complete".into(), done.complete.to_string()));
+    output::push_estimate(&mut picture, "value", "value_stderr", &gradient.value);
+    output::push_estimate(&mut picture, "gradient", "stderr", &gradient.gradient);
+    output::push_estimate(
+        &mut picture,
+        "reference",
+        "reference_stderr",
+        &differences.gradient,
+    );
     let z = z_picture(comparison, &gradient.value.mean);
     picture.push("z", z.clone());
     let written = files.write(&picture, &panels(&checked, &z))?;

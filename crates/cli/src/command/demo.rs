@@ -78,7 +78,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     } = &checked;
 
     let mut picture = output::picture("render", SCENE, None, &options(SPP), &rendering.statistics);
-    output::push_estimate(&mut picture, "value", &rendering.value);
+    output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
     let mut written = picture_files.write(&picture, &[])?;
     let mut picture = output::picture(
         "gradient",
@@ -87,8 +87,8 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         &options(SPP),
         &gradient.statistics,
     );
-    output::push_estimate(&mut picture, "value", &gradient.value);
-    output::push_estimate(&mut picture, "gradient", &gradient.gradient);
+    output::push_estimate(&mut picture, "value", "value_stderr", &gradient.value);
+    output::push_estimate(&mut picture, "gradient", "stderr", &gradient.gradient);
     written.extend(gradient_files.write(&picture, &[])?);
     let z = check::z_picture(comparison, &gradient.value.mean);
     written.extend(check_files.write(&picture, &check::panels(&checked, &z))?);

@@ -26,8 +26,8 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let parameter = moving::describe(&args.motion);
     let name = &args.scene.scene;
     let mut picture = output::picture("gradient", name, Some(&parameter), &options, statistics);
-    output::push_estimate(&mut picture, "value", value);
-    output::push_estimate(&mut picture, "gradient", gradient);
+    output::push_estimate(&mut picture, "value", "value_stderr", value);
+    output::push_estimate(&mut picture, "gradient", "stderr", gradient);
     let written = files.write(&picture, &[])?;
     eprint!("{}", report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);

@@ -22,7 +22,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let (value, statistics) = (&rendering.value, &rendering.statistics);
     let name = &args.scene.scene;
     let mut picture = output::picture("render", name, None, &options, statistics);
-    output::push_estimate(&mut picture, "value", value);
+    output::push_estimate(&mut picture, "value", "stderr", value);
     let written = files.write(&picture, &[])?;
     eprint!("{}", report::warnings("picture", statistics));
     if args.output.json {

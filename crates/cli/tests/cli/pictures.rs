@@ -23,6 +23,35 @@ fn render_writes_all_formats() {
     assert!(capwalk.bytes("a.png").starts_with(b"\x89PNG"));
 }
 
+/// Layers and headers of what was written.
+#[test]
+fn files_say_what_they_are() {
+    let capwalk = Capwalk::new("headers");
+    capwalk.run(&format!(
+        "gradient leaf -p leaf.translate.x {TINY} --seed 5 -o g.npz,g.exr"
+    ));
+    for file in ["g.npz", "g.exr"] {
+        let picture = capwalk_scene_io::image::read(&capwalk.path(file)).expect("readable");
+        for layer in ["value", "gradient", "stderr"] {
+            let image = picture.layer(layer).expect("a layer");
+            assert_eq!((image.width, image.height), (12, 9), "{file}");
+        }
+        let of = |key: &str| {
+            picture
+                .metadata
+                .iter()
+                .find(|(k, _)| k == key)
+                .map(|(_, v)| &v[..])
+        };
+        assert_eq!(of("scene"), Some("leaf"), "{file}");
+        assert_eq!(of("parameter"), Some("leaf.translate.x"), "{file}");
+        assert_eq!(of("seed"), Some("5"), "{file}");
+        assert_eq!(of("spp"), Some("8"), "{file}");
+        assert_eq!(of("version"), Some(env!("CARGO_PKG_VERSION")), "{file}");
+        assert_eq!(of("complete"), Some("true"), "{file}");
+    }
+}
+
 #[test]
 fn default_outputs_are_named_after_the_scene() {
     let capwalk = Capwalk::new("default_outputs");

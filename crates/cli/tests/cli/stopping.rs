@@ -47,5 +47,14 @@ fn ctrl_c_stops_cleanly() {
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     assert_eq!(json["statistics"]["complete"], false);
     assert!(json["statistics"]["samples"].as_u64().expect("a count") > 0);
-    capwalk.bytes("partial.npz");
+    let picture = capwalk_scene_io::image::read(&capwalk.path("partial.npz")).expect("readable");
+    let complete = picture.metadata.iter().find(|(key, _)| key == "complete");
+    assert_eq!(complete.expect("it is said").1, "false");
+    let samples: u64 = picture
+        .samples
+        .expect("counts")
+        .iter()
+        .map(|&n| u64::from(n))
+        .sum();
+    assert_eq!(json["statistics"]["samples"], samples);
 }
