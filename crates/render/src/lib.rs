@@ -24,7 +24,7 @@ mod world;
 
 pub use capwalk_walk::{Estimator, WalkSettings};
 pub use diff::finite::finite_difference;
-pub use diff::forward::gradient;
+pub use diff::forward::{gradient, refusal};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use integrator::render;
 pub use options::{GradientOptions, Options, Refusal, Unwatched, Watch};

@@ -2,6 +2,7 @@
 
 use anyhow::Result;
 use capwalk_math::Vec3;
+use capwalk_render::Refusal;
 use capwalk_scene::params::{self, Parameter};
 use capwalk_scene::{Bsdf, Emitter, Filter, Integrator, SamplerKind, Scene, ShadingNormals};
 use serde_json::{Value, json};
@@ -13,14 +14,18 @@ use crate::{moving, report, source};
 pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
     let parameters = params::list(&scene);
+    let refusal = capwalk_render::refusal(&scene);
     if args.json {
-        println!("{:#}", to_json(&scene, &parameters));
+        println!("{:#}", to_json(&scene, &parameters, refusal.as_ref()));
     } else {
         print!("{}", summary(&args.scene.scene, &scene));
         println!("\nshapes");
         print!("{}", shapes(&scene));
         println!("\nparameters (∂: differentiable, D: edges move)");
-        print!("{}", table(&parameters));
+        print!("{}", table(&parameters, refusal.is_none()));
+        if let Some(refusal) = refusal {
+            println!("\nderivatives of this scene are refused: {refusal}");
+        }
     }
     Ok(Outcome::Done)
 }
@@ -151,13 +156,14 @@ fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
 }
 
 /// One line for each parameter, with other names under the first.
-fn table(parameters: &[Parameter]) -> String {
+fn table(parameters: &[Parameter], differentiable: bool) -> String {
+    let mark = if differentiable { "∂" } else { "-" };
     let mut rows = Vec::new();
     for parameter in parameters {
         if let Some(other) = &parameter.alias_of {
             rows.push([
                 format!("  {}", parameter.name),
-                "∂".into(),
+                mark.into(),
                 String::new(),
                 format!("= {other}"),
             ]);
@@ -166,9 +172,9 @@ fn table(parameters: &[Parameter]) -> String {
         rows.push([
             format!("  {}", parameter.name),
             if parameter.moves_discontinuities {
-                "∂ D".into()
+                format!("{mark} D")
             } else {
-                "∂".into()
+                mark.into()
             },
             values(&parameter.value),
             format!("{} ({})", parameter.description, parameter.unit),
@@ -192,7 +198,7 @@ fn values(values: &[f64]) -> String {
     numbers.join(" ")
 }
 
-fn to_json(scene: &Scene, parameters: &[Parameter]) -> Value {
+fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -> Value {
     let (low, high) = moving::bounds(scene);
     let shapes = scene.shapes.iter().map(|shape| {
         json!({
@@ -210,7 +216,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter]) -> Value {
             "value": p.value,
             "unit": p.unit,
             "description": p.description,
-            "differentiable": true,
+            "differentiable": refusal.is_none(),
             "moves_discontinuities": p.moves_discontinuities,
             "alias_of": p.alias_of,
         })
@@ -224,6 +230,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter]) -> Value {
         "triangles": scene.shapes.iter().map(|s| s.mesh.faces.len()).sum::<usize>(),
         "shapes": shapes.collect::<Vec<_>>(),
         "parameters": parameters.collect::<Vec<_>>(),
+        "refused": refusal.map(ToString::to_string),
     })
 }
 

@@ -37,3 +37,23 @@ fn exported_scenes_load_again() {
         assert!(difference < 1e-5, "{scene}: {difference}");
     }
 }
+
+/// Scenes whose derivatives are refused say so before anybody waits for them.
+#[test]
+fn info_says_what_is_refused() {
+    let capwalk = Capwalk::new("info_refused");
+    capwalk.run("scenes --export . leaf");
+    let xml = String::from_utf8(capwalk.bytes("leaf.xml")).expect("text");
+    let is_setting = |line: &&str| !line.contains("_samples\"");
+    let lines: Vec<&str> = xml.lines().filter(is_setting).collect();
+    let indirect = lines.join("\n").replace("type=\"direct\"", "type=\"path\"");
+    capwalk.write("leaf.xml", &indirect);
+    let json = capwalk.json("info leaf.xml --json");
+    assert_eq!(json["parameters"][0]["differentiable"], false);
+    let finished = capwalk.run("info leaf.xml");
+    assert_has(&finished.stdout, &["are refused", "indirect light"]);
+    assert_eq!(
+        capwalk.json("info leaf --json")["refused"],
+        serde_json::Value::Null
+    );
+}

@@ -87,6 +87,11 @@ pub fn gradient(
     })
 }
 
+/// The reason why [`gradient`] refuses the scene whatever moves, if it does.
+pub fn refusal(scene: &Scene) -> Option<Refusal> {
+    light_paths(&scene.settings.integrator).err()
+}
+
 /// How light is sampled, if its paths are of the kind that is covered.
 fn light_paths(integrator: &Integrator) -> Result<(LightSampling, bool), Refusal> {
     match *integrator {
