@@ -137,10 +137,10 @@ pub struct Eye {
     pub selection: EdgeSelection,
     /// The group of edges that counts.
     pub group: u8,
-    /// If the eye is the camera, only what it can see of them counts. If the closest point
-    /// of an edge is hidden, what hides it has an outline between that point
-    /// and the rest of the edge: leaving out the edge leaves out no visible
-    /// point that would be the closest.
+    /// If the eye is the camera, only what it can see of them counts. If the
+    /// closest point of an edge is hidden, what hides it has an outline between
+    /// that point and the rest of the edge: leaving out the edge leaves out no
+    /// visible point that would be the closest.
     pub is_camera: bool,
 }
 

@@ -64,7 +64,8 @@ pub fn lamp_edge_flux(
         .field
         .sample_value(eye, q, &forward.light_walk, numbers);
     let flow = (edge_velocity - field).dot(across) * total;
-    if flow == 0.0 || !normal.is_finite() {
+    // Not a number where the surface touches the edge: it goes on, to be counted.
+    if flow == 0.0 {
         return Rgb::zero();
     }
     let arriving = |side: f64| {
