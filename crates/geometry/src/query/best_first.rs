@@ -10,9 +10,8 @@ use super::silhouette_tree::{ConeQuery, SilhouettePoint, SilhouetteTree};
 use crate::bvh::{Child, ChildKind, WIDTH};
 use crate::simd::{Job, Simd};
 
-/// Best first instead of depth first: what was rejected must not be what
-/// decides where to look next, and a depth-first search would look through
-/// everything hidden in a subtree before it turned to its neighbour.
+/// What was found cannot limit this search, as it may be rejected. So it goes
+/// strictly by bounds, and tests and offers edges no sooner than necessary.
 pub(super) struct ClosestWhere<'a, F> {
     /// The tree.
     pub tree: &'a SilhouetteTree,

@@ -2,9 +2,9 @@
 //! nearer than where; and how near one certainly is.
 
 use super::edge_block::{EdgeBlock, NORMAL_ERROR, NORMAL_SCALE};
-use super::lanes::{dot, groups_mask, load_i16, recip, reject, splat, sub};
+use super::lanes::{dot, groups_mask, load_i16, recip, reject, rsqrt, splat, sub};
 use super::local_cone::LocalCone;
-use super::pseudo_angle::{BOUND_GROW, BOUND_SHRINK};
+use super::pseudo_angle::BOUND_SHRINK;
 use crate::simd::{F32x8, Lanes, Simd};
 
 /// Edges in a leaf.
@@ -16,6 +16,11 @@ const TOO_CLOSE: f32 = 4.0;
 /// For those, one over a distance less its error is at most this, times one over
 /// the distance.
 const CLOSE_GROW: f32 = TOO_CLOSE / (TOO_CLOSE - 1.0);
+
+/// Relative error of a projected tangent and of the pseudo-angle from it, errors
+/// of positions aside: the roundings of some ten operations, and twice what a
+/// step of Newton's method leaves of an estimate's error (its square).
+const ROUNDING: f32 = 1.0 / (1 << 20) as f32;
 
 /// What is known of the edges of a leaf without testing them exactly.
 pub struct EdgeBounds {
@@ -151,15 +156,15 @@ impl<S: Simd> LocalCone<S> {
         let squared = nearest_x.mul_add(nearest_x, nearest_y * nearest_y);
         // Estimates treat subnormal numbers as zero: none of those.
         let squared = squared.max(simd.splat(f32::MIN_POSITIVE));
-        let tangent = squared * squared.rsqrt_estimate();
+        let tangent = squared * rsqrt(simd, squared);
         let size = from_x.abs() + from_y.abs() + to_x.abs() + to_y.abs() + one;
         let error = margin * from_scale.max(to_scale) * size * simd.splat(CLOSE_GROW);
-        let (shrink, grow) = (simd.splat(BOUND_SHRINK), simd.splat(BOUND_GROW));
+        let (shrink, grow) = (simd.splat(1.0 - ROUNDING), simd.splat(1.0 + ROUNDING));
         let least = tangent.mul_sub(shrink, error).max(zero);
         let most = tangent.mul_add(grow, error);
         [
-            least * (one + least).recip_estimate() * shrink,
-            most * (one + most).recip_estimate() * grow,
+            least * recip(simd, one + least) * shrink,
+            most * recip(simd, one + most) * grow,
         ]
     }
 }

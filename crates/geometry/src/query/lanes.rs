@@ -51,6 +51,13 @@ pub fn recip<S: Simd>(simd: S, v: S::F32x8) -> S::F32x8 {
     estimate * (simd.splat(2.0) - v * estimate)
 }
 
+/// One over the square root of each number, as precise.
+#[inline(always)]
+pub fn rsqrt<S: Simd>(simd: S, v: S::F32x8) -> S::F32x8 {
+    let estimate = v.rsqrt_estimate();
+    estimate * (simd.splat(1.5) - simd.splat(0.5) * v * estimate * estimate)
+}
+
 /// `v - axis z`.
 #[inline(always)]
 pub fn reject<F: F32x8>(v: [F; 3], axis: [F; 3], z: F) -> [F; 3] {

@@ -1,9 +1,9 @@
 //! The trees and their queries.
 
 mod best_first;
+mod closest;
 mod cone_kernel;
 mod cone_node;
-mod depth_first;
 mod edge_block;
 mod edge_kernel;
 mod lanes;

@@ -27,9 +27,6 @@ pub fn pseudo_angle(sin: f64, cos: f64) -> f32 {
 /// of two estimates, and a few roundings that are much smaller.
 pub const BOUND_SHRINK: f32 = 1.0 - 2.5 * ESTIMATE_ERROR;
 
-/// The same for upper bounds.
-pub const BOUND_GROW: f32 = 1.0 + 2.5 * ESTIMATE_ERROR;
-
 /// The largest pseudo-angle that is still of interest.
 #[derive(Clone, Copy, Debug)]
 pub struct Limit {

@@ -4,8 +4,8 @@ use capwalk_math::Vec3;
 use rayon::prelude::*;
 
 use super::best_first::ClosestWhere;
+use super::closest::Closest;
 use super::cone_node::ConeNode;
-use super::depth_first::Closest;
 use super::edge_block::{EdgeBlock, LocalEdge};
 use super::edge_kernel;
 use super::tree_edge::TreeEdge;
@@ -191,8 +191,8 @@ impl SilhouetteTree {
         query: &ConeQuery,
         counts: impl Fn(&SilhouettePoint) -> bool,
     ) -> Option<SilhouettePoint> {
-        // Most closest points count. Searching depth first is several times
-        // faster than best first, since what is found limits the search.
+        // Most closest points count, and the search for the closest of all is
+        // several times faster: what it finds limits it.
         let closest = self.closest(query)?;
         if counts(&closest) {
             return Some(closest);
