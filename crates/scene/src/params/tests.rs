@@ -329,3 +329,42 @@ fn vertices_move_unless_the_mesh_would_tear() {
     let together = vec![Vec3::splat(1.0); count];
     assert!(vertex_motion(&scene, "ball", together).is_ok());
 }
+
+/// A texture that two materials and a lamp refer to is one parameter, called
+/// by its own name first.
+#[test]
+fn a_shared_texture_is_one_parameter() {
+    let mut scene = example();
+    scene.textures[0].id = "paint".into();
+    scene.materials[1].bsdf = Bsdf::Diffuse {
+        reflectance: TextureId(0),
+    };
+    scene.emitters[1] = Emitter::Constant {
+        id: "sky".into(),
+        radiance: TextureId(0),
+    };
+    let expected = one_texel(&scene, 0, [1.0; 3]);
+    let names = [
+        "paint.value",
+        "sky.radiance.value",
+        "red.reflectance.value",
+        "both.reflectance.value",
+        "lamp.bsdf.reflectance.value",
+    ];
+    let parameters = list(&scene);
+    for name in names {
+        assert_eq!(motion(&scene, name).expect(name).textures, expected);
+        let listed: Vec<_> = parameters.iter().filter(|p| p.name == name).collect();
+        let alias = (name != "paint.value").then(|| "paint.value".to_owned());
+        assert_eq!(listed.len(), 1, "{name}");
+        assert_eq!(listed[0].alias_of, alias, "{name}");
+    }
+    let green = motion(&scene, "red.reflectance.value.g").expect("listed");
+    assert_eq!(green.textures, one_texel(&scene, 0, [0.0, 1.0, 0.0]));
+}
+
+fn one_texel(scene: &Scene, texture: usize, velocity: [f64; 3]) -> Vec<Option<Vec<f64>>> {
+    let mut textures = vec![None; scene.textures.len()];
+    textures[texture] = Some(velocity.to_vec());
+    textures
+}
