@@ -169,6 +169,10 @@ fn every_name_means_what_it_says() {
     // and `lamp.bsdf` × 4, the sensor under two names × 6.
     assert_eq!(parameters.len(), 21 + 8 + 16 + 12);
     for parameter in parameters {
+        let says = |word: &str| parameter.name.contains(word);
+        let is_colour = says(".radiance") || says(".reflectance");
+        assert_eq!(parameter.kind == ParameterKind::Radiance, says(".radiance"));
+        assert_eq!(parameter.moves_discontinuities, !is_colour);
         let motion = motion(&scene, &parameter.name).expect("it is listed");
         let above = numbers(&scene.moved(&motion, h));
         let below = numbers(&scene.moved(&motion, -h));
@@ -220,6 +224,9 @@ fn terms_add_with_signs_and_factors() {
         one("1e+1*sky.radiance.value").textures[3],
         Some(vec![10.0; 3])
     );
+    // The same texture twice.
+    let both = one("sky.radiance.value - 3*sky.radiance.value.g");
+    assert_eq!(both.textures[3], Some(vec![1.0, -2.0, 1.0]));
     // The same shape twice: a motion and a turn.
     let both = one("ball.translate.x + ball.rotate.z");
     let (moving, turning) = (one("ball.translate.x"), one("ball.rotate.z"));
