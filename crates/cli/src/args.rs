@@ -25,7 +25,7 @@ Exit status:
   0  done, also within a --time-limit; for check: the gradient is right
   1  check: the gradient is wrong; compare: the pictures differ beyond their errors
   2  check, compare: the noise is too large to tell
-  3  bad input, or a derivative that is refused
+  3  bad input, a derivative that is refused, or results that cannot be written
   4  more than 1 in 10^6 samples was infinite or NaN (the pictures are written)
   5  stopped by Ctrl-C (what was done is written, marked as partial)";
 

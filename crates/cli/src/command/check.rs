@@ -14,7 +14,7 @@ use crate::args::Check;
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{moving, report, source};
+use crate::{console, moving, report, source};
 
 /// Samples of the reference for each one of the gradient, if nothing is said:
 /// differences are cheaper, and noisier.
@@ -92,8 +92,8 @@ pub fn run(args: &Check) -> Result<Outcome> {
     let z = z_picture(comparison, &gradient.value.mean);
     picture.push("z", z.clone());
     let written = files.write(&picture, &panels(&checked, &z))?;
-    eprint!("{}", report::warnings("gradient", &gradient.statistics));
-    eprint!("{}", report::warnings("reference", &differences.statistics));
+    console::remark(&report::warnings("gradient", &gradient.statistics));
+    console::remark(&report::warnings("reference", &differences.statistics));
     if typed.output.json {
         let document = json!({
             "scene": typed.scene.scene,
@@ -108,23 +108,17 @@ pub fn run(args: &Check) -> Result<Outcome> {
             "reference": report::statistics_json(&differences.statistics, checked.seconds[1]),
             "files": written,
         });
-        println!("{document:#}");
+        console::print_json(&document)?;
     } else {
-        print!(
-            "{}",
-            report::work("gradient", &gradient.statistics, checked.seconds[0])
-        );
-        print!(
-            "{}",
-            report::work("reference", &differences.statistics, checked.seconds[1])
-        );
-        println!(
-            "reference: central differences over ± {}\n",
-            report::number(reference.step)
-        );
-        print!("{}", describe(comparison));
-        println!("{}", verdict(&checked));
-        println!("wrote {}", written.join(", "));
+        console::print(&format!(
+            "{}{}reference: central differences over ± {}\n\n{}{}\n{}",
+            report::work("gradient", &gradient.statistics, checked.seconds[0]),
+            report::work("reference", &differences.statistics, checked.seconds[1]),
+            report::number(reference.step),
+            describe(comparison),
+            verdict(&checked),
+            report::written(&written)
+        ))?;
     }
     Ok(
         match report::outcome(&[&gradient.statistics, &differences.statistics]) {

@@ -12,7 +12,7 @@ use crate::args::Demo;
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{moving, report};
+use crate::{console, moving, report};
 
 const SCENE: &str = "lattice-shadow";
 
@@ -103,7 +103,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         .iter()
         .zip(all)
     {
-        eprint!("{}", report::warnings(what, statistics));
+        console::remark(&report::warnings(what, statistics));
     }
     let variance =
         |image: &GradientImage| report::variance_per_sample(&image.gradient, &image.statistics);
@@ -123,24 +123,24 @@ pub fn run(args: &Demo) -> Result<Outcome> {
                          "reference": checked.seconds[1], "all": seconds },
             "files": written,
         });
-        println!("{document:#}");
+        console::print_json(&document)?;
     } else {
         let [width, height] = SIZE;
-        println!("{SCENE}, {width} x {height} pixels, derivative for {parameter}\n");
-        print!("{}", check::describe(comparison));
         let variances = [
             ("anchored", report::number(variance(gradient))),
             ("literal", report::number(variance(&literal))),
         ];
-        println!("\nvariance per sample");
-        print!("{}", report::list(&variances.map(|(name, x)| (name, x))));
-        println!(
-            "\n{} million silhouette queries per second, {} in all",
+        console::print(&format!(
+            "{SCENE}, {width} x {height} pixels, derivative for {parameter}\n\n\
+             {}\nvariance per sample\n{}\n\
+             {} million silhouette queries per second, {} in all\n{}\n{}",
+            check::describe(comparison),
+            report::list(&variances),
             report::number(queries / 1e6),
-            report::seconds(seconds)
-        );
-        println!("{}", check::verdict(&checked));
-        println!("wrote {}", written.join(", "));
+            report::seconds(seconds),
+            check::verdict(&checked),
+            report::written(&written)
+        ))?;
     }
     Ok(match report::outcome(&all) {
         Outcome::Done => check::outcome(comparison),

@@ -7,7 +7,7 @@ use crate::args::Gradient;
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{moving, report, source};
+use crate::{console, moving, report, source};
 
 pub fn run(args: &Gradient) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
@@ -29,7 +29,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     output::push_estimate(&mut picture, "value", "value_stderr", value);
     output::push_estimate(&mut picture, "gradient", "stderr", gradient);
     let written = files.write(&picture, &[])?;
-    eprint!("{}", report::warnings("gradient", statistics));
+    console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
     if args.output.json {
         let document = json!({
@@ -44,11 +44,14 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
             "statistics": report::statistics_json(statistics, elapsed),
             "files": written,
         });
-        println!("{document:#}");
+        console::print_json(&document)?;
     } else {
-        print!("{}", report::work("gradient", statistics, elapsed));
-        println!("variance per sample: {}", report::number(variance));
-        println!("wrote {}", written.join(", "));
+        console::print(&format!(
+            "{}variance per sample: {}\n{}",
+            report::work("gradient", statistics, elapsed),
+            report::number(variance),
+            report::written(&written)
+        ))?;
     }
     Ok(report::outcome(&[statistics]))
 }

@@ -6,6 +6,7 @@ mod help;
 mod pictures;
 mod scenes;
 mod stopping;
+mod streams;
 mod verdicts;
 
 use std::path::{Path, PathBuf};
