@@ -229,6 +229,13 @@ pub fn describe(c: &Comparison) -> String {
                 report::count(c.pixels as u64)
             ),
         ),
+        (
+            "plain mean z²",
+            format!(
+                "{} (all pixels alike; off 1 where noise is rare events)",
+                report::number(c.mean_z_squared_plain)
+            ),
+        ),
         ("sign", format!("{:+.2} standard errors", c.sign)),
         ("worst z", worst.join(", ")),
     ];
@@ -299,6 +306,7 @@ pub fn comparison_json(c: &Comparison) -> Value {
         "correlation": c.correlation,
         "mean_z_squared": c.mean_z_squared,
         "mean_z_squared_error": c.mean_z_squared_error,
+        "mean_z_squared_plain": c.mean_z_squared_plain,
         "pixels": c.pixels,
         "left_out": c.left_out,
         "sign": c.sign,
