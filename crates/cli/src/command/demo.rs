@@ -8,6 +8,7 @@ use capwalk_scene::{builtin, params};
 use serde_json::json;
 
 use super::check::{self, Checked, Reference};
+use super::gradient;
 use crate::args::Demo;
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
@@ -77,21 +78,18 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         ..
     } = &checked;
 
-    let mut picture = output::picture("render", SCENE, None, &options(SPP), &rendering.statistics);
+    let mut picture = output::picture("render", SCENE, None, &options(SPP));
+    output::push_statistics(&mut picture, &[&rendering.statistics]);
     output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
     let mut written = picture_files.write(&picture, &[])?;
-    let mut picture = output::picture(
-        "gradient",
-        SCENE,
-        Some(parameter),
-        &options(SPP),
-        &gradient.statistics,
-    );
-    output::push_estimate(&mut picture, "value", "value_stderr", &gradient.value);
-    output::push_estimate(&mut picture, "gradient", "stderr", &gradient.gradient);
+    let picture = gradient::picture(SCENE, parameter, &checked.options, gradient);
     written.extend(gradient_files.write(&picture, &[])?);
-    let z = check::z_picture(comparison, &gradient.value.mean);
-    written.extend(check_files.write(&picture, &check::panels(&checked, &z))?);
+    written.extend(check::picture::write(
+        &check_files,
+        SCENE,
+        parameter,
+        &checked,
+    )?);
 
     let all = [
         &rendering.statistics,

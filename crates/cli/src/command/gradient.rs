@@ -1,6 +1,8 @@
 //! `capwalk gradient`: the derivative of a picture for one parameter.
 
 use anyhow::Result;
+use capwalk_render::{GradientImage, Options};
+use capwalk_scene_io::image::Picture;
 use serde_json::json;
 
 use crate::args::Gradient;
@@ -25,9 +27,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
     let parameter = moving::describe(&args.motion);
     let name = &args.scene.scene;
-    let mut picture = output::picture("gradient", name, Some(&parameter), &options, statistics);
-    output::push_estimate(&mut picture, "value", "value_stderr", value);
-    output::push_estimate(&mut picture, "gradient", "stderr", gradient);
+    let picture = picture(name, &parameter, &options, &result);
     let written = files.write(&picture, &[])?;
     console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
@@ -54,4 +54,13 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
         ))?;
     }
     Ok(report::outcome(&[statistics]))
+}
+
+/// What the files of a gradient hold.
+pub fn picture(scene: &str, parameter: &str, options: &Options, result: &GradientImage) -> Picture {
+    let mut picture = output::picture("gradient", scene, Some(parameter), options);
+    output::push_statistics(&mut picture, &[&result.statistics]);
+    output::push_estimate(&mut picture, "value", "value_stderr", &result.value);
+    output::push_estimate(&mut picture, "gradient", "stderr", &result.gradient);
+    picture
 }

@@ -21,7 +21,8 @@ pub fn run(args: &Render) -> Result<Outcome> {
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
     let name = &args.scene.scene;
-    let mut picture = output::picture("render", name, None, &options, statistics);
+    let mut picture = output::picture("render", name, None, &options);
+    output::push_statistics(&mut picture, &[statistics]);
     output::push_estimate(&mut picture, "value", "stderr", value);
     let written = files.write(&picture, &[])?;
     console::remark(&report::warnings("picture", statistics));
