@@ -3,17 +3,17 @@
 use std::time::Instant;
 
 use anyhow::Result;
-use capwalk_render::{Estimator, GradientImage, GradientOptions, Options, WalkSettings};
-use capwalk_scene::{builtin, params};
+use capwalk_render::{Estimator, GradientImage, GradientOptions, Options, Rendering, WalkSettings};
+use capwalk_scene::{Motion, Scene, builtin, params};
 use serde_json::json;
 
 use super::check::{self, Checked, Reference};
 use super::gradient;
-use crate::args::Demo;
+use crate::args::{Demo, SceneArgs};
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{console, moving, report};
+use crate::{console, moving, report, source};
 
 const SCENE: &str = "lattice-shadow";
 
@@ -22,80 +22,69 @@ const SIZE: [u32; 2] = [128, 96];
 /// Samples per pixel, chosen so that the check comes to a verdict within a
 /// minute on two cores.
 const SPP: u32 = 96;
-/// Samples of the estimator that is only shown for its variance.
-const LITERAL_SPP: u32 = 8;
-/// Samples of the reference on each side of the difference.
-const REFERENCE_SPP: u32 = 768;
+/// One sample for so many of `SPP` goes to the estimator that is only shown for
+/// its variance, but never fewer than have one.
+const LITERAL_SHARE: u32 = 12;
+const LEAST_FOR_VARIANCE: u32 = 2;
+/// Samples of the reference on each side of the difference, for each of `SPP`:
+/// the lattice's fine structure makes differences noisy.
+const REFERENCE_FACTOR: u32 = 8;
 const SEED: u64 = 1;
 
+/// When the picture and the literal gradient must be done, as shares of a time
+/// limit; the check has the rest. Without a limit each takes less than a tenth
+/// of the time.
+const PICTURE_UNTIL: f64 = 0.1;
+const LITERAL_UNTIL: f64 = 0.2;
+
+/// What the demo works out.
+struct Results {
+    rendering: Rendering,
+    literal: GradientImage,
+    checked: Checked,
+    /// Seconds for the picture, the literal gradient, and everything.
+    seconds: [f64; 3],
+}
+
 pub fn run(args: &Demo) -> Result<Outcome> {
-    let started = Instant::now();
-    let mut scene = builtin::scene(SCENE).expect("it is built in");
-    scene.film.size = SIZE;
-    scene.film.crop_size = SIZE;
+    let scene = source::load(&SceneArgs {
+        scene: SCENE.into(),
+        defines: Vec::new(),
+        size: Some(args.size.unwrap_or(SIZE)),
+        filter: None,
+    })?;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
     let motion = params::motion(&scene, parameter)?;
-    let file = |name: &str, endings: &[&str]| {
-        let stem = args.output.join(name).display().to_string();
-        Files::new(&[], &stem, endings)
+    let file = |what: &str| {
+        let stem = args.output.join(format!("{SCENE}{what}"));
+        Files::new(&[], &stem.display().to_string(), &["exr", "png"])
     };
-    let picture_files = file(SCENE, &["exr", "png"])?;
-    let gradient_files = file("lattice-shadow-gradient", &["exr", "png"])?;
-    let check_files = file("lattice-shadow-check", &["png"])?;
+    let [picture_files, gradient_files, check_files] =
+        [file("")?, file("-gradient")?, file("-check")?];
 
-    let options = |spp: u32| Options {
-        spp,
-        seed: SEED,
-        threads: args.threads,
-    };
-    let progress = Progress::new("render", None);
-    let rendering = capwalk_render::render(&scene, &options(SPP), &progress);
-    let render_seconds = progress.finish().as_secs_f64();
+    let results = work(args, &scene, &motion)?;
+    let Results {
+        rendering,
+        literal,
+        checked,
+        seconds,
+    } = &results;
+    let (gradient, options) = (&checked.gradient, &checked.options);
 
-    let settings = |estimator, spp| GradientOptions {
-        options: options(spp),
-        walk: WalkSettings {
-            estimator,
-            ..WalkSettings::default()
-        },
-    };
-    let progress = Progress::new("literal", None);
-    let literal = settings(Estimator::Literal, LITERAL_SPP);
-    let literal = capwalk_render::gradient(&scene, &motion, &literal, &progress);
-    progress.finish();
-    let literal = literal?;
-
-    let reference = Reference {
-        step: moving::default_step(&scene, &motion),
-        spp: REFERENCE_SPP,
-    };
-    let anchored = settings(Estimator::Anchored, SPP);
-    let checked = check::check(&scene, &motion, &anchored, &reference, None)?;
-    let Checked {
-        gradient,
-        reference: differences,
-        comparison,
-        ..
-    } = &checked;
-
-    let mut picture = output::picture("render", SCENE, None, &options(SPP));
+    let mut picture = output::picture("render", SCENE, None, options);
     output::push_statistics(&mut picture, &[&rendering.statistics]);
     output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
     let mut written = picture_files.write(&picture, &[])?;
-    let picture = gradient::picture(SCENE, parameter, &checked.options, gradient);
+    let picture = gradient::picture(SCENE, parameter, options, gradient);
     written.extend(gradient_files.write(&picture, &[])?);
-    written.extend(check::picture::write(
-        &check_files,
-        SCENE,
-        parameter,
-        &checked,
-    )?);
+    let of_check = check::picture::write(&check_files, SCENE, parameter, checked)?;
+    written.extend(of_check);
 
     let all = [
         &rendering.statistics,
         &literal.statistics,
         &gradient.statistics,
-        &differences.statistics,
+        &checked.reference.statistics,
     ];
     for (what, statistics) in ["picture", "literal gradient", "gradient", "reference"]
         .iter()
@@ -106,42 +95,106 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     let variance =
         |image: &GradientImage| report::variance_per_sample(&image.gradient, &image.statistics);
     let queries = gradient.statistics.cone_queries as f64 / checked.seconds[0];
-    let seconds = started.elapsed().as_secs_f64();
     if args.json {
         let document = json!({
             "scene": SCENE,
             "parameter": parameter,
-            "comparison": check::comparison_json(comparison),
+            "size": scene.film.crop_size,
+            "spp": options.spp,
+            "seed": options.seed,
+            "literal_spp": literal_spp(options.spp),
+            "reference_spp": checked.differences.spp,
+            "step": checked.differences.step,
+            "comparison": check::comparison_json(&checked.comparison),
             "variance_per_sample": {
                 "anchored": variance(gradient),
-                "literal": variance(&literal),
+                "literal": variance(literal),
             },
             "silhouette_queries_per_second": queries,
-            "seconds": { "render": render_seconds, "gradient": checked.seconds[0],
-                         "reference": checked.seconds[1], "all": seconds },
+            "render": report::statistics_json(&rendering.statistics, seconds[0]),
+            "literal": report::statistics_json(&literal.statistics, seconds[1]),
+            "gradient": report::statistics_json(&gradient.statistics, checked.seconds[0]),
+            "reference": report::statistics_json(all[3], checked.seconds[1]),
+            "seconds": seconds[2],
             "files": written,
         });
         console::print_json(&document)?;
     } else {
-        let [width, height] = SIZE;
+        let [width, height] = scene.film.crop_size;
         let variances = [
             ("anchored", report::number(variance(gradient))),
-            ("literal", report::number(variance(&literal))),
+            ("literal", report::number(variance(literal))),
         ];
         console::print(&format!(
             "{SCENE}, {width} x {height} pixels, derivative for {parameter}\n\n\
              {}\nvariance per sample\n{}\n\
              {} million silhouette queries per second, {} in all\n{}\n{}",
-            check::describe(comparison),
+            check::describe(&checked.comparison),
             report::list(&variances),
             report::number(queries / 1e6),
-            report::seconds(seconds),
-            check::verdict(&checked),
+            report::seconds(seconds[2]),
+            check::verdict(checked),
             report::written(&written)
         ))?;
     }
     Ok(match report::outcome(&all) {
-        Outcome::Done => check::outcome(comparison),
+        Outcome::Done => check::outcome(&checked.comparison),
         trouble => trouble,
     })
+}
+
+/// The picture, the literal gradient, and the check, one after the other. Each
+/// has what the earlier ones left of its share of a time limit.
+fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
+    let started = Instant::now();
+    let sampling = &args.sampling;
+    let left_until = |share: f64| {
+        let limit = sampling.time_limit?;
+        Some(limit.mul_f64(share).saturating_sub(started.elapsed()))
+    };
+    let options = |spp: u32| Options {
+        spp,
+        seed: sampling.seed.unwrap_or(SEED),
+        threads: sampling.threads,
+    };
+    let settings = |estimator, spp| GradientOptions {
+        options: options(spp),
+        walk: WalkSettings {
+            estimator,
+            ..WalkSettings::default()
+        },
+    };
+    let spp = sampling.spp.unwrap_or(SPP);
+
+    let progress = Progress::new("render", left_until(PICTURE_UNTIL));
+    let rendering = capwalk_render::render(scene, &options(spp), &progress);
+    let render_seconds = progress.finish().as_secs_f64();
+
+    let progress = Progress::new("literal", left_until(LITERAL_UNTIL));
+    let literal = settings(Estimator::Literal, literal_spp(spp));
+    let literal = capwalk_render::gradient(scene, motion, &literal, &progress);
+    let literal_seconds = progress.finish().as_secs_f64();
+    let literal = literal?;
+
+    let reference = Reference {
+        step: moving::default_step(scene, motion),
+        spp: spp.saturating_mul(REFERENCE_FACTOR),
+    };
+    let anchored = settings(Estimator::Anchored, spp);
+    let checked = check::check(scene, motion, &anchored, &reference, left_until(1.0))?;
+    Ok(Results {
+        rendering,
+        literal,
+        checked,
+        seconds: [
+            render_seconds,
+            literal_seconds,
+            started.elapsed().as_secs_f64(),
+        ],
+    })
+}
+
+/// Samples of the literal estimator beside so many of the other.
+fn literal_spp(spp: u32) -> u32 {
+    (spp / LITERAL_SHARE).max(LEAST_FOR_VARIANCE)
 }

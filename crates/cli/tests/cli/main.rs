@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod compare;
+mod demo;
 mod help;
 mod pictures;
 mod scenes;

@@ -5,7 +5,7 @@ use std::process::{Command, Stdio};
 use crate::{Capwalk, Finished, assert_has};
 
 /// A command, and the status that its work has.
-const COMMANDS: [(&str, i32); 9] = [
+const COMMANDS: [(&str, i32); 10] = [
     ("--help", 0),
     ("info leaf", 0),
     ("info leaf --json", 0),
@@ -15,6 +15,7 @@ const COMMANDS: [(&str, i32); 9] = [
     ("gradient leaf -p leaf.translate.x --size 12x9 --spp 2", 0),
     ("compare leaf.exr leaf.exr", 0),
     // Could not tell.
+    ("demo --size 4x3 --spp 1", 2),
     (
         "check leaf -p leaf.translate.x --size 12x9 --spp 1 --reference-spp 1",
         2,
