@@ -17,6 +17,7 @@ pub mod frame;
 pub mod real;
 pub mod sphere;
 pub mod stats;
+pub mod tape;
 pub mod vec3;
 
 pub use affine::Affine;
@@ -24,4 +25,5 @@ pub use dual::Dual;
 pub use frame::Frame;
 pub use real::Real;
 pub use stats::Moments;
+pub use tape::{Tape, Var};
 pub use vec3::{Rgb, Vec3};
