@@ -1,6 +1,6 @@
 //! `capwalk demo`: everything at once, on a scene that is hard for others.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use anyhow::Result;
 use capwalk_render::{Estimator, GradientImage, GradientOptions, Options, Rendering, WalkSettings};
@@ -148,10 +148,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
 fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
     let started = Instant::now();
     let sampling = &args.sampling;
-    let left_until = |share: f64| {
-        let limit = sampling.time_limit?;
-        Some(limit.mul_f64(share).saturating_sub(started.elapsed()))
-    };
+    let left_until = |share| left(sampling.time_limit, share, started.elapsed());
     let options = |spp: u32| Options {
         spp,
         seed: sampling.seed.unwrap_or(SEED),
@@ -194,7 +191,31 @@ fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
     })
 }
 
+/// What is left of a share of the time limit after so long; nothing if that is
+/// over.
+fn left(limit: Option<Duration>, share: f64, elapsed: Duration) -> Option<Duration> {
+    Some(limit?.mul_f64(share).saturating_sub(elapsed))
+}
+
 /// Samples of the literal estimator beside so many of the other.
 fn literal_spp(spp: u32) -> u32 {
     (spp / LITERAL_SHARE).max(LEAST_FOR_VARIANCE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a stage does not use is left to those after it, and a stage that
+    /// takes too long leaves less, never a limit of its own.
+    #[test]
+    fn stages_share_the_time_limit() {
+        let seconds = Duration::from_secs;
+        let limit = Some(seconds(100));
+        assert_eq!(left(None, PICTURE_UNTIL, seconds(5)), None);
+        assert_eq!(left(limit, PICTURE_UNTIL, seconds(0)), Some(seconds(10)));
+        assert_eq!(left(limit, LITERAL_UNTIL, seconds(3)), Some(seconds(17)));
+        assert_eq!(left(limit, 1.0, seconds(20)), Some(seconds(80)));
+        assert_eq!(left(limit, LITERAL_UNTIL, seconds(30)), Some(seconds(0)));
+    }
 }
