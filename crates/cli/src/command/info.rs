@@ -11,23 +11,25 @@ use serde_json::{Value, json};
 
 use crate::args::Info;
 use crate::diagnostics::Outcome;
-use crate::{moving, report, source};
+use crate::{console, moving, report, source};
 
 pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
     let parameters = params::list(&scene);
     let refusal = capwalk_render::refusal(&scene);
     if args.json {
-        println!("{:#}", to_json(&scene, &parameters, refusal.as_ref()));
+        console::print_json(&to_json(&scene, &parameters, refusal.as_ref()))?;
     } else {
-        print!("{}", summary(&args.scene.scene, &scene));
-        println!("\nshapes");
-        print!("{}", shapes(&scene));
-        println!("\nparameters (∂: differentiable, D: edges move)");
-        print!("{}", table(&parameters, refusal.is_none()));
+        let mut text = format!(
+            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}",
+            summary(&args.scene.scene, &scene),
+            shapes(&scene),
+            table(&parameters, refusal.is_none())
+        );
         if let Some(refusal) = refusal {
-            println!("\nderivatives of this scene are refused: {refusal}");
+            text += &format!("\nderivatives of this scene are refused: {refusal}\n");
         }
+        console::print(&text)?;
     }
     Ok(Outcome::Done)
 }
