@@ -6,6 +6,7 @@
 //! | `bench` | the benchmarks |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares |
 
+mod deviation;
 mod parity;
 mod test;
 
