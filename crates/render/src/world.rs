@@ -3,7 +3,7 @@
 
 use capwalk_geometry::Hit;
 use capwalk_math::{Affine, Dual, Real, Rgb, Vec3};
-use capwalk_scene::{BsdfId, EmitterId, Motion, Scene};
+use capwalk_scene::{Bsdf, BsdfId, EmitterId, Motion, Scene, TextureId};
 
 use crate::accel::Accel;
 
@@ -13,14 +13,29 @@ pub trait World<R: Real> {
     fn vertex(&self, index: u32) -> Vec3<R>;
     /// Unit shading normal of a vertex of a shape with vertex normals.
     fn normal(&self, shape: usize, vertex: u32) -> Vec3<R>;
-    /// Reflectance of a diffuse material.
-    fn reflectance(&self, id: BsdfId) -> Rgb<R>;
-    /// Radiance of an emitter.
-    fn radiance(&self, id: EmitterId) -> Rgb<R>;
+    /// The scene whose numbers they are.
+    fn scene(&self) -> &Scene;
+    /// A texel of a texture.
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
     /// The camera-space direction of a world-space one.
     fn camera_direction(&self, direction: Vec3<R>) -> Vec3<R>;
     /// Where the sensor stands.
     fn sensor_origin(&self) -> Vec3<R>;
+
+    /// Reflectance of a diffuse material.
+    #[inline]
+    fn reflectance(&self, id: BsdfId) -> Rgb<R> {
+        match self.scene().material(id).bsdf {
+            Bsdf::Diffuse { reflectance } => self.texel(reflectance, 0),
+            Bsdf::TwoSided { .. } => unreachable!("a hit's material has been resolved to one side"),
+        }
+    }
+
+    /// Radiance of an emitter.
+    #[inline]
+    fn radiance(&self, id: EmitterId) -> Rgb<R> {
+        self.texel(self.scene().emitter(id).radiance(), 0)
+    }
 }
 
 /// The scene as it is.
@@ -72,12 +87,12 @@ impl World<f64> for AtRest<'_> {
         vertex_normal(self.0.scene, shape, vertex)
     }
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb {
-        diffuse_reflectance(self.0.scene, id)
+    fn scene(&self) -> &Scene {
+        self.0.scene
     }
     #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb {
-        self.0.scene.emitter(id).radiance()
+    fn texel(&self, id: TextureId, index: usize) -> Rgb {
+        self.0.scene.texture(id).texel(index)
     }
     #[inline]
     fn camera_direction(&self, direction: Vec3) -> Vec3 {
@@ -104,18 +119,14 @@ impl World<D> for InMotion<'_> {
         vertex_normal(self.accel.scene, shape, vertex).with_tangent(velocity)
     }
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb<D> {
-        let velocity = self.motion.reflectance[id.0 as usize];
-        diffuse_reflectance(self.accel.scene, id).with_tangent(velocity)
+    fn scene(&self) -> &Scene {
+        self.accel.scene
     }
     #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb<D> {
-        let velocity = self.motion.radiance[id.0 as usize];
-        self.accel
-            .scene
-            .emitter(id)
-            .radiance()
-            .with_tangent(velocity)
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<D> {
+        let scene = self.accel.scene;
+        let velocity = self.motion.texel(scene, id, index);
+        scene.texture(id).texel(index).with_tangent(velocity)
     }
     #[inline]
     fn camera_direction(&self, direction: Vec3<D>) -> Vec3<D> {
@@ -136,15 +147,6 @@ impl World<D> for InMotion<'_> {
 fn vertex_normal(scene: &Scene, shape: usize, vertex: u32) -> Vec3 {
     let normals = scene.shapes[shape].normals.per_vertex();
     normals.expect("asked only of shapes with vertex normals")[vertex as usize]
-}
-
-fn diffuse_reflectance(scene: &Scene, id: BsdfId) -> Rgb {
-    match &scene.material(id).bsdf {
-        capwalk_scene::Bsdf::Diffuse(diffuse) => diffuse.reflectance,
-        capwalk_scene::Bsdf::TwoSided { .. } => {
-            unreachable!("a hit's material has been resolved to one side")
-        }
-    }
 }
 
 /// The transpose of a rotation is its inverse.

@@ -4,7 +4,9 @@ use anyhow::Result;
 use capwalk_math::Vec3;
 use capwalk_render::Refusal;
 use capwalk_scene::params::{self, Parameter};
-use capwalk_scene::{Bsdf, Emitter, Filter, Integrator, SamplerKind, Scene, ShadingNormals};
+use capwalk_scene::{
+    Bsdf, Emitter, Filter, Integrator, Pattern, SamplerKind, Scene, ShadingNormals, TextureId,
+};
 use serde_json::{Value, json};
 
 use crate::args::Info;
@@ -123,7 +125,9 @@ fn shapes(scene: &Scene) -> String {
             ShadingNormals::Given(_) => "given",
             ShadingNormals::Computed(_) => "smooth",
         };
-        let emits = shape.emitter.map(|id| vector(scene.emitter(id).radiance()));
+        let emits = shape
+            .emitter
+            .map(|id| texture(scene, scene.emitter(id).radiance()));
         rows.push(vec![
             shape.id.clone(),
             report::count(shape.mesh.faces.len() as u64),
@@ -136,16 +140,24 @@ fn shapes(scene: &Scene) -> String {
     let mut text = report::table(&rows);
     for emitter in &scene.emitters {
         if let Emitter::Constant { id, radiance } = emitter {
-            text += &format!("{id}: surrounds the scene with {}\n", vector(*radiance));
+            let radiance = texture(scene, *radiance);
+            text += &format!("{id}: surrounds the scene with {radiance}\n");
         }
     }
     text
 }
 
+fn texture(scene: &Scene, id: TextureId) -> String {
+    let texture = scene.texture(id);
+    match texture.pattern {
+        Pattern::Constant => vector(texture.texel(0)),
+    }
+}
+
 fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
     let material = scene.material(id);
     match &material.bsdf {
-        Bsdf::Diffuse(diffuse) => format!("diffuse {}", vector(diffuse.reflectance)),
+        Bsdf::Diffuse { reflectance } => format!("diffuse {}", texture(scene, *reflectance)),
         Bsdf::TwoSided { front, back } if front == back => {
             format!("two-sided {}", self::material(scene, *front))
         }
@@ -208,7 +220,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
             "triangles": shape.mesh.faces.len(),
             "vertices": shape.mesh.positions.len(),
             "material": scene.material(shape.bsdf).id,
-            "emits": shape.emitter.map(|id| array(scene.emitter(id).radiance())),
+            "emits": shape.emitter.map(|id| array(scene.texture(scene.emitter(id).radiance()).texel(0))),
         })
     });
     let parameters = parameters.iter().map(|p| {
