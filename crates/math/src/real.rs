@@ -4,7 +4,8 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A real number that may carry derivatives.
 ///
-/// Implemented for `f32`, `f64` and [`Dual`](crate::dual::Dual). Only the
+/// Implemented for `f32`, `f64`, [`Dual`](crate::dual::Dual) and
+/// [`Var`](crate::tape::Var). Only the
 /// functions the renderer uses are listed: the trait is a menu, not a
 /// numeric tower. Comparison is by value: a derivative never steers a branch.
 pub trait Real:
@@ -22,6 +23,8 @@ pub trait Real:
     /// The value without its derivative. Use it for every branch and every
     /// sampling decision, so that both stay detached.
     fn value(self) -> f64;
+    /// True if its derivatives are known to be zero.
+    fn is_constant(self) -> bool;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Sine and cosine.
@@ -40,6 +43,10 @@ macro_rules! impl_real_for_float {
             #[inline]
             fn value(self) -> f64 {
                 f64::from(self)
+            }
+            #[inline]
+            fn is_constant(self) -> bool {
+                true
             }
             #[inline]
             fn sqrt(self) -> Self {

@@ -22,9 +22,9 @@ pub fn run(args: &Info) -> Result<Outcome> {
         println!("\nshapes");
         print!("{}", shapes(&scene));
         println!("\nparameters (∂: differentiable, D: edges move)");
-        print!("{}", table(&parameters, refusal.is_none()));
+        print!("{}", table(&parameters, refusal.as_ref()));
         if let Some(refusal) = refusal {
-            println!("\nderivatives of this scene are refused: {refusal}");
+            println!("\nderivatives by what moves edges (D) are refused: {refusal}");
         }
     }
     Ok(Outcome::Done)
@@ -156,10 +156,18 @@ fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
 }
 
 /// One line for each parameter, with other names under the first.
-fn table(parameters: &[Parameter], differentiable: bool) -> String {
-    let mark = if differentiable { "∂" } else { "-" };
+/// A refusal is about curves that move.
+fn differentiable(parameter: &Parameter, refusal: Option<&Refusal>) -> bool {
+    refusal.is_none() || !parameter.moves_discontinuities
+}
+
+fn table(parameters: &[Parameter], refusal: Option<&Refusal>) -> String {
     let mut rows = Vec::new();
     for parameter in parameters {
+        let mark = match differentiable(parameter, refusal) {
+            true => "∂",
+            false => "-",
+        };
         if let Some(other) = &parameter.alias_of {
             rows.push([
                 format!("  {}", parameter.name),
@@ -216,7 +224,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
             "value": p.value,
             "unit": p.unit,
             "description": p.description,
-            "differentiable": refusal.is_none(),
+            "differentiable": differentiable(p, refusal),
             "moves_discontinuities": p.moves_discontinuities,
             "alias_of": p.alias_of,
         })
