@@ -320,7 +320,7 @@ impl<'a> Tracer<'a> {
         let eye = Eye::camera(world.sensor_origin());
         let carried = world.carry(&eye, q, settings, numbers);
         let scene = self.accel.scene;
-        let local = world.camera_direction(scene, carried.direction);
+        let local = world.camera_direction(carried.direction);
         let area = scene.sensor.film_area_per_solid_angle(&scene.film, local);
         FilmPoint {
             at: s,
@@ -342,7 +342,7 @@ impl<'a> Tracer<'a> {
         let eye = Eye::camera(world.sensor_origin());
         let carried = world.carry_value(&eye, self.film_direction(s), settings, numbers);
         let scene = self.accel.scene;
-        let local = world.camera_direction(scene, carried);
+        let local = world.camera_direction(carried);
         scene.sensor.film_from_camera(&scene.film, local)
     }
 

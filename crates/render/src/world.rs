@@ -4,7 +4,7 @@
 
 use capwalk_geometry::Hit;
 use capwalk_math::{Affine, Real, Rgb, Vec3};
-use capwalk_scene::{BsdfId, EmitterId, Scene};
+use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -19,10 +19,10 @@ pub trait World<R: Real> {
     fn vertex(&self, index: u32) -> Vec3<R>;
     /// Unit shading normal of a vertex of a shape with vertex normals.
     fn normal(&self, shape: usize, vertex: u32) -> Vec3<R>;
-    /// Reflectance of a diffuse material.
-    fn reflectance(&self, id: BsdfId) -> Rgb<R>;
-    /// Radiance of an emitter.
-    fn radiance(&self, id: EmitterId) -> Rgb<R>;
+    /// The scene whose numbers they are.
+    fn scene(&self) -> &Scene;
+    /// A texel of a texture.
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
     /// Where the sensor stands.
     fn sensor_origin(&self) -> Vec3<R>;
     /// How far the sensor has turned, a rotation vector in world axes: zero,
@@ -35,11 +35,26 @@ pub trait World<R: Real> {
     fn carry_value(&self, eye: &Eye<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Vec3<R>;
 
     /// The camera-space direction of a world-space one.
-    fn camera_direction(&self, scene: &Scene, direction: Vec3<R>) -> Vec3<R> {
+    fn camera_direction(&self, direction: Vec3<R>) -> Vec3<R> {
         // d/dθ (Rᵀ q) = Rᵀ (q̇ - ω × q): turning the camera to the left shows
         // what lies to the left.
         let seen = direction - self.sensor_turn().cross(direction);
-        camera_from_world(&scene.sensor.world_from_camera, seen)
+        camera_from_world(&self.scene().sensor.world_from_camera, seen)
+    }
+
+    /// Reflectance of a diffuse material.
+    #[inline]
+    fn reflectance(&self, id: BsdfId) -> Rgb<R> {
+        match self.scene().material(id).bsdf {
+            Bsdf::Diffuse { reflectance } => self.texel(reflectance, 0),
+            Bsdf::TwoSided { .. } => unreachable!("a hit's material has been resolved to one side"),
+        }
+    }
+
+    /// Radiance of an emitter.
+    #[inline]
+    fn radiance(&self, id: EmitterId) -> Rgb<R> {
+        self.texel(self.scene().emitter(id).radiance(), 0)
     }
 }
 
@@ -79,12 +94,12 @@ impl World<f64> for AtRest<'_> {
         vertex_normal(self.0.scene, shape, vertex)
     }
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb {
-        diffuse_reflectance(self.0.scene, id)
+    fn scene(&self) -> &Scene {
+        self.0.scene
     }
     #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb {
-        self.0.scene.emitter(id).radiance()
+    fn texel(&self, id: TextureId, index: usize) -> Rgb {
+        self.0.scene.texture(id).texel(index)
     }
     #[inline]
     fn sensor_origin(&self) -> Vec3 {
@@ -108,16 +123,6 @@ impl World<f64> for AtRest<'_> {
 pub fn vertex_normal(scene: &Scene, shape: usize, vertex: u32) -> Vec3 {
     let normals = scene.shapes[shape].normals.per_vertex();
     normals.expect("asked only of shapes with vertex normals")[vertex as usize]
-}
-
-/// The reflectance of a diffuse material, as it is.
-pub fn diffuse_reflectance(scene: &Scene, id: BsdfId) -> Rgb {
-    match &scene.material(id).bsdf {
-        capwalk_scene::Bsdf::Diffuse(diffuse) => diffuse.reflectance,
-        capwalk_scene::Bsdf::TwoSided { .. } => {
-            unreachable!("a hit's material has been resolved to one side")
-        }
-    }
 }
 
 /// The transpose of a rotation is its inverse.

@@ -49,8 +49,9 @@ fn everything(scene: &Scene, seed: u64) -> Motion {
             },
         });
     }
-    motion.reflectance = numbers.vectors(scene.materials.len());
-    motion.radiance = numbers.vectors(scene.emitters.len());
+    for (texture, motion) in scene.textures.iter().zip(&mut motion.textures) {
+        *motion = Some(texture.data.iter().map(|_| numbers.number()).collect());
+    }
     motion.sensor = SensorMotion {
         translation: numbers.vector(),
         rotation: numbers.vector(),
@@ -147,9 +148,11 @@ fn crossing_surfaces() {
 fn constant_light() {
     let mut scene = visible_cube();
     scene.shapes.pop_if(|shape| shape.emitter.is_some());
+    let colour = Texture::colour("sky.radiance", v(0.5, 0.7, 1.0));
+    let radiance = scene.add_texture(colour);
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
-        radiance: v(0.5, 0.7, 1.0),
+        radiance,
     });
     agree_in_both_modes("constant light", scene, 4);
 }

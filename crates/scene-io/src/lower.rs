@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use capwalk_scene::scene::BsdfId;
-use capwalk_scene::{Emitter, Material, Scene, SceneError, Settings, Shape};
+use capwalk_scene::{Emitter, Material, Scene, SceneError, Settings, Shape, Texture, TextureId};
 
 use crate::fields::{Child, Context, Fields};
 use crate::node::{Kind, NodeId};
@@ -28,6 +28,7 @@ struct Lowering<'a> {
     shapes: Vec<Shape>,
     materials: Vec<Material>,
     emitters: Vec<Emitter>,
+    textures: Vec<Texture>,
     material_of_node: BTreeMap<NodeId, BsdfId>,
     /// Area emitters that have their shape.
     attached: BTreeSet<NodeId>,
@@ -77,6 +78,7 @@ pub(crate) fn lower(
         shapes: Vec::new(),
         materials: Vec::new(),
         emitters: Vec::new(),
+        textures: Vec::new(),
         material_of_node: BTreeMap::new(),
         attached: BTreeSet::new(),
         shape_ids: Names::default(),
@@ -158,6 +160,7 @@ impl Lowering<'_> {
             shapes: self.shapes,
             materials: self.materials,
             emitters: self.emitters,
+            textures: self.textures,
             sensor,
             film,
             settings: Settings {
@@ -171,6 +174,13 @@ impl Lowering<'_> {
             Ok(()) => Ok(scene),
             Err(error) => Err(self.places.problem(&scene, root, error)),
         }
+    }
+
+    /// Adds a texture whose numbers stand at `span`.
+    fn add_texture(&mut self, texture: Texture, span: Span) -> TextureId {
+        self.places.numbers.insert(texture.parameter_name(), span);
+        self.textures.push(texture);
+        TextureId(self.textures.len() as u32 - 1)
     }
 
     /// The name of an object: its id, or a made up one that is free.

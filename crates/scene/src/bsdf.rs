@@ -6,7 +6,8 @@ mod diffuse;
 
 pub use diffuse::{BsdfSample, Diffuse};
 
-use crate::scene::{BsdfId, Scene, SceneError};
+use crate::scene::{BsdfId, Scene};
+use crate::texture::TextureId;
 
 /// A material and its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,7 +22,10 @@ pub struct Material {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Bsdf {
     /// Reflects equally to all directions, from its front side only.
-    Diffuse(Diffuse),
+    Diffuse {
+        /// Fraction of light reflected.
+        reflectance: TextureId,
+    },
     /// Has a front and a back.
     TwoSided {
         /// Material of the side that the normal points to.
@@ -31,30 +35,21 @@ pub enum Bsdf {
     },
 }
 
-impl Material {
-    pub(crate) fn check(&self) -> Result<(), SceneError> {
-        let Bsdf::Diffuse(diffuse) = &self.bsdf else {
-            return Ok(());
-        };
-        let r = diffuse.reflectance;
-        if !r.is_finite() || r.min(capwalk_math::Vec3::zero()) != capwalk_math::Vec3::zero() {
-            return Err(SceneError::BadNumber {
-                name: format!("{}.reflectance.value", self.id),
-                value: format!("({}, {}, {})", r.x, r.y, r.z),
-                expected: "finite numbers of at least 0",
-            });
+impl Bsdf {
+    /// The textures that stand in it, with the names of their slots.
+    pub fn textures(&self) -> Vec<(&'static str, TextureId)> {
+        match *self {
+            Self::Diffuse { reflectance } => vec![("reflectance", reflectance)],
+            Self::TwoSided { .. } => Vec::new(),
         }
-        Ok(())
     }
 }
 
 /// The one-sided material that a surface shows, and on which side.
 #[derive(Clone, Copy, Debug)]
-pub struct Facing<'a> {
-    /// Its id, for derivatives.
-    pub id: BsdfId,
+pub struct Facing {
     /// The material; never two-sided.
-    pub diffuse: &'a Diffuse,
+    pub id: BsdfId,
     /// True if it is seen from the back: flip the normal.
     pub flipped: bool,
 }
@@ -62,19 +57,15 @@ pub struct Facing<'a> {
 impl Scene {
     /// The material shown to a viewer on the side `cos_i` (positive: the side
     /// the shading normal points to), or `None` if that side is black.
-    pub fn facing_bsdf(&self, id: BsdfId, cos_i: f64) -> Option<Facing<'_>> {
+    pub fn facing_bsdf(&self, id: BsdfId, cos_i: f64) -> Option<Facing> {
         let one_sided = |id: BsdfId, flipped: bool| match &self.material(id).bsdf {
-            Bsdf::Diffuse(diffuse) => Some(Facing {
-                id,
-                diffuse,
-                flipped,
-            }),
+            Bsdf::Diffuse { .. } => Some(Facing { id, flipped }),
             Bsdf::TwoSided { .. } => None,
         };
         match &self.material(id).bsdf {
             Bsdf::TwoSided { front, .. } if cos_i > 0.0 => one_sided(*front, false),
             Bsdf::TwoSided { back, .. } if cos_i < 0.0 => one_sided(*back, true),
-            Bsdf::Diffuse(_) if cos_i > 0.0 => one_sided(id, false),
+            Bsdf::Diffuse { .. } if cos_i > 0.0 => one_sided(id, false),
             _ => None,
         }
     }

@@ -17,6 +17,7 @@ pub mod scene;
 pub mod sensor;
 pub mod settings;
 pub mod shape;
+pub mod texture;
 
 pub use bsdf::{Bsdf, Diffuse, Material};
 pub use emitter::Emitter;
@@ -28,3 +29,4 @@ pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
 pub use sensor::Perspective;
 pub use settings::{Integrator, SamplerKind, Settings};
 pub use shape::{ShadingNormals, Shape, corner_normals, vertex_normals};
+pub use texture::{Pattern, Texture, TextureId};

@@ -10,6 +10,7 @@ use crate::film::Film;
 use crate::sensor::Perspective;
 use crate::settings::Settings;
 use crate::shape::Shape;
+use crate::texture::Texture;
 
 /// Index into [`Scene::shapes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,6 +31,8 @@ pub struct Scene {
     pub materials: Vec<Material>,
     /// Light sources. At most one of them is an environment.
     pub emitters: Vec<Emitter>,
+    /// The numbers of materials and emitters.
+    pub textures: Vec<Texture>,
     /// The camera.
     pub sensor: Perspective,
     /// Its film.
@@ -132,11 +135,8 @@ impl Scene {
                 });
             }
         }
-        for material in &self.materials {
-            material.check()?;
-        }
-        for (i, emitter) in self.emitters.iter().enumerate() {
-            emitter.check(self, EmitterId(i as u32))?;
+        for texture in &self.textures {
+            texture.check()?;
         }
         let environments = self.emitters.iter().filter(|e| e.is_environment());
         if environments.count() > 1 {

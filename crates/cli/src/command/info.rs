@@ -4,28 +4,32 @@ use anyhow::Result;
 use capwalk_math::Vec3;
 use capwalk_render::Refusal;
 use capwalk_scene::params::{self, Parameter};
-use capwalk_scene::{Bsdf, Emitter, Filter, Integrator, SamplerKind, Scene, ShadingNormals};
+use capwalk_scene::{
+    Bsdf, Emitter, Filter, Integrator, Pattern, SamplerKind, Scene, ShadingNormals, TextureId,
+};
 use serde_json::{Value, json};
 
 use crate::args::Info;
 use crate::diagnostics::Outcome;
-use crate::{moving, report, source};
+use crate::{console, moving, report, source};
 
 pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
     let parameters = params::list(&scene);
     let refusal = capwalk_render::refusal(&scene);
     if args.json {
-        println!("{:#}", to_json(&scene, &parameters, refusal.as_ref()));
+        console::print_json(&to_json(&scene, &parameters, refusal.as_ref()))?;
     } else {
-        print!("{}", summary(&args.scene.scene, &scene));
-        println!("\nshapes");
-        print!("{}", shapes(&scene));
-        println!("\nparameters (∂: differentiable, D: edges move)");
-        print!("{}", table(&parameters, refusal.as_ref()));
+        let mut text = format!(
+            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}",
+            summary(&args.scene.scene, &scene),
+            shapes(&scene),
+            table(&parameters, refusal.as_ref())
+        );
         if let Some(refusal) = refusal {
-            println!("\nderivatives by what moves edges (D) are refused: {refusal}");
+            text += &format!("\nderivatives by what moves edges (D) are refused: {refusal}\n");
         }
+        console::print(&text)?;
     }
     Ok(Outcome::Done)
 }
@@ -121,7 +125,9 @@ fn shapes(scene: &Scene) -> String {
             ShadingNormals::Given(_) => "given",
             ShadingNormals::Computed(_) => "smooth",
         };
-        let emits = shape.emitter.map(|id| vector(scene.emitter(id).radiance()));
+        let emits = shape
+            .emitter
+            .map(|id| texture(scene, scene.emitter(id).radiance()));
         rows.push(vec![
             shape.id.clone(),
             report::count(shape.mesh.faces.len() as u64),
@@ -134,16 +140,24 @@ fn shapes(scene: &Scene) -> String {
     let mut text = report::table(&rows);
     for emitter in &scene.emitters {
         if let Emitter::Constant { id, radiance } = emitter {
-            text += &format!("{id}: surrounds the scene with {}\n", vector(*radiance));
+            let radiance = texture(scene, *radiance);
+            text += &format!("{id}: surrounds the scene with {radiance}\n");
         }
     }
     text
 }
 
+fn texture(scene: &Scene, id: TextureId) -> String {
+    let texture = scene.texture(id);
+    match texture.pattern {
+        Pattern::Constant => vector(texture.texel(0)),
+    }
+}
+
 fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
     let material = scene.material(id);
     match &material.bsdf {
-        Bsdf::Diffuse(diffuse) => format!("diffuse {}", vector(diffuse.reflectance)),
+        Bsdf::Diffuse { reflectance } => format!("diffuse {}", texture(scene, *reflectance)),
         Bsdf::TwoSided { front, back } if front == back => {
             format!("two-sided {}", self::material(scene, *front))
         }
@@ -214,7 +228,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
             "triangles": shape.mesh.faces.len(),
             "vertices": shape.mesh.positions.len(),
             "material": scene.material(shape.bsdf).id,
-            "emits": shape.emitter.map(|id| array(scene.emitter(id).radiance())),
+            "emits": shape.emitter.map(|id| array(scene.texture(scene.emitter(id).radiance()).texel(0))),
         })
     });
     let parameters = parameters.iter().map(|p| {

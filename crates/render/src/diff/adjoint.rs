@@ -2,10 +2,9 @@
 //! change, and the linear maps after the samples.
 
 use capwalk_math::tape::Adjoints;
-use capwalk_math::{Rgb, Tape, Vec3};
+use capwalk_math::{Tape, Vec3};
 use capwalk_scene::{
-    BsdfId, EmitterId, Motion, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion,
-    corner_normals,
+    Motion, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion, TextureId, corner_normals,
 };
 
 use crate::accel::Accel;
@@ -18,8 +17,8 @@ use super::boundary::Boundaries;
 pub struct Wanted {
     /// The vertices of each shape.
     pub shapes: Vec<bool>,
-    /// Colours of materials and emitters.
-    pub colours: bool,
+    /// The data of each texture: the numbers of materials and emitters.
+    pub textures: Vec<bool>,
     /// The sensor's position and orientation.
     pub sensor: bool,
 }
@@ -29,27 +28,29 @@ impl Wanted {
     pub fn all(scene: &Scene) -> Self {
         Self {
             shapes: vec![true; scene.shapes.len()],
-            colours: true,
+            textures: vec![true; scene.textures.len()],
             sensor: true,
         }
     }
 
     /// What changes in a motion.
     pub fn by(motion: &Motion) -> Self {
-        let changes = |colours: &[Rgb]| colours.iter().any(|&c| c != Rgb::zero());
         Self {
             shapes: motion.shapes.iter().map(Option::is_some).collect(),
-            colours: changes(&motion.reflectance) || changes(&motion.radiance),
+            textures: motion.textures.iter().map(Option::is_some).collect(),
             sensor: motion.sensor != SensorMotion::default(),
         }
     }
 
     /// Also what another one wants.
     pub fn add(&mut self, other: &Self) {
-        for (own, &other) in self.shapes.iter_mut().zip(&other.shapes) {
-            *own |= other;
-        }
-        self.colours |= other.colours;
+        let add = |own: &mut [bool], others: &[bool]| {
+            own.iter_mut()
+                .zip(others)
+                .for_each(|(own, other)| *own |= other);
+        };
+        add(&mut self.shapes, &other.shapes);
+        add(&mut self.textures, &other.textures);
         self.sensor |= other.sensor;
     }
 
@@ -75,10 +76,8 @@ pub enum Target {
     Point(u32),
     /// The shading normal of a vertex of a shape.
     Normal(usize, u32),
-    /// The reflectance of a material.
-    Reflectance(BsdfId),
-    /// The radiance of an emitter.
-    Radiance(EmitterId),
+    /// A texel of a texture; all three are on the one number of a grey.
+    Texel(TextureId, usize),
     /// The sensor's position.
     SensorOrigin,
     /// The sensor's orientation.
@@ -90,8 +89,8 @@ pub enum Target {
 pub struct Adjoint {
     points: Vec<Vec3>,
     normals: Vec<Option<Vec<Vec3>>>,
-    reflectance: Vec<Rgb>,
-    radiance: Vec<Rgb>,
+    textures: Vec<Vec<f64>>,
+    channels: Vec<usize>,
     sensor: SensorMotion,
 }
 
@@ -105,8 +104,12 @@ impl Adjoint {
         Self {
             points: vec![Vec3::zero(); boundaries.point_count()],
             normals: scene.shapes.iter().map(|s| normals(&s.normals)).collect(),
-            reflectance: vec![Rgb::zero(); scene.materials.len()],
-            radiance: vec![Rgb::zero(); scene.emitters.len()],
+            textures: scene
+                .textures
+                .iter()
+                .map(|t| vec![0.0; t.data.len()])
+                .collect(),
+            channels: scene.textures.iter().map(|t| t.channels).collect(),
             sensor: SensorMotion::default(),
         }
     }
@@ -120,8 +123,17 @@ impl Adjoint {
                 let normals = self.normals[shape].as_mut();
                 normals.expect("a shape with normals")[vertex as usize] += covector;
             }
-            Target::Reflectance(id) => self.reflectance[id.0 as usize] += covector,
-            Target::Radiance(id) => self.radiance[id.0 as usize] += covector,
+            Target::Texel(id, index) => {
+                let data = &mut self.textures[id.0 as usize];
+                match self.channels[id.0 as usize] {
+                    1 => data[index] += covector.x + covector.y + covector.z,
+                    _ => {
+                        data[3 * index] += covector.x;
+                        data[3 * index + 1] += covector.y;
+                        data[3 * index + 2] += covector.z;
+                    }
+                }
+            }
             Target::SensorOrigin => self.sensor.translation += covector,
             Target::SensorTurn => self.sensor.rotation += covector,
         }
@@ -168,8 +180,12 @@ impl Adjoint {
         }
         Motion {
             shapes,
-            reflectance: scaled(self.reflectance),
-            radiance: scaled(self.radiance),
+            textures: self
+                .textures
+                .into_iter()
+                .zip(&wanted.textures)
+                .map(|(data, wanted)| wanted.then(|| data.iter().map(|x| x * factor).collect()))
+                .collect(),
             sensor: SensorMotion {
                 translation: self.sensor.translation * factor,
                 rotation: self.sensor.rotation * factor,

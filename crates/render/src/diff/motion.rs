@@ -1,11 +1,11 @@
 //! The scene in motion: values with one derivative, for forward mode.
 
 use capwalk_math::{Dual, Rgb, Vec3};
-use capwalk_scene::{BsdfId, EmitterId, Motion, SensorMotion};
+use capwalk_scene::{Motion, Scene, SensorMotion, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
-use crate::world::{Carried, World, diffuse_reflectance, vertex_normal};
+use crate::world::{Carried, World, vertex_normal};
 
 use super::boundary::{Eye, Field, Numbers, Site};
 
@@ -86,15 +86,14 @@ impl World<D> for InMotion<'_> {
         vertex_normal(self.accel.scene, shape, vertex).with_tangent(velocity)
     }
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb<D> {
-        let velocity = self.motion.reflectance[id.0 as usize];
-        diffuse_reflectance(self.accel.scene, id).with_tangent(velocity)
+    fn scene(&self) -> &Scene {
+        self.accel.scene
     }
     #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb<D> {
-        let velocity = self.motion.radiance[id.0 as usize];
-        let radiance = self.accel.scene.emitter(id).radiance();
-        radiance.with_tangent(velocity)
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<D> {
+        let scene = self.accel.scene;
+        let velocity = self.motion.texel(scene, id, index);
+        scene.texture(id).texel(index).with_tangent(velocity)
     }
     #[inline]
     fn sensor_origin(&self) -> Vec3<D> {

@@ -4,11 +4,11 @@ use std::cell::RefCell;
 
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Rgb, Tape, Var, Vec3};
-use capwalk_scene::{BsdfId, EmitterId, ShapeId};
+use capwalk_scene::{Scene, ShapeId, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
-use crate::world::{Carried, World, diffuse_reflectance, vertex_normal};
+use crate::world::{Carried, World, vertex_normal};
 
 use super::adjoint::{Target, Wanted};
 use super::boundary::{Eye, Field, Numbers, Site, Sites};
@@ -143,22 +143,14 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         self.variables(wanted, value, Origin::Scene(Target::Normal(shape, vertex)))
     }
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb<Var<'t>> {
-        let value = diffuse_reflectance(self.accel.scene, id);
-        self.variables(
-            self.wanted.colours,
-            value,
-            Origin::Scene(Target::Reflectance(id)),
-        )
+    fn scene(&self) -> &Scene {
+        self.accel.scene
     }
     #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb<Var<'t>> {
-        let value = self.accel.scene.emitter(id).radiance();
-        self.variables(
-            self.wanted.colours,
-            value,
-            Origin::Scene(Target::Radiance(id)),
-        )
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<Var<'t>> {
+        let value = self.accel.scene.texture(id).texel(index);
+        let wanted = self.wanted.textures[id.0 as usize];
+        self.variables(wanted, value, Origin::Scene(Target::Texel(id, index)))
     }
     #[inline]
     fn sensor_origin(&self) -> Vec3<Var<'t>> {

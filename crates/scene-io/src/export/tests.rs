@@ -3,8 +3,8 @@ use crate::load_scene;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::scene::BsdfId;
 use capwalk_scene::{
-    Bsdf, Diffuse, Emitter, Filter, Integrator, Material, SamplerKind, ShadingNormals, builtin,
-    primitive,
+    Bsdf, Emitter, Filter, Integrator, Material, SamplerKind, ShadingNormals, Texture, TextureId,
+    builtin, primitive,
 };
 
 struct Directory(PathBuf);
@@ -76,6 +76,7 @@ fn check_round_trip(scene: &Scene, name: &str) {
     // Everything else, with its own names first to keep messages short.
     assert_eq!(scene.materials, loaded.materials, "{name}");
     assert_eq!(scene.emitters, loaded.emitters, "{name}");
+    assert_eq!(scene.textures, loaded.textures, "{name}");
     assert_eq!(
         (&scene.film, &scene.settings),
         (&loaded.film, &loaded.settings),
@@ -96,11 +97,33 @@ fn built_in_scenes_come_back() {
 #[test]
 fn every_setting_comes_back() {
     let mut scene = builtin::scene("leaf").expect("built in");
-    let diffuse = |id: &str, r: f64| Material {
+    // In the order in which the file tells them, the lamp's behind its shape.
+    let colours = [
+        ("shared <&> \"red\"", 0.7),
+        ("front", 0.2),
+        ("floor.bsdf", 0.4),
+        ("lamp.emitter", 70.0),
+        ("leaf.bsdf.brdf_0", 0.5),
+        ("leaf.bsdf.brdf_1", 0.6),
+    ];
+    let texture = |(id, r): (&str, f64)| match id {
+        "lamp.emitter" => Texture::colour("lamp.emitter.radiance", Rgb::splat(r)),
+        _ => Texture::colour(
+            format!("{id}.reflectance"),
+            Rgb::new(r, 0.1 + 0.2, 1.0 / 3.0),
+        ),
+    };
+    scene.textures = colours.map(texture).to_vec();
+    for emitter in &mut scene.emitters {
+        if let Emitter::Area { radiance, .. } = emitter {
+            *radiance = TextureId(3);
+        }
+    }
+    let diffuse = |id: &str, texture: usize| Material {
         id: id.into(),
-        bsdf: Bsdf::Diffuse(Diffuse {
-            reflectance: Rgb::new(r, 0.1 + 0.2, 1.0 / 3.0),
-        }),
+        bsdf: Bsdf::Diffuse {
+            reflectance: TextureId(texture as u32),
+        },
     };
     let two_sided = |front, back| Bsdf::TwoSided {
         front: BsdfId(front),
@@ -108,15 +131,15 @@ fn every_setting_comes_back() {
     };
     // In the order in which the file tells them: named ones first.
     scene.materials = vec![
-        diffuse("shared <&> \"red\"", 0.7),
-        diffuse("front", 0.2),
+        diffuse("shared <&> \"red\"", 0),
+        diffuse("front", 1),
         Material {
             id: "both".into(),
             bsdf: two_sided(0, 1),
         },
-        diffuse("floor.bsdf", 0.4),
-        diffuse("leaf.bsdf.brdf_0", 0.5),
-        diffuse("leaf.bsdf.brdf_1", 0.6),
+        diffuse("floor.bsdf", 2),
+        diffuse("leaf.bsdf.brdf_0", 4),
+        diffuse("leaf.bsdf.brdf_1", 5),
         Material {
             id: "leaf.bsdf".into(),
             bsdf: two_sided(4, 5),
@@ -140,9 +163,11 @@ fn every_setting_comes_back() {
     let mesh = primitive::icosphere(2);
     let normals = mesh.positions.iter().map(|p| p.normalized()).collect();
     add("a_b_ 1", mesh, ShadingNormals::Given(normals), 0);
+    let radiance = Texture::colour("sky.radiance", Rgb::new(0.1, 0.2, 1e-300));
+    let radiance = scene.add_texture(radiance);
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
-        radiance: Rgb::new(0.1, 0.2, 1e-300),
+        radiance,
     });
     scene.sensor.id = "eye".into();
     scene.sensor.world_from_camera = Affine::translate(Vec3::new(0.1, -1e-17, 3e5))

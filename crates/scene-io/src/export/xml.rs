@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 
-use capwalk_math::{Affine, Rgb};
+use capwalk_math::Affine;
 use capwalk_scene::scene::BsdfId;
 use capwalk_scene::{
-    Bsdf, Emitter, Film, Filter, Integrator, Perspective, SamplerKind, Scene, Settings,
-    ShadingNormals, Shape,
+    Bsdf, Emitter, Film, Filter, Integrator, Pattern, Perspective, SamplerKind, Scene, Settings,
+    ShadingNormals, Shape, Texture,
 };
 
 /// The text of the XML file. `files` holds each shape's mesh, relative to it.
@@ -27,7 +27,7 @@ pub(super) fn text(scene: &Scene, files: &[String]) -> String {
     for emitter in &scene.emitters {
         if let Emitter::Constant { id, radiance } = emitter {
             xml.open("emitter", &[("type", "constant"), ("id", id)]);
-            xml.rgb("radiance", *radiance);
+            xml.texture("radiance", scene.texture(*radiance));
             xml.close();
         }
     }
@@ -127,7 +127,8 @@ fn write_shape(scene: &Scene, shape: &Shape, file: &str, xml: &mut Xml) {
     bsdf(scene, shape.bsdf, false, xml);
     if let Some(emitter) = shape.emitter {
         xml.open("emitter", &[("type", "area")]);
-        xml.rgb("radiance", scene.emitter(emitter).radiance());
+        let radiance = scene.emitter(emitter).radiance();
+        xml.texture("radiance", scene.texture(radiance));
         xml.close();
     }
     xml.close();
@@ -141,7 +142,7 @@ fn bsdf(scene: &Scene, id: BsdfId, at_top: bool, xml: &mut Xml) {
         return;
     }
     let plugin = match material.bsdf {
-        Bsdf::Diffuse(_) => "diffuse",
+        Bsdf::Diffuse { .. } => "diffuse",
         Bsdf::TwoSided { .. } => "twosided",
     };
     match at_top {
@@ -149,7 +150,7 @@ fn bsdf(scene: &Scene, id: BsdfId, at_top: bool, xml: &mut Xml) {
         false => xml.open("bsdf", &[("type", plugin)]),
     }
     match &material.bsdf {
-        Bsdf::Diffuse(diffuse) => xml.rgb("reflectance", diffuse.reflectance),
+        Bsdf::Diffuse { reflectance } => xml.texture("reflectance", scene.texture(*reflectance)),
         Bsdf::TwoSided { front, back } => {
             bsdf(scene, *front, false, xml);
             if front != back {
@@ -209,8 +210,14 @@ impl Xml {
         self.line(tag, &[("name", name), ("value", &value.to_string())]);
     }
 
-    fn rgb(&mut self, name: &str, Rgb { x, y, z }: Rgb) {
-        self.property("rgb", name, format!("{x}, {y}, {z}"));
+    fn texture(&mut self, name: &str, texture: &Texture) {
+        match (&texture.pattern, &texture.data[..]) {
+            (Pattern::Constant, [number]) => self.property("float", name, number),
+            (Pattern::Constant, data) => {
+                let [r, g, b] = [data[0], data[1], data[2]];
+                self.property("rgb", name, format!("{r}, {g}, {b}"));
+            }
+        }
     }
 
     fn transform(&mut self, name: &str, affine: &Affine) {

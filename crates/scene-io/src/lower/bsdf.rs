@@ -1,12 +1,13 @@
 //! Materials: `diffuse` and `twosided`.
 
+use capwalk_math::Rgb;
 use capwalk_scene::scene::BsdfId;
-use capwalk_scene::{Bsdf, Diffuse, Material};
+use capwalk_scene::{Bsdf, Material, Texture};
 
 use super::{Lowering, colour};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
-use crate::source::Problem;
+use crate::source::{Problem, Span};
 
 /// The plugins.
 const BSDFS: [&str; 2] = ["diffuse", "twosided"];
@@ -32,10 +33,12 @@ impl Lowering<'_> {
     }
 
     /// The material of a shape without one: grey, or black for a lamp.
-    pub(super) fn default_bsdf(&mut self, name: &str, is_lamp: bool) -> BsdfId {
+    pub(super) fn default_bsdf(&mut self, name: &str, is_lamp: bool, shape: Span) -> BsdfId {
         let name = self.material_name(None, name);
-        let reflectance = capwalk_math::Rgb::splat(if is_lamp { 0.0 } else { 0.5 });
-        self.add_material(name, Bsdf::Diffuse(Diffuse { reflectance }))
+        let reflectance = Rgb::splat(if is_lamp { 0.0 } else { 0.5 });
+        let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
+        let reflectance = self.add_texture(texture, shape);
+        self.add_material(name, Bsdf::Diffuse { reflectance })
     }
 
     fn add_material(&mut self, id: String, bsdf: Bsdf) -> BsdfId {
@@ -45,11 +48,9 @@ impl Lowering<'_> {
 
     fn diffuse(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
         let reflectance = colour::reflectance(self.context, fields, "reflectance", 0.5)?;
-        self.places.numbers.insert(
-            format!("{name}.reflectance.value"),
-            fields.span_of("reflectance"),
-        );
-        Ok(Bsdf::Diffuse(Diffuse { reflectance }))
+        let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
+        let reflectance = self.add_texture(texture, fields.span_of("reflectance"));
+        Ok(Bsdf::Diffuse { reflectance })
     }
 
     fn two_sided(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {

@@ -1,7 +1,7 @@
 //! Emitters: `area` inside shapes, `constant` around the scene.
 
-use capwalk_scene::Emitter;
 use capwalk_scene::scene::{EmitterId, ShapeId};
+use capwalk_scene::{Emitter, Texture};
 
 use super::{Lowering, colour};
 use crate::fields::{Child, Fields};
@@ -43,9 +43,8 @@ impl Lowering<'_> {
         let radiance = colour::radiance(&fields, "radiance", 1.0)?;
         sampling_weight(&fields)?;
         fields.finish()?;
-        let number = format!("{shape_name}.emitter.radiance.value");
-        let span = fields.span_of("radiance");
-        self.places.numbers.insert(number, span);
+        let texture = Texture::colour(format!("{shape_name}.emitter.radiance"), radiance);
+        let radiance = self.add_texture(texture, fields.span_of("radiance"));
         let shape = ShapeId(self.shapes.len() as u32);
         Ok(self.add_emitter(Emitter::Area { shape, radiance }, child.span))
     }
@@ -71,9 +70,8 @@ impl Lowering<'_> {
         fields.finish()?;
         let id = fields.node.id.clone();
         let id = id.unwrap_or_else(|| "environment".into());
-        let number = format!("{id}.radiance.value");
-        let span = fields.span_of("radiance");
-        self.places.numbers.insert(number, span);
+        let texture = Texture::colour(format!("{id}.radiance"), radiance);
+        let radiance = self.add_texture(texture, fields.span_of("radiance"));
         self.add_emitter(Emitter::Constant { id, radiance }, child.span);
         Ok(())
     }

@@ -75,7 +75,10 @@ impl Lowering<'_> {
         let emitter = fields.child(Kind::Emitter)?;
         let bsdf = match fields.child(Kind::Bsdf)? {
             Some(child) => self.bsdf(child.node, &format!("{id}.bsdf"))?,
-            None => self.default_bsdf(&format!("{id}.bsdf"), emitter.is_some()),
+            None => {
+                let (is_lamp, span) = (emitter.is_some(), fields.node.span);
+                self.default_bsdf(&format!("{id}.bsdf"), is_lamp, span)
+            }
         };
         let emitter = match emitter {
             Some(child) => Some(self.area_emitter(child, &id)?),

@@ -72,7 +72,9 @@ fn environment_and_sensor_have_names() {
     let unnamed = load(&scene(""));
     assert_eq!(unnamed.sensor.id, "sensor");
     assert_eq!(
-        unnamed.emitters[0].parameter_name(&unnamed),
+        unnamed
+            .texture(unnamed.emitters[0].radiance())
+            .parameter_name(),
         "environment.radiance.value"
     );
     let text = scene("").replace("\"constant\"", "\"constant\" id=\"sky\"");

@@ -7,10 +7,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 
 /// Reflects the same radiance to all directions in front of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Diffuse {
-    /// Fraction of light reflected, per channel.
-    pub reflectance: Rgb,
-}
+pub struct Diffuse;
 
 /// A direction drawn by a material.
 #[derive(Clone, Copy, Debug)]

@@ -24,11 +24,15 @@ pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mu
             let normals = None;
             motion.add_to_shape(id, ShapeMotion { vertices, normals });
         }
-        Target::Radiance(id, channel) => {
-            motion.radiance[id.0 as usize] += channel.unit() * factor;
-        }
-        Target::Reflectance(id, channel) => {
-            motion.reflectance[id.0 as usize] += channel.unit() * factor;
+        Target::Constant(id, _, channel) => {
+            let numbers = scene.texture(id).data.len();
+            let velocities =
+                motion.textures[id.0 as usize].get_or_insert_with(|| vec![0.0; numbers]);
+            for (i, velocity) in velocities.iter_mut().enumerate() {
+                if channel.contains(i) {
+                    *velocity += factor;
+                }
+            }
         }
         Target::TranslateSensor(along) => motion.sensor.translation += axis(along),
         Target::RotateSensor(about) => motion.sensor.rotation += axis(about),
