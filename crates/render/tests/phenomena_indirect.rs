@@ -25,64 +25,74 @@ fn deep(mut scene: Scene, max_depth: Option<u32>) -> Scene {
 
 /// A floor that the camera looks at, lit by nothing but a ceiling, which a lamp
 /// below it shines at.
-fn bounced_light(thing: Mesh) -> Scene {
+fn bounced_light(ceiling_half: f64, lamp_x: f64, thing: Mesh) -> Scene {
     let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 36);
     scene.sensor.near_clip = 5.6;
     add_floor(&mut scene, 3.0);
     let ceiling = Affine::translate(v(0.0, 0.0, 2.0))
         * Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::PI)
-        * Affine::scale(v(0.6, 0.6, 1.0));
+        * Affine::scale(v(ceiling_half, ceiling_half, 1.0));
     let (mesh, normals) = rectangle(ceiling);
     add(&mut scene, "ceiling", mesh, normals, 0.8);
     // It emits upwards only.
-    let up = Affine::translate(v(1.6, 0.0, 1.2)) * Affine::scale(v(0.5, 0.5, 1.0));
+    let up = Affine::translate(v(lamp_x, 0.0, 1.2)) * Affine::scale(v(0.5, 0.5, 1.0));
     let (mesh, normals) = rectangle(up);
     add(&mut scene, "lamp", mesh, normals, 0.0);
     light_up(&mut scene, 40.0);
-    add(
-        &mut scene,
-        "thing",
-        mesh_of(thing),
-        ShadingNormals::Face,
-        0.5,
-    );
+    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
     deep(scene, Some(3))
 }
 
-fn mesh_of(mesh: Mesh) -> Mesh {
-    let down = Affine::translate(v(0.0, 0.0, -0.4));
-    placed(mesh, down)
+/// Outlines in the picture may only move by a small part of a pixel, or the
+/// differences smear them over pixel borders.
+fn visible_case(spp: u32) -> Case {
+    Case {
+        step: 2e-3,
+        ..case(spp)
+    }
+}
+
+fn low_triangle() -> Mesh {
+    placed(triangle(), Affine::translate(v(0.0, 0.0, -0.5)))
 }
 
 fn case(spp: u32) -> Case {
     Case {
         gradient_spp: spp,
         reference_spp: 2 * spp,
-        step: 2e-2,
+        step: 5e-2,
         ..Case::default()
     }
 }
 
-/// A shadow in light that comes from a ceiling only.
+/// A shadow in light that comes from a ceiling only. The ceiling's own edges are
+/// out of reach: where two outlines with different velocities cross, the
+/// variance of every continuous field diverges, slowly (METHOD 3).
 #[test]
 fn indirect_shadow() {
-    let scene = bounced_light(triangle());
+    let scene = bounced_light(8.0, 1.9, small_ball());
     let motion = motion(&scene, "thing.translate.x");
-    agree("indirect shadow", scene, &motion, case(800));
+    let case = Case {
+        step: 0.12,
+        gradient_spp: 2400,
+        reference_spp: 4800,
+        ..Case::default()
+    };
+    agree("indirect shadow", scene, &motion, case);
 }
 
 /// The reflecting ceiling moves, and the light on it.
 #[test]
 fn moving_reflector() {
-    let scene = bounced_light(triangle());
+    let scene = bounced_light(0.6, 1.6, low_triangle());
     let motion = motion(&scene, "ceiling.translate.x + 0.5*ceiling.translate.z");
-    agree("moving reflector", scene, &motion, case(800));
+    agree("moving reflector", scene, &motion, case(1600));
 }
 
 /// The lamp moves; only its reflection is seen.
 #[test]
 fn moving_lamp_seen_indirectly() {
-    let scene = bounced_light(triangle());
+    let scene = bounced_light(0.6, 1.6, low_triangle());
     let motion = motion(&scene, "lamp.translate.x");
     agree("indirect lamp", scene, &motion, case(800));
 }
@@ -93,7 +103,7 @@ fn moving_lamp_seen_indirectly() {
 fn interreflection() {
     let scene = deep(visible_cube(), Some(4));
     let motion = motion(&scene, "thing.translate.x - 0.5*thing.rotate.z");
-    agree("interreflection", scene, &motion, case(800));
+    agree("interreflection", scene, &motion, visible_case(800));
 }
 
 /// A smooth ball, any number of reflections, roulette.
@@ -101,7 +111,7 @@ fn interreflection() {
 fn unlimited_depth() {
     let scene = deep(visible_ball(Filter::Gaussian { stddev: 0.5 }), None);
     let motion = motion(&scene, "ball.translate.x");
-    agree("unlimited depth", scene, &motion, case(600));
+    agree("unlimited depth", scene, &motion, visible_case(600));
 }
 
 /// The room of the paper's figure 9 with light that is reflected several times.
@@ -110,7 +120,7 @@ fn box_in_a_room() {
     let scene = deep(builtin::scene("box-room").expect("built in"), Some(4));
     let parameter = builtin::default_parameter("box-room").expect("built in");
     let motion = motion(&scene, parameter);
-    agree("box room, indirect", scene, &motion, case(600));
+    agree("box room, indirect", scene, &motion, visible_case(1200));
 }
 
 /// The camera moves past things that light each other.
@@ -118,7 +128,7 @@ fn box_in_a_room() {
 fn moving_camera() {
     let scene = deep(visible_cube(), Some(3));
     let motion = motion(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
-    agree("moving camera, indirect", scene, &motion, case(600));
+    agree("moving camera, indirect", scene, &motion, visible_case(600));
 }
 
 /// Colours along whole paths.
@@ -137,16 +147,13 @@ fn albedo() {
 /// A black surface: paths that carry no light carry derivatives.
 #[test]
 fn black_reflector() {
-    let mut scene = bounced_light(triangle());
+    let mut scene = bounced_light(0.6, 1.6, low_triangle());
     for id in 0..scene.textures.len() {
         if scene.textures[id].id.starts_with("ceiling") {
             scene.textures[id].data.fill(0.0);
         }
     }
-    let mut change = motion(&scene, "ceiling.bsdf.reflectance.value");
-    // A reflectance below zero is refused, so the reference is one-sided.
-    let dark = scene.moved(&change, 0.0);
-    change = change.scaled(1.0);
+    let change = motion(&scene, "ceiling.bsdf.reflectance.value");
     let settings = capwalk_render::GradientOptions {
         options: capwalk_render::Options {
             spp: 256,
@@ -156,7 +163,7 @@ fn black_reflector() {
         walk: Default::default(),
     };
     let nobody = &capwalk_render::Unwatched;
-    let ours = capwalk_render::gradient(&dark, &change, &settings, nobody).expect("covered");
+    let ours = capwalk_render::gradient(&scene, &change, &settings, nobody).expect("covered");
     // Linear in the reflectance of a surface that is met once.
     let lit = capwalk_render::render(&scene.moved(&change, 1.0), &settings.options, nobody);
     let sum = |estimate: &capwalk_render::Estimate| -> Vec3 {
