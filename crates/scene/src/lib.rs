@@ -29,5 +29,5 @@ pub use motion::{Motion, SensorMotion, ShapeMotion};
 pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
 pub use sensor::Perspective;
 pub use settings::{Integrator, SamplerKind, Settings};
-pub use shape::{ShadingNormals, Shape};
+pub use shape::{ShadingNormals, Shape, corner_normals, vertex_normals};
 pub use texture::{Pattern, Texture, TextureId};
