@@ -16,6 +16,7 @@ pub mod estimate;
 mod integrator;
 mod lamp;
 mod light;
+mod material;
 pub mod options;
 mod path;
 mod pixel;

@@ -4,7 +4,8 @@
 
 use capwalk_geometry::Hit;
 use capwalk_math::{Affine, Real, Rgb, Vec3};
-use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, TextureId};
+use capwalk_scene::lobe::Side;
+use capwalk_scene::{BsdfId, EmitterId, Scene, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -40,15 +41,6 @@ pub trait World<R: Real> {
         // what lies to the left.
         let seen = direction - self.sensor_turn().cross(direction);
         camera_from_world(&self.scene().sensor.world_from_camera, seen)
-    }
-
-    /// Reflectance of a diffuse material.
-    #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb<R> {
-        match self.scene().material(id).bsdf {
-            Bsdf::Diffuse { reflectance } => self.texel(reflectance, 0),
-            Bsdf::TwoSided { .. } => unreachable!("a hit's material has been resolved to one side"),
-        }
     }
 
     /// Radiance of an emitter.
@@ -136,12 +128,14 @@ fn camera_from_world<R: Real>(world_from_camera: &Affine, v: Vec3<R>) -> Vec3<R>
 pub struct Surface<R> {
     /// The hit point.
     pub position: Vec3<R>,
-    /// Unit shading normal on the viewer's side.
-    pub normal: Vec3<R>,
+    /// Unit shading normal on the outside.
+    pub outward: Vec3<R>,
     /// Unit geometric normal on the viewer's side.
     pub face_normal: Vec3,
-    /// The diffuse material of that side, or `None` if it is black.
-    pub bsdf: Option<BsdfId>,
+    /// Which side is seen.
+    pub side: Side,
+    /// The shape's material.
+    pub material: BsdfId,
 }
 
 /// The surface at a hit of the ray from `origin` along `direction`. Which
@@ -190,12 +184,15 @@ pub fn surface_at<R: Real, W: World<R>>(
             (normal, out)
         }
     };
-    let facing = seen * out;
-    let bsdf = scene.facing_bsdf(shape.bsdf, facing);
     Surface {
         position,
-        normal: outward * R::constant(facing),
+        outward,
         face_normal: face_normal * seen,
-        bsdf: bsdf.map(|facing| facing.id),
+        side: if seen * out > 0.0 {
+            Side::Front
+        } else {
+            Side::Back
+        },
+        material: shape.bsdf,
     }
 }

@@ -1,10 +1,5 @@
-//! Materials. To add one: write its struct with `eval`, `sample` and `pdf` in
-//! a file of its own under `bsdf/`, add a variant here, and follow the
-//! compiler.
-
-mod diffuse;
-
-pub use diffuse::{BsdfSample, Diffuse};
+//! Materials: what a file says of a surface. What it does to light at a point is
+//! in [`crate::lobe`]. To add one: add a variant here, and follow the compiler.
 
 use crate::scene::{BsdfId, Scene};
 use crate::texture::TextureId;

@@ -76,6 +76,7 @@ pub use conductor::Conductor;
 pub use dielectric::Dielectric;
 pub use diffuse::Diffuse;
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_diffuse};
+pub use local::{cosine_pdf, sample_cosine};
 pub use microfacets::{Distribution, Microfacets};
 pub use null::Null;
 pub use plastic::Plastic;

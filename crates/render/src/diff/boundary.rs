@@ -327,13 +327,22 @@ impl<'a> Field<'a> {
 pub struct Draw<'a> {
     /// The numbers.
     pub stream: &'a Stream,
-    /// Counts closest-silhouette queries.
-    pub queries: &'a Cell<u64>,
+    /// What it costs, and what it could not do.
+    pub counts: &'a Counts,
+}
+
+/// Counts of one sample.
+#[derive(Debug, Default)]
+pub struct Counts {
+    /// Closest-silhouette queries.
+    pub queries: Cell<u64>,
+    /// Specular events behind which outlines can move: these bound no field.
+    pub uncovered: Cell<u64>,
 }
 
 impl Draw<'_> {
     fn count_queries(&self, count: u64) {
-        self.queries.set(self.queries.get() + count);
+        self.counts.queries.set(self.counts.queries.get() + count);
     }
 }
 
