@@ -32,7 +32,7 @@ fn mesh_files_have_plain_and_different_names() {
     {
         shape.id = id.into();
     }
-    let names = mesh_names(&scene);
+    let names = file_names(scene.shapes.iter().map(|s| s.id.as_str()), "ply");
     assert_eq!(
         names[..5],
         ["a_b.ply", "A_b_2.ply", "a_b_3.ply", "_._x.ply", "é.1.ply"]
@@ -149,13 +149,8 @@ fn every_setting_comes_back() {
         shape.bsdf = BsdfId(bsdf);
     }
     let mut add = |id: &str, mesh, normals, bsdf| {
-        scene.shapes.push(capwalk_scene::Shape {
-            id: id.into(),
-            mesh,
-            normals,
-            bsdf: BsdfId(bsdf),
-            emitter: None,
-        });
+        let shape = capwalk_scene::Shape::new(id, mesh, normals, BsdfId(bsdf));
+        scene.shapes.push(shape);
     };
     let mesh = primitive::icosphere(3);
     let normals = ShadingNormals::computed(&mesh);
