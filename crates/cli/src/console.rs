@@ -20,7 +20,7 @@ pub fn print(text: &str) -> Result<()> {
     delivered(write_all(io::stdout().lock(), text))
 }
 
-/// Writes one JSON document to the standard output, see [`print`].
+/// Writes one JSON document to the standard output, see [`print()`].
 pub fn print_json(document: &Value) -> Result<()> {
     print(&format!("{document:#}\n"))
 }
@@ -30,7 +30,7 @@ pub fn remark(text: &str) {
     let _ = write_all(io::stderr().lock(), text);
 }
 
-/// What became of a result, see [`print`].
+/// What became of a result, see [`print()`].
 pub fn delivered(written: io::Result<()>) -> Result<()> {
     match written {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),

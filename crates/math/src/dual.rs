@@ -129,6 +129,10 @@ impl<const N: usize> Real for Dual<N> {
         let exp = self.value.exp();
         self.chain(exp, exp)
     }
+    #[inline]
+    fn chain(self, value: f64, slope: f64) -> Self {
+        Dual::chain(self, value, slope)
+    }
 }
 
 #[cfg(test)]

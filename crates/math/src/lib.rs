@@ -15,6 +15,7 @@ pub mod affine;
 pub mod dual;
 pub mod frame;
 pub mod real;
+pub mod special;
 pub mod sphere;
 pub mod stats;
 pub mod tape;

@@ -286,6 +286,10 @@ impl Real for Var<'_> {
         let exp = self.value.exp();
         self.chain(exp, exp)
     }
+    #[inline]
+    fn chain(self, value: f64, slope: f64) -> Self {
+        Var::chain(self, value, slope)
+    }
 }
 
 #[cfg(test)]

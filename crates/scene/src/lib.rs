@@ -10,6 +10,7 @@ pub mod emitter;
 pub mod film;
 pub mod filter;
 pub mod image;
+pub mod lobe;
 pub mod motion;
 pub mod params;
 pub mod primitive;
