@@ -20,6 +20,7 @@ pub mod options;
 mod pixel;
 mod sampler;
 mod tiles;
+mod unsupported;
 mod world;
 
 pub use capwalk_walk::{Estimator, WalkSettings};
@@ -28,3 +29,4 @@ pub use diff::forward::{gradient, refusal};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use integrator::render;
 pub use options::{GradientOptions, Options, Refusal, Unwatched, Watch};
+pub use unsupported::{unsupported, unsupported_text};

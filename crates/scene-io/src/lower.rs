@@ -15,7 +15,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use capwalk_scene::scene::BsdfId;
-use capwalk_scene::{Emitter, Material, Scene, SceneError, Settings, Shape, Texture, TextureId};
+use capwalk_scene::{
+    Emitter, Material, Quantity, Scene, SceneError, Settings, Shape, Texture, TextureId,
+};
 
 use crate::fields::{Child, Context, Fields};
 use crate::node::{Kind, NodeId};
@@ -142,7 +144,9 @@ impl Lowering<'_> {
             fields.children(part);
         }
         for (i, texture) in fields.children(Kind::Texture).into_iter().enumerate() {
-            self.texture(texture.node, &format!("texture_{i}"))?;
+            // Colours that are not in an emitter reflect, as in Mitsuba.
+            let name = format!("texture_{i}");
+            self.texture(texture.node, &name, Quantity::Reflectance)?;
         }
         for bsdf in fields.children(Kind::Bsdf) {
             self.bsdf(bsdf.node, &format!("bsdf_{}", self.materials.len()))?;

@@ -40,7 +40,8 @@ pub struct Parameter {
     /// What sort of change it is.
     pub kind: ParameterKind,
     /// What it is now: 0 for translations and rotations, 1 for scales, a
-    /// colour (three numbers) or one channel of it.
+    /// colour (three numbers) or one channel of it. Empty for the texels of a
+    /// bitmap and for attributes of meshes.
     pub value: Vec<f64>,
     /// Unit of the value, and of the derivative's denominator.
     pub unit: &'static str,

@@ -28,6 +28,7 @@ use crate::light::{LightSample, LightSampling, emitter_towards, sample_lights};
 use crate::options::{GradientOptions, Refusal, Watch};
 use crate::pixel::{Support, Supports};
 use crate::tiles::{self, Sample};
+use crate::unsupported::unsupported_text;
 use crate::world::{D, InMotion, Surface, World, surface_at};
 
 use super::boundary::{Boundaries, CAMERA, Draw, Eye, Field, LIGHT, Numbers};
@@ -61,6 +62,9 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
+    if let Some(refusal) = refusal(scene) {
+        return Err(refusal);
+    }
     let (sampling, hide_emitters) = light_paths(&scene.settings.integrator)?;
     check_walk(&options.walk)?;
     let accel = Accel::new(scene);
@@ -89,6 +93,9 @@ pub fn gradient(
 
 /// The reason why [`gradient`] refuses the scene whatever moves, if it does.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
+    if let Some(reason) = unsupported_text(scene) {
+        return Some(Refusal { reason });
+    }
     light_paths(&scene.settings.integrator).err()
 }
 

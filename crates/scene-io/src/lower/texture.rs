@@ -1,6 +1,6 @@
 //! Textures: one colour or number, `bitmap`, `checkerboard`, `mesh_attribute`.
 
-use capwalk_math::Affine;
+use capwalk_math::{Affine, Rgb};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 
@@ -29,18 +29,33 @@ impl Lowering<'_> {
             && let Value::Object { node, .. } = property.value
             && self.context.graph.node(node).kind == Kind::Texture
         {
-            return self.texture(node, &id);
+            return self.texture(node, &id, quantity);
         }
-        let colour = match quantity {
-            Quantity::Radiance => colour::radiance(fields, slot, default)?,
-            _ => colour::reflectance(self.context, fields, slot, default)?,
-        };
+        let colour = self.colour(fields, slot, quantity, default)?;
         Ok(self.add_texture(Texture::colour(id, colour), fields.span_of(slot)))
     }
 
+    fn colour(
+        &self,
+        fields: &Fields,
+        name: &'static str,
+        quantity: Quantity,
+        default: f64,
+    ) -> Result<Rgb, Problem> {
+        match quantity {
+            Quantity::Radiance => colour::radiance(fields, name, default),
+            _ => colour::reflectance(self.context, fields, name, default),
+        }
+    }
+
     /// The texture of a node, made when it is first met. `otherwise` names it
-    /// if it has no id.
-    pub(super) fn texture(&mut self, node: NodeId, otherwise: &str) -> Result<TextureId, Problem> {
+    /// if it has no id; `quantity` is what its colours are.
+    pub(super) fn texture(
+        &mut self,
+        node: NodeId,
+        otherwise: &str,
+        quantity: Quantity,
+    ) -> Result<TextureId, Problem> {
         if let Some(&known) = self.texture_of_node.get(&node) {
             return Ok(known);
         }
@@ -48,7 +63,7 @@ impl Lowering<'_> {
         let id = fields.node.id.clone().unwrap_or_else(|| otherwise.into());
         let (texture, span) = match fields.node.plugin.as_str() {
             "bitmap" => self.bitmap(&fields, id)?,
-            "checkerboard" => (self.checkerboard(&fields, id)?, fields.node.span),
+            "checkerboard" => (self.checkerboard(&fields, id, quantity)?, fields.node.span),
             "mesh_attribute" => (mesh_attribute(&fields, id)?, fields.span_of("name")),
             _ => return Err(fields.unknown_plugin(&TEXTURES)),
         };
@@ -98,7 +113,12 @@ impl Lowering<'_> {
         Ok((texture, span))
     }
 
-    fn checkerboard(&mut self, fields: &Fields, id: String) -> Result<Texture, Problem> {
+    fn checkerboard(
+        &mut self,
+        fields: &Fields,
+        id: String,
+        quantity: Quantity,
+    ) -> Result<Texture, Problem> {
         let mut data = Vec::with_capacity(6);
         for (slot, default) in [("color0", 0.4), ("color1", 0.2)] {
             if let Some(property) = fields.get(slot)
@@ -110,7 +130,7 @@ impl Lowering<'_> {
                 )
                 .help(format!("expected one colour, <rgb name=\"{slot}\" .../>")));
             }
-            let colour = colour::reflectance(self.context, fields, slot, default)?;
+            let colour = self.colour(fields, slot, quantity, default)?;
             data.extend(colour.to_array());
         }
         Ok(Texture {

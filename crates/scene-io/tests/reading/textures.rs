@@ -252,14 +252,14 @@ fn bad_bitmaps() {
     check(
         &textured("<texture name=\"reflectance\" type=\"bitmap\"/>"),
         &[
-            "scene.xml:5:55: the texture \"bitmap\" names no file",
+            "scene.xml:5:52: the texture \"bitmap\" names no file",
             "  add <string name=\"filename\" value=\"texture.png\"/>",
         ],
     );
     check(
         &textured(&bitmap("<string name=\"wrap_mode\" value=\"repaet\"/>")),
         &[
-            "scene.xml:5:181: \"wrap_mode\" is \"repaet\"",
+            "scene.xml:5:170: \"wrap_mode\" is \"repaet\"",
             "  expected repeat, mirror, clamp",
             "  did you mean \"repeat\"?",
         ],
@@ -267,14 +267,14 @@ fn bad_bitmaps() {
     check(
         &textured(&bitmap("<float name=\"gamma\" value=\"2.2\"/>")),
         &[
-            "scene.xml:5:164: unknown property \"gamma\" of the texture \"bitmap\"",
+            "scene.xml:5:151: unknown property \"gamma\" of the texture \"bitmap\"",
             "  its properties are accel, filename, filter_type, format, raw, to_uv, wrap_mode",
         ],
     );
     check(
         &textured("<texture name=\"reflectance\" type=\"bitmpa\"/>"),
         &[
-            "scene.xml:5:88: unknown texture plugin \"bitmpa\"",
+            "scene.xml:5:86: unknown texture plugin \"bitmpa\"",
             "  known texture plugins: bitmap, checkerboard, mesh_attribute",
             "  did you mean \"bitmap\"?",
         ],

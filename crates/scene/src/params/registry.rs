@@ -259,12 +259,14 @@ impl Entry {
                 };
                 let what = format!("{} of {}{which}", quantity.name(), users(scene, id));
                 let what = channel.of(&what, texture.channels);
-                let texels = part.first..part.first + part.count;
-                let values = texels.flat_map(|i| {
-                    let texel = &texture.data[i * texture.channels..][..texture.channels];
-                    channel.values(texel)
-                });
-                (quantity.into(), values.collect(), quantity.unit(), what)
+                let values = match part.count {
+                    1 => {
+                        let first = part.first * texture.channels;
+                        channel.values(&texture.data[first..first + texture.channels])
+                    }
+                    _ => Vec::new(),
+                };
+                (quantity.into(), values, quantity.unit(), what)
             }
             Target::TranslateSensor(axis) => {
                 let what = format!("moves the sensor along world {}", AXES[axis]);
