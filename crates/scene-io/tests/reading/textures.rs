@@ -198,11 +198,11 @@ fn meshes_without_texture_coordinates() {
     for file in ["square.obj", "half_textured.obj"] {
         check(
             &on_mesh(file, &bitmap("")),
-            &[&format!(
+            &[
                 "scene.xml:5:59: the texture \"m.bsdf.reflectance\" needs texture coordinates, \
-                 but the mesh of \"m\" has none; add them to all corners of the mesh, or give one \
-                 colour"
-            )],
+               but the mesh of \"m\" has none; add them to all corners of the mesh, or give one \
+               colour",
+            ],
         );
     }
 }
