@@ -115,6 +115,10 @@ impl<const N: usize> Real for Dual<N> {
         self.value
     }
     #[inline]
+    fn is_constant(self) -> bool {
+        self.tangent == [0.0; N]
+    }
+    #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, 0.5 / root)

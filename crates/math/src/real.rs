@@ -7,7 +7,8 @@ use crate::special;
 
 /// A real number that may carry derivatives.
 ///
-/// Implemented for `f32`, `f64` and [`Dual`](crate::dual::Dual). Only the
+/// Implemented for `f32`, `f64`, [`Dual`](crate::dual::Dual) and
+/// [`Var`](crate::tape::Var). Only the
 /// functions the renderer uses are listed: the trait is a menu, not a
 /// numeric tower. Comparison is by value: a derivative never steers a branch.
 pub trait Real:
@@ -25,6 +26,8 @@ pub trait Real:
     /// The value without its derivative. Use it for every branch and every
     /// sampling decision, so that both stay detached.
     fn value(self) -> f64;
+    /// True if its derivatives are known to be zero.
+    fn is_constant(self) -> bool;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Sine and cosine.
@@ -69,6 +72,10 @@ macro_rules! impl_real_for_float {
             #[inline]
             fn value(self) -> f64 {
                 f64::from(self)
+            }
+            #[inline]
+            fn is_constant(self) -> bool {
+                true
             }
             #[inline]
             fn sqrt(self) -> Self {

@@ -153,6 +153,12 @@ impl Adjoints {
         }
     }
 
+    /// The adjoint of the number at a place on the tape.
+    #[inline]
+    pub fn at(&self, place: usize) -> f64 {
+        self.0[place]
+    }
+
     /// The adjoints of a vector.
     #[inline]
     pub fn of_vector(&self, v: Vec3<Var<'_>>) -> Vec3 {
@@ -270,6 +276,10 @@ impl Real for Var<'_> {
     #[inline]
     fn value(self) -> f64 {
         self.value
+    }
+    #[inline]
+    fn is_constant(self) -> bool {
+        self.tape.is_none()
     }
     #[inline]
     fn sqrt(self) -> Self {

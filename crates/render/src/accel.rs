@@ -101,9 +101,16 @@ impl<'s> Accel<'s> {
     pub fn visible(&self, from: Vec3, to: Vec3) -> bool {
         let offset = to - from;
         let distance = offset.length();
+        self.surface_sees(from, offset / distance, distance)
+    }
+
+    /// True if nothing lies between a point on a surface and the point at a
+    /// distance along a unit direction.
+    #[inline]
+    pub fn surface_sees(&self, from: Vec3, direction: Vec3, distance: f64) -> bool {
         !self.rays.occluded(&Ray {
             origin: from,
-            direction: offset / distance,
+            direction,
             t_min: self.self_distance,
             t_max: distance * (1.0 - SHORT_OF_TARGET),
         })
@@ -124,6 +131,12 @@ impl<'s> Accel<'s> {
                 t_min: sensor.near_clip / cosine,
                 t_max: distance * (1.0 - SHORT_OF_TARGET),
             })
+    }
+
+    /// The shape that a vertex of the joined mesh belongs to.
+    #[inline]
+    pub fn shape_of_vertex(&self, vertex: u32) -> ShapeId {
+        ShapeId(self.first_vertex.partition_point(|&first| first <= vertex) as u32 - 1)
     }
 
     /// The shape that was hit.

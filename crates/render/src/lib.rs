@@ -17,6 +17,7 @@ mod integrator;
 mod lamp;
 mod light;
 pub mod options;
+mod path;
 mod pixel;
 mod sampler;
 mod tiles;
@@ -24,8 +25,10 @@ mod unsupported;
 mod world;
 
 pub use capwalk_walk::{Estimator, WalkSettings};
+pub use diff::adjoint::Wanted;
 pub use diff::finite::finite_difference;
 pub use diff::forward::{gradient, refusal};
+pub use diff::reverse::{Backward, backward};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use integrator::render;
 pub use options::{GradientOptions, Options, Refusal, Unwatched, Watch};

@@ -21,6 +21,17 @@ pub struct LightSample {
     pub weight: f64,
 }
 
+/// A direction drawn from a material, in which a path can go on.
+#[derive(Clone, Copy, Debug)]
+pub struct Continuation {
+    /// Unit direction from the shading point.
+    pub direction: Vec3,
+    /// Its density per solid angle.
+    pub pdf: f64,
+    /// What it meets.
+    pub hit: Option<Hit>,
+}
+
 /// How many samples of each technique a shading point takes.
 #[derive(Clone, Copy, Debug)]
 pub struct LightSampling {
@@ -45,7 +56,8 @@ impl LightSampling {
 /// Draws directions towards light from a diffuse surface, by points on
 /// emitters and by the material, combined with the power heuristic (Veach
 /// 1997), and passes on those that reach an emitter, with the number of the
-/// sample. Takes `sampling.dimensions()` numbers from `dimension` on.
+/// sample. Takes `sampling.dimensions()` numbers from `dimension` on. Gives back
+/// the first direction drawn from the material.
 pub fn sample_lights(
     accel: &Accel,
     position: Vec3,
@@ -54,10 +66,7 @@ pub fn sample_lights(
     stream: &Stream,
     dimension: u32,
     mut shade: impl FnMut(u32, LightSample),
-) {
-    if accel.lamps.is_empty() {
-        return;
-    }
+) -> Option<Continuation> {
     let frame = Frame::from_normal(normal);
     let counts = sampling;
     // Densities of all samples of each technique together.
@@ -86,10 +95,20 @@ pub fn sample_lights(
             );
         }
     }
+    let mut next = None;
     for i in 0..counts.bsdf_samples {
         let base = dimension + counts.emitter_samples * EMITTER_NUMBERS + i * BSDF_NUMBERS;
-        let direction = frame.to_world(Diffuse::sample(stream.pair(base)));
+        let local = Diffuse::sample(stream.pair(base));
+        let direction = frame.to_world(local);
         let hit = accel.first_hit(position, direction);
+        let pdf = Diffuse::pdf(local.z);
+        if pdf > 0.0 {
+            next = next.or(Some(Continuation {
+                direction,
+                pdf,
+                hit,
+            }));
+        }
         let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction) else {
             continue;
         };
@@ -107,6 +126,7 @@ pub fn sample_lights(
             );
         }
     }
+    next
 }
 
 /// Weight of a sample of density `own` that the density `other` could have
@@ -155,6 +175,9 @@ pub fn sample_emitter(
     dimension: u32,
 ) -> Option<(Vec3, EmitterId, f64)> {
     let count = accel.lamps.len();
+    if count == 0 {
+        return None;
+    }
     let index = ((stream.number(dimension) * count as f64) as usize).min(count - 1);
     let u = stream.pair(dimension + 1);
     let chosen = 1.0 / count as f64;

@@ -31,5 +31,5 @@ pub use quantity::Quantity;
 pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
 pub use sensor::Perspective;
 pub use settings::{Integrator, SamplerKind, Settings};
-pub use shape::{Attribute, ShadingNormals, Shape};
+pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, vertex_normals};
 pub use texture::{Pattern, SurfacePoint, Texture, TextureId};

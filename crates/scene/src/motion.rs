@@ -78,6 +78,59 @@ impl Motion {
         self.sensor.rotation += other.sensor.rotation;
     }
 
+    /// The motion with every number replaced by a function of it, which must
+    /// keep zero.
+    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        let map = |v: &[Vec3]| v.iter().map(|v| v.map(&f)).collect::<Vec<_>>();
+        let shape = |shape: &ShapeMotion| ShapeMotion {
+            vertices: map(&shape.vertices),
+            normals: shape.normals.as_ref().map(|normals| map(normals)),
+        };
+        let texture = |data: &Vec<f64>| data.iter().map(|&x| f(x)).collect();
+        Self {
+            shapes: self.shapes.iter().map(|s| s.as_ref().map(shape)).collect(),
+            textures: self
+                .textures
+                .iter()
+                .map(|t| t.as_ref().map(texture))
+                .collect(),
+            sensor: SensorMotion {
+                translation: self.sensor.translation.map(&f),
+                rotation: self.sensor.rotation.map(&f),
+            },
+        }
+    }
+
+    /// The motion `factor` times as fast.
+    pub fn scaled(&self, factor: f64) -> Self {
+        self.map(|x| x * factor)
+    }
+
+    /// The sum of the products of corresponding numbers: a gradient has the
+    /// form of a motion, and this is the derivative along the other one. What
+    /// one of them does not have counts as zero.
+    pub fn dot(&self, other: &Self) -> f64 {
+        let dot = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, &b)| a.dot(b)).sum::<f64>();
+        let shapes = self.shapes.iter().zip(&other.shapes);
+        let of_shapes: f64 = shapes
+            .filter_map(|(a, b)| {
+                let (a, b) = (a.as_ref()?, b.as_ref()?);
+                let normals = a.normals.as_ref().zip(b.normals.as_ref());
+                let of_normals = normals.map_or(0.0, |(a, b)| dot(a, b));
+                Some(dot(&a.vertices, &b.vertices) + of_normals)
+            })
+            .sum();
+        let textures = self.textures.iter().zip(&other.textures);
+        let of_textures: f64 = textures
+            .filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)))
+            .flat_map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b))
+            .sum();
+        of_shapes
+            + of_textures
+            + self.sensor.translation.dot(other.sensor.translation)
+            + self.sensor.rotation.dot(other.sensor.rotation)
+    }
+
     /// Change of a texel of a texture.
     #[inline]
     pub fn texel(&self, scene: &Scene, id: TextureId, index: usize) -> Rgb {

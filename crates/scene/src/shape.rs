@@ -111,16 +111,10 @@ impl Shape {
 pub fn vertex_normals<R: Real>(positions: &[Vec3<R>], faces: &[[u32; 3]]) -> Vec<Vec3<R>> {
     let mut sums = vec![Vec3::<R>::zero(); positions.len()];
     for corners in faces {
-        let p = corners.map(|i| positions[i as usize]);
-        let cross = (p[1] - p[0]).cross(p[2] - p[0]);
-        if cross.length_squared().value() == 0.0 {
-            continue;
-        }
-        let normal = cross.normalized();
-        for i in 0..3 {
-            let d1 = (p[(i + 1) % 3] - p[i]).normalized();
-            let d2 = (p[(i + 2) % 3] - p[i]).normalized();
-            sums[corners[i] as usize] += normal * angle(d1, d2);
+        if let Some(parts) = corner_normals(corners.map(|i| positions[i as usize])) {
+            for (&i, part) in corners.iter().zip(parts) {
+                sums[i as usize] += part;
+            }
         }
     }
     let up = Vec3::constant(Vec3::new(0.0, 0.0, 1.0));
@@ -130,6 +124,21 @@ pub fn vertex_normals<R: Real>(positions: &[Vec3<R>], faces: &[[u32; 3]]) -> Vec
             _ => sum.normalized(),
         })
         .collect()
+}
+
+/// What a face adds to the normals at its corners, before they are normalised:
+/// its normal times the angle of the corner. `None` if it is degenerate.
+pub fn corner_normals<R: Real>(p: [Vec3<R>; 3]) -> Option<[Vec3<R>; 3]> {
+    let cross = (p[1] - p[0]).cross(p[2] - p[0]);
+    if cross.length_squared().value() == 0.0 {
+        return None;
+    }
+    let normal = cross.normalized();
+    Some([0, 1, 2].map(|i| {
+        let d1 = (p[(i + 1) % 3] - p[i]).normalized();
+        let d2 = (p[(i + 2) % 3] - p[i]).normalized();
+        normal * angle(d1, d2)
+    }))
 }
 
 /// The angle between unit vectors, with its derivative.

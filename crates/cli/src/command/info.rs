@@ -25,10 +25,10 @@ pub fn run(args: &Info) -> Result<Outcome> {
             "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}",
             summary(&args.scene.scene, &scene),
             shapes(&scene),
-            table(&parameters, refusal.is_none())
+            table(&parameters, refusal.as_ref())
         );
         if let Some(refusal) = refusal {
-            text += &format!("\nderivatives of this scene are refused: {refusal}\n");
+            text += &format!("\nderivatives by what moves edges (D) are refused: {refusal}\n");
         }
         console::print(&text)?;
     }
@@ -178,10 +178,18 @@ fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
 }
 
 /// One line for each parameter, with other names under the first.
-fn table(parameters: &[Parameter], differentiable: bool) -> String {
-    let mark = if differentiable { "∂" } else { "-" };
+/// A refusal is about curves that move.
+fn differentiable(parameter: &Parameter, refusal: Option<&Refusal>) -> bool {
+    refusal.is_none() || !parameter.moves_discontinuities
+}
+
+fn table(parameters: &[Parameter], refusal: Option<&Refusal>) -> String {
     let mut rows = Vec::new();
     for parameter in parameters {
+        let mark = match differentiable(parameter, refusal) {
+            true => "∂",
+            false => "-",
+        };
         if let Some(other) = &parameter.alias_of {
             rows.push([
                 format!("  {}", parameter.name),
@@ -238,7 +246,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
             "value": p.value,
             "unit": p.unit,
             "description": p.description,
-            "differentiable": refusal.is_none(),
+            "differentiable": differentiable(p, refusal),
             "moves_discontinuities": p.moves_discontinuities,
             "alias_of": p.alias_of,
         })

@@ -1,15 +1,19 @@
 //! Central differences with common random numbers: the reference that
 //! gradients are checked against, METHOD 9.
 
+use std::cell::Cell;
+
 use capwalk_math::Rgb;
 use capwalk_scene::{Motion, Scene};
 
 use crate::accel::Accel;
 use crate::estimate::GradientImage;
-use crate::integrator::pixel_sample;
 use crate::options::{Options, Refusal, Watch};
-use crate::pixel::Supports;
+use crate::path::Tracer;
 use crate::tiles::{self, Sample};
+use crate::world::AtRest;
+
+use super::boundary::Draw;
 
 /// The derivative of the picture along `motion` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;
@@ -33,10 +37,14 @@ pub fn finite_difference(
         })?;
     }
     let [above, below] = [Accel::new(&sides[0]), Accel::new(&sides[1])];
-    let supports = Supports::new(&scene.film);
+    let tracers = [Tracer::at_rest(&above), Tracer::at_rest(&below)];
     let averages = tiles::average(scene, options, watch, |pixel, stream| {
+        let draw = Draw {
+            stream,
+            queries: &Cell::new(0),
+        };
         let [plus, minus] =
-            [&above, &below].map(|accel| pixel_sample(accel, &supports, pixel, stream));
+            [0, 1].map(|i| tracers[i].pixel(&AtRest(tracers[i].accel), pixel, draw));
         let value: Rgb = (plus + minus) * 0.5;
         let slope: Rgb = (plus - minus) / (2.0 * step);
         Sample {

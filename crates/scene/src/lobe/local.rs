@@ -59,3 +59,15 @@ pub fn sample_cosine(u: [f64; 2]) -> Vec3 {
 pub fn cosine_pdf(wo: Vec3) -> f64 {
     wo.z.max(0.0) * FRAC_1_PI
 }
+
+/// `a` at 0, `b` at 1.
+#[inline]
+pub fn lerp<R: Real>(a: R, b: R, t: R) -> R {
+    a + (b - a) * t
+}
+
+/// Mean of the channels.
+#[inline]
+pub fn mean(c: Rgb) -> f64 {
+    (c.x + c.y + c.z) / 3.0
+}

@@ -12,7 +12,7 @@ use capwalk_math::{Real, Vec3};
 
 /// Smallest roughness, as in Mitsuba; below, the lobe is too narrow for the
 /// digits of a direction.
-const MIN_ALPHA: f64 = 1e-4;
+pub(super) const MIN_ALPHA: f64 = 1e-4;
 
 /// Where `erf(a)` is one to the last digit and `exp(-a²)` is below it.
 const SHADOWLESS: f64 = 6.0;

@@ -73,7 +73,24 @@ pub(super) fn transmission<R: Real>(
     let transmittance = R::constant(1.0) - fresnel_dielectric(cos_i, eta);
     let facets =
         microfacets.density(h) * microfacets.visible_over_cos(wi) * microfacets.visible(wo);
-    -transmittance * facets * cos_i * cos_o / (cos_i + eta * cos_o).squared()
+    let refracted = transmittance * facets * cos_i * cos_o / (cos_i + eta * cos_o).squared();
+    -refracted * upright_fade(h.z)
+}
+
+/// From zero for facets that stand upright to one for all but the last half degree.
+///
+/// GGX has such facets, and the model ends with them: refraction would jump
+/// along a circle that moves with `wi`, which no derivative of the integrand
+/// sees (it would miss 5 % at a roughness of 0.6). Faded, it is continuous; the
+/// light that is lost is 0.05 % for a roughness of 0.3, at most 0.3 % for 0.9.
+#[inline]
+fn upright_fade<R: Real>(cos_m: R) -> R {
+    const WIDTH: f64 = 0.01;
+    if cos_m.value() >= WIDTH {
+        return R::constant(1.0);
+    }
+    let x = cos_m * R::constant(1.0 / WIDTH);
+    x.squared() * (R::constant(3.0) - R::constant(2.0) * x)
 }
 
 /// Density of directions `wo` per solid angle if visible normals refract.

@@ -5,6 +5,7 @@ mod chi_squared;
 mod derivatives;
 mod energy;
 mod jacobian;
+mod known;
 mod means;
 mod sides;
 mod table;

@@ -1,5 +1,7 @@
 //! The lobes that the laws are tested on.
 
+use std::sync::Arc;
+
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::lobe::*;
 
@@ -42,10 +44,97 @@ fn rough_dielectric(microfacets: Microfacets, eta: f64) -> Lobe {
     })
 }
 
+fn plastic(nonlinear: bool) -> Lobe {
+    Lobe::Plastic(Plastic {
+        eta: 1.5,
+        diffuse_reflectance: OTHER_TINT,
+        specular_reflectance: TINT,
+        nonlinear,
+    })
+}
+
+fn rough_plastic(distribution: Distribution, alpha: f64, eta: f64, nonlinear: bool) -> Lobe {
+    Lobe::RoughPlastic(RoughPlastic {
+        eta,
+        alpha,
+        diffuse_reflectance: OTHER_TINT,
+        specular_reflectance: TINT,
+        nonlinear,
+        transmittance: Arc::new(RoughTransmittance::new(distribution, alpha, eta)),
+    })
+}
+
+/// A principled material of which nothing is special.
+pub const PLAIN: Principled = Principled {
+    base_color: Rgb::new(0.8, 0.5, 0.2),
+    roughness: 0.5,
+    anisotropic: 0.0,
+    metallic: 0.0,
+    spec_trans: 0.0,
+    eta: 1.5,
+    spec_tint: 0.0,
+    sheen: 0.0,
+    sheen_tint: 0.0,
+    flatness: 0.0,
+    clearcoat: 0.0,
+    clearcoat_gloss: 0.0,
+};
+
+fn principled() -> Vec<(&'static str, Principled)> {
+    vec![
+        ("principled", PLAIN),
+        (
+            "principled metallic",
+            Principled {
+                roughness: 0.6,
+                anisotropic: 0.7,
+                metallic: 0.8,
+                spec_tint: 0.3,
+                eta: 1.4,
+                ..PLAIN
+            },
+        ),
+        (
+            "principled cloth",
+            Principled {
+                roughness: 0.7,
+                sheen: 0.8,
+                sheen_tint: 0.6,
+                flatness: 0.5,
+                eta: 1.33,
+                ..PLAIN
+            },
+        ),
+        (
+            "principled clearcoat",
+            Principled {
+                roughness: 0.6,
+                clearcoat: 0.9,
+                clearcoat_gloss: 0.1,
+                spec_tint: 0.5,
+                ..PLAIN
+            },
+        ),
+        (
+            "principled transmitting",
+            Principled {
+                roughness: 0.6,
+                metallic: 0.2,
+                spec_trans: 0.7,
+                anisotropic: 0.4,
+                clearcoat: 0.4,
+                clearcoat_gloss: 0.3,
+                ..PLAIN
+            },
+        ),
+    ]
+}
+
 /// Lobes that are not perfectly specular, of moderate roughness: integrals over
 /// the sphere resolve them.
 pub fn smooth() -> Vec<(&'static str, Lobe)> {
-    vec![
+    use Distribution::{Beckmann, Ggx};
+    let mut lobes = vec![
         ("diffuse", Lobe::Diffuse(Diffuse { reflectance: TINT })),
         (
             "roughconductor beckmann",
@@ -73,7 +162,24 @@ pub fn smooth() -> Vec<(&'static str, Lobe)> {
             "roughdielectric ggx anisotropic",
             rough_dielectric(ggx(0.6, 0.3), 1.8),
         ),
-    ]
+        ("plastic", plastic(false)),
+        ("plastic nonlinear", plastic(true)),
+        (
+            "roughplastic beckmann",
+            rough_plastic(Beckmann, 0.3, 1.5, false),
+        ),
+        (
+            "roughplastic ggx nonlinear",
+            rough_plastic(Ggx, 0.2, 1.7, true),
+        ),
+        (
+            "roughplastic ggx thinner inside",
+            rough_plastic(Ggx, 0.4, 0.8, false),
+        ),
+    ];
+    let principled = principled().into_iter();
+    lobes.extend(principled.map(|(name, lobe)| (name, Lobe::Principled(lobe))));
+    lobes
 }
 
 /// Lobes that are so smooth that only local laws can be tested.
@@ -134,6 +240,7 @@ pub fn specular() -> Vec<(&'static str, Lobe, Vec<Event>)> {
             Lobe::ThinDielectric(pane),
             vec![Event::Reflect, Event::Pass],
         ),
+        ("plastic", plastic(false), vec![Event::Reflect]),
         ("null", Lobe::Null(Null), vec![Event::Pass]),
     ]
 }

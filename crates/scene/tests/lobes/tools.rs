@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use capwalk_math::Vec3;
+use capwalk_math::quadrature::gauss_legendre;
 
 /// Random numbers of a fixed seed (SplitMix64).
 pub struct Random(u64);
@@ -32,24 +33,6 @@ pub fn direction(cos: f64, phi: f64) -> Vec3 {
     Vec3::new(sin * phi.cos(), sin * phi.sin(), cos)
 }
 
-/// Nodes and weights of Gauss and Legendre's rule on `[0, 1]`.
-pub fn gauss<const N: usize>() -> [(f64, f64); N] {
-    std::array::from_fn(|i| {
-        let mut x = (PI * (i as f64 + 0.75) / (N as f64 + 0.5)).cos();
-        let mut slope = 1.0;
-        for _ in 0..50 {
-            let (mut p, mut before) = (1.0, 0.0);
-            for k in 0..N {
-                let k = k as f64;
-                (p, before) = (((2.0 * k + 1.0) * x * p - k * before) / (k + 1.0), p);
-            }
-            slope = N as f64 * (x * p - before) / (x * x - 1.0);
-            x -= p / slope;
-        }
-        (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
-    })
-}
-
 /// Integral over the part of the sphere with cosines and azimuths in the given
 /// ranges, in `pieces` by `pieces` tiles of Gauss's rule of eight nodes.
 pub fn integral<const C: usize>(
@@ -58,12 +41,12 @@ pub fn integral<const C: usize>(
     pieces: usize,
     f: impl Fn(Vec3) -> [f64; C],
 ) -> [f64; C] {
-    let rule = gauss::<8>();
+    let rule = gauss_legendre(8);
     let nodes = |[from, to]: [f64; 2]| {
         let step = (to - from) / pieces as f64;
         let mut nodes = Vec::new();
         for piece in 0..pieces {
-            for (x, w) in rule {
+            for (x, w) in &rule {
                 nodes.push((from + (piece as f64 + x) * step, w * step));
             }
         }
