@@ -10,6 +10,7 @@ use crate::estimate::GradientImage;
 use crate::options::{GradientOptions, Refusal, Watch};
 use crate::path::Tracer;
 use crate::tiles::{self, Sample};
+use crate::unsupported::unsupported_text;
 
 use super::boundary::{Draw, Field};
 use super::clip::refuse_clipped;
@@ -24,6 +25,7 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
+    refuse_unsupported(scene)?;
     check_walk(&options.walk)?;
     let accel = Accel::new(scene);
     let field = Field::new(&accel);
@@ -55,7 +57,18 @@ pub fn gradient(
 /// The reason why derivatives by whatever moves edges are refused for the scene,
 /// if they are.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
+    if let Err(refusal) = refuse_unsupported(scene) {
+        return Some(refusal);
+    }
     refuse_clipped(&Accel::new(scene)).err()
+}
+
+/// Refuses what cannot be rendered yet.
+pub(super) fn refuse_unsupported(scene: &Scene) -> Result<(), Refusal> {
+    match unsupported_text(scene) {
+        None => Ok(()),
+        Some(reason) => Err(Refusal { reason }),
+    }
 }
 
 pub(super) fn check_walk(walk: &WalkSettings) -> Result<(), Refusal> {
