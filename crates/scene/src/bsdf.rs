@@ -1,6 +1,7 @@
 //! Materials: what a file says of a surface. What it does to light at a point is
 //! in [`crate::lobe`]. To add one: add a variant here, and follow the compiler.
 
+use crate::quantity::Quantity;
 use crate::scene::{BsdfId, Scene};
 use crate::texture::TextureId;
 
@@ -30,12 +31,35 @@ pub enum Bsdf {
     },
 }
 
+/// A place for a texture in a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slot {
+    /// Its name.
+    pub name: &'static str,
+    /// What stands there.
+    pub texture: TextureId,
+    /// What its numbers are.
+    pub quantity: Quantity,
+}
+
 impl Bsdf {
-    /// The textures that stand in it, with the names of their slots.
-    pub fn textures(&self) -> Vec<(&'static str, TextureId)> {
+    /// The textures that stand in it.
+    pub fn slots(&self) -> Vec<Slot> {
         match *self {
-            Self::Diffuse { reflectance } => vec![("reflectance", reflectance)],
+            Self::Diffuse { reflectance } => vec![Slot {
+                name: "reflectance",
+                texture: reflectance,
+                quantity: Quantity::Reflectance,
+            }],
             Self::TwoSided { .. } => Vec::new(),
+        }
+    }
+
+    /// The materials that it is made of.
+    pub fn parts(&self) -> Vec<BsdfId> {
+        match *self {
+            Self::Diffuse { .. } => Vec::new(),
+            Self::TwoSided { front, back } => vec![front, back],
         }
     }
 }

@@ -96,3 +96,37 @@ fn motions_that_cancel() {
     let message = String::from_utf8(output.stderr).expect("text");
     assert_has(&message, &["nothing moves"]);
 }
+
+/// What cannot be rendered yet is refused, never rendered as something else.
+#[test]
+fn textures_are_refused_until_they_are_rendered() {
+    let capwalk = Capwalk::new("unsupported");
+    let scene = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<emitter type="constant"/><shape type="cube" id="box"><bsdf type="diffuse">
+<texture name="reflectance" type="checkerboard"/></bsdf></shape></scene>"#;
+    capwalk.write("board.xml", scene);
+    for command in [
+        "render board.xml",
+        "gradient board.xml -p box.scale",
+        "check board.xml -p box.scale",
+    ] {
+        let message = capwalk.error(command);
+        assert_has(
+            &message,
+            &[
+                "board.xml",
+                "cannot be rendered yet",
+                "reflectance of the material \"box.bsdf\"",
+            ],
+        );
+    }
+    let info = capwalk.run("info board.xml").stdout;
+    assert_has(
+        &info,
+        &[
+            "checkerboard of (0.4",
+            "box.bsdf.reflectance.color1.value",
+            "refused",
+        ],
+    );
+}

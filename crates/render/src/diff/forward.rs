@@ -9,6 +9,7 @@ use crate::options::{GradientOptions, Options, Refusal, Unwatched, Watch};
 use crate::path::Tracer;
 use crate::sampler::Stream;
 use crate::tiles::{self, Sample};
+use crate::unsupported::unsupported_text;
 
 use super::boundary::{Counts, Draw, Field};
 use super::clip::refuse_clipped;
@@ -24,6 +25,7 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
+    refuse_unsupported(scene)?;
     check_walk(&options.walk)?;
     let accel = Accel::new(scene);
     let field = Field::new(&accel);
@@ -84,7 +86,18 @@ pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
 /// The reason why derivatives by whatever moves edges are refused for the scene,
 /// if they are.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
+    if let Err(refusal) = refuse_unsupported(scene) {
+        return Some(refusal);
+    }
     refuse_clipped(&Accel::new(scene)).err()
+}
+
+/// Refuses what cannot be rendered yet.
+pub(super) fn refuse_unsupported(scene: &Scene) -> Result<(), Refusal> {
+    match unsupported_text(scene) {
+        None => Ok(()),
+        Some(reason) => Err(Refusal { reason }),
+    }
 }
 
 pub(super) fn check_walk(walk: &WalkSettings) -> Result<(), Refusal> {

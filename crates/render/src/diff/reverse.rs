@@ -17,7 +17,7 @@ use crate::sampler::Sampler;
 use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::clip::refuse_clipped;
-use super::forward::{check_walk, refuse_uncovered};
+use super::forward::{check_walk, refuse_uncovered, refuse_unsupported};
 use super::recording::Recording;
 
 /// Batches that the samples are split into, whatever the number of threads, so
@@ -90,6 +90,7 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Backward, Refusal> {
+    refuse_unsupported(scene)?;
     check_walk(&options.walk)?;
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     if [adjoint.width, adjoint.height] != [width, height] {

@@ -2,9 +2,9 @@
 
 use capwalk_math::Rgb;
 use capwalk_scene::scene::BsdfId;
-use capwalk_scene::{Bsdf, Material, Texture};
+use capwalk_scene::{Bsdf, Material, Quantity, Texture};
 
-use super::{Lowering, colour};
+use super::Lowering;
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
 use crate::source::{Problem, Span};
@@ -47,9 +47,7 @@ impl Lowering<'_> {
     }
 
     fn diffuse(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
-        let reflectance = colour::reflectance(self.context, fields, "reflectance", 0.5)?;
-        let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
-        let reflectance = self.add_texture(texture, fields.span_of("reflectance"));
+        let reflectance = self.slot(fields, name, "reflectance", Quantity::Reflectance, 0.5)?;
         Ok(Bsdf::Diffuse { reflectance })
     }
 

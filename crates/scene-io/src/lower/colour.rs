@@ -65,12 +65,6 @@ pub(super) fn radiance(fields: &Fields, name: &'static str, default: f64) -> Res
     Ok(colour)
 }
 
-/// Textures are objects of their own, wherever they stand.
-pub(super) fn textures_unsupported(span: Span) -> Problem {
-    Problem::new(span, "textures are not supported yet")
-        .help("give one colour with <rgb name=\"...\" value=\"r, g, b\"/>")
-}
-
 fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
     if colour.min(Rgb::zero()) == Rgb::zero() {
         return Ok(());
@@ -84,7 +78,10 @@ fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
 
 fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
     match value {
-        Value::Object { .. } => textures_unsupported(span),
+        Value::Object { .. } => {
+            Problem::new(span, format!("\"{name}\" is an object of another kind"))
+                .help("expected a <texture>, or <rgb name=\"...\" value=\"r, g, b\"/>")
+        }
         Value::Spectrum(Spectrum::Sampled) => Problem::new(
             span,
             format!("\"{name}\" depends on the wavelength"),

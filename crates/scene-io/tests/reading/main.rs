@@ -13,3 +13,4 @@ mod parameters;
 mod parity;
 mod robustness;
 mod syntax;
+mod textures;

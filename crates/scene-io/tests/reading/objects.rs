@@ -113,19 +113,6 @@ fn wavelengths() {
 }
 
 #[test]
-fn texture() {
-    check(
-        &scene(
-            r#"<bsdf type="diffuse" id="m"><texture name="reflectance" type="bitmap"><string name="filename" value="wood.png"/></texture></bsdf>"#,
-        ),
-        &[
-            "scene.xml:5:31: textures are not supported yet",
-            "  give one colour with <rgb name=\"...\" value=\"r, g, b\"/>",
-        ],
-    );
-}
-
-#[test]
 fn flattening_transform() {
     check(
         &scene(

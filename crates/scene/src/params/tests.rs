@@ -23,11 +23,8 @@ fn example() -> Scene {
     let (lamp, _) = primitive::rectangle(Affine::translate(Vec3::new(0.0, 3.0, 0.1)));
     let (sheet, _) = primitive::disk(place);
     let shape = |id: &str, mesh, normals, bsdf, emitter| Shape {
-        id: id.into(),
-        mesh,
-        normals,
-        bsdf: BsdfId(bsdf),
         emitter,
+        ..Shape::new(id, mesh, normals, BsdfId(bsdf))
     };
     let computed = ShadingNormals::computed(&sheet);
     let diffuse = |id: &str, reflectance| Material {
