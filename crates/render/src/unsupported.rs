@@ -1,26 +1,29 @@
 //! What a scene may hold and this crate cannot render yet. Nothing is rendered
 //! as something else: who renders asks here first.
 
-use capwalk_scene::{Scene, Texture};
+use capwalk_scene::{Bsdf, Scene, Texture};
 
 /// What of the scene cannot be rendered yet, one sentence each; empty if all of
 /// it can.
 pub fn unsupported(scene: &Scene) -> Vec<String> {
     let mut found = Vec::new();
-    let mut texture = |what: String, texture: &Texture| {
-        if !texture.is_constant() {
-            found.push(format!("the {what} is a texture"));
-        }
+    let is_texture = |what: String, texture: &Texture| {
+        (!texture.is_constant()).then(|| format!("the {what} is a texture"))
     };
     for material in &scene.materials {
+        if !matches!(material.bsdf, Bsdf::Diffuse { .. } | Bsdf::TwoSided { .. }) {
+            let plugin = material.bsdf.plugin();
+            found.push(format!("the material \"{}\" is a {plugin}", material.id));
+            continue;
+        }
         for slot in material.bsdf.slots() {
             let what = format!("{} of the material \"{}\"", slot.name, material.id);
-            texture(what, scene.texture(slot.texture));
+            found.extend(is_texture(what, scene.texture(slot.texture)));
         }
     }
     for emitter in &scene.emitters {
         let what = format!("radiance of \"{}\"", emitter.name(scene));
-        texture(what, scene.texture(emitter.radiance()));
+        found.extend(is_texture(what, scene.texture(emitter.radiance())));
     }
     found
 }
