@@ -1,28 +1,19 @@
 //! What a scene may hold and this crate cannot render yet. Nothing is rendered
 //! as something else: who renders asks here first.
 
-use capwalk_scene::{Scene, Texture};
+use capwalk_scene::{Bsdf, Scene};
 
-/// What of the scene cannot be rendered yet, one sentence each; empty if all of
-/// it can.
+/// What of the scene cannot be rendered yet, one phrase each; empty if all of it
+/// can.
 pub fn unsupported(scene: &Scene) -> Vec<String> {
-    let mut found = Vec::new();
-    let mut texture = |what: String, texture: &Texture| {
-        if !texture.is_constant() {
-            found.push(format!("the {what} is a texture"));
-        }
+    let is_missing = |bsdf: &Bsdf| match bsdf {
+        Bsdf::Diffuse { .. } | Bsdf::TwoSided { .. } => false,
     };
-    for material in &scene.materials {
-        for slot in material.bsdf.slots() {
-            let what = format!("{} of the material \"{}\"", slot.name, material.id);
-            texture(what, scene.texture(slot.texture));
-        }
-    }
-    for emitter in &scene.emitters {
-        let what = format!("radiance of \"{}\"", emitter.name(scene));
-        texture(what, scene.texture(emitter.radiance()));
-    }
-    found
+    let materials = scene.materials.iter();
+    materials
+        .filter(|material| is_missing(&material.bsdf))
+        .map(|material| format!("the material \"{}\"", material.id))
+        .collect()
 }
 
 /// [`unsupported`] as one text, or `None` if all of the scene can be rendered.
