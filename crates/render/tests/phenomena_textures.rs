@@ -181,7 +181,11 @@ fn faces_of_different_colours() {
     paint(&mut scene, "floor", by_face);
     add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
     let motion = motion(&scene, "floor.translate.x + floor.rotate.z");
-    agree("colours of faces", scene, &motion, visible(200));
+    let case = Case {
+        size: 52,
+        ..visible(200)
+    };
+    agree("colours of faces", scene, &motion, case);
 }
 
 /// Textures that jump are refused if something moves, and only then.
