@@ -20,6 +20,8 @@ pub struct LightSample {
     pub direction: Vec3,
     /// The emitter seen there.
     pub emitter: EmitterId,
+    /// Where it is met, if it is on a surface.
+    pub hit: Option<Hit>,
     /// Multiple-importance weight over density per solid angle, divided by the
     /// number of samples of the technique.
     pub weight: f64,
@@ -88,19 +90,13 @@ pub fn sample_lights(
     };
     for i in 0..on_emitters {
         let base = dimension + i * EMITTER_NUMBERS;
-        let Some((direction, emitter, pdf)) = sample_emitter(accel, vertex, stream, base) else {
+        let Some((drawn, pdf)) = sample_emitter(accel, vertex, stream, base) else {
             continue;
         };
-        let (own, other) = (of_emitters(pdf), of_bsdf(vertex.pdf(direction)));
+        let (own, other) = (of_emitters(pdf), of_bsdf(vertex.pdf(drawn.direction)));
         if own > 0.0 {
             let weight = power_heuristic(own, other) / own;
-            let sample = LightSample {
-                direction,
-                emitter,
-                weight,
-                specular: None,
-            };
-            shade(i, sample);
+            shade(i, LightSample { weight, ..drawn });
         }
     }
     let mut next = None;
@@ -132,6 +128,7 @@ pub fn sample_lights(
         let sample = LightSample {
             direction,
             emitter,
+            hit,
             weight: power_heuristic(own, other) / own,
             specular: drawn.specular,
         };
@@ -176,14 +173,14 @@ pub fn emitter_pdf(
 }
 
 /// Draws an emitter uniformly and a direction towards it: a uniform point of a
-/// lamp, or a direction to the environment. `None` if it is occluded or seen
-/// from behind.
+/// lamp, or a direction to the environment; with its density, and no weight
+/// yet. `None` if it is occluded or seen from behind.
 fn sample_emitter(
     accel: &Accel,
     vertex: &Vertex<f64>,
     stream: &Stream,
     dimension: u32,
-) -> Option<(Vec3, EmitterId, f64)> {
+) -> Option<(LightSample, f64)> {
     let count = accel.lamps.len();
     if count == 0 {
         return None;
@@ -192,12 +189,22 @@ fn sample_emitter(
     let u = stream.pair(dimension + 1);
     let chosen = 1.0 / count as f64;
     let emitter = EmitterId(index as u32);
+    let sample = |direction: Vec3, hit: Option<Hit>| LightSample {
+        direction,
+        emitter,
+        hit,
+        weight: 0.0,
+        specular: None,
+    };
     let position = vertex.position;
     let Some(lamp) = &accel.lamps[index] else {
         let local = sample_environment(vertex, u);
         let direction = vertex.frame.to_world(local);
         let free = accel.first_hit(position, direction).is_none();
-        return free.then(|| (direction, emitter, chosen * environment_pdf(vertex, local)));
+        return free.then(|| {
+            let pdf = chosen * environment_pdf(vertex, local);
+            (sample(direction, None), pdf)
+        });
     };
     let point = lamp.sample(u);
     let offset = point.position - position;
@@ -206,11 +213,13 @@ fn sample_emitter(
     let cos_l = -point.normal.dot(direction);
     let lit = cos_l > 0.0 && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
     (lit && accel.visible(position, point.position)).then(|| {
-        (
-            direction,
-            emitter,
-            chosen * lamp.solid_angle_pdf(distance, cos_l),
-        )
+        let hit = Hit {
+            t: distance,
+            face: accel.lamp_face(emitter, point.face),
+            barycentric: point.barycentric,
+        };
+        let pdf = chosen * lamp.solid_angle_pdf(distance, cos_l);
+        (sample(direction, Some(hit)), pdf)
     })
 }
 

@@ -1,8 +1,8 @@
 //! What a surface does to light at a point: its material with its numbers.
 
 use capwalk_math::{Frame, Real, Vec3};
-use capwalk_scene::Bsdf as Plugin;
 use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe, Side};
+use capwalk_scene::{Bsdf as Plugin, Pattern, Scene, Shape, Texture, TextureId};
 
 use crate::path::Vertex;
 use crate::world::{Surface, World};
@@ -27,7 +27,7 @@ pub fn vertex_at<R: Real, W: World<R>>(
     };
     let lobe = match scene.material(facing.id).bsdf {
         Plugin::Diffuse { reflectance } => Lobe::Diffuse(Diffuse {
-            reflectance: world.texel(reflectance, 0),
+            reflectance: world.lookup(reflectance, &surface.point),
         }),
         _ => unreachable!("resolved to one side; other plugins are refused before"),
     };
@@ -62,4 +62,28 @@ impl<R: Real> Vertex<R> {
             bsdf,
         }
     }
+}
+
+/// The textures that decide how a shape looks: those of its materials and of
+/// what it emits, attributes in the place of what looks them up.
+pub fn textures_of<'s>(scene: &'s Scene, shape: &Shape) -> Vec<&'s Texture> {
+    let mut materials = vec![shape.bsdf];
+    let mut ids: Vec<TextureId> = shape
+        .emitter
+        .map(|id| scene.emitter(id).radiance())
+        .into_iter()
+        .collect();
+    while let Some(id) = materials.pop() {
+        let bsdf = &scene.material(id).bsdf;
+        materials.extend(bsdf.parts());
+        ids.extend(bsdf.slots().iter().map(|slot| slot.texture));
+    }
+    let resolved = |id: TextureId| match &scene.texture(id).pattern {
+        Pattern::MeshAttribute { name, .. } => {
+            let attribute = shape.attribute(name);
+            scene.texture(attribute.expect("scenes are checked for attributes"))
+        }
+        _ => scene.texture(id),
+    };
+    ids.into_iter().map(resolved).collect()
 }

@@ -31,7 +31,7 @@ use crate::diff::flux::lamp_edge_flux;
 use crate::light::{Continuation, LightSampling, emitter_towards, sample_lights};
 use crate::material::vertex_at;
 use crate::pixel::{Support, Supports};
-use crate::world::{AtRest, World, surface_at};
+use crate::world::{AtRest, World, emitted_at, surface_at};
 
 /// Random numbers by purpose: where in the pixel.
 const FILM: u32 = 0;
@@ -398,13 +398,13 @@ impl<'a> Tracer<'a> {
         let (accel, plan) = (self.accel, &self.plan);
         let mut hit = self.camera_hit(s, direction.value());
         let mut light = Rgb::zero();
+        let mut origin = world.sensor_origin();
         if plan.reaches(1)
             && !plan.hide_emitters
             && let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction.value())
         {
-            light += world.radiance(emitter);
+            light += emitted_at(world, accel, emitter, hit.as_ref(), origin, direction);
         }
-        let mut origin = world.sensor_origin();
         let mut throughput = Rgb::constant(Rgb::splat(1.0)); // over its density
         for depth in 0.. {
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
@@ -496,16 +496,27 @@ impl<'a> Tracer<'a> {
             draw.stream,
             self.plan.vertex_numbers(depth),
             |i, sample| {
-                let radiance = world.radiance(sample.emitter);
                 let weight = R::constant(sample.weight);
+                let radiance = |direction: Vec3<R>| {
+                    let hit = sample.hit.as_ref();
+                    emitted_at(
+                        world,
+                        self.accel,
+                        sample.emitter,
+                        hit,
+                        vertex.position,
+                        direction,
+                    )
+                };
                 if let Some(event) = sample.specular {
-                    light += vertex.specular(event).1.hadamard(radiance) * weight;
+                    let (direction, fraction) = vertex.specular(event);
+                    light += fraction.hadamard(radiance(direction)) * weight;
                     return;
                 }
                 let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
                 let carried = world.carry(&eye, sample.direction, walk, numbers);
                 let f = vertex.eval(carried.direction);
-                light += f.hadamard(radiance) * (carried.stretch * weight);
+                light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
         );
         if W::MOVES

@@ -11,7 +11,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::light::emitter_towards;
 use crate::path::Vertex;
-use crate::world::{AtRest, World};
+use crate::world::{AtRest, World, emitted_at};
 
 use super::boundary::{Boundaries, Eye, Numbers};
 
@@ -76,9 +76,10 @@ pub fn lamp_edge_flux<R: Real, W: World<R>>(
         let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction) else {
             return Rgb::zero();
         };
-        vertex
-            .eval(direction)
-            .hadamard(AtRest(accel).radiance(emitter))
+        let world = AtRest(accel);
+        let (hit, origin) = (hit.as_ref(), vertex.position);
+        let radiance = emitted_at(&world, accel, emitter, hit, origin, direction);
+        vertex.eval(direction).hadamard(radiance)
     };
     // The normal points from the side of -1 to that of +1.
     Rgb::constant(arriving(-1.0) - arriving(1.0)) * flow

@@ -5,6 +5,7 @@ use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::estimate::{GradientImage, Statistics};
+use crate::material::textures_of;
 use crate::options::{GradientOptions, Options, Refusal, Unwatched, Watch};
 use crate::path::Tracer;
 use crate::sampler::Stream;
@@ -31,6 +32,7 @@ pub fn gradient(
     let field = Field::new(&accel);
     let world = InMotion::new(&accel, &field, motion);
     if world.moves() {
+        refuse_jumping_textures(scene)?;
         refuse_clipped(&accel)?;
     }
     let tracer = Tracer::moving(&accel, &field, options.walk);
@@ -63,6 +65,24 @@ pub fn gradient(
     })
 }
 
+/// A refusal if a texture jumps inside faces: its motion against the rays would be
+/// missed (METHOD 7).
+pub(super) fn refuse_jumping_textures(scene: &Scene) -> Result<(), Refusal> {
+    for shape in &scene.shapes {
+        if let Some(texture) = textures_of(scene, shape).iter().find(|t| t.jumps()) {
+            return Err(Refusal {
+                reason: format!(
+                    "the texture \"{}\" on the shape \"{}\" jumps from texel to texel, and the \
+                     motion of these jumps is not available. Use the filter `bilinear`, or finite \
+                     differences",
+                    texture.id, shape.id
+                ),
+            });
+        }
+    }
+    Ok(())
+}
+
 /// Samples per pixel of a first look.
 const PILOT_SPP: u32 = 2;
 
@@ -89,7 +109,9 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
     if let Err(refusal) = refuse_unsupported(scene) {
         return Some(refusal);
     }
-    refuse_clipped(&Accel::new(scene)).err()
+    refuse_jumping_textures(scene)
+        .and_then(|()| refuse_clipped(&Accel::new(scene)))
+        .err()
 }
 
 /// Refuses what cannot be rendered yet.
