@@ -6,6 +6,9 @@
 //! | `bench` | the benchmarks |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares |
 
+#[cfg(test)]
+mod code_map;
+mod deviation;
 mod parity;
 mod test;
 

@@ -25,7 +25,7 @@ Exit status:
   0  done, also within a --time-limit; for check: the gradient is right
   1  check: the gradient is wrong; compare: the pictures differ beyond their errors
   2  check, compare: the noise is too large to tell
-  3  bad input, or a derivative that is refused
+  3  bad input, a derivative that is refused, or results that cannot be written
   4  more than 1 in 10^6 samples was infinite or NaN (the pictures are written)
   5  stopped by Ctrl-C (what was done is written, marked as partial)";
 
@@ -54,7 +54,7 @@ pub enum Command {
     Scenes(Scenes),
     /// Render, differentiate and check the scene lattice-shadow
     ///
-    /// Takes about a minute on two cores.
+    /// Takes about a minute on two cores. Exit status as for check.
     Demo(Demo),
 }
 
@@ -230,13 +230,23 @@ pub struct Scenes {
 }
 
 #[derive(Args, Debug)]
+#[command(
+    mut_arg("spp", |arg| arg.help("Samples per pixel [default: 96]")),
+    mut_arg("seed", |arg| arg.help("Seed of all random numbers [default: 1]")),
+    mut_arg("time_limit", |arg| arg.help(
+        "Stop after this time (30, 30s, 5m, 1h), shared among picture, gradients and reference, \
+         and keep what is done"
+    )),
+)]
 pub struct Demo {
     /// Folder for the pictures
     #[arg(short, long, value_name = "FOLDER", default_value = "demo")]
     pub output: PathBuf,
-    /// Worker threads [default: all cores]
-    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
-    pub threads: Option<usize>,
+    /// Width and height of the pictures [default: 128x96]
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<[u32; 2]>,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,

@@ -20,7 +20,8 @@ pub enum Outcome {
     Interrupted,
 }
 
-/// Exit status of bad input and refused derivatives.
+/// Exit status of bad input, refused derivatives, and results that cannot be
+/// written.
 pub const BAD_INPUT: u8 = 3;
 
 impl From<Outcome> for ExitCode {

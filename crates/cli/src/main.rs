@@ -1,8 +1,12 @@
 //! The capwalk command: what was typed ([`args`]), one file per [`command`],
-//! progress and Ctrl-C ([`progress`]), and how things end ([`diagnostics`]).
+//! progress and Ctrl-C ([`progress`]), what is printed ([`console`]), and how
+//! things end ([`diagnostics`]).
+
+#![warn(clippy::print_stdout, clippy::print_stderr)]
 
 mod args;
 mod command;
+mod console;
 mod diagnostics;
 mod moving;
 mod output;
@@ -16,6 +20,7 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use args::{Cli, Command};
+use diagnostics::Outcome;
 
 fn main() -> ExitCode {
     let cli = match Cli::try_parse() {
@@ -25,9 +30,11 @@ fn main() -> ExitCode {
                 error.kind(),
                 ErrorKind::DisplayHelp | ErrorKind::DisplayVersion
             );
-            // A closed pipe leaves nobody to tell.
-            let _ = error.print();
-            return ExitCode::from(if asked { 0 } else { diagnostics::BAD_INPUT });
+            let printed = error.print();
+            if !asked {
+                return ExitCode::from(diagnostics::BAD_INPUT);
+            }
+            return finish(console::delivered(printed).map(|()| Outcome::Done));
         }
     };
     start_log(cli.verbose);
@@ -40,10 +47,15 @@ fn main() -> ExitCode {
         Command::Scenes(args) => command::scenes::run(args),
         Command::Demo(args) => command::demo::run(args),
     });
+    finish(result)
+}
+
+/// The exit status, after the text of an error.
+fn finish(result: anyhow::Result<Outcome>) -> ExitCode {
     match result {
         Ok(outcome) => outcome.into(),
         Err(error) => {
-            eprintln!("{}", diagnostics::describe(&error));
+            console::remark(&format!("{}\n", diagnostics::describe(&error)));
             ExitCode::from(diagnostics::BAD_INPUT)
         }
     }

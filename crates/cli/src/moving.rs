@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::Vec3;
 use capwalk_scene::{Filter, Motion, Scene, params};
 
 use crate::args::MotionArgs;
@@ -35,10 +35,14 @@ fn is_zero(motion: &Motion) -> bool {
     let sensor = [motion.sensor.translation, motion.sensor.rotation];
     shapes
         .flat_map(|shape| &shape.vertices)
-        .chain(&motion.reflectance)
-        .chain(&motion.radiance)
         .chain(&sensor)
         .all(|&velocity| velocity == Vec3::zero())
+        && motion
+            .textures
+            .iter()
+            .flatten()
+            .flatten()
+            .all(|&v| v == 0.0)
 }
 
 /// A name for the motion in file headers and tables.
@@ -76,8 +80,8 @@ pub fn default_step(scene: &Scene, motion: &Motion) -> f64 {
     let speed = sensor.translation.length() + sensor.rotation.length() * size;
     step = step.min(STEP_FRACTION * size / speed);
     step = step.min(film_step(scene) / film_speed(scene, motion));
-    let colours = motion.reflectance.iter().chain(&motion.radiance);
-    let rate = colours.map(largest).fold(0.0, f64::max);
+    let numbers = motion.textures.iter().flatten().flatten();
+    let rate = numbers.map(|v| v.abs()).fold(0.0, f64::max);
     step.min(COLOUR_STEP / rate)
 }
 
@@ -158,10 +162,6 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
         )
     });
     of_vertices.chain(of_corners).fold(0.0, f64::max)
-}
-
-fn largest(colour: &Rgb) -> f64 {
-    colour.x.abs().max(colour.y.abs()).max(colour.z.abs())
 }
 
 /// Smallest and largest coordinates of all shapes.

@@ -64,32 +64,37 @@ fn prepare(path: &Path) -> Result<()> {
     Ok(image::check_writable(path)?)
 }
 
-/// A picture to be filled with layers, and what there is to say about it.
-pub fn picture(
-    command: &str,
-    scene: &str,
-    parameter: Option<&str>,
-    options: &Options,
-    statistics: &Statistics,
-) -> Picture {
-    let mut metadata: Vec<(String, String)> = [
-        ("command", command.to_owned()),
-        ("scene", scene.to_owned()),
-        ("seed", options.seed.to_string()),
-        ("spp", options.spp.to_string()),
-        ("samples", statistics.samples.to_string()),
-        ("complete", statistics.complete.to_string()),
-        ("non_finite_samples", statistics.non_finite.to_string()),
-        ("version", env!("CARGO_PKG_VERSION").to_owned()),
-    ]
-    .map(|(key, value)| (key.to_owned(), value))
-    .into();
-    metadata.extend(parameter.map(|name| ("parameter".to_owned(), name.to_owned())));
-    Picture {
-        layers: Vec::new(),
-        metadata,
-        samples: Some(statistics.samples_per_pixel.clone()),
+/// A picture to be filled with layers, which says what was asked for.
+pub fn picture(command: &str, scene: &str, parameter: Option<&str>, options: &Options) -> Picture {
+    let mut picture = Picture::default();
+    note(&mut picture, "command", command);
+    note(&mut picture, "scene", scene);
+    note(&mut picture, "seed", options.seed);
+    note(&mut picture, "spp", options.spp);
+    note(&mut picture, "version", env!("CARGO_PKG_VERSION"));
+    if let Some(name) = parameter {
+        note(&mut picture, "parameter", name);
     }
+    picture
+}
+
+/// Adds to what a picture says about itself.
+pub fn note(picture: &mut Picture, key: &str, value: impl ToString) {
+    picture.metadata.push((key.to_owned(), value.to_string()));
+}
+
+/// Says what was done, for a picture whose layers all come from these pieces of
+/// work: the counts are sums, and it is complete if all of them are.
+pub fn push_statistics(picture: &mut Picture, pieces: &[&Statistics]) {
+    let sum = |of: fn(&Statistics) -> u64| pieces.iter().map(|s| of(s)).sum::<u64>();
+    note(picture, "samples", sum(|s| s.samples));
+    note(picture, "complete", pieces.iter().all(|s| s.complete));
+    note(picture, "non_finite_samples", sum(|s| s.non_finite));
+    let counts = pieces.iter().map(|s| s.samples_per_pixel.clone());
+    picture.samples = counts.reduce(|sum, more| {
+        let pairs = sum.iter().zip(&more);
+        pairs.map(|(a, b)| a.saturating_add(*b)).collect()
+    });
 }
 
 /// Adds an estimate as a layer and another with its standard errors: `stderr`

@@ -8,6 +8,8 @@ use anyhow::Context;
 use capwalk_render::Watch;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
+use crate::console;
+
 /// Work shorter than this shows no bar.
 const QUIET_FOR: Duration = Duration::from_secs(1);
 
@@ -24,7 +26,7 @@ pub fn catch_interrupts() -> anyhow::Result<()> {
         if INTERRUPTED.swap(true, Ordering::SeqCst) {
             std::process::exit(KILLED);
         }
-        eprintln!("\nstopping; what is done will be written (Ctrl-C again ends at once)");
+        console::remark("\nstopping; what is done will be written (Ctrl-C again ends at once)\n");
     })
     .context("cannot listen to Ctrl-C")
 }

@@ -116,6 +116,11 @@ pub fn work(what: &str, statistics: &Statistics, elapsed: f64) -> String {
     text
 }
 
+/// The names of the files that were written, on one line.
+pub fn written(files: &[String]) -> String {
+    format!("wrote {}\n", files.join(", "))
+}
+
 /// What is to be said on the standard error about a finished piece of work:
 /// that it is partial, and non-finite samples.
 pub fn warnings(what: &str, statistics: &Statistics) -> String {

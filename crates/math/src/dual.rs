@@ -115,6 +115,10 @@ impl<const N: usize> Real for Dual<N> {
         self.value
     }
     #[inline]
+    fn is_constant(self) -> bool {
+        self.tangent == [0.0; N]
+    }
+    #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
         self.chain(root, 0.5 / root)
@@ -128,6 +132,10 @@ impl<const N: usize> Real for Dual<N> {
     fn exp(self) -> Self {
         let exp = self.value.exp();
         self.chain(exp, exp)
+    }
+    #[inline]
+    fn chain(self, value: f64, slope: f64) -> Self {
+        Dual::chain(self, value, slope)
     }
 }
 

@@ -14,9 +14,12 @@
 pub mod affine;
 pub mod dual;
 pub mod frame;
+pub mod quadrature;
 pub mod real;
+pub mod special;
 pub mod sphere;
 pub mod stats;
+pub mod tape;
 pub mod vec3;
 
 pub use affine::Affine;
@@ -24,4 +27,5 @@ pub use dual::Dual;
 pub use frame::Frame;
 pub use real::Real;
 pub use stats::Moments;
+pub use tape::{Tape, Var};
 pub use vec3::{Rgb, Vec3};

@@ -1,10 +1,14 @@
 //! The scalar that all smooth code is generic over.
 
+use std::f64::consts::FRAC_2_SQRT_PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
+
+use crate::special;
 
 /// A real number that may carry derivatives.
 ///
-/// Implemented for `f32`, `f64` and [`Dual`](crate::dual::Dual). Only the
+/// Implemented for `f32`, `f64`, [`Dual`](crate::dual::Dual) and
+/// [`Var`](crate::tape::Var). Only the
 /// functions the renderer uses are listed: the trait is a menu, not a
 /// numeric tower. Comparison is by value: a derivative never steers a branch.
 pub trait Real:
@@ -22,12 +26,40 @@ pub trait Real:
     /// The value without its derivative. Use it for every branch and every
     /// sampling decision, so that both stay detached.
     fn value(self) -> f64;
+    /// True if its derivatives are known to be zero.
+    fn is_constant(self) -> bool;
     /// Square root.
     fn sqrt(self) -> Self;
     /// Sine and cosine.
     fn sin_cos(self) -> (Self, Self);
     /// The exponential function.
     fn exp(self) -> Self;
+    /// A function of this number by the chain rule: `value` is the function's
+    /// value here, `slope` its derivative.
+    fn chain(self, value: f64, slope: f64) -> Self;
+
+    /// Natural logarithm.
+    #[inline]
+    fn ln(self) -> Self {
+        let x = self.value();
+        self.chain(x.ln(), x.recip())
+    }
+    /// The error function.
+    #[inline]
+    fn erf(self) -> Self {
+        let x = self.value();
+        self.chain(special::erf(x), FRAC_2_SQRT_PI * (-x * x).exp())
+    }
+    /// Absolute value; at zero it has the derivative from above.
+    #[inline]
+    fn abs(self) -> Self {
+        if self.value() < 0.0 { -self } else { self }
+    }
+    /// The square.
+    #[inline]
+    fn squared(self) -> Self {
+        self * self
+    }
 }
 
 macro_rules! impl_real_for_float {
@@ -42,6 +74,10 @@ macro_rules! impl_real_for_float {
                 f64::from(self)
             }
             #[inline]
+            fn is_constant(self) -> bool {
+                true
+            }
+            #[inline]
             fn sqrt(self) -> Self {
                 self.sqrt()
             }
@@ -53,8 +89,45 @@ macro_rules! impl_real_for_float {
             fn exp(self) -> Self {
                 self.exp()
             }
+            #[inline]
+            fn chain(self, value: f64, _slope: f64) -> Self {
+                value as $float
+            }
         }
     };
 }
 impl_real_for_float!(f32);
 impl_real_for_float!(f64);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dual::Dual;
+    use crate::tape::Tape;
+
+    fn expression<R: Real>(x: R) -> R {
+        (x.ln() * x.erf() + (x - R::constant(1.0)).abs()).squared()
+    }
+
+    /// The functions of one argument: duals and tapes against central
+    /// differences, and single precision against double.
+    #[test]
+    fn functions_match_central_differences() {
+        for x in [0.2, 0.9, 1.4, 3.0] {
+            let h = 1e-6;
+            let difference = (expression(x + h) - expression(x - h)) / (2.0 * h);
+            let dual = expression(Dual::<1>::variable(x, 0));
+            assert_eq!(dual.value, expression(x));
+            assert!((dual.tangent[0] - difference).abs() < 1e-8, "at {x}");
+            assert!((f64::from(expression(x as f32)) - expression(x)).abs() < 1e-5);
+
+            let tape = Tape::default();
+            let var = tape.variable(x);
+            let result = expression(var);
+            let mut adjoints = tape.adjoints();
+            adjoints.add(result, 1.0);
+            tape.sweep(&mut adjoints, 0..tape.len());
+            assert!((adjoints.of(var) - dual.tangent[0]).abs() < 1e-12);
+        }
+    }
+}

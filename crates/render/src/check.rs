@@ -58,11 +58,16 @@ pub struct Comparison {
     /// Mean of `z² = (gradient - reference)² / (their variances)`: 1 for a
     /// right gradient with right errors. Both sides of the fraction are
     /// averaged before they are divided, weighted by the noise around each
-    /// pixel: the plain mean of `z²` exceeds 1 where few samples met the event
+    /// pixel: the plain mean of `z²` is off 1 where few samples met the event
     /// that makes the noise. NaN if no pixel has noise.
     pub mean_z_squared: f64,
     /// Standard error of `mean_z_squared` if the gradient is right.
     pub mean_z_squared_error: f64,
+    /// Mean of `z²` over the pixels with noise, all with the same weight. Near
+    /// 1 for a right gradient if noise is close to Gaussian; off it either way
+    /// where samples are few for how rare the noise is, and so no part of the
+    /// verdict. NaN if no pixel has noise.
+    pub mean_z_squared_plain: f64,
     /// Sum of the differences over its standard error, weighted as above: a
     /// standard normal variable for a right gradient, large for a systematic
     /// sign.
@@ -137,6 +142,8 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     let squares = weighted(|p| p.difference().powi(2));
     comparison.mean_z_squared = squares / variances;
     comparison.mean_z_squared_error = spread.max(gaussian).sqrt() / variances;
+    let plain: f64 = noisy.iter().map(|p| p.z.powi(2)).sum();
+    comparison.mean_z_squared_plain = plain / noisy.len() as f64;
 
     // Differences in units of the noise around them, over the larger of their
     // stated and their observed spread.
@@ -212,6 +219,7 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
         correlation: moment(|g, r| g * r) / (moment(|g, _| g * g) * moment(|_, r| r * r)).sqrt(),
         mean_z_squared: f64::NAN,
         mean_z_squared_error: f64::NAN,
+        mean_z_squared_plain: f64::NAN,
         sign: f64::NAN,
         pixels: 0,
         left_out: 0,

@@ -1,9 +1,13 @@
 //! Derivatives of the picture.
 
-pub mod boundary;
+pub(crate) mod adjoint;
+pub(crate) mod boundary;
 mod clip;
 mod crossing;
 pub mod finite;
-mod flux;
+pub(crate) mod flux;
 pub mod forward;
+mod motion;
 pub mod probe;
+mod recording;
+pub mod reverse;

@@ -1,68 +1,86 @@
-//! The numbers of a scene, with or without their derivatives: the same code
-//! evaluates a path and its derivative by asking one [`World`] or the other.
+//! The numbers of a scene, with or without derivatives. The same code evaluates
+//! a path, its forward and its reverse derivative, by asking one [`World`] or
+//! another.
 
 use capwalk_geometry::Hit;
-use capwalk_math::{Affine, Dual, Real, Rgb, Vec3};
-use capwalk_scene::{BsdfId, EmitterId, Motion, Scene};
+use capwalk_math::{Affine, Real, Rgb, Vec3};
+use capwalk_scene::lobe::Side;
+use capwalk_scene::{BsdfId, EmitterId, Scene, SurfacePoint, TextureId};
+use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
+use crate::diff::boundary::{Eye, Numbers};
 
-/// What a path reads of a scene.
+/// What a path reads of a scene, and how its directions move.
 pub trait World<R: Real> {
+    /// False if nothing has a derivative: then what has the value zero need not
+    /// be computed.
+    const MOVES: bool;
     /// Position of a vertex of the joined mesh.
     fn vertex(&self, index: u32) -> Vec3<R>;
     /// Unit shading normal of a vertex of a shape with vertex normals.
     fn normal(&self, shape: usize, vertex: u32) -> Vec3<R>;
-    /// Reflectance of a diffuse material.
-    fn reflectance(&self, id: BsdfId) -> Rgb<R>;
-    /// Radiance of an emitter.
-    fn radiance(&self, id: EmitterId) -> Rgb<R>;
-    /// The camera-space direction of a world-space one.
-    fn camera_direction(&self, direction: Vec3<R>) -> Vec3<R>;
+    /// The scene whose numbers they are.
+    fn scene(&self) -> &Scene;
+    /// A texel of a texture.
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
     /// Where the sensor stands.
     fn sensor_origin(&self) -> Vec3<R>;
+    /// How far the sensor has turned, a rotation vector in world axes: zero,
+    /// but for its derivative.
+    fn sensor_turn(&self) -> Vec3<R>;
+    /// The unit direction `q` from a point, moving with the velocity field
+    /// around the point, an unbiased sample of it and of its divergence.
+    fn carry(&self, eye: &Eye<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Carried<R>;
+    /// The same without the divergence, for flows through curves.
+    fn carry_value(&self, eye: &Eye<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Vec3<R>;
+
+    /// The camera-space direction of a world-space one.
+    fn camera_direction(&self, direction: Vec3<R>) -> Vec3<R> {
+        // d/dθ (Rᵀ q) = Rᵀ (q̇ - ω × q): turning the camera to the left shows
+        // what lies to the left.
+        let seen = direction - self.sensor_turn().cross(direction);
+        camera_from_world(&self.scene().sensor.world_from_camera, seen)
+    }
+
+    /// The value of a texture at a point of a surface.
+    #[inline]
+    fn lookup(&self, id: TextureId, at: &SurfacePoint<R>) -> Rgb<R> {
+        let scene = self.scene();
+        match scene.texture(id).is_constant() {
+            true => self.texel(id, 0),
+            false => scene.lookup(id, at, |id, index| self.texel(id, index)),
+        }
+    }
+}
+
+/// A sampled direction that moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Carried<R> {
+    /// The direction; its value is the sampled one, of unit length.
+    pub direction: Vec3<R>,
+    /// One; its derivative is the divergence of the field.
+    pub stretch: R,
+    /// True if a boundary is near: derivatives may be noisy there.
+    pub near_boundary: bool,
+}
+
+impl<R: Real> Carried<R> {
+    /// A direction that stays.
+    pub fn at_rest(q: Vec3) -> Self {
+        Self {
+            direction: Vec3::constant(q),
+            stretch: R::constant(1.0),
+            near_boundary: false,
+        }
+    }
 }
 
 /// The scene as it is.
 pub struct AtRest<'a>(pub &'a Accel<'a>);
 
-/// The scene moving along a [`Motion`]: values with one derivative.
-pub struct InMotion<'a> {
-    accel: &'a Accel<'a>,
-    motion: &'a Motion,
-    /// Velocity of every vertex of the joined mesh.
-    pub vertices: Vec<Vec3>,
-    /// Velocities of each shape's shading normals, where it has any.
-    normals: Vec<Option<Vec<Vec3>>>,
-}
-
-/// A number and its derivative by the parameter.
-pub type D = Dual<1>;
-
-impl<'a> InMotion<'a> {
-    /// The velocities of everything; shapes at rest get zeros.
-    pub fn new(accel: &'a Accel<'a>, motion: &'a Motion) -> Self {
-        let scene = accel.scene;
-        let mut vertices = vec![Vec3::zero(); accel.mesh.positions.len()];
-        for (shape, &first) in motion.shapes.iter().zip(&accel.first_vertex) {
-            if let Some(shape) = shape {
-                let first = first as usize;
-                vertices[first..first + shape.vertices.len()].copy_from_slice(&shape.vertices);
-            }
-        }
-        let normals = (0..scene.shapes.len())
-            .map(|shape| scene.normal_velocities(motion, shape))
-            .collect();
-        Self {
-            accel,
-            motion,
-            vertices,
-            normals,
-        }
-    }
-}
-
 impl World<f64> for AtRest<'_> {
+    const MOVES: bool = false;
     #[inline]
     fn vertex(&self, index: u32) -> Vec3 {
         self.0.mesh.positions[index as usize]
@@ -72,84 +90,40 @@ impl World<f64> for AtRest<'_> {
         vertex_normal(self.0.scene, shape, vertex)
     }
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb {
-        diffuse_reflectance(self.0.scene, id)
+    fn scene(&self) -> &Scene {
+        self.0.scene
     }
     #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb {
-        self.0.scene.emitter(id).radiance()
-    }
-    #[inline]
-    fn camera_direction(&self, direction: Vec3) -> Vec3 {
-        camera_from_world(&self.0.scene.sensor.world_from_camera, direction)
+    fn texel(&self, id: TextureId, index: usize) -> Rgb {
+        self.0.scene.texture(id).texel(index)
     }
     #[inline]
     fn sensor_origin(&self) -> Vec3 {
         self.0.scene.sensor.origin()
     }
-}
-
-impl World<D> for InMotion<'_> {
     #[inline]
-    fn vertex(&self, index: u32) -> Vec3<D> {
-        let index = index as usize;
-        self.accel.mesh.positions[index].with_tangent(self.vertices[index])
+    fn sensor_turn(&self) -> Vec3 {
+        Vec3::zero()
     }
     #[inline]
-    fn normal(&self, shape: usize, vertex: u32) -> Vec3<D> {
-        let velocity = match &self.normals[shape] {
-            Some(velocities) => velocities[vertex as usize],
-            None => Vec3::zero(),
-        };
-        vertex_normal(self.accel.scene, shape, vertex).with_tangent(velocity)
+    fn carry(&self, _: &Eye<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Carried<f64> {
+        Carried::at_rest(q)
     }
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb<D> {
-        let velocity = self.motion.reflectance[id.0 as usize];
-        diffuse_reflectance(self.accel.scene, id).with_tangent(velocity)
-    }
-    #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb<D> {
-        let velocity = self.motion.radiance[id.0 as usize];
-        self.accel
-            .scene
-            .emitter(id)
-            .radiance()
-            .with_tangent(velocity)
-    }
-    #[inline]
-    fn camera_direction(&self, direction: Vec3<D>) -> Vec3<D> {
-        // d/dθ (Rᵀ q) = Rᵀ (q̇ - ω × q): turning the camera to the left shows
-        // what lies to the left.
-        let (q, velocity) = (direction.value(), direction.tangent(0));
-        let seen = velocity - self.motion.sensor.rotation.cross(q);
-        let sensor = &self.accel.scene.sensor.world_from_camera;
-        camera_from_world(sensor, q).with_tangent(camera_from_world(sensor, seen))
-    }
-    #[inline]
-    fn sensor_origin(&self) -> Vec3<D> {
-        let origin = self.accel.scene.sensor.origin();
-        origin.with_tangent(self.motion.sensor.translation)
+    fn carry_value(&self, _: &Eye<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Vec3 {
+        q
     }
 }
 
-fn vertex_normal(scene: &Scene, shape: usize, vertex: u32) -> Vec3 {
+/// The unit shading normal of a vertex, as it is.
+pub fn vertex_normal(scene: &Scene, shape: usize, vertex: u32) -> Vec3 {
     let normals = scene.shapes[shape].normals.per_vertex();
     normals.expect("asked only of shapes with vertex normals")[vertex as usize]
 }
 
-fn diffuse_reflectance(scene: &Scene, id: BsdfId) -> Rgb {
-    match &scene.material(id).bsdf {
-        capwalk_scene::Bsdf::Diffuse(diffuse) => diffuse.reflectance,
-        capwalk_scene::Bsdf::TwoSided { .. } => {
-            unreachable!("a hit's material has been resolved to one side")
-        }
-    }
-}
-
 /// The transpose of a rotation is its inverse.
-fn camera_from_world(world_from_camera: &Affine, v: Vec3) -> Vec3 {
-    let [a, b, c] = world_from_camera.rows;
+fn camera_from_world<R: Real>(world_from_camera: &Affine, v: Vec3<R>) -> Vec3<R> {
+    let [a, b, c] = world_from_camera.rows.map(Vec3::constant);
     a * v.x + b * v.y + c * v.z
 }
 
@@ -158,24 +132,16 @@ fn camera_from_world(world_from_camera: &Affine, v: Vec3) -> Vec3 {
 pub struct Surface<R> {
     /// The hit point.
     pub position: Vec3<R>,
-    /// Unit shading normal on the viewer's side.
-    pub normal: Vec3<R>,
+    /// The same on the shape.
+    pub point: SurfacePoint<R>,
+    /// Unit shading normal on the outside.
+    pub outward: Vec3<R>,
     /// Unit geometric normal on the viewer's side.
     pub face_normal: Vec3,
-    /// The diffuse material of that side, or `None` if it is black.
-    pub bsdf: Option<BsdfId>,
-}
-
-impl<R: Real> Surface<R> {
-    /// The surface without its derivative.
-    pub fn value(&self) -> Surface<f64> {
-        Surface {
-            position: self.position.value(),
-            normal: self.normal.value(),
-            face_normal: self.face_normal,
-            bsdf: self.bsdf,
-        }
-    }
+    /// Which side is seen.
+    pub side: Side,
+    /// The shape's material.
+    pub material: BsdfId,
 }
 
 /// The surface at a hit of the ray from `origin` along `direction`. Which
@@ -207,16 +173,17 @@ pub fn surface_at<R: Real, W: World<R>>(
     } else {
         1.0
     };
+    // Barycentric weights by the areas opposite to the corners.
+    let offset = position - a;
+    let scale = R::constant(1.0) / cross.length_squared();
+    let wb = offset.cross(edge2).dot(cross) * scale;
+    let wc = edge1.cross(offset).dot(cross) * scale;
+    let barycentric = [R::constant(1.0) - wb - wc, wb, wc];
     // Normals given with a mesh say which side of a face is out, even against
     // its winding; all three together, so that it is the same all over it.
     let (outward, out) = match shape.normals.per_vertex() {
         None => (cross.normalized(), 1.0),
         Some(_) => {
-            // Barycentric weights by the areas opposite to the corners.
-            let offset = position - a;
-            let scale = R::constant(1.0) / cross.length_squared();
-            let wb = offset.cross(edge2).dot(cross) * scale;
-            let wc = edge1.cross(offset).dot(cross) * scale;
             let first = accel.first_vertex[shape_id.0 as usize];
             let [na, nb, nc] = corners.map(|i| world.normal(shape_id.0 as usize, i - first));
             let out = (na + nb + nc).value().dot(face_normal).signum();
@@ -224,12 +191,43 @@ pub fn surface_at<R: Real, W: World<R>>(
             (normal, out)
         }
     };
-    let facing = seen * out;
-    let bsdf = scene.facing_bsdf(shape.bsdf, facing);
+    let face = (hit.face - accel.first_face[shape_id.0 as usize]) as usize;
     Surface {
         position,
-        normal: outward * R::constant(facing),
+        point: SurfacePoint {
+            shape: shape_id,
+            face,
+            barycentric,
+            uv: shape.uv(face, barycentric),
+        },
+        outward,
         face_normal: face_normal * seen,
-        bsdf: bsdf.map(|facing| facing.id),
+        side: if seen * out > 0.0 {
+            Side::Front
+        } else {
+            Side::Back
+        },
+        material: shape.bsdf,
+    }
+}
+
+/// What an emitter sends back along a ray that meets it at `hit`, or in no
+/// surface if it is the environment.
+pub fn emitted_at<R: Real, W: World<R>>(
+    world: &W,
+    accel: &Accel,
+    emitter: EmitterId,
+    hit: Option<&Hit>,
+    origin: Vec3<R>,
+    direction: Vec3<R>,
+) -> Rgb<R> {
+    let scene = accel.scene;
+    let radiance = scene.emitter(emitter).radiance();
+    match hit {
+        Some(hit) if !scene.texture(radiance).is_constant() => {
+            let surface = surface_at(world, accel, hit, origin, direction);
+            world.lookup(radiance, &surface.point)
+        }
+        _ => world.texel(radiance, 0),
     }
 }

@@ -141,9 +141,11 @@ fn occluder_under_constant_light() {
     let mut scene = with(tilted_cube().0);
     scene.shapes.remove(1); // the lamp
     scene.shapes[1].id = "thing".into();
+    let radiance = Texture::colour("sky.radiance", capwalk_math::Rgb::splat(1.0));
+    let radiance = scene.add_texture(radiance);
     scene.emitters = vec![Emitter::Constant {
         id: "sky".into(),
-        radiance: capwalk_math::Rgb::splat(1.0),
+        radiance,
     }];
     scene.settings.integrator = Integrator::Direct {
         emitter_samples: 1,

@@ -1,42 +1,33 @@
 //! Light sources.
 
-use capwalk_math::Rgb;
-
-use crate::scene::{EmitterId, Scene, SceneError, ShapeId};
+use crate::scene::{Scene, ShapeId};
+use crate::texture::TextureId;
 
 /// A light source.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Emitter {
-    /// A shape that emits the same radiance from every point of its front,
-    /// in every direction.
+    /// A shape that emits the same radiance in every direction from its front.
     Area {
         /// The shape.
         shape: ShapeId,
         /// What it emits.
-        radiance: Rgb,
+        radiance: TextureId,
     },
     /// The same radiance from every direction that meets no shape.
     Constant {
         /// Name of the emitter, for parameters.
         id: String,
         /// What it emits.
-        radiance: Rgb,
+        radiance: TextureId,
     },
 }
 
 impl Emitter {
     /// What it emits.
     #[inline]
-    pub fn radiance(&self) -> Rgb {
+    pub fn radiance(&self) -> TextureId {
         match self {
             Self::Area { radiance, .. } | Self::Constant { radiance, .. } => *radiance,
-        }
-    }
-
-    /// What it emits, to be changed.
-    pub fn radiance_mut(&mut self) -> &mut Rgb {
-        match self {
-            Self::Area { radiance, .. } | Self::Constant { radiance, .. } => radiance,
         }
     }
 
@@ -45,29 +36,11 @@ impl Emitter {
         matches!(self, Self::Constant { .. })
     }
 
-    /// The name of its radiance parameter: `<shape>.emitter.radiance.value`
-    /// or `<id>.radiance.value`.
-    pub fn parameter_name(&self, scene: &Scene) -> String {
+    /// What users call it: `<shape>.emitter`, or its own id.
+    pub fn name(&self, scene: &Scene) -> String {
         match self {
-            Self::Area { shape, .. } => {
-                format!("{}.emitter.radiance.value", scene.shape(*shape).id)
-            }
-            Self::Constant { id, .. } => format!("{id}.radiance.value"),
+            Self::Area { shape, .. } => format!("{}.emitter", scene.shape(*shape).id),
+            Self::Constant { id, .. } => id.clone(),
         }
-    }
-
-    pub(crate) fn check(&self, scene: &Scene, id: EmitterId) -> Result<(), SceneError> {
-        if let Self::Area { shape, .. } = self {
-            debug_assert_eq!(scene.shape(*shape).emitter, Some(id));
-        }
-        let r = self.radiance();
-        if !r.is_finite() || r.min(Rgb::zero()) != Rgb::zero() {
-            return Err(SceneError::BadNumber {
-                name: self.parameter_name(scene),
-                value: format!("({}, {}, {})", r.x, r.y, r.z),
-                expected: "finite numbers of at least 0",
-            });
-        }
-        Ok(())
     }
 }

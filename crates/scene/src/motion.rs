@@ -3,19 +3,17 @@
 
 use capwalk_math::{Affine, Rgb, Vec3};
 
-use crate::bsdf::Bsdf;
 use crate::scene::Scene;
 use crate::shape::{ShadingNormals, vertex_normals};
+use crate::texture::{TextureId, texel};
 
 /// Velocities of everything that can move or change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// One per shape; `None` is at rest.
     pub shapes: Vec<Option<ShapeMotion>>,
-    /// Change of each material's reflectance.
-    pub reflectance: Vec<Rgb>,
-    /// Change of each emitter's radiance.
-    pub radiance: Vec<Rgb>,
+    /// Change of each texture's data, in their form; `None` does not change.
+    pub textures: Vec<Option<Vec<f64>>>,
     /// Motion of the sensor.
     pub sensor: SensorMotion,
 }
@@ -53,8 +51,7 @@ impl Motion {
     pub fn zero(scene: &Scene) -> Self {
         Self {
             shapes: vec![None; scene.shapes.len()],
-            reflectance: vec![Rgb::zero(); scene.materials.len()],
-            radiance: vec![Rgb::zero(); scene.emitters.len()],
+            textures: vec![None; scene.textures.len()],
             sensor: SensorMotion::default(),
         }
     }
@@ -68,13 +65,79 @@ impl Motion {
                 (Some(own), Some(others)) => own.add(others),
             }
         }
-        let add = |own: &mut Vec<Rgb>, others: &[Rgb]| {
-            own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
-        };
-        add(&mut self.reflectance, &other.reflectance);
-        add(&mut self.radiance, &other.radiance);
+        for (own, others) in self.textures.iter_mut().zip(&other.textures) {
+            match (own.as_mut(), others) {
+                (_, None) => {}
+                (None, Some(_)) => *own = others.clone(),
+                (Some(own), Some(others)) => {
+                    own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
+                }
+            }
+        }
         self.sensor.translation += other.sensor.translation;
         self.sensor.rotation += other.sensor.rotation;
+    }
+
+    /// The motion with every number replaced by a function of it, which must
+    /// keep zero.
+    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        let map = |v: &[Vec3]| v.iter().map(|v| v.map(&f)).collect::<Vec<_>>();
+        let shape = |shape: &ShapeMotion| ShapeMotion {
+            vertices: map(&shape.vertices),
+            normals: shape.normals.as_ref().map(|normals| map(normals)),
+        };
+        let texture = |data: &Vec<f64>| data.iter().map(|&x| f(x)).collect();
+        Self {
+            shapes: self.shapes.iter().map(|s| s.as_ref().map(shape)).collect(),
+            textures: self
+                .textures
+                .iter()
+                .map(|t| t.as_ref().map(texture))
+                .collect(),
+            sensor: SensorMotion {
+                translation: self.sensor.translation.map(&f),
+                rotation: self.sensor.rotation.map(&f),
+            },
+        }
+    }
+
+    /// The motion `factor` times as fast.
+    pub fn scaled(&self, factor: f64) -> Self {
+        self.map(|x| x * factor)
+    }
+
+    /// The sum of the products of corresponding numbers: a gradient has the
+    /// form of a motion, and this is the derivative along the other one. What
+    /// one of them does not have counts as zero.
+    pub fn dot(&self, other: &Self) -> f64 {
+        let dot = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, &b)| a.dot(b)).sum::<f64>();
+        let shapes = self.shapes.iter().zip(&other.shapes);
+        let of_shapes: f64 = shapes
+            .filter_map(|(a, b)| {
+                let (a, b) = (a.as_ref()?, b.as_ref()?);
+                let normals = a.normals.as_ref().zip(b.normals.as_ref());
+                let of_normals = normals.map_or(0.0, |(a, b)| dot(a, b));
+                Some(dot(&a.vertices, &b.vertices) + of_normals)
+            })
+            .sum();
+        let textures = self.textures.iter().zip(&other.textures);
+        let of_textures: f64 = textures
+            .filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)))
+            .flat_map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b))
+            .sum();
+        of_shapes
+            + of_textures
+            + self.sensor.translation.dot(other.sensor.translation)
+            + self.sensor.rotation.dot(other.sensor.rotation)
+    }
+
+    /// Change of a texel of a texture.
+    #[inline]
+    pub fn texel(&self, scene: &Scene, id: TextureId, index: usize) -> Rgb {
+        match &self.textures[id.0 as usize] {
+            Some(velocities) => texel(velocities, scene.texture(id).channels, index),
+            None => Rgb::zero(),
+        }
     }
 }
 
@@ -120,13 +183,10 @@ impl Scene {
                 _ => {}
             }
         }
-        for (material, velocity) in scene.materials.iter_mut().zip(&motion.reflectance) {
-            if let Bsdf::Diffuse(diffuse) = &mut material.bsdf {
-                diffuse.reflectance += *velocity * step;
-            }
-        }
-        for (emitter, velocity) in scene.emitters.iter_mut().zip(&motion.radiance) {
-            *emitter.radiance_mut() += *velocity * step;
+        for (texture, velocities) in scene.textures.iter_mut().zip(&motion.textures) {
+            let velocities = velocities.iter().flatten();
+            let numbers = texture.data.iter_mut().zip(velocities);
+            numbers.for_each(|(x, &v)| *x += v * step);
         }
         let sensor = &mut scene.sensor.world_from_camera;
         let origin = sensor.translation + motion.sensor.translation * step;

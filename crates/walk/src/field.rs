@@ -46,6 +46,27 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
         });
     }
 
+    /// The same sample with the boundary points described in another way.
+    #[inline]
+    pub fn map<T: Copy>(&self, f: impl Fn(&S) -> T) -> FieldSample<T, V> {
+        FieldSample {
+            terms: self.terms.map(|term| {
+                term.map(|term| Term {
+                    site: f(&term.site),
+                    weight: term.weight,
+                    slope: term.slope,
+                })
+            }),
+            curvature: self.curvature,
+        }
+    }
+
+    /// True if no boundary was found: the field and its derivatives are zero.
+    #[inline]
+    pub fn is_zero(&self) -> bool {
+        self.terms().next().is_none()
+    }
+
     /// The boundary points' shares.
     #[inline]
     pub fn terms(&self) -> impl Iterator<Item = &Term<S, V>> {

@@ -19,8 +19,9 @@ pub struct Sphere<'a, F = fn(&SilhouettePoint) -> bool> {
     pub groups: u8,
     /// Edges wholly behind it are not (`domain = triangle`).
     pub in_front_of: Option<Plane>,
-    /// Which points of these edges count: all, or only those that can be seen.
-    pub counts: F,
+    /// Which points of these edges count, for example only those that can be
+    /// seen; `None` if all of them do.
+    pub counts: Option<F>,
     /// Counts the queries.
     pub queries: Cell<u64>,
 }
@@ -40,7 +41,10 @@ impl<F: Fn(&SilhouettePoint) -> bool> Domain for Sphere<'_, F> {
             groups: self.groups,
             in_front_of: self.in_front_of,
         };
-        let site = self.tree.closest_where(&query, &self.counts)?;
+        let site = match &self.counts {
+            None => self.tree.closest(&query)?,
+            Some(counts) => self.tree.closest_where(&query, counts)?,
+        };
         Some(Nearest {
             site,
             point: site.direction,

@@ -91,7 +91,7 @@ impl Moving {
             edges: EdgeSelection::Silhouettes,
             groups: u8::MAX,
             in_front_of: None,
-            counts: |_| true,
+            counts: None,
             queries: Default::default(),
         }
     }

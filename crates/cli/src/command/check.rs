@@ -1,20 +1,20 @@
 //! `capwalk check`: a gradient against finite differences, with a verdict.
 
+pub mod picture;
+
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk_math::Vec3;
 use capwalk_render::check::{Comparison, Verdict, compare};
 use capwalk_render::{GradientImage, GradientOptions, Options};
-use capwalk_scene::{Image, Motion, Scene};
-use capwalk_scene_io::image::{self, Panel, Style};
+use capwalk_scene::{Motion, Scene};
 use serde_json::{Value, json};
 
 use crate::args::Check;
 use crate::diagnostics::Outcome;
-use crate::output::{self, Files};
+use crate::output::Files;
 use crate::progress::Progress;
-use crate::{moving, report, source};
+use crate::{console, moving, report, source};
 
 /// Samples of the reference for each one of the gradient, if nothing is said:
 /// differences are cheaper, and noisier.
@@ -31,19 +31,37 @@ pub struct Checked {
     pub gradient: GradientImage,
     pub reference: GradientImage,
     pub comparison: Comparison,
+    /// How the gradient was sampled.
+    pub options: Options,
+    /// How the reference was made.
+    pub differences: Reference,
     /// Seconds for the gradient and for the reference.
     pub seconds: [f64; 2],
 }
 
 /// How to make the reference.
+#[derive(Clone, Copy)]
 pub struct Reference {
+    /// Step of the central differences, in units of the parameter.
     pub step: f64,
+    /// Samples per pixel on each side.
     pub spp: u32,
+}
+
+impl Reference {
+    /// How the reference is sampled beside a gradient with these options.
+    fn options(self, gradient: &Options) -> Options {
+        Options {
+            spp: self.spp,
+            seed: gradient.seed ^ REFERENCE_SEED,
+            ..*gradient
+        }
+    }
 }
 
 pub fn run(args: &Check) -> Result<Outcome> {
     let typed = &args.gradient;
-    let scene = source::load(&typed.scene)?;
+    let scene = source::load_to_render(&typed.scene)?;
     let motion = moving::motion(&scene, &typed.motion)?;
     let options = source::options(&typed.sampling, &scene);
     let stem = format!("{}-check", source::stem(&typed.scene));
@@ -59,41 +77,13 @@ pub fn run(args: &Check) -> Result<Outcome> {
     let settings = source::gradient_options(options, &typed.walk);
     let limit = typed.sampling.time_limit;
     let checked = check(&scene, &motion, &settings, &reference, limit)?;
-    let Checked {
-        gradient,
-        reference: differences,
-        comparison,
-        ..
-    } = &checked;
+    let comparison = &checked.comparison;
+    let (gradient, differences) = (&checked.gradient.statistics, &checked.reference.statistics);
 
     let parameter = moving::describe(&typed.motion);
-    let name = &typed.scene.scene;
-    let mut picture = output::picture(
-        "check",
-        name,
-        Some(&parameter),
-        &options,
-        &gradient.statistics,
-    );
-    let metadata = &mut picture.metadata;
-    metadata.push(("step".into(), reference.step.to_string()));
-    metadata.push(("reference_spp".into(), reference.spp.to_string()));
-    let done = &differences.statistics;
-    metadata.push(("reference_samples".into(), done.samples.to_string()));
-    metadata.push(("reference_complete".into(), done.complete.to_string()));
-    output::push_estimate(&mut picture, "value", "value_stderr", &gradient.value);
-    output::push_estimate(&mut picture, "gradient", "stderr", &gradient.gradient);
-    output::push_estimate(
-        &mut picture,
-        "reference",
-        "reference_stderr",
-        &differences.gradient,
-    );
-    let z = z_picture(comparison, &gradient.value.mean);
-    picture.push("z", z.clone());
-    let written = files.write(&picture, &panels(&checked, &z))?;
-    eprint!("{}", report::warnings("gradient", &gradient.statistics));
-    eprint!("{}", report::warnings("reference", &differences.statistics));
+    let written = picture::write(&files, &typed.scene.scene, &parameter, &checked)?;
+    console::remark(&report::warnings("gradient", gradient));
+    console::remark(&report::warnings("reference", differences));
     if typed.output.json {
         let document = json!({
             "scene": typed.scene.scene,
@@ -104,34 +94,26 @@ pub fn run(args: &Check) -> Result<Outcome> {
             "reference_spp": reference.spp,
             "step": reference.step,
             "comparison": comparison_json(comparison),
-            "gradient": report::statistics_json(&gradient.statistics, checked.seconds[0]),
-            "reference": report::statistics_json(&differences.statistics, checked.seconds[1]),
+            "gradient": report::statistics_json(gradient, checked.seconds[0]),
+            "reference": report::statistics_json(differences, checked.seconds[1]),
             "files": written,
         });
-        println!("{document:#}");
+        console::print_json(&document)?;
     } else {
-        print!(
-            "{}",
-            report::work("gradient", &gradient.statistics, checked.seconds[0])
-        );
-        print!(
-            "{}",
-            report::work("reference", &differences.statistics, checked.seconds[1])
-        );
-        println!(
-            "reference: central differences over ± {}\n",
-            report::number(reference.step)
-        );
-        print!("{}", describe(comparison));
-        println!("{}", verdict(&checked));
-        println!("wrote {}", written.join(", "));
+        console::print(&format!(
+            "{}{}reference: central differences over ± {}\n\n{}{}\n{}",
+            report::work("gradient", gradient, checked.seconds[0]),
+            report::work("reference", differences, checked.seconds[1]),
+            report::number(reference.step),
+            describe(comparison),
+            verdict(&checked),
+            report::written(&written)
+        ))?;
     }
-    Ok(
-        match report::outcome(&[&gradient.statistics, &differences.statistics]) {
-            Outcome::Done => outcome(comparison),
-            trouble => trouble,
-        },
-    )
+    Ok(match report::outcome(&[gradient, differences]) {
+        Outcome::Done => outcome(comparison),
+        trouble => trouble,
+    })
 }
 
 /// Estimates a gradient and its reference with independent random numbers, and
@@ -151,11 +133,7 @@ pub fn check(
 
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
-    let options = Options {
-        spp: reference.spp,
-        seed: settings.options.seed ^ REFERENCE_SEED,
-        ..settings.options
-    };
+    let options = reference.options(&settings.options);
     let differences =
         capwalk_render::finite_difference(scene, motion, reference.step, &options, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
@@ -164,44 +142,10 @@ pub fn check(
         comparison: compare(&gradient.gradient, &differences.gradient),
         gradient,
         reference: differences,
+        options: settings.options,
+        differences: *reference,
         seconds: [gradient_seconds, reference_seconds],
     })
-}
-
-/// The z of each pixel as a picture of the same size as another.
-pub fn z_picture(comparison: &Comparison, like: &Image) -> Image {
-    let z = comparison.z.iter();
-    Image {
-        pixels: z.map(|&z| Vec3::splat(z)).collect(),
-        ..*like
-    }
-}
-
-/// Where the colours of z end: beyond this, a pixel is not an accident.
-const Z_LIMIT: f64 = 4.0;
-
-/// Value, gradient and reference with the same colours, and z.
-pub fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
-    let (gradient, reference) = (
-        &checked.gradient.gradient.mean,
-        &checked.reference.gradient.mean,
-    );
-    let limit = image::robust_limit([gradient, reference]);
-    let panel = |title, image, style| Panel {
-        title,
-        image,
-        style,
-    };
-    [
-        panel(
-            "value",
-            &checked.gradient.value.mean,
-            Style::Photographic { exposure: 0.0 },
-        ),
-        panel("gradient", gradient, Style::Diverging { limit }),
-        panel("reference", reference, Style::Diverging { limit }),
-        panel("z", z, Style::Diverging { limit: Z_LIMIT }),
-    ]
 }
 
 /// The numbers of a comparison, one on each line.
@@ -233,6 +177,13 @@ pub fn describe(c: &Comparison) -> String {
                 "{} over {} pixels with noise",
                 report::plus_minus(c.mean_z_squared, c.mean_z_squared_error),
                 report::count(c.pixels as u64)
+            ),
+        ),
+        (
+            "plain mean z²",
+            format!(
+                "{} (all pixels alike; off 1 where noise is rare events)",
+                report::number(c.mean_z_squared_plain)
             ),
         ),
         ("sign", format!("{:+.2} standard errors", c.sign)),
@@ -305,6 +256,7 @@ pub fn comparison_json(c: &Comparison) -> Value {
         "correlation": c.correlation,
         "mean_z_squared": c.mean_z_squared,
         "mean_z_squared_error": c.mean_z_squared_error,
+        "mean_z_squared_plain": c.mean_z_squared_plain,
         "pixels": c.pixels,
         "left_out": c.left_out,
         "sign": c.sign,

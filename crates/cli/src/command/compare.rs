@@ -11,7 +11,7 @@ use super::check as verdicts;
 use crate::args::Compare;
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
-use crate::report;
+use crate::{console, report};
 
 pub fn run(args: &Compare) -> Result<Outcome> {
     let pictures = [&args.picture, &args.reference].map(|path| image::read(path));
@@ -77,20 +77,23 @@ pub fn run(args: &Compare) -> Result<Outcome> {
             "comparison": comparison.as_ref().map(verdicts::comparison_json),
             "files": written,
         });
-        println!("{document:#}");
+        console::print_json(&document)?;
     } else {
-        print!("{}", errors.describe(layer));
+        let mut text = errors.describe(layer);
         if errors.largest == 0.0 && errors.non_finite == 0 {
-            println!("identical");
+            text += "identical\n";
         }
         if let Some(comparison) = &comparison {
-            println!("\nwith their standard errors");
-            print!("{}", verdicts::describe(comparison));
-            println!("{}", sentence(comparison));
+            text += &format!(
+                "\nwith their standard errors\n{}{}\n",
+                verdicts::describe(comparison),
+                sentence(comparison)
+            );
         }
         if !written.is_empty() {
-            println!("wrote {}", written.join(", "));
+            text += &report::written(&written);
         }
+        console::print(&text)?;
     }
     Ok(comparison.as_ref().map_or(Outcome::Done, verdicts::outcome))
 }

@@ -1,18 +1,19 @@
 //! `capwalk demo`: everything at once, on a scene that is hard for others.
 
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk_render::{Estimator, GradientImage, GradientOptions, Options, WalkSettings};
-use capwalk_scene::{builtin, params};
+use capwalk_render::{Estimator, GradientImage, GradientOptions, Options, Rendering, WalkSettings};
+use capwalk_scene::{Motion, Scene, builtin, params};
 use serde_json::json;
 
 use super::check::{self, Checked, Reference};
-use crate::args::Demo;
+use super::gradient;
+use crate::args::{Demo, SceneArgs};
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{moving, report};
+use crate::{console, moving, report, source};
 
 const SCENE: &str = "lattice-shadow";
 
@@ -21,36 +22,138 @@ const SIZE: [u32; 2] = [128, 96];
 /// Samples per pixel, chosen so that the check comes to a verdict within a
 /// minute on two cores.
 const SPP: u32 = 96;
-/// Samples of the estimator that is only shown for its variance.
-const LITERAL_SPP: u32 = 8;
-/// Samples of the reference on each side of the difference.
-const REFERENCE_SPP: u32 = 768;
+/// One sample for so many of `SPP` goes to the estimator that is only shown for
+/// its variance, but never fewer than have one.
+const LITERAL_SHARE: u32 = 12;
+const LEAST_FOR_VARIANCE: u32 = 2;
+/// Samples of the reference on each side of the difference, for each of `SPP`:
+/// the lattice's fine structure makes differences noisy.
+const REFERENCE_FACTOR: u32 = 8;
 const SEED: u64 = 1;
 
+/// When the picture and the literal gradient must be done, as shares of a time
+/// limit; the check has the rest. Without a limit each takes less than a tenth
+/// of the time.
+const PICTURE_UNTIL: f64 = 0.1;
+const LITERAL_UNTIL: f64 = 0.2;
+
+/// What the demo works out.
+struct Results {
+    rendering: Rendering,
+    literal: GradientImage,
+    checked: Checked,
+    /// Seconds for the picture, the literal gradient, and everything.
+    seconds: [f64; 3],
+}
+
 pub fn run(args: &Demo) -> Result<Outcome> {
-    let started = Instant::now();
-    let mut scene = builtin::scene(SCENE).expect("it is built in");
-    scene.film.size = SIZE;
-    scene.film.crop_size = SIZE;
+    let scene = source::load(&SceneArgs {
+        scene: SCENE.into(),
+        defines: Vec::new(),
+        size: Some(args.size.unwrap_or(SIZE)),
+        filter: None,
+    })?;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
     let motion = params::motion(&scene, parameter)?;
-    let file = |name: &str, endings: &[&str]| {
-        let stem = args.output.join(name).display().to_string();
-        Files::new(&[], &stem, endings)
+    let file = |what: &str| {
+        let stem = args.output.join(format!("{SCENE}{what}"));
+        Files::new(&[], &stem.display().to_string(), &["exr", "png"])
     };
-    let picture_files = file(SCENE, &["exr", "png"])?;
-    let gradient_files = file("lattice-shadow-gradient", &["exr", "png"])?;
-    let check_files = file("lattice-shadow-check", &["png"])?;
+    let [picture_files, gradient_files, check_files] =
+        [file("")?, file("-gradient")?, file("-check")?];
 
+    let results = work(args, &scene, &motion)?;
+    let Results {
+        rendering,
+        literal,
+        checked,
+        seconds,
+    } = &results;
+    let (gradient, options) = (&checked.gradient, &checked.options);
+
+    let mut picture = output::picture("render", SCENE, None, options);
+    output::push_statistics(&mut picture, &[&rendering.statistics]);
+    output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
+    let mut written = picture_files.write(&picture, &[])?;
+    let picture = gradient::picture(SCENE, parameter, options, gradient);
+    written.extend(gradient_files.write(&picture, &[])?);
+    let of_check = check::picture::write(&check_files, SCENE, parameter, checked)?;
+    written.extend(of_check);
+
+    let all = [
+        &rendering.statistics,
+        &literal.statistics,
+        &gradient.statistics,
+        &checked.reference.statistics,
+    ];
+    for (what, statistics) in ["picture", "literal gradient", "gradient", "reference"]
+        .iter()
+        .zip(all)
+    {
+        console::remark(&report::warnings(what, statistics));
+    }
+    let variance =
+        |image: &GradientImage| report::variance_per_sample(&image.gradient, &image.statistics);
+    let queries = gradient.statistics.cone_queries as f64 / checked.seconds[0];
+    if args.json {
+        let document = json!({
+            "scene": SCENE,
+            "parameter": parameter,
+            "size": scene.film.crop_size,
+            "spp": options.spp,
+            "seed": options.seed,
+            "literal_spp": literal_spp(options.spp),
+            "reference_spp": checked.differences.spp,
+            "step": checked.differences.step,
+            "comparison": check::comparison_json(&checked.comparison),
+            "variance_per_sample": {
+                "anchored": variance(gradient),
+                "literal": variance(literal),
+            },
+            "silhouette_queries_per_second": queries,
+            "render": report::statistics_json(&rendering.statistics, seconds[0]),
+            "literal": report::statistics_json(&literal.statistics, seconds[1]),
+            "gradient": report::statistics_json(&gradient.statistics, checked.seconds[0]),
+            "reference": report::statistics_json(all[3], checked.seconds[1]),
+            "seconds": seconds[2],
+            "files": written,
+        });
+        console::print_json(&document)?;
+    } else {
+        let [width, height] = scene.film.crop_size;
+        let variances = [
+            ("anchored", report::number(variance(gradient))),
+            ("literal", report::number(variance(literal))),
+        ];
+        console::print(&format!(
+            "{SCENE}, {width} x {height} pixels, derivative for {parameter}\n\n\
+             {}\nvariance per sample\n{}\n\
+             {} million silhouette queries per second, {} in all\n{}\n{}",
+            check::describe(&checked.comparison),
+            report::list(&variances),
+            report::number(queries / 1e6),
+            report::seconds(seconds[2]),
+            check::verdict(checked),
+            report::written(&written)
+        ))?;
+    }
+    Ok(match report::outcome(&all) {
+        Outcome::Done => check::outcome(&checked.comparison),
+        trouble => trouble,
+    })
+}
+
+/// The picture, the literal gradient, and the check, one after the other. Each
+/// has what the earlier ones left of its share of a time limit.
+fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
+    let started = Instant::now();
+    let sampling = &args.sampling;
+    let left_until = |share| left(sampling.time_limit, share, started.elapsed());
     let options = |spp: u32| Options {
         spp,
-        seed: SEED,
-        threads: args.threads,
+        seed: sampling.seed.unwrap_or(SEED),
+        threads: sampling.threads,
     };
-    let progress = Progress::new("render", None);
-    let rendering = capwalk_render::render(&scene, &options(SPP), &progress);
-    let render_seconds = progress.finish().as_secs_f64();
-
     let settings = |estimator, spp| GradientOptions {
         options: options(spp),
         walk: WalkSettings {
@@ -58,92 +161,61 @@ pub fn run(args: &Demo) -> Result<Outcome> {
             ..WalkSettings::default()
         },
     };
-    let progress = Progress::new("literal", None);
-    let literal = settings(Estimator::Literal, LITERAL_SPP);
-    let literal = capwalk_render::gradient(&scene, &motion, &literal, &progress);
-    progress.finish();
+    let spp = sampling.spp.unwrap_or(SPP);
+
+    let progress = Progress::new("render", left_until(PICTURE_UNTIL));
+    let rendering = capwalk_render::render(scene, &options(spp), &progress);
+    let render_seconds = progress.finish().as_secs_f64();
+
+    let progress = Progress::new("literal", left_until(LITERAL_UNTIL));
+    let literal = settings(Estimator::Literal, literal_spp(spp));
+    let literal = capwalk_render::gradient(scene, motion, &literal, &progress);
+    let literal_seconds = progress.finish().as_secs_f64();
     let literal = literal?;
 
     let reference = Reference {
-        step: moving::default_step(&scene, &motion),
-        spp: REFERENCE_SPP,
+        step: moving::default_step(scene, motion),
+        spp: spp.saturating_mul(REFERENCE_FACTOR),
     };
-    let anchored = settings(Estimator::Anchored, SPP);
-    let checked = check::check(&scene, &motion, &anchored, &reference, None)?;
-    let Checked {
-        gradient,
-        reference: differences,
-        comparison,
-        ..
-    } = &checked;
-
-    let mut picture = output::picture("render", SCENE, None, &options(SPP), &rendering.statistics);
-    output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
-    let mut written = picture_files.write(&picture, &[])?;
-    let mut picture = output::picture(
-        "gradient",
-        SCENE,
-        Some(parameter),
-        &options(SPP),
-        &gradient.statistics,
-    );
-    output::push_estimate(&mut picture, "value", "value_stderr", &gradient.value);
-    output::push_estimate(&mut picture, "gradient", "stderr", &gradient.gradient);
-    written.extend(gradient_files.write(&picture, &[])?);
-    let z = check::z_picture(comparison, &gradient.value.mean);
-    written.extend(check_files.write(&picture, &check::panels(&checked, &z))?);
-
-    let all = [
-        &rendering.statistics,
-        &literal.statistics,
-        &gradient.statistics,
-        &differences.statistics,
-    ];
-    for (what, statistics) in ["picture", "literal gradient", "gradient", "reference"]
-        .iter()
-        .zip(all)
-    {
-        eprint!("{}", report::warnings(what, statistics));
-    }
-    let variance =
-        |image: &GradientImage| report::variance_per_sample(&image.gradient, &image.statistics);
-    let queries = gradient.statistics.cone_queries as f64 / checked.seconds[0];
-    let seconds = started.elapsed().as_secs_f64();
-    if args.json {
-        let document = json!({
-            "scene": SCENE,
-            "parameter": parameter,
-            "comparison": check::comparison_json(comparison),
-            "variance_per_sample": {
-                "anchored": variance(gradient),
-                "literal": variance(&literal),
-            },
-            "silhouette_queries_per_second": queries,
-            "seconds": { "render": render_seconds, "gradient": checked.seconds[0],
-                         "reference": checked.seconds[1], "all": seconds },
-            "files": written,
-        });
-        println!("{document:#}");
-    } else {
-        let [width, height] = SIZE;
-        println!("{SCENE}, {width} x {height} pixels, derivative for {parameter}\n");
-        print!("{}", check::describe(comparison));
-        let variances = [
-            ("anchored", report::number(variance(gradient))),
-            ("literal", report::number(variance(&literal))),
-        ];
-        println!("\nvariance per sample");
-        print!("{}", report::list(&variances.map(|(name, x)| (name, x))));
-        println!(
-            "\n{} million silhouette queries per second, {} in all",
-            report::number(queries / 1e6),
-            report::seconds(seconds)
-        );
-        println!("{}", check::verdict(&checked));
-        println!("wrote {}", written.join(", "));
-    }
-    Ok(match report::outcome(&all) {
-        Outcome::Done => check::outcome(comparison),
-        trouble => trouble,
+    let anchored = settings(Estimator::Anchored, spp);
+    let checked = check::check(scene, motion, &anchored, &reference, left_until(1.0))?;
+    Ok(Results {
+        rendering,
+        literal,
+        checked,
+        seconds: [
+            render_seconds,
+            literal_seconds,
+            started.elapsed().as_secs_f64(),
+        ],
     })
+}
+
+/// What is left of a share of the time limit after so long; nothing if that is
+/// over.
+fn left(limit: Option<Duration>, share: f64, elapsed: Duration) -> Option<Duration> {
+    Some(limit?.mul_f64(share).saturating_sub(elapsed))
+}
+
+/// Samples of the literal estimator beside so many of the other.
+fn literal_spp(spp: u32) -> u32 {
+    (spp / LITERAL_SHARE).max(LEAST_FOR_VARIANCE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a stage does not use is left to those after it, and a stage that
+    /// takes too long leaves less, never a limit of its own.
+    #[test]
+    fn stages_share_the_time_limit() {
+        let seconds = Duration::from_secs;
+        let limit = Some(seconds(100));
+        assert_eq!(left(None, PICTURE_UNTIL, seconds(5)), None);
+        assert_eq!(left(limit, PICTURE_UNTIL, seconds(0)), Some(seconds(10)));
+        assert_eq!(left(limit, LITERAL_UNTIL, seconds(3)), Some(seconds(17)));
+        assert_eq!(left(limit, 1.0, seconds(20)), Some(seconds(80)));
+        assert_eq!(left(limit, LITERAL_UNTIL, seconds(30)), Some(seconds(0)));
+    }
 }

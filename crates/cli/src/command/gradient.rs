@@ -1,16 +1,18 @@
 //! `capwalk gradient`: the derivative of a picture for one parameter.
 
 use anyhow::Result;
+use capwalk_render::{GradientImage, Options};
+use capwalk_scene_io::image::Picture;
 use serde_json::json;
 
 use crate::args::Gradient;
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{moving, report, source};
+use crate::{console, moving, report, source};
 
 pub fn run(args: &Gradient) -> Result<Outcome> {
-    let scene = source::load(&args.scene)?;
+    let scene = source::load_to_render(&args.scene)?;
     let motion = moving::motion(&scene, &args.motion)?;
     let options = source::options(&args.sampling, &scene);
     let stem = format!("{}-gradient", source::stem(&args.scene));
@@ -25,11 +27,9 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
     let parameter = moving::describe(&args.motion);
     let name = &args.scene.scene;
-    let mut picture = output::picture("gradient", name, Some(&parameter), &options, statistics);
-    output::push_estimate(&mut picture, "value", "value_stderr", value);
-    output::push_estimate(&mut picture, "gradient", "stderr", gradient);
+    let picture = picture(name, &parameter, &options, &result);
     let written = files.write(&picture, &[])?;
-    eprint!("{}", report::warnings("gradient", statistics));
+    console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
     if args.output.json {
         let document = json!({
@@ -44,11 +44,23 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
             "statistics": report::statistics_json(statistics, elapsed),
             "files": written,
         });
-        println!("{document:#}");
+        console::print_json(&document)?;
     } else {
-        print!("{}", report::work("gradient", statistics, elapsed));
-        println!("variance per sample: {}", report::number(variance));
-        println!("wrote {}", written.join(", "));
+        console::print(&format!(
+            "{}variance per sample: {}\n{}",
+            report::work("gradient", statistics, elapsed),
+            report::number(variance),
+            report::written(&written)
+        ))?;
     }
     Ok(report::outcome(&[statistics]))
+}
+
+/// What the files of a gradient hold.
+pub fn picture(scene: &str, parameter: &str, options: &Options, result: &GradientImage) -> Picture {
+    let mut picture = output::picture("gradient", scene, Some(parameter), options);
+    output::push_statistics(&mut picture, &[&result.statistics]);
+    output::push_estimate(&mut picture, "value", "value_stderr", &result.value);
+    output::push_estimate(&mut picture, "gradient", "stderr", &result.gradient);
+    picture
 }

@@ -4,28 +4,33 @@ use anyhow::Result;
 use capwalk_math::Vec3;
 use capwalk_render::Refusal;
 use capwalk_scene::params::{self, Parameter};
-use capwalk_scene::{Bsdf, Emitter, Filter, Integrator, SamplerKind, Scene, ShadingNormals};
+use capwalk_scene::{
+    Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, ShadingNormals,
+    TextureId,
+};
 use serde_json::{Value, json};
 
 use crate::args::Info;
 use crate::diagnostics::Outcome;
-use crate::{moving, report, source};
+use crate::{console, moving, report, source};
 
 pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
     let parameters = params::list(&scene);
     let refusal = capwalk_render::refusal(&scene);
     if args.json {
-        println!("{:#}", to_json(&scene, &parameters, refusal.as_ref()));
+        console::print_json(&to_json(&scene, &parameters, refusal.as_ref()))?;
     } else {
-        print!("{}", summary(&args.scene.scene, &scene));
-        println!("\nshapes");
-        print!("{}", shapes(&scene));
-        println!("\nparameters (∂: differentiable, D: edges move)");
-        print!("{}", table(&parameters, refusal.is_none()));
+        let mut text = format!(
+            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}",
+            summary(&args.scene.scene, &scene),
+            shapes(&scene),
+            table(&parameters, refusal.as_ref())
+        );
         if let Some(refusal) = refusal {
-            println!("\nderivatives of this scene are refused: {refusal}");
+            text += &format!("\nderivatives by what moves edges (D) are refused: {refusal}\n");
         }
+        console::print(&text)?;
     }
     Ok(Outcome::Done)
 }
@@ -121,7 +126,9 @@ fn shapes(scene: &Scene) -> String {
             ShadingNormals::Given(_) => "given",
             ShadingNormals::Computed(_) => "smooth",
         };
-        let emits = shape.emitter.map(|id| vector(scene.emitter(id).radiance()));
+        let emits = shape
+            .emitter
+            .map(|id| texture(scene, scene.emitter(id).radiance()));
         rows.push(vec![
             shape.id.clone(),
             report::count(shape.mesh.faces.len() as u64),
@@ -134,16 +141,31 @@ fn shapes(scene: &Scene) -> String {
     let mut text = report::table(&rows);
     for emitter in &scene.emitters {
         if let Emitter::Constant { id, radiance } = emitter {
-            text += &format!("{id}: surrounds the scene with {}\n", vector(*radiance));
+            let radiance = texture(scene, *radiance);
+            text += &format!("{id}: surrounds the scene with {radiance}\n");
         }
     }
     text
 }
 
+fn texture(scene: &Scene, id: TextureId) -> String {
+    let texture = scene.texture(id);
+    match &texture.pattern {
+        Pattern::Constant => vector(texture.texel(0)),
+        Pattern::Bitmap(bitmap) => format!("bitmap of {} x {}", bitmap.width, bitmap.height),
+        Pattern::Checkerboard { .. } => {
+            let [first, second] = [0, 1].map(|i| vector(texture.texel(i)));
+            format!("checkerboard of {first}, {second}")
+        }
+        Pattern::MeshAttribute { name, .. } => format!("attribute {name}"),
+        Pattern::PerVertex | Pattern::PerFace => texture.id.clone(),
+    }
+}
+
 fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
     let material = scene.material(id);
     match &material.bsdf {
-        Bsdf::Diffuse(diffuse) => format!("diffuse {}", vector(diffuse.reflectance)),
+        Bsdf::Diffuse { reflectance } => format!("diffuse {}", texture(scene, *reflectance)),
         Bsdf::TwoSided { front, back } if front == back => {
             format!("two-sided {}", self::material(scene, *front))
         }
@@ -152,14 +174,31 @@ fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
             self::material(scene, *front),
             self::material(scene, *back)
         ),
+        bsdf => {
+            let parts = bsdf.parts().into_iter();
+            let mut text = bsdf.plugin().to_owned();
+            for (i, part) in parts.enumerate() {
+                text += if i == 0 { " of " } else { ", " };
+                text += &self::material(scene, part);
+            }
+            text
+        }
     }
 }
 
 /// One line for each parameter, with other names under the first.
-fn table(parameters: &[Parameter], differentiable: bool) -> String {
-    let mark = if differentiable { "∂" } else { "-" };
+/// A refusal is about curves that move.
+fn differentiable(parameter: &Parameter, refusal: Option<&Refusal>) -> bool {
+    refusal.is_none() || !parameter.moves_discontinuities
+}
+
+fn table(parameters: &[Parameter], refusal: Option<&Refusal>) -> String {
     let mut rows = Vec::new();
     for parameter in parameters {
+        let mark = match differentiable(parameter, refusal) {
+            true => "∂",
+            false => "-",
+        };
         if let Some(other) = &parameter.alias_of {
             rows.push([
                 format!("  {}", parameter.name),
@@ -206,7 +245,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
             "triangles": shape.mesh.faces.len(),
             "vertices": shape.mesh.positions.len(),
             "material": scene.material(shape.bsdf).id,
-            "emits": shape.emitter.map(|id| array(scene.emitter(id).radiance())),
+            "emits": shape.emitter.map(|id| emits(scene, id)),
         })
     });
     let parameters = parameters.iter().map(|p| {
@@ -216,7 +255,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
             "value": p.value,
             "unit": p.unit,
             "description": p.description,
-            "differentiable": refusal.is_none(),
+            "differentiable": differentiable(p, refusal),
             "moves_discontinuities": p.moves_discontinuities,
             "alias_of": p.alias_of,
         })
@@ -232,6 +271,15 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
         "parameters": parameters.collect::<Vec<_>>(),
         "refused": refusal.map(ToString::to_string),
     })
+}
+
+/// The radiance of an emitter: a colour, or what sort of texture it is.
+fn emits(scene: &Scene, id: EmitterId) -> Value {
+    let radiance = scene.emitter(id).radiance();
+    match scene.texture(radiance).is_constant() {
+        true => json!(array(scene.texture(radiance).texel(0))),
+        false => json!(texture(scene, radiance)),
+    }
 }
 
 fn array(v: Vec3) -> [f64; 3] {

@@ -7,10 +7,10 @@ use crate::args::Render;
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{report, source};
+use crate::{console, report, source};
 
 pub fn run(args: &Render) -> Result<Outcome> {
-    let scene = source::load(&args.scene)?;
+    let scene = source::load_to_render(&args.scene)?;
     let options = source::options(&args.sampling, &scene);
     let stem = source::stem(&args.scene);
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
@@ -21,10 +21,11 @@ pub fn run(args: &Render) -> Result<Outcome> {
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
     let name = &args.scene.scene;
-    let mut picture = output::picture("render", name, None, &options, statistics);
+    let mut picture = output::picture("render", name, None, &options);
+    output::push_statistics(&mut picture, &[statistics]);
     output::push_estimate(&mut picture, "value", "stderr", value);
     let written = files.write(&picture, &[])?;
-    eprint!("{}", report::warnings("picture", statistics));
+    console::remark(&report::warnings("picture", statistics));
     if args.output.json {
         let document = json!({
             "scene": args.scene.scene,
@@ -35,10 +36,13 @@ pub fn run(args: &Render) -> Result<Outcome> {
             "statistics": report::statistics_json(statistics, elapsed),
             "files": written,
         });
-        println!("{document:#}");
+        console::print_json(&document)?;
     } else {
-        print!("{}", report::work("render", statistics, elapsed));
-        println!("wrote {}", written.join(", "));
+        console::print(&format!(
+            "{}{}",
+            report::work("render", statistics, elapsed),
+            report::written(&written)
+        ))?;
     }
     Ok(report::outcome(&[statistics]))
 }

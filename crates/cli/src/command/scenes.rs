@@ -6,12 +6,12 @@ use serde_json::json;
 
 use crate::args::Scenes;
 use crate::diagnostics::Outcome;
-use crate::report;
+use crate::{console, report};
 
 pub fn run(args: &Scenes) -> Result<Outcome> {
     let chosen = chosen(&args.names)?;
     let Some(folder) = &args.export else {
-        list(&chosen, args.json);
+        list(&chosen, args.json)?;
         return Ok(Outcome::Done);
     };
     let mut written = Vec::new();
@@ -23,9 +23,9 @@ pub fn run(args: &Scenes) -> Result<Outcome> {
         written.push(file.display().to_string());
     }
     if args.json {
-        println!("{:#}", json!({ "files": written }));
+        console::print_json(&json!({ "files": written }))?;
     } else {
-        println!("wrote {}", written.join(", "));
+        console::print(&report::written(&written))?;
     }
     Ok(Outcome::Done)
 }
@@ -43,7 +43,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Builtin>> {
     Ok(builtin::ALL.iter().filter(wanted).collect())
 }
 
-fn list(scenes: &[&Builtin], as_json: bool) {
+fn list(scenes: &[&Builtin], as_json: bool) -> Result<()> {
     if as_json {
         let scenes = scenes.iter().map(|scene| {
             json!({
@@ -52,8 +52,7 @@ fn list(scenes: &[&Builtin], as_json: bool) {
                 "default_parameter": scene.default_parameter,
             })
         });
-        println!("{:#}", json!({ "scenes": scenes.collect::<Vec<_>>() }));
-        return;
+        return console::print_json(&json!({ "scenes": scenes.collect::<Vec<_>>() }));
     }
     let lines: Vec<(&str, String)> = scenes
         .iter()
@@ -65,5 +64,5 @@ fn list(scenes: &[&Builtin], as_json: bool) {
             (s.name, text)
         })
         .collect();
-    print!("{}", report::list(&lines));
+    console::print(&report::list(&lines))
 }

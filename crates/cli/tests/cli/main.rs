@@ -2,10 +2,12 @@
 
 mod bad_input;
 mod compare;
+mod demo;
 mod help;
 mod pictures;
 mod scenes;
 mod stopping;
+mod streams;
 mod verdicts;
 
 use std::path::{Path, PathBuf};

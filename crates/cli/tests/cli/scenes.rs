@@ -44,14 +44,19 @@ fn info_says_what_is_refused() {
     let capwalk = Capwalk::new("info_refused");
     capwalk.run("scenes --export . leaf");
     let xml = String::from_utf8(capwalk.bytes("leaf.xml")).expect("text");
-    let is_setting = |line: &&str| !line.contains("_samples\"");
-    let lines: Vec<&str> = xml.lines().filter(is_setting).collect();
-    let indirect = lines.join("\n").replace("type=\"direct\"", "type=\"path\"");
-    capwalk.write("leaf.xml", &indirect);
+    let (before, after) = xml
+        .split_once("name=\"near_clip\" value=\"")
+        .expect("near_clip");
+    let (_, after) = after.split_once('"').expect("a quote");
+    // Halfway between the camera and the floor that it sees.
+    capwalk.write(
+        "leaf.xml",
+        &format!("{before}name=\"near_clip\" value=\"4.5\"{after}"),
+    );
     let json = capwalk.json("info leaf.xml --json");
     assert_eq!(json["parameters"][0]["differentiable"], false);
     let finished = capwalk.run("info leaf.xml");
-    assert_has(&finished.stdout, &["are refused", "indirect light"]);
+    assert_has(&finished.stdout, &["are refused", "near_clip"]);
     assert_eq!(
         capwalk.json("info leaf --json")["refused"],
         serde_json::Value::Null

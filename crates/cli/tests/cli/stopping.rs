@@ -58,3 +58,38 @@ fn ctrl_c_stops_cleanly() {
         .sum();
     assert_eq!(json["statistics"]["samples"], samples);
 }
+
+/// The gradient takes milliseconds of its two seconds, the reference would take
+/// hours: the file is partial, and says which part of it.
+#[test]
+fn a_check_whose_reference_is_cut_short_says_so() {
+    let capwalk = Capwalk::new("check_time_limit");
+    let finished = capwalk.run(
+        "check leaf -p leaf.translate.x --size 12x9 --spp 4 --reference-spp 100000000 \
+         --time-limit 4s --json -o c.npz,c.exr,c.png",
+    );
+    assert_has(&finished.stderr, &["the reference is partial"]);
+    assert!(!finished.stderr.contains("the gradient is partial"));
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    let (all, of_the_gradient) = (12 * 9 * 100_000_000, 12 * 9 * 4);
+    let reference = &json["reference"]["samples"];
+    let taken = reference.as_u64().expect("a count");
+    assert!(0 < taken && taken < all, "{taken}");
+    for file in ["c.npz", "c.exr"] {
+        let picture = capwalk_scene_io::image::read(&capwalk.path(file)).expect("readable");
+        let of = |key: &str| {
+            let found = picture.metadata.iter().find(|(k, _)| k == key);
+            found.expect(key).1.clone()
+        };
+        assert_eq!(of("complete"), "false", "{file}");
+        assert_eq!(of("gradient_complete"), "true", "{file}");
+        assert_eq!(of("reference_complete"), "false", "{file}");
+        assert_eq!(of("gradient_samples"), of_the_gradient.to_string());
+        assert_eq!(of("reference_samples"), reference.to_string());
+        assert_eq!(of("samples"), (taken + of_the_gradient).to_string());
+        assert_eq!(of("non_finite_samples"), "0", "{file}");
+        let counts = picture.samples.expect("counts");
+        let sum: u64 = counts.iter().map(|&n| u64::from(n)).sum();
+        assert_eq!(sum, taken + of_the_gradient, "{file}");
+    }
+}

@@ -14,6 +14,14 @@ fn a_right_gradient_is_right() {
     assert_eq!(comparison["verdict"], "right");
     let slope = comparison["slope"].as_f64().expect("a number");
     assert!((slope - 1.0).abs() < 0.1, "{slope}");
+    // The plain mean of z² is that of the picture's own z.
+    let picture = capwalk_scene_io::image::read(&capwalk.path("c.npz")).expect("readable");
+    let z = picture.layer("z").expect("a layer").pixels.iter();
+    let sum: f64 = z.map(|pixel| pixel.x.powi(2)).sum();
+    let pixels = comparison["pixels"].as_f64().expect("a count");
+    let plain = comparison["mean_z_squared_plain"].as_f64();
+    let plain = plain.expect("a number");
+    assert!((plain - sum / pixels).abs() < 1e-5 * plain, "{plain}");
     capwalk.bytes("c.png");
     capwalk.bytes("c.npz");
 }
@@ -26,7 +34,13 @@ fn few_samples_cannot_tell() {
     assert_eq!(finished.status, 2, "{}", finished.stdout);
     assert_has(
         &finished.stdout,
-        &["could not tell", "times the samples", "--reference-spp"],
+        &[
+            "could not tell",
+            "times the samples",
+            "--reference-spp",
+            "\nmean z²",
+            "\nplain mean z²",
+        ],
     );
     let one = "--spp 1 --reference-spp 1";
     let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {one}"));

@@ -92,11 +92,13 @@ fn count(trials: u64, mut trial: impl FnMut(&mut Noise) -> Comparison) -> [u32; 
 #[test]
 fn right_gradients_pass() {
     let (mut z_squared, mut signs, mut slopes) = (0.0, 0.0, 0.0);
+    let mut plain = capwalk_math::Moments::default();
     let counts = count(300, |noise| {
         let reference = gaussian(noise, 0.3, 1.0, 0.0, 1.0);
         let c = compare(&gaussian(noise, 0.3, 1.0, 0.0, 1.0), &reference);
         z_squared += ((c.mean_z_squared - 1.0) / c.mean_z_squared_error).powi(2) / 300.0;
         signs += c.sign.powi(2) / 300.0;
+        plain.add(c.mean_z_squared_plain);
         slopes += ((c.slope - 1.0) / c.slope_error).powi(2) / 300.0;
         c
     });
@@ -106,6 +108,10 @@ fn right_gradients_pass() {
     for mean in [z_squared, signs, slopes] {
         assert!((mean - 1.0).abs() < 0.33, "{z_squared} {signs} {slopes}");
     }
+    // With Gaussian noise the plain mean of z² is 1 as well.
+    let off = plain.mean - 1.0;
+    assert!(off.abs() < 4.0 * plain.standard_error(), "{plain:?}");
+    assert!(plain.standard_error() < 0.005, "{plain:?}");
 }
 
 /// A factor of 10 to 20 per cent is found, or hidden by noise, but never
@@ -295,6 +301,31 @@ fn pixels_without_an_error_are_left_out() {
     assert_eq!(comparison.left_out, SIZE * SIZE / 3);
     assert_eq!(comparison.pixels, SIZE * SIZE - SIZE * SIZE / 3);
     assert_eq!(comparison.verdict, Verdict::Right);
+}
+
+/// One pixel in ten states a tenth of its error. By hand: all differences are 1,
+/// `z` is 10 there and 1 elsewhere; the ratio of sums hardly notices.
+#[test]
+fn mean_z_squared_with_and_without_weights() {
+    let stated = |x: usize| if x % 10 == 3 { 0.1 } else { 1.0 };
+    let gradient = picture(|x, _| (1.0, 0.6 * stated(x)));
+    let reference = picture(|x, _| (0.0, 0.8 * stated(x)));
+    let comparison = compare(&gradient, &reference);
+    let plain = 0.1 * 100.0 + 0.9;
+    let found = comparison.mean_z_squared_plain;
+    assert!((found - plain).abs() < 1e-12 * plain, "{found}");
+    // One over the mean variance, 0.901; weights vary by a fifth.
+    let weighted = comparison.mean_z_squared;
+    assert!((weighted - 1.0 / 0.901).abs() < 0.05, "{weighted}");
+}
+
+/// Where nothing has noise there is no z.
+#[test]
+fn pictures_without_noise_have_no_z_squared() {
+    let exact = picture(|x, y| (truth(x, y), 0.0));
+    let comparison = compare(&exact, &exact);
+    assert!(comparison.mean_z_squared.is_nan());
+    assert!(comparison.mean_z_squared_plain.is_nan());
 }
 
 /// An error in one channel only is seen in its third of the pixels.

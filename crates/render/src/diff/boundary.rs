@@ -1,23 +1,29 @@
-//! Where the integrand jumps, and how fast these curves move (METHOD 1 to 3).
+//! Where the integrand jumps: the boundaries around a point, and how the field
+//! that they prescribe depends on their motion (METHOD 1 to 3).
+//!
+//! Nothing here knows velocities. A sample of the field is a few boundary
+//! points ([`Sites`]), and each of them maps the velocities of two vertices and
+//! of the eye to an angular velocity, a linear map that serves forward and,
+//! transposed, reverse derivatives (METHOD 5).
 
 use std::cell::Cell;
 
 use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
-use capwalk_math::Vec3;
-use capwalk_scene::{Emitter, Shape};
-use capwalk_walk::{Sphere, WalkSettings, sample_field, sample_value};
+use capwalk_math::{Real, Vec3};
+use capwalk_scene::{Emitter, Pattern, Scene, Shape};
+use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
+use crate::material::textures_of;
 use crate::sampler::Stream;
-use crate::world::{D, InMotion};
 
-use super::crossing::crossings;
+use super::crossing::{Crossing, crossings};
 
-/// Edges that are boundaries for segments that start at the camera.
-pub const CAMERA: u8 = 1;
-/// Edges that are boundaries for segments from a surface towards light: all
-/// but those of lamps with few edges, whose flux is taken back explicitly.
-pub const LIGHT: u8 = 2;
+/// Edges that are boundaries for all light that is seen.
+pub const SEEN: u8 = 1;
+/// Edges that are boundaries for emitted light alone: all but those of lamps
+/// with few edges, whose flux is taken back explicitly.
+pub const EMITTED: u8 = 2;
 
 /// Lamps with at most this many edges have their flux sampled explicitly
 /// (METHOD 3); the edges of others join the boundaries.
@@ -27,16 +33,17 @@ const FEW_EDGES: usize = 64;
 /// precision moves them by about 1e-7.
 const SAME_NORMAL: f64 = 1e-6;
 
-/// The edges of a scene that can be boundaries, and how they move.
+/// Texture coordinates that differ by less than this are the same.
+const SAME_UV: f64 = 1e-6;
+
+/// The edges of a scene that can be boundaries.
 pub struct Boundaries {
     edges: Vec<Edge>,
     tree: SilhouetteTree,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
-    pub positions: Vec<Vec3>,
-    /// Their velocities.
-    pub velocities: Vec<Vec3>,
-    /// True if any of them is not zero.
-    pub any_moves: bool,
+    positions: Vec<Vec3>,
+    /// The curves where faces cross, in the order of their ends' positions.
+    pub crossings: Vec<Crossing>,
     /// End points (vertices of the joined mesh) of the edges of lamps with few
     /// edges, and the total length up to and including each.
     pub lamp_edges: Vec<([u32; 2], f64)>,
@@ -45,25 +52,28 @@ pub struct Boundaries {
 impl Boundaries {
     /// The boundaries of a scene. Edges are welded within each shape: shapes
     /// may move against each other.
-    pub fn new(accel: &Accel, world: &InMotion) -> Self {
+    pub fn new(accel: &Accel) -> Self {
         let scene = accel.scene;
         let mut edges = Vec::new();
         let mut lamp_edges = Vec::new();
         let mut length = 0.0;
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
-            let mut own = topology::edges_with(&shape.mesh, |faces| shades_apart(shape, faces));
+            let mut own =
+                topology::edges_with(&shape.mesh, |faces| shades_apart(scene, shape, faces));
             let is_lamp = shape.emitter.is_some_and(|id| {
                 matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
             });
             for edge in &mut own {
                 shift(edge, first_vertex, first_face);
-                edge.groups = if is_lamp { CAMERA } else { CAMERA | LIGHT };
-                if shape.emitter.is_some()
-                    && matches!(edge.sides, Sides::Between { flipped: true, .. })
-                {
-                    // Light ends where a lamp turns its back, folded or not.
-                    edge.sides = Sides::Open;
+                edge.groups = if is_lamp { SEEN } else { SEEN | EMITTED };
+                if let (Some(_), Sides::Between { faces, flipped }) = (shape.emitter, edge.sides) {
+                    // Light ends where a lamp turns its back, folded or not, and
+                    // jumps with its texture.
+                    let local = faces.map(|face| face - first_face);
+                    if flipped || textures_differ(scene, shape, local) {
+                        edge.sides = Sides::Open;
+                    }
                 }
                 if is_lamp {
                     let [a, b] = edge.vertices.map(|i| accel.mesh.positions[i as usize]);
@@ -74,48 +84,75 @@ impl Boundaries {
             edges.append(&mut own);
             first_face += shape.mesh.faces.len() as u32;
         }
-        let mut velocities = world.vertices.clone();
         let mut mesh = accel.mesh.clone();
-        for crossing in crossings(accel, &velocities) {
+        let crossings = crossings(accel);
+        for crossing in &crossings {
             let first = mesh.positions.len() as u32;
-            mesh.positions.extend(crossing.ends);
-            velocities.extend(crossing.velocities);
+            mesh.positions.extend(crossing.ends.map(|end| end.position));
             edges.push(Edge {
                 vertices: [first, first + 1],
                 sides: Sides::Open,
                 // A lamp that something cuts through ends there.
-                groups: if crossing.emits {
-                    CAMERA | LIGHT
-                } else {
-                    CAMERA
-                },
+                groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
             });
         }
         Self {
             tree: SilhouetteTree::build(&mesh, &edges),
             edges,
             positions: mesh.positions,
-            any_moves: velocities.iter().any(|&v| v != Vec3::zero()),
-            velocities,
+            crossings,
             lamp_edges,
         }
     }
+
+    /// How many points the boundaries are made of: the vertices of the joined
+    /// mesh, then the ends of crossings.
+    pub fn point_count(&self) -> usize {
+        self.positions.len()
+    }
+}
+
+/// True if two neighbouring faces look different at their common edge even if
+/// they are coplanar: by their shading normals or their textures.
+fn shades_apart(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
+    normals_differ(shape, faces) || textures_differ(scene, shape, faces)
 }
 
 /// True if two neighbouring faces have different shading normals at an end of
 /// their common edge.
-fn shades_apart(shape: &Shape, faces: [u32; 2]) -> bool {
+fn normals_differ(shape: &Shape, faces: [u32; 2]) -> bool {
     let Some(normals) = shape.normals.per_vertex() else {
         return false;
     };
-    let [first, second] = faces.map(|face| shape.mesh.faces[face as usize]);
-    let position = |i: u32| shape.mesh.positions[i as usize];
-    first.iter().any(|&i| {
-        let twins = second.iter().filter(|&&k| position(k) == position(i));
-        twins
-            .map(|&k| (normals[i as usize] - normals[k as usize]).length())
-            .any(|difference| difference > SAME_NORMAL)
+    common_corners(shape, faces).any(|[first, second]| {
+        let [a, b] = [(faces[0], first), (faces[1], second)]
+            .map(|(face, corner)| shape.mesh.faces[face as usize][corner] as usize);
+        (normals[a] - normals[b]).length() > SAME_NORMAL
     })
+}
+
+/// True if a texture of the shape can differ between two neighbouring faces at
+/// an end of their common edge.
+fn textures_differ(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
+    textures_of(scene, shape).into_iter().any(|texture| {
+        let per_face = matches!(texture.pattern, Pattern::PerFace);
+        let by_uv = texture.needs_uv()
+            && common_corners(shape, faces).any(|[first, second]| {
+                let corner = |i: usize| [0, 1, 2].map(|k| if i == k { 1.0_f64 } else { 0.0 });
+                let [a, b] = [(faces[0], first), (faces[1], second)]
+                    .map(|(face, i)| shape.uv(face as usize, corner(i)));
+                (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > SAME_UV
+            });
+        per_face || by_uv
+    })
+}
+
+/// The corners of two faces that are at the same place.
+fn common_corners(shape: &Shape, faces: [u32; 2]) -> impl Iterator<Item = [usize; 2]> {
+    let [first, second] = faces.map(|face| shape.mesh.corners(face as usize));
+    (0..3)
+        .flat_map(|i| (0..3).map(move |k| [i, k]))
+        .filter(move |&[i, k]| first[i] == second[k])
 }
 
 /// Makes an edge of a shape one of the joined mesh.
@@ -126,123 +163,192 @@ fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
     }
 }
 
-/// A point that looks at the boundaries around it, and how it moves.
-#[derive(Clone, Copy)]
-pub struct Eye {
-    /// The shading point or the camera, with its velocity.
-    pub position: Vec3<D>,
+/// A point that looks at the boundaries around it.
+#[derive(Clone, Copy, Debug)]
+pub struct Eye<R> {
+    /// The shading point or the camera.
+    pub position: Vec3<R>,
     /// Unit normal of the face it lies on, if it lies on one.
     pub face_normal: Option<Vec3>,
     /// Which edges count.
     pub selection: EdgeSelection,
     /// The group of edges that counts.
     pub group: u8,
-    /// If the eye is the camera, only what it can see of them counts. If the
-    /// closest point of an edge is hidden, what hides it has an outline between
-    /// that point and the rest of the edge: leaving out the edge leaves out no
-    /// visible point that would be the closest.
-    pub is_camera: bool,
+    /// Whether hidden edges count.
+    pub visibility: Visibility,
 }
 
-/// The velocity field around an eye at one direction.
-#[derive(Clone, Copy, Debug)]
-pub struct FieldAt {
-    /// Angular velocity of the direction, tangent to it.
-    pub velocity: Vec3,
-    /// Its divergence on the sphere.
-    pub divergence: f64,
+/// Which boundary points count. If the closest point of an edge is hidden, what
+/// hides it has an outline between that point and the rest of the edge: leaving
+/// out the edge leaves out no visible point that would be the closest.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Visibility {
+    /// All of them: right, too, and enough where nothing is hidden.
+    All,
+    /// Those that a point on a surface sees.
+    Surface,
+    /// Those that the camera sees, between its clip planes.
+    Camera,
 }
 
-/// The sink of the walk in forward mode: it sums up the velocities.
+impl<R: Real> Eye<R> {
+    /// The camera.
+    pub fn camera(position: Vec3<R>) -> Self {
+        Self {
+            position,
+            face_normal: None,
+            // Shading jumps at every crease, seen from either side.
+            selection: EdgeSelection::All,
+            group: SEEN,
+            visibility: Visibility::Camera,
+        }
+    }
+
+    /// A surface point that looks for emitted light.
+    pub fn towards_emitters(position: Vec3<R>, face_normal: Vec3) -> Self {
+        Self {
+            position,
+            face_normal: Some(face_normal),
+            selection: EdgeSelection::Silhouettes,
+            group: EMITTED,
+            // Around a direction that reaches light nothing is hidden: what
+            // hides an edge would have an outline nearer than the edge.
+            visibility: Visibility::All,
+        }
+    }
+
+    /// A surface point that looks at other surfaces.
+    pub fn towards_surfaces(position: Vec3<R>, face_normal: Vec3) -> Self {
+        Self {
+            position,
+            face_normal: Some(face_normal),
+            selection: EdgeSelection::All,
+            group: SEEN,
+            visibility: Visibility::Surface,
+        }
+    }
+}
+
+/// The fields around all points of a scene at rest.
 pub struct Field<'a> {
-    /// What hides them.
-    pub accel: &'a Accel<'a>,
+    accel: &'a Accel<'a>,
     /// The edges.
     pub boundaries: Boundaries,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
-    pub horizon_distance: f64,
+    horizon_distance: f64,
 }
 
-impl Field<'_> {
-    /// True if no boundary moves relative to the eye.
-    fn at_rest(&self, eye: &Eye) -> bool {
-        !self.boundaries.any_moves && eye.position.tangent(0) == Vec3::zero()
+/// A boundary point seen from an eye.
+#[derive(Clone, Copy, Debug)]
+pub struct Site {
+    /// Two points of the boundaries ([`Boundaries::point_count`]), and the
+    /// place between them.
+    pub points: [u32; 2],
+    /// Position between them: 0 at the first, 1 at the second.
+    pub t: f64,
+    /// Velocities along this unit vector are kept if `is_horizon`, else
+    /// rejected.
+    direction: Vec3,
+    is_horizon: bool,
+    distance: f64,
+}
+
+impl Site {
+    /// The angular velocity of the point for a velocity `ẋ - ȯ` relative to the
+    /// eye, `P_x̂ (ẋ - ȯ) / |x - o|`. A symmetric map: its own transpose.
+    #[inline]
+    pub fn angular(&self, relative: Vec3) -> Vec3 {
+        let along = self.direction * self.direction.dot(relative);
+        let kept = if self.is_horizon {
+            along
+        } else {
+            relative - along
+        };
+        kept / self.distance
+    }
+}
+
+/// An unbiased sample of a field and its divergence in one direction, for any
+/// velocities of the boundary points.
+pub type Sites = FieldSample<Site, Vec3>;
+
+impl<'a> Field<'a> {
+    /// The fields of a scene.
+    pub fn new(accel: &'a Accel<'a>) -> Self {
+        Self {
+            accel,
+            boundaries: Boundaries::new(accel),
+            horizon_distance: accel.horizon_distance(),
+        }
     }
 
-    fn sphere(&self, eye: &Eye) -> Sphere<'_, impl Fn(&SilhouettePoint) -> bool> {
-        let is_camera = eye.is_camera;
+    fn sphere<R: Real>(&self, eye: &Eye<R>) -> Sphere<'_, impl Fn(&SilhouettePoint) -> bool> {
+        let position = eye.position.value();
+        let is_camera = eye.visibility == Visibility::Camera;
+        let is_seen = move |site: &SilhouettePoint| match is_camera {
+            true => self.accel.camera_sees(site.direction, site.distance),
+            false => self
+                .accel
+                .surface_sees(position, site.direction, site.distance),
+        };
         Sphere {
             tree: &self.boundaries.tree,
-            eye: eye.position.value(),
+            eye: position,
             edges: eye.selection,
             groups: eye.group,
             in_front_of: None,
-            counts: move |site: &SilhouettePoint| {
-                !is_camera || self.accel.camera_sees(site.direction, site.distance)
-            },
+            counts: (eye.visibility != Visibility::All).then_some(is_seen),
             queries: Cell::new(0),
         }
     }
 
     /// A sample of the field and its divergence in the direction `q`.
-    pub fn sample(&self, eye: &Eye, q: Vec3, walk: &WalkSettings, random: Numbers) -> FieldAt {
-        if self.at_rest(eye) {
-            return FieldAt {
-                velocity: Vec3::zero(),
-                divergence: 0.0,
-            };
-        }
+    pub fn sample<R: Real>(
+        &self,
+        eye: &Eye<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        random: Numbers,
+    ) -> Sites {
         let sphere = self.sphere(eye);
         let sample = sample_field(&sphere, q, walk, |i| random.number(i));
-        random
-            .draw
-            .queries
-            .set(random.draw.queries.get() + sphere.queries.get());
-        let (mean, divergence) = sample.evaluate(|site| self.site_velocity(eye, site));
-        FieldAt {
-            velocity: mean.reject_from(q),
-            divergence,
-        }
+        random.draw.count_queries(sphere.queries.get());
+        sample.map(|site| self.site(eye, site))
     }
 
-    /// A sample of the field alone.
-    pub fn sample_value(&self, eye: &Eye, q: Vec3, walk: &WalkSettings, random: Numbers) -> Vec3 {
-        if self.at_rest(eye) {
-            return Vec3::zero();
-        }
+    /// A sample of the field alone; `None` for velocity zero.
+    pub fn sample_value<R: Real>(
+        &self,
+        eye: &Eye<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Site> {
         let sphere = self.sphere(eye);
         let site = sample_value(&sphere, q, walk, |i| random.number(i));
-        random
-            .draw
-            .queries
-            .set(random.draw.queries.get() + sphere.queries.get());
-        match site {
-            None => Vec3::zero(),
-            Some(site) => self.site_velocity(eye, &site).reject_from(q),
+        random.draw.count_queries(sphere.queries.get());
+        Some(self.site(eye, &site?))
+    }
+
+    fn site<R: Real>(&self, eye: &Eye<R>, found: &SilhouettePoint) -> Site {
+        let edge = &self.boundaries.edges[found.edge as usize];
+        // Around the face that the eye slides on, its edges are the horizon.
+        // Only the motion across the horizon matters; that along it grows
+        // without bound as the eye nears the edge.
+        let horizon = eye
+            .face_normal
+            .filter(|&normal| self.in_horizon(eye.position.value(), edge, normal));
+        Site {
+            points: edge.vertices,
+            t: found.t,
+            direction: horizon.unwrap_or(found.direction),
+            is_horizon: horizon.is_some(),
+            distance: found.distance,
         }
     }
 
-    /// Angular velocity of a boundary point seen from the eye,
-    /// `P_x̂ (ẋ - ȯ) / |x - o|`.
-    fn site_velocity(&self, eye: &Eye, site: &SilhouettePoint) -> Vec3 {
-        let edge = &self.boundaries.edges[site.edge as usize];
-        let velocities = &self.boundaries.velocities;
-        let [va, vb] = edge.vertices.map(|i| velocities[i as usize]);
-        let relative = va + (vb - va) * site.t - eye.position.tangent(0);
-        if let Some(normal) = eye.face_normal
-            && self.in_horizon(eye, edge, normal)
-        {
-            // Around the face that the eye slides on, its edges are the
-            // horizon. Only the motion across the horizon matters; that along
-            // it grows without bound as the eye nears the edge.
-            return normal * (normal.dot(relative) / site.distance);
-        }
-        relative.reject_from(site.direction) / site.distance
-    }
-
-    fn in_horizon(&self, eye: &Eye, edge: &Edge, normal: Vec3) -> bool {
-        let eye = eye.position.value();
+    fn in_horizon(&self, eye: Vec3, edge: &Edge, normal: Vec3) -> bool {
         edge.vertices.iter().all(|&i| {
             let offset = self.boundaries.positions[i as usize] - eye;
             offset.dot(normal).abs() <= self.horizon_distance
@@ -255,8 +361,23 @@ impl Field<'_> {
 pub struct Draw<'a> {
     /// The numbers.
     pub stream: &'a Stream,
-    /// Counts closest-silhouette queries.
-    pub queries: &'a Cell<u64>,
+    /// What it costs, and what it could not do.
+    pub counts: &'a Counts,
+}
+
+/// Counts of one sample.
+#[derive(Debug, Default)]
+pub struct Counts {
+    /// Closest-silhouette queries.
+    pub queries: Cell<u64>,
+    /// Specular events behind which outlines can move: these bound no field.
+    pub uncovered: Cell<u64>,
+}
+
+impl Draw<'_> {
+    fn count_queries(&self, count: u64) {
+        self.counts.queries.set(self.counts.queries.get() + count);
+    }
 }
 
 /// The random numbers of one walk.

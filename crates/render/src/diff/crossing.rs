@@ -18,11 +18,60 @@ use crate::accel::Accel;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Its ends.
-    pub ends: [Vec3; 2],
-    /// The velocities of its ends, across the curve.
-    pub velocities: [Vec3; 2],
+    pub ends: [End; 2],
     /// True if one of the faces belongs to a lamp.
     pub emits: bool,
+}
+
+/// An end of a crossing. It stays in both faces and does not move along the
+/// curve, so its velocity depends linearly on those of the faces' vertices.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// Where it is.
+    pub position: Vec3,
+    /// What each of the faces adds to its velocity.
+    pulls: [Pull; 2],
+}
+
+/// The velocity `column (normal · Σ weight v)` of a face with vertices that
+/// move with `v`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Pull {
+    vertices: [u32; 3],
+    weights: [f64; 3],
+    normal: Vec3,
+    column: Vec3,
+}
+
+impl End {
+    /// Its velocity, across the curve, for velocities of the joined mesh's
+    /// vertices.
+    pub fn velocity(&self, velocities: &[Vec3]) -> Vec3 {
+        let pull = |pull: &Pull| {
+            let vertices = pull.vertices.iter().zip(pull.weights);
+            let v = vertices.fold(Vec3::zero(), |sum, (&i, weight)| {
+                sum + velocities[i as usize] * weight
+            });
+            pull.column * pull.normal.dot(v)
+        };
+        pull(&self.pulls[0]) + pull(&self.pulls[1])
+    }
+
+    /// The vertices of the joined mesh that it depends on.
+    pub fn vertices(&self) -> impl Iterator<Item = u32> {
+        self.pulls.iter().flat_map(|pull| pull.vertices)
+    }
+
+    /// The transpose: passes a covector on its velocity on to covectors on the
+    /// velocities of the joined mesh's vertices.
+    pub fn pull_back(&self, covector: Vec3, covectors: &mut [Vec3]) {
+        for pull in &self.pulls {
+            let along = pull.normal * pull.column.dot(covector);
+            for (&i, weight) in pull.vertices.iter().zip(pull.weights) {
+                covectors[i as usize] += along * weight;
+            }
+        }
+    }
 }
 
 /// Fraction of an edge at its ends that may touch another face without
@@ -32,9 +81,8 @@ const TOUCHING: f64 = 1e-7;
 /// rather than cross.
 const COPLANAR: f64 = 1e-6;
 
-/// All crossings of faces of the joined mesh, for the given velocities of its
-/// vertices, in a fixed order.
-pub fn crossings(accel: &Accel, velocities: &[Vec3]) -> Vec<Crossing> {
+/// All crossings of faces of the joined mesh, in a fixed order.
+pub fn crossings(accel: &Accel) -> Vec<Crossing> {
     let pierced: Vec<_> = (0..accel.mesh.faces.len() as u32)
         .into_par_iter()
         .flat_map_iter(|face| piercings(accel, face))
@@ -51,7 +99,7 @@ pub fn crossings(accel: &Accel, velocities: &[Vec3]) -> Vec<Crossing> {
     pairs
         .into_iter()
         .filter_map(|(faces, points)| match points[..] {
-            [a, b] => crossing(accel, velocities, faces, [a, b]),
+            [a, b] => crossing(accel, faces, [a, b]),
             // Touching, not crossing.
             _ => None,
         })
@@ -83,12 +131,7 @@ fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
 }
 
 /// The crossing of two faces between two points, if they are not coplanar.
-fn crossing(
-    accel: &Accel,
-    velocities: &[Vec3],
-    faces: [u32; 2],
-    ends: [Vec3; 2],
-) -> Option<Crossing> {
+fn crossing(accel: &Accel, faces: [u32; 2], ends: [Vec3; 2]) -> Option<Crossing> {
     let normals = faces.map(|face| accel.mesh.face_cross(face as usize).normalized());
     let along = normals[0].cross(normals[1]);
     let square = along.length_squared();
@@ -96,18 +139,18 @@ fn crossing(
         return None;
     }
     // ẋ with n₁·ẋ = n₁·v₁, n₂·ẋ = n₂·v₂, and no motion along the curve.
-    let velocity = |x: Vec3| {
-        let [first, second] = [0, 1].map(|k| {
-            let v = velocity_on_face(accel, velocities, faces[k], x);
-            normals[k].dot(v)
-        });
-        let in_first = normals[1].cross(along) * first;
-        let in_second = along.cross(normals[0]) * second;
-        (in_first + in_second) / square
+    let columns = [normals[1].cross(along), along.cross(normals[0])];
+    let end = |position: Vec3| End {
+        position,
+        pulls: [0, 1].map(|k| Pull {
+            vertices: accel.mesh.faces[faces[k] as usize],
+            weights: weights_on_face(accel, faces[k], position),
+            normal: normals[k],
+            column: columns[k] / square,
+        }),
     };
     Some(Crossing {
-        ends,
-        velocities: ends.map(velocity),
+        ends: ends.map(end),
         emits: faces.iter().any(|&face| {
             let shape = accel.shape_of_face[face as usize];
             accel.scene.shape(shape).emitter.is_some()
@@ -115,13 +158,12 @@ fn crossing(
     })
 }
 
-/// Velocity of the material at a point of a face.
-fn velocity_on_face(accel: &Accel, velocities: &[Vec3], face: u32, x: Vec3) -> Vec3 {
+/// Barycentric weights of a point on a face.
+fn weights_on_face(accel: &Accel, face: u32, x: Vec3) -> [f64; 3] {
     let [a, b, c] = accel.mesh.corners(face as usize);
-    let [va, vb, vc] = accel.mesh.faces[face as usize].map(|i| velocities[i as usize]);
     let cross = (b - a).cross(c - a);
     let square = cross.length_squared();
     let wb = (x - a).cross(c - a).dot(cross) / square;
     let wc = (b - a).cross(x - a).dot(cross) / square;
-    va + (vb - va) * wb + (vc - va) * wc
+    [1.0 - wb - wc, wb, wc]
 }

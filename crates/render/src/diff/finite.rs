@@ -6,10 +6,12 @@ use capwalk_scene::{Motion, Scene};
 
 use crate::accel::Accel;
 use crate::estimate::GradientImage;
-use crate::integrator::pixel_sample;
 use crate::options::{Options, Refusal, Watch};
-use crate::pixel::Supports;
+use crate::path::Tracer;
 use crate::tiles::{self, Sample};
+use crate::world::AtRest;
+
+use super::boundary::{Counts, Draw};
 
 /// The derivative of the picture along `motion` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;
@@ -33,15 +35,20 @@ pub fn finite_difference(
         })?;
     }
     let [above, below] = [Accel::new(&sides[0]), Accel::new(&sides[1])];
-    let supports = Supports::new(&scene.film);
+    let tracers = [Tracer::at_rest(&above), Tracer::at_rest(&below)];
     let averages = tiles::average(scene, options, watch, |pixel, stream| {
+        let draw = Draw {
+            stream,
+            counts: &Counts::default(),
+        };
         let [plus, minus] =
-            [&above, &below].map(|accel| pixel_sample(accel, &supports, pixel, stream));
+            [0, 1].map(|i| tracers[i].pixel(&AtRest(tracers[i].accel), pixel, draw));
         let value: Rgb = (plus + minus) * 0.5;
         let slope: Rgb = (plus - minus) / (2.0 * step);
         Sample {
             numbers: [value.x, value.y, value.z, slope.x, slope.y, slope.z],
             cone_queries: 0,
+            uncovered: 0,
         }
     });
     Ok(GradientImage {

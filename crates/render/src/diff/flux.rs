@@ -5,39 +5,43 @@
 //! be singular wherever a shadow's edge runs over the lamp's own, and the
 //! variance would diverge.
 
-use capwalk_math::Rgb;
-use capwalk_scene::Diffuse;
+use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_walk::WalkSettings;
 
+use crate::accel::Accel;
 use crate::light::emitter_towards;
-use crate::world::{AtRest, Surface, World};
+use crate::path::Vertex;
+use crate::world::{AtRest, World, emitted_at};
 
-use super::boundary::{Eye, Numbers};
-use super::forward::Forward;
+use super::boundary::{Boundaries, Eye, Numbers};
 
 /// Radians by which a ray passes a lamp's edge on either side of it. The
 /// integrand is taken this far from where it jumps, which changes the flux by
 /// a fraction of this size.
 const BESIDE_EDGE: f64 = 1e-7;
 
-/// Derivative of the light reflected at a surface by the motion of lamp edges
-/// against the field,
+/// Zero, with the derivative of the light reflected at a surface by the motion
+/// of lamp edges against the field,
 ///
 /// ```text
 /// ∮ [f(inside) - f(outside)] (u_edge - u)·n dl
 /// ```
 ///
 /// along the lamps' edges on the sphere of directions, from one point drawn on
-/// them by length. `f` is all light that arrives, so that it does not matter
-/// what lies behind the lamp, nor what hides it.
-pub fn lamp_edge_flux(
-    forward: &Forward,
-    eye: &Eye,
-    surface: &Surface<f64>,
-    reflectance: Rgb,
+/// them by length with the number `u`. `f` is all emitted light that arrives, so
+/// that it does not matter what lies behind the lamp, nor what hides it. `vertex`
+/// is the surface at rest, `eye` the same point in motion.
+#[allow(clippy::too_many_arguments, reason = "a formula with many symbols")]
+pub fn lamp_edge_flux<R: Real, W: World<R>>(
+    accel: &Accel,
+    boundaries: &Boundaries,
+    world: &W,
+    eye: &Eye<R>,
+    vertex: &Vertex<f64>,
     u: f64,
+    walk: &WalkSettings,
     numbers: Numbers,
-) -> Rgb {
-    let boundaries = &forward.field.boundaries;
+) -> Rgb<R> {
     let edges = &boundaries.lamp_edges;
     let Some(&(_, total)) = edges.last() else {
         return Rgb::zero();
@@ -46,37 +50,37 @@ pub fn lamp_edge_flux(
     let i = edges
         .partition_point(|&(_, cumulative)| cumulative <= target)
         .min(edges.len() - 1);
-    let (vertices, cumulative) = edges[i];
-    let [a, b] = vertices.map(|v| boundaries.positions[v as usize]);
-    let [va, vb] = vertices.map(|v| boundaries.velocities[v as usize]);
-    let length = (b - a).length();
+    let (ends, cumulative) = edges[i];
+    let [a, b] = ends.map(|v| world.vertex(v));
+    let along = (b - a).value();
+    let length = along.length();
     let t = ((cumulative - target) / length).clamp(0.0, 1.0);
 
-    let offset = a + (b - a) * t - eye.position.value();
-    let distance = offset.length();
-    let q = offset / distance;
+    // The moving direction of the edge, and that of the field.
+    let offset = a + (b - a) * R::constant(t) - eye.position;
+    let edge = offset.normalized();
+    let q = edge.value();
+    let carried = world.carry_value(eye, q, walk, numbers);
     // Per unit of length along the edge, the curve on the sphere advances by
     // P_q ê / r; this is its normal times that length.
-    let across = q.cross(b - a) / (length * distance);
-    let normal = across.normalized();
-    let edge_velocity = (va + (vb - va) * t - eye.position.tangent(0)).reject_from(q) / distance;
-    let field = forward
-        .field
-        .sample_value(eye, q, &forward.light_walk, numbers);
-    let flow = (edge_velocity - field).dot(across) * total;
+    let across = q.cross(along) / (length * offset.value().length());
+    let flow = (edge - carried).dot(Vec3::constant(across * total));
     // Not a number where the surface touches the edge: it goes on, to be counted.
-    if flow == 0.0 {
+    if flow.is_constant() {
         return Rgb::zero();
     }
+    let normal = across.normalized();
     let arriving = |side: f64| {
         let direction = (q + normal * (side * BESIDE_EDGE)).normalized();
-        let hit = forward.accel.first_hit(surface.position, direction);
-        let Some(emitter) = emitter_towards(forward.accel, hit.as_ref(), direction) else {
+        let hit = accel.first_hit(vertex.position, direction);
+        let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction) else {
             return Rgb::zero();
         };
-        let f = Diffuse::eval(reflectance, surface.normal.dot(direction));
-        f.hadamard(AtRest(forward.accel).radiance(emitter))
+        let world = AtRest(accel);
+        let (hit, origin) = (hit.as_ref(), vertex.position);
+        let radiance = emitted_at(&world, accel, emitter, hit, origin, direction);
+        vertex.eval(direction).hadamard(radiance)
     };
     // The normal points from the side of -1 to that of +1.
-    (arriving(-1.0) - arriving(1.0)) * flow
+    Rgb::constant(arriving(-1.0) - arriving(1.0)) * flow
 }

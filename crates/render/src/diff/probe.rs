@@ -1,21 +1,43 @@
 //! Irradiance at a point and its derivative: the integral that METHOD's
 //! reference set-up is made of, without a camera.
 
-use std::cell::Cell;
+use std::f64::consts::PI;
 
-use capwalk_math::{Moments, Rgb, Vec3};
+use capwalk_math::{Moments, Real, Rgb, Vec3};
+use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe};
 use capwalk_scene::{Motion, Scene};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
-use crate::integrator::FIRST_VERTEX;
-use crate::light::{LightSampling, sample_lights};
+use crate::light::LightSampling;
 use crate::options::Refusal;
+use crate::path::{Plan, Tracer, Vertex};
 use crate::sampler::Sampler;
-use crate::world::{AtRest, Surface, World};
+use crate::world::AtRest;
 
-use super::boundary::Draw;
-use super::forward::{Forward, check_walk};
+use super::boundary::{Counts, Draw, Field};
+use super::forward::check_walk;
+use super::motion::InMotion;
+
+/// A surface point at rest that reflects the irradiance itself: its reflectance
+/// is π.
+fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
+    let reflectance = Rgb::splat(R::constant(PI));
+    let [position, unit] = [position, normal].map(Vec3::constant);
+    let lobe = Lobe::Diffuse(Diffuse { reflectance });
+    Vertex::new(position, normal, unit, unit, Bsdf::from(lobe))
+}
+
+/// Points drawn on emitters, nothing else.
+const EMITTERS_ALONE: Plan = Plan {
+    max_depth: Some(2),
+    rr_depth: u32::MAX,
+    sampling: LightSampling {
+        emitter_samples: 1,
+        bsdf_samples: 0,
+    },
+    hide_emitters: false,
+};
 
 /// Statistics of single samples of the red irradiance at a point at rest, and
 /// of its derivative along a motion.
@@ -39,29 +61,20 @@ pub fn irradiance(
 ) -> Result<Vec<Irradiance>, Refusal> {
     check_walk(&walk)?;
     let accel = Accel::new(scene);
-    let sampling = LightSampling {
-        emitter_samples: 1,
-        bsdf_samples: 0,
-    };
-    let forward = Forward::new(&accel, motion, walk, sampling, false);
+    let field = Field::new(&accel);
+    let world = InMotion::new(&accel, &field, motion);
+    let tracer = Tracer::moving(&accel, &field, walk).with_plan(EMITTERS_ALONE);
     let sampler = Sampler::new(&scene.settings, seed, 1);
-    // A reflectance of π reflects the irradiance itself.
-    let reflectance = Rgb::constant(Rgb::splat(std::f64::consts::PI));
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
-        let surface = Surface {
-            position: Vec3::constant(position),
-            normal: Vec3::constant(normal),
-            face_normal: normal,
-            bsdf: None,
-        };
+        let vertex = diffuse_vertex(position, normal);
         let mut irradiance = Irradiance::default();
         for number in 0..samples {
             let stream = sampler.stream(index as u64, number);
             let draw = Draw {
                 stream: &stream,
-                queries: &Cell::new(0),
+                counts: &Counts::default(),
             };
-            let light = forward.reflected(&surface, reflectance, draw);
+            let (light, _) = tracer.emitted(&world, &vertex, 0, draw);
             irradiance.value.add(light.x.value);
             irradiance.gradient.add(light.x.tangent[0]);
         }
@@ -83,32 +96,20 @@ pub fn difference(
     seed: u64,
 ) -> Vec<Moments> {
     let accels = [Accel::new(&scenes[0]), Accel::new(&scenes[1])];
-    let sampling = LightSampling {
-        emitter_samples: 1,
-        bsdf_samples: 0,
-    };
+    let tracers = [0, 1].map(|i| Tracer::at_rest(&accels[i]).with_plan(EMITTERS_ALONE));
     let sampler = Sampler::new(&scenes[0].settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
+        let vertex = diffuse_vertex(position, normal);
         let mut moments = Moments::default();
         for number in 0..samples {
             let stream = sampler.stream(index as u64, number);
+            let draw = Draw {
+                stream: &stream,
+                counts: &Counts::default(),
+            };
             let [above, below] = [0, 1].map(|i| {
-                let accel = &accels[i];
-                let world = AtRest(accel);
-                let mut light = 0.0;
-                sample_lights(
-                    accel,
-                    position,
-                    normal,
-                    sampling,
-                    &stream,
-                    FIRST_VERTEX,
-                    |_, sample| {
-                        let cos_o = normal.dot(sample.direction);
-                        light += world.radiance(sample.emitter).x * cos_o * sample.weight;
-                    },
-                );
-                light
+                let world = AtRest(&accels[i]);
+                tracers[i].emitted(&world, &vertex, 0, draw).0.x
             });
             moments.add(above - below);
         }

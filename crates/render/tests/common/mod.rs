@@ -21,6 +21,7 @@ pub fn empty(from: Vec3, to: Vec3, fov_degrees: f64, size: u32) -> Scene {
         shapes: Vec::new(),
         materials: Vec::new(),
         emitters: Vec::new(),
+        textures: Vec::new(),
         sensor: Perspective {
             id: "sensor".into(),
             world_from_camera: Affine::look_at(from, to, up).expect("not along the up vector"),
@@ -46,11 +47,11 @@ pub fn empty(from: Vec3, to: Vec3, fov_degrees: f64, size: u32) -> Scene {
 /// Adds a two-sided grey shape.
 pub fn add(scene: &mut Scene, id: &str, mesh: Mesh, normals: ShadingNormals, grey: f64) {
     let inner = BsdfId(scene.materials.len() as u32);
+    let reflectance = Texture::colour(format!("{id}.bsdf.reflectance"), Rgb::splat(grey));
+    let reflectance = scene.add_texture(reflectance);
     scene.materials.push(Material {
         id: format!("{id}.bsdf"),
-        bsdf: Bsdf::Diffuse(Diffuse {
-            reflectance: Rgb::splat(grey),
-        }),
+        bsdf: Bsdf::Diffuse { reflectance },
     });
     scene.materials.push(Material {
         id: format!("{id}.twosided"),
@@ -59,23 +60,17 @@ pub fn add(scene: &mut Scene, id: &str, mesh: Mesh, normals: ShadingNormals, gre
             back: inner,
         },
     });
-    scene.shapes.push(Shape {
-        id: id.into(),
-        mesh,
-        normals,
-        bsdf: BsdfId(inner.0 + 1),
-        emitter: None,
-    });
+    let outer = BsdfId(inner.0 + 1);
+    scene.shapes.push(Shape::new(id, mesh, normals, outer));
 }
 
 /// Makes the last shape added a lamp.
 pub fn light_up(scene: &mut Scene, radiance: f64) {
     let shape = ShapeId(scene.shapes.len() as u32 - 1);
     let id = EmitterId(scene.emitters.len() as u32);
-    scene.emitters.push(Emitter::Area {
-        shape,
-        radiance: Rgb::splat(radiance),
-    });
+    let name = format!("{}.emitter.radiance", scene.shape(shape).id);
+    let radiance = scene.add_texture(Texture::colour(name, Rgb::splat(radiance)));
+    scene.emitters.push(Emitter::Area { shape, radiance });
     scene.shapes[shape.0 as usize].emitter = Some(id);
 }
 

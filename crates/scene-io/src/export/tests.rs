@@ -3,8 +3,8 @@ use crate::load_scene;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::scene::BsdfId;
 use capwalk_scene::{
-    Bsdf, Diffuse, Emitter, Filter, Integrator, Material, SamplerKind, ShadingNormals, builtin,
-    primitive,
+    Bsdf, Emitter, Filter, Integrator, Material, SamplerKind, ShadingNormals, Texture, TextureId,
+    builtin, primitive,
 };
 
 struct Directory(PathBuf);
@@ -32,7 +32,7 @@ fn mesh_files_have_plain_and_different_names() {
     {
         shape.id = id.into();
     }
-    let names = mesh_names(&scene);
+    let names = file_names(scene.shapes.iter().map(|s| s.id.as_str()), "ply");
     assert_eq!(
         names[..5],
         ["a_b.ply", "A_b_2.ply", "a_b_3.ply", "_._x.ply", "é.1.ply"]
@@ -76,6 +76,7 @@ fn check_round_trip(scene: &Scene, name: &str) {
     // Everything else, with its own names first to keep messages short.
     assert_eq!(scene.materials, loaded.materials, "{name}");
     assert_eq!(scene.emitters, loaded.emitters, "{name}");
+    assert_eq!(scene.textures, loaded.textures, "{name}");
     assert_eq!(
         (&scene.film, &scene.settings),
         (&loaded.film, &loaded.settings),
@@ -96,11 +97,33 @@ fn built_in_scenes_come_back() {
 #[test]
 fn every_setting_comes_back() {
     let mut scene = builtin::scene("leaf").expect("built in");
-    let diffuse = |id: &str, r: f64| Material {
+    // In the order in which the file tells them, the lamp's behind its shape.
+    let colours = [
+        ("shared <&> \"red\"", 0.7),
+        ("front", 0.2),
+        ("floor.bsdf", 0.4),
+        ("lamp.emitter", 70.0),
+        ("leaf.bsdf.brdf_0", 0.5),
+        ("leaf.bsdf.brdf_1", 0.6),
+    ];
+    let texture = |(id, r): (&str, f64)| match id {
+        "lamp.emitter" => Texture::colour("lamp.emitter.radiance", Rgb::splat(r)),
+        _ => Texture::colour(
+            format!("{id}.reflectance"),
+            Rgb::new(r, 0.1 + 0.2, 1.0 / 3.0),
+        ),
+    };
+    scene.textures = colours.map(texture).to_vec();
+    for emitter in &mut scene.emitters {
+        if let Emitter::Area { radiance, .. } = emitter {
+            *radiance = TextureId(3);
+        }
+    }
+    let diffuse = |id: &str, texture: usize| Material {
         id: id.into(),
-        bsdf: Bsdf::Diffuse(Diffuse {
-            reflectance: Rgb::new(r, 0.1 + 0.2, 1.0 / 3.0),
-        }),
+        bsdf: Bsdf::Diffuse {
+            reflectance: TextureId(texture as u32),
+        },
     };
     let two_sided = |front, back| Bsdf::TwoSided {
         front: BsdfId(front),
@@ -108,15 +131,15 @@ fn every_setting_comes_back() {
     };
     // In the order in which the file tells them: named ones first.
     scene.materials = vec![
-        diffuse("shared <&> \"red\"", 0.7),
-        diffuse("front", 0.2),
+        diffuse("shared <&> \"red\"", 0),
+        diffuse("front", 1),
         Material {
             id: "both".into(),
             bsdf: two_sided(0, 1),
         },
-        diffuse("floor.bsdf", 0.4),
-        diffuse("leaf.bsdf.brdf_0", 0.5),
-        diffuse("leaf.bsdf.brdf_1", 0.6),
+        diffuse("floor.bsdf", 2),
+        diffuse("leaf.bsdf.brdf_0", 4),
+        diffuse("leaf.bsdf.brdf_1", 5),
         Material {
             id: "leaf.bsdf".into(),
             bsdf: two_sided(4, 5),
@@ -126,13 +149,8 @@ fn every_setting_comes_back() {
         shape.bsdf = BsdfId(bsdf);
     }
     let mut add = |id: &str, mesh, normals, bsdf| {
-        scene.shapes.push(capwalk_scene::Shape {
-            id: id.into(),
-            mesh,
-            normals,
-            bsdf: BsdfId(bsdf),
-            emitter: None,
-        });
+        let shape = capwalk_scene::Shape::new(id, mesh, normals, BsdfId(bsdf));
+        scene.shapes.push(shape);
     };
     let mesh = primitive::icosphere(3);
     let normals = ShadingNormals::computed(&mesh);
@@ -140,9 +158,11 @@ fn every_setting_comes_back() {
     let mesh = primitive::icosphere(2);
     let normals = mesh.positions.iter().map(|p| p.normalized()).collect();
     add("a_b_ 1", mesh, ShadingNormals::Given(normals), 0);
+    let radiance = Texture::colour("sky.radiance", Rgb::new(0.1, 0.2, 1e-300));
+    let radiance = scene.add_texture(radiance);
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
-        radiance: Rgb::new(0.1, 0.2, 1e-300),
+        radiance,
     });
     scene.sensor.id = "eye".into();
     scene.sensor.world_from_camera = Affine::translate(Vec3::new(0.1, -1e-17, 3e5))
@@ -188,4 +208,90 @@ fn xml_paths_name_the_file() {
     assert_eq!(path, directory.0.join("my leaf.XML"));
     assert!(directory.0.join("my leaf_meshes/leaf.ply").is_file());
     assert!(load_scene(&path, &[]).is_ok());
+}
+
+/// Every sort of texture: alone and shared, on meshes with seams in their
+/// texture coordinates, with attributes.
+#[test]
+fn textures_come_back() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let text = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<texture type="bitmap" id="wood"><string name="filename" value="texels.png"/>
+<string name="wrap_mode" value="mirror"/><transform name="to_uv"><matrix
+value="1 2 3 0.1 5 6 7 0.2 9 10 11 0.3 0 0 0 1"/></transform></texture>
+<bsdf type="twosided" id="both"><bsdf type="diffuse"><ref name="reflectance" id="wood"/></bsdf></bsdf>
+<shape type="rectangle" id="a"><ref id="both"/></shape>
+<shape type="disk" id="b"><bsdf type="diffuse"><texture type="bitmap" name="reflectance">
+<string name="filename" value="texels.png"/><boolean name="raw" value="true"/>
+<string name="filter_type" value="nearest"/></texture></bsdf></shape>
+<shape type="ply" id="c"><string name="filename" value="attributes.ply"/>
+<bsdf type="diffuse"><texture name="reflectance" type="mesh_attribute">
+<string name="name" value="face_tint_color"/></texture></bsdf>
+<emitter type="area"><texture type="checkerboard" name="radiance"><rgb name="color1"
+value="1 2 3"/></texture></emitter></shape></scene>"#;
+    let mut scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    // Texels are written in single precision.
+    for texture in &mut scene.textures {
+        texture
+            .data
+            .iter_mut()
+            .for_each(|x| *x = f64::from(*x as f32));
+    }
+    let directory = Directory::new("textures");
+    let path = write_scene(&scene, &directory.0).expect("writable");
+    let loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(scene.textures, loaded.textures);
+    assert_eq!(scene.materials, loaded.materials);
+    for (a, b) in scene.shapes.iter().zip(&loaded.shapes) {
+        assert_eq!(a.attributes, b.attributes);
+        // The centre of the disk has other coordinates in every triangle.
+        assert_eq!(a.uvs, b.uvs, "{}", a.id);
+        let corners = |s: &capwalk_scene::Shape, i: usize| s.mesh.corners(i);
+        assert_eq!(a.mesh.faces.len(), b.mesh.faces.len());
+        for face in 0..a.mesh.faces.len() {
+            assert_eq!(corners(a, face), corners(b, face), "{}", a.id);
+        }
+    }
+    assert_eq!(scene.shapes[0], loaded.shapes[0]);
+    assert_eq!(loaded.shapes[1].mesh.positions.len(), 1 + 224 + 223 + 1);
+}
+
+/// Every plugin, with what differs from its defaults, alone and inside others.
+#[test]
+fn materials_come_back() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let text = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<bsdf type="conductor" id="gold"><string name="material" value="Au"/>
+<rgb name="specular_reflectance" value="0.9 0.8 0.7"/></bsdf>
+<bsdf type="roughconductor" id="brushed"><string name="distribution" value="ggx"/>
+<float name="alpha_u" value="0.1"/><float name="alpha_v" value="0.3"/></bsdf>
+<bsdf type="dielectric" id="water"><string name="int_ior" value="water"/></bsdf>
+<bsdf type="roughdielectric" id="ice"><float name="int_ior" value="1.31"/>
+<float name="alpha" value="0.2"/></bsdf>
+<bsdf type="thindielectric" id="pane"/>
+<bsdf type="plastic" id="ball"><boolean name="nonlinear" value="true"/></bsdf>
+<bsdf type="roughplastic" id="toy"><string name="distribution" value="ggx"/>
+<texture type="checkerboard" name="diffuse_reflectance"/></bsdf>
+<bsdf type="principled" id="car"><float name="eta" value="1.4"/><float name="sheen" value="0.3"/></bsdf>
+<bsdf type="principled" id="cloth"><float name="specular" value="0.4"/></bsdf>
+<bsdf type="null" id="air"/>
+<bsdf type="blendbsdf" id="mix"><float name="weight" value="0.2"/><ref id="gold"/>
+<bsdf type="mask"><float name="opacity" value="0.7"/><bsdf type="diffuse"/></bsdf></bsdf>
+<bsdf type="twosided" id="sheet"><bsdf type="normalmap"><boolean name="use_shadowing_function" value="false"/>
+<texture name="normalmap" type="checkerboard"/><bsdf type="diffuse"/></bsdf></bsdf>
+<bsdf type="bumpmap" id="rough"><float name="scale" value="3"/>
+<boolean name="flip_invalid_normals" value="false"/>
+<texture name="whatever" type="checkerboard"/><bsdf type="plastic"/></bsdf>
+<shape type="rectangle" id="a"><ref id="mix"/></shape></scene>"#;
+    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    let directory = Directory::new("materials");
+    let path = write_scene(&scene, &directory.0).expect("writable");
+    let loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let plugins = |scene: &Scene| -> Vec<_> {
+        let materials = scene.materials.iter();
+        materials.map(|m| (m.id.clone(), m.bsdf.plugin())).collect()
+    };
+    assert_eq!(plugins(&scene), plugins(&loaded));
+    assert_eq!(scene.textures, loaded.textures);
+    assert_eq!(scene.materials, loaded.materials);
 }

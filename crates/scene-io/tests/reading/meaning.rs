@@ -264,7 +264,7 @@ fn reflectance(value: &str) -> Rgb {
         "<shape type=\"cube\"><bsdf type=\"diffuse\">{value}</bsdf></shape>"
     )));
     match &scene.material(scene.shapes[0].bsdf).bsdf {
-        Bsdf::Diffuse(diffuse) => diffuse.reflectance,
+        Bsdf::Diffuse { reflectance } => scene.texture(*reflectance).texel(0),
         other => panic!("{other:?}"),
     }
 }
@@ -274,7 +274,8 @@ fn radiance(value: &str) -> Rgb {
         "{HEAD}<integrator type=\"path\"/><sensor type=\"perspective\"/>\
          <emitter type=\"constant\">{value}</emitter></scene>"
     );
-    load(&text).emitters[0].radiance()
+    let scene = load(&text);
+    scene.texture(scene.emitters[0].radiance()).texel(0)
 }
 
 #[test]
@@ -312,13 +313,14 @@ fn default_materials() {
         "<shape type=\"cube\"/><shape type=\"disk\"><emitter type=\"area\"/></shape>",
     ));
     let reflectance = |i: usize| match &scene.material(scene.shapes[i].bsdf).bsdf {
-        Bsdf::Diffuse(diffuse) => diffuse.reflectance,
+        Bsdf::Diffuse { reflectance } => scene.texture(*reflectance).texel(0),
         other => panic!("{other:?}"),
     };
     assert_eq!(reflectance(0), Rgb::splat(0.5));
     assert_eq!(reflectance(1), Rgb::zero());
     let lamp = scene.shapes[1].emitter.expect("a lamp");
-    assert_eq!(scene.emitter(lamp).radiance(), Rgb::splat(1.0));
+    let radiance = scene.texture(scene.emitter(lamp).radiance());
+    assert_eq!(radiance.texel(0), Rgb::splat(1.0));
 }
 
 #[test]

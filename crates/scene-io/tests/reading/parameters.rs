@@ -78,10 +78,11 @@ fn includes_bring_objects_and_use_parameters() {
          <shape type=\"cube\"><ref id=\"red\"/></shape>",
     );
     let scene = load(&text);
-    let Bsdf::Diffuse(diffuse) = &scene.material(scene.shapes[0].bsdf).bsdf else {
+    let Bsdf::Diffuse { reflectance } = scene.material(scene.shapes[0].bsdf).bsdf else {
         panic!("diffuse");
     };
-    assert_eq!(diffuse.reflectance, Vec3::new(0.25, 0.0, 0.0));
+    let reflectance = scene.texture(reflectance).texel(0);
+    assert_eq!(reflectance, Vec3::new(0.25, 0.0, 0.0));
     assert_eq!(scene.materials[1].id, "grey");
 }
 

@@ -3,7 +3,7 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 
-use crate::bsdf::{Bsdf, Diffuse, Material};
+use crate::bsdf::{Bsdf, Material};
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::filter::Filter;
@@ -12,6 +12,7 @@ use crate::scene::{BsdfId, EmitterId, Scene, ShapeId};
 use crate::sensor::Perspective;
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
+use crate::texture::Texture;
 
 /// An empty scene: a picture of 256 x 192 pixels with a box filter and direct
 /// light, seen from `origin` towards `target` with a horizontal field of view
@@ -21,6 +22,7 @@ pub fn empty(origin: Vec3, target: Vec3, fov_x: f64) -> Scene {
         shapes: Vec::new(),
         materials: Vec::new(),
         emitters: Vec::new(),
+        textures: Vec::new(),
         sensor: Perspective {
             id: "sensor".into(),
             world_from_camera: Affine::look_at(origin, target, Vec3::new(0.0, 1.0, 0.0))
@@ -53,27 +55,26 @@ pub fn add(
     reflectance: Rgb,
     sides: Sides,
 ) -> ShapeId {
-    let mut material = |id: String, bsdf| {
-        scene.materials.push(Material { id, bsdf });
-        BsdfId(scene.materials.len() as u32 - 1)
+    let diffuse = |scene: &mut Scene, id: String| {
+        let texture = Texture::colour(format!("{id}.reflectance"), reflectance);
+        let reflectance = scene.add_texture(texture);
+        material(scene, id, Bsdf::Diffuse { reflectance })
     };
-    let diffuse = Bsdf::Diffuse(Diffuse { reflectance });
     let bsdf = match sides {
-        Sides::Front => material(format!("{id}.bsdf"), diffuse),
+        Sides::Front => diffuse(scene, format!("{id}.bsdf")),
         Sides::Both => {
-            let side = material(format!("{id}.bsdf.brdf_0"), diffuse);
+            let side = diffuse(scene, format!("{id}.bsdf.brdf_0"));
             let (front, back) = (side, side);
-            material(format!("{id}.bsdf"), Bsdf::TwoSided { front, back })
+            material(scene, format!("{id}.bsdf"), Bsdf::TwoSided { front, back })
         }
     };
-    scene.shapes.push(Shape {
-        id: id.into(),
-        mesh,
-        normals,
-        bsdf,
-        emitter: None,
-    });
+    scene.shapes.push(Shape::new(id, mesh, normals, bsdf));
     ShapeId(scene.shapes.len() as u32 - 1)
+}
+
+fn material(scene: &mut Scene, id: String, bsdf: Bsdf) -> BsdfId {
+    scene.materials.push(Material { id, bsdf });
+    BsdfId(scene.materials.len() as u32 - 1)
 }
 
 /// Which sides of a shape reflect.
@@ -104,10 +105,9 @@ pub fn add_lamp(scene: &mut Scene, centre: Vec3, half_width: f64, radiance: f64)
     let shape = add(scene, "lamp", lamp, Rgb::splat(0.5), Sides::Front);
     let emitter = EmitterId(scene.emitters.len() as u32);
     scene.shapes[shape.0 as usize].emitter = Some(emitter);
-    scene.emitters.push(Emitter::Area {
-        shape,
-        radiance: Rgb::splat(radiance),
-    });
+    let texture = Texture::colour("lamp.emitter.radiance", Rgb::splat(radiance));
+    let radiance = scene.add_texture(texture);
+    scene.emitters.push(Emitter::Area { shape, radiance });
 }
 
 /// The rectangle from `centre - s - t` to `centre + s + t`, facing `s × t`;

@@ -2,12 +2,12 @@
 
 use std::collections::HashSet;
 
-use capwalk_math::Rgb;
-
 use super::{Parameter, ParameterKind};
-use crate::bsdf::Bsdf;
 use crate::emitter::Emitter;
-use crate::scene::{BsdfId, EmitterId, Scene, ShapeId};
+use crate::quantity::Quantity;
+use crate::scene::{BsdfId, Scene, ShapeId};
+use crate::shape::Shape;
+use crate::texture::{Part, TextureId};
 
 /// What a name refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,8 +15,8 @@ pub(super) enum Target {
     Translate(ShapeId, usize),
     Rotate(ShapeId, usize),
     Scale(ShapeId),
-    Radiance(EmitterId, Channel),
-    Reflectance(BsdfId, Channel),
+    /// Some texels of a texture together.
+    Texels(TextureId, Part, Quantity, Channel),
     TranslateSensor(usize),
     RotateSensor(usize),
 }
@@ -31,14 +31,17 @@ pub(super) enum Channel {
 impl Channel {
     const EACH: [Self; 4] = [Self::All, Self::One(0), Self::One(1), Self::One(2)];
 
-    /// The colour that changes by one in these channels.
-    pub(super) fn unit(self) -> Rgb {
-        match self {
-            Self::All => Rgb::splat(1.0),
-            Self::One(channel) => {
-                Rgb::from([0, 1, 2].map(|i| if i == channel { 1.0 } else { 0.0 }))
-            }
+    /// The ones that a texture has.
+    fn of_texture(channels: usize) -> &'static [Self] {
+        match channels {
+            1 => &Self::EACH[..1],
+            _ => &Self::EACH,
         }
+    }
+
+    /// True if this channel is among them.
+    pub(super) fn contains(self, channel: usize) -> bool {
+        matches!(self, Self::All) || self == Self::One(channel)
     }
 
     fn suffix(self) -> &'static str {
@@ -48,15 +51,16 @@ impl Channel {
         }
     }
 
-    fn value(self, colour: Rgb) -> Vec<f64> {
+    fn values(self, texel: &[f64]) -> Vec<f64> {
         match self {
-            Self::All => colour.to_array().to_vec(),
-            Self::One(channel) => vec![colour[channel]],
+            Self::All => texel.to_vec(),
+            Self::One(channel) => vec![texel[channel]],
         }
     }
 
-    fn of(self, what: &str) -> String {
+    fn of(self, what: &str, channels: usize) -> String {
         match self {
+            Self::All if channels == 1 => what.to_owned(),
             Self::All => format!("{what}, all channels together"),
             Self::One(channel) => format!("{what}, {} channel", ["red", "green", "blue"][channel]),
         }
@@ -93,64 +97,115 @@ pub(super) fn entries(scene: &Scene) -> Vec<Entry> {
             add(format!("{name}.rotate.{letter}"), Target::Rotate(id, axis));
         }
         add(format!("{name}.scale"), Target::Scale(id));
-    }
-    for (i, emitter) in scene.emitters.iter().enumerate() {
-        let name = emitter.parameter_name(scene);
-        for channel in Channel::EACH {
-            let target = Target::Radiance(EmitterId(i as u32), channel);
-            entries.push(Entry::new(format!("{name}{}", channel.suffix()), target));
+        for attribute in &shape.attributes {
+            add_texture(scene, attribute.texture, Quantity::Attribute, &mut entries);
         }
     }
-    for i in 0..scene.materials.len() {
-        add_material(scene, BsdfId(i as u32), &mut entries);
+    let mut listed = HashSet::new();
+    for emitter in &scene.emitters {
+        let id = emitter.radiance();
+        if listed.insert(id) {
+            add_texture(scene, id, Quantity::Radiance, &mut entries);
+        }
+    }
+    for (i, material) in scene.materials.iter().enumerate() {
+        for slot in material.bsdf.slots() {
+            if listed.insert(slot.texture) {
+                add_texture(scene, slot.texture, slot.quantity, &mut entries);
+            }
+        }
+        add_contradiction(scene, BsdfId(i as u32), &mut entries);
     }
     add_sensor(scene, &mut entries);
     entries
 }
 
-/// The names of a diffuse material: its own, then those of two-sided materials
-/// that show it on both sides, then those of the shapes that have any of them.
-fn add_material(scene: &Scene, id: BsdfId, entries: &mut Vec<Entry>) {
-    let material = scene.material(id);
-    let shown = shown_material(scene, id);
-    if let Some(shown) = shown
-        && shown != id
-    {
-        return; // listed with the material it shows
+/// The names of a texture: its own, then those by the emitters and materials
+/// that it stands in.
+fn add_texture(scene: &Scene, id: TextureId, quantity: Quantity, entries: &mut Vec<Entry>) {
+    let texture = scene.texture(id);
+    let mut names = vec![texture.id.clone()];
+    for emitter in scene.emitters.iter().filter(|e| e.radiance() == id) {
+        names.push(format!("{}.radiance", emitter.name(scene)));
     }
-    let shows_it = |other: BsdfId| other == id || shown_material(scene, other) == Some(id);
+    for (i, material) in scene.materials.iter().enumerate() {
+        for slot in material.bsdf.slots().iter().filter(|s| s.texture == id) {
+            for name in material_names(scene, BsdfId(i as u32)) {
+                names.push(format!("{name}.{}", slot.name));
+            }
+        }
+    }
+    // `floor.bsdf` is often both the material's id and the shape's path.
+    let mut seen = HashSet::new();
+    names.retain(|name| seen.insert(name.clone()));
+    for part in texture.parts() {
+        for &channel in Channel::of_texture(texture.channels) {
+            let suffix = channel.suffix();
+            let full = |name: &String| match part.name {
+                "" => format!("{name}{suffix}"),
+                part => format!("{name}.{part}{suffix}"),
+            };
+            let first = full(&names[0]);
+            let mut names: Vec<String> = names
+                .iter()
+                .flat_map(|name| {
+                    // A single number is called by the name of its slot, too.
+                    let short = texture.channels == 1 && part.name == "value";
+                    std::iter::once(full(name)).chain(short.then(|| name.clone()))
+                })
+                .collect();
+            for (i, name) in names.drain(..).enumerate() {
+                entries.push(Entry {
+                    name,
+                    target: Some(Target::Texels(id, part, quantity, channel)),
+                    alias_of: (i > 0).then(|| first.clone()),
+                });
+            }
+        }
+    }
+}
+
+/// What a material is called: its own name, then those of materials that show
+/// it on all sides they show, then those by the shapes that have any of them.
+fn material_names(scene: &Scene, id: BsdfId) -> Vec<String> {
+    let shows_it = |other: BsdfId| {
+        let parts = |id: &BsdfId| scene.material(*id).bsdf.shown_part();
+        std::iter::successors(Some(other), parts).any(|part| part == id)
+    };
     let others = (0..scene.materials.len() as u32).map(BsdfId);
-    let mut names = vec![material.id.clone()];
+    let mut names = vec![scene.material(id).id.clone()];
     for other in others.filter(|&other| other != id && shows_it(other)) {
         names.push(scene.material(other).id.clone());
     }
     for shape in scene.shapes.iter().filter(|shape| shows_it(shape.bsdf)) {
         names.push(format!("{}.bsdf", shape.id));
     }
-    // `floor.bsdf` is often both the material's id and the shape's path.
-    let mut seen = HashSet::new();
-    names.retain(|name| seen.insert(name.clone()));
-    for channel in Channel::EACH {
-        let target = shown.map(|id| Target::Reflectance(id, channel));
-        let full = |name: &String| format!("{name}.reflectance.value{}", channel.suffix());
-        let first = full(&names[0]);
-        for (i, name) in names.iter().map(full).enumerate() {
-            let alias_of = (i > 0).then(|| first.clone());
-            entries.push(Entry {
-                name,
-                target,
-                alias_of,
-            });
-        }
-    }
+    names
 }
 
-/// The diffuse material that a material shows on all sides it shows, or `None`
-/// if its two sides differ.
-fn shown_material(scene: &Scene, id: BsdfId) -> Option<BsdfId> {
-    match scene.material(id).bsdf {
-        Bsdf::Diffuse(_) => Some(id),
-        Bsdf::TwoSided { front, back } => (front == back).then_some(front),
+/// The names that a material made of several would have if they were one. They
+/// refer to nothing, but the message can say why.
+fn add_contradiction(scene: &Scene, id: BsdfId, entries: &mut Vec<Entry>) {
+    let bsdf = &scene.material(id).bsdf;
+    if bsdf.parts().is_empty() || bsdf.shown_part().is_some() {
+        return;
+    }
+    let own: Vec<&str> = bsdf.slots().iter().map(|slot| slot.name).collect();
+    let slots = scene.slots_below(id);
+    let mut slots: Vec<&str> = slots.iter().map(|slot| slot.name).collect();
+    slots.retain(|slot| !own.contains(slot));
+    slots.sort_unstable();
+    slots.dedup();
+    for name in material_names(scene, id) {
+        for slot in &slots {
+            for channel in Channel::EACH {
+                entries.push(Entry {
+                    name: format!("{name}.{slot}.value{}", channel.suffix()),
+                    target: None,
+                    alias_of: None,
+                });
+            }
+        }
     }
 }
 
@@ -188,6 +243,10 @@ impl Entry {
     pub(super) fn describe(self, scene: &Scene) -> Option<Parameter> {
         use ParameterKind::*;
         let shape = |id: ShapeId| &scene.shape(id).id;
+        let moves_discontinuities = match self.target? {
+            Target::Texels(_, _, quantity, _) => quantity.moves_edges(),
+            _ => true,
+        };
         let (kind, value, unit, description) = match self.target? {
             Target::Translate(id, axis) => {
                 let what = format!("moves {} along world {}", shape(id), AXES[axis]);
@@ -201,22 +260,22 @@ impl Entry {
                 let what = format!("scales {} about its centre", shape(id));
                 (Scale, vec![1.0], "times its size", what)
             }
-            Target::Radiance(id, channel) => {
-                let emitter = scene.emitter(id);
-                let what = match emitter {
-                    Emitter::Area { shape: id, .. } => format!("radiance of {}", shape(*id)),
-                    Emitter::Constant { id, .. } => format!("radiance of {id}"),
+            Target::Texels(id, part, quantity, channel) => {
+                let texture = scene.texture(id);
+                let which = match part.count {
+                    1 => String::new(),
+                    n => format!(", all {n} texels together"),
                 };
-                let value = channel.value(emitter.radiance());
-                (Radiance, value, "radiance", channel.of(&what))
-            }
-            Target::Reflectance(id, channel) => {
-                let Bsdf::Diffuse(diffuse) = &scene.material(id).bsdf else {
-                    return None;
+                let what = format!("{} of {}{which}", quantity.name(), users(scene, id));
+                let what = channel.of(&what, texture.channels);
+                let values = match part.count {
+                    1 => {
+                        let first = part.first * texture.channels;
+                        channel.values(&texture.data[first..first + texture.channels])
+                    }
+                    _ => Vec::new(),
                 };
-                let what = format!("reflectance of {}", users(scene, id));
-                let value = channel.value(diffuse.reflectance);
-                (Reflectance, value, "fraction reflected", channel.of(&what))
+                (quantity.into(), values, quantity.unit(), what)
             }
             Target::TranslateSensor(axis) => {
                 let what = format!("moves the sensor along world {}", AXES[axis]);
@@ -232,23 +291,55 @@ impl Entry {
             kind,
             value,
             unit,
-            moves_discontinuities: !matches!(kind, Radiance | Reflectance),
+            moves_discontinuities,
             description,
             alias_of: self.alias_of,
         })
     }
 }
 
-/// The shapes whose look a diffuse material decides, or its own id if none.
-fn users(scene: &Scene, id: BsdfId) -> String {
-    let uses = |bsdf: BsdfId| match scene.material(bsdf).bsdf {
-        Bsdf::Diffuse(_) => bsdf == id,
-        Bsdf::TwoSided { front, back } => front == id || back == id,
+impl From<Quantity> for ParameterKind {
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::Radiance => Self::Radiance,
+            Quantity::Reflectance => Self::Reflectance,
+            Quantity::Attribute => Self::Attribute,
+            Quantity::Transmittance => Self::Transmittance,
+            Quantity::Roughness => Self::Roughness,
+            Quantity::RefractiveIndex { .. } | Quantity::MetalIndex => Self::RefractiveIndex,
+            Quantity::Extinction => Self::Extinction,
+            Quantity::Fraction => Self::Fraction,
+            Quantity::Normal => Self::Normal,
+            Quantity::Height => Self::Height,
+        }
+    }
+}
+
+/// The shapes whose look a texture decides, and environments; or its own id if
+/// there are none.
+fn users(scene: &Scene, id: TextureId) -> String {
+    let shows = |bsdf: BsdfId| {
+        let mut slots = scene.slots_below(bsdf).into_iter();
+        slots.any(|slot| slot.texture == id)
     };
-    let shapes = scene.shapes.iter().filter(|shape| uses(shape.bsdf));
-    let names: Vec<&str> = shapes.map(|shape| shape.id.as_str()).collect();
+    let emits = |shape: &Shape| {
+        let emitter = shape.emitter.map(|emitter| scene.emitter(emitter));
+        emitter.is_some_and(|emitter| emitter.radiance() == id)
+    };
+    let has = |shape: &Shape| shape.attributes.iter().any(|a| a.texture == id);
+    let uses = |shape: &&Shape| shows(shape.bsdf) || emits(shape) || has(shape);
+    let shapes = scene.shapes.iter().filter(uses);
+    let environments = scene.emitters.iter().filter_map(|emitter| match emitter {
+        Emitter::Constant { id: name, radiance } if *radiance == id => Some(name),
+        _ => None,
+    });
+    let names: Vec<&str> = shapes
+        .map(|shape| &shape.id)
+        .chain(environments)
+        .map(String::as_str)
+        .collect();
     match names.len() {
-        0 => format!("{} (unused)", scene.material(id).id),
+        0 => format!("{} (unused)", scene.texture(id).id),
         1..=3 => names.join(", "),
         n => format!("{} and {} more", names[..2].join(", "), n - 2),
     }

@@ -1,5 +1,5 @@
 use super::*;
-use crate::bsdf::{Bsdf, Diffuse, Material};
+use crate::bsdf::{Bsdf, Material};
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::filter::Filter;
@@ -8,6 +8,7 @@ use crate::scene::{BsdfId, EmitterId, ShapeId};
 use crate::sensor::Perspective;
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
+use crate::texture::{Texture, TextureId};
 use capwalk_math::{Affine, Rgb, Vec3};
 
 /// A ball, a lamp, and a sheet whose id holds all that could confuse a parser.
@@ -22,18 +23,15 @@ fn example() -> Scene {
     let (lamp, _) = primitive::rectangle(Affine::translate(Vec3::new(0.0, 3.0, 0.1)));
     let (sheet, _) = primitive::disk(place);
     let shape = |id: &str, mesh, normals, bsdf, emitter| Shape {
-        id: id.into(),
-        mesh,
-        normals,
-        bsdf: BsdfId(bsdf),
         emitter,
+        ..Shape::new(id, mesh, normals, BsdfId(bsdf))
     };
     let computed = ShadingNormals::computed(&sheet);
-    let diffuse = |id: &str, reflectance: [f64; 3]| Material {
+    let diffuse = |id: &str, reflectance| Material {
         id: id.into(),
-        bsdf: Bsdf::Diffuse(Diffuse {
-            reflectance: reflectance.into(),
-        }),
+        bsdf: Bsdf::Diffuse {
+            reflectance: TextureId(reflectance),
+        },
     };
     let two_sided = |id: &str, front, back| Material {
         id: id.into(),
@@ -49,20 +47,26 @@ fn example() -> Scene {
             shape("-a.b+2*c", sheet, computed, 3, None),
         ],
         materials: vec![
-            diffuse("red", [0.8, 0.1, 0.2]),
-            diffuse("lamp.bsdf", [0.5; 3]),
+            diffuse("red", 0),
+            diffuse("lamp.bsdf", 1),
             two_sided("both", 0, 0),
             two_sided("mixed", 0, 1),
         ],
         emitters: vec![
             Emitter::Area {
                 shape: ShapeId(1),
-                radiance: Rgb::new(5.0, 6.0, 7.0),
+                radiance: TextureId(2),
             },
             Emitter::Constant {
                 id: "sky".into(),
-                radiance: Rgb::splat(0.25),
+                radiance: TextureId(3),
             },
+        ],
+        textures: vec![
+            Texture::colour("red.reflectance", Rgb::new(0.8, 0.1, 0.2)),
+            Texture::colour("lamp.bsdf.reflectance", Rgb::splat(0.5)),
+            Texture::colour("lamp.emitter.radiance", Rgb::new(5.0, 6.0, 7.0)),
+            Texture::colour("sky.radiance", Rgb::splat(0.25)),
         ],
         sensor: Perspective {
             id: "eye".into(),
@@ -95,12 +99,7 @@ fn numbers(scene: &Scene) -> Vec<Vec3> {
         numbers.extend_from_slice(&shape.mesh.positions);
         numbers.extend(shape.normals.per_vertex().into_iter().flatten());
     }
-    numbers.extend(scene.emitters.iter().map(Emitter::radiance));
-    for material in &scene.materials {
-        if let Bsdf::Diffuse(diffuse) = &material.bsdf {
-            numbers.push(diffuse.reflectance);
-        }
-    }
+    numbers.extend(scene.textures.iter().map(|texture| texture.texel(0)));
     let camera = &scene.sensor.world_from_camera;
     numbers.extend([[0.0; 3], [1.0, 0.0, 0.0], [0.3, -0.2, 2.0]].map(|p| camera.point(p.into())));
     numbers
@@ -145,16 +144,11 @@ fn changed(scene: &Scene, parameter: &Parameter, h: f64) -> Scene {
         ParameterKind::SensorRotation => {
             *camera = about(camera.translation, Affine::rotate(axis, h)) * *camera;
         }
-        ParameterKind::Radiance => {
-            let emitter = usize::from(name.starts_with("sky"));
-            *scene.emitters[emitter].radiance_mut() += axis * h;
-        }
-        ParameterKind::Reflectance => {
-            let material = usize::from(name.starts_with("lamp.bsdf"));
-            let Bsdf::Diffuse(diffuse) = &mut scene.materials[material].bsdf else {
-                unreachable!()
-            };
-            diffuse.reflectance += axis * h;
+        ParameterKind::Radiance | ParameterKind::Reflectance => {
+            let holders = ["red", "lamp.bsdf", "lamp.emitter", "sky"];
+            let texture = holders.iter().position(|id| name.starts_with(id));
+            let data = &mut scene.textures[texture.expect("one of them")].data;
+            (0..3).for_each(|i| data[i] += axis[i] * h);
         }
         _ => {}
     }
@@ -172,6 +166,10 @@ fn every_name_means_what_it_says() {
     // and `lamp.bsdf` × 4, the sensor under two names × 6.
     assert_eq!(parameters.len(), 21 + 8 + 16 + 12);
     for parameter in parameters {
+        let says = |word: &str| parameter.name.contains(word);
+        let is_colour = says(".radiance") || says(".reflectance");
+        assert_eq!(parameter.kind == ParameterKind::Radiance, says(".radiance"));
+        assert_eq!(parameter.moves_discontinuities, !is_colour);
         let motion = motion(&scene, &parameter.name).expect("it is listed");
         let above = numbers(&scene.moved(&motion, h));
         let below = numbers(&scene.moved(&motion, -h));
@@ -219,7 +217,13 @@ fn terms_add_with_signs_and_factors() {
             .all(|&v| v == Vec3::new(0.0, -0.5, 0.0))
     );
     assert_eq!(sum.sensor.rotation, Vec3::new(0.0, 0.0, -2.0));
-    assert_eq!(one("1e+1*sky.radiance.value").radiance[1], Rgb::splat(10.0));
+    assert_eq!(
+        one("1e+1*sky.radiance.value").textures[3],
+        Some(vec![10.0; 3])
+    );
+    // The same texture twice.
+    let both = one("sky.radiance.value - 3*sky.radiance.value.g");
+    assert_eq!(both.textures[3], Some(vec![1.0, -2.0, 1.0]));
     // The same shape twice: a motion and a turn.
     let both = one("ball.translate.x + ball.rotate.z");
     let (moving, turning) = (one("ball.translate.x"), one("ball.rotate.z"));
@@ -277,10 +281,10 @@ fn wrong_names_suggest_right_ones() {
         ),
         ("", "expected a parameter's name"),
         ("ball.scale +", "expected a parameter's name"),
-        ("mixed.reflectance.value", "whose two sides differ"),
+        ("mixed.reflectance.value", "made of different ones"),
         (
             "-a.b+2*c.bsdf.reflectance.value.r",
-            "whose two sides differ",
+            "made of different ones",
         ),
         ("gizmo", "no parameter \"gizmo\"; `capwalk info` lists"),
     ] {
@@ -328,4 +332,43 @@ fn vertices_move_unless_the_mesh_would_tear() {
     );
     let together = vec![Vec3::splat(1.0); count];
     assert!(vertex_motion(&scene, "ball", together).is_ok());
+}
+
+/// A texture that two materials and a lamp refer to is one parameter, called
+/// by its own name first.
+#[test]
+fn a_shared_texture_is_one_parameter() {
+    let mut scene = example();
+    scene.textures[0].id = "paint".into();
+    scene.materials[1].bsdf = Bsdf::Diffuse {
+        reflectance: TextureId(0),
+    };
+    scene.emitters[1] = Emitter::Constant {
+        id: "sky".into(),
+        radiance: TextureId(0),
+    };
+    let expected = one_texel(&scene, 0, [1.0; 3]);
+    let names = [
+        "paint.value",
+        "sky.radiance.value",
+        "red.reflectance.value",
+        "both.reflectance.value",
+        "lamp.bsdf.reflectance.value",
+    ];
+    let parameters = list(&scene);
+    for name in names {
+        assert_eq!(motion(&scene, name).expect(name).textures, expected);
+        let listed: Vec<_> = parameters.iter().filter(|p| p.name == name).collect();
+        let alias = (name != "paint.value").then(|| "paint.value".to_owned());
+        assert_eq!(listed.len(), 1, "{name}");
+        assert_eq!(listed[0].alias_of, alias, "{name}");
+    }
+    let green = motion(&scene, "red.reflectance.value.g").expect("listed");
+    assert_eq!(green.textures, one_texel(&scene, 0, [0.0, 1.0, 0.0]));
+}
+
+fn one_texel(scene: &Scene, texture: usize, velocity: [f64; 3]) -> Vec<Option<Vec<f64>>> {
+    let mut textures = vec![None; scene.textures.len()];
+    textures[texture] = Some(velocity.to_vec());
+    textures
 }

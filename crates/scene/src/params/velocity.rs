@@ -24,11 +24,16 @@ pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mu
             let normals = None;
             motion.add_to_shape(id, ShapeMotion { vertices, normals });
         }
-        Target::Radiance(id, channel) => {
-            motion.radiance[id.0 as usize] += channel.unit() * factor;
-        }
-        Target::Reflectance(id, channel) => {
-            motion.reflectance[id.0 as usize] += channel.unit() * factor;
+        Target::Texels(id, part, _, channel) => {
+            let texture = scene.texture(id);
+            let (numbers, channels) = (texture.data.len(), texture.channels);
+            let velocities = &mut motion.textures[id.0 as usize];
+            let velocities = velocities.get_or_insert_with(|| vec![0.0; numbers]);
+            for texel in part.first..part.first + part.count {
+                for i in (0..channels).filter(|&i| channel.contains(i)) {
+                    velocities[texel * channels + i] += factor;
+                }
+            }
         }
         Target::TranslateSensor(along) => motion.sensor.translation += axis(along),
         Target::RotateSensor(about) => motion.sensor.rotation += axis(about),

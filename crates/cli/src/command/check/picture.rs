@@ -1,0 +1,168 @@
+//! What the files of a check hold: the gradient, its reference and z as layers,
+//! how both were made, and for previews the four of them side by side.
+
+use anyhow::Result;
+use capwalk_math::Vec3;
+use capwalk_render::check::Comparison;
+use capwalk_scene::Image;
+use capwalk_scene_io::image::{self, Panel, Picture, Style};
+
+use super::Checked;
+use crate::output::{self, Files};
+
+/// Where the colours of z end: beyond this, a pixel is not an accident.
+const Z_LIMIT: f64 = 4.0;
+
+/// Writes a check into all files. Returns their names.
+pub fn write(
+    files: &Files,
+    scene: &str,
+    parameter: &str,
+    checked: &Checked,
+) -> Result<Vec<String>> {
+    let z = z_picture(&checked.comparison, &checked.gradient.value.mean);
+    let mut picture = picture(scene, parameter, checked);
+    picture.push("z", z.clone());
+    files.write(&picture, &panels(checked, &z))
+}
+
+/// All layers but z. What the picture says of itself is true for gradient and
+/// reference together, unless it names one of them.
+fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
+    let (gradient, reference) = (&checked.gradient, &checked.reference);
+    let mut picture = output::picture("check", scene, Some(parameter), &checked.options);
+    let made = &checked.differences;
+    output::note(&mut picture, "step", made.step);
+    output::note(&mut picture, "reference_spp", made.spp);
+    let seed = made.options(&checked.options).seed;
+    output::note(&mut picture, "reference_seed", seed);
+    let both = [&gradient.statistics, &reference.statistics];
+    output::push_statistics(&mut picture, &both);
+    for (name, statistics) in ["gradient", "reference"].iter().zip(both) {
+        let mut note = |what: &str, value: String| {
+            output::note(&mut picture, &format!("{name}_{what}"), value);
+        };
+        note("samples", statistics.samples.to_string());
+        note("complete", statistics.complete.to_string());
+        note("non_finite_samples", statistics.non_finite.to_string());
+    }
+    output::push_estimate(&mut picture, "value", "value_stderr", &gradient.value);
+    output::push_estimate(&mut picture, "gradient", "stderr", &gradient.gradient);
+    output::push_estimate(
+        &mut picture,
+        "reference",
+        "reference_stderr",
+        &reference.gradient,
+    );
+    picture
+}
+
+/// The z of each pixel as a picture of the same size as another.
+fn z_picture(comparison: &Comparison, like: &Image) -> Image {
+    let z = comparison.z.iter();
+    Image {
+        pixels: z.map(|&z| Vec3::splat(z)).collect(),
+        ..*like
+    }
+}
+
+/// Value, gradient and reference with the same colours, and z.
+fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
+    let (gradient, reference) = (
+        &checked.gradient.gradient.mean,
+        &checked.reference.gradient.mean,
+    );
+    let limit = image::robust_limit([gradient, reference]);
+    let panel = |title, image, style| Panel {
+        title,
+        image,
+        style,
+    };
+    [
+        panel(
+            "value",
+            &checked.gradient.value.mean,
+            Style::Photographic { exposure: 0.0 },
+        ),
+        panel("gradient", gradient, Style::Diverging { limit }),
+        panel("reference", reference, Style::Diverging { limit }),
+        panel("z", z, Style::Diverging { limit: Z_LIMIT }),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_render::check::compare;
+    use capwalk_render::{Estimate, GradientImage, Options, Statistics};
+
+    use super::*;
+    use crate::command::check::Reference;
+
+    /// A picture of two pixels with these samples each.
+    fn image(samples: [u32; 2], complete: bool, non_finite: u64) -> GradientImage {
+        let estimate = Estimate {
+            mean: Image::new(2, 1),
+            standard_error: Image::new(2, 1),
+        };
+        GradientImage {
+            value: estimate.clone(),
+            gradient: estimate,
+            statistics: Statistics {
+                samples_per_pixel: samples.to_vec(),
+                complete,
+                samples: samples.iter().map(|&n| u64::from(n)).sum(),
+                non_finite,
+                cone_queries: 0,
+                uncovered: 0,
+            },
+        }
+    }
+
+    /// A reference that was cut short makes the file partial, and its samples
+    /// that are not finite count, though the gradient is whole and finite; and
+    /// the other way round.
+    #[test]
+    fn a_file_speaks_of_gradient_and_reference() {
+        for [whole, cut] in [["gradient", "reference"], ["reference", "gradient"]] {
+            let pieces = [image([8, 8], true, 1), image([5, 3], false, 2)];
+            let [gradient, reference] = match whole {
+                "gradient" => pieces,
+                _ => {
+                    let [a, b] = pieces;
+                    [b, a]
+                }
+            };
+            let checked = Checked {
+                comparison: compare(&gradient.gradient, &reference.gradient),
+                gradient,
+                reference,
+                options: Options {
+                    spp: 8,
+                    seed: 5,
+                    threads: None,
+                },
+                differences: Reference { step: 0.5, spp: 8 },
+                seconds: [1.0, 1.0],
+            };
+            let picture = picture("leaf", "leaf.translate.x", &checked);
+            let of = |key: &str| {
+                let mut found = picture.metadata.iter().filter(|(k, _)| k == key);
+                let value = found.next().map(|(_, value)| value.as_str());
+                assert!(found.next().is_none(), "{key} is said twice");
+                value
+            };
+            assert_eq!(of("complete"), Some("false"));
+            assert_eq!(of("samples"), Some("24"));
+            assert_eq!(of("non_finite_samples"), Some("3"));
+            assert_eq!(picture.samples, Some(vec![13, 11]));
+            assert_eq!(of(&format!("{whole}_complete")), Some("true"));
+            assert_eq!(of(&format!("{whole}_samples")), Some("16"));
+            assert_eq!(of(&format!("{whole}_non_finite_samples")), Some("1"));
+            assert_eq!(of(&format!("{cut}_complete")), Some("false"));
+            assert_eq!(of(&format!("{cut}_samples")), Some("8"));
+            assert_eq!(of(&format!("{cut}_non_finite_samples")), Some("2"));
+            assert_eq!(of("step"), Some("0.5"));
+            assert_eq!(of("spp"), Some("8"));
+        }
+    }
+}

@@ -1,0 +1,261 @@
+//! What reverse mode collects: a covector on everything that can move or
+//! change, and the linear maps after the samples.
+
+use capwalk_math::tape::Adjoints;
+use capwalk_math::{Tape, Vec3};
+use capwalk_scene::{
+    Motion, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion, TextureId, corner_normals,
+};
+
+use crate::accel::Accel;
+
+use super::boundary::Boundaries;
+
+/// Which parameters' gradients are wanted: the others count as constants, and
+/// cost nothing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// The vertices of each shape.
+    pub shapes: Vec<bool>,
+    /// The data of each texture: the numbers of materials and emitters.
+    pub textures: Vec<bool>,
+    /// The sensor's position and orientation.
+    pub sensor: bool,
+}
+
+impl Wanted {
+    /// Everything.
+    pub fn all(scene: &Scene) -> Self {
+        Self {
+            shapes: vec![true; scene.shapes.len()],
+            textures: vec![true; scene.textures.len()],
+            sensor: true,
+        }
+    }
+
+    /// What changes in a motion.
+    pub fn by(motion: &Motion) -> Self {
+        Self {
+            shapes: motion.shapes.iter().map(Option::is_some).collect(),
+            textures: motion.textures.iter().map(Option::is_some).collect(),
+            sensor: motion.sensor != SensorMotion::default(),
+        }
+    }
+
+    /// Also what another one wants.
+    pub fn add(&mut self, other: &Self) {
+        let add = |own: &mut [bool], others: &[bool]| {
+            own.iter_mut()
+                .zip(others)
+                .for_each(|(own, other)| *own |= other);
+        };
+        add(&mut self.shapes, &other.shapes);
+        add(&mut self.textures, &other.textures);
+        self.sensor |= other.sensor;
+    }
+
+    /// True if curves in the picture depend on something wanted.
+    pub fn geometry(&self) -> bool {
+        self.sensor || self.shapes.contains(&true)
+    }
+
+    /// For every point of the boundaries, whether it depends on a shape that is
+    /// wanted.
+    pub(super) fn points(&self, accel: &Accel, boundaries: &Boundaries) -> Vec<bool> {
+        let vertices = 0..accel.mesh.positions.len() as u32;
+        let mut points: Vec<bool> = vertices.map(|i| self.vertices(accel, i)).collect();
+        let ends = boundaries
+            .crossings
+            .iter()
+            .flat_map(|crossing| &crossing.ends);
+        let wanted: Vec<bool> = ends
+            .map(|end| end.vertices().any(|i| points[i as usize]))
+            .collect();
+        points.extend(wanted);
+        points
+    }
+
+    pub(super) fn shape(&self, id: ShapeId) -> bool {
+        self.shapes[id.0 as usize]
+    }
+
+    pub(super) fn vertices(&self, accel: &Accel, vertex: u32) -> bool {
+        self.shape(accel.shape_of_vertex(vertex))
+    }
+}
+
+/// What a covector is on: three numbers of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A point of the boundaries: a vertex of the joined mesh, or the end of a
+    /// crossing.
+    Point(u32),
+    /// The shading normal of a vertex of a shape.
+    Normal(usize, u32),
+    /// A texel of a texture; all three are on the one number of a grey.
+    Texel(TextureId, usize),
+    /// The sensor's position.
+    SensorOrigin,
+    /// The sensor's orientation.
+    SensorTurn,
+}
+
+/// Sums of covectors.
+#[derive(Clone, Debug)]
+pub struct Adjoint {
+    points: Vec<Vec3>,
+    normals: Vec<Option<Vec<Vec3>>>,
+    textures: Vec<Vec<f64>>,
+    channels: Vec<usize>,
+    sensor: SensorMotion,
+}
+
+impl Adjoint {
+    /// Zero.
+    pub fn zero(scene: &Scene, boundaries: &Boundaries) -> Self {
+        let normals = |normals: &ShadingNormals| {
+            let count = normals.per_vertex()?.len();
+            Some(vec![Vec3::zero(); count])
+        };
+        Self {
+            points: vec![Vec3::zero(); boundaries.point_count()],
+            normals: scene.shapes.iter().map(|s| normals(&s.normals)).collect(),
+            textures: scene
+                .textures
+                .iter()
+                .map(|t| vec![0.0; t.data.len()])
+                .collect(),
+            channels: scene.textures.iter().map(|t| t.channels).collect(),
+            sensor: SensorMotion::default(),
+        }
+    }
+
+    /// Adds to a covector.
+    #[inline]
+    pub fn add(&mut self, target: Target, covector: Vec3) {
+        match target {
+            Target::Point(i) => self.points[i as usize] += covector,
+            Target::Normal(shape, vertex) => {
+                let normals = self.normals[shape].as_mut();
+                normals.expect("a shape with normals")[vertex as usize] += covector;
+            }
+            Target::Texel(id, index) => {
+                let data = &mut self.textures[id.0 as usize];
+                match self.channels[id.0 as usize] {
+                    1 => data[index] += covector.x + covector.y + covector.z,
+                    _ => {
+                        data[3 * index] += covector.x;
+                        data[3 * index + 1] += covector.y;
+                        data[3 * index + 2] += covector.z;
+                    }
+                }
+            }
+            Target::SensorOrigin => self.sensor.translation += covector,
+            Target::SensorTurn => self.sensor.rotation += covector,
+        }
+    }
+
+    /// The gradient, times `factor`: what is left are the maps that do not
+    /// depend on samples, from vertices to the curves where faces cross and to
+    /// computed normals.
+    pub fn gradient(
+        mut self,
+        accel: &Accel,
+        boundaries: &Boundaries,
+        wanted: &Wanted,
+        factor: f64,
+    ) -> Motion {
+        let scene = accel.scene;
+        let (vertices, ends) = self.points.split_at_mut(accel.mesh.positions.len());
+        let crossings = boundaries.crossings.iter();
+        for (end, &covector) in crossings.flat_map(|crossing| &crossing.ends).zip(&*ends) {
+            end.pull_back(covector, vertices);
+        }
+        let scaled = |v: Vec<Vec3>| v.into_iter().map(|v| v * factor).collect::<Vec<_>>();
+        let mut shapes = Vec::new();
+        for (i, shape) in scene.shapes.iter().enumerate() {
+            if !wanted.shapes[i] {
+                shapes.push(None);
+                continue;
+            }
+            let first = accel.first_vertex[i] as usize;
+            let mut on_vertices = vertices[first..first + shape.mesh.positions.len()].to_vec();
+            let on_normals = self.normals[i].take();
+            let normals = match (&shape.normals, on_normals) {
+                (ShadingNormals::Given(_), Some(on_normals)) => Some(scaled(on_normals)),
+                (ShadingNormals::Computed(_), Some(on_normals)) => {
+                    pull_computed_normals(&shape.mesh, &on_normals, &mut on_vertices);
+                    None
+                }
+                _ => None,
+            };
+            shapes.push(Some(ShapeMotion {
+                vertices: scaled(on_vertices),
+                normals,
+            }));
+        }
+        Motion {
+            shapes,
+            textures: self
+                .textures
+                .into_iter()
+                .zip(&wanted.textures)
+                .map(|(data, wanted)| wanted.then(|| data.iter().map(|x| x * factor).collect()))
+                .collect(),
+            sensor: SensorMotion {
+                translation: self.sensor.translation * factor,
+                rotation: self.sensor.rotation * factor,
+            },
+        }
+    }
+}
+
+/// The transpose of the derivative of [`capwalk_scene::vertex_normals`], face
+/// by face: a normal is the direction of a sum over the faces around it.
+fn pull_computed_normals(
+    mesh: &capwalk_geometry::Mesh,
+    on_normals: &[Vec3],
+    on_vertices: &mut [Vec3],
+) {
+    let mut sums = vec![Vec3::zero(); mesh.positions.len()];
+    for face in 0..mesh.faces.len() {
+        if let Some(parts) = corner_normals(mesh.corners(face)) {
+            for (&i, part) in mesh.faces[face].iter().zip(parts) {
+                sums[i as usize] += part;
+            }
+        }
+    }
+    // Covectors on the sums: of v / |v|, orthogonal to it.
+    let on_sums: Vec<Vec3> = sums
+        .into_iter()
+        .zip(on_normals)
+        .map(|(sum, &covector)| match sum.length() {
+            0.0 => Vec3::zero(),
+            length => covector.reject_from(sum / length) / length,
+        })
+        .collect();
+    let mut tape = Tape::default();
+    let mut adjoints = Adjoints::default();
+    for (face, vertices) in mesh.faces.iter().enumerate() {
+        if vertices
+            .iter()
+            .all(|&i| on_sums[i as usize] == Vec3::zero())
+        {
+            continue;
+        }
+        {
+            let corners = mesh.corners(face).map(|p| tape.variables(p));
+            if let Some(parts) = corner_normals(corners) {
+                adjoints.reset(&tape);
+                for (&i, part) in vertices.iter().zip(parts) {
+                    adjoints.add_vector(part, on_sums[i as usize]);
+                }
+                tape.sweep(&mut adjoints, 0..tape.len());
+                for (&i, corner) in vertices.iter().zip(corners) {
+                    on_vertices[i as usize] += adjoints.of_vector(corner);
+                }
+            }
+        }
+        tape.clear();
+    }
+}

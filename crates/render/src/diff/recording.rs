@@ -1,0 +1,227 @@
+//! The scene as independent variables on a tape, for reverse mode.
+
+use std::cell::RefCell;
+
+use capwalk_math::tape::Adjoints;
+use capwalk_math::{Rgb, Tape, Var, Vec3};
+use capwalk_scene::{Scene, ShapeId, TextureId};
+use capwalk_walk::WalkSettings;
+
+use crate::accel::Accel;
+use crate::world::{Carried, World, vertex_normal};
+
+use super::adjoint::{Target, Wanted};
+use super::boundary::{Eye, Field, Numbers, Site, Sites};
+
+/// A scene whose numbers are recorded on a tape, for one sample.
+pub struct Recording<'a, 't> {
+    accel: &'a Accel<'a>,
+    field: &'a Field<'a>,
+    wanted: &'a Wanted,
+    /// Which points of the boundaries depend on what is wanted.
+    points: &'a [bool],
+    tape: &'t Tape,
+    marks: RefCell<Vec<Mark<'t>>>,
+}
+
+/// Numbers on the tape that come from outside of it.
+struct Mark<'t> {
+    /// The first of them.
+    place: usize,
+    origin: Origin<'t>,
+}
+
+/// Where they come from.
+enum Origin<'t> {
+    /// The scene: three numbers.
+    Scene(Target),
+    /// A carried direction, three numbers, and its stretch.
+    Carried {
+        q: Vec3,
+        eye: Vec3<Var<'t>>,
+        sites: Box<Sites>,
+    },
+    /// A direction that a boundary point carries.
+    Value {
+        q: Vec3,
+        eye: Vec3<Var<'t>>,
+        site: Site,
+    },
+}
+
+impl<'a, 't> Recording<'a, 't> {
+    /// A recording on an empty tape.
+    pub fn new(
+        accel: &'a Accel<'a>,
+        field: &'a Field<'a>,
+        wanted: &'a Wanted,
+        points: &'a [bool],
+        tape: &'t Tape,
+    ) -> Self {
+        debug_assert!(tape.is_empty());
+        Self {
+            accel,
+            field,
+            wanted,
+            points,
+            tape,
+            marks: RefCell::default(),
+        }
+    }
+
+    fn variables(&self, wanted: bool, value: Vec3, origin: Origin<'t>) -> Vec3<Var<'t>> {
+        if !wanted {
+            return Vec3::constant(value);
+        }
+        let place = self.tape.len();
+        self.marks.borrow_mut().push(Mark { place, origin });
+        self.tape.variables(value)
+    }
+
+    /// True if the boundary point can move against the eye.
+    fn moves(&self, eye: &Eye<Var<'t>>, site: &Site) -> bool {
+        !eye.position.is_constant() || site.points.iter().any(|&i| self.points[i as usize])
+    }
+
+    /// Collects the covectors on the scene's numbers that follow from the
+    /// adjoint of a result: the tape backwards, and at each mark out of it.
+    /// `adjoints` is memory.
+    pub fn pull_back(
+        self,
+        result: Rgb<Var<'t>>,
+        adjoint: Rgb,
+        adjoints: &mut Adjoints,
+        covectors: &mut Vec<(Target, Vec3)>,
+    ) {
+        covectors.clear();
+        adjoints.reset(self.tape);
+        adjoints.add_vector(result, adjoint);
+        let mut end = self.tape.len();
+        for mark in self.marks.into_inner().into_iter().rev() {
+            self.tape.sweep(adjoints, mark.place..end);
+            end = mark.place;
+            let [x, y, z] = [0, 1, 2].map(|i| adjoints.at(mark.place + i));
+            let covector = Vec3::new(x, y, z);
+            match mark.origin {
+                Origin::Scene(target) => covectors.push((target, covector)),
+                Origin::Carried { q, eye, sites } => {
+                    let stretch = adjoints.at(mark.place + 3);
+                    let tangent = covector.reject_from(q);
+                    for term in sites.terms() {
+                        let on_velocity =
+                            tangent * term.weight + sites.divergence_covector(term) * stretch;
+                        pull_site(&term.site, on_velocity, eye, adjoints, covectors);
+                    }
+                }
+                Origin::Value { q, eye, site } => {
+                    pull_site(&site, covector.reject_from(q), eye, adjoints, covectors);
+                }
+            }
+        }
+    }
+}
+
+/// Passes a covector on the angular velocity of a boundary point on to the
+/// point's ends and to the eye.
+fn pull_site(
+    site: &Site,
+    covector: Vec3,
+    eye: Vec3<Var>,
+    adjoints: &mut Adjoints,
+    covectors: &mut Vec<(Target, Vec3)>,
+) {
+    let on_point = site.angular(covector);
+    let [a, b] = site.points.map(Target::Point);
+    covectors.push((a, on_point * (1.0 - site.t)));
+    covectors.push((b, on_point * site.t));
+    adjoints.add_vector(eye, -on_point);
+}
+
+impl<'t> World<Var<'t>> for Recording<'_, 't> {
+    const MOVES: bool = true;
+    #[inline]
+    fn vertex(&self, index: u32) -> Vec3<Var<'t>> {
+        let wanted = self.wanted.vertices(self.accel, index);
+        let value = self.accel.mesh.positions[index as usize];
+        self.variables(wanted, value, Origin::Scene(Target::Point(index)))
+    }
+    #[inline]
+    fn normal(&self, shape: usize, vertex: u32) -> Vec3<Var<'t>> {
+        let wanted = self.wanted.shape(ShapeId(shape as u32));
+        let value = vertex_normal(self.accel.scene, shape, vertex);
+        self.variables(wanted, value, Origin::Scene(Target::Normal(shape, vertex)))
+    }
+    #[inline]
+    fn scene(&self) -> &Scene {
+        self.accel.scene
+    }
+    #[inline]
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<Var<'t>> {
+        let value = self.accel.scene.texture(id).texel(index);
+        let wanted = self.wanted.textures[id.0 as usize];
+        self.variables(wanted, value, Origin::Scene(Target::Texel(id, index)))
+    }
+    #[inline]
+    fn sensor_origin(&self) -> Vec3<Var<'t>> {
+        let value = self.accel.scene.sensor.origin();
+        self.variables(
+            self.wanted.sensor,
+            value,
+            Origin::Scene(Target::SensorOrigin),
+        )
+    }
+    #[inline]
+    fn sensor_turn(&self) -> Vec3<Var<'t>> {
+        self.variables(
+            self.wanted.sensor,
+            Vec3::zero(),
+            Origin::Scene(Target::SensorTurn),
+        )
+    }
+    fn carry(
+        &self,
+        eye: &Eye<Var<'t>>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Carried<Var<'t>> {
+        if !self.wanted.geometry() {
+            return Carried::at_rest(q);
+        }
+        let sites = self.field.sample(eye, q, walk, numbers);
+        if !sites.terms().any(|term| self.moves(eye, &term.site)) {
+            return Carried {
+                near_boundary: !sites.is_zero(),
+                ..Carried::at_rest(q)
+            };
+        }
+        let origin = Origin::Carried {
+            q,
+            eye: eye.position,
+            sites: Box::new(sites),
+        };
+        Carried {
+            direction: self.variables(true, q, origin),
+            stretch: self.tape.variable(1.0),
+            near_boundary: true,
+        }
+    }
+    fn carry_value(
+        &self,
+        eye: &Eye<Var<'t>>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Vec3<Var<'t>> {
+        if !self.wanted.geometry() {
+            return Vec3::constant(q);
+        }
+        match self.field.sample_value(eye, q, walk, numbers) {
+            Some(site) if self.moves(eye, &site) => {
+                let eye = eye.position;
+                self.variables(true, q, Origin::Value { q, eye, site })
+            }
+            _ => Vec3::constant(q),
+        }
+    }
+}

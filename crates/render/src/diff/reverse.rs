@@ -1,0 +1,244 @@
+//! The gradient of a loss in reverse mode: from a covector on the picture to
+//! covectors on all parameters, in one pass.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use capwalk_math::tape::Adjoints;
+use capwalk_math::{Moments, Tape};
+use capwalk_scene::{Image, Motion, Scene};
+use rayon::prelude::*;
+
+use crate::accel::Accel;
+use crate::estimate::Statistics;
+use crate::options::{GradientOptions, Refusal, Watch};
+use crate::path::Tracer;
+use crate::sampler::Sampler;
+
+use super::adjoint::{Adjoint, Wanted};
+use super::boundary::{Counts, Draw, Field};
+use super::clip::refuse_clipped;
+use super::forward::{check_walk, refuse_jumping_textures, refuse_uncovered, refuse_unsupported};
+use super::recording::Recording;
+
+/// Batches that the samples are split into, whatever the number of threads, so
+/// that sums are the same to the bit. Their spread gives the standard errors.
+const BATCHES: u32 = 16;
+
+/// The gradient of `Σ adjoint · picture` in all parameters, with errors.
+#[derive(Clone, Debug)]
+pub struct Backward {
+    /// Independent estimates with equal numbers of samples (the last ones may
+    /// have fewer if the work was stopped), and how many samples they have.
+    batches: Vec<(Motion, u32)>,
+    /// What was done.
+    pub statistics: Statistics,
+}
+
+impl Backward {
+    /// The gradient: what every vertex, normal, colour and the sensor
+    /// contribute per unit of their change. Its inner product with a motion is
+    /// the derivative along it. Shapes that were not asked for have `None`.
+    pub fn gradient(&self) -> Motion {
+        let mut sum = self.batches[0].0.scaled(0.0);
+        let samples: u32 = self.batches.iter().map(|(_, n)| n).sum();
+        for (batch, n) in &self.batches {
+            sum.add(&batch.scaled(f64::from(*n) / f64::from(samples)));
+        }
+        sum
+    }
+
+    /// The derivative along a motion of what was asked for, and its standard
+    /// error (NaN from a single batch).
+    pub fn along(&self, motion: &Motion) -> (f64, f64) {
+        let moments = self.moments(|batch| batch.dot(motion));
+        (self.gradient().dot(motion), moments.standard_error())
+    }
+
+    /// The standard error of every number of the gradient, in its form.
+    pub fn standard_error(&self) -> Motion {
+        let mean = self.gradient();
+        let mut squares = mean.scaled(0.0);
+        for (batch, _) in &self.batches {
+            let mut difference = batch.clone();
+            difference.add(&mean.scaled(-1.0));
+            squares.add(&difference.map(|x| x * x));
+        }
+        let n = self.batches.len() as f64;
+        squares.map(|x| (x / (n * (n - 1.0))).sqrt())
+    }
+
+    fn moments(&self, number: impl Fn(&Motion) -> f64) -> Moments {
+        let mut moments = Moments::default();
+        for (batch, _) in &self.batches {
+            moments.add(number(batch));
+        }
+        moments
+    }
+}
+
+/// The gradient of `Σ adjoint · picture` in what is wanted. `adjoint` has the
+/// size of the picture: the derivative of a loss by each pixel's channels.
+/// Draw it from a picture with another seed, or the product is biased.
+///
+/// One pass over the samples, whatever the number of parameters. The same to
+/// the bit for every number of threads. Refuses what [`crate::gradient`]
+/// refuses, and an adjoint of another size.
+pub fn backward(
+    scene: &Scene,
+    adjoint: &Image,
+    wanted: &Wanted,
+    options: &GradientOptions,
+    watch: &dyn Watch,
+) -> Result<Backward, Refusal> {
+    refuse_unsupported(scene)?;
+    check_walk(&options.walk)?;
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    if [adjoint.width, adjoint.height] != [width, height] {
+        return Err(Refusal {
+            reason: format!(
+                "the adjoint has {} x {} pixels; expected {width} x {height}, as the picture has",
+                adjoint.width, adjoint.height
+            ),
+        });
+    }
+    let accel = Accel::new(scene);
+    if wanted.geometry() {
+        refuse_jumping_textures(scene)?;
+        refuse_clipped(&accel)?;
+    }
+    let field = Field::new(&accel);
+    let pass = Pass {
+        scene,
+        adjoint,
+        wanted,
+        points: wanted.points(&accel, &field.boundaries),
+        tracer: Tracer::moving(&accel, &field, options.walk),
+        field: &field,
+        sampler: Sampler::new(&scene.settings, options.options.seed, options.options.spp),
+        watch,
+        done: AtomicU64::new(0),
+        total: (width * height) as u64 * u64::from(options.options.spp),
+    };
+    let spp = options.options.spp;
+    // Consecutive samples that depend on each other stay together.
+    let group = pass.sampler.batch();
+    let groups = spp.div_ceil(group);
+    let count = groups.min(BATCHES);
+    let bounds = |batch: u32| (batch * groups / count * group).min(spp);
+    let run = || -> Vec<Batch> {
+        (0..count)
+            .into_par_iter()
+            .map(|batch| pass.batch(bounds(batch)..bounds(batch + 1)))
+            .collect()
+    };
+    let batches = match options.options.threads {
+        None => run(),
+        Some(threads) => rayon::ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .build()
+            .expect("threads can be started")
+            .install(run),
+    };
+    let taken: u32 = batches.iter().map(|batch| batch.taken).sum();
+    let mut statistics = Statistics {
+        samples_per_pixel: vec![taken; width * height],
+        complete: taken == spp,
+        samples: u64::from(taken) * (width * height) as u64,
+        ..Statistics::default()
+    };
+    let mut gradients = Vec::new();
+    for batch in batches {
+        statistics.non_finite += batch.non_finite;
+        statistics.cone_queries += batch.cone_queries;
+        statistics.uncovered += batch.uncovered;
+        if batch.taken > 0 || (taken == 0 && gradients.is_empty()) {
+            let factor = 1.0 / f64::from(batch.taken.max(1));
+            let sums = batch.sums;
+            let gradient = sums.gradient(&accel, &field.boundaries, wanted, factor);
+            gradients.push((gradient, batch.taken.max(1)));
+        }
+    }
+    refuse_uncovered(&statistics)?;
+    Ok(Backward {
+        batches: gradients,
+        statistics,
+    })
+}
+
+/// What all batches share.
+struct Pass<'a> {
+    scene: &'a Scene,
+    adjoint: &'a Image,
+    wanted: &'a Wanted,
+    /// Which points of the boundaries depend on what is wanted.
+    points: Vec<bool>,
+    tracer: Tracer<'a>,
+    field: &'a Field<'a>,
+    sampler: Sampler,
+    watch: &'a dyn Watch,
+    done: AtomicU64,
+    total: u64,
+}
+
+/// What a batch of samples of all pixels gives.
+struct Batch {
+    sums: Adjoint,
+    /// Samples of each pixel.
+    taken: u32,
+    non_finite: u64,
+    cone_queries: u64,
+    uncovered: u64,
+}
+
+impl Pass<'_> {
+    fn batch(&self, numbers: std::ops::Range<u32>) -> Batch {
+        let mut batch = Batch {
+            sums: Adjoint::zero(self.scene, &self.field.boundaries),
+            taken: 0,
+            non_finite: 0,
+            cone_queries: 0,
+            uncovered: 0,
+        };
+        let mut tape = Tape::default();
+        let (mut adjoints, mut covectors) = (Adjoints::default(), Vec::new());
+        let width = self.adjoint.width;
+        for number in numbers {
+            if self.watch.should_stop() {
+                break;
+            }
+            for (index, &adjoint) in self.adjoint.pixels.iter().enumerate() {
+                let stream = self.sampler.stream(index as u64, number);
+                let counts = Counts::default();
+                let draw = Draw {
+                    stream: &stream,
+                    counts: &counts,
+                };
+                let pixel = [(index % width) as u32, (index / width) as u32];
+                let world = Recording::new(
+                    self.tracer.accel,
+                    self.field,
+                    self.wanted,
+                    &self.points,
+                    &tape,
+                );
+                let light = self.tracer.pixel(&world, pixel, draw);
+                world.pull_back(light, adjoint, &mut adjoints, &mut covectors);
+                tape.clear();
+                batch.cone_queries += counts.queries.get();
+                batch.uncovered += counts.uncovered.get();
+                if covectors.iter().all(|(_, covector)| covector.is_finite()) {
+                    for &(target, covector) in &covectors {
+                        batch.sums.add(target, covector);
+                    }
+                } else {
+                    batch.non_finite += 1;
+                }
+            }
+            batch.taken += 1;
+            let work = self.adjoint.pixels.len() as u64;
+            let done = self.done.fetch_add(work, Ordering::Relaxed) + work;
+            self.watch.progress(done, self.total);
+        }
+        batch
+    }
+}

@@ -1,0 +1,180 @@
+//! Gradients against finite differences, one scene per phenomenon: light that
+//! comes from other surfaces (Algorithm 1 on every segment of a path). What is
+//! demanded of each case, and how often it raises a false alarm, is said in
+//! `phenomena_shadows.rs`.
+
+mod common;
+
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::primitive::rectangle;
+use capwalk_scene::*;
+use common::agree::*;
+use common::stages::*;
+use common::*;
+
+/// Paths of at most this many segments.
+fn deep(mut scene: Scene, max_depth: Option<u32>) -> Scene {
+    scene.settings.integrator = Integrator::Path {
+        max_depth,
+        rr_depth: 3,
+        hide_emitters: false,
+    };
+    scene
+}
+
+/// A floor that the camera looks at, lit by nothing but a ceiling, which a lamp
+/// below it shines at.
+fn bounced_light(ceiling_half: f64, [lamp_x, lamp_z]: [f64; 2], thing: Mesh) -> Scene {
+    let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 36);
+    scene.sensor.near_clip = 5.6;
+    add_floor(&mut scene, 3.0);
+    let ceiling = Affine::translate(v(0.0, 0.0, 2.0))
+        * Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::PI)
+        * Affine::scale(v(ceiling_half, ceiling_half, 1.0));
+    let (mesh, normals) = rectangle(ceiling);
+    add(&mut scene, "ceiling", mesh, normals, 0.8);
+    // It emits upwards only.
+    let up = Affine::translate(v(lamp_x, 0.0, lamp_z)) * Affine::scale(v(0.5, 0.5, 1.0));
+    let (mesh, normals) = rectangle(up);
+    add(&mut scene, "lamp", mesh, normals, 0.0);
+    light_up(&mut scene, 40.0);
+    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
+    deep(scene, Some(3))
+}
+
+/// Outlines in the picture may only move by a small part of a pixel, or the
+/// differences smear them over pixel borders.
+fn visible_case(spp: u32) -> Case {
+    Case {
+        step: 2e-3,
+        ..case(spp)
+    }
+}
+
+fn wide_triangle() -> Mesh {
+    placed(triangle(), Affine::scale(v(1.6, 1.6, 0.8)))
+}
+
+fn low_triangle() -> Mesh {
+    placed(triangle(), Affine::translate(v(0.0, 0.0, -0.5)))
+}
+
+fn case(spp: u32) -> Case {
+    Case {
+        gradient_spp: spp,
+        reference_spp: 2 * spp,
+        step: 5e-2,
+        ..Case::default()
+    }
+}
+
+/// A shadow in light that comes from a ceiling only. The ceiling's own edges are
+/// out of reach: where two outlines with different velocities cross, the
+/// variance of every continuous field diverges, slowly (METHOD 3).
+#[test]
+fn indirect_shadow() {
+    let scene = bounced_light(8.0, [1.9, 0.5], wide_triangle());
+    let motion = motion(&scene, "thing.translate.x");
+    let case = Case {
+        step: 0.12,
+        gradient_spp: 1600,
+        reference_spp: 4800,
+        ..Case::default()
+    };
+    agree("indirect shadow", scene, &motion, case);
+}
+
+/// The reflecting ceiling moves, and the light on it.
+#[test]
+fn moving_reflector() {
+    let scene = bounced_light(0.6, [1.6, 1.2], low_triangle());
+    let motion = motion(&scene, "ceiling.translate.x + 0.5*ceiling.translate.z");
+    agree("moving reflector", scene, &motion, case(1600));
+}
+
+/// The lamp moves; only its reflection is seen.
+#[test]
+fn moving_lamp_seen_indirectly() {
+    let scene = bounced_light(0.6, [1.6, 1.2], low_triangle());
+    let motion = motion(&scene, "lamp.translate.x");
+    agree("indirect lamp", scene, &motion, case(800));
+}
+
+/// A cube in the open, seen from the side: light goes to and fro between it
+/// and the floor.
+#[test]
+fn interreflection() {
+    let scene = deep(visible_cube(), Some(4));
+    let motion = motion(&scene, "thing.translate.x - 0.5*thing.rotate.z");
+    agree("interreflection", scene, &motion, visible_case(800));
+}
+
+/// A smooth ball, any number of reflections, roulette.
+#[test]
+fn unlimited_depth() {
+    let scene = deep(visible_ball(Filter::Gaussian { stddev: 0.5 }), None);
+    let motion = motion(&scene, "ball.translate.x");
+    agree("unlimited depth", scene, &motion, visible_case(600));
+}
+
+/// The room of the paper's figure 9 with light that is reflected several times.
+#[test]
+fn box_in_a_room() {
+    let scene = deep(builtin::scene("box-room").expect("built in"), Some(4));
+    let parameter = builtin::default_parameter("box-room").expect("built in");
+    let motion = motion(&scene, parameter);
+    agree("box room, indirect", scene, &motion, visible_case(1200));
+}
+
+/// The camera moves past things that light each other.
+#[test]
+fn moving_camera() {
+    let scene = deep(visible_cube(), Some(3));
+    let motion = motion(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
+    agree("moving camera, indirect", scene, &motion, visible_case(600));
+}
+
+/// Colours along whole paths.
+#[test]
+fn albedo() {
+    let scene = deep(builtin::scene("box-room").expect("built in"), None);
+    let names = params::list(&scene);
+    let name = names
+        .iter()
+        .find(|p| p.kind == params::ParameterKind::Reflectance)
+        .expect("materials");
+    let motion = motion(&scene, &name.name);
+    agree("albedo", scene, &motion, case(128));
+}
+
+/// A black surface: paths that carry no light carry derivatives.
+#[test]
+fn black_reflector() {
+    let mut scene = bounced_light(0.6, [1.6, 1.2], low_triangle());
+    for id in 0..scene.textures.len() {
+        if scene.textures[id].id.starts_with("ceiling") {
+            scene.textures[id].data.fill(0.0);
+        }
+    }
+    let change = motion(&scene, "ceiling.bsdf.reflectance.value");
+    let settings = capwalk_render::GradientOptions {
+        options: capwalk_render::Options {
+            spp: 256,
+            seed: 1,
+            threads: None,
+        },
+        walk: Default::default(),
+    };
+    let nobody = &capwalk_render::Unwatched;
+    let ours = capwalk_render::gradient(&scene, &change, &settings, nobody).expect("covered");
+    // Linear in the reflectance of a surface that is met once.
+    let lit = capwalk_render::render(&scene.moved(&change, 1.0), &settings.options, nobody);
+    let sum = |estimate: &capwalk_render::Estimate| -> Vec3 {
+        let pixels = estimate.mean.pixels.iter();
+        pixels.fold(Vec3::zero(), |sum, &p| sum + p)
+    };
+    let (ours, expected) = (sum(&ours.gradient).x, sum(&lit.value).x);
+    assert!(expected > 1.0);
+    assert!((ours / expected - 1.0).abs() < 0.05, "{ours} {expected}");
+}

@@ -1,0 +1,242 @@
+//! Reverse mode against forward mode: the same linear map, METHOD 5.
+//!
+//! With the same random numbers, `⟨δ, J θ̇⟩ = ⟨Jᵀ δ, θ̇⟩` up to rounding, for a
+//! motion of everything at once. Forward mode meets finite differences in the
+//! other tests.
+
+mod common;
+
+use capwalk_math::Vec3;
+use capwalk_render::{
+    Backward, GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
+};
+use capwalk_scene::primitive::cube;
+use capwalk_scene::*;
+use common::agree::motion;
+use common::stages::*;
+use common::*;
+
+/// Numbers between -1 and 1 that look random.
+struct Numbers(u64);
+
+impl Numbers {
+    fn number(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+    fn vector(&mut self) -> Vec3 {
+        v(self.number(), self.number(), self.number())
+    }
+    fn vectors(&mut self, count: usize) -> Vec<Vec3> {
+        (0..count).map(|_| self.vector()).collect()
+    }
+}
+
+/// Every number of the scene changes at a velocity of its own.
+fn everything(scene: &Scene, seed: u64) -> Motion {
+    let mut numbers = Numbers(seed);
+    let mut motion = Motion::zero(scene);
+    for (shape, motion) in scene.shapes.iter().zip(&mut motion.shapes) {
+        let count = shape.mesh.positions.len();
+        *motion = Some(ShapeMotion {
+            vertices: numbers.vectors(count),
+            normals: match &shape.normals {
+                ShadingNormals::Given(_) => Some(numbers.vectors(count)),
+                _ => None,
+            },
+        });
+    }
+    for (texture, motion) in scene.textures.iter().zip(&mut motion.textures) {
+        *motion = Some(texture.data.iter().map(|_| numbers.number()).collect());
+    }
+    motion.sensor = SensorMotion {
+        translation: numbers.vector(),
+        rotation: numbers.vector(),
+    };
+    motion
+}
+
+fn adjoint(scene: &Scene, seed: u64) -> Image {
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    Image {
+        width,
+        height,
+        pixels: Numbers(seed).vectors(width * height),
+    }
+}
+
+fn settings(spp: u32, threads: Option<usize>) -> GradientOptions {
+    GradientOptions {
+        options: Options {
+            spp,
+            seed: 5,
+            threads,
+        },
+        walk: WalkSettings::default(),
+    }
+}
+
+fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> Backward {
+    let adjoint = adjoint(scene, 3);
+    let result = backward(scene, &adjoint, wanted, &settings(spp, threads), &Unwatched);
+    result.expect("covered")
+}
+
+/// `⟨δ, J θ̇⟩` in forward mode.
+fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
+    let result = gradient(scene, motion, &settings(spp, None), &Unwatched).expect("covered");
+    let pixels = result.gradient.mean.pixels.iter();
+    let adjoint = adjoint(scene, 3);
+    pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
+}
+
+fn agree_in_both_modes(name: &str, mut scene: Scene, depth: u32) {
+    scene.film.size = [12; 2];
+    scene.film.crop_size = [12; 2];
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(depth),
+        rr_depth: 3,
+        hide_emitters: false,
+    };
+    scene.check().expect("a valid scene");
+    let motion = everything(&scene, 11);
+    let forward = forward(&scene, &motion, 32);
+    let (reverse, error) = reverse(&scene, &Wanted::all(&scene), 32, None).along(&motion);
+    println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
+    let difference = (forward - reverse).abs();
+    assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
+    assert!(
+        difference <= 1e-10 * forward.abs(),
+        "{name}: {difference:e}"
+    );
+}
+
+/// Smooth computed normals, a Gaussian filter, shadows.
+#[test]
+fn smooth_ball() {
+    let scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    agree_in_both_modes("ball, direct", scene.clone(), 2);
+    agree_in_both_modes("ball, indirect", scene, 4);
+}
+
+/// Normals given with the mesh, a box filter with its flux through borders.
+#[test]
+fn given_normals() {
+    let mut scene = visible_ball(Filter::Box);
+    for shape in &mut scene.shapes {
+        if let ShadingNormals::Computed(normals) = shape.normals.clone() {
+            shape.normals = ShadingNormals::Given(normals);
+        }
+    }
+    agree_in_both_modes("given normals", scene, 3);
+}
+
+/// Two cubes that pass through each other.
+#[test]
+fn crossing_surfaces() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = cube(capwalk_math::Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    agree_in_both_modes("crossing", scene, 3);
+}
+
+/// An environment, and no lamp.
+#[test]
+fn constant_light() {
+    let mut scene = visible_cube();
+    scene.shapes.pop_if(|shape| shape.emitter.is_some());
+    let colour = Texture::colour("sky.radiance", v(0.5, 0.7, 1.0));
+    let radiance = scene.add_texture(colour);
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    agree_in_both_modes("constant light", scene, 4);
+}
+
+/// Gradients of single parameters are entries of the gradient of all, and
+/// what is not wanted is not there.
+#[test]
+fn single_parameters() {
+    let mut scene = visible_cube();
+    scene.film.size = [12; 2];
+    scene.film.crop_size = [12; 2];
+    for name in ["thing.translate.x", "lamp.rotate.y", "sensor.translate.z"] {
+        let motion = motion(&scene, name);
+        let wanted = Wanted::by(&motion);
+        let forward = forward(&scene, &motion, 16);
+        let result = reverse(&scene, &wanted, 16, None);
+        let (reverse, error) = result.along(&motion);
+        assert!(
+            (forward - reverse).abs() <= 1e-10 * forward.abs(),
+            "{name}: {forward} {reverse}"
+        );
+        assert!(
+            error > 0.0 && forward.abs() > 1e-6,
+            "{name}: {forward} ± {error}"
+        );
+        let present = result
+            .gradient()
+            .shapes
+            .iter()
+            .map(Option::is_some)
+            .collect::<Vec<_>>();
+        assert_eq!(present, wanted.shapes, "{name}");
+    }
+}
+
+/// The number of threads changes no bit.
+#[test]
+fn threads_change_nothing() {
+    let mut scene = visible_cube();
+    scene.film.size = [8; 2];
+    scene.film.crop_size = [8; 2];
+    let wanted = Wanted::all(&scene);
+    let [one, three] = [1, 3].map(|threads| reverse(&scene, &wanted, 20, Some(threads)).gradient());
+    assert_eq!(one, three);
+}
+
+/// Standard errors are those of independent repetitions (a ratio of variances
+/// of 40 and 40 · 15 degrees of freedom leaves the band once in 10⁴).
+#[test]
+fn standard_errors_are_right() {
+    let mut scene = visible_cube();
+    scene.film.size = [8; 2];
+    scene.film.crop_size = [8; 2];
+    let motion = motion(&scene, "thing.translate.x + 0.3*lamp.translate.y");
+    let (wanted, adjoint) = (Wanted::by(&motion), adjoint(&scene, 3));
+    let (mut spread, mut stated) = (capwalk_math::Moments::default(), 0.0);
+    for seed in 0..40 {
+        let mut settings = settings(32, None);
+        settings.options.seed = seed;
+        let result = backward(&scene, &adjoint, &wanted, &settings, &Unwatched).expect("covered");
+        let (value, error) = result.along(&motion);
+        spread.add(value);
+        stated += error * error / 40.0;
+        // The errors of all numbers, in the form of the gradient.
+        assert!(result.standard_error().dot(&result.standard_error()) > 0.0);
+    }
+    let ratio = stated / spread.variance();
+    assert!((0.45..2.6).contains(&ratio), "{ratio}");
+}
+
+/// An adjoint of the wrong size is refused with both sizes.
+#[test]
+fn adjoint_of_another_size() {
+    let scene = visible_cube();
+    let small = Image {
+        width: 2,
+        height: 1,
+        pixels: vec![Vec3::zero(); 2],
+    };
+    let wanted = Wanted::all(&scene);
+    let refusal = backward(&scene, &small, &wanted, &settings(2, None), &Unwatched);
+    let reason = refusal.expect_err("refused").reason;
+    assert!(
+        reason.contains("2 x 1") && reason.contains("36 x 36"),
+        "{reason}"
+    );
+}

@@ -1,0 +1,262 @@
+//! Several lobes at once.
+
+use capwalk_math::{Real, Rgb, Vec3};
+
+use super::{Drawn, Lobe};
+
+/// Up to [`Bsdf::MAX_LOBES`] lobes with weights: what a surface does to light
+/// at a point.
+///
+/// Sampling chooses a lobe in proportion to the values of the weights (negative
+/// ones count as zero), and a density is that of the whole choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bsdf<R = f64> {
+    lobes: [Option<(R, Lobe<R>)>; 4],
+    side: Option<Side>,
+}
+
+/// The side of a surface that is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The normal of the face points to the viewer.
+    Front,
+    /// It points away.
+    Back,
+}
+
+/// What a perfectly specular surface can do to a path.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Event {
+    /// It goes back to its side, as from a mirror.
+    Reflect,
+    /// It is refracted to the other side.
+    Transmit,
+    /// It goes straight on.
+    Pass,
+}
+
+/// A perfectly specular event at a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Specular {
+    /// The place of the lobe, in the order of [`Bsdf::push`].
+    pub lobe: usize,
+    /// What it does.
+    pub event: Event,
+}
+
+/// A direction drawn by a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BsdfSample {
+    /// The direction to continue in.
+    pub wo: Vec3,
+    /// Its density per solid angle, [`Bsdf::pdf`]; for a specular event its
+    /// probability. Positive.
+    pub pdf: f64,
+    /// `None` if `wo` comes from a density. Otherwise the throughput is that of
+    /// [`Bsdf::specular`] over `pdf`.
+    pub specular: Option<Specular>,
+}
+
+impl<R: Real> Default for Bsdf<R> {
+    /// A black surface: no lobes, to be seen from both sides.
+    fn default() -> Self {
+        Self {
+            lobes: [const { None }; 4],
+            side: None,
+        }
+    }
+}
+
+impl<R: Real> From<Lobe<R>> for Bsdf<R> {
+    /// One lobe of weight one.
+    fn from(lobe: Lobe<R>) -> Self {
+        let mut bsdf = Self::default();
+        bsdf.push(R::constant(1.0), lobe);
+        bsdf
+    }
+}
+
+impl<R: Real> Bsdf<R> {
+    /// How many lobes there is place for.
+    pub const MAX_LOBES: usize = 4;
+
+    /// Adds a lobe.
+    ///
+    /// # Panics
+    ///
+    /// If there is no place; refuse such materials when reading them.
+    pub fn push(&mut self, weight: R, lobe: Lobe<R>) {
+        let place = self.lobes.iter_mut().find(|place| place.is_none());
+        *place.expect("materials of more lobes are refused when read") = Some((weight, lobe));
+    }
+
+    /// The lobes and their weights, in the order in which they were added.
+    pub fn lobes(&self) -> impl Iterator<Item = &(R, Lobe<R>)> {
+        self.lobes.iter().flatten()
+    }
+
+    /// The same surface, of which the face shows the given side, whatever the
+    /// sign of `wi.z`: for directions that an interpolated normal puts on the
+    /// other side, lobes answer for the mirrored direction. On the back,
+    /// one-sided lobes are black.
+    ///
+    /// Without it, two-sided lobes take the side from the sign of `wi.z`, and
+    /// one-sided ones count as seen from the front.
+    #[must_use]
+    pub fn seen_from(mut self, side: Side) -> Self {
+        self.side = Some(side);
+        self
+    }
+
+    /// `wi` on the side that is seen.
+    #[inline]
+    fn seen(&self, wi: Vec3<R>) -> Vec3<R> {
+        // What is seen along the surface is on no side: put on the right one.
+        const MIN_COS: f64 = 1e-12;
+        let Some(side) = self.side else {
+            return wi;
+        };
+        let mut height = wi.z.abs();
+        if height.value() < MIN_COS {
+            height = R::constant(MIN_COS);
+        }
+        let z = match side {
+            Side::Front => height,
+            Side::Back => -height,
+        };
+        Vec3::new(wi.x, wi.y, z)
+    }
+
+    /// True if the lobe shows something to the side that is seen.
+    #[inline]
+    fn shows(&self, lobe: &Lobe<R>) -> bool {
+        self.side != Some(Side::Back) || lobe.is_two_sided()
+    }
+
+    /// The weight with which a lobe is chosen, up to a common factor.
+    #[inline]
+    fn chance(&self, weight: R, lobe: &Lobe<R>) -> f64 {
+        if self.shows(lobe) {
+            weight.value().max(0.0)
+        } else {
+            0.0
+        }
+    }
+
+    /// `f(wi, wo) |cos wo|` of everything but perfectly specular parts.
+    pub fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+        let wi = self.seen(wi);
+        self.lobes()
+            .filter(|(_, lobe)| self.shows(lobe))
+            .fold(Rgb::zero(), |sum, (weight, lobe)| {
+                sum + lobe.eval(wi, wo) * *weight
+            })
+    }
+
+    /// Where a perfectly specular event sends `wi`, and how much radiance
+    /// comes back from there: `weight · Fresnel · tint · scaling of radiance`,
+    /// as smooth functions.
+    ///
+    /// # Panics
+    ///
+    /// If the surface has no such event; [`Bsdf::sample`] never returns one.
+    pub fn specular(&self, event: Specular, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
+        let (weight, lobe) = self.lobes[event.lobe]
+            .as_ref()
+            .expect("events come from lobes that are there");
+        let (wo, throughput) = lobe.specular(event, self.seen(wi));
+        (wo, throughput * *weight)
+    }
+
+    /// The surface with `f` of each weight and number, in order.
+    pub fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Bsdf<S> {
+        let mut mapped = Bsdf {
+            side: self.side,
+            ..Bsdf::default()
+        };
+        for (weight, lobe) in self.lobes() {
+            let weight = f(*weight);
+            mapped.push(weight, lobe.map(f));
+        }
+        mapped
+    }
+
+    /// The surface at rest: without derivatives.
+    pub fn value(&self) -> Bsdf {
+        self.map(&mut R::value)
+    }
+
+    /// True if it can be drawn anything that is not perfectly specular: worth
+    /// sampling lamps.
+    pub fn has_smooth(&self) -> bool {
+        self.lobes()
+            .any(|(weight, lobe)| self.chance(*weight, lobe) > 0.0 && lobe.has_smooth())
+    }
+}
+
+impl Bsdf {
+    /// Sum of the weights that are chosen by.
+    #[inline]
+    fn total_chance(&self) -> f64 {
+        self.lobes()
+            .map(|(weight, lobe)| self.chance(*weight, lobe))
+            .sum()
+    }
+
+    /// Density per solid angle of the smooth directions that [`Bsdf::sample`]
+    /// draws, including the probability that it draws one.
+    pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+        let total = self.total_chance();
+        if total <= 0.0 {
+            return 0.0;
+        }
+        let wi = self.seen(wi);
+        let sum: f64 = self
+            .lobes()
+            .map(|(weight, lobe)| (self.chance(*weight, lobe), lobe))
+            .filter(|(chance, _)| *chance > 0.0)
+            .map(|(chance, lobe)| chance * lobe.pdf(wi, wo))
+            .sum();
+        sum / total
+    }
+
+    /// Draws a direction or a specular event; `None` if the path ends.
+    /// `u_choice` and `u` are uniform in `[0, 1)`.
+    pub fn sample(&self, wi: Vec3, u_choice: f64, u: [f64; 2]) -> Option<BsdfSample> {
+        // The lobe; what is left of the random number chooses within it.
+        let total = self.total_chance();
+        let mut left = u_choice * total;
+        let mut chosen = None;
+        for (place, (weight, lobe)) in self.lobes().enumerate() {
+            let chance = self.chance(*weight, lobe);
+            if chance <= 0.0 {
+                continue;
+            }
+            // The last one takes what rounding leaves over.
+            chosen = Some((place, lobe, chance, (left / chance).min(1.0 - f64::EPSILON)));
+            if left < chance {
+                break;
+            }
+            left -= chance;
+        }
+        let (place, lobe, chance, choice) = chosen?;
+        match lobe.sample(self.seen(wi), choice, u)? {
+            Drawn::Smooth(wo) => {
+                let pdf = self.pdf(wi, wo);
+                (pdf > 0.0).then_some(BsdfSample {
+                    wo,
+                    pdf,
+                    specular: None,
+                })
+            }
+            Drawn::Specular(event, probability) => {
+                let specular = Specular { lobe: place, event };
+                Some(BsdfSample {
+                    wo: self.specular(specular, wi).0,
+                    pdf: probability * chance / total,
+                    specular: Some(specular),
+                })
+            }
+        }
+    }
+}
