@@ -9,7 +9,7 @@ const BUCKETS: usize = 64;
 /// there are eight buckets in each octave, so eight octaves are told apart.
 const BUCKET_BITS: u32 = 23 - 3;
 
-/// Entries kept without allocating. There are some thirty as a rule.
+/// Entries kept without allocating. There are fewer than a hundred as a rule.
 const CAPACITY: usize = 128;
 
 /// The end of a list.
@@ -29,7 +29,7 @@ pub struct Buckets {
     next: [u8; CAPACITY],
     /// Entries that are free again.
     free: u8,
-    /// Entries in use from here on: none.
+    /// No entry has been used from this one on.
     len: usize,
     /// Bits of the largest bound.
     largest: u32,
