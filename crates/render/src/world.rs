@@ -134,6 +134,8 @@ pub struct Surface<R> {
     pub position: Vec3<R>,
     /// The same on the shape.
     pub point: SurfacePoint<R>,
+    /// Unit normal of the face on the outside.
+    pub geometric: Vec3<R>,
     /// Unit shading normal on the outside.
     pub outward: Vec3<R>,
     /// Unit geometric normal on the viewer's side.
@@ -200,6 +202,7 @@ pub fn surface_at<R: Real, W: World<R>>(
             barycentric,
             uv: shape.uv(face, barycentric),
         },
+        geometric: cross.normalized() * R::constant(out),
         outward,
         face_normal: face_normal * seen,
         side: if seen * out > 0.0 {

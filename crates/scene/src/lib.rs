@@ -30,6 +30,6 @@ pub use motion::{Motion, SensorMotion, ShapeMotion};
 pub use quantity::Quantity;
 pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
 pub use sensor::Perspective;
-pub use settings::{Integrator, SamplerKind, Settings};
+pub use settings::{Integrator, Layer, SamplerKind, Settings};
 pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, vertex_normals};
 pub use texture::{Pattern, SurfacePoint, Texture, TextureId};
