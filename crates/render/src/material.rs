@@ -29,7 +29,7 @@ pub fn vertex_at<R: Real, W: World<R>>(
         Plugin::Diffuse { reflectance } => Lobe::Diffuse(Diffuse {
             reflectance: world.lookup(reflectance, &surface.point),
         }),
-        Plugin::TwoSided { .. } => unreachable!("resolved to one side"),
+        _ => unreachable!("resolved to one side; other plugins are refused before"),
     };
     let bsdf = Bsdf::from(lobe).seen_from(side);
     Some(Vertex::new(

@@ -6,13 +6,14 @@ use capwalk_scene::{Bsdf, Scene};
 /// What of the scene cannot be rendered yet, one phrase each; empty if all of it
 /// can.
 pub fn unsupported(scene: &Scene) -> Vec<String> {
-    let is_missing = |bsdf: &Bsdf| match bsdf {
-        Bsdf::Diffuse { .. } | Bsdf::TwoSided { .. } => false,
-    };
+    let is_rendered = |bsdf: &Bsdf| matches!(bsdf, Bsdf::Diffuse { .. } | Bsdf::TwoSided { .. });
     let materials = scene.materials.iter();
     materials
-        .filter(|material| is_missing(&material.bsdf))
-        .map(|material| format!("the material \"{}\"", material.id))
+        .filter(|material| !is_rendered(&material.bsdf))
+        .map(|material| {
+            let plugin = material.bsdf.plugin();
+            format!("the material \"{}\" is a {plugin}", material.id)
+        })
         .collect()
 }
 

@@ -6,6 +6,7 @@ mod emitter;
 mod film;
 mod integrator;
 mod mesh_file;
+mod metals;
 mod sampler;
 mod sensor;
 mod shape;
@@ -36,6 +37,8 @@ struct Lowering<'a> {
     texture_of_node: BTreeMap<NodeId, TextureId>,
     /// Area emitters that have their shape.
     attached: BTreeSet<NodeId>,
+    /// How many materials the one being read stands in.
+    bsdf_depth: usize,
     shape_ids: Names,
     material_ids: Names,
     places: Places,
@@ -48,6 +51,8 @@ struct Places {
     shapes: Vec<Span>,
     /// Of each emitter.
     emitters: Vec<Span>,
+    /// Of each material.
+    materials: Vec<Span>,
     /// Of numbers, by the names that [`SceneError::BadNumber`] uses.
     numbers: BTreeMap<String, Span>,
     film: Option<Span>,
@@ -86,6 +91,7 @@ pub(crate) fn lower(
         material_of_node: BTreeMap::new(),
         texture_of_node: BTreeMap::new(),
         attached: BTreeSet::new(),
+        bsdf_depth: 0,
         shape_ids: Names::default(),
         material_ids: Names::default(),
         places: Places::default(),
@@ -249,6 +255,10 @@ impl Places {
                 let lamp = scene.shapes.iter().find(|s| s.id == *shape);
                 let emitter = lamp.and_then(|s| s.emitter);
                 emitter.map(|e| self.emitters[e.0 as usize])
+            }
+            SceneError::Material { material, .. } => {
+                let index = scene.materials.iter().position(|m| m.id == *material);
+                index.map(|i| self.materials[i])
             }
             SceneError::PictureSize { .. } => self.film,
             SceneError::BadNumber { name, .. } => {

@@ -70,6 +70,20 @@ pub enum ParameterKind {
     Reflectance,
     /// Something that comes with a mesh, per vertex or per face.
     Attribute,
+    /// How much a material transmits.
+    Transmittance,
+    /// How rough a surface is.
+    Roughness,
+    /// A refractive index, or the real part of one.
+    RefractiveIndex,
+    /// The imaginary part of a refractive index.
+    Extinction,
+    /// A number from 0 to 1: opacity, weight, metallic ...
+    Fraction,
+    /// Normals from a texture.
+    Normal,
+    /// Heights from a texture.
+    Height,
     /// Position of the sensor along a world axis.
     SensorTranslation,
     /// Angle of the sensor about a world axis through its origin.

@@ -78,6 +78,13 @@ pub enum SceneError {
     },
     /// There is more than one environment emitter.
     SeveralEnvironments,
+    /// A material contradicts itself.
+    Material {
+        /// The material.
+        material: String,
+        /// What is wrong, and what to do.
+        problem: &'static str,
+    },
     /// A texture needs texture coordinates that the shape does not have.
     NoTextureCoordinates {
         /// The shape.
@@ -124,6 +131,12 @@ impl fmt::Display for SceneError {
             }
             Self::SeveralEnvironments => {
                 write!(f, "there is more than one constant emitter; keep one")
+            }
+            Self::Material { material, problem } => {
+                write!(
+                    f,
+                    "the material \"{material}\" cannot be rendered: {problem}"
+                )
             }
             Self::NoTextureCoordinates { shape, texture } => write!(
                 f,
@@ -178,6 +191,7 @@ impl Scene {
         for texture in &self.textures {
             texture.check()?;
         }
+        self.check_materials()?;
         self.check_slots()?;
         let environments = self.emitters.iter().filter(|e| e.is_environment());
         if environments.count() > 1 {

@@ -175,6 +175,15 @@ fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
             self::material(scene, *front),
             self::material(scene, *back)
         ),
+        bsdf => {
+            let parts = bsdf.parts().into_iter();
+            let mut text = bsdf.plugin().to_owned();
+            for (i, part) in parts.enumerate() {
+                text += if i == 0 { " of " } else { ", " };
+                text += &self::material(scene, part);
+            }
+            text
+        }
     }
 }
 

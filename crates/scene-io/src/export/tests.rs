@@ -255,3 +255,43 @@ value="1 2 3"/></texture></emitter></shape></scene>"#;
     assert_eq!(scene.shapes[0], loaded.shapes[0]);
     assert_eq!(loaded.shapes[1].mesh.positions.len(), 1 + 224 + 223 + 1);
 }
+
+/// Every plugin, with what differs from its defaults, alone and inside others.
+#[test]
+fn materials_come_back() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let text = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<bsdf type="conductor" id="gold"><string name="material" value="Au"/>
+<rgb name="specular_reflectance" value="0.9 0.8 0.7"/></bsdf>
+<bsdf type="roughconductor" id="brushed"><string name="distribution" value="ggx"/>
+<float name="alpha_u" value="0.1"/><float name="alpha_v" value="0.3"/></bsdf>
+<bsdf type="dielectric" id="water"><string name="int_ior" value="water"/></bsdf>
+<bsdf type="roughdielectric" id="ice"><float name="int_ior" value="1.31"/>
+<float name="alpha" value="0.2"/></bsdf>
+<bsdf type="thindielectric" id="pane"/>
+<bsdf type="plastic" id="ball"><boolean name="nonlinear" value="true"/></bsdf>
+<bsdf type="roughplastic" id="toy"><string name="distribution" value="ggx"/>
+<texture type="checkerboard" name="diffuse_reflectance"/></bsdf>
+<bsdf type="principled" id="car"><float name="eta" value="1.4"/><float name="sheen" value="0.3"/></bsdf>
+<bsdf type="principled" id="cloth"><float name="specular" value="0.4"/></bsdf>
+<bsdf type="null" id="air"/>
+<bsdf type="blendbsdf" id="mix"><float name="weight" value="0.2"/><ref id="gold"/>
+<bsdf type="mask"><float name="opacity" value="0.7"/><bsdf type="diffuse"/></bsdf></bsdf>
+<bsdf type="twosided" id="sheet"><bsdf type="normalmap"><boolean name="use_shadowing_function" value="false"/>
+<texture name="normalmap" type="checkerboard"/><bsdf type="diffuse"/></bsdf></bsdf>
+<bsdf type="bumpmap" id="rough"><float name="scale" value="3"/>
+<boolean name="flip_invalid_normals" value="false"/>
+<texture name="whatever" type="checkerboard"/><bsdf type="plastic"/></bsdf>
+<shape type="rectangle" id="a"><ref id="mix"/></shape></scene>"#;
+    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    let directory = Directory::new("materials");
+    let path = write_scene(&scene, &directory.0).expect("writable");
+    let loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let plugins = |scene: &Scene| -> Vec<_> {
+        let materials = scene.materials.iter();
+        materials.map(|m| (m.id.clone(), m.bsdf.plugin())).collect()
+    };
+    assert_eq!(plugins(&scene), plugins(&loaded));
+    assert_eq!(scene.textures, loaded.textures);
+    assert_eq!(scene.materials, loaded.materials);
+}

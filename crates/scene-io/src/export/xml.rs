@@ -3,6 +3,8 @@
 use std::fmt::Write;
 
 use capwalk_math::Affine;
+use capwalk_scene::bsdf::NormalLimits;
+use capwalk_scene::lobe::Distribution;
 use capwalk_scene::scene::BsdfId;
 use capwalk_scene::texture::{TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
@@ -164,10 +166,7 @@ impl Writer<'_> {
             self.xml.line("ref", &[("id", &material.id)]);
             return;
         }
-        let plugin = match material.bsdf {
-            Bsdf::Diffuse { .. } => "diffuse",
-            Bsdf::TwoSided { .. } => "twosided",
-        };
+        let plugin = material.bsdf.plugin();
         match at_top {
             true => {
                 let attributes = [("type", plugin), ("id", &material.id)];
@@ -178,13 +177,51 @@ impl Writer<'_> {
         for slot in material.bsdf.slots() {
             self.slot(slot.name, slot.texture);
         }
-        if let Bsdf::TwoSided { front, back } = material.bsdf {
-            self.bsdf(front, false);
-            if front != back {
-                self.bsdf(back, false);
-            }
+        self.options(&material.bsdf);
+        for (_, part) in different_parts(&material.bsdf) {
+            self.bsdf(part, false);
         }
         self.xml.close();
+    }
+
+    /// What a material has besides textures and other materials.
+    fn options(&mut self, bsdf: &Bsdf) {
+        let xml = &mut self.xml;
+        let mut distribution = |distribution: &Distribution| {
+            let name = match distribution {
+                Distribution::Beckmann => "beckmann",
+                Distribution::Ggx => "ggx",
+            };
+            xml.property("string", "distribution", name);
+        };
+        match bsdf {
+            Bsdf::RoughConductor(_, facets) | Bsdf::RoughDielectric(_, facets) => {
+                distribution(&facets.distribution);
+            }
+            Bsdf::RoughPlastic {
+                coat,
+                distribution: of_coat,
+                ..
+            } => {
+                distribution(of_coat);
+                xml.property("boolean", "nonlinear", coat.nonlinear);
+            }
+            Bsdf::Plastic(coat) => xml.property("boolean", "nonlinear", coat.nonlinear),
+            Bsdf::NormalMap { limits, .. } => xml.normal_limits(limits),
+            Bsdf::BumpMap { scale, limits, .. } => {
+                xml.property("float", "scale", scale);
+                xml.normal_limits(limits);
+            }
+            Bsdf::Diffuse { .. }
+            | Bsdf::Conductor(_)
+            | Bsdf::Dielectric(_)
+            | Bsdf::ThinDielectric(_)
+            | Bsdf::Principled(_)
+            | Bsdf::Null
+            | Bsdf::TwoSided { .. }
+            | Bsdf::Mask { .. }
+            | Bsdf::Blend { .. } => {}
+        }
     }
 
     /// What stands in a slot: itself, or a reference if it stands alone.
@@ -269,7 +306,19 @@ impl Writer<'_> {
     }
 }
 
-/// The one shape or two-sided material that a material is written into, or
+/// The materials that a material is written with: one for two sides that are
+/// the same.
+fn different_parts(bsdf: &Bsdf) -> Vec<(&'static str, BsdfId)> {
+    let mut parts = bsdf.named_parts();
+    if let Bsdf::TwoSided { front, back } = bsdf
+        && front == back
+    {
+        parts.truncate(1);
+    }
+    parts
+}
+
+/// The one shape or material that a material is written into, or
 /// `None` if it stands at the top under its own id. It has a home if only one
 /// place uses it and its id is the one that a nameless material gets there.
 fn home(scene: &Scene, id: BsdfId) -> Option<String> {
@@ -278,12 +327,9 @@ fn home(scene: &Scene, id: BsdfId) -> Option<String> {
         homes.push(format!("{}.bsdf", shape.id));
     }
     for material in &scene.materials {
-        if let Bsdf::TwoSided { front, back } = material.bsdf {
-            if front == id {
-                homes.push(format!("{}.brdf_0", material.id));
-            }
-            if back == id && back != front {
-                homes.push(format!("{}.brdf_1", material.id));
+        for (name, part) in different_parts(&material.bsdf) {
+            if part == id {
+                homes.push(format!("{}.{name}", material.id));
             }
         }
     }
@@ -327,6 +373,11 @@ impl Xml {
                 self.property("rgb", name, format!("{r}, {g}, {b}"));
             }
         }
+    }
+
+    fn normal_limits(&mut self, limits: &NormalLimits) {
+        self.property("boolean", "flip_invalid_normals", limits.flip_invalid);
+        self.property("boolean", "use_shadowing_function", limits.shadowing);
     }
 
     fn uv_transform(&mut self, to_uv: &UvTransform) {

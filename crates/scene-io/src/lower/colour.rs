@@ -65,6 +65,22 @@ pub(super) fn radiance(fields: &Fields, name: &'static str, default: f64) -> Res
     Ok(colour)
 }
 
+/// Linear colours of any size; a uniform spectrum is the same for all colours.
+pub(super) fn unbounded(fields: &Fields, name: &'static str, default: Rgb) -> Result<Rgb, Problem> {
+    let Some(property) = fields.get(name) else {
+        return Ok(default);
+    };
+    let span = property.value_span;
+    let colour = match property.value {
+        Value::Rgb(rgb) => rgb,
+        Value::Float(x) | Value::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
+        Value::Integer(i) => Rgb::splat(i as f64),
+        ref other => return Err(not_a_colour(name, other, span)),
+    };
+    refuse_negative(name, colour, span)?;
+    Ok(colour)
+}
+
 fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
     if colour.min(Rgb::zero()) == Rgb::zero() {
         return Ok(());

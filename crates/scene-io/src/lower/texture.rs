@@ -7,7 +7,7 @@ use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 use super::{Lowering, colour};
 use crate::bitmap;
 use crate::fields::Fields;
-use crate::node::{Kind, NodeId, Value};
+use crate::node::{Kind, NodeId, Spectrum, Value};
 use crate::source::{Problem, Span};
 
 /// The plugins.
@@ -33,6 +33,57 @@ impl Lowering<'_> {
         }
         let colour = self.colour(fields, slot, quantity, default)?;
         Ok(self.add_texture(Texture::colour(id, colour), fields.span_of(slot)))
+    }
+
+    /// [`Self::slot`] with a colour of any size and a colour as its default.
+    pub(super) fn colour_slot(
+        &mut self,
+        fields: &Fields,
+        holder: &str,
+        slot: &'static str,
+        quantity: Quantity,
+        default: Rgb,
+    ) -> Result<TextureId, Problem> {
+        if fields
+            .get(slot)
+            .is_some_and(|p| matches!(p.value, Value::Object { .. }))
+        {
+            return self.slot(fields, holder, slot, quantity, 0.0);
+        }
+        let colour = colour::unbounded(fields, slot, default)?;
+        let texture = Texture::colour(format!("{holder}.{slot}"), colour);
+        Ok(self.add_texture(texture, fields.span_of(slot)))
+    }
+
+    /// What stands in a slot for a number: a texture, or one number. A colour
+    /// counts as its luminance.
+    pub(super) fn number(
+        &mut self,
+        fields: &Fields,
+        holder: &str,
+        slot: &'static str,
+        quantity: Quantity,
+        default: f64,
+    ) -> Result<TextureId, Problem> {
+        let id = format!("{holder}.{slot}");
+        let span = fields.span_of(slot);
+        let texture = match fields.get(slot).map(|property| &property.value) {
+            None => Texture::number(id, default),
+            Some(&Value::Float(x)) => Texture::number(id, x),
+            Some(&Value::Integer(i)) => Texture::number(id, i as f64),
+            Some(&Value::Spectrum(Spectrum::Uniform(x))) => Texture::number(id, x),
+            Some(&Value::Rgb(rgb)) => Texture::colour(id, rgb),
+            Some(Value::Object { .. }) => {
+                return self.slot(fields, holder, slot, quantity, default);
+            }
+            Some(other) => {
+                let message = format!("\"{slot}\" is a <{}>", other.tag());
+                let help = format!("expected <float name=\"{slot}\" .../> or a <texture>");
+                return Err(Problem::new(span, message).help(help));
+            }
+        };
+        // Out of its range it is an error of the finished scene.
+        Ok(self.add_texture(texture, span))
     }
 
     fn colour(

@@ -4,6 +4,7 @@
 
 mod camera;
 mod common;
+mod materials;
 mod meaning;
 mod mesh_files;
 mod meshes;

@@ -28,10 +28,13 @@ fn mistyped_shape_plugin() {
 #[test]
 fn unknown_bsdf_plugin() {
     check(
-        &scene(r#"<bsdf type="roughconductor" id="m"/>"#),
+        &scene(r#"<bsdf type="roughconductr" id="m"/>"#),
         &[
-            "scene.xml:5:15: unknown bsdf plugin \"roughconductor\"",
-            "  known bsdf plugins: diffuse, twosided",
+            "scene.xml:5:15: unknown bsdf plugin \"roughconductr\"",
+            "  known bsdf plugins: diffuse, conductor, roughconductor, dielectric, roughdielectric, \
+             thindielectric, plastic, roughplastic, principled, null, twosided, mask, blendbsdf, \
+             normalmap, bumpmap",
+            "  did you mean \"roughconductor\"?",
         ],
     );
 }

@@ -3,7 +3,6 @@
 use std::collections::HashSet;
 
 use super::{Parameter, ParameterKind};
-use crate::bsdf::Bsdf;
 use crate::emitter::Emitter;
 use crate::quantity::Quantity;
 use crate::scene::{BsdfId, Scene, ShapeId};
@@ -147,7 +146,15 @@ fn add_texture(scene: &Scene, id: TextureId, quantity: Quantity, entries: &mut V
                 part => format!("{name}.{part}{suffix}"),
             };
             let first = full(&names[0]);
-            for (i, name) in names.iter().map(full).enumerate() {
+            let mut names: Vec<String> = names
+                .iter()
+                .flat_map(|name| {
+                    // A single number is called by the name of its slot, too.
+                    let short = texture.channels == 1 && part.name == "value";
+                    std::iter::once(full(name)).chain(short.then(|| name.clone()))
+                })
+                .collect();
+            for (i, name) in names.drain(..).enumerate() {
                 entries.push(Entry {
                     name,
                     target: Some(Target::Texels(id, part, quantity, channel)),
@@ -158,11 +165,13 @@ fn add_texture(scene: &Scene, id: TextureId, quantity: Quantity, entries: &mut V
     }
 }
 
-/// What a one-sided material is called: its own name, then those of two-sided
-/// materials that show it on both sides, then those by the shapes that have
-/// any of them.
+/// What a material is called: its own name, then those of materials that show
+/// it on all sides they show, then those by the shapes that have any of them.
 fn material_names(scene: &Scene, id: BsdfId) -> Vec<String> {
-    let shows_it = |other: BsdfId| other == id || shown_material(scene, other) == Some(id);
+    let shows_it = |other: BsdfId| {
+        let parts = |id: &BsdfId| scene.material(*id).bsdf.shown_part();
+        std::iter::successors(Some(other), parts).any(|part| part == id)
+    };
     let others = (0..scene.materials.len() as u32).map(BsdfId);
     let mut names = vec![scene.material(id).id.clone()];
     for other in others.filter(|&other| other != id && shows_it(other)) {
@@ -174,33 +183,29 @@ fn material_names(scene: &Scene, id: BsdfId) -> Vec<String> {
     names
 }
 
-/// The names that a material whose two sides differ would have if they did
-/// not. They refer to nothing, but the message can say why.
+/// The names that a material made of several would have if they were one. They
+/// refer to nothing, but the message can say why.
 fn add_contradiction(scene: &Scene, id: BsdfId, entries: &mut Vec<Entry>) {
-    if shown_material(scene, id).is_some() {
+    let bsdf = &scene.material(id).bsdf;
+    if bsdf.parts().is_empty() || bsdf.shown_part().is_some() {
         return;
     }
-    let shapes = scene.shapes.iter().filter(|shape| shape.bsdf == id);
-    let mut names = vec![scene.material(id).id.clone()];
-    names.extend(shapes.map(|shape| format!("{}.bsdf", shape.id)));
-    names.dedup();
-    for name in names {
-        for channel in Channel::EACH {
-            entries.push(Entry {
-                name: format!("{name}.reflectance.value{}", channel.suffix()),
-                target: None,
-                alias_of: None,
-            });
+    let own: Vec<&str> = bsdf.slots().iter().map(|slot| slot.name).collect();
+    let slots = scene.slots_below(id);
+    let mut slots: Vec<&str> = slots.iter().map(|slot| slot.name).collect();
+    slots.retain(|slot| !own.contains(slot));
+    slots.sort_unstable();
+    slots.dedup();
+    for name in material_names(scene, id) {
+        for slot in &slots {
+            for channel in Channel::EACH {
+                entries.push(Entry {
+                    name: format!("{name}.{slot}.value{}", channel.suffix()),
+                    target: None,
+                    alias_of: None,
+                });
+            }
         }
-    }
-}
-
-/// The material that a material shows on all sides it shows, or `None` if its
-/// two sides differ.
-fn shown_material(scene: &Scene, id: BsdfId) -> Option<BsdfId> {
-    match scene.material(id).bsdf {
-        Bsdf::Diffuse { .. } => Some(id),
-        Bsdf::TwoSided { front, back } => (front == back).then_some(front),
     }
 }
 
@@ -238,6 +243,10 @@ impl Entry {
     pub(super) fn describe(self, scene: &Scene) -> Option<Parameter> {
         use ParameterKind::*;
         let shape = |id: ShapeId| &scene.shape(id).id;
+        let moves_discontinuities = match self.target? {
+            Target::Texels(_, _, quantity, _) => quantity.moves_edges(),
+            _ => true,
+        };
         let (kind, value, unit, description) = match self.target? {
             Target::Translate(id, axis) => {
                 let what = format!("moves {} along world {}", shape(id), AXES[axis]);
@@ -282,7 +291,7 @@ impl Entry {
             kind,
             value,
             unit,
-            moves_discontinuities: !matches!(kind, Radiance | Reflectance | Attribute),
+            moves_discontinuities,
             description,
             alias_of: self.alias_of,
         })
@@ -295,6 +304,13 @@ impl From<Quantity> for ParameterKind {
             Quantity::Radiance => Self::Radiance,
             Quantity::Reflectance => Self::Reflectance,
             Quantity::Attribute => Self::Attribute,
+            Quantity::Transmittance => Self::Transmittance,
+            Quantity::Roughness => Self::Roughness,
+            Quantity::RefractiveIndex { .. } | Quantity::MetalIndex => Self::RefractiveIndex,
+            Quantity::Extinction => Self::Extinction,
+            Quantity::Fraction => Self::Fraction,
+            Quantity::Normal => Self::Normal,
+            Quantity::Height => Self::Height,
         }
     }
 }

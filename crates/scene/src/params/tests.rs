@@ -281,10 +281,10 @@ fn wrong_names_suggest_right_ones() {
         ),
         ("", "expected a parameter's name"),
         ("ball.scale +", "expected a parameter's name"),
-        ("mixed.reflectance.value", "whose two sides differ"),
+        ("mixed.reflectance.value", "made of different ones"),
         (
             "-a.b+2*c.bsdf.reflectance.value.r",
-            "whose two sides differ",
+            "made of different ones",
         ),
         ("gizmo", "no parameter \"gizmo\"; `capwalk info` lists"),
     ] {
