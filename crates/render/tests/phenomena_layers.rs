@@ -16,17 +16,22 @@ fn layer_case(layer: Layer, mut scene: Scene, expression: &str) {
     let motion = motion(&scene, expression);
     let case = Case {
         size: 48,
-        step: 3e-3,
         gradient_spp: 256,
         reference_spp: 768,
         min_pixels: 500,
         ..Case::default()
     };
-    agree(layer.name(), scene, &motion, case);
+    // Differences with a box filter are smeared where outlines pass the borders
+    // of pixels: small steps.
+    let step = match scene.film.filter {
+        Filter::Box => 1e-3,
+        _ => 3e-3,
+    };
+    agree(layer.name(), scene, &motion, Case { step, ..case });
 }
 
 fn close_ball() -> Scene {
-    let mut scene = visible_ball(Filter::Box);
+    let mut scene = visible_ball(Filter::Tent { radius: 1.0 });
     scene.sensor.fov_x *= 0.6;
     scene
 }
@@ -39,7 +44,9 @@ fn depth() {
 
 #[test]
 fn position() {
-    layer_case(Layer::Position, visible_cube(), "thing.rotate.z");
+    let mut scene = visible_cube();
+    scene.film.filter = Filter::Tent { radius: 1.0 };
+    layer_case(Layer::Position, scene, "thing.rotate.z");
 }
 
 #[test]
