@@ -5,12 +5,14 @@ use std::f64::consts::PI;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::Layer;
 
+use crate::accel::Accel;
 use crate::material::vertex_at;
 use crate::world::{Surface, World};
 
 /// A layer's value at a surface that is met by a moving ray.
 pub fn layer_at<R: Real, W: World<R>>(
     world: &W,
+    accel: &Accel,
     layer: Layer,
     surface: &Surface<R>,
     origin: Vec3<R>,
@@ -26,7 +28,7 @@ pub fn layer_at<R: Real, W: World<R>>(
         Layer::GeometricNormal => surface.geometric,
         Layer::ShadingNormal => surface.outward,
         Layer::Albedo => {
-            let Some(vertex) = vertex_at(world, surface, direction) else {
+            let Some(vertex) = vertex_at(world, accel, surface, direction) else {
                 return Rgb::zero();
             };
             // Of a material that reflects to all directions alike; of others

@@ -416,7 +416,7 @@ impl<'a> Tracer<'a> {
             return hit.map_or(Rgb::zero(), |hit| {
                 let origin = world.sensor_origin();
                 let surface = surface_at(world, accel, &hit, origin, direction);
-                layer_at(world, layer, &surface, origin, direction)
+                layer_at(world, accel, layer, &surface, origin, direction)
             });
         }
         let mut light = Rgb::zero();
@@ -433,7 +433,7 @@ impl<'a> Tracer<'a> {
                 break;
             };
             let surface = surface_at(world, accel, &found, origin, direction);
-            let Some(vertex) = vertex_at(world, &surface, direction) else {
+            let Some(vertex) = vertex_at(world, accel, &surface, direction) else {
                 break;
             };
             let (emitted, next) = self.emitted(world, &vertex, depth, draw);

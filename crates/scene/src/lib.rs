@@ -22,7 +22,7 @@ pub mod settings;
 pub mod shape;
 pub mod texture;
 
-pub use bsdf::{Bsdf, Facing, Material};
+pub use bsdf::{Bsdf, Material};
 pub use emitter::Emitter;
 pub use film::Film;
 pub use filter::Filter;
