@@ -58,7 +58,7 @@ impl<'s> Accel<'s> {
             .iter()
             .map(|emitter| match emitter {
                 Emitter::Area { shape, .. } => Some(Lamp::new(&scene.shape(*shape).mesh)),
-                Emitter::Constant { .. } => None,
+                _ => None,
             })
             .collect();
         let size = mesh
@@ -154,7 +154,7 @@ impl<'s> Accel<'s> {
     pub fn lamp_face(&self, emitter: EmitterId, face: u32) -> u32 {
         match self.scene.emitter(emitter) {
             Emitter::Area { shape, .. } => self.first_face[shape.0 as usize] + face,
-            Emitter::Constant { .. } => unreachable!("an environment has no faces"),
+            _ => unreachable!("only lamps of area have faces"),
         }
     }
 
