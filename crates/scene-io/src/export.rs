@@ -22,8 +22,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use capwalk_scene::texture::Bitmap;
-use capwalk_scene::{Image, Pattern, Scene, Texture};
+use capwalk_scene::{Emitter, Image, Pattern, Scene, Texture, TextureId};
 
 use crate::atomic::write_atomically;
 use crate::image::{Picture, VALUE, encode_exr};
@@ -83,18 +82,22 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
     let directory = xml_path.with_file_name(&folder);
     let bitmaps = scene.textures.iter().enumerate();
     let bitmaps: Vec<_> = bitmaps
-        .filter_map(|(i, texture)| match &texture.pattern {
-            Pattern::Bitmap(bitmap) => Some((i, texture, bitmap)),
-            _ => None,
+        .filter_map(|(i, texture)| {
+            let size = match &texture.pattern {
+                Pattern::Bitmap(bitmap) => [bitmap.width, bitmap.height],
+                Pattern::Environment => size_of_environment(scene, TextureId(i as u32))?,
+                _ => return None,
+            };
+            Some((i, texture, size))
         })
         .collect();
     if !bitmaps.is_empty() {
         at(&directory, fs::create_dir_all(&directory))?;
     }
     let names = file_names(bitmaps.iter().map(|(_, t, _)| t.id.as_str()), "exr");
-    for ((i, texture, bitmap), name) in bitmaps.into_iter().zip(names) {
+    for ((i, texture, size), name) in bitmaps.into_iter().zip(names) {
         let path = directory.join(&name);
-        let bytes = exr_of(texture, bitmap).map_err(io::Error::other);
+        let bytes = exr_of(texture, size).map_err(io::Error::other);
         let bytes = at(&path, bytes)?;
         at(
             &path,
@@ -125,8 +128,18 @@ struct Files {
     bitmaps: BTreeMap<usize, String>,
 }
 
-fn exr_of(texture: &Texture, bitmap: &Bitmap) -> Result<Vec<u8>, String> {
-    let (width, height) = (bitmap.width as usize, bitmap.height as usize);
+/// Texels per row, and rows, of the environment map with this data.
+fn size_of_environment(scene: &Scene, data: TextureId) -> Option<[u32; 2]> {
+    let maps = scene.emitters.iter();
+    let mut maps = maps.filter(|emitter| emitter.radiance() == data);
+    match maps.next()? {
+        Emitter::EnvironmentMap { map, .. } => Some([map.width, map.height]),
+        _ => None,
+    }
+}
+
+fn exr_of(texture: &Texture, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    let [width, height] = size.map(|n| n as usize);
     let pixels = (0..texture.texels()).map(|i| texture.texel(i)).collect();
     let mut picture = Picture::default();
     picture.push(

@@ -66,6 +66,12 @@ pub enum ParameterKind {
     Scale,
     /// What an emitter emits.
     Radiance,
+    /// What a light without extent emits, per solid angle.
+    Intensity,
+    /// What parallel light brings, per area.
+    Irradiance,
+    /// A factor.
+    Factor,
     /// How much a material reflects.
     Reflectance,
     /// Something that comes with a mesh, per vertex or per face.

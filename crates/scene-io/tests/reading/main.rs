@@ -4,6 +4,7 @@
 
 mod camera;
 mod common;
+mod emitters;
 mod materials;
 mod meaning;
 mod mesh_files;
