@@ -12,7 +12,8 @@ const OLD: &str = r#"<scene version="0.6.0"><default name="mySamples" value="7"/
 <float name="gamma" value="2.2"/><string name="fileFormat" value="png"/><rfilter type="tent"/></film></sensor>
 <bsdf type="diffuse" id="wood"><texture name="diffuseReflectance" type="bitmap">
 <string name="filename" value="texels.png"/><string name="filterType" value="nearest"/>
-<float name="uscale" value="2"/><float name="voffset" value="$shift"/></texture></bsdf>
+<float name="uscale" value="2"/><float name="vscale" value="3"/>
+<float name="uoffset" value="0.5"/><float name="voffset" value="$shift"/></texture></bsdf>
 <bsdf type="dielectric" id="glass"><float name="intIOR" value="1.4"/></bsdf>
 <shape type="rectangle"><boolean name="flipNormals" value="true"/><ref id="wood"/></shape>
 <emitter type="constant"/></scene>"#;
@@ -26,7 +27,7 @@ const NEW: &str = r#"<scene version="3.0.0">
 <rfilter type="tent"/></film></sensor>
 <bsdf type="diffuse" id="wood"><texture name="reflectance" type="bitmap">
 <string name="filename" value="texels.png"/><string name="filter_type" value="nearest"/>
-<transform name="to_uv"><translate y="0.25"/><scale x="2"/></transform></texture></bsdf>
+<transform name="to_uv"><translate x="0.5" y="0.25"/><scale x="2" y="3"/></transform></texture></bsdf>
 <bsdf type="dielectric" id="glass"><float name="int_ior" value="1.4"/></bsdf>
 <shape type="rectangle"><boolean name="flip_normals" value="true"/><ref id="wood"/></shape>
 <emitter type="constant"/></scene>"#;
