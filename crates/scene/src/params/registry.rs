@@ -253,8 +253,7 @@ impl Entry {
             }
             Target::Constant(id, quantity, channel) => {
                 let texture = scene.texture(id);
-                let what = format!("{} of {}", quantity.name(), users(scene, id));
-                let what = channel.of(&what, texture.channels);
+                let what = channel.of(&quantity.of(scene, id), texture.channels);
                 (
                     quantity.kind(),
                     channel.values(&texture.data),
@@ -284,6 +283,11 @@ impl Entry {
 }
 
 impl Quantity {
+    /// Which quantity of which things, in words.
+    pub(super) fn of(self, scene: &Scene, id: TextureId) -> String {
+        format!("{} of {}", self.name(), users(scene, id))
+    }
+
     fn name(self) -> &'static str {
         match self {
             Self::Radiance => "radiance",
@@ -291,14 +295,14 @@ impl Quantity {
         }
     }
 
-    fn kind(self) -> ParameterKind {
+    pub(super) fn kind(self) -> ParameterKind {
         match self {
             Self::Radiance => ParameterKind::Radiance,
             Self::Reflectance => ParameterKind::Reflectance,
         }
     }
 
-    fn unit(self) -> &'static str {
+    pub(super) fn unit(self) -> &'static str {
         match self {
             Self::Radiance => "radiance",
             Self::Reflectance => "fraction reflected",
