@@ -1,29 +1,31 @@
 //! Orthonormal frames.
 
+use crate::real::Real;
 use crate::vec3::Vec3;
 
 /// Three orthonormal directions, right-handed: `s × t = n`.
 #[derive(Clone, Copy, Debug)]
-pub struct Frame {
+pub struct Frame<R = f64> {
     /// First tangent.
-    pub s: Vec3,
+    pub s: Vec3<R>,
     /// Second tangent.
-    pub t: Vec3,
+    pub t: Vec3<R>,
     /// The direction the frame was built around.
-    pub n: Vec3,
+    pub n: Vec3<R>,
 }
 
-impl Frame {
+impl<R: Real> Frame<R> {
     /// A frame whose third axis is the unit vector `n`; continuous except
     /// across `n.z = 0`. Duff et al. 2017, "Building an Orthonormal Basis,
     /// Revisited".
     #[inline]
-    pub fn from_normal(n: Vec3) -> Self {
-        let sign = 1.0_f64.copysign(n.z);
-        let a = -1.0 / (sign + n.z);
+    pub fn from_normal(n: Vec3<R>) -> Self {
+        let one = R::constant(1.0);
+        let sign = R::constant(1.0_f64.copysign(n.z.value()));
+        let a = -one / (sign + n.z);
         let b = n.x * n.y * a;
         Self {
-            s: Vec3::new(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x),
+            s: Vec3::new(one + sign * n.x * n.x * a, sign * b, -(sign * n.x)),
             t: Vec3::new(b, sign + n.y * n.y * a, -n.y),
             n,
         }
@@ -31,14 +33,24 @@ impl Frame {
 
     /// A vector given in the frame's coordinates, in world coordinates.
     #[inline]
-    pub fn to_world(&self, v: Vec3) -> Vec3 {
+    pub fn to_world(&self, v: Vec3<R>) -> Vec3<R> {
         self.s * v.x + self.t * v.y + self.n * v.z
     }
 
     /// A world vector in the frame's coordinates.
     #[inline]
-    pub fn to_local(&self, v: Vec3) -> Vec3 {
+    pub fn to_local(&self, v: Vec3<R>) -> Vec3<R> {
         Vec3::new(self.s.dot(v), self.t.dot(v), self.n.dot(v))
+    }
+
+    /// The frame without its derivative.
+    #[inline]
+    pub fn value(&self) -> Frame {
+        Frame {
+            s: self.s.value(),
+            t: self.t.value(),
+            n: self.n.value(),
+        }
     }
 }
 

@@ -53,6 +53,12 @@ impl<R: Real> Vec3<R> {
         self.map(R::value)
     }
 
+    /// True if its derivatives are known to be zero.
+    #[inline]
+    pub fn is_constant(self) -> bool {
+        self.x.is_constant() && self.y.is_constant() && self.z.is_constant()
+    }
+
     /// Applies a function to each component.
     #[inline]
     pub fn map<S>(self, f: impl Fn(R) -> S) -> Vec3<S> {

@@ -5,6 +5,7 @@ use capwalk_math::Vec3;
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Lamp;
+use crate::unsupported::unsupported_text;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
 /// face indices of a shape follow those of the shapes before it.
@@ -17,6 +18,8 @@ pub struct Accel<'s> {
     pub shape_of_face: Vec<ShapeId>,
     /// First vertex of each shape.
     pub first_vertex: Vec<u32>,
+    /// First face of each shape.
+    pub first_face: Vec<u32>,
     /// How to draw points on each emitter; `None` for an environment.
     pub lamps: Vec<Option<Lamp>>,
     rays: RayTree,
@@ -34,12 +37,19 @@ const SHORT_OF_TARGET: f64 = 1e-9;
 
 impl<'s> Accel<'s> {
     /// Builds the tree of a checked scene.
+    ///
+    /// # Panics
+    /// If the scene has what cannot be rendered yet ([`crate::unsupported`]).
     pub fn new(scene: &'s Scene) -> Self {
         let mut mesh = Mesh::default();
         let mut shape_of_face = Vec::new();
-        let mut first_vertex = Vec::new();
+        if let Some(text) = unsupported_text(scene) {
+            panic!("{text}; ask `unsupported` before");
+        }
+        let (mut first_vertex, mut first_face) = (Vec::new(), Vec::new());
         for (i, shape) in scene.shapes.iter().enumerate() {
             first_vertex.push(mesh.positions.len() as u32);
+            first_face.push(mesh.faces.len() as u32);
             mesh.append(&shape.mesh);
             shape_of_face.resize(mesh.faces.len(), ShapeId(i as u32));
         }
@@ -60,6 +70,7 @@ impl<'s> Accel<'s> {
             scene,
             shape_of_face,
             first_vertex,
+            first_face,
             lamps,
             rays: RayTree::build(&mesh),
             mesh,
@@ -136,6 +147,15 @@ impl<'s> Accel<'s> {
     #[inline]
     pub fn shape_of(&self, hit: &Hit) -> ShapeId {
         self.shape_of_face[hit.face as usize]
+    }
+
+    /// The face of the joined mesh that is the given one of a lamp.
+    #[inline]
+    pub fn lamp_face(&self, emitter: EmitterId, face: u32) -> u32 {
+        match self.scene.emitter(emitter) {
+            Emitter::Area { shape, .. } => self.first_face[shape.0 as usize] + face,
+            Emitter::Constant { .. } => unreachable!("an environment has no faces"),
+        }
     }
 
     /// What emits at a hit towards a viewer that looks along `direction`: only

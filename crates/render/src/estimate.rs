@@ -47,6 +47,9 @@ pub struct Statistics {
     pub non_finite: u64,
     /// Closest-silhouette queries answered.
     pub cone_queries: u64,
+    /// Specular reflections and refractions in which something moves, or which
+    /// move themselves: their outlines are missing in the derivative.
+    pub uncovered: u64,
 }
 
 impl Statistics {

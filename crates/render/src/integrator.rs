@@ -1,11 +1,9 @@
 //! The picture itself.
 
-use std::cell::Cell;
-
 use capwalk_scene::Scene;
 
 use crate::accel::Accel;
-use crate::diff::boundary::Draw;
+use crate::diff::boundary::{Counts, Draw};
 use crate::estimate::Rendering;
 use crate::options::{Options, Watch};
 use crate::path::Tracer;
@@ -19,11 +17,12 @@ pub fn render(scene: &Scene, options: &Options, watch: &dyn Watch) -> Rendering 
     let averages = tiles::average(scene, options, watch, |pixel, stream| {
         let draw = Draw {
             stream,
-            queries: &Cell::new(0),
+            counts: &Counts::default(),
         };
         Sample {
             numbers: tracer.pixel(&world, pixel, draw).to_array(),
             cone_queries: 0,
+            uncovered: 0,
         }
     });
     Rendering {

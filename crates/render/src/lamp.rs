@@ -18,6 +18,10 @@ pub struct LampPoint {
     pub position: Vec3,
     /// Unit normal of the emitting side.
     pub normal: Vec3,
+    /// The triangle.
+    pub face: u32,
+    /// Weights of its second and third corner.
+    pub barycentric: [f64; 2],
 }
 
 impl Lamp {
@@ -60,6 +64,8 @@ impl Lamp {
         LampPoint {
             position: a + (b - a) * wb + (c - a) * wc,
             normal: (b - a).cross(c - a).normalized(),
+            face: i as u32,
+            barycentric: [wb, wc],
         }
     }
 

@@ -16,11 +16,13 @@ pub mod estimate;
 mod integrator;
 mod lamp;
 mod light;
+mod material;
 pub mod options;
 mod path;
 mod pixel;
 mod sampler;
 mod tiles;
+mod unsupported;
 mod world;
 
 pub use capwalk_walk::{Estimator, WalkSettings};
@@ -31,3 +33,4 @@ pub use diff::reverse::{Backward, backward};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use integrator::render;
 pub use options::{GradientOptions, Options, Refusal, Unwatched, Watch};
+pub use unsupported::{unsupported, unsupported_text};

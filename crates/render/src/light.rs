@@ -2,11 +2,15 @@
 //! weight. Primal and derivative use the same samples; densities and weights
 //! are never differentiated.
 
+use std::f64::consts::{FRAC_1_PI, PI};
+
 use capwalk_geometry::Hit;
-use capwalk_math::{Frame, Vec3};
-use capwalk_scene::{Diffuse, EmitterId};
+use capwalk_math::Vec3;
+use capwalk_scene::EmitterId;
+use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 
 use crate::accel::Accel;
+use crate::path::Vertex;
 use crate::sampler::Stream;
 
 /// An unoccluded direction towards an emitter.
@@ -16,9 +20,14 @@ pub struct LightSample {
     pub direction: Vec3,
     /// The emitter seen there.
     pub emitter: EmitterId,
+    /// Where it is met, if it is on a surface.
+    pub hit: Option<Hit>,
     /// Multiple-importance weight over density per solid angle, divided by the
     /// number of samples of the technique.
     pub weight: f64,
+    /// The specular event that it comes from: then `weight` has its probability
+    /// in the place of a density.
+    pub specular: Option<Specular>,
 }
 
 /// A direction drawn from a material, in which a path can go on.
@@ -26,8 +35,10 @@ pub struct LightSample {
 pub struct Continuation {
     /// Unit direction from the shading point.
     pub direction: Vec3,
-    /// Its density per solid angle.
+    /// Its density per solid angle, or the probability of the specular event.
     pub pdf: f64,
+    /// The specular event, if it is one.
+    pub specular: Option<Specular>,
     /// What it meets.
     pub hit: Option<Hit>,
 }
@@ -44,7 +55,7 @@ pub struct LightSampling {
 /// Random numbers that [`sample_emitter`] takes.
 pub const EMITTER_NUMBERS: u32 = 3;
 /// Random numbers of each material sample.
-const BSDF_NUMBERS: u32 = 2;
+const BSDF_NUMBERS: u32 = 3;
 
 impl LightSampling {
     /// Random numbers that [`sample_lights`] takes.
@@ -53,78 +64,75 @@ impl LightSampling {
     }
 }
 
-/// Draws directions towards light from a diffuse surface, by points on
-/// emitters and by the material, combined with the power heuristic (Veach
-/// 1997), and passes on those that reach an emitter, with the number of the
-/// sample. Takes `sampling.dimensions()` numbers from `dimension` on. Gives back
-/// the first direction drawn from the material.
+/// Draws directions towards light from a surface, by points on emitters and by
+/// the material, combined with the power heuristic (Veach 1997), and passes on
+/// those that reach an emitter, with the number of the sample. Takes
+/// `sampling.dimensions()` numbers from `dimension` on. Gives back the first
+/// direction drawn from the material.
 pub fn sample_lights(
     accel: &Accel,
-    position: Vec3,
-    normal: Vec3,
+    vertex: &Vertex<f64>,
     sampling: LightSampling,
     stream: &Stream,
     dimension: u32,
     mut shade: impl FnMut(u32, LightSample),
 ) -> Option<Continuation> {
-    let frame = Frame::from_normal(normal);
     let counts = sampling;
     // Densities of all samples of each technique together.
     let of_emitters = |pdf: f64| f64::from(counts.emitter_samples) * pdf;
     let of_bsdf = |pdf: f64| f64::from(counts.bsdf_samples) * pdf;
 
-    for i in 0..counts.emitter_samples {
+    // Points on emitters are of no use to what is perfectly specular.
+    let on_emitters = if vertex.bsdf.has_smooth() {
+        counts.emitter_samples
+    } else {
+        0
+    };
+    for i in 0..on_emitters {
         let base = dimension + i * EMITTER_NUMBERS;
-        let Some((direction, emitter, pdf)) = sample_emitter(accel, position, &frame, stream, base)
-        else {
+        let Some((drawn, pdf)) = sample_emitter(accel, vertex, stream, base) else {
             continue;
         };
-        let (own, other) = (
-            of_emitters(pdf),
-            of_bsdf(Diffuse::pdf(direction.dot(normal))),
-        );
+        let (own, other) = (of_emitters(pdf), of_bsdf(vertex.pdf(drawn.direction)));
         if own > 0.0 {
             let weight = power_heuristic(own, other) / own;
-            shade(
-                i,
-                LightSample {
-                    direction,
-                    emitter,
-                    weight,
-                },
-            );
+            shade(i, LightSample { weight, ..drawn });
         }
     }
     let mut next = None;
     for i in 0..counts.bsdf_samples {
         let base = dimension + counts.emitter_samples * EMITTER_NUMBERS + i * BSDF_NUMBERS;
-        let local = Diffuse::sample(stream.pair(base));
-        let direction = frame.to_world(local);
-        let hit = accel.first_hit(position, direction);
-        let pdf = Diffuse::pdf(local.z);
-        if pdf > 0.0 {
-            next = next.or(Some(Continuation {
+        let (choice, u) = (stream.number(base), stream.pair(base + 1));
+        let Some(drawn) = vertex.bsdf.sample(vertex.wi, choice, u) else {
+            continue;
+        };
+        let direction = vertex.frame.to_world(drawn.wo).normalized();
+        let hit = accel.first_hit(vertex.position, direction);
+        if i == 0 {
+            next = Some(Continuation {
                 direction,
-                pdf,
+                pdf: drawn.pdf,
+                specular: drawn.specular,
                 hit,
-            }));
+            });
         }
         let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction) else {
             continue;
         };
-        let own = of_bsdf(Diffuse::pdf(direction.dot(normal)));
-        let other = of_emitters(emitter_pdf(accel, emitter, hit.as_ref(), direction, normal));
-        if own > 0.0 {
-            let weight = power_heuristic(own, other) / own;
-            shade(
-                counts.emitter_samples + i,
-                LightSample {
-                    direction,
-                    emitter,
-                    weight,
-                },
-            );
-        }
+        let own = of_bsdf(drawn.pdf);
+        // Nothing else draws a specular direction.
+        let other = match drawn.specular {
+            Some(_) => 0.0,
+            None => of_emitters(emitter_pdf(accel, emitter, hit.as_ref(), direction, vertex)),
+        };
+        let sample = LightSample {
+            direction,
+            emitter,
+            hit,
+            weight: power_heuristic(own, other) / own,
+            specular: drawn.specular,
+        };
+        shade(counts.emitter_samples + i, sample);
     }
     next
 }
@@ -152,7 +160,7 @@ pub fn emitter_pdf(
     emitter: EmitterId,
     hit: Option<&Hit>,
     direction: Vec3,
-    normal: Vec3,
+    vertex: &Vertex<f64>,
 ) -> f64 {
     let chosen = 1.0 / accel.lamps.len() as f64;
     match (&accel.lamps[emitter.0 as usize], hit) {
@@ -160,20 +168,19 @@ pub fn emitter_pdf(
             let face_normal = accel.mesh.face_cross(hit.face as usize).normalized();
             chosen * lamp.solid_angle_pdf(hit.t, face_normal.dot(direction))
         }
-        _ => chosen * Diffuse::pdf(direction.dot(normal)),
+        _ => chosen * environment_pdf(vertex, vertex.frame.to_local(direction)),
     }
 }
 
 /// Draws an emitter uniformly and a direction towards it: a uniform point of a
-/// lamp, or a cosine-distributed direction to the environment. `None` if it is
-/// occluded or seen from behind.
-pub fn sample_emitter(
+/// lamp, or a direction to the environment; with its density, and no weight
+/// yet. `None` if it is occluded or seen from behind.
+fn sample_emitter(
     accel: &Accel,
-    position: Vec3,
-    frame: &Frame,
+    vertex: &Vertex<f64>,
     stream: &Stream,
     dimension: u32,
-) -> Option<(Vec3, EmitterId, f64)> {
+) -> Option<(LightSample, f64)> {
     let count = accel.lamps.len();
     if count == 0 {
         return None;
@@ -182,23 +189,56 @@ pub fn sample_emitter(
     let u = stream.pair(dimension + 1);
     let chosen = 1.0 / count as f64;
     let emitter = EmitterId(index as u32);
+    let sample = |direction: Vec3, hit: Option<Hit>| LightSample {
+        direction,
+        emitter,
+        hit,
+        weight: 0.0,
+        specular: None,
+    };
+    let position = vertex.position;
     let Some(lamp) = &accel.lamps[index] else {
-        let local = Diffuse::sample(u);
-        let direction = frame.to_world(local);
+        let local = sample_environment(vertex, u);
+        let direction = vertex.frame.to_world(local);
         let free = accel.first_hit(position, direction).is_none();
-        return free.then(|| (direction, emitter, chosen * Diffuse::pdf(local.z)));
+        return free.then(|| {
+            let pdf = chosen * environment_pdf(vertex, local);
+            (sample(direction, None), pdf)
+        });
     };
     let point = lamp.sample(u);
     let offset = point.position - position;
     let distance = offset.length();
     let direction = offset / distance;
     let cos_l = -point.normal.dot(direction);
-    let lit = cos_l > 0.0 && direction.dot(frame.n) > 0.0;
+    let lit = cos_l > 0.0 && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
     (lit && accel.visible(position, point.position)).then(|| {
-        (
-            direction,
-            emitter,
-            chosen * lamp.solid_angle_pdf(distance, cos_l),
-        )
+        let hit = Hit {
+            t: distance,
+            face: accel.lamp_face(emitter, point.face),
+            barycentric: point.barycentric,
+        };
+        let pdf = chosen * lamp.solid_angle_pdf(distance, cos_l);
+        (sample(direction, Some(hit)), pdf)
     })
+}
+
+/// A direction in the shading frame: by the cosine, or uniform if light can come
+/// from both sides.
+fn sample_environment(vertex: &Vertex<f64>, u: [f64; 2]) -> Vec3 {
+    if !vertex.transmits {
+        return sample_cosine(u);
+    }
+    let z = 1.0 - 2.0 * u[0];
+    let (sin, cos) = (2.0 * PI * u[1]).sin_cos();
+    let radius = (1.0 - z * z).max(0.0).sqrt();
+    Vec3::new(radius * cos, radius * sin, z)
+}
+
+/// Density per solid angle of [`sample_environment`].
+fn environment_pdf(vertex: &Vertex<f64>, local: Vec3) -> f64 {
+    match vertex.transmits {
+        true => 0.25 * FRAC_1_PI,
+        false => cosine_pdf(local),
+    }
 }

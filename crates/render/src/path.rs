@@ -20,16 +20,18 @@
 //! Sampling, weights and roulette see the scene at rest.
 
 use capwalk_geometry::{Hit, Ray};
-use capwalk_math::{Real, Rgb, Vec3};
-use capwalk_scene::{Diffuse, Integrator};
+use capwalk_math::{Frame, Real, Rgb, Vec3};
+use capwalk_scene::Integrator;
+use capwalk_scene::lobe::{Bsdf, Specular};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::diff::boundary::{Draw, Eye, Field, Numbers};
 use crate::diff::flux::lamp_edge_flux;
 use crate::light::{Continuation, LightSampling, emitter_towards, sample_lights};
+use crate::material::vertex_at;
 use crate::pixel::{Support, Supports};
-use crate::world::{AtRest, World, surface_at};
+use crate::world::{AtRest, World, emitted_at, surface_at};
 
 /// Random numbers by purpose: where in the pixel.
 const FILM: u32 = 0;
@@ -161,35 +163,55 @@ impl<R: Real> FilmPoint<R> {
 }
 
 /// A surface point that scatters light.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Vertex<R> {
     /// Where it is.
     pub position: Vec3<R>,
-    /// Unit shading normal on the side of the viewer.
-    pub normal: Vec3<R>,
-    /// Unit normal of the face on that side.
+    /// Unit normal of the face on the viewer's side.
     pub face_normal: Vec3,
-    /// Of the diffuse material.
-    pub reflectance: Rgb<R>,
+    /// The shading frame.
+    pub frame: Frame<R>,
+    /// Unit direction to the viewer in that frame.
+    pub wi: Vec3<R>,
+    /// What it does to light.
+    pub bsdf: Bsdf<R>,
+    /// True if light can come from both sides.
+    pub transmits: bool,
 }
 
 impl<R: Real> Vertex<R> {
-    /// Reflected radiance per incident radiance and solid angle, the cosine
-    /// included.
+    /// Scattered radiance per incident radiance and solid angle, the cosine
+    /// included; zero for what is perfectly specular.
     #[inline]
     pub fn eval(&self, direction: Vec3<R>) -> Rgb<R> {
-        Diffuse::eval(self.reflectance, self.normal.dot(direction))
+        self.bsdf.eval(self.wi, self.frame.to_local(direction))
+    }
+
+    /// The direction of a specular event, and the fraction of light that comes
+    /// from there.
+    pub fn specular(&self, event: Specular) -> (Vec3<R>, Rgb<R>) {
+        let (wo, throughput) = self.bsdf.specular(event, self.wi);
+        (self.frame.to_world(wo), throughput)
     }
 
     /// The vertex without its derivative.
-    #[inline]
     pub fn value(&self) -> Vertex<f64> {
         Vertex {
             position: self.position.value(),
-            normal: self.normal.value(),
             face_normal: self.face_normal,
-            reflectance: self.reflectance.value(),
+            frame: self.frame.value(),
+            wi: self.wi.value(),
+            bsdf: self.bsdf.value(),
+            transmits: self.transmits,
         }
+    }
+}
+
+impl Vertex<f64> {
+    /// Density per solid angle with which the material draws a direction.
+    #[inline]
+    pub fn pdf(&self, direction: Vec3) -> f64 {
+        self.bsdf.pdf(self.wi, self.frame.to_local(direction))
     }
 }
 
@@ -376,39 +398,45 @@ impl<'a> Tracer<'a> {
         let (accel, plan) = (self.accel, &self.plan);
         let mut hit = self.camera_hit(s, direction.value());
         let mut light = Rgb::zero();
+        let mut origin = world.sensor_origin();
         if plan.reaches(1)
             && !plan.hide_emitters
             && let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction.value())
         {
-            light += world.radiance(emitter);
+            light += emitted_at(world, accel, emitter, hit.as_ref(), origin, direction);
         }
-        let mut origin = world.sensor_origin();
         let mut throughput = Rgb::constant(Rgb::splat(1.0)); // over its density
         for depth in 0.. {
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
                 break;
             };
             let surface = surface_at(world, accel, &found, origin, direction);
-            let Some(bsdf) = surface.bsdf else { break };
-            let vertex = Vertex {
-                position: surface.position,
-                normal: surface.normal,
-                face_normal: surface.face_normal,
-                reflectance: world.reflectance(bsdf),
+            let Some(vertex) = vertex_at(world, &surface, direction) else {
+                break;
             };
             let (emitted, next) = self.emitted(world, &vertex, depth, draw);
             light += throughput.hadamard(emitted);
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
                 break;
             };
-
-            // Light from another surface, along the field around this one.
-            let eye = Eye::towards_surfaces(vertex.position, vertex.face_normal);
-            let (walk, numbers) = self.vertex_walk(depth, 1, draw);
-            let carried = world.carry(&eye, next.direction, walk, numbers);
-            let f = vertex.eval(carried.direction);
-            throughput = throughput.hadamard(f * (carried.stretch * R::constant(1.0 / next.pdf)));
-            if !W::MOVES && throughput.value() == Rgb::zero() {
+            let over_density = R::constant(1.0 / next.pdf);
+            direction = match next.specular {
+                None => {
+                    // Light from another surface, along the field around this one.
+                    let eye = Eye::towards_surfaces(vertex.position, vertex.face_normal);
+                    let (walk, numbers) = self.vertex_walk(depth, 1, draw);
+                    let carried = world.carry(&eye, next.direction, walk, numbers);
+                    let f = vertex.eval(carried.direction);
+                    throughput = throughput.hadamard(f * (carried.stretch * over_density));
+                    carried.direction
+                }
+                Some(event) => {
+                    let (wo, fraction) = vertex.specular(event);
+                    throughput = throughput.hadamard(fraction * over_density);
+                    wo
+                }
+            };
+            if !W::MOVES && throughput == Rgb::zero() {
                 break;
             }
             if depth + 1 >= plan.rr_depth {
@@ -421,10 +449,32 @@ impl<'a> Tracer<'a> {
                 throughput = throughput * R::constant(1.0 / survival);
             }
             origin = vertex.position;
-            direction = carried.direction;
             hit = next.hit;
+            if next.specular.is_some() && self.is_uncovered(world, origin, direction, &hit) {
+                draw.counts.uncovered.set(draw.counts.uncovered.get() + 1);
+            }
         }
         light
+    }
+
+    /// True if outlines seen after a specular event can move against the ray:
+    /// they bound no field yet.
+    fn is_uncovered<R: Real, W: World<R>>(
+        &self,
+        world: &W,
+        origin: Vec3<R>,
+        direction: Vec3<R>,
+        hit: &Option<Hit>,
+    ) -> bool {
+        if !W::MOVES {
+            return false;
+        }
+        if !origin.is_constant() || !direction.is_constant() {
+            return true;
+        }
+        let Some(hit) = hit else { return false };
+        let corners = self.accel.mesh.faces[hit.face as usize];
+        corners.iter().any(|&i| !world.vertex(i).is_constant())
     }
 
     /// Light that arrives from emitters at a moving surface point and is
@@ -438,32 +488,50 @@ impl<'a> Tracer<'a> {
     ) -> (Rgb<R>, Option<Continuation>) {
         let mut light = Rgb::zero();
         let eye = Eye::towards_emitters(vertex.position, vertex.face_normal);
+        let at_rest = vertex.value();
         let next = sample_lights(
             self.accel,
-            vertex.position.value(),
-            vertex.normal.value(),
+            &at_rest,
             self.plan.sampling,
             draw.stream,
             self.plan.vertex_numbers(depth),
             |i, sample| {
+                let weight = R::constant(sample.weight);
+                let radiance = |direction: Vec3<R>| {
+                    let hit = sample.hit.as_ref();
+                    emitted_at(
+                        world,
+                        self.accel,
+                        sample.emitter,
+                        hit,
+                        vertex.position,
+                        direction,
+                    )
+                };
+                if let Some(event) = sample.specular {
+                    let (direction, fraction) = vertex.specular(event);
+                    light += fraction.hadamard(radiance(direction)) * weight;
+                    return;
+                }
                 let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
                 let carried = world.carry(&eye, sample.direction, walk, numbers);
                 let f = vertex.eval(carried.direction);
-                let weight = carried.stretch * R::constant(sample.weight);
-                light += f.hadamard(world.radiance(sample.emitter)) * weight;
+                light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
         );
         if W::MOVES
             && self.plan.sampling.dimensions() > 0
+            && at_rest.bsdf.has_smooth()
             && let Some((field, _)) = self.moving
         {
             // What the field carries over the edges of lamps.
             let u = draw.stream.number(self.flux_number(depth));
             let (walk, numbers) = self.vertex_walk(depth, 0, draw);
             let boundaries = &field.boundaries;
-            light += lamp_edge_flux(
-                self.accel, boundaries, world, &eye, vertex, u, walk, numbers,
+            let flux = lamp_edge_flux(
+                self.accel, boundaries, world, &eye, &at_rest, u, walk, numbers,
             );
+            light += flux;
         }
         (light, next)
     }

@@ -16,6 +16,8 @@ pub struct Sample<const C: usize> {
     pub numbers: [f64; C],
     /// Closest-silhouette queries asked.
     pub cone_queries: u64,
+    /// Specular events behind which outlines can move.
+    pub uncovered: u64,
 }
 
 /// Averages of all pixels, row by row.
@@ -35,6 +37,7 @@ struct Accumulator<const C: usize> {
     samples: u32,
     non_finite: u32,
     cone_queries: u64,
+    uncovered: u64,
 }
 
 /// Pixels that a worker takes at a time.
@@ -65,6 +68,7 @@ pub fn average<const C: usize>(
         samples: 0,
         non_finite: 0,
         cone_queries: 0,
+        uncovered: 0,
     };
     let mut pixels = vec![empty; scene.film.pixel_count()];
     let total = pixels.len() as u64 * u64::from(options.spp);
@@ -113,6 +117,7 @@ pub fn average<const C: usize>(
         samples: sum(|pixel| u64::from(pixel.samples)),
         non_finite: sum(|pixel| u64::from(pixel.non_finite)),
         cone_queries: sum(|pixel| pixel.cone_queries),
+        uncovered: sum(|pixel| pixel.uncovered),
     };
     Averages { pixels, statistics }
 }
@@ -121,6 +126,7 @@ impl<const C: usize> Accumulator<C> {
     fn add(&mut self, sample: Sample<C>, batch: u32) {
         self.samples += 1;
         self.cone_queries += sample.cone_queries;
+        self.uncovered += sample.uncovered;
         if sample.numbers.iter().all(|x| x.is_finite()) {
             for (sum, x) in self.batch.iter_mut().zip(sample.numbers) {
                 *sum += x;
@@ -196,6 +202,7 @@ mod tests {
                 false => [1.0; 3],
             },
             cone_queries: 0,
+            uncovered: 0,
         });
         let statistics = &averages.statistics;
         let share = statistics.non_finite as f64 / statistics.samples as f64;

@@ -4,7 +4,8 @@
 
 use capwalk_geometry::Hit;
 use capwalk_math::{Affine, Real, Rgb, Vec3};
-use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, TextureId};
+use capwalk_scene::lobe::Side;
+use capwalk_scene::{BsdfId, EmitterId, Scene, SurfacePoint, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -42,19 +43,14 @@ pub trait World<R: Real> {
         camera_from_world(&self.scene().sensor.world_from_camera, seen)
     }
 
-    /// Reflectance of a diffuse material.
+    /// The value of a texture at a point of a surface.
     #[inline]
-    fn reflectance(&self, id: BsdfId) -> Rgb<R> {
-        match self.scene().material(id).bsdf {
-            Bsdf::Diffuse { reflectance } => self.texel(reflectance, 0),
-            Bsdf::TwoSided { .. } => unreachable!("a hit's material has been resolved to one side"),
+    fn lookup(&self, id: TextureId, at: &SurfacePoint<R>) -> Rgb<R> {
+        let scene = self.scene();
+        match scene.texture(id).is_constant() {
+            true => self.texel(id, 0),
+            false => scene.lookup(id, at, |id, index| self.texel(id, index)),
         }
-    }
-
-    /// Radiance of an emitter.
-    #[inline]
-    fn radiance(&self, id: EmitterId) -> Rgb<R> {
-        self.texel(self.scene().emitter(id).radiance(), 0)
     }
 }
 
@@ -136,12 +132,16 @@ fn camera_from_world<R: Real>(world_from_camera: &Affine, v: Vec3<R>) -> Vec3<R>
 pub struct Surface<R> {
     /// The hit point.
     pub position: Vec3<R>,
-    /// Unit shading normal on the viewer's side.
-    pub normal: Vec3<R>,
+    /// The same on the shape.
+    pub point: SurfacePoint<R>,
+    /// Unit shading normal on the outside.
+    pub outward: Vec3<R>,
     /// Unit geometric normal on the viewer's side.
     pub face_normal: Vec3,
-    /// The diffuse material of that side, or `None` if it is black.
-    pub bsdf: Option<BsdfId>,
+    /// Which side is seen.
+    pub side: Side,
+    /// The shape's material.
+    pub material: BsdfId,
 }
 
 /// The surface at a hit of the ray from `origin` along `direction`. Which
@@ -173,16 +173,17 @@ pub fn surface_at<R: Real, W: World<R>>(
     } else {
         1.0
     };
+    // Barycentric weights by the areas opposite to the corners.
+    let offset = position - a;
+    let scale = R::constant(1.0) / cross.length_squared();
+    let wb = offset.cross(edge2).dot(cross) * scale;
+    let wc = edge1.cross(offset).dot(cross) * scale;
+    let barycentric = [R::constant(1.0) - wb - wc, wb, wc];
     // Normals given with a mesh say which side of a face is out, even against
     // its winding; all three together, so that it is the same all over it.
     let (outward, out) = match shape.normals.per_vertex() {
         None => (cross.normalized(), 1.0),
         Some(_) => {
-            // Barycentric weights by the areas opposite to the corners.
-            let offset = position - a;
-            let scale = R::constant(1.0) / cross.length_squared();
-            let wb = offset.cross(edge2).dot(cross) * scale;
-            let wc = edge1.cross(offset).dot(cross) * scale;
             let first = accel.first_vertex[shape_id.0 as usize];
             let [na, nb, nc] = corners.map(|i| world.normal(shape_id.0 as usize, i - first));
             let out = (na + nb + nc).value().dot(face_normal).signum();
@@ -190,12 +191,43 @@ pub fn surface_at<R: Real, W: World<R>>(
             (normal, out)
         }
     };
-    let facing = seen * out;
-    let bsdf = scene.facing_bsdf(shape.bsdf, facing);
+    let face = (hit.face - accel.first_face[shape_id.0 as usize]) as usize;
     Surface {
         position,
-        normal: outward * R::constant(facing),
+        point: SurfacePoint {
+            shape: shape_id,
+            face,
+            barycentric,
+            uv: shape.uv(face, barycentric),
+        },
+        outward,
         face_normal: face_normal * seen,
-        bsdf: bsdf.map(|facing| facing.id),
+        side: if seen * out > 0.0 {
+            Side::Front
+        } else {
+            Side::Back
+        },
+        material: shape.bsdf,
+    }
+}
+
+/// What an emitter sends back along a ray that meets it at `hit`, or in no
+/// surface if it is the environment.
+pub fn emitted_at<R: Real, W: World<R>>(
+    world: &W,
+    accel: &Accel,
+    emitter: EmitterId,
+    hit: Option<&Hit>,
+    origin: Vec3<R>,
+    direction: Vec3<R>,
+) -> Rgb<R> {
+    let scene = accel.scene;
+    let radiance = scene.emitter(emitter).radiance();
+    match hit {
+        Some(hit) if !scene.texture(radiance).is_constant() => {
+            let surface = surface_at(world, accel, hit, origin, direction);
+            world.lookup(radiance, &surface.point)
+        }
+        _ => world.texel(radiance, 0),
     }
 }

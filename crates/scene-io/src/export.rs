@@ -1,11 +1,13 @@
-//! A [`Scene`] as files that Mitsuba 3 and capwalk read: one XML file, and
-//! one PLY file per shape.
+//! A [`Scene`] as files that Mitsuba 3 and capwalk read: one XML file, one PLY
+//! file per shape, and one EXR file per bitmap.
 //!
 //! Numbers are written with all their digits and meshes in double precision,
 //! so loading the files gives the same scene again: to the bit, but for given
 //! normals, the sensor's rotation and its field of view, which are normalised
 //! or computed anew and may differ in the last digit. Mitsuba rounds to its own
 //! precision when it loads.
+//!
+//! Texels of bitmaps are written in single precision.
 //!
 //! Two things cannot be told in XML: materials come back in the order in which
 //! they are first used, and the constant emitter comes back behind the lamps.
@@ -14,15 +16,17 @@
 mod ply;
 mod xml;
 
-use std::collections::HashSet;
+use std::collections::{BTreeMap, HashSet};
 use std::fmt;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use capwalk_scene::Scene;
+use capwalk_scene::texture::Bitmap;
+use capwalk_scene::{Image, Pattern, Scene, Texture};
 
 use crate::atomic::write_atomically;
+use crate::image::{Picture, VALUE, encode_exr};
 
 /// A file that could not be written.
 #[derive(Debug)]
@@ -47,7 +51,8 @@ impl std::error::Error for ExportError {
 
 /// Writes the scene and returns the path of its XML file. A path that ends in
 /// `.xml` is that file; any other is a directory to put `scene.xml` into. The
-/// meshes go to a directory beside the XML, named after it: `scene_meshes`.
+/// meshes go to a directory beside the XML, named after it: `scene_meshes`;
+/// bitmaps to `scene_textures`.
 /// Directories are made where they are missing, files of the same name
 /// replaced.
 pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
@@ -63,19 +68,41 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
     let directory = xml_path.with_file_name(&folder);
     at(&directory, fs::create_dir_all(&directory))?;
 
-    let names = mesh_names(scene);
+    let mut files = Files::default();
+    let names = file_names(scene.shapes.iter().map(|s| s.id.as_str()), "ply");
     for (shape, name) in scene.shapes.iter().zip(&names) {
         let path = directory.join(name);
         at(
             &path,
-            write_atomically(&path, |file| ply::write(shape, file)),
+            write_atomically(&path, |file| ply::write(scene, shape, file)),
         )?;
+        files.meshes.push(format!("{folder}/{name}"));
     }
-    // The XML comes last: where it is, the meshes it names are.
-    let files: Vec<String> = names
-        .iter()
-        .map(|name| format!("{folder}/{name}"))
+
+    let folder = format!("{stem}_textures");
+    let directory = xml_path.with_file_name(&folder);
+    let bitmaps = scene.textures.iter().enumerate();
+    let bitmaps: Vec<_> = bitmaps
+        .filter_map(|(i, texture)| match &texture.pattern {
+            Pattern::Bitmap(bitmap) => Some((i, texture, bitmap)),
+            _ => None,
+        })
         .collect();
+    if !bitmaps.is_empty() {
+        at(&directory, fs::create_dir_all(&directory))?;
+    }
+    let names = file_names(bitmaps.iter().map(|(_, t, _)| t.id.as_str()), "exr");
+    for ((i, texture, bitmap), name) in bitmaps.into_iter().zip(names) {
+        let path = directory.join(&name);
+        let bytes = exr_of(texture, bitmap).map_err(io::Error::other);
+        let bytes = at(&path, bytes)?;
+        at(
+            &path,
+            write_atomically(&path, |file| file.write_all(&bytes)),
+        )?;
+        files.bitmaps.insert(i, format!("{folder}/{name}"));
+    }
+    // The XML comes last: where it is, the files it names are.
     let text = xml::text(scene, &files);
     let written = write_atomically(&xml_path, |file| file.write_all(text.as_bytes()));
     at(&xml_path, written)?;
@@ -89,9 +116,33 @@ fn at<T>(path: &Path, result: io::Result<T>) -> Result<T, ExportError> {
     })
 }
 
-/// A file name for each shape: its id, with what file systems dislike replaced
+/// The files that the XML names, relative to it.
+#[derive(Default)]
+struct Files {
+    /// Of each shape.
+    meshes: Vec<String>,
+    /// Of textures that are bitmaps.
+    bitmaps: BTreeMap<usize, String>,
+}
+
+fn exr_of(texture: &Texture, bitmap: &Bitmap) -> Result<Vec<u8>, String> {
+    let (width, height) = (bitmap.width as usize, bitmap.height as usize);
+    let pixels = (0..texture.texels()).map(|i| texture.texel(i)).collect();
+    let mut picture = Picture::default();
+    picture.push(
+        VALUE,
+        Image {
+            width,
+            height,
+            pixels,
+        },
+    );
+    encode_exr(&picture, [width, height])
+}
+
+/// A file name for each id: the id, with what file systems dislike replaced
 /// by `_`, and a number where two would be the same in any case.
-fn mesh_names(scene: &Scene) -> Vec<String> {
+fn file_names<'a>(ids: impl Iterator<Item = &'a str>, ending: &str) -> Vec<String> {
     let mut taken = HashSet::new();
     let plain = |c: char| c.is_alphanumeric() || "-_.".contains(c);
     let name_of = |id: &str| {
@@ -102,16 +153,16 @@ fn mesh_names(scene: &Scene) -> Vec<String> {
             None => name,
         }
     };
-    let unique = |shape: &capwalk_scene::Shape| {
-        let name = name_of(&shape.id);
+    let unique = |id: &str| {
+        let name = name_of(id);
         let numbered = (2..).map(|n: u64| format!("{name}_{n}"));
         let mut candidates = std::iter::once(name.clone()).chain(numbered);
         let free = candidates
             .find(|candidate| taken.insert(candidate.to_lowercase()))
             .expect("numbers do not run out before names do");
-        format!("{free}.ply")
+        format!("{free}.{ending}")
     };
-    scene.shapes.iter().map(unique).collect()
+    ids.map(unique).collect()
 }
 
 #[cfg(test)]

@@ -25,6 +25,9 @@ use std::path::{Path, PathBuf};
 use capwalk_scene::Image;
 
 pub use panel::{Panel, Style, write_panels};
+
+pub(crate) use exr::decode as decode_exr;
+pub(crate) use exr::encode as encode_exr;
 pub use tone::robust_limit;
 
 use crate::atomic;

@@ -21,7 +21,8 @@
 //! # Ok::<(), capwalk_scene_io::LoadError>(())
 //! ```
 
-// Reading scenes and meshes.
+// Reading scenes, meshes and textures.
+mod bitmap;
 mod error;
 mod fields;
 mod load;

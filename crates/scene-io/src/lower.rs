@@ -6,15 +6,19 @@ mod emitter;
 mod film;
 mod integrator;
 mod mesh_file;
+mod metals;
 mod sampler;
 mod sensor;
 mod shape;
+mod texture;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use capwalk_scene::scene::BsdfId;
-use capwalk_scene::{Emitter, Material, Scene, SceneError, Settings, Shape, Texture, TextureId};
+use capwalk_scene::{
+    Emitter, Material, Quantity, Scene, SceneError, Settings, Shape, Texture, TextureId,
+};
 
 use crate::fields::{Child, Context, Fields};
 use crate::node::{Kind, NodeId};
@@ -30,8 +34,11 @@ struct Lowering<'a> {
     emitters: Vec<Emitter>,
     textures: Vec<Texture>,
     material_of_node: BTreeMap<NodeId, BsdfId>,
+    texture_of_node: BTreeMap<NodeId, TextureId>,
     /// Area emitters that have their shape.
     attached: BTreeSet<NodeId>,
+    /// How many materials the one being read stands in.
+    bsdf_depth: usize,
     shape_ids: Names,
     material_ids: Names,
     places: Places,
@@ -44,6 +51,8 @@ struct Places {
     shapes: Vec<Span>,
     /// Of each emitter.
     emitters: Vec<Span>,
+    /// Of each material.
+    materials: Vec<Span>,
     /// Of numbers, by the names that [`SceneError::BadNumber`] uses.
     numbers: BTreeMap<String, Span>,
     film: Option<Span>,
@@ -80,7 +89,9 @@ pub(crate) fn lower(
         emitters: Vec::new(),
         textures: Vec::new(),
         material_of_node: BTreeMap::new(),
+        texture_of_node: BTreeMap::new(),
         attached: BTreeSet::new(),
+        bsdf_depth: 0,
         shape_ids: Names::default(),
         material_ids: Names::default(),
         places: Places::default(),
@@ -138,6 +149,11 @@ impl Lowering<'_> {
         for part in [Kind::Film, Kind::Filter, Kind::Sampler] {
             fields.children(part);
         }
+        for (i, texture) in fields.children(Kind::Texture).into_iter().enumerate() {
+            // Colours that are not in an emitter reflect, as in Mitsuba.
+            let name = format!("texture_{i}");
+            self.texture(texture.node, &name, Quantity::Reflectance)?;
+        }
         for bsdf in fields.children(Kind::Bsdf) {
             self.bsdf(bsdf.node, &format!("bsdf_{}", self.materials.len()))?;
         }
@@ -146,10 +162,6 @@ impl Lowering<'_> {
         }
         for emitter in fields.children(Kind::Emitter) {
             self.scene_emitter(emitter)?;
-        }
-        let textures = fields.children(Kind::Texture);
-        if let Some(texture) = textures.first() {
-            return Err(colour::textures_unsupported(texture.span));
         }
         fields.finish()?;
         if self.emitters.is_empty() {
@@ -178,7 +190,9 @@ impl Lowering<'_> {
 
     /// Adds a texture whose numbers stand at `span`.
     fn add_texture(&mut self, texture: Texture, span: Span) -> TextureId {
-        self.places.numbers.insert(texture.parameter_name(), span);
+        for part in texture.parts() {
+            self.places.numbers.insert(texture.part_name(part), span);
+        }
         self.textures.push(texture);
         TextureId(self.textures.len() as u32 - 1)
     }
@@ -233,16 +247,25 @@ impl Places {
             index.map(|i| self.shapes[i])
         };
         let span = match &error {
-            SceneError::Mesh { shape, .. } | SceneError::DuplicateId { id: shape } => {
-                shape_span(shape)
-            }
+            SceneError::Mesh { shape, .. }
+            | SceneError::DuplicateId { id: shape }
+            | SceneError::NoTextureCoordinates { shape, .. }
+            | SceneError::NoAttribute { shape, .. } => shape_span(shape),
             SceneError::ZeroAreaLamp { shape } => {
                 let lamp = scene.shapes.iter().find(|s| s.id == *shape);
                 let emitter = lamp.and_then(|s| s.emitter);
                 emitter.map(|e| self.emitters[e.0 as usize])
             }
+            SceneError::Material { material, .. } => {
+                let index = scene.materials.iter().position(|m| m.id == *material);
+                index.map(|i| self.materials[i])
+            }
             SceneError::PictureSize { .. } => self.film,
-            SceneError::BadNumber { name, .. } => self.numbers.get(name).copied(),
+            SceneError::BadNumber { name, .. } => {
+                // `wood.data, texel 5` stands where `wood.data` does.
+                let number = name.split(", texel ").next().unwrap_or(name);
+                self.numbers.get(number).copied()
+            }
             SceneError::SeveralEnvironments => {
                 let emitters = scene.emitters.iter().zip(&self.emitters);
                 let mut environments = emitters.filter(|(e, _)| e.is_environment());

@@ -2,6 +2,7 @@
 
 mod obj;
 mod ply;
+mod ply_attribute;
 mod ply_header;
 
 pub use obj::read_obj;
@@ -17,8 +18,25 @@ pub struct MeshFile {
     pub mesh: Mesh,
     /// Unit normals of the vertices, if the file has them and they were wanted.
     pub normals: Option<Vec<Vec3>>,
+    /// Texture coordinates of the vertices, if the file has them for all.
+    pub uvs: Option<Vec<[f64; 2]>>,
+    /// Other numbers of vertices and triangles.
+    pub attributes: Vec<FileAttribute>,
     /// What the file has besides, and was not read.
     pub skipped: Vec<String>,
+}
+
+/// Numbers of all vertices or of all triangles.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FileAttribute {
+    /// Its name; it begins with `vertex_` or `face_`.
+    pub name: String,
+    /// 1 or 3.
+    pub channels: usize,
+    /// The numbers of one vertex or triangle after the other.
+    pub data: Vec<f64>,
+    /// True if the file has whole numbers.
+    pub is_integer: bool,
 }
 
 /// Why a mesh file cannot be read.
@@ -54,23 +72,15 @@ impl std::fmt::Display for MeshFileError {
 impl std::error::Error for MeshFileError {}
 
 /// The finished mesh, unless it is empty.
-fn finish(
-    mesh: Mesh,
-    normals: Option<Vec<Vec3>>,
-    skipped: Vec<String>,
-) -> Result<MeshFile, MeshFileError> {
-    if mesh.faces.is_empty() {
+fn finish(file: MeshFile) -> Result<MeshFile, MeshFileError> {
+    if file.mesh.faces.is_empty() {
         return Err(MeshFileError::new(
             "",
             "the file has no faces",
             "expected a mesh with at least one triangle",
         ));
     }
-    Ok(MeshFile {
-        mesh,
-        normals,
-        skipped,
-    })
+    Ok(file)
 }
 
 /// Cuts a polygon into triangles around its first corner, as Mitsuba does.

@@ -110,16 +110,18 @@ pub(crate) fn rgb(attribute: &Attribute) -> Result<Rgb, Problem> {
     }
 }
 
-/// Linear light of an sRGB code (IEC 61966-2-1).
+/// Linear light of an sRGB code.
 fn hex_colour(code: u32) -> Rgb {
-    let channel = |shift: u32| {
-        let encoded = f64::from((code >> shift) & 0xff) / 255.0;
-        match encoded <= 0.04045 {
-            true => encoded / 12.92,
-            false => ((encoded + 0.055) / 1.055).powf(2.4),
-        }
-    };
+    let channel = |shift: u32| linear_of_srgb(f64::from((code >> shift) & 0xff) / 255.0);
     Rgb::new(channel(16), channel(8), channel(0))
+}
+
+/// Linear light of a channel encoded as sRGB, both from 0 to 1 (IEC 61966-2-1).
+pub(crate) fn linear_of_srgb(encoded: f64) -> f64 {
+    match encoded <= 0.04045 {
+        true => encoded / 12.92,
+        false => ((encoded + 0.055) / 1.055).powf(2.4),
+    }
 }
 
 /// `<spectrum value="0.5"/>`, or one that depends on the wavelength.

@@ -1,11 +1,8 @@
-//! Materials. To add one: write its struct with `eval`, `sample` and `pdf` in
-//! a file of its own under `bsdf/`, add a variant here, and follow the
-//! compiler.
+//! Materials: what a file says of a surface. What it does to light at a point is
+//! in [`crate::lobe`]. To add one: add a variant here, and follow the compiler.
 
-mod diffuse;
-
-pub use diffuse::{BsdfSample, Diffuse};
-
+use crate::lobe::Distribution;
+use crate::quantity::Quantity;
 use crate::scene::{BsdfId, Scene};
 use crate::texture::TextureId;
 
@@ -26,6 +23,31 @@ pub enum Bsdf {
         /// Fraction of light reflected.
         reflectance: TextureId,
     },
+    /// A metal mirror, from its front side only.
+    Conductor(Metal),
+    /// A metal of microfacets, from its front side only.
+    RoughConductor(Metal, Facets),
+    /// The surface of a clear body.
+    Dielectric(Glass),
+    /// The surface of a clear body, of microfacets.
+    RoughDielectric(Glass, Facets),
+    /// A clear pane without thickness.
+    ThinDielectric(Glass),
+    /// A clear coat over a diffuse base, from its front side only.
+    Plastic(Coat),
+    /// A rough clear coat over a diffuse base, from its front side only.
+    RoughPlastic {
+        /// Coat and base.
+        coat: Coat,
+        /// Distribution of the facets.
+        distribution: Distribution,
+        /// Roughness of the coat; a constant.
+        alpha: TextureId,
+    },
+    /// Many looks from few numbers.
+    Principled(Principled),
+    /// Nothing: light passes.
+    Null,
     /// Has a front and a back.
     TwoSided {
         /// Material of the side that the normal points to.
@@ -33,15 +55,320 @@ pub enum Bsdf {
         /// Material of the other side.
         back: BsdfId,
     },
+    /// Partly there.
+    Mask {
+        /// Fraction of light that meets the material; the rest passes.
+        opacity: TextureId,
+        /// The material.
+        nested: BsdfId,
+    },
+    /// Two materials mixed.
+    Blend {
+        /// Fraction of the second.
+        weight: TextureId,
+        /// The materials.
+        nested: [BsdfId; 2],
+    },
+    /// Normals from a texture, relative to the shading frame.
+    NormalMap {
+        /// `(n + 1) / 2`.
+        normals: TextureId,
+        /// The material.
+        nested: BsdfId,
+        /// What is done about normals that go too far.
+        limits: NormalLimits,
+    },
+    /// Normals from the slopes of a texture.
+    BumpMap {
+        /// Heights, in world units.
+        heights: TextureId,
+        /// Factor on the heights.
+        scale: f64,
+        /// The material.
+        nested: BsdfId,
+        /// What is done about normals that go too far.
+        limits: NormalLimits,
+    },
+}
+
+/// The numbers of a metal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Metal {
+    /// Refractive index.
+    pub eta: TextureId,
+    /// Extinction.
+    pub k: TextureId,
+    /// Factor on what is reflected.
+    pub specular_reflectance: TextureId,
+}
+
+/// How rough a surface is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Facets {
+    /// Distribution of their normals.
+    pub distribution: Distribution,
+    /// Roughness along tangent and bitangent; one texture if it is the same.
+    pub alpha: [TextureId; 2],
+}
+
+/// The numbers of a clear body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Glass {
+    /// Refractive index on the side that the normal points away from.
+    pub int_ior: TextureId,
+    /// Refractive index on the side that the normal points to.
+    pub ext_ior: TextureId,
+    /// Factor on what is reflected.
+    pub specular_reflectance: TextureId,
+    /// Factor on what is transmitted.
+    pub specular_transmittance: TextureId,
+}
+
+/// The numbers of a clear coat and its base.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coat {
+    /// Refractive index of the coat.
+    pub int_ior: TextureId,
+    /// Refractive index outside.
+    pub ext_ior: TextureId,
+    /// Fraction of light reflected by the base.
+    pub diffuse_reflectance: TextureId,
+    /// Factor on what the coat reflects.
+    pub specular_reflectance: TextureId,
+    /// True if light takes the colour of the base each time it gets there.
+    pub nonlinear: bool,
+}
+
+/// The numbers of [`Bsdf::Principled`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names are those of the literature")]
+pub struct Principled {
+    pub base_color: TextureId,
+    pub roughness: TextureId,
+    pub anisotropic: TextureId,
+    pub metallic: TextureId,
+    pub spec_trans: TextureId,
+    pub index: PrincipledIndex,
+    pub spec_tint: TextureId,
+    pub sheen: TextureId,
+    pub sheen_tint: TextureId,
+    pub flatness: TextureId,
+    pub clearcoat: TextureId,
+    pub clearcoat_gloss: TextureId,
+}
+
+/// How much a principled material refracts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PrincipledIndex {
+    /// Refractive index relative to the outside.
+    Eta(TextureId),
+    /// 0 to 1: 8 % of it is reflected at normal incidence.
+    Specular(TextureId),
+}
+
+/// What is done about perturbed normals that go too far.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NormalLimits {
+    /// True if normals that turn away from the viewer are turned back.
+    pub flip_invalid: bool,
+    /// True if light fades where the surface would hide itself.
+    pub shadowing: bool,
+}
+
+/// A place for a texture in a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Slot {
+    /// Its name.
+    pub name: &'static str,
+    /// What stands there.
+    pub texture: TextureId,
+    /// What its numbers are.
+    pub quantity: Quantity,
 }
 
 impl Bsdf {
-    /// The textures that stand in it, with the names of their slots.
-    pub fn textures(&self) -> Vec<(&'static str, TextureId)> {
-        match *self {
-            Self::Diffuse { reflectance } => vec![("reflectance", reflectance)],
-            Self::TwoSided { .. } => Vec::new(),
+    /// The plugin's name.
+    pub fn plugin(&self) -> &'static str {
+        match self {
+            Self::Diffuse { .. } => "diffuse",
+            Self::Conductor(_) => "conductor",
+            Self::RoughConductor(..) => "roughconductor",
+            Self::Dielectric(_) => "dielectric",
+            Self::RoughDielectric(..) => "roughdielectric",
+            Self::ThinDielectric(_) => "thindielectric",
+            Self::Plastic(_) => "plastic",
+            Self::RoughPlastic { .. } => "roughplastic",
+            Self::Principled(_) => "principled",
+            Self::Null => "null",
+            Self::TwoSided { .. } => "twosided",
+            Self::Mask { .. } => "mask",
+            Self::Blend { .. } => "blendbsdf",
+            Self::NormalMap { .. } => "normalmap",
+            Self::BumpMap { .. } => "bumpmap",
         }
+    }
+
+    /// The textures that stand in it.
+    pub fn slots(&self) -> Vec<Slot> {
+        use Quantity::*;
+        let mut slots = Vec::new();
+        let mut add = |name, texture, quantity| {
+            slots.push(Slot {
+                name,
+                texture,
+                quantity,
+            });
+        };
+        match self {
+            Self::Diffuse { reflectance } => add("reflectance", *reflectance, Reflectance),
+            Self::Conductor(metal) => metal.slots(add),
+            Self::RoughConductor(metal, facets) => {
+                facets.slots(&mut add);
+                metal.slots(add);
+            }
+            Self::Dielectric(glass) => glass.slots(RefractiveIndex { bends: true }, add),
+            Self::ThinDielectric(glass) => glass.slots(RefractiveIndex { bends: false }, add),
+            Self::RoughDielectric(glass, facets) => {
+                facets.slots(&mut add);
+                glass.slots(RefractiveIndex { bends: false }, add);
+            }
+            Self::Plastic(coat) => coat.slots(add),
+            Self::RoughPlastic { coat, alpha, .. } => {
+                add("alpha", *alpha, Roughness);
+                coat.slots(add);
+            }
+            Self::Principled(principled) => principled.slots(add),
+            Self::Null | Self::TwoSided { .. } => {}
+            Self::Mask { opacity, .. } => add("opacity", *opacity, Fraction),
+            Self::Blend { weight, .. } => add("weight", *weight, Fraction),
+            Self::NormalMap { normals, .. } => add("normalmap", *normals, Normal),
+            Self::BumpMap { heights, .. } => add("nested_texture", *heights, Height),
+        }
+        slots
+    }
+
+    /// The materials that it is made of.
+    pub fn parts(&self) -> Vec<BsdfId> {
+        let parts = self.named_parts().into_iter();
+        parts.map(|(_, part)| part).collect()
+    }
+
+    /// The materials that it is made of, and their names in it.
+    pub fn named_parts(&self) -> Vec<(&'static str, BsdfId)> {
+        match *self {
+            Self::TwoSided { front, back } => vec![("brdf_0", front), ("brdf_1", back)],
+            Self::Blend {
+                nested: [first, second],
+                ..
+            } => vec![("bsdf_0", first), ("bsdf_1", second)],
+            Self::Mask { nested, .. }
+            | Self::NormalMap { nested, .. }
+            | Self::BumpMap { nested, .. } => vec![("nested_bsdf", nested)],
+            Self::Diffuse { .. }
+            | Self::Conductor(_)
+            | Self::RoughConductor(..)
+            | Self::Dielectric(_)
+            | Self::RoughDielectric(..)
+            | Self::ThinDielectric(_)
+            | Self::Plastic(_)
+            | Self::RoughPlastic { .. }
+            | Self::Principled(_)
+            | Self::Null => Vec::new(),
+        }
+    }
+
+    /// The one material whose look it has on all sides that it shows, if it is
+    /// made of one.
+    pub fn shown_part(&self) -> Option<BsdfId> {
+        match *self {
+            Self::TwoSided { front, back } => (front == back).then_some(front),
+            Self::Mask { nested, .. }
+            | Self::NormalMap { nested, .. }
+            | Self::BumpMap { nested, .. } => Some(nested),
+            _ => None,
+        }
+    }
+}
+
+impl Metal {
+    fn slots(&self, mut add: impl FnMut(&'static str, TextureId, Quantity)) {
+        add("eta", self.eta, Quantity::MetalIndex);
+        add("k", self.k, Quantity::Extinction);
+        let factor = Quantity::Reflectance;
+        add("specular_reflectance", self.specular_reflectance, factor);
+    }
+}
+
+impl Facets {
+    fn slots(&self, add: &mut impl FnMut(&'static str, TextureId, Quantity)) {
+        let [u, v] = self.alpha;
+        if u == v {
+            add("alpha", u, Quantity::Roughness);
+        } else {
+            add("alpha_u", u, Quantity::Roughness);
+            add("alpha_v", v, Quantity::Roughness);
+        }
+    }
+}
+
+impl Glass {
+    fn slots(&self, index: Quantity, mut add: impl FnMut(&'static str, TextureId, Quantity)) {
+        add("int_ior", self.int_ior, index);
+        add("ext_ior", self.ext_ior, index);
+        let factor = Quantity::Reflectance;
+        add("specular_reflectance", self.specular_reflectance, factor);
+        let factor = Quantity::Transmittance;
+        add(
+            "specular_transmittance",
+            self.specular_transmittance,
+            factor,
+        );
+    }
+}
+
+impl Coat {
+    fn slots(&self, mut add: impl FnMut(&'static str, TextureId, Quantity)) {
+        let index = Quantity::RefractiveIndex { bends: false };
+        add("int_ior", self.int_ior, index);
+        add("ext_ior", self.ext_ior, index);
+        let reflectance = Quantity::Reflectance;
+        add("diffuse_reflectance", self.diffuse_reflectance, reflectance);
+        add(
+            "specular_reflectance",
+            self.specular_reflectance,
+            reflectance,
+        );
+    }
+}
+
+impl Principled {
+    fn slots(&self, mut add: impl FnMut(&'static str, TextureId, Quantity)) {
+        add("base_color", self.base_color, Quantity::Reflectance);
+        match self.index {
+            PrincipledIndex::Eta(eta) => {
+                add("eta", eta, Quantity::RefractiveIndex { bends: false });
+            }
+            PrincipledIndex::Specular(specular) => add("specular", specular, Quantity::Fraction),
+        }
+        for (name, texture) in self.fractions() {
+            add(name, texture, Quantity::Fraction);
+        }
+    }
+
+    /// All that is a number from 0 to 1, but for `specular`.
+    fn fractions(&self) -> [(&'static str, TextureId); 10] {
+        [
+            ("roughness", self.roughness),
+            ("anisotropic", self.anisotropic),
+            ("metallic", self.metallic),
+            ("spec_trans", self.spec_trans),
+            ("spec_tint", self.spec_tint),
+            ("sheen", self.sheen),
+            ("sheen_tint", self.sheen_tint),
+            ("flatness", self.flatness),
+            ("clearcoat", self.clearcoat),
+            ("clearcoat_gloss", self.clearcoat_gloss),
+        ]
     }
 }
 
@@ -58,15 +385,12 @@ impl Scene {
     /// The material shown to a viewer on the side `cos_i` (positive: the side
     /// the shading normal points to), or `None` if that side is black.
     pub fn facing_bsdf(&self, id: BsdfId, cos_i: f64) -> Option<Facing> {
-        let one_sided = |id: BsdfId, flipped: bool| match &self.material(id).bsdf {
-            Bsdf::Diffuse { .. } => Some(Facing { id, flipped }),
-            Bsdf::TwoSided { .. } => None,
+        let (id, flipped) = match &self.material(id).bsdf {
+            Bsdf::TwoSided { front, .. } if cos_i > 0.0 => (*front, false),
+            Bsdf::TwoSided { back, .. } if cos_i < 0.0 => (*back, true),
+            _ if cos_i > 0.0 => (id, false),
+            _ => return None,
         };
-        match &self.material(id).bsdf {
-            Bsdf::TwoSided { front, .. } if cos_i > 0.0 => one_sided(*front, false),
-            Bsdf::TwoSided { back, .. } if cos_i < 0.0 => one_sided(*back, true),
-            Bsdf::Diffuse { .. } if cos_i > 0.0 => one_sided(id, false),
-            _ => None,
-        }
+        Some(Facing { id, flipped })
     }
 }

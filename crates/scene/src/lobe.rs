@@ -4,11 +4,11 @@
 //! `tests/lobes/table.rs`, which tests it.
 //!
 //! Formulas are those of Mitsuba 3's plugins of the same names. They differ in
-//! three places, by less than noise: shadowing of Beckmann's facets is the
-//! integral and not a fit to it (up to 0.35 %); refraction by facets that stand
+//! three places: shadowing of Beckmann's facets is the integral and not a fit
+//! to it (up to 0.35 % for each direction); refraction by facets that stand
 //! upright fades out and does not jump (0.05 % of what a GGX surface of
 //! roughness 0.3 transmits); the transmittance of rough coats is integrated
-//! more exactly (0.1 %).
+//! more exactly (0.1 %, for `eta` below 1 0.3 %).
 //!
 //! A lobe has its numbers in it and knows nothing of textures, frames or faces.
 //! All directions are unit vectors in the shading frame, normal `+z`, and point
@@ -76,6 +76,7 @@ pub use conductor::Conductor;
 pub use dielectric::Dielectric;
 pub use diffuse::Diffuse;
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_diffuse};
+pub use local::{cosine_pdf, sample_cosine};
 pub use microfacets::{Distribution, Microfacets};
 pub use null::Null;
 pub use plastic::Plastic;

@@ -10,7 +10,12 @@
 //! | `<emitter>.radiance.value` (…) | the same for the constant emitter |
 //! | `<material>.reflectance.value` (…) | reflectance by one |
 //! | `<shape>.bsdf.reflectance.value` (…) | the same, of the shape's material |
+//! | `<material>.reflectance.data` (…) | all texels of a bitmap by one |
+//! | `<material>.reflectance.color0.value` (…), `color1` | a colour of a checkerboard by one |
+//! | `<shape>.vertex_color` (…) | an attribute of a mesh by one, at all vertices or faces |
 //! | `sensor.translate.x` (…), `sensor.rotate.x` (…) | as for shapes, about the sensor's origin |
+//!
+//! A texture with an id is called by it: `<texture>.value`, `<texture>.data`.
 //!
 //! Arrays, whose numbers each may change by themselves ([`arrays`]):
 //!
@@ -18,7 +23,9 @@
 //! |---|---|---|
 //! | `<shape>.positions` | (V, 3) | vertices, world units |
 //! | `<shape>.normals` | (V, 3) | shading normals, where they are given with the mesh |
-//! | `<emitter>.radiance.value`, `<material>.reflectance.value` | (3,) or (1,) | the channels |
+//! | `<emitter>.radiance.value`, `<material>.reflectance.value` (…) | (3,) or (1,) | the channels |
+//! | `<material>.reflectance.data` (…) | (H, W, 3) or (H, W, 1) | texels of a bitmap, from the top |
+//! | `<shape>.vertex_color` (…) | (V, 3) or (F, 3) | an attribute of a mesh, or one channel |
 //! | `sensor.translate`, `sensor.rotate` | (3,) | motion and turn in world axes |
 //!
 //! The sensor answers to its own id too. The centre is that of the bounding
@@ -47,7 +54,8 @@ pub struct Parameter {
     /// What sort of change it is.
     pub kind: ParameterKind,
     /// What it is now: 0 for translations and rotations, 1 for scales, a
-    /// colour (three numbers) or one channel of it.
+    /// colour (three numbers) or one channel of it. Empty for the texels of a
+    /// bitmap and for attributes of meshes.
     pub value: Vec<f64>,
     /// Unit of the value, and of the derivative's denominator.
     pub unit: &'static str,
@@ -78,6 +86,22 @@ pub enum ParameterKind {
     Positions,
     /// Shading normals given with a shape.
     Normals,
+    /// Something that comes with a mesh, per vertex or per face.
+    Attribute,
+    /// How much a material transmits.
+    Transmittance,
+    /// How rough a surface is.
+    Roughness,
+    /// A refractive index, or the real part of one.
+    RefractiveIndex,
+    /// The imaginary part of a refractive index.
+    Extinction,
+    /// A number from 0 to 1: opacity, weight, metallic ...
+    Fraction,
+    /// Normals from a texture.
+    Normal,
+    /// Heights from a texture.
+    Height,
     /// Position of the sensor along a world axis.
     SensorTranslation,
     /// Angle of the sensor about a world axis through its origin.

@@ -6,8 +6,10 @@
 //! they deviate by less than [`OUTLINE_ERROR`].
 
 mod icosphere;
+mod uv;
 
 pub use icosphere::icosphere;
+pub use uv::{FaceUvs, cube_uvs, disk_uvs, rectangle_uvs, sphere_uvs};
 
 use std::f64::consts::PI;
 
@@ -90,19 +92,27 @@ pub fn disk(world_from_object: Affine) -> (Mesh, ShadingNormals) {
 /// Where the map mirrors, the sphere turns inside out. The flat shapes do not;
 /// both as in Mitsuba 3.9.
 pub fn sphere(world_from_object: Affine, centre: Vec3, radius: f64) -> (Mesh, ShadingNormals) {
-    let mut mesh = icosphere(SPHERE_FREQUENCY);
-    // The icosahedron's edges lie in planes of symmetry. Turned at random they
-    // do not line up with axes, cameras and lamps. It stays symmetric about
-    // its centre, so the bounding box keeps its centre there.
-    let turned = Affine::rotate(Vec3::new(0.36, 0.48, -0.8), 0.7);
+    let mut mesh = turned_icosphere();
     let side = world_from_object.determinant().signum();
     let mut normals = Vec::with_capacity(mesh.positions.len());
     for p in &mut mesh.positions {
-        let direction = turned.vector(*p);
+        let direction = *p;
         *p = world_from_object.point(centre + direction * radius);
         normals.push(world_from_object.normal(direction).normalized() * side);
     }
     (mesh, ShadingNormals::Given(normals))
+}
+
+/// The unit sphere. The icosahedron's edges lie in planes of symmetry. Turned at
+/// random they do not line up with axes, cameras and lamps. It stays symmetric
+/// about its centre, so the bounding box keeps its centre there.
+fn turned_icosphere() -> Mesh {
+    let mut mesh = icosphere(SPHERE_FREQUENCY);
+    let turned = Affine::rotate(Vec3::new(0.36, 0.48, -0.8), 0.7);
+    for p in &mut mesh.positions {
+        *p = turned.vector(*p);
+    }
+    mesh
 }
 
 /// The image of a mesh. Where the map mirrors, faces are wound the other way,

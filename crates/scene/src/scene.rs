@@ -4,13 +4,14 @@ use std::fmt;
 
 use capwalk_geometry::MeshError;
 
-use crate::bsdf::Material;
+use crate::bsdf::{Material, Slot};
 use crate::emitter::Emitter;
 use crate::film::Film;
+use crate::quantity::Quantity;
 use crate::sensor::Perspective;
 use crate::settings::Settings;
 use crate::shape::Shape;
-use crate::texture::Texture;
+use crate::texture::{Pattern, Texture, TextureId};
 
 /// Index into [`Scene::shapes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -77,6 +78,31 @@ pub enum SceneError {
     },
     /// There is more than one environment emitter.
     SeveralEnvironments,
+    /// A material contradicts itself.
+    Material {
+        /// The material.
+        material: String,
+        /// What is wrong, and what to do.
+        problem: &'static str,
+    },
+    /// A texture needs texture coordinates that the shape does not have.
+    NoTextureCoordinates {
+        /// The shape.
+        shape: String,
+        /// The texture.
+        texture: String,
+    },
+    /// A texture asks for an attribute that the shape does not have.
+    NoAttribute {
+        /// The shape.
+        shape: String,
+        /// The texture.
+        texture: String,
+        /// The attribute.
+        attribute: String,
+        /// Those that the shape has.
+        known: Vec<String>,
+    },
 }
 
 impl fmt::Display for SceneError {
@@ -105,6 +131,33 @@ impl fmt::Display for SceneError {
             }
             Self::SeveralEnvironments => {
                 write!(f, "there is more than one constant emitter; keep one")
+            }
+            Self::Material { material, problem } => {
+                write!(
+                    f,
+                    "the material \"{material}\" cannot be rendered: {problem}"
+                )
+            }
+            Self::NoTextureCoordinates { shape, texture } => write!(
+                f,
+                "the texture \"{texture}\" needs texture coordinates, but the mesh of \"{shape}\" \
+                 has none; add them to all corners of the mesh, or give one colour"
+            ),
+            Self::NoAttribute {
+                shape,
+                texture,
+                attribute,
+                known,
+            } => {
+                write!(
+                    f,
+                    "the texture \"{texture}\" asks for \"{attribute}\", but the mesh of \
+                     \"{shape}\" "
+                )?;
+                match known[..] {
+                    [] => write!(f, "has no attributes"),
+                    _ => write!(f, "has only {}", known.join(", ")),
+                }
             }
         }
     }
@@ -138,11 +191,82 @@ impl Scene {
         for texture in &self.textures {
             texture.check()?;
         }
+        self.check_materials()?;
+        self.check_slots()?;
         let environments = self.emitters.iter().filter(|e| e.is_environment());
         if environments.count() > 1 {
             return Err(SceneError::SeveralEnvironments);
         }
         Ok(())
+    }
+
+    /// Checks that numbers are in the range of what they mean, and that shapes
+    /// have what their textures ask for.
+    fn check_slots(&self) -> Result<(), SceneError> {
+        for emitter in &self.emitters {
+            self.check_range(emitter.radiance(), Quantity::Radiance)?;
+        }
+        for slot in self.materials.iter().flat_map(|m| m.bsdf.slots()) {
+            self.check_range(slot.texture, slot.quantity)?;
+        }
+        for shape in &self.shapes {
+            let mut slots = self.slots_below(shape.bsdf);
+            slots.extend(shape.emitter.map(|emitter| Slot {
+                name: "radiance",
+                texture: self.emitter(emitter).radiance(),
+                quantity: Quantity::Radiance,
+            }));
+            for slot in slots {
+                self.check_slot_on_shape(&slot, shape)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn check_slot_on_shape(&self, slot: &Slot, shape: &Shape) -> Result<(), SceneError> {
+        let texture = self.texture(slot.texture);
+        if texture.needs_uv() && shape.uvs.is_none() {
+            return Err(SceneError::NoTextureCoordinates {
+                shape: shape.id.clone(),
+                texture: texture.id.clone(),
+            });
+        }
+        let Pattern::MeshAttribute { name, .. } = &texture.pattern else {
+            return Ok(());
+        };
+        let Some(attribute) = shape.attribute(name) else {
+            let known = shape.attributes.iter().map(|a| a.name.clone());
+            return Err(SceneError::NoAttribute {
+                shape: shape.id.clone(),
+                texture: texture.id.clone(),
+                attribute: name.clone(),
+                known: known.collect(),
+            });
+        };
+        self.check_range(attribute, slot.quantity)
+    }
+
+    fn check_range(&self, id: TextureId, quantity: Quantity) -> Result<(), SceneError> {
+        let texture = self.texture(id);
+        for part in texture.parts() {
+            for index in part.first..part.first + part.count {
+                let value = texture.texel(index);
+                if !value.to_array().iter().all(|&x| quantity.allows(x)) {
+                    return Err(texture.bad_number(part, index, quantity.expected()));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The textures in a material and in all that it is made of.
+    pub fn slots_below(&self, id: BsdfId) -> Vec<Slot> {
+        let bsdf = &self.material(id).bsdf;
+        let mut slots = bsdf.slots();
+        for part in bsdf.parts() {
+            slots.extend(self.slots_below(part));
+        }
+        slots
     }
 
     /// The shape with this id.

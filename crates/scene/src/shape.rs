@@ -4,6 +4,7 @@ use capwalk_geometry::Mesh;
 use capwalk_math::{Real, Vec3};
 
 use crate::scene::{BsdfId, EmitterId};
+use crate::texture::TextureId;
 
 /// A shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -18,6 +19,20 @@ pub struct Shape {
     pub bsdf: BsdfId,
     /// What it emits, if it is a lamp.
     pub emitter: Option<EmitterId>,
+    /// Texture coordinates of the corners of each triangle. Two triangles may
+    /// give a vertex that they share different ones.
+    pub uvs: Option<Vec<[[f64; 2]; 3]>>,
+    /// What the shape says of itself, for textures that ask for it.
+    pub attributes: Vec<Attribute>,
+}
+
+/// Numbers that come with a mesh.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Attribute {
+    /// Its name: `vertex_color`, `face_heat` ...
+    pub name: String,
+    /// Its numbers, per vertex or per face.
+    pub texture: TextureId,
 }
 
 /// Where shading normals come from. Unit length, on the side of the face
@@ -50,6 +65,38 @@ impl ShadingNormals {
 }
 
 impl Shape {
+    /// A shape without light, texture coordinates and attributes.
+    pub fn new(id: impl Into<String>, mesh: Mesh, normals: ShadingNormals, bsdf: BsdfId) -> Self {
+        Self {
+            id: id.into(),
+            mesh,
+            normals,
+            bsdf,
+            emitter: None,
+            uvs: None,
+            attributes: Vec::new(),
+        }
+    }
+
+    /// Texture coordinates at the point of a face with these weights of its
+    /// corners. Without any they are the weights of the second and the third
+    /// corner, as in Mitsuba.
+    pub fn uv<R: Real>(&self, face: usize, barycentric: [R; 3]) -> [R; 2] {
+        let Some(uvs) = &self.uvs else {
+            return [barycentric[1], barycentric[2]];
+        };
+        [0, 1].map(|axis| {
+            let [a, b, c] = uvs[face].map(|corner| R::constant(corner[axis]));
+            a * barycentric[0] + b * barycentric[1] + c * barycentric[2]
+        })
+    }
+
+    /// The numbers of an attribute, if the shape has it.
+    pub fn attribute(&self, name: &str) -> Option<TextureId> {
+        let found = self.attributes.iter().find(|a| a.name == name);
+        found.map(|attribute| attribute.texture)
+    }
+
     /// The point that rotation and scaling leave in place: the centre of the
     /// bounding box.
     pub fn centre(&self) -> Vec3 {

@@ -1,7 +1,13 @@
 //! Textures: the home of every number of a material or an emitter. A colour
 //! that is the same everywhere is a texture with one texel.
 
-use capwalk_math::Rgb;
+mod bitmap;
+mod lookup;
+
+pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
+pub use lookup::SurfacePoint;
+
+use capwalk_math::{Real, Rgb};
 
 use crate::scene::{Scene, SceneError};
 
@@ -18,7 +24,7 @@ pub struct Texture {
     pub id: String,
     /// Numbers per texel: 3 (red, green, blue) or 1 (a grey, or no colour).
     pub channels: usize,
-    /// The texels one after the other, each with all its channels.
+    /// The texels one after the other, each with all its channels. Linear.
     pub data: Vec<f64>,
     /// Where on a surface the texels are.
     pub pattern: Pattern,
@@ -29,6 +35,36 @@ pub struct Texture {
 pub enum Pattern {
     /// The one texel is everywhere.
     Constant,
+    /// Rows of texels over the unit square of texture coordinates.
+    Bitmap(Bitmap),
+    /// Two texels that alternate in squares of side 1/2: the first where `u`
+    /// and `v` are in the same half of their period.
+    Checkerboard {
+        /// Acts on texture coordinates first.
+        to_uv: UvTransform,
+    },
+    /// What the shape says of itself: one of its attributes.
+    MeshAttribute {
+        /// The attribute, such as `vertex_color`.
+        name: String,
+        /// Factor.
+        scale: f64,
+    },
+    /// An attribute of a shape with one texel per vertex, interpolated.
+    PerVertex,
+    /// An attribute of a shape with one texel per triangle.
+    PerFace,
+}
+
+/// Part of the data of a texture that has a name of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    /// What stands behind the texture's id and a dot; empty for nothing.
+    pub name: &'static str,
+    /// The first texel of it.
+    pub first: usize,
+    /// How many texels it has.
+    pub count: usize,
 }
 
 impl Texture {
@@ -52,30 +88,118 @@ impl Texture {
         }
     }
 
+    /// How many texels it has.
+    pub fn texels(&self) -> usize {
+        self.data.len() / self.channels
+    }
+
     /// A texel; greys have three equal channels.
     #[inline]
     pub fn texel(&self, index: usize) -> Rgb {
         texel(&self.data, self.channels, index)
     }
 
-    /// The name of its numbers as a parameter.
-    pub fn parameter_name(&self) -> String {
+    /// True if it is the same everywhere.
+    pub fn is_constant(&self) -> bool {
+        matches!(self.pattern, Pattern::Constant)
+    }
+
+    /// True if it depends on texture coordinates.
+    pub fn needs_uv(&self) -> bool {
+        matches!(
+            self.pattern,
+            Pattern::Bitmap(_) | Pattern::Checkerboard { .. }
+        )
+    }
+
+    /// True if it jumps along curves inside faces: where such a texture moves,
+    /// derivatives would miss the jump.
+    pub fn jumps(&self) -> bool {
+        match &self.pattern {
+            Pattern::Checkerboard { .. } => true,
+            Pattern::Bitmap(bitmap) => bitmap.filter == TexelFilter::Nearest,
+            Pattern::Constant
+            | Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace => false,
+        }
+    }
+
+    /// Its value at texture coordinates `uv`. `texel` gives its texels, with
+    /// or without derivatives. Rows of bitmaps begin at `v = 0`, the top of the
+    /// picture, as in Mitsuba.
+    ///
+    /// # Panics
+    /// If it depends on more than texture coordinates ([`Scene::lookup`]).
+    pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
+        match &self.pattern {
+            Pattern::Constant => texel(0),
+            Pattern::Bitmap(bitmap) => bitmap.lookup(uv, texel),
+            Pattern::Checkerboard { to_uv } => {
+                let second_half = to_uv.apply(uv).map(|x| {
+                    let x = x.value();
+                    x - x.floor() > 0.5
+                });
+                texel(usize::from(second_half[0] != second_half[1]))
+            }
+            Pattern::MeshAttribute { .. } | Pattern::PerVertex | Pattern::PerFace => {
+                panic!("{} depends on the shape that it is on", self.id)
+            }
+        }
+    }
+
+    /// The parts of its data that have names. An attribute that is looked up
+    /// by name has none: its numbers are the shape's.
+    pub fn parts(&self) -> Vec<Part> {
+        let part = |name, first, count| Part { name, first, count };
         match self.pattern {
-            Pattern::Constant => format!("{}.value", self.id),
+            Pattern::Constant => vec![part("value", 0, 1)],
+            Pattern::Bitmap(_) => vec![part("data", 0, self.texels())],
+            Pattern::Checkerboard { .. } => {
+                vec![part("color0.value", 0, 1), part("color1.value", 1, 1)]
+            }
+            Pattern::PerVertex | Pattern::PerFace => vec![part("", 0, self.texels())],
+            Pattern::MeshAttribute { .. } => Vec::new(),
+        }
+    }
+
+    /// The name of a part as a parameter.
+    pub fn part_name(&self, part: Part) -> String {
+        match part.name {
+            "" => self.id.clone(),
+            name => format!("{}.{name}", self.id),
+        }
+    }
+
+    /// The error for a texel that is not what it should be.
+    pub(crate) fn bad_number(
+        &self,
+        part: Part,
+        index: usize,
+        expected: &'static str,
+    ) -> SceneError {
+        let value = self.texel(index);
+        let mut name = self.part_name(part);
+        if part.count > 1 {
+            name += &format!(", texel {index}");
+        }
+        SceneError::BadNumber {
+            name,
+            value: format!("({}, {}, {})", value.x, value.y, value.z),
+            expected,
         }
     }
 
     pub(crate) fn check(&self) -> Result<(), SceneError> {
         debug_assert!(matches!(self.channels, 1 | 3));
         debug_assert_eq!(self.data.len() % self.channels, 0);
-        let texels = 0..self.data.len() / self.channels;
-        for value in texels.map(|i| self.texel(i)) {
-            if !value.is_finite() || value.min(Rgb::zero()) != Rgb::zero() {
-                return Err(SceneError::BadNumber {
-                    name: self.parameter_name(),
-                    value: format!("({}, {}, {})", value.x, value.y, value.z),
-                    expected: "finite numbers of at least 0",
-                });
+        for part in self.parts() {
+            for index in part.first..part.first + part.count {
+                let value = self.texel(index);
+                if value.is_finite() {
+                    continue;
+                }
+                return Err(self.bad_number(part, index, "finite numbers"));
             }
         }
         Ok(())
@@ -111,30 +235,4 @@ impl Scene {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn greys_have_three_equal_channels() {
-        assert_eq!(Texture::number("a", 0.3).texel(0), Rgb::splat(0.3));
-        let colour = Rgb::new(0.1, 0.2, 0.3);
-        assert_eq!(Texture::colour("b", colour).texel(0), colour);
-        assert_eq!(
-            texel(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0], 3, 1),
-            Rgb::new(4.0, 5.0, 6.0)
-        );
-        assert_eq!(texel(&[1.0, 2.0], 1, 1), Rgb::splat(2.0));
-    }
-
-    #[test]
-    fn bad_numbers_are_named() {
-        for (number, shown) in [(-1.0, "(-1, -1, -1)"), (f64::NAN, "(NaN, NaN, NaN)")] {
-            let error = Texture::number("a.alpha", number).check().expect_err(shown);
-            let message = error.to_string();
-            assert!(
-                message.starts_with(&format!("a.alpha.value is {shown}")),
-                "{message}"
-            );
-        }
-    }
-}
+mod tests;

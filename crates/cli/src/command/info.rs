@@ -5,7 +5,8 @@ use capwalk_math::Vec3;
 use capwalk_render::Refusal;
 use capwalk_scene::params::{self, ArrayParameter, Parameter};
 use capwalk_scene::{
-    Bsdf, Emitter, Filter, Integrator, Pattern, SamplerKind, Scene, ShadingNormals, TextureId,
+    Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, ShadingNormals,
+    TextureId,
 };
 use serde_json::{Value, json};
 
@@ -156,8 +157,15 @@ fn shapes(scene: &Scene) -> String {
 
 fn texture(scene: &Scene, id: TextureId) -> String {
     let texture = scene.texture(id);
-    match texture.pattern {
+    match &texture.pattern {
         Pattern::Constant => vector(texture.texel(0)),
+        Pattern::Bitmap(bitmap) => format!("bitmap of {} x {}", bitmap.width, bitmap.height),
+        Pattern::Checkerboard { .. } => {
+            let [first, second] = [0, 1].map(|i| vector(texture.texel(i)));
+            format!("checkerboard of {first}, {second}")
+        }
+        Pattern::MeshAttribute { name, .. } => format!("attribute {name}"),
+        Pattern::PerVertex | Pattern::PerFace => texture.id.clone(),
     }
 }
 
@@ -173,6 +181,15 @@ fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
             self::material(scene, *front),
             self::material(scene, *back)
         ),
+        bsdf => {
+            let parts = bsdf.parts().into_iter();
+            let mut text = bsdf.plugin().to_owned();
+            for (i, part) in parts.enumerate() {
+                text += if i == 0 { " of " } else { ", " };
+                text += &self::material(scene, part);
+            }
+            text
+        }
     }
 }
 
@@ -269,7 +286,7 @@ fn to_json(
             "triangles": shape.mesh.faces.len(),
             "vertices": shape.mesh.positions.len(),
             "material": scene.material(shape.bsdf).id,
-            "emits": shape.emitter.map(|id| array(scene.texture(scene.emitter(id).radiance()).texel(0))),
+            "emits": shape.emitter.map(|id| emits(scene, id)),
         })
     });
     let parameters = parameters.iter().map(|p| {
@@ -308,6 +325,15 @@ fn to_json(
         "arrays": arrays.collect::<Vec<_>>(),
         "refused": refusal.map(ToString::to_string),
     })
+}
+
+/// The radiance of an emitter: a colour, or what sort of texture it is.
+fn emits(scene: &Scene, id: EmitterId) -> Value {
+    let radiance = scene.emitter(id).radiance();
+    match scene.texture(radiance).is_constant() {
+        true => json!(array(scene.texture(radiance).texel(0))),
+        false => json!(texture(scene, radiance)),
+    }
 }
 
 fn array(v: Vec3) -> [f64; 3] {

@@ -264,6 +264,52 @@ fn losses_and_their_gradients() {
     }
 }
 
+/// A bitmap has a number for every texel, row by row as in its file; their sum
+/// is the scalar.
+#[test]
+fn texels_of_a_bitmap() {
+    let capwalk = Capwalk::new("backward_bitmap");
+    write_adjoint(&capwalk, "a.npz", "adjoint", |image| {
+        image.pixels.fill(Vec3::new(1.0, 2.0, 3.0));
+    });
+    let mut bitmap = Picture::default();
+    let pixels = (1..=6).map(|i| Vec3::splat(0.1 * f64::from(i)));
+    let image = Image {
+        width: 3,
+        height: 2,
+        pixels: pixels.collect(),
+    };
+    bitmap.push("value", image);
+    image::write(&capwalk.path("wall.exr"), &bitmap, &Preview::default()).expect("writable");
+    capwalk.write(
+        "wall.xml",
+        r#"<scene version="3.0.0"><integrator type="direct"/><emitter type="constant"/>
+<sensor type="perspective"><float name="fov" value="40"/></sensor>
+<shape type="rectangle" id="wall">
+<transform name="to_world"><rotate y="1" angle="180"/><translate z="2.2"/></transform>
+<bsdf type="diffuse"><texture name="reflectance" type="bitmap">
+<string name="filename" value="wall.exr"/></texture></bsdf></shape></scene>"#,
+    );
+    capwalk.json(&format!(
+        "backward wall.xml {SIZE} --spp 16 --adjoint a.npz -o g.npz --json \
+         -p wall.bsdf.reflectance.data 1*wall.bsdf.reflectance.data"
+    ));
+    let file = read(&capwalk, "g.npz");
+    let data = array(&file, "wall.bsdf.reflectance.data");
+    assert_eq!(data.shape, [2, 3, 3]);
+    let sum: f64 = data.numbers.iter().sum();
+    let scalar = scalar(&file, "1*wall.bsdf.reflectance.data");
+    assert!((sum - scalar).abs() <= 1e-9 * scalar, "{sum} {scalar}");
+    for texel in data.numbers.chunks(3) {
+        assert!(texel[0] > 1.0, "every texel is seen: {texel:?}");
+        let [double, triple] = [texel[1] / texel[0], texel[2] / texel[0]];
+        assert!(
+            (double - 2.0).abs() < 1e-9 && (triple - 3.0).abs() < 1e-9,
+            "{texel:?}"
+        );
+    }
+}
+
 /// Without names: all arrays of `info`, and nothing else.
 #[test]
 fn all_arrays_are_the_default() {

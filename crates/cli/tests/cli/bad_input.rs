@@ -96,3 +96,30 @@ fn motions_that_cancel() {
     let message = String::from_utf8(output.stderr).expect("text");
     assert_has(&message, &["nothing moves"]);
 }
+
+/// Textures that jump are rendered, but not differentiated by what moves.
+#[test]
+fn motion_of_textures_that_jump_is_refused() {
+    let capwalk = Capwalk::new("jumps");
+    let scene = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<emitter type="constant"/><shape type="cube" id="box"><bsdf type="diffuse">
+<texture name="reflectance" type="checkerboard"/></bsdf></shape></scene>"#;
+    capwalk.write("board.xml", scene);
+    assert_eq!(capwalk.run("render board.xml --size 8x8 --spp 1").status, 0);
+    for command in [
+        "gradient board.xml -p box.scale",
+        "check board.xml -p box.scale",
+    ] {
+        let message = capwalk.error(command);
+        assert_has(&message, &["box.bsdf.reflectance", "jumps", "bilinear"]);
+    }
+    let info = capwalk.run("info board.xml").stdout;
+    assert_has(
+        &info,
+        &[
+            "checkerboard of (0.4",
+            "box.bsdf.reflectance.color1.value",
+            "refused",
+        ],
+    );
+}

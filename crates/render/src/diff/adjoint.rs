@@ -67,6 +67,22 @@ impl Wanted {
         self.sensor || self.shapes.contains(&true)
     }
 
+    /// For every point of the boundaries, whether it depends on a shape that is
+    /// wanted.
+    pub(super) fn points(&self, accel: &Accel, boundaries: &Boundaries) -> Vec<bool> {
+        let vertices = 0..accel.mesh.positions.len() as u32;
+        let mut points: Vec<bool> = vertices.map(|i| self.vertices(accel, i)).collect();
+        let ends = boundaries
+            .crossings
+            .iter()
+            .flat_map(|crossing| &crossing.ends);
+        let wanted: Vec<bool> = ends
+            .map(|end| end.vertices().any(|i| points[i as usize]))
+            .collect();
+        points.extend(wanted);
+        points
+    }
+
     pub(super) fn shape(&self, id: ShapeId) -> bool {
         self.shapes[id.0 as usize]
     }

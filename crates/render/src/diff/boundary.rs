@@ -10,10 +10,11 @@ use std::cell::Cell;
 
 use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Real, Vec3};
-use capwalk_scene::{Emitter, Shape};
+use capwalk_scene::{Emitter, Pattern, Scene, Shape};
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
+use crate::material::textures_of;
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
@@ -31,6 +32,9 @@ const FEW_EDGES: usize = 64;
 /// Unit normals that differ by less than this are the same: rounding to single
 /// precision moves them by about 1e-7.
 const SAME_NORMAL: f64 = 1e-6;
+
+/// Texture coordinates that differ by less than this are the same.
+const SAME_UV: f64 = 1e-6;
 
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
@@ -55,18 +59,21 @@ impl Boundaries {
         let mut length = 0.0;
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
-            let mut own = topology::edges_with(&shape.mesh, |faces| shades_apart(shape, faces));
+            let mut own =
+                topology::edges_with(&shape.mesh, |faces| shades_apart(scene, shape, faces));
             let is_lamp = shape.emitter.is_some_and(|id| {
                 matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
             });
             for edge in &mut own {
                 shift(edge, first_vertex, first_face);
                 edge.groups = if is_lamp { SEEN } else { SEEN | EMITTED };
-                if shape.emitter.is_some()
-                    && matches!(edge.sides, Sides::Between { flipped: true, .. })
-                {
-                    // Light ends where a lamp turns its back, folded or not.
-                    edge.sides = Sides::Open;
+                if let (Some(_), Sides::Between { faces, flipped }) = (shape.emitter, edge.sides) {
+                    // Light ends where a lamp turns its back, folded or not, and
+                    // jumps with its texture.
+                    let local = faces.map(|face| face - first_face);
+                    if flipped || textures_differ(scene, shape, local) {
+                        edge.sides = Sides::Open;
+                    }
                 }
                 if is_lamp {
                     let [a, b] = edge.vertices.map(|i| accel.mesh.positions[i as usize]);
@@ -105,20 +112,47 @@ impl Boundaries {
     }
 }
 
+/// True if two neighbouring faces look different at their common edge even if
+/// they are coplanar: by their shading normals or their textures.
+fn shades_apart(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
+    normals_differ(shape, faces) || textures_differ(scene, shape, faces)
+}
+
 /// True if two neighbouring faces have different shading normals at an end of
 /// their common edge.
-fn shades_apart(shape: &Shape, faces: [u32; 2]) -> bool {
+fn normals_differ(shape: &Shape, faces: [u32; 2]) -> bool {
     let Some(normals) = shape.normals.per_vertex() else {
         return false;
     };
-    let [first, second] = faces.map(|face| shape.mesh.faces[face as usize]);
-    let position = |i: u32| shape.mesh.positions[i as usize];
-    first.iter().any(|&i| {
-        let twins = second.iter().filter(|&&k| position(k) == position(i));
-        twins
-            .map(|&k| (normals[i as usize] - normals[k as usize]).length())
-            .any(|difference| difference > SAME_NORMAL)
+    common_corners(shape, faces).any(|[first, second]| {
+        let [a, b] = [(faces[0], first), (faces[1], second)]
+            .map(|(face, corner)| shape.mesh.faces[face as usize][corner] as usize);
+        (normals[a] - normals[b]).length() > SAME_NORMAL
     })
+}
+
+/// True if a texture of the shape can differ between two neighbouring faces at
+/// an end of their common edge.
+fn textures_differ(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
+    textures_of(scene, shape).into_iter().any(|texture| {
+        let per_face = matches!(texture.pattern, Pattern::PerFace);
+        let by_uv = texture.needs_uv()
+            && common_corners(shape, faces).any(|[first, second]| {
+                let corner = |i: usize| [0, 1, 2].map(|k| if i == k { 1.0_f64 } else { 0.0 });
+                let [a, b] = [(faces[0], first), (faces[1], second)]
+                    .map(|(face, i)| shape.uv(face as usize, corner(i)));
+                (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > SAME_UV
+            });
+        per_face || by_uv
+    })
+}
+
+/// The corners of two faces that are at the same place.
+fn common_corners(shape: &Shape, faces: [u32; 2]) -> impl Iterator<Item = [usize; 2]> {
+    let [first, second] = faces.map(|face| shape.mesh.corners(face as usize));
+    (0..3)
+        .flat_map(|i| (0..3).map(move |k| [i, k]))
+        .filter(move |&[i, k]| first[i] == second[k])
 }
 
 /// Makes an edge of a shape one of the joined mesh.
@@ -327,13 +361,22 @@ impl<'a> Field<'a> {
 pub struct Draw<'a> {
     /// The numbers.
     pub stream: &'a Stream,
-    /// Counts closest-silhouette queries.
-    pub queries: &'a Cell<u64>,
+    /// What it costs, and what it could not do.
+    pub counts: &'a Counts,
+}
+
+/// Counts of one sample.
+#[derive(Debug, Default)]
+pub struct Counts {
+    /// Closest-silhouette queries.
+    pub queries: Cell<u64>,
+    /// Specular events behind which outlines can move: these bound no field.
+    pub uncovered: Cell<u64>,
 }
 
 impl Draw<'_> {
     fn count_queries(&self, count: u64) {
-        self.queries.set(self.queries.get() + count);
+        self.counts.queries.set(self.counts.queries.get() + count);
     }
 }
 

@@ -57,6 +57,11 @@ impl End {
         pull(&self.pulls[0]) + pull(&self.pulls[1])
     }
 
+    /// The vertices of the joined mesh that it depends on.
+    pub fn vertices(&self) -> impl Iterator<Item = u32> {
+        self.pulls.iter().flat_map(|pull| pull.vertices)
+    }
+
     /// The transpose: passes a covector on its velocity on to covectors on the
     /// velocities of the joined mesh's vertices.
     pub fn pull_back(&self, covector: Vec3, covectors: &mut [Vec3]) {

@@ -1,8 +1,6 @@
 //! Central differences with common random numbers: the reference that
 //! gradients are checked against, METHOD 9.
 
-use std::cell::Cell;
-
 use capwalk_math::Rgb;
 use capwalk_scene::{Motion, Scene};
 
@@ -13,7 +11,7 @@ use crate::path::Tracer;
 use crate::tiles::{self, Sample};
 use crate::world::AtRest;
 
-use super::boundary::Draw;
+use super::boundary::{Counts, Draw};
 
 /// The derivative of the picture along `motion` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;
@@ -41,7 +39,7 @@ pub fn finite_difference(
     let averages = tiles::average(scene, options, watch, |pixel, stream| {
         let draw = Draw {
             stream,
-            queries: &Cell::new(0),
+            counts: &Counts::default(),
         };
         let [plus, minus] =
             [0, 1].map(|i| tracers[i].pixel(&AtRest(tracers[i].accel), pixel, draw));
@@ -50,6 +48,7 @@ pub fn finite_difference(
         Sample {
             numbers: [value.x, value.y, value.z, slope.x, slope.y, slope.z],
             cone_queries: 0,
+            uncovered: 0,
         }
     });
     Ok(GradientImage {

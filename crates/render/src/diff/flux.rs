@@ -11,7 +11,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::light::emitter_towards;
 use crate::path::Vertex;
-use crate::world::{AtRest, World};
+use crate::world::{AtRest, World, emitted_at};
 
 use super::boundary::{Boundaries, Eye, Numbers};
 
@@ -29,14 +29,15 @@ const BESIDE_EDGE: f64 = 1e-7;
 ///
 /// along the lamps' edges on the sphere of directions, from one point drawn on
 /// them by length with the number `u`. `f` is all emitted light that arrives, so
-/// that it does not matter what lies behind the lamp, nor what hides it.
+/// that it does not matter what lies behind the lamp, nor what hides it. `vertex`
+/// is the surface at rest, `eye` the same point in motion.
 #[allow(clippy::too_many_arguments, reason = "a formula with many symbols")]
 pub fn lamp_edge_flux<R: Real, W: World<R>>(
     accel: &Accel,
     boundaries: &Boundaries,
     world: &W,
     eye: &Eye<R>,
-    vertex: &Vertex<R>,
+    vertex: &Vertex<f64>,
     u: f64,
     walk: &WalkSettings,
     numbers: Numbers,
@@ -68,17 +69,17 @@ pub fn lamp_edge_flux<R: Real, W: World<R>>(
     if flow.is_constant() {
         return Rgb::zero();
     }
-    let at_rest = vertex.value();
     let normal = across.normalized();
     let arriving = |side: f64| {
         let direction = (q + normal * (side * BESIDE_EDGE)).normalized();
-        let hit = accel.first_hit(at_rest.position, direction);
+        let hit = accel.first_hit(vertex.position, direction);
         let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction) else {
             return Rgb::zero();
         };
-        at_rest
-            .eval(direction)
-            .hadamard(AtRest(accel).radiance(emitter))
+        let world = AtRest(accel);
+        let (hit, origin) = (hit.as_ref(), vertex.position);
+        let radiance = emitted_at(&world, accel, emitter, hit, origin, direction);
+        vertex.eval(direction).hadamard(radiance)
     };
     // The normal points from the side of -1 to that of +1.
     Rgb::constant(arriving(-1.0) - arriving(1.0)) * flow

@@ -1,10 +1,10 @@
 //! Irradiance at a point and its derivative: the integral that METHOD's
 //! reference set-up is made of, without a camera.
 
-use std::cell::Cell;
 use std::f64::consts::PI;
 
-use capwalk_math::{Moments, Rgb, Vec3};
+use capwalk_math::{Moments, Real, Rgb, Vec3};
+use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe};
 use capwalk_scene::{Motion, Scene};
 use capwalk_walk::WalkSettings;
 
@@ -15,12 +15,18 @@ use crate::path::{Plan, Tracer, Vertex};
 use crate::sampler::Sampler;
 use crate::world::AtRest;
 
-use super::boundary::{Draw, Field};
+use super::boundary::{Counts, Draw, Field};
 use super::forward::check_walk;
 use super::motion::InMotion;
 
-/// A reflectance of π reflects the irradiance itself.
-const IRRADIANCE: Rgb = Rgb::new(PI, PI, PI);
+/// A surface point at rest that reflects the irradiance itself: its reflectance
+/// is π.
+fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
+    let reflectance = Rgb::splat(R::constant(PI));
+    let [position, unit] = [position, normal].map(Vec3::constant);
+    let lobe = Lobe::Diffuse(Diffuse { reflectance });
+    Vertex::new(position, normal, unit, unit, Bsdf::from(lobe))
+}
 
 /// Points drawn on emitters, nothing else.
 const EMITTERS_ALONE: Plan = Plan {
@@ -60,18 +66,13 @@ pub fn irradiance(
     let tracer = Tracer::moving(&accel, &field, walk).with_plan(EMITTERS_ALONE);
     let sampler = Sampler::new(&scene.settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
-        let vertex = Vertex {
-            position: Vec3::constant(position),
-            normal: Vec3::constant(normal),
-            face_normal: normal,
-            reflectance: Rgb::constant(IRRADIANCE),
-        };
+        let vertex = diffuse_vertex(position, normal);
         let mut irradiance = Irradiance::default();
         for number in 0..samples {
             let stream = sampler.stream(index as u64, number);
             let draw = Draw {
                 stream: &stream,
-                queries: &Cell::new(0),
+                counts: &Counts::default(),
             };
             let (light, _) = tracer.emitted(&world, &vertex, 0, draw);
             irradiance.value.add(light.x.value);
@@ -98,18 +99,13 @@ pub fn difference(
     let tracers = [0, 1].map(|i| Tracer::at_rest(&accels[i]).with_plan(EMITTERS_ALONE));
     let sampler = Sampler::new(&scenes[0].settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
-        let vertex = Vertex {
-            position,
-            normal,
-            face_normal: normal,
-            reflectance: IRRADIANCE,
-        };
+        let vertex = diffuse_vertex(position, normal);
         let mut moments = Moments::default();
         for number in 0..samples {
             let stream = sampler.stream(index as u64, number);
             let draw = Draw {
                 stream: &stream,
-                queries: &Cell::new(0),
+                counts: &Counts::default(),
             };
             let [above, below] = [0, 1].map(|i| {
                 let world = AtRest(&accels[i]);

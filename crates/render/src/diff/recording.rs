@@ -18,6 +18,8 @@ pub struct Recording<'a, 't> {
     accel: &'a Accel<'a>,
     field: &'a Field<'a>,
     wanted: &'a Wanted,
+    /// Which points of the boundaries depend on what is wanted.
+    points: &'a [bool],
     tape: &'t Tape,
     marks: RefCell<Vec<Mark<'t>>>,
 }
@@ -53,6 +55,7 @@ impl<'a, 't> Recording<'a, 't> {
         accel: &'a Accel<'a>,
         field: &'a Field<'a>,
         wanted: &'a Wanted,
+        points: &'a [bool],
         tape: &'t Tape,
     ) -> Self {
         debug_assert!(tape.is_empty());
@@ -60,6 +63,7 @@ impl<'a, 't> Recording<'a, 't> {
             accel,
             field,
             wanted,
+            points,
             tape,
             marks: RefCell::default(),
         }
@@ -72,6 +76,11 @@ impl<'a, 't> Recording<'a, 't> {
         let place = self.tape.len();
         self.marks.borrow_mut().push(Mark { place, origin });
         self.tape.variables(value)
+    }
+
+    /// True if the boundary point can move against the eye.
+    fn moves(&self, eye: &Eye<Var<'t>>, site: &Site) -> bool {
+        !eye.position.is_constant() || site.points.iter().any(|&i| self.points[i as usize])
     }
 
     /// Collects the covectors on the scene's numbers that follow from the
@@ -180,8 +189,11 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
             return Carried::at_rest(q);
         }
         let sites = self.field.sample(eye, q, walk, numbers);
-        if sites.is_zero() {
-            return Carried::at_rest(q);
+        if !sites.terms().any(|term| self.moves(eye, &term.site)) {
+            return Carried {
+                near_boundary: !sites.is_zero(),
+                ..Carried::at_rest(q)
+            };
         }
         let origin = Origin::Carried {
             q,
@@ -205,11 +217,11 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
             return Vec3::constant(q);
         }
         match self.field.sample_value(eye, q, walk, numbers) {
-            None => Vec3::constant(q),
-            Some(site) => {
+            Some(site) if self.moves(eye, &site) => {
                 let eye = eye.position;
                 self.variables(true, q, Origin::Value { q, eye, site })
             }
+            _ => Vec3::constant(q),
         }
     }
 }

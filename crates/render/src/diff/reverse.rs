@@ -1,7 +1,6 @@
 //! The gradient of a loss in reverse mode: from a covector on the picture to
 //! covectors on all parameters, in one pass.
 
-use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_math::tape::Adjoints;
@@ -16,9 +15,9 @@ use crate::path::Tracer;
 use crate::sampler::Sampler;
 
 use super::adjoint::{Adjoint, Wanted};
-use super::boundary::{Draw, Field};
+use super::boundary::{Counts, Draw, Field};
 use super::clip::refuse_clipped;
-use super::forward::check_walk;
+use super::forward::{check_walk, refuse_jumping_textures, refuse_uncovered, refuse_unsupported};
 use super::recording::Recording;
 
 /// Batches that the samples are split into, whatever the number of threads, so
@@ -94,6 +93,7 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Backward, Refusal> {
+    refuse_unsupported(scene)?;
     check_walk(&options.walk)?;
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     if [adjoint.width, adjoint.height] != [width, height] {
@@ -107,6 +107,7 @@ pub fn backward(
     refuse_non_finite(adjoint)?;
     let accel = Accel::new(scene);
     if wanted.geometry() {
+        refuse_jumping_textures(scene)?;
         refuse_clipped(&accel)?;
     }
     let field = Field::new(&accel);
@@ -114,6 +115,7 @@ pub fn backward(
         scene,
         adjoint,
         wanted,
+        points: wanted.points(&accel, &field.boundaries),
         tracer: Tracer::moving(&accel, &field, options.walk),
         field: &field,
         sampler: Sampler::new(&scene.settings, options.options.seed, options.options.spp),
@@ -152,6 +154,7 @@ pub fn backward(
     for batch in batches {
         statistics.non_finite += batch.non_finite;
         statistics.cone_queries += batch.cone_queries;
+        statistics.uncovered += batch.uncovered;
         if batch.taken > 0 || (taken == 0 && gradients.is_empty()) {
             let factor = 1.0 / f64::from(batch.taken.max(1));
             let sums = batch.sums;
@@ -159,6 +162,7 @@ pub fn backward(
             gradients.push((gradient, batch.taken.max(1)));
         }
     }
+    refuse_uncovered(&statistics)?;
     let samples: u32 = gradients.iter().map(|(_, n)| n).sum();
     let mut mean = gradients[0].0.scaled(0.0);
     for (batch, n) in &gradients {
@@ -193,6 +197,8 @@ struct Pass<'a> {
     scene: &'a Scene,
     adjoint: &'a Image,
     wanted: &'a Wanted,
+    /// Which points of the boundaries depend on what is wanted.
+    points: Vec<bool>,
     tracer: Tracer<'a>,
     field: &'a Field<'a>,
     sampler: Sampler,
@@ -208,6 +214,7 @@ struct Batch {
     taken: u32,
     non_finite: u64,
     cone_queries: u64,
+    uncovered: u64,
 }
 
 impl Pass<'_> {
@@ -217,6 +224,7 @@ impl Pass<'_> {
             taken: 0,
             non_finite: 0,
             cone_queries: 0,
+            uncovered: 0,
         };
         let mut tape = Tape::default();
         let (mut adjoints, mut covectors) = (Adjoints::default(), Vec::new());
@@ -227,17 +235,24 @@ impl Pass<'_> {
             }
             for (index, &adjoint) in self.adjoint.pixels.iter().enumerate() {
                 let stream = self.sampler.stream(index as u64, number);
-                let queries = Cell::new(0);
+                let counts = Counts::default();
                 let draw = Draw {
                     stream: &stream,
-                    queries: &queries,
+                    counts: &counts,
                 };
                 let pixel = [(index % width) as u32, (index / width) as u32];
-                let world = Recording::new(self.tracer.accel, self.field, self.wanted, &tape);
+                let world = Recording::new(
+                    self.tracer.accel,
+                    self.field,
+                    self.wanted,
+                    &self.points,
+                    &tape,
+                );
                 let light = self.tracer.pixel(&world, pixel, draw);
                 world.pull_back(light, adjoint, &mut adjoints, &mut covectors);
                 tape.clear();
-                batch.cone_queries += queries.get();
+                batch.cone_queries += counts.queries.get();
+                batch.uncovered += counts.uncovered.get();
                 if covectors.iter().all(|(_, covector)| covector.is_finite()) {
                     for &(target, covector) in &covectors {
                         batch.sums.add(target, covector);

@@ -60,13 +60,8 @@ pub fn add(scene: &mut Scene, id: &str, mesh: Mesh, normals: ShadingNormals, gre
             back: inner,
         },
     });
-    scene.shapes.push(Shape {
-        id: id.into(),
-        mesh,
-        normals,
-        bsdf: BsdfId(inner.0 + 1),
-        emitter: None,
-    });
+    let outer = BsdfId(inner.0 + 1);
+    scene.shapes.push(Shape::new(id, mesh, normals, outer));
 }
 
 /// Makes the last shape added a lamp.

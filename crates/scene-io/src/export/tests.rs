@@ -32,7 +32,7 @@ fn mesh_files_have_plain_and_different_names() {
     {
         shape.id = id.into();
     }
-    let names = mesh_names(&scene);
+    let names = file_names(scene.shapes.iter().map(|s| s.id.as_str()), "ply");
     assert_eq!(
         names[..5],
         ["a_b.ply", "A_b_2.ply", "a_b_3.ply", "_._x.ply", "é.1.ply"]
@@ -149,13 +149,8 @@ fn every_setting_comes_back() {
         shape.bsdf = BsdfId(bsdf);
     }
     let mut add = |id: &str, mesh, normals, bsdf| {
-        scene.shapes.push(capwalk_scene::Shape {
-            id: id.into(),
-            mesh,
-            normals,
-            bsdf: BsdfId(bsdf),
-            emitter: None,
-        });
+        let shape = capwalk_scene::Shape::new(id, mesh, normals, BsdfId(bsdf));
+        scene.shapes.push(shape);
     };
     let mesh = primitive::icosphere(3);
     let normals = ShadingNormals::computed(&mesh);
@@ -213,4 +208,90 @@ fn xml_paths_name_the_file() {
     assert_eq!(path, directory.0.join("my leaf.XML"));
     assert!(directory.0.join("my leaf_meshes/leaf.ply").is_file());
     assert!(load_scene(&path, &[]).is_ok());
+}
+
+/// Every sort of texture: alone and shared, on meshes with seams in their
+/// texture coordinates, with attributes.
+#[test]
+fn textures_come_back() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let text = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<texture type="bitmap" id="wood"><string name="filename" value="texels.png"/>
+<string name="wrap_mode" value="mirror"/><transform name="to_uv"><matrix
+value="1 2 3 0.1 5 6 7 0.2 9 10 11 0.3 0 0 0 1"/></transform></texture>
+<bsdf type="twosided" id="both"><bsdf type="diffuse"><ref name="reflectance" id="wood"/></bsdf></bsdf>
+<shape type="rectangle" id="a"><ref id="both"/></shape>
+<shape type="disk" id="b"><bsdf type="diffuse"><texture type="bitmap" name="reflectance">
+<string name="filename" value="texels.png"/><boolean name="raw" value="true"/>
+<string name="filter_type" value="nearest"/></texture></bsdf></shape>
+<shape type="ply" id="c"><string name="filename" value="attributes.ply"/>
+<bsdf type="diffuse"><texture name="reflectance" type="mesh_attribute">
+<string name="name" value="face_tint_color"/></texture></bsdf>
+<emitter type="area"><texture type="checkerboard" name="radiance"><rgb name="color1"
+value="1 2 3"/></texture></emitter></shape></scene>"#;
+    let mut scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    // Texels are written in single precision.
+    for texture in &mut scene.textures {
+        texture
+            .data
+            .iter_mut()
+            .for_each(|x| *x = f64::from(*x as f32));
+    }
+    let directory = Directory::new("textures");
+    let path = write_scene(&scene, &directory.0).expect("writable");
+    let loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(scene.textures, loaded.textures);
+    assert_eq!(scene.materials, loaded.materials);
+    for (a, b) in scene.shapes.iter().zip(&loaded.shapes) {
+        assert_eq!(a.attributes, b.attributes);
+        // The centre of the disk has other coordinates in every triangle.
+        assert_eq!(a.uvs, b.uvs, "{}", a.id);
+        let corners = |s: &capwalk_scene::Shape, i: usize| s.mesh.corners(i);
+        assert_eq!(a.mesh.faces.len(), b.mesh.faces.len());
+        for face in 0..a.mesh.faces.len() {
+            assert_eq!(corners(a, face), corners(b, face), "{}", a.id);
+        }
+    }
+    assert_eq!(scene.shapes[0], loaded.shapes[0]);
+    assert_eq!(loaded.shapes[1].mesh.positions.len(), 1 + 224 + 223 + 1);
+}
+
+/// Every plugin, with what differs from its defaults, alone and inside others.
+#[test]
+fn materials_come_back() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let text = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<bsdf type="conductor" id="gold"><string name="material" value="Au"/>
+<rgb name="specular_reflectance" value="0.9 0.8 0.7"/></bsdf>
+<bsdf type="roughconductor" id="brushed"><string name="distribution" value="ggx"/>
+<float name="alpha_u" value="0.1"/><float name="alpha_v" value="0.3"/></bsdf>
+<bsdf type="dielectric" id="water"><string name="int_ior" value="water"/></bsdf>
+<bsdf type="roughdielectric" id="ice"><float name="int_ior" value="1.31"/>
+<float name="alpha" value="0.2"/></bsdf>
+<bsdf type="thindielectric" id="pane"/>
+<bsdf type="plastic" id="ball"><boolean name="nonlinear" value="true"/></bsdf>
+<bsdf type="roughplastic" id="toy"><string name="distribution" value="ggx"/>
+<texture type="checkerboard" name="diffuse_reflectance"/></bsdf>
+<bsdf type="principled" id="car"><float name="eta" value="1.4"/><float name="sheen" value="0.3"/></bsdf>
+<bsdf type="principled" id="cloth"><float name="specular" value="0.4"/></bsdf>
+<bsdf type="null" id="air"/>
+<bsdf type="blendbsdf" id="mix"><float name="weight" value="0.2"/><ref id="gold"/>
+<bsdf type="mask"><float name="opacity" value="0.7"/><bsdf type="diffuse"/></bsdf></bsdf>
+<bsdf type="twosided" id="sheet"><bsdf type="normalmap"><boolean name="use_shadowing_function" value="false"/>
+<texture name="normalmap" type="checkerboard"/><bsdf type="diffuse"/></bsdf></bsdf>
+<bsdf type="bumpmap" id="rough"><float name="scale" value="3"/>
+<boolean name="flip_invalid_normals" value="false"/>
+<texture name="whatever" type="checkerboard"/><bsdf type="plastic"/></bsdf>
+<shape type="rectangle" id="a"><ref id="mix"/></shape></scene>"#;
+    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    let directory = Directory::new("materials");
+    let path = write_scene(&scene, &directory.0).expect("writable");
+    let loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let plugins = |scene: &Scene| -> Vec<_> {
+        let materials = scene.materials.iter();
+        materials.map(|m| (m.id.clone(), m.bsdf.plugin())).collect()
+    };
+    assert_eq!(plugins(&scene), plugins(&loaded));
+    assert_eq!(scene.textures, loaded.textures);
+    assert_eq!(scene.materials, loaded.materials);
 }

@@ -3,36 +3,48 @@
 use std::fmt::Write;
 
 use capwalk_math::Affine;
+use capwalk_scene::bsdf::NormalLimits;
+use capwalk_scene::lobe::Distribution;
 use capwalk_scene::scene::BsdfId;
+use capwalk_scene::texture::{TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
     Bsdf, Emitter, Film, Filter, Integrator, Pattern, Perspective, SamplerKind, Scene, Settings,
-    ShadingNormals, Shape, Texture,
+    ShadingNormals, Shape, TextureId,
 };
 
-/// The text of the XML file. `files` holds each shape's mesh, relative to it.
-pub(super) fn text(scene: &Scene, files: &[String]) -> String {
+use super::Files;
+
+/// The text of the XML file.
+pub(super) fn text(scene: &Scene, files: &Files) -> String {
     let mut xml = Xml::default();
     xml.open("scene", &[("version", "3.0.0")]);
     integrator(&scene.settings.integrator, &mut xml);
     sensor(&scene.sensor, &scene.film, &scene.settings, &mut xml);
+    let out = &mut Writer { scene, files, xml };
+    for i in 0..scene.textures.len() {
+        let id = TextureId(i as u32);
+        if out.stands_alone(id) {
+            out.texture(None, id);
+        }
+    }
     for i in 0..scene.materials.len() {
         let id = BsdfId(i as u32);
         if home(scene, id).is_none() {
-            bsdf(scene, id, true, &mut xml);
+            out.bsdf(id, true);
         }
     }
-    for (shape, file) in scene.shapes.iter().zip(files) {
-        write_shape(scene, shape, file, &mut xml);
+    for (shape, file) in scene.shapes.iter().zip(&files.meshes) {
+        out.shape(shape, file);
     }
     for emitter in &scene.emitters {
         if let Emitter::Constant { id, radiance } = emitter {
-            xml.open("emitter", &[("type", "constant"), ("id", id)]);
-            xml.texture("radiance", scene.texture(*radiance));
-            xml.close();
+            out.xml.open("emitter", &[("type", "constant"), ("id", id)]);
+            out.slot("radiance", *radiance);
+            out.xml.close();
         }
     }
-    xml.close();
-    xml.text
+    out.xml.close();
+    std::mem::take(&mut out.xml.text)
 }
 
 fn integrator(integrator: &Integrator, xml: &mut Xml) {
@@ -119,49 +131,189 @@ fn degrees(radians: f64) -> String {
         .unwrap_or_else(|| degrees.to_string())
 }
 
-fn write_shape(scene: &Scene, shape: &Shape, file: &str, xml: &mut Xml) {
-    xml.open("shape", &[("type", "ply"), ("id", &shape.id)]);
-    xml.property("string", "filename", file);
-    let flat = matches!(shape.normals, ShadingNormals::Face);
-    xml.property("boolean", "face_normals", flat);
-    bsdf(scene, shape.bsdf, false, xml);
-    if let Some(emitter) = shape.emitter {
-        xml.open("emitter", &[("type", "area")]);
-        let radiance = scene.emitter(emitter).radiance();
-        xml.texture("radiance", scene.texture(radiance));
-        xml.close();
-    }
-    xml.close();
+/// The scene, the files beside the XML, and the XML so far.
+struct Writer<'a> {
+    scene: &'a Scene,
+    files: &'a Files,
+    xml: Xml,
 }
 
-/// A material: itself at its home, a reference elsewhere.
-fn bsdf(scene: &Scene, id: BsdfId, at_top: bool, xml: &mut Xml) {
-    let material = scene.material(id);
-    if !at_top && home(scene, id).is_none() {
-        xml.line("ref", &[("id", &material.id)]);
-        return;
+impl Writer<'_> {
+    fn shape(&mut self, shape: &Shape, file: &str) {
+        self.xml
+            .open("shape", &[("type", "ply"), ("id", &shape.id)]);
+        self.xml.property("string", "filename", file);
+        let flat = matches!(shape.normals, ShadingNormals::Face);
+        self.xml.property("boolean", "face_normals", flat);
+        self.bsdf(shape.bsdf, false);
+        if let Some(emitter) = shape.emitter {
+            self.xml.open("emitter", &[("type", "area")]);
+            self.slot("radiance", self.scene.emitter(emitter).radiance());
+            self.xml.close();
+        }
+        self.xml.close();
     }
-    let plugin = match material.bsdf {
-        Bsdf::Diffuse { .. } => "diffuse",
-        Bsdf::TwoSided { .. } => "twosided",
-    };
-    match at_top {
-        true => xml.open("bsdf", &[("type", plugin), ("id", &material.id)]),
-        false => xml.open("bsdf", &[("type", plugin)]),
-    }
-    match &material.bsdf {
-        Bsdf::Diffuse { reflectance } => xml.texture("reflectance", scene.texture(*reflectance)),
-        Bsdf::TwoSided { front, back } => {
-            bsdf(scene, *front, false, xml);
-            if front != back {
-                bsdf(scene, *back, false, xml);
+
+    /// A material: itself at its home, a reference elsewhere.
+    fn bsdf(&mut self, id: BsdfId, at_top: bool) {
+        let material = self.scene.material(id);
+        if !at_top && home(self.scene, id).is_none() {
+            self.xml.line("ref", &[("id", &material.id)]);
+            return;
+        }
+        let plugin = material.bsdf.plugin();
+        match at_top {
+            true => {
+                let attributes = [("type", plugin), ("id", &material.id)];
+                self.xml.open("bsdf", &attributes);
             }
+            false => self.xml.open("bsdf", &[("type", plugin)]),
+        }
+        for slot in material.bsdf.slots() {
+            self.slot(slot.name, slot.texture);
+        }
+        self.options(&material.bsdf);
+        for (_, part) in different_parts(&material.bsdf) {
+            self.bsdf(part, false);
+        }
+        self.xml.close();
+    }
+
+    /// What a material has besides textures and other materials.
+    fn options(&mut self, bsdf: &Bsdf) {
+        let xml = &mut self.xml;
+        let mut distribution = |distribution: &Distribution| {
+            let name = match distribution {
+                Distribution::Beckmann => "beckmann",
+                Distribution::Ggx => "ggx",
+            };
+            xml.property("string", "distribution", name);
+        };
+        match bsdf {
+            Bsdf::RoughConductor(_, facets) | Bsdf::RoughDielectric(_, facets) => {
+                distribution(&facets.distribution);
+            }
+            Bsdf::RoughPlastic {
+                coat,
+                distribution: of_coat,
+                ..
+            } => {
+                distribution(of_coat);
+                xml.property("boolean", "nonlinear", coat.nonlinear);
+            }
+            Bsdf::Plastic(coat) => xml.property("boolean", "nonlinear", coat.nonlinear),
+            Bsdf::NormalMap { limits, .. } => xml.normal_limits(limits),
+            Bsdf::BumpMap { scale, limits, .. } => {
+                xml.property("float", "scale", scale);
+                xml.normal_limits(limits);
+            }
+            Bsdf::Diffuse { .. }
+            | Bsdf::Conductor(_)
+            | Bsdf::Dielectric(_)
+            | Bsdf::ThinDielectric(_)
+            | Bsdf::Principled(_)
+            | Bsdf::Null
+            | Bsdf::TwoSided { .. }
+            | Bsdf::Mask { .. }
+            | Bsdf::Blend { .. } => {}
         }
     }
-    xml.close();
+
+    /// What stands in a slot: itself, or a reference if it stands alone.
+    fn slot(&mut self, name: &'static str, id: TextureId) {
+        match self.stands_alone(id) {
+            true => {
+                let texture = &self.scene.texture(id).id;
+                self.xml.line("ref", &[("name", name), ("id", texture)]);
+            }
+            false => self.texture(Some(name), id),
+        }
+    }
+
+    /// A texture in a slot, or alone under its own id.
+    fn texture(&mut self, slot: Option<&'static str>, id: TextureId) {
+        let texture = self.scene.texture(id);
+        let xml = &mut self.xml;
+        let mut open = |plugin: &str| {
+            let name = match slot {
+                Some(name) => ("name", name),
+                None => ("id", texture.id.as_str()),
+            };
+            xml.open("texture", &[("type", plugin), name]);
+        };
+        match &texture.pattern {
+            Pattern::Constant => return xml.constant(slot.unwrap_or_default(), &texture.data),
+            // They are in the file of their mesh.
+            Pattern::PerVertex | Pattern::PerFace => return,
+            Pattern::Bitmap(bitmap) => {
+                open("bitmap");
+                let file = &self.files.bitmaps[&(id.0 as usize)];
+                xml.property("string", "filename", file);
+                let filter = match bitmap.filter {
+                    TexelFilter::Nearest => "nearest",
+                    TexelFilter::Bilinear => "bilinear",
+                };
+                xml.property("string", "filter_type", filter);
+                let wrap = match bitmap.wrap {
+                    Wrap::Repeat => "repeat",
+                    Wrap::Mirror => "mirror",
+                    Wrap::Clamp => "clamp",
+                };
+                xml.property("string", "wrap_mode", wrap);
+                xml.property("boolean", "raw", true);
+                xml.uv_transform(&bitmap.to_uv);
+            }
+            Pattern::Checkerboard { to_uv } => {
+                open("checkerboard");
+                let (color0, color1) = texture.data.split_at(texture.channels);
+                xml.constant("color0", color0);
+                xml.constant("color1", color1);
+                xml.uv_transform(to_uv);
+            }
+            Pattern::MeshAttribute { name, scale } => {
+                open("mesh_attribute");
+                xml.property("string", "name", name);
+                xml.property("float", "scale", scale);
+            }
+        }
+        self.xml.close();
+    }
+
+    /// True if a texture stands at the top under its own id: if several slots
+    /// refer to it, or the id is not the one that a nameless texture gets in
+    /// the one that does. Constants always stand in their slots.
+    fn stands_alone(&self, id: TextureId) -> bool {
+        let texture = self.scene.texture(id);
+        let attribute = matches!(texture.pattern, Pattern::PerVertex | Pattern::PerFace);
+        if texture.is_constant() || attribute {
+            return false;
+        }
+        let mut slots: Vec<String> = Vec::new();
+        for emitter in self.scene.emitters.iter().filter(|e| e.radiance() == id) {
+            slots.push(format!("{}.radiance", emitter.name(self.scene)));
+        }
+        for material in &self.scene.materials {
+            let own = material.bsdf.slots();
+            let own = own.iter().filter(|slot| slot.texture == id);
+            slots.extend(own.map(|slot| format!("{}.{}", material.id, slot.name)));
+        }
+        slots.len() != 1 || slots[0] != texture.id
+    }
 }
 
-/// The one shape or two-sided material that a material is written into, or
+/// The materials that a material is written with: one for two sides that are
+/// the same.
+fn different_parts(bsdf: &Bsdf) -> Vec<(&'static str, BsdfId)> {
+    let mut parts = bsdf.named_parts();
+    if let Bsdf::TwoSided { front, back } = bsdf
+        && front == back
+    {
+        parts.truncate(1);
+    }
+    parts
+}
+
+/// The one shape or material that a material is written into, or
 /// `None` if it stands at the top under its own id. It has a home if only one
 /// place uses it and its id is the one that a nameless material gets there.
 fn home(scene: &Scene, id: BsdfId) -> Option<String> {
@@ -170,12 +322,9 @@ fn home(scene: &Scene, id: BsdfId) -> Option<String> {
         homes.push(format!("{}.bsdf", shape.id));
     }
     for material in &scene.materials {
-        if let Bsdf::TwoSided { front, back } = material.bsdf {
-            if front == id {
-                homes.push(format!("{}.brdf_0", material.id));
-            }
-            if back == id && back != front {
-                homes.push(format!("{}.brdf_1", material.id));
+        for (name, part) in different_parts(&material.bsdf) {
+            if part == id {
+                homes.push(format!("{}.{name}", material.id));
             }
         }
     }
@@ -210,14 +359,31 @@ impl Xml {
         self.line(tag, &[("name", name), ("value", &value.to_string())]);
     }
 
-    fn texture(&mut self, name: &str, texture: &Texture) {
-        match (&texture.pattern, &texture.data[..]) {
-            (Pattern::Constant, [number]) => self.property("float", name, number),
-            (Pattern::Constant, data) => {
+    /// One number, or one colour.
+    fn constant(&mut self, name: &str, data: &[f64]) {
+        match data {
+            [number] => self.property("float", name, number),
+            data => {
                 let [r, g, b] = [data[0], data[1], data[2]];
                 self.property("rgb", name, format!("{r}, {g}, {b}"));
             }
         }
+    }
+
+    fn normal_limits(&mut self, limits: &NormalLimits) {
+        self.property("boolean", "flip_invalid_normals", limits.flip_invalid);
+        self.property("boolean", "use_shadowing_function", limits.shadowing);
+    }
+
+    fn uv_transform(&mut self, to_uv: &UvTransform) {
+        if *to_uv == UvTransform::IDENTITY {
+            return;
+        }
+        let [[a, b, c], [d, e, f]] = to_uv.rows;
+        let matrix = format!("{a} {b} 0 {c} {d} {e} 0 {f} 0 0 1 0 0 0 0 1");
+        self.open("transform", &[("name", "to_uv")]);
+        self.line("matrix", &[("value", &matrix)]);
+        self.close();
     }
 
     fn transform(&mut self, name: &str, affine: &Affine) {

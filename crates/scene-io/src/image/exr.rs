@@ -20,7 +20,7 @@ const SAMPLES: &str = "samples";
 const COLOURS: [&str; 3] = ["R", "G", "B"];
 
 /// The bytes of an EXR file: all channels in one part, losslessly compressed.
-pub(super) fn encode(picture: &Picture, [width, height]: [usize; 2]) -> Result<Vec<u8>, String> {
+pub(crate) fn encode(picture: &Picture, [width, height]: [usize; 2]) -> Result<Vec<u8>, String> {
     let mut channels = Vec::new();
     for Layer { name, image } in &picture.layers {
         for (i, colour) in COLOURS.iter().enumerate() {
@@ -95,7 +95,7 @@ fn sort_attributes(bytes: &mut [u8]) {
 }
 
 /// The picture in the bytes of an EXR file, all parts of it.
-pub(super) fn decode(bytes: &[u8]) -> Result<Picture, String> {
+pub(crate) fn decode(bytes: &[u8]) -> Result<Picture, String> {
     let image: FlatImage = read()
         .no_deep_data()
         .largest_resolution_level()

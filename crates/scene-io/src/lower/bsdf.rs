@@ -1,16 +1,66 @@
-//! Materials: `diffuse` and `twosided`.
+//! Materials, one function per plugin or two that are alike.
 
 use capwalk_math::Rgb;
+use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
+use capwalk_scene::lobe::Distribution;
 use capwalk_scene::scene::BsdfId;
-use capwalk_scene::{Bsdf, Material, Texture};
+use capwalk_scene::{Bsdf, Material, Quantity, Texture, TextureId};
 
-use super::{Lowering, colour};
-use crate::fields::Fields;
-use crate::node::{Kind, NodeId};
+use super::texture::choice;
+use super::{Lowering, metals};
+use crate::fields::{Child, Fields};
+use crate::node::{Kind, NodeId, Value};
 use crate::source::{Problem, Span};
+use crate::suggest::nearest;
 
 /// The plugins.
-const BSDFS: [&str; 2] = ["diffuse", "twosided"];
+const BSDFS: [&str; 15] = [
+    "diffuse",
+    "conductor",
+    "roughconductor",
+    "dielectric",
+    "roughdielectric",
+    "thindielectric",
+    "plastic",
+    "roughplastic",
+    "principled",
+    "null",
+    "twosided",
+    "mask",
+    "blendbsdf",
+    "normalmap",
+    "bumpmap",
+];
+
+/// How deep materials may stand in materials.
+const MAX_DEPTH: usize = 8;
+
+/// Refractive indices by name (Mitsuba's `ior.h`, after Hecht's "Optics").
+const INDICES: [(&str, f64); 23] = [
+    ("vacuum", 1.0),
+    ("helium", 1.000036),
+    ("hydrogen", 1.000132),
+    ("air", 1.000277),
+    ("carbon dioxide", 1.00045),
+    ("water", 1.333),
+    ("acetone", 1.36),
+    ("ethanol", 1.361),
+    ("carbon tetrachloride", 1.461),
+    ("glycerol", 1.4729),
+    ("benzene", 1.501),
+    ("silicone oil", 1.52045),
+    ("bromine", 1.661),
+    ("water ice", 1.31),
+    ("fused quartz", 1.458),
+    ("pyrex", 1.47),
+    ("acrylic glass", 1.49),
+    ("polypropylene", 1.49),
+    ("bk7", 1.5046),
+    ("sodium chloride", 1.544),
+    ("amber", 1.55),
+    ("pet", 1.575),
+    ("diamond", 2.419),
+];
 
 impl Lowering<'_> {
     /// The material of a node, made when it is first met. `otherwise` names it
@@ -20,16 +70,75 @@ impl Lowering<'_> {
             return Ok(known);
         }
         let fields = Fields::new(self.context, node);
+        if self.bsdf_depth > MAX_DEPTH {
+            return Err(Problem::new(
+                fields.node.span,
+                "materials stand inside each other too deep",
+            )
+            .help(format!("expected at most {MAX_DEPTH} inside each other")));
+        }
         let name = self.material_name(fields.node.id.as_deref(), otherwise);
-        let bsdf = match fields.node.plugin.as_str() {
-            "diffuse" => self.diffuse(&fields, &name)?,
-            "twosided" => self.two_sided(&fields, &name)?,
-            _ => return Err(fields.unknown_plugin(&BSDFS)),
-        };
+        self.bsdf_depth += 1;
+        let bsdf = self.bsdf_of_plugin(&fields, &name)?;
+        self.bsdf_depth -= 1;
         fields.finish()?;
         let id = self.add_material(name, bsdf);
+        self.places.materials.push(fields.node.span);
         self.material_of_node.insert(node, id);
         Ok(id)
+    }
+
+    fn bsdf_of_plugin(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
+        Ok(match fields.node.plugin.as_str() {
+            "diffuse" => Bsdf::Diffuse {
+                reflectance: self.slot(fields, name, "reflectance", Quantity::Reflectance, 0.5)?,
+            },
+            "conductor" => Bsdf::Conductor(self.metal(fields, name)?),
+            "roughconductor" => {
+                let facets = self.facets(fields, name)?;
+                Bsdf::RoughConductor(self.metal(fields, name)?, facets)
+            }
+            "dielectric" => Bsdf::Dielectric(self.glass(fields, name, true)?),
+            "thindielectric" => Bsdf::ThinDielectric(self.glass(fields, name, false)?),
+            "roughdielectric" => {
+                let facets = self.facets(fields, name)?;
+                Bsdf::RoughDielectric(self.glass(fields, name, false)?, facets)
+            }
+            "plastic" => Bsdf::Plastic(self.coat(fields, name)?),
+            "roughplastic" => {
+                let distribution = distribution(fields)?;
+                let alpha = self.number(fields, name, "alpha", Quantity::Roughness, 0.1)?;
+                Bsdf::RoughPlastic {
+                    coat: self.coat(fields, name)?,
+                    distribution,
+                    alpha,
+                }
+            }
+            "principled" => Bsdf::Principled(self.principled(fields, name)?),
+            "null" => Bsdf::Null,
+            "twosided" => self.two_sided(fields, name)?,
+            "mask" => Bsdf::Mask {
+                opacity: self.number(fields, name, "opacity", Quantity::Fraction, 0.5)?,
+                nested: self.nested(fields, name)?,
+            },
+            "blendbsdf" => self.blend(fields, name)?,
+            "normalmap" => {
+                if fields.get("normalmap").is_none() {
+                    return Err(Problem::new(
+                        fields.node.span,
+                        "the bsdf \"normalmap\" has no map",
+                    )
+                    .help("add <texture name=\"normalmap\" type=\"bitmap\"> with raw = true"));
+                }
+                Bsdf::NormalMap {
+                    normals: self.number(fields, name, "normalmap", Quantity::Normal, 0.5)?,
+                    nested: self.nested(fields, name)?,
+                    limits: normal_limits(fields)?,
+                }
+            }
+            "bumpmap" => self.bump(fields, name)?,
+            _ => return Err(fields.unknown_plugin(&BSDFS)),
+        })
     }
 
     /// The material of a shape without one: grey, or black for a lamp.
@@ -38,6 +147,7 @@ impl Lowering<'_> {
         let reflectance = Rgb::splat(if is_lamp { 0.0 } else { 0.5 });
         let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
         let reflectance = self.add_texture(texture, shape);
+        self.places.materials.push(shape);
         self.add_material(name, Bsdf::Diffuse { reflectance })
     }
 
@@ -46,11 +156,168 @@ impl Lowering<'_> {
         BsdfId(self.materials.len() as u32 - 1)
     }
 
-    fn diffuse(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
-        let reflectance = colour::reflectance(self.context, fields, "reflectance", 0.5)?;
-        let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
-        let reflectance = self.add_texture(texture, fields.span_of("reflectance"));
-        Ok(Bsdf::Diffuse { reflectance })
+    fn metal(&mut self, fields: &Fields, name: &str) -> Result<Metal, Problem> {
+        let (mut eta, mut k) = (Rgb::zero(), Rgb::splat(1.0));
+        match fields.string("material")? {
+            None | Some("none") => {}
+            Some(material) => {
+                let span = fields.span_of("material");
+                if fields.get("eta").or(fields.get("k")).is_some() {
+                    let message = "both a material and its eta or k are given";
+                    return Err(Problem::new(span, message).help("keep one of them"));
+                }
+                (eta, k) = metals::metal(material).ok_or_else(|| {
+                    Problem::new(span, format!("there is no material \"{material}\""))
+                        .help("expected a symbol such as Au, Ag, Al, Cu or Cr, or none")
+                        .near(nearest(material, metals::names()))
+                })?;
+            }
+        }
+        Ok(Metal {
+            eta: self.colour_slot(fields, name, "eta", Quantity::MetalIndex, eta)?,
+            k: self.colour_slot(fields, name, "k", Quantity::Extinction, k)?,
+            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
+        })
+    }
+
+    fn factor(
+        &mut self,
+        fields: &Fields,
+        name: &str,
+        slot: &'static str,
+    ) -> Result<TextureId, Problem> {
+        self.slot(fields, name, slot, Quantity::Reflectance, 1.0)
+    }
+
+    fn facets(&mut self, fields: &Fields, name: &str) -> Result<Facets, Problem> {
+        let distribution = distribution(fields)?;
+        fields.cosmetic(&["sample_visible"], "visible facets are always sampled");
+        let roughness = Quantity::Roughness;
+        let given = |slot| fields.get(slot).is_some();
+        let alpha = match (given("alpha_u"), given("alpha_v")) {
+            (false, false) => [self.number(fields, name, "alpha", roughness, 0.1)?; 2],
+            (true, true) if !given("alpha") => [
+                self.number(fields, name, "alpha_u", roughness, 0.1)?,
+                self.number(fields, name, "alpha_v", roughness, 0.1)?,
+            ],
+            _ => {
+                let span = match given("alpha_u") {
+                    true => fields.span_of("alpha_u"),
+                    false => fields.span_of("alpha_v"),
+                };
+                let message = "the roughness is given in part, or twice";
+                return Err(
+                    Problem::new(span, message).help("give alpha, or both alpha_u and alpha_v")
+                );
+            }
+        };
+        Ok(Facets {
+            distribution,
+            alpha,
+        })
+    }
+
+    fn glass(&mut self, fields: &Fields, name: &str, bends: bool) -> Result<Glass, Problem> {
+        let quantity = Quantity::RefractiveIndex { bends };
+        Ok(Glass {
+            int_ior: self.index(fields, name, "int_ior", quantity, "bk7")?,
+            ext_ior: self.index(fields, name, "ext_ior", quantity, "air")?,
+            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
+            specular_transmittance: self.factor(fields, name, "specular_transmittance")?,
+        })
+    }
+
+    fn coat(&mut self, fields: &Fields, name: &str) -> Result<Coat, Problem> {
+        let quantity = Quantity::RefractiveIndex { bends: false };
+        fields.cosmetic(&["sample_visible"], "visible facets are always sampled");
+        let diffuse = Quantity::Reflectance;
+        Ok(Coat {
+            int_ior: self.index(fields, name, "int_ior", quantity, "polypropylene")?,
+            ext_ior: self.index(fields, name, "ext_ior", quantity, "air")?,
+            diffuse_reflectance: self.slot(fields, name, "diffuse_reflectance", diffuse, 0.5)?,
+            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
+            nonlinear: fields.boolean("nonlinear", false)?,
+        })
+    }
+
+    /// A refractive index, as a number or by name.
+    fn index(
+        &mut self,
+        fields: &Fields,
+        name: &str,
+        slot: &'static str,
+        quantity: Quantity,
+        default: &str,
+    ) -> Result<TextureId, Problem> {
+        let by_name = |wanted: &str| {
+            let mut known = INDICES.iter();
+            let found = known.find(|(name, _)| *name == wanted.to_lowercase());
+            found.map(|&(_, index)| index)
+        };
+        let default = by_name(default).expect("defaults are in the table");
+        let span = fields.span_of(slot);
+        if let Some(property) = fields.get(slot)
+            && let Value::String(wanted) = &property.value
+        {
+            let names = INDICES.iter().map(|(name, _)| *name);
+            let index = by_name(wanted).ok_or_else(|| {
+                Problem::new(
+                    span,
+                    format!("there is no refractive index of \"{wanted}\""),
+                )
+                .help("expected a number, or a name such as bk7, water or diamond")
+                .near(nearest(wanted, names))
+            })?;
+            let texture = Texture::number(format!("{name}.{slot}"), index);
+            return Ok(self.add_texture(texture, span));
+        }
+        let texture = self.number(fields, name, slot, quantity, default)?;
+        match self.textures[texture.0 as usize].is_constant() {
+            true => Ok(texture),
+            false => Err(Problem::new(span, format!("\"{slot}\" is a texture"))
+                .help("a refractive index is the same everywhere; expected a number or a name")),
+        }
+    }
+
+    fn principled(&mut self, fields: &Fields, name: &str) -> Result<Principled, Problem> {
+        let reason = "directions are chosen by our own rule; the mean is the same";
+        let rates = [
+            "main_specular_sampling_rate",
+            "clearcoat_sampling_rate",
+            "diffuse_reflectance_sampling_rate",
+        ];
+        fields.cosmetic(&rates, reason);
+        let base_color = self.slot(fields, name, "base_color", Quantity::Reflectance, 0.5)?;
+        let index = match (fields.get("eta"), fields.get("specular")) {
+            (Some(_), Some(specular)) => {
+                let message = "both \"eta\" and \"specular\" are given";
+                return Err(Problem::new(specular.name_span, message).help("keep one of them"));
+            }
+            (Some(_), None) => {
+                let quantity = Quantity::RefractiveIndex { bends: false };
+                PrincipledIndex::Eta(self.number(fields, name, "eta", quantity, 1.5)?)
+            }
+            (None, _) => {
+                let quantity = Quantity::Fraction;
+                PrincipledIndex::Specular(self.number(fields, name, "specular", quantity, 0.5)?)
+            }
+        };
+        let mut fraction =
+            |slot, default| self.number(fields, name, slot, Quantity::Fraction, default);
+        Ok(Principled {
+            base_color,
+            index,
+            roughness: fraction("roughness", 0.5)?,
+            anisotropic: fraction("anisotropic", 0.0)?,
+            metallic: fraction("metallic", 0.0)?,
+            spec_trans: fraction("spec_trans", 0.0)?,
+            spec_tint: fraction("spec_tint", 0.0)?,
+            sheen: fraction("sheen", 0.0)?,
+            sheen_tint: fraction("sheen_tint", 0.0)?,
+            flatness: fraction("flatness", 0.0)?,
+            clearcoat: fraction("clearcoat", 0.0)?,
+            clearcoat_gloss: fraction("clearcoat_gloss", 0.0)?,
+        })
     }
 
     fn two_sided(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
@@ -87,4 +354,66 @@ impl Lowering<'_> {
             ),
         }
     }
+
+    /// The one material that stands in another.
+    fn nested(&mut self, fields: &Fields, name: &str) -> Result<BsdfId, Problem> {
+        let Some(Child { node, .. }) = fields.child(Kind::Bsdf)? else {
+            let message = format!("{} has no material", fields.title());
+            return Err(Problem::new(fields.node.span, message)
+                .help("put a material into it, such as <bsdf type=\"diffuse\"/>"));
+        };
+        self.bsdf(node, &format!("{name}.nested_bsdf"))
+    }
+
+    fn blend(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
+        if fields.get("weight").is_none() {
+            let message = "the bsdf \"blendbsdf\" has no weight";
+            return Err(Problem::new(fields.node.span, message)
+                .help("add <float name=\"weight\" value=\"0.5\"/>: the part of the second"));
+        }
+        let weight = self.number(fields, name, "weight", Quantity::Fraction, 0.5)?;
+        let children = fields.children(Kind::Bsdf);
+        let [first, second] = children[..] else {
+            let message = format!("the bsdf \"blendbsdf\" has {} materials", children.len());
+            return Err(Problem::new(fields.node.span, message).help("put two into it"));
+        };
+        let first = self.bsdf(first.node, &format!("{name}.bsdf_0"))?;
+        let second = self.bsdf(second.node, &format!("{name}.bsdf_1"))?;
+        Ok(Bsdf::Blend {
+            weight,
+            nested: [first, second],
+        })
+    }
+
+    fn bump(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
+        // Whatever it is called.
+        let Some(Child { node, .. }) = fields.child(Kind::Texture)? else {
+            let message = "the bsdf \"bumpmap\" has no texture";
+            return Err(Problem::new(fields.node.span, message)
+                .help("put a <texture> with heights into it"));
+        };
+        let id = format!("{name}.nested_texture");
+        Ok(Bsdf::BumpMap {
+            heights: self.texture(node, &id, Quantity::Height)?,
+            scale: fields.float("scale", 1.0)?,
+            nested: self.nested(fields, name)?,
+            limits: normal_limits(fields)?,
+        })
+    }
+}
+
+fn distribution(fields: &Fields) -> Result<Distribution, Problem> {
+    Ok(
+        match choice(fields, "distribution", &["beckmann", "ggx"])? {
+            "ggx" => Distribution::Ggx,
+            _ => Distribution::Beckmann,
+        },
+    )
+}
+
+fn normal_limits(fields: &Fields) -> Result<NormalLimits, Problem> {
+    Ok(NormalLimits {
+        flip_invalid: fields.boolean("flip_invalid_normals", true)?,
+        shadowing: fields.boolean("use_shadowing_function", true)?,
+    })
 }

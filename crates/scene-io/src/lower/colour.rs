@@ -65,10 +65,20 @@ pub(super) fn radiance(fields: &Fields, name: &'static str, default: f64) -> Res
     Ok(colour)
 }
 
-/// Textures are objects of their own, wherever they stand.
-pub(super) fn textures_unsupported(span: Span) -> Problem {
-    Problem::new(span, "textures are not supported yet")
-        .help("give one colour with <rgb name=\"...\" value=\"r, g, b\"/>")
+/// Linear colours of any size; a uniform spectrum is the same for all colours.
+pub(super) fn unbounded(fields: &Fields, name: &'static str, default: Rgb) -> Result<Rgb, Problem> {
+    let Some(property) = fields.get(name) else {
+        return Ok(default);
+    };
+    let span = property.value_span;
+    let colour = match property.value {
+        Value::Rgb(rgb) => rgb,
+        Value::Float(x) | Value::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
+        Value::Integer(i) => Rgb::splat(i as f64),
+        ref other => return Err(not_a_colour(name, other, span)),
+    };
+    refuse_negative(name, colour, span)?;
+    Ok(colour)
 }
 
 fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
@@ -84,7 +94,10 @@ fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
 
 fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
     match value {
-        Value::Object { .. } => textures_unsupported(span),
+        Value::Object { .. } => {
+            Problem::new(span, format!("\"{name}\" is an object of another kind"))
+                .help("expected a <texture>, or <rgb name=\"...\" value=\"r, g, b\"/>")
+        }
         Value::Spectrum(Spectrum::Sampled) => Problem::new(
             span,
             format!("\"{name}\" depends on the wavelength"),

@@ -1,9 +1,9 @@
 //! Emitters: `area` inside shapes, `constant` around the scene.
 
 use capwalk_scene::scene::{EmitterId, ShapeId};
-use capwalk_scene::{Emitter, Texture};
+use capwalk_scene::{Emitter, Quantity};
 
-use super::{Lowering, colour};
+use super::Lowering;
 use crate::fields::{Child, Fields};
 use crate::source::{Problem, Span};
 
@@ -40,11 +40,10 @@ impl Lowering<'_> {
                     .help("it stands where its shape stands; move the shape"),
             );
         }
-        let radiance = colour::radiance(&fields, "radiance", 1.0)?;
+        let holder = format!("{shape_name}.emitter");
+        let radiance = self.slot(&fields, &holder, "radiance", Quantity::Radiance, 1.0)?;
         sampling_weight(&fields)?;
         fields.finish()?;
-        let texture = Texture::colour(format!("{shape_name}.emitter.radiance"), radiance);
-        let radiance = self.add_texture(texture, fields.span_of("radiance"));
         let shape = ShapeId(self.shapes.len() as u32);
         Ok(self.add_emitter(Emitter::Area { shape, radiance }, child.span))
     }
@@ -65,13 +64,18 @@ impl Lowering<'_> {
             }
             _ => return Err(fields.unknown_plugin(&EMITTERS)),
         }
-        let radiance = colour::radiance(&fields, "radiance", 1.0)?;
-        sampling_weight(&fields)?;
-        fields.finish()?;
         let id = fields.node.id.clone();
         let id = id.unwrap_or_else(|| "environment".into());
-        let texture = Texture::colour(format!("{id}.radiance"), radiance);
-        let radiance = self.add_texture(texture, fields.span_of("radiance"));
+        let radiance = self.slot(&fields, &id, "radiance", Quantity::Radiance, 1.0)?;
+        sampling_weight(&fields)?;
+        fields.finish()?;
+        if !self.textures[radiance.0 as usize].is_constant() {
+            let problem = Problem::new(
+                fields.span_of("radiance"),
+                "the radiance of a constant emitter is a texture",
+            );
+            return Err(problem.help("give one colour, or write <emitter type=\"envmap\">"));
+        }
         self.add_emitter(Emitter::Constant { id, radiance }, child.span);
         Ok(())
     }

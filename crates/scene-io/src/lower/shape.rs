@@ -7,14 +7,14 @@ use std::path::Path;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::primitive;
-use capwalk_scene::{ShadingNormals, Shape};
+use capwalk_scene::primitive::{self, FaceUvs};
+use capwalk_scene::{Attribute, Pattern, ShadingNormals, Shape, Texture};
 
 use super::Lowering;
 use crate::fields::{Child, Fields};
-use crate::mesh::MeshFile;
+use crate::mesh::{FileAttribute, MeshFile};
 use crate::node::Kind;
-use crate::source::Problem;
+use crate::source::{Problem, Span};
 
 /// The plugins.
 const SHAPES: [&str; 6] = ["obj", "ply", "rectangle", "cube", "disk", "sphere"];
@@ -46,30 +46,37 @@ impl Lowering<'_> {
         }
         let plugin = fields.node.plugin.as_str();
         let mut stem = plugin.to_owned();
-        let (mut mesh, mut normals, is_flipped) = match plugin {
+        let mut of_file = Vec::new();
+        let (mut surface, is_flipped) = match plugin {
             "obj" | "ply" => {
-                let (mesh, normals, name) = self.placed_file(&fields, to_world)?;
+                let (surface, attributes, name) = self.placed_file(&fields, to_world)?;
                 stem = name;
-                (mesh, normals, fields.boolean("flip_normals", false)?)
+                of_file = attributes;
+                (surface, fields.boolean("flip_normals", false)?)
             }
             "rectangle" | "cube" => {
                 // They are flat in any case.
                 fields.boolean("face_normals", false)?;
-                let (mesh, normals) = match plugin {
-                    "rectangle" => primitive::rectangle(to_world),
-                    _ => primitive::cube(to_world),
+                let (mesh, uvs) = match plugin {
+                    "rectangle" => {
+                        let mesh = primitive::rectangle(to_world);
+                        (mesh, primitive::rectangle_uvs(to_world))
+                    }
+                    _ => (primitive::cube(to_world), primitive::cube_uvs(to_world)),
                 };
-                (mesh, normals, fields.boolean("flip_normals", false)?)
+                let flip = fields.boolean("flip_normals", false)?;
+                (Surface::new(mesh, uvs), flip)
             }
             "disk" => {
-                let (mesh, normals) = primitive::disk(to_world);
-                (mesh, normals, fields.boolean("flip_normals", false)?)
+                let mesh = primitive::disk(to_world);
+                let flip = fields.boolean("flip_normals", false)?;
+                (Surface::new(mesh, primitive::disk_uvs(to_world)), flip)
             }
             "sphere" => sphere(&fields, to_world)?,
             _ => return Err(fields.unknown_plugin(&SHAPES)),
         };
         if is_flipped {
-            flip(&mut mesh, &mut normals);
+            surface.flip();
         }
         let id = self.shape_name(fields.node.id.as_deref(), &stem);
         let emitter = fields.child(Kind::Emitter)?;
@@ -93,29 +100,78 @@ impl Lowering<'_> {
             "obj" | "ply" => fields.span_of("filename"),
             _ => fields.node.span,
         });
+        let attributes = self.attributes(&id, of_file, fields.span_of("filename"));
         self.shapes.push(Shape {
             id,
-            mesh,
-            normals,
+            mesh: surface.mesh,
+            normals: surface.normals,
             bsdf,
             emitter,
+            uvs: surface.uvs,
+            attributes,
         });
         Ok(())
     }
 
-    /// The mesh of a file in the world, its normals, and a name for it.
+    /// The attributes of a shape as textures.
+    fn attributes(
+        &mut self,
+        shape: &str,
+        attributes: Vec<FileAttribute>,
+        span: Span,
+    ) -> Vec<Attribute> {
+        let mut add = |attribute: FileAttribute| {
+            if attribute.is_integer {
+                let message = format!(
+                    "the attribute \"{}\" has whole numbers; they are taken as they are, and \
+                     colours are expected to be from 0 to 1",
+                    attribute.name
+                );
+                self.context.warn(span, &message);
+            }
+            let pattern = match attribute.name.starts_with("face_") {
+                true => Pattern::PerFace,
+                false => Pattern::PerVertex,
+            };
+            let texture = Texture {
+                id: format!("{shape}.{}", attribute.name),
+                channels: attribute.channels,
+                data: attribute.data,
+                pattern,
+            };
+            Attribute {
+                name: attribute.name,
+                texture: self.add_texture(texture, span),
+            }
+        };
+        attributes.into_iter().map(&mut add).collect()
+    }
+
+    /// The surface of a file in the world, its attributes, and a name for it.
     fn placed_file(
         &self,
         fields: &Fields,
         to_world: Affine,
-    ) -> Result<(Mesh, ShadingNormals, String), Problem> {
+    ) -> Result<(Surface, Vec<FileAttribute>, String), Problem> {
         let flat = fields.boolean("face_normals", false)?;
-        // Texture coordinates have no effect without textures.
-        fields.boolean("flip_tex_coords", false)?;
+        // Rows of bitmaps begin at v = 0; in OBJ files v points up.
+        let flip_v = fields.boolean("flip_tex_coords", fields.node.plugin == "obj")?;
         let (file, path) = self.mesh_file(fields, !flat)?;
         let MeshFile {
-            mut mesh, normals, ..
+            mut mesh,
+            normals,
+            uvs,
+            attributes,
+            ..
         } = file;
+        let mut uvs = uvs.map(|uvs| {
+            let of_vertex = |vertex: u32| {
+                let [u, v] = uvs[vertex as usize];
+                [u, if flip_v { 1.0 - v } else { v }]
+            };
+            let faces = mesh.faces.iter();
+            faces.map(|corners| corners.map(of_vertex)).collect()
+        });
         for position in &mut mesh.positions {
             *position = to_world.point(*position);
         }
@@ -127,35 +183,59 @@ impl Lowering<'_> {
                     .into_iter()
                     .map(|n| to_world.normal(n).normalized())
                     .collect();
-                agree(&mut mesh, &normals);
+                agree(&mut mesh, &mut uvs, &normals);
                 ShadingNormals::Given(normals)
             }
         };
         let stem = path.file_stem().unwrap_or(Path::new("mesh").as_os_str());
-        Ok((mesh, normals, stem.to_string_lossy().into_owned()))
+        let surface = Surface { mesh, normals, uvs };
+        Ok((surface, attributes, stem.to_string_lossy().into_owned()))
     }
 }
 
-/// Winds each face so that its normal is on the side of its vertices' normals.
-fn agree(mesh: &mut Mesh, normals: &[Vec3]) {
-    for face in 0..mesh.faces.len() {
-        let [a, b, c] = mesh.faces[face].map(|i| normals[i as usize]);
-        if mesh.face_cross(face).dot(a + b + c) < 0.0 {
-            mesh.faces[face].swap(1, 2);
+/// A mesh with what goes around with its faces.
+struct Surface {
+    mesh: Mesh,
+    normals: ShadingNormals,
+    uvs: Option<FaceUvs>,
+}
+
+impl Surface {
+    fn new((mesh, normals): (Mesh, ShadingNormals), uvs: FaceUvs) -> Self {
+        Self {
+            mesh,
+            normals,
+            uvs: Some(uvs),
+        }
+    }
+
+    /// Makes the back of a surface its front.
+    fn flip(&mut self) {
+        for face in &mut self.mesh.faces {
+            face.swap(1, 2);
+        }
+        for corners in self.uvs.iter_mut().flatten() {
+            corners.swap(1, 2);
+        }
+        match &mut self.normals {
+            ShadingNormals::Face => {}
+            ShadingNormals::Given(normals) | ShadingNormals::Computed(normals) => {
+                for normal in normals {
+                    *normal = -*normal;
+                }
+            }
         }
     }
 }
 
-/// Makes the back of a surface its front.
-fn flip(mesh: &mut Mesh, normals: &mut ShadingNormals) {
-    for face in &mut mesh.faces {
-        face.swap(1, 2);
-    }
-    match normals {
-        ShadingNormals::Face => {}
-        ShadingNormals::Given(normals) | ShadingNormals::Computed(normals) => {
-            for normal in normals {
-                *normal = -*normal;
+/// Winds each face so that its normal is on the side of its vertices' normals.
+fn agree(mesh: &mut Mesh, uvs: &mut Option<FaceUvs>, normals: &[Vec3]) {
+    for face in 0..mesh.faces.len() {
+        let [a, b, c] = mesh.faces[face].map(|i| normals[i as usize]);
+        if mesh.face_cross(face).dot(a + b + c) < 0.0 {
+            mesh.faces[face].swap(1, 2);
+            if let Some(uvs) = uvs {
+                uvs[face].swap(1, 2);
             }
         }
     }
@@ -163,7 +243,7 @@ fn flip(mesh: &mut Mesh, normals: &mut ShadingNormals) {
 
 /// A sphere, and whether its sides must be exchanged. As in Mitsuba, a mirroring
 /// transform turns a sphere inside out ([`primitive::sphere`] does it).
-fn sphere(fields: &Fields, to_world: Affine) -> Result<(Mesh, ShadingNormals, bool), Problem> {
+fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, bool), Problem> {
     let centre = fields.point("center")?.unwrap_or(Vec3::zero());
     let radius = fields.float("radius", 1.0)?;
     if radius == 0.0 {
@@ -188,8 +268,9 @@ fn sphere(fields: &Fields, to_world: Affine) -> Result<(Mesh, ShadingNormals, bo
              as a mesh",
         ));
     }
-    let (mesh, normals) = primitive::sphere(to_world, centre, radius.abs());
+    let mesh = primitive::sphere(to_world, centre, radius.abs());
+    let surface = Surface::new(mesh, primitive::sphere_uvs());
     // A negative radius mirrors, too.
     let is_flipped = fields.boolean("flip_normals", false)? != (radius < 0.0);
-    Ok((mesh, normals, is_flipped))
+    Ok((surface, is_flipped))
 }

@@ -24,7 +24,7 @@ struct Reader {
     want_normals: bool,
     positions: Vec<Vec3>,
     normals: Vec<Vec3>,
-    texture_coordinates: usize,
+    texture_coordinates: Vec<[f64; 2]>,
     /// The corners that became vertices, as indices into the lists above.
     corners: Vec<Corner>,
     vertex_of_corner: HashMap<Corner, u32>,
@@ -95,7 +95,9 @@ impl Reader {
                 self.normals.push(normal);
             }
             b"vn" => {}
-            b"vt" => self.texture_coordinates += 1,
+            b"vt" => self
+                .texture_coordinates
+                .push(one_or_two_numbers(words, line)?),
             b"f" => self.face(words, line)?,
             _ => {
                 let keyword = word(keyword);
@@ -201,7 +203,11 @@ impl Reader {
         let normal = fields.get(2).filter(|_| self.want_normals);
         Ok(Corner {
             position: position.ok_or_else(bad)?,
-            texture: index(texture, self.texture_coordinates, "texture coordinate")?,
+            texture: index(
+                texture,
+                self.texture_coordinates.len(),
+                "texture coordinate",
+            )?,
             normal: index(normal, self.normals.len(), "normal")?,
         })
     }
@@ -229,7 +235,15 @@ impl Reader {
             }
             _ => None,
         };
-        finish(mesh, normals, Vec::new())
+        let uvs = self.corners.iter();
+        let uvs = uvs.map(|c| Some(self.texture_coordinates[c.texture?]));
+        finish(MeshFile {
+            mesh,
+            normals,
+            uvs: uvs.collect(),
+            attributes: Vec::new(),
+            skipped: Vec::new(),
+        })
     }
 }
 
@@ -239,16 +253,36 @@ fn three_numbers<'a>(
     line: usize,
     what: &str,
 ) -> Result<Vec3, MeshFileError> {
-    let mut number = || {
-        let text = words.next().unwrap_or(b"");
-        let number = std::str::from_utf8(text).ok().and_then(|t| t.parse().ok());
-        number.ok_or_else(|| {
-            MeshFileError::new(
-                format!("line {line}"),
-                format!("\"{}\" is not a number", word(text)),
-                format!("expected three coordinates of {what}"),
-            )
-        })
-    };
-    Ok(Vec3::new(number()?, number()?, number()?))
+    let help = format!("expected three coordinates of {what}");
+    let mut next = || number(words.next().unwrap_or(b""), line, &help);
+    Ok(Vec3::new(next()?, next()?, next()?))
+}
+
+/// Texture coordinates: `u`, `u v` or `u v w`; `v` is 0 where it is missing.
+fn one_or_two_numbers<'a>(
+    mut words: impl Iterator<Item = &'a [u8]>,
+    line: usize,
+) -> Result<[f64; 2], MeshFileError> {
+    let help = "expected finite texture coordinates";
+    let u = number(words.next().unwrap_or(b""), line, help)?;
+    let v = number(words.next().unwrap_or(b"0"), line, help)?;
+    match u.is_finite() && v.is_finite() {
+        true => Ok([u, v]),
+        false => Err(MeshFileError::new(
+            format!("line {line}"),
+            format!("the texture coordinates are ({u}, {v})"),
+            help,
+        )),
+    }
+}
+
+fn number(text: &[u8], line: usize, help: &str) -> Result<f64, MeshFileError> {
+    let number = std::str::from_utf8(text).ok().and_then(|t| t.parse().ok());
+    number.ok_or_else(|| {
+        MeshFileError::new(
+            format!("line {line}"),
+            format!("\"{}\" is not a number", word(text)),
+            help,
+        )
+    })
 }

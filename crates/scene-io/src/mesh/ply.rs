@@ -1,11 +1,12 @@
-//! Stanford PLY, as text or binary: positions, normals and polygons; everything
-//! else is passed over.
+//! Stanford PLY, as text or binary: positions, normals, texture coordinates,
+//! polygons, and attributes of vertices and faces.
 
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
+use super::ply_attribute::{self, Group};
 use super::ply_header::{self, Element, Format, Scalar};
-use super::{MeshFile, MeshFileError, fan, finish, finite_position, unit_normal};
+use super::{FileAttribute, MeshFile, MeshFileError, fan, finish, finite_position, unit_normal};
 
 /// The names of the list of corners.
 const CORNER_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
@@ -25,17 +26,13 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
         .iter()
         .find(is_vertex)
         .map_or(0, |e| e.count);
-    let (mut positions, mut normals, mut triangles) = (None, None, None);
+    let (mut vertices, mut faces) = (None, None);
     let mut skipped = Vec::new();
     for element in &header.elements {
         body.announced(element)?;
         match element.name.as_str() {
-            "vertex" => {
-                let (p, n) = vertices(&mut body, element, want_normals)?;
-                positions = Some(p);
-                normals = n;
-            }
-            "face" => triangles = Some(faces(&mut body, element, vertex_count)?),
+            "vertex" => vertices = Some(read_vertices(&mut body, element, want_normals)?),
+            "face" => faces = Some(read_faces(&mut body, element, vertex_count)?),
             "tristrips" => {
                 return Err(MeshFileError::new(
                     "",
@@ -54,10 +51,20 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
         let help = format!("expected \"element {what} COUNT\" in the header");
         MeshFileError::new("", message, help)
     };
-    let positions = positions.ok_or_else(|| missing("vertex", "the file has no vertices"))?;
-    let faces = triangles.ok_or_else(|| missing("face", "the file has no faces"))?;
-    let mesh = Mesh { positions, faces };
-    finish(mesh, normals, skipped)
+    let vertices = vertices.ok_or_else(|| missing("vertex", "the file has no vertices"))?;
+    let faces = faces.ok_or_else(|| missing("face", "the file has no faces"))?;
+    let mesh = Mesh {
+        positions: vertices.positions,
+        faces: faces.triangles,
+    };
+    let attributes = vertices.attributes.into_iter().chain(faces.attributes);
+    finish(MeshFile {
+        mesh,
+        normals: vertices.normals,
+        uvs: vertices.uvs,
+        attributes: attributes.collect(),
+        skipped,
+    })
 }
 
 /// What is left of the file behind the header.
@@ -262,33 +269,75 @@ fn skip(body: &mut Body, element: &Element) -> Result<(), MeshFileError> {
     (0..element.count).try_for_each(|index| read_element(body, element, index, |_, _| ()))
 }
 
-/// Positions, and normals if wanted and there.
-fn vertices(
+/// What vertices have.
+struct Vertices {
+    positions: Vec<Vec3>,
+    normals: Option<Vec<Vec3>>,
+    uvs: Option<Vec<[f64; 2]>>,
+    attributes: Vec<FileAttribute>,
+}
+
+/// What faces have, polygons cut into triangles.
+struct Faces {
+    triangles: Vec<[u32; 3]>,
+    attributes: Vec<FileAttribute>,
+}
+
+/// Attributes without numbers yet.
+fn empty_attributes(groups: &[Group]) -> Vec<FileAttribute> {
+    let attributes = groups.iter().map(|group| FileAttribute {
+        name: group.name.clone(),
+        channels: group.properties.len(),
+        data: Vec::new(),
+        is_integer: group.is_integer,
+    });
+    attributes.collect()
+}
+
+/// Adds one vertex's or triangle's numbers to each attribute.
+fn extend(attributes: &mut [FileAttribute], groups: &[Group], values: &[f64]) {
+    for (attribute, group) in attributes.iter_mut().zip(groups) {
+        attribute
+            .data
+            .extend(group.properties.iter().map(|&i| values[i]));
+    }
+}
+
+/// The indices of properties with these names that are one number each.
+fn numbers<const N: usize>(element: &Element, names: [&str; N]) -> Option<[usize; N]> {
+    let found = names.map(|name| {
+        let index = element.position(name)?;
+        element.properties[index].length.is_none().then_some(index)
+    });
+    found
+        .iter()
+        .all(Option::is_some)
+        .then(|| found.map(|index| index.expect("all of them are there")))
+}
+
+/// Positions, attributes, and normals and texture coordinates if wanted and
+/// there.
+fn read_vertices(
     body: &mut Body,
     element: &Element,
     want_normals: bool,
-) -> Result<(Vec<Vec3>, Option<Vec<Vec3>>), MeshFileError> {
-    let numbers = |names: [&str; 3]| {
-        let found = names.map(|name| {
-            let index = element.position(name)?;
-            element.properties[index].length.is_none().then_some(index)
-        });
-        match found {
-            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
-            _ => None,
-        }
-    };
-    let position_at = numbers(["x", "y", "z"]).ok_or_else(|| {
+) -> Result<Vertices, MeshFileError> {
+    let position_at = numbers(element, ["x", "y", "z"]).ok_or_else(|| {
         MeshFileError::new(
             "",
             "the vertices have no positions",
             "expected the properties x, y and z in the header",
         )
     })?;
-    let normal_at = numbers(["nx", "ny", "nz"]).filter(|_| want_normals);
+    let normal_at = numbers(element, ["nx", "ny", "nz"]).filter(|_| want_normals);
+    let uv_names = [["u", "v"], ["texture_u", "texture_v"], ["s", "t"]];
+    let uv_at = uv_names.iter().find_map(|&names| numbers(element, names));
+    let groups = ply_attribute::groups(element, "vertex");
+    let mut attributes = empty_attributes(&groups);
     let count = element.count as usize;
     let mut positions = Vec::with_capacity(count);
     let mut normals = normal_at.map(|_| Vec::with_capacity(count));
+    let mut uvs = uv_at.map(|_| Vec::with_capacity(count));
     let mut values = vec![0.0; element.properties.len()];
     for index in 0..element.count {
         let place = match body.format {
@@ -311,16 +360,26 @@ fn vertices(
         if let (Some(normals), Some(at)) = (&mut normals, normal_at) {
             normals.push(unit_normal(vector(at), vertex, place())?);
         }
+        if let (Some(uvs), Some([u, v])) = (&mut uvs, uv_at) {
+            let uv = [values[u], values[v]];
+            if !uv.iter().all(|x| x.is_finite()) {
+                let message = format!("vertex {vertex} has the texture coordinates {uv:?}");
+                return Err(MeshFileError::new(place(), message, "expected finite ones"));
+            }
+            uvs.push(uv);
+        }
+        extend(&mut attributes, &groups, &values);
     }
-    Ok((positions, normals))
+    Ok(Vertices {
+        positions,
+        normals,
+        uvs,
+        attributes,
+    })
 }
 
-/// Triangles; polygons become fans.
-fn faces(
-    body: &mut Body,
-    element: &Element,
-    vertices: u64,
-) -> Result<Vec<[u32; 3]>, MeshFileError> {
+/// Triangles and their attributes; polygons become fans.
+fn read_faces(body: &mut Body, element: &Element, vertices: u64) -> Result<Faces, MeshFileError> {
     let list = CORNER_LISTS
         .iter()
         .find_map(|name| element.position(name))
@@ -337,10 +396,14 @@ fn faces(
     })?;
     let mut triangles = Vec::with_capacity(element.count as usize);
     let mut polygon: Vec<u32> = Vec::new();
+    let groups = ply_attribute::groups(element, "face");
+    let mut attributes = empty_attributes(&groups);
+    let mut values = vec![0.0; element.properties.len()];
     for index in 0..element.count {
         polygon.clear();
         let mut bad_corner = None;
         read_element(body, element, index, |i, number| {
+            values[i] = number.as_f64();
             let Number::Integer(corner) = number else {
                 return;
             };
@@ -365,7 +428,13 @@ fn faces(
                 "expected at least 3",
             ));
         }
-        triangles.extend(fan(&polygon));
+        for triangle in fan(&polygon) {
+            triangles.push(triangle);
+            extend(&mut attributes, &groups, &values);
+        }
     }
-    Ok(triangles)
+    Ok(Faces {
+        triangles,
+        attributes,
+    })
 }

@@ -4,6 +4,7 @@
 
 mod camera;
 mod common;
+mod materials;
 mod meaning;
 mod mesh_files;
 mod meshes;
@@ -13,3 +14,4 @@ mod parameters;
 mod parity;
 mod robustness;
 mod syntax;
+mod textures;

@@ -58,7 +58,7 @@ fn folder_instead_of_a_mesh() {
         &mesh("obj", "folder.obj", ""),
         &[
             "scene.xml:5:52: cannot read \"FOLDER/folder.obj\": it is a folder; expected a file",
-            "  give the file of a mesh",
+            "  give a file that can be read",
         ],
     );
 }

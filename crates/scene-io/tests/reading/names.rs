@@ -72,10 +72,8 @@ fn environment_and_sensor_have_names() {
     let unnamed = load(&scene(""));
     assert_eq!(unnamed.sensor.id, "sensor");
     assert_eq!(
-        unnamed
-            .texture(unnamed.emitters[0].radiance())
-            .parameter_name(),
-        "environment.radiance.value"
+        unnamed.texture(unnamed.emitters[0].radiance()).id,
+        "environment.radiance"
     );
     let text = scene("").replace("\"constant\"", "\"constant\" id=\"sky\"");
     let text = text.replace("\"perspective\"", "\"perspective\" id=\"eye\"");

@@ -28,10 +28,13 @@ fn mistyped_shape_plugin() {
 #[test]
 fn unknown_bsdf_plugin() {
     check(
-        &scene(r#"<bsdf type="roughconductor" id="m"/>"#),
+        &scene(r#"<bsdf type="roughconductr" id="m"/>"#),
         &[
-            "scene.xml:5:15: unknown bsdf plugin \"roughconductor\"",
-            "  known bsdf plugins: diffuse, twosided",
+            "scene.xml:5:15: unknown bsdf plugin \"roughconductr\"",
+            "  known bsdf plugins: diffuse, conductor, roughconductor, dielectric, roughdielectric, \
+             thindielectric, plastic, roughplastic, principled, null, twosided, mask, blendbsdf, \
+             normalmap, bumpmap",
+            "  did you mean \"roughconductor\"?",
         ],
     );
 }
@@ -108,19 +111,6 @@ fn wavelengths() {
         &[
             "scene.xml:5:67: \"reflectance\" depends on the wavelength",
             "  light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> or a <spectrum> with one number",
-        ],
-    );
-}
-
-#[test]
-fn texture() {
-    check(
-        &scene(
-            r#"<bsdf type="diffuse" id="m"><texture name="reflectance" type="bitmap"><string name="filename" value="wood.png"/></texture></bsdf>"#,
-        ),
-        &[
-            "scene.xml:5:31: textures are not supported yet",
-            "  give one colour with <rgb name=\"...\" value=\"r, g, b\"/>",
         ],
     );
 }

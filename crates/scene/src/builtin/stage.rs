@@ -68,13 +68,7 @@ pub fn add(
             material(scene, format!("{id}.bsdf"), Bsdf::TwoSided { front, back })
         }
     };
-    scene.shapes.push(Shape {
-        id: id.into(),
-        mesh,
-        normals,
-        bsdf,
-        emitter: None,
-    });
+    scene.shapes.push(Shape::new(id, mesh, normals, bsdf));
     ShapeId(scene.shapes.len() as u32 - 1)
 }
 

@@ -337,7 +337,13 @@ impl Principled {
         let h = (wi + wo).normalized();
         let cos_h = wi.dot(h);
         let reflects = chances.facets * (1.0 - self.refraction(cos_h, eta, front));
-        let coat = coat_density(self.coat_alpha(), h.z) * h.z / (4.0 * cos_h);
+        // The coat's normals are not those that are visible: at facets seen
+        // from the side the density has no bound.
+        let coat = if chances.coat > 0.0 && cos_h > 0.0 {
+            coat_density(self.coat_alpha(), h.z) * h.z / (4.0 * cos_h)
+        } else {
+            0.0
+        };
         reflects * facets.reflection_pdf(wi, h)
             + chances.coat * coat
             + chances.base * local::cosine_pdf(wo)

@@ -2,16 +2,18 @@
 //! vertices of a mesh. Reverse mode gives the gradient of a loss by all of
 //! them; an optimiser reads and writes them.
 
+use std::ops::Range;
+
 use capwalk_geometry::topology::weld;
 use capwalk_math::Vec3;
 
 use super::ParameterKind;
 use super::error::ParameterError;
-use super::registry::{Channel, Entry, Target, entries};
+use super::registry::{Channel, Entry, Target, entries, users};
 use crate::motion::{Motion, ShapeMotion};
 use crate::scene::{Scene, ShapeId};
 use crate::shape::{ShadingNormals, vertex_normals};
-use crate::texture::TextureId;
+use crate::texture::{Part, Pattern, TextureId};
 
 /// An array of numbers of the scene, each of which may change by itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,7 +42,7 @@ pub struct ArrayParameter {
 enum Place {
     Positions(ShapeId),
     Normals(ShapeId),
-    Texels(TextureId),
+    Texels(TextureId, Part),
     SensorTranslation,
     SensorRotation,
 }
@@ -69,17 +71,25 @@ fn behind(scene: &Scene, entry: &Entry) -> Vec<ArrayParameter> {
     };
     match target {
         Target::Translate(id, 0) => of_shape(scene, id),
-        Target::Constant(id, quantity, Channel::All) => {
+        // A single number has a short name too, which stays a scalar's.
+        Target::Texels(id, part, quantity, Channel::All) if entry.name.ends_with(part.name) => {
             let texture = scene.texture(id);
+            let mut shape = match (&texture.pattern, part.count) {
+                (Pattern::Bitmap(bitmap), _) => vec![bitmap.height as usize, bitmap.width as usize],
+                (Pattern::PerVertex | Pattern::PerFace, count) => vec![count],
+                (Pattern::Constant | Pattern::Checkerboard { .. }, _) => Vec::new(),
+                (Pattern::MeshAttribute { .. }, _) => unreachable!("its numbers are the shape's"),
+            };
+            shape.push(texture.channels);
             vec![ArrayParameter {
                 name: entry.name.clone(),
-                kind: quantity.kind(),
-                shape: vec![texture.channels],
+                kind: quantity.into(),
+                shape,
                 unit: quantity.unit(),
-                moves_discontinuities: false,
-                description: quantity.of(scene, id),
+                moves_discontinuities: quantity.moves_edges(),
+                description: format!("{} of {}", quantity.name(), users(scene, id)),
                 alias_of: entry.alias_of.clone(),
-                place: Place::Texels(id),
+                place: Place::Texels(id, part),
             }]
         }
         Target::TranslateSensor(0) => vec![ArrayParameter {
@@ -97,7 +107,7 @@ fn behind(scene: &Scene, entry: &Entry) -> Vec<ArrayParameter> {
         Target::Translate(..)
         | Target::Rotate(..)
         | Target::Scale(_)
-        | Target::Constant(..)
+        | Target::Texels(..)
         | Target::TranslateSensor(_)
         | Target::RotateSensor(_) => Vec::new(),
     }
@@ -120,8 +130,8 @@ fn of_shape(scene: &Scene, id: ShapeId) -> Vec<ArrayParameter> {
         name: format!("{name}.normals"),
         kind: ParameterKind::Normals,
         unit: "length 1",
-        // Which side is seen, and with it every edge, is up to the faces.
-        moves_discontinuities: false,
+        // They decide what a mirror shows.
+        moves_discontinuities: true,
         description: format!("shading normals given with {name}"),
         place: Place::Normals(id),
         ..positions.clone()
@@ -170,7 +180,7 @@ impl ArrayParameter {
         match self.place {
             Place::Positions(id) => flat(&scene.shape(id).mesh.positions),
             Place::Normals(id) => flat(scene.shape(id).normals.per_vertex().unwrap_or_default()),
-            Place::Texels(id) => scene.texture(id).data.clone(),
+            Place::Texels(id, part) => scene.texture(id).data[numbers_of(scene, id, part)].to_vec(),
             Place::SensorTranslation | Place::SensorRotation => vec![0.0; 3],
         }
     }
@@ -199,7 +209,10 @@ impl ArrayParameter {
                 let normals = vectors(numbers).into_iter().map(Vec3::normalized).collect();
                 scene.shapes[id.0 as usize].normals = ShadingNormals::Given(normals);
             }
-            Place::Texels(id) => scene.texture_mut(id).data.copy_from_slice(numbers),
+            Place::Texels(id, part) => {
+                let range = numbers_of(scene, id, part);
+                scene.texture_mut(id).data[range].copy_from_slice(numbers);
+            }
             Place::SensorTranslation | Place::SensorRotation => {
                 *scene = scene.moved(&self.motion(scene, numbers), 1.0);
             }
@@ -254,7 +267,11 @@ impl ArrayParameter {
                     normals: Some(vectors(velocities)),
                 });
             }
-            Place::Texels(id) => motion.textures[id.0 as usize] = Some(velocities.to_vec()),
+            Place::Texels(id, part) => {
+                let mut data = vec![0.0; scene.texture(id).data.len()];
+                data[numbers_of(scene, id, part)].copy_from_slice(velocities);
+                motion.textures[id.0 as usize] = Some(data);
+            }
             Place::SensorTranslation => motion.sensor.translation = vectors(velocities)[0],
             Place::SensorRotation => motion.sensor.rotation = vectors(velocities)[0],
         }
@@ -285,12 +302,21 @@ impl ArrayParameter {
                         flat(&tangent.collect::<Vec<_>>())
                     })
             }
-            Place::Texels(id) => gradient.textures[id.0 as usize].clone(),
+            Place::Texels(id, part) => {
+                let data = gradient.textures[id.0 as usize].as_ref();
+                data.map(|data| data[numbers_of(scene, id, part)].to_vec())
+            }
             Place::SensorTranslation => Some(flat(&[gradient.sensor.translation])),
             Place::SensorRotation => Some(flat(&[gradient.sensor.rotation])),
         }
         .unwrap_or_else(|| vec![0.0; self.count()])
     }
+}
+
+/// Where the numbers of a part of a texture are in its data.
+fn numbers_of(scene: &Scene, id: TextureId, part: Part) -> Range<usize> {
+    let channels = scene.texture(id).channels;
+    part.first * channels..(part.first + part.count) * channels
 }
 
 /// The mean of the covectors on each group of vertices at the same place, for

@@ -128,8 +128,8 @@ impl fmt::Display for ParameterError {
             ),
             Self::TwoSides { name } => write!(
                 f,
-                "\"{name}\" belongs to a material whose two sides differ; name the material of \
-                 one side instead; `capwalk info` lists all parameters"
+                "\"{name}\" belongs to a material that is made of different ones; name one of \
+                 them instead; `capwalk info` lists all parameters"
             ),
             Self::UnknownShape { shape, near } => {
                 write!(f, "the scene has no shape \"{shape}\"")?;

@@ -3,11 +3,11 @@
 use std::collections::HashSet;
 
 use super::{Parameter, ParameterKind};
-use crate::bsdf::Bsdf;
 use crate::emitter::Emitter;
+use crate::quantity::Quantity;
 use crate::scene::{BsdfId, Scene, ShapeId};
 use crate::shape::Shape;
-use crate::texture::{Pattern, TextureId};
+use crate::texture::{Part, TextureId};
 
 /// What a name refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,17 +15,10 @@ pub(super) enum Target {
     Translate(ShapeId, usize),
     Rotate(ShapeId, usize),
     Scale(ShapeId),
-    /// The one texel of a constant texture.
-    Constant(TextureId, Quantity, Channel),
+    /// Some texels of a texture together.
+    Texels(TextureId, Part, Quantity, Channel),
     TranslateSensor(usize),
     RotateSensor(usize),
-}
-
-/// What the numbers of a texture are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Quantity {
-    Radiance,
-    Reflectance,
 }
 
 /// Which channels of a colour change.
@@ -104,6 +97,9 @@ pub(super) fn entries(scene: &Scene) -> Vec<Entry> {
             add(format!("{name}.rotate.{letter}"), Target::Rotate(id, axis));
         }
         add(format!("{name}.scale"), Target::Scale(id));
+        for attribute in &shape.attributes {
+            add_texture(scene, attribute.texture, Quantity::Attribute, &mut entries);
+        }
     }
     let mut listed = HashSet::new();
     for emitter in &scene.emitters {
@@ -113,9 +109,9 @@ pub(super) fn entries(scene: &Scene) -> Vec<Entry> {
         }
     }
     for (i, material) in scene.materials.iter().enumerate() {
-        for (_, id) in material.bsdf.textures() {
-            if listed.insert(id) {
-                add_texture(scene, id, Quantity::Reflectance, &mut entries);
+        for slot in material.bsdf.slots() {
+            if listed.insert(slot.texture) {
+                add_texture(scene, slot.texture, slot.quantity, &mut entries);
             }
         }
         add_contradiction(scene, BsdfId(i as u32), &mut entries);
@@ -133,36 +129,49 @@ fn add_texture(scene: &Scene, id: TextureId, quantity: Quantity, entries: &mut V
         names.push(format!("{}.radiance", emitter.name(scene)));
     }
     for (i, material) in scene.materials.iter().enumerate() {
-        for (slot, _) in material.bsdf.textures().iter().filter(|(_, t)| *t == id) {
+        for slot in material.bsdf.slots().iter().filter(|s| s.texture == id) {
             for name in material_names(scene, BsdfId(i as u32)) {
-                names.push(format!("{name}.{slot}"));
+                names.push(format!("{name}.{}", slot.name));
             }
         }
     }
     // `floor.bsdf` is often both the material's id and the shape's path.
     let mut seen = HashSet::new();
     names.retain(|name| seen.insert(name.clone()));
-    let property = match texture.pattern {
-        Pattern::Constant => "value",
-    };
-    for &channel in Channel::of_texture(texture.channels) {
-        let full = |name: &String| format!("{name}.{property}{}", channel.suffix());
-        let first = full(&names[0]);
-        for (i, name) in names.iter().map(full).enumerate() {
-            entries.push(Entry {
-                name,
-                target: Some(Target::Constant(id, quantity, channel)),
-                alias_of: (i > 0).then(|| first.clone()),
-            });
+    for part in texture.parts() {
+        for &channel in Channel::of_texture(texture.channels) {
+            let suffix = channel.suffix();
+            let full = |name: &String| match part.name {
+                "" => format!("{name}{suffix}"),
+                part => format!("{name}.{part}{suffix}"),
+            };
+            let first = full(&names[0]);
+            let mut names: Vec<String> = names
+                .iter()
+                .flat_map(|name| {
+                    // A single number is called by the name of its slot, too.
+                    let short = texture.channels == 1 && part.name == "value";
+                    std::iter::once(full(name)).chain(short.then(|| name.clone()))
+                })
+                .collect();
+            for (i, name) in names.drain(..).enumerate() {
+                entries.push(Entry {
+                    name,
+                    target: Some(Target::Texels(id, part, quantity, channel)),
+                    alias_of: (i > 0).then(|| first.clone()),
+                });
+            }
         }
     }
 }
 
-/// What a one-sided material is called: its own name, then those of two-sided
-/// materials that show it on both sides, then those by the shapes that have
-/// any of them.
+/// What a material is called: its own name, then those of materials that show
+/// it on all sides they show, then those by the shapes that have any of them.
 fn material_names(scene: &Scene, id: BsdfId) -> Vec<String> {
-    let shows_it = |other: BsdfId| other == id || shown_material(scene, other) == Some(id);
+    let shows_it = |other: BsdfId| {
+        let parts = |id: &BsdfId| scene.material(*id).bsdf.shown_part();
+        std::iter::successors(Some(other), parts).any(|part| part == id)
+    };
     let others = (0..scene.materials.len() as u32).map(BsdfId);
     let mut names = vec![scene.material(id).id.clone()];
     for other in others.filter(|&other| other != id && shows_it(other)) {
@@ -174,33 +183,29 @@ fn material_names(scene: &Scene, id: BsdfId) -> Vec<String> {
     names
 }
 
-/// The names that a material whose two sides differ would have if they did
-/// not. They refer to nothing, but the message can say why.
+/// The names that a material made of several would have if they were one. They
+/// refer to nothing, but the message can say why.
 fn add_contradiction(scene: &Scene, id: BsdfId, entries: &mut Vec<Entry>) {
-    if shown_material(scene, id).is_some() {
+    let bsdf = &scene.material(id).bsdf;
+    if bsdf.parts().is_empty() || bsdf.shown_part().is_some() {
         return;
     }
-    let shapes = scene.shapes.iter().filter(|shape| shape.bsdf == id);
-    let mut names = vec![scene.material(id).id.clone()];
-    names.extend(shapes.map(|shape| format!("{}.bsdf", shape.id)));
-    names.dedup();
-    for name in names {
-        for channel in Channel::EACH {
-            entries.push(Entry {
-                name: format!("{name}.reflectance.value{}", channel.suffix()),
-                target: None,
-                alias_of: None,
-            });
+    let own: Vec<&str> = bsdf.slots().iter().map(|slot| slot.name).collect();
+    let slots = scene.slots_below(id);
+    let mut slots: Vec<&str> = slots.iter().map(|slot| slot.name).collect();
+    slots.retain(|slot| !own.contains(slot));
+    slots.sort_unstable();
+    slots.dedup();
+    for name in material_names(scene, id) {
+        for slot in &slots {
+            for channel in Channel::EACH {
+                entries.push(Entry {
+                    name: format!("{name}.{slot}.value{}", channel.suffix()),
+                    target: None,
+                    alias_of: None,
+                });
+            }
         }
-    }
-}
-
-/// The material that a material shows on all sides it shows, or `None` if its
-/// two sides differ.
-fn shown_material(scene: &Scene, id: BsdfId) -> Option<BsdfId> {
-    match scene.material(id).bsdf {
-        Bsdf::Diffuse { .. } => Some(id),
-        Bsdf::TwoSided { front, back } => (front == back).then_some(front),
     }
 }
 
@@ -238,6 +243,10 @@ impl Entry {
     pub(super) fn describe(self, scene: &Scene) -> Option<Parameter> {
         use ParameterKind::*;
         let shape = |id: ShapeId| &scene.shape(id).id;
+        let moves_discontinuities = match self.target? {
+            Target::Texels(_, _, quantity, _) => quantity.moves_edges(),
+            _ => true,
+        };
         let (kind, value, unit, description) = match self.target? {
             Target::Translate(id, axis) => {
                 let what = format!("moves {} along world {}", shape(id), AXES[axis]);
@@ -251,15 +260,22 @@ impl Entry {
                 let what = format!("scales {} about its centre", shape(id));
                 (Scale, vec![1.0], "times its size", what)
             }
-            Target::Constant(id, quantity, channel) => {
+            Target::Texels(id, part, quantity, channel) => {
                 let texture = scene.texture(id);
-                let what = channel.of(&quantity.of(scene, id), texture.channels);
-                (
-                    quantity.kind(),
-                    channel.values(&texture.data),
-                    quantity.unit(),
-                    what,
-                )
+                let which = match part.count {
+                    1 => String::new(),
+                    n => format!(", all {n} texels together"),
+                };
+                let what = format!("{} of {}{which}", quantity.name(), users(scene, id));
+                let what = channel.of(&what, texture.channels);
+                let values = match part.count {
+                    1 => {
+                        let first = part.first * texture.channels;
+                        channel.values(&texture.data[first..first + texture.channels])
+                    }
+                    _ => Vec::new(),
+                };
+                (quantity.into(), values, quantity.unit(), what)
             }
             Target::TranslateSensor(axis) => {
                 let what = format!("moves the sensor along world {}", AXES[axis]);
@@ -275,57 +291,44 @@ impl Entry {
             kind,
             value,
             unit,
-            moves_discontinuities: !matches!(kind, Radiance | Reflectance),
+            moves_discontinuities,
             description,
             alias_of: self.alias_of,
         })
     }
 }
 
-impl Quantity {
-    /// Which quantity of which things, in words.
-    pub(super) fn of(self, scene: &Scene, id: TextureId) -> String {
-        format!("{} of {}", self.name(), users(scene, id))
-    }
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Radiance => "radiance",
-            Self::Reflectance => "reflectance",
-        }
-    }
-
-    pub(super) fn kind(self) -> ParameterKind {
-        match self {
-            Self::Radiance => ParameterKind::Radiance,
-            Self::Reflectance => ParameterKind::Reflectance,
-        }
-    }
-
-    pub(super) fn unit(self) -> &'static str {
-        match self {
-            Self::Radiance => "radiance",
-            Self::Reflectance => "fraction reflected",
+impl From<Quantity> for ParameterKind {
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::Radiance => Self::Radiance,
+            Quantity::Reflectance => Self::Reflectance,
+            Quantity::Attribute => Self::Attribute,
+            Quantity::Transmittance => Self::Transmittance,
+            Quantity::Roughness => Self::Roughness,
+            Quantity::RefractiveIndex { .. } | Quantity::MetalIndex => Self::RefractiveIndex,
+            Quantity::Extinction => Self::Extinction,
+            Quantity::Fraction => Self::Fraction,
+            Quantity::Normal => Self::Normal,
+            Quantity::Height => Self::Height,
         }
     }
 }
 
 /// The shapes whose look a texture decides, and environments; or its own id if
 /// there are none.
-fn users(scene: &Scene, id: TextureId) -> String {
-    let uses = |bsdf: BsdfId| {
-        let mut textures = scene.material(bsdf).bsdf.textures().into_iter();
-        textures.any(|(_, texture)| texture == id)
-    };
-    let shows = |bsdf: BsdfId| match scene.material(bsdf).bsdf {
-        Bsdf::TwoSided { front, back } => uses(front) || uses(back),
-        _ => uses(bsdf),
+pub(super) fn users(scene: &Scene, id: TextureId) -> String {
+    let shows = |bsdf: BsdfId| {
+        let mut slots = scene.slots_below(bsdf).into_iter();
+        slots.any(|slot| slot.texture == id)
     };
     let emits = |shape: &Shape| {
         let emitter = shape.emitter.map(|emitter| scene.emitter(emitter));
         emitter.is_some_and(|emitter| emitter.radiance() == id)
     };
-    let shapes = scene.shapes.iter().filter(|s| shows(s.bsdf) || emits(s));
+    let has = |shape: &Shape| shape.attributes.iter().any(|a| a.texture == id);
+    let uses = |shape: &&Shape| shows(shape.bsdf) || emits(shape) || has(shape);
+    let shapes = scene.shapes.iter().filter(uses);
     let environments = scene.emitters.iter().filter_map(|emitter| match emitter {
         Emitter::Constant { id: name, radiance } if *radiance == id => Some(name),
         _ => None,

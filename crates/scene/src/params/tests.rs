@@ -23,11 +23,8 @@ pub(super) fn example() -> Scene {
     let (lamp, _) = primitive::rectangle(Affine::translate(Vec3::new(0.0, 3.0, 0.1)));
     let (sheet, _) = primitive::disk(place);
     let shape = |id: &str, mesh, normals, bsdf, emitter| Shape {
-        id: id.into(),
-        mesh,
-        normals,
-        bsdf: BsdfId(bsdf),
         emitter,
+        ..Shape::new(id, mesh, normals, BsdfId(bsdf))
     };
     let computed = ShadingNormals::computed(&sheet);
     let diffuse = |id: &str, reflectance| Material {
@@ -102,7 +99,9 @@ pub(super) fn numbers(scene: &Scene) -> Vec<Vec3> {
         numbers.extend_from_slice(&shape.mesh.positions);
         numbers.extend(shape.normals.per_vertex().into_iter().flatten());
     }
-    numbers.extend(scene.textures.iter().map(|texture| texture.texel(0)));
+    for texture in &scene.textures {
+        numbers.extend((0..texture.texels()).map(|i| texture.texel(i)));
+    }
     let camera = &scene.sensor.world_from_camera;
     numbers.extend([[0.0; 3], [1.0, 0.0, 0.0], [0.3, -0.2, 2.0]].map(|p| camera.point(p.into())));
     numbers
@@ -284,10 +283,10 @@ fn wrong_names_suggest_right_ones() {
         ),
         ("", "expected a parameter's name"),
         ("ball.scale +", "expected a parameter's name"),
-        ("mixed.reflectance.value", "whose two sides differ"),
+        ("mixed.reflectance.value", "made of different ones"),
         (
             "-a.b+2*c.bsdf.reflectance.value.r",
-            "whose two sides differ",
+            "made of different ones",
         ),
         ("gizmo", "no parameter \"gizmo\"; `capwalk info` lists"),
     ] {

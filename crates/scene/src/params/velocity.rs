@@ -24,13 +24,14 @@ pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mu
             let normals = None;
             motion.add_to_shape(id, ShapeMotion { vertices, normals });
         }
-        Target::Constant(id, _, channel) => {
-            let numbers = scene.texture(id).data.len();
-            let velocities =
-                motion.textures[id.0 as usize].get_or_insert_with(|| vec![0.0; numbers]);
-            for (i, velocity) in velocities.iter_mut().enumerate() {
-                if channel.contains(i) {
-                    *velocity += factor;
+        Target::Texels(id, part, _, channel) => {
+            let texture = scene.texture(id);
+            let (numbers, channels) = (texture.data.len(), texture.channels);
+            let velocities = &mut motion.textures[id.0 as usize];
+            let velocities = velocities.get_or_insert_with(|| vec![0.0; numbers]);
+            for texel in part.first..part.first + part.count {
+                for i in (0..channels).filter(|&i| channel.contains(i)) {
+                    velocities[texel * channels + i] += factor;
                 }
             }
         }

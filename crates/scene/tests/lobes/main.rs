@@ -4,6 +4,7 @@
 mod chi_squared;
 mod derivatives;
 mod energy;
+mod finite;
 mod jacobian;
 mod known;
 mod means;

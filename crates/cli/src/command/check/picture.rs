@@ -113,6 +113,7 @@ mod tests {
                 samples: samples.iter().map(|&n| u64::from(n)).sum(),
                 non_finite,
                 cone_queries: 0,
+                uncovered: 0,
             },
         }
     }

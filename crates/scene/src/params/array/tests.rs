@@ -2,12 +2,46 @@ use super::super::tests::{example, numbers};
 use super::super::{Request, request};
 use super::*;
 use crate::motion::SensorMotion;
+use crate::shape::Attribute;
+use crate::texture::{Bitmap, TexelFilter, Texture, UvTransform, Wrap};
 
 /// The example with a seam: the last vertex of the ball lies on the first.
 fn with_seam() -> Scene {
     let mut scene = example();
     let positions = &mut scene.shapes[0].mesh.positions;
     *positions.last_mut().expect("a ball") = positions[0];
+    scene
+}
+
+/// The same with numbers in all forms that textures have.
+fn with_textures() -> Scene {
+    let mut scene = with_seam();
+    let data = |count: usize| random(count, 9).iter().map(|x| x * x).collect();
+    let mut form = |id: usize, channels, data, pattern| {
+        let texture = &mut scene.textures[id];
+        (texture.channels, texture.data, texture.pattern) = (channels, data, pattern);
+    };
+    let to_uv = UvTransform::IDENTITY;
+    form(0, 3, data(6), Pattern::Checkerboard { to_uv });
+    let bitmap = Bitmap {
+        width: 3,
+        height: 2,
+        filter: TexelFilter::Bilinear,
+        wrap: Wrap::Repeat,
+        to_uv,
+    };
+    form(1, 1, data(6), Pattern::Bitmap(bitmap));
+    form(3, 1, data(1), Pattern::Constant);
+    scene.textures.push(Texture {
+        id: "ball.vertex_color".into(),
+        channels: 3,
+        data: data(42 * 3),
+        pattern: Pattern::PerVertex,
+    });
+    scene.shapes[0].attributes.push(Attribute {
+        name: "vertex_color".into(),
+        texture: TextureId(4),
+    });
     scene
 }
 
@@ -26,7 +60,7 @@ fn random(count: usize, seed: u64) -> Vec<f64> {
 /// Velocities that vertices at the same place share, and that keep normals
 /// unit.
 fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
-    let velocities = random(array.count(), 7);
+    let velocities = random(array.count(), 21);
     match array.place {
         Place::Positions(id) => {
             let positions = &scene.shape(id).mesh.positions;
@@ -90,13 +124,36 @@ fn arrays_are_listed_in_the_order_of_parameters() {
     );
     assert_eq!(alias("eye.rotate").as_deref(), Some("sensor.rotate"));
     assert_eq!(alias("sensor.rotate"), None);
+    let scene = with_textures();
+    for (name, shape) in [
+        ("red.reflectance.color0.value", "(3,)"),
+        ("ball.bsdf.reflectance.color1.value", "(3,)"),
+        ("lamp.bsdf.reflectance.data", "(2, 3, 1)"),
+        ("sky.radiance.value", "(1,)"),
+        ("ball.vertex_color", "(42, 3)"),
+    ] {
+        assert_eq!(named(&scene, name).shape_text(), shape, "{name}");
+    }
+    // The short name of a single number is a scalar's.
+    assert_eq!(find(&scene, "sky.radiance"), Ok(None));
+}
+
+/// Each array has numbers of its own.
+#[test]
+fn parts_of_a_texture_are_apart() {
+    let scene = with_textures();
+    let data = &scene.textures[0].data;
+    for (part, range) in [("color0", 0..3), ("color1", 3..6)] {
+        let array = named(&scene, &format!("red.reflectance.{part}.value"));
+        assert_eq!(array.get(&scene), data[range], "{part}");
+    }
 }
 
 /// Setting numbers does what their motion says, for every array: differences of
 /// everything in the scene on both ways.
 #[test]
 fn every_array_means_what_it_says() {
-    let scene = with_seam();
+    let scene = with_textures();
     let h = 1e-5;
     for array in arrays(&scene) {
         assert_eq!(array.get(&scene).len(), array.count(), "{}", array.name);
@@ -119,7 +176,7 @@ fn every_array_means_what_it_says() {
 /// array's change as a motion.
 #[test]
 fn gradients_are_transposed_motions() {
-    let scene = with_seam();
+    let scene = with_textures();
     let mut gradient = Motion::zero(&scene);
     for (i, shape) in scene.shapes.iter().enumerate() {
         let count = 3 * shape.mesh.positions.len();
@@ -224,7 +281,7 @@ fn requests_are_arrays_or_expressions() {
         ("ball.translate.w", "`ball.translate.x`"),
         ("2*ball.positions", "\"ball.positions\" is an array"),
         ("lamp.normals", "no parameter \"lamp.normals\""),
-        ("mixed.reflectance.value", "whose two sides differ"),
+        ("mixed.reflectance.value", "made of different ones"),
         ("", "expected a parameter's name"),
     ] {
         assert!(message(text).contains(part), "{text}: {}", message(text));

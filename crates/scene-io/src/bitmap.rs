@@ -1,0 +1,188 @@
+//! Image files as textures: PNG, JPEG, BMP, TGA, Radiance HDR and OpenEXR, as
+//! linear numbers.
+
+use image::{DynamicImage, ImageFormat};
+
+use crate::image::{VALUE, decode_exr};
+use crate::value::linear_of_srgb;
+
+/// The texels of an image file, row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct BitmapFile {
+    pub width: u32,
+    pub height: u32,
+    /// 1 or 3.
+    pub channels: usize,
+    pub data: Vec<f64>,
+}
+
+/// Endings of files that can be read.
+pub(crate) const ENDINGS: [&str; 7] = ["png", "jpg", "jpeg", "bmp", "tga", "hdr", "exr"];
+
+/// The image in the bytes of a file whose name has this ending. Files with 8 or
+/// 16 bits are decoded from sRGB to linear light, unless they are `raw`; alpha
+/// is left out.
+pub(crate) fn read(bytes: &[u8], ending: &str, raw: bool) -> Result<BitmapFile, String> {
+    let format = match ending {
+        "exr" => return read_exr(bytes),
+        "png" => ImageFormat::Png,
+        "jpg" | "jpeg" => ImageFormat::Jpeg,
+        "bmp" => ImageFormat::Bmp,
+        "tga" => ImageFormat::Tga,
+        "hdr" => ImageFormat::Hdr,
+        _ => {
+            return Err(format!(
+                "expected a file that ends in {}",
+                ENDINGS.join(", ")
+            ));
+        }
+    };
+    let image = image::load_from_memory_with_format(bytes, format);
+    let image = image.map_err(|error| error.to_string())?;
+    let (width, height) = (image.width(), image.height());
+    let channels = if image.color().has_color() { 3 } else { 1 };
+    let encoded: Vec<f64> = match (&image, channels) {
+        (DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_), _) => {
+            let rgb = image.into_rgb32f().into_raw();
+            let data = rgb.into_iter().map(f64::from).collect();
+            return finish(width, height, 3, data);
+        }
+        _ if image.color().bytes_per_pixel() / image.color().channel_count() == 1 => {
+            let bytes = match channels {
+                1 => image.into_luma8().into_raw(),
+                _ => image.into_rgb8().into_raw(),
+            };
+            bytes.into_iter().map(|x| f64::from(x) / 255.0).collect()
+        }
+        _ => {
+            let words = match channels {
+                1 => image.into_luma16().into_raw(),
+                _ => image.into_rgb16().into_raw(),
+            };
+            words.into_iter().map(|x| f64::from(x) / 65535.0).collect()
+        }
+    };
+    let data = match raw {
+        true => encoded,
+        false => encoded.into_iter().map(linear_of_srgb).collect(),
+    };
+    finish(width, height, channels, data)
+}
+
+fn read_exr(bytes: &[u8]) -> Result<BitmapFile, String> {
+    let picture = decode_exr(bytes)?;
+    let image = picture
+        .layer(VALUE)
+        .ok_or("it has no channels R, G, B or Y")?;
+    let pixels = image.pixels.iter();
+    let data = pixels.flat_map(|pixel| pixel.to_array()).collect();
+    finish(image.width as u32, image.height as u32, 3, data)
+}
+
+fn finish(width: u32, height: u32, channels: usize, data: Vec<f64>) -> Result<BitmapFile, String> {
+    if width == 0 || height == 0 {
+        return Err("it has no pixels".into());
+    }
+    match data.iter().position(|x| !x.is_finite()) {
+        None => Ok(BitmapFile {
+            width,
+            height,
+            channels,
+            data,
+        }),
+        Some(i) => {
+            let (pixel, number) = (i / channels, data[i]);
+            let (x, y) = (pixel % width as usize, pixel / width as usize);
+            Err(format!("its pixel ({x}, {y}) has the value {number}"))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use image::{GrayImage, ImageBuffer, Luma, Rgb, RgbImage, RgbaImage};
+    use std::io::Cursor;
+
+    fn bytes(image: impl Into<DynamicImage>, format: ImageFormat) -> Vec<u8> {
+        let mut bytes = Cursor::new(Vec::new());
+        let image: DynamicImage = image.into();
+        image.write_to(&mut bytes, format).expect("can be written");
+        bytes.into_inner()
+    }
+
+    /// 0x80 is 0.2158605 in linear light, 0x0a is on the straight part.
+    #[test]
+    fn eight_bits_are_decoded_from_srgb_unless_raw() {
+        let image = RgbImage::from_raw(2, 1, vec![255, 128, 10, 0, 1, 2]).expect("six bytes");
+        for (format, ending) in [
+            (ImageFormat::Png, "png"),
+            (ImageFormat::Bmp, "bmp"),
+            (ImageFormat::Tga, "tga"),
+        ] {
+            let file = bytes(image.clone(), format);
+            let read_as = |raw| read(&file, ending, raw).expect(ending);
+            let raw = read_as(true);
+            assert_eq!((raw.width, raw.height, raw.channels), (2, 1, 3));
+            let expected = [255, 128, 10, 0, 1, 2].map(|x| f64::from(x) / 255.0);
+            assert_eq!(raw.data, expected, "{ending}");
+            let linear = read_as(false).data;
+            assert_eq!(linear[0], 1.0);
+            assert!((linear[1] - 0.215860500).abs() < 1e-9, "{ending}");
+            assert!((linear[2] - 0.003035270).abs() < 1e-9, "{ending}");
+        }
+    }
+
+    #[test]
+    fn greys_sixteen_bits_and_alpha() {
+        let grey = GrayImage::from_raw(1, 2, vec![255, 51]).expect("two bytes");
+        let grey = read(&bytes(grey, ImageFormat::Png), "png", true).expect("grey");
+        assert_eq!((grey.channels, grey.data), (1, vec![1.0, 0.2]));
+        let deep = ImageBuffer::<Luma<u16>, _>::from_raw(1, 1, vec![13107]).expect("one word");
+        let deep = read(&bytes(deep, ImageFormat::Png), "png", true).expect("16 bits");
+        assert_eq!((deep.channels, deep.data), (1, vec![0.2]));
+        // Colours are not multiplied by alpha.
+        let alpha = RgbaImage::from_raw(1, 1, vec![255, 51, 0, 51]).expect("one pixel");
+        let alpha = read(&bytes(alpha, ImageFormat::Png), "png", true).expect("alpha");
+        assert_eq!((alpha.channels, alpha.data), (3, vec![1.0, 0.2, 0.0]));
+    }
+
+    /// A grey JPEG of one colour has it up to rounding.
+    #[test]
+    fn jpeg_and_hdr() {
+        let flat = RgbImage::from_pixel(8, 8, Rgb([51, 102, 204]));
+        let flat = read(&bytes(flat, ImageFormat::Jpeg), "jpg", true).expect("jpeg");
+        for (i, expected) in [0.2, 0.4, 0.8].into_iter().enumerate() {
+            assert!(
+                (flat.data[i] - expected).abs() < 0.015,
+                "{:?}",
+                &flat.data[..3]
+            );
+        }
+        let bright = ImageBuffer::<Rgb<f32>, _>::from_raw(1, 1, vec![0.5, 8.0, 64.0]);
+        let bright = bytes(bright.expect("one pixel"), ImageFormat::Hdr);
+        let bright = read(&bright, "hdr", false).expect("hdr");
+        assert_eq!(bright.data, [0.5, 8.0, 64.0]);
+    }
+
+    /// A file cut off anywhere is an error, never a panic or half a picture.
+    #[test]
+    fn broken_files_are_errors() {
+        let image = RgbImage::from_pixel(5, 4, Rgb([51, 102, 204]));
+        let whole = bytes(image, ImageFormat::Png);
+        for length in 0..whole.len() - 12 {
+            assert!(
+                read(&whole[..length], "png", false).is_err(),
+                "{length} bytes"
+            );
+        }
+        assert!(read(&whole, "exr", false).is_err());
+        let error = read(&whole, "gif", false).expect_err("no such format");
+        assert!(error.contains("png, jpg"), "{error}");
+        assert!(
+            finish(2, 1, 1, vec![0.0, f64::NAN])
+                .expect_err("NaN")
+                .contains("(1, 0)")
+        );
+    }
+}

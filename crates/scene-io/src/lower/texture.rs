@@ -1,0 +1,244 @@
+//! Textures: one colour or number, `bitmap`, `checkerboard`, `mesh_attribute`.
+
+use capwalk_math::{Affine, Rgb};
+use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
+use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
+
+use super::{Lowering, colour};
+use crate::bitmap;
+use crate::fields::Fields;
+use crate::node::{Kind, NodeId, Spectrum, Value};
+use crate::source::{Problem, Span};
+
+/// The plugins.
+const TEXTURES: [&str; 3] = ["bitmap", "checkerboard", "mesh_attribute"];
+
+impl Lowering<'_> {
+    /// What stands in a slot of an object called `holder`: a texture, or one
+    /// colour, which is `default` if nothing is given.
+    pub(super) fn slot(
+        &mut self,
+        fields: &Fields,
+        holder: &str,
+        slot: &'static str,
+        quantity: Quantity,
+        default: f64,
+    ) -> Result<TextureId, Problem> {
+        let id = format!("{holder}.{slot}");
+        if let Some(property) = fields.get(slot)
+            && let Value::Object { node, .. } = property.value
+            && self.context.graph.node(node).kind == Kind::Texture
+        {
+            return self.texture(node, &id, quantity);
+        }
+        let colour = self.colour(fields, slot, quantity, default)?;
+        Ok(self.add_texture(Texture::colour(id, colour), fields.span_of(slot)))
+    }
+
+    /// [`Self::slot`] with a colour of any size and a colour as its default.
+    pub(super) fn colour_slot(
+        &mut self,
+        fields: &Fields,
+        holder: &str,
+        slot: &'static str,
+        quantity: Quantity,
+        default: Rgb,
+    ) -> Result<TextureId, Problem> {
+        if fields
+            .get(slot)
+            .is_some_and(|p| matches!(p.value, Value::Object { .. }))
+        {
+            return self.slot(fields, holder, slot, quantity, 0.0);
+        }
+        let colour = colour::unbounded(fields, slot, default)?;
+        let texture = Texture::colour(format!("{holder}.{slot}"), colour);
+        Ok(self.add_texture(texture, fields.span_of(slot)))
+    }
+
+    /// What stands in a slot for a number: a texture, or one number. A colour
+    /// counts as its luminance.
+    pub(super) fn number(
+        &mut self,
+        fields: &Fields,
+        holder: &str,
+        slot: &'static str,
+        quantity: Quantity,
+        default: f64,
+    ) -> Result<TextureId, Problem> {
+        let id = format!("{holder}.{slot}");
+        let span = fields.span_of(slot);
+        let texture = match fields.get(slot).map(|property| &property.value) {
+            None => Texture::number(id, default),
+            Some(&Value::Float(x)) => Texture::number(id, x),
+            Some(&Value::Integer(i)) => Texture::number(id, i as f64),
+            Some(&Value::Spectrum(Spectrum::Uniform(x))) => Texture::number(id, x),
+            Some(&Value::Rgb(rgb)) => Texture::colour(id, rgb),
+            Some(Value::Object { .. }) => {
+                return self.slot(fields, holder, slot, quantity, default);
+            }
+            Some(other) => {
+                let message = format!("\"{slot}\" is a <{}>", other.tag());
+                let help = format!("expected <float name=\"{slot}\" .../> or a <texture>");
+                return Err(Problem::new(span, message).help(help));
+            }
+        };
+        // Out of its range it is an error of the finished scene.
+        Ok(self.add_texture(texture, span))
+    }
+
+    fn colour(
+        &self,
+        fields: &Fields,
+        name: &'static str,
+        quantity: Quantity,
+        default: f64,
+    ) -> Result<Rgb, Problem> {
+        match quantity {
+            Quantity::Radiance => colour::radiance(fields, name, default),
+            _ => colour::reflectance(self.context, fields, name, default),
+        }
+    }
+
+    /// The texture of a node, made when it is first met. `otherwise` names it
+    /// if it has no id; `quantity` is what its colours are.
+    pub(super) fn texture(
+        &mut self,
+        node: NodeId,
+        otherwise: &str,
+        quantity: Quantity,
+    ) -> Result<TextureId, Problem> {
+        if let Some(&known) = self.texture_of_node.get(&node) {
+            return Ok(known);
+        }
+        let fields = Fields::new(self.context, node);
+        let id = fields.node.id.clone().unwrap_or_else(|| otherwise.into());
+        let (texture, span) = match fields.node.plugin.as_str() {
+            "bitmap" => self.bitmap(&fields, id)?,
+            "checkerboard" => (self.checkerboard(&fields, id, quantity)?, fields.node.span),
+            "mesh_attribute" => (mesh_attribute(&fields, id)?, fields.span_of("name")),
+            _ => return Err(fields.unknown_plugin(&TEXTURES)),
+        };
+        fields.finish()?;
+        let texture = self.add_texture(texture, span);
+        self.texture_of_node.insert(node, texture);
+        Ok(texture)
+    }
+
+    fn bitmap(&mut self, fields: &Fields, id: String) -> Result<(Texture, Span), Problem> {
+        let filter = match choice(fields, "filter_type", &["bilinear", "nearest"])? {
+            "nearest" => TexelFilter::Nearest,
+            _ => TexelFilter::Bilinear,
+        };
+        let wrap = match choice(fields, "wrap_mode", &["repeat", "mirror", "clamp"])? {
+            "mirror" => Wrap::Mirror,
+            "clamp" => Wrap::Clamp,
+            _ => Wrap::Repeat,
+        };
+        let raw = fields.boolean("raw", false)?;
+        let to_uv = uv_transform(fields)?;
+        let reason = "texels are kept in double precision";
+        fields.cosmetic(&["format", "accel"], reason);
+        let example = "add <string name=\"filename\" value=\"texture.png\"/>";
+        let (bytes, path, span) = self.file(fields, example)?;
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        let ending = ending.unwrap_or("").to_ascii_lowercase();
+        let file = bitmap::read(&bytes, &ending, raw).map_err(|error| {
+            let shown = path.display();
+            Problem::new(span, format!("cannot read \"{shown}\": {error}")).help(format!(
+                "give an image file that ends in {}",
+                bitmap::ENDINGS.join(", ")
+            ))
+        })?;
+        let texture = Texture {
+            id,
+            channels: file.channels,
+            data: file.data,
+            pattern: Pattern::Bitmap(Bitmap {
+                width: file.width,
+                height: file.height,
+                filter,
+                wrap,
+                to_uv,
+            }),
+        };
+        Ok((texture, span))
+    }
+
+    fn checkerboard(
+        &mut self,
+        fields: &Fields,
+        id: String,
+        quantity: Quantity,
+    ) -> Result<Texture, Problem> {
+        let mut data = Vec::with_capacity(6);
+        for (slot, default) in [("color0", 0.4), ("color1", 0.2)] {
+            if let Some(property) = fields.get(slot)
+                && matches!(property.value, Value::Object { .. })
+            {
+                return Err(Problem::new(
+                    property.value_span,
+                    format!("\"{slot}\" of a checkerboard is a texture"),
+                )
+                .help(format!("expected one colour, <rgb name=\"{slot}\" .../>")));
+            }
+            let colour = self.colour(fields, slot, quantity, default)?;
+            data.extend(colour.to_array());
+        }
+        Ok(Texture {
+            id,
+            channels: 3,
+            data,
+            pattern: Pattern::Checkerboard {
+                to_uv: uv_transform(fields)?,
+            },
+        })
+    }
+}
+
+fn mesh_attribute(fields: &Fields, id: String) -> Result<Texture, Problem> {
+    let name = fields.string("name")?.unwrap_or("");
+    if !name.starts_with("vertex_") && !name.starts_with("face_") {
+        let span = fields.span_of("name");
+        return Err(
+            Problem::new(span, format!("\"{name}\" is not the name of an attribute")).help(
+                "expected <string name=\"name\" value=\"vertex_color\"/>, or another name that \
+                 begins with vertex_ or face_",
+            ),
+        );
+    }
+    Ok(Texture {
+        id,
+        channels: 3,
+        data: Vec::new(),
+        pattern: Pattern::MeshAttribute {
+            name: name.into(),
+            scale: fields.float("scale", 1.0)?,
+        },
+    })
+}
+
+/// One of several words; the first if none is given.
+pub(super) fn choice<'a>(
+    fields: &Fields<'a>,
+    name: &'static str,
+    words: &[&'a str],
+) -> Result<&'a str, Problem> {
+    match fields.string(name)? {
+        None => Ok(words[0]),
+        Some(given) if words.contains(&given) => Ok(given),
+        Some(given) => Err(Problem::new(
+            fields.span_of(name),
+            format!("\"{name}\" is \"{given}\""),
+        )
+        .help(format!("expected {}", words.join(", ")))
+        .near(crate::suggest::nearest(given, words.iter().copied()))),
+    }
+}
+
+fn uv_transform(fields: &Fields) -> Result<UvTransform, Problem> {
+    let affine = match fields.get("to_uv") {
+        None => Affine::IDENTITY,
+        Some(_) => fields.transform("to_uv")?,
+    };
+    Ok(UvTransform::from_affine(&affine))
+}

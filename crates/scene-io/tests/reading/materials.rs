@@ -1,0 +1,303 @@
+//! Materials: what they are without any properties, what properties change, and
+//! what is wrong with them.
+
+use capwalk_math::Rgb;
+use capwalk_scene::bsdf::PrincipledIndex;
+use capwalk_scene::lobe::{Distribution, Lobe, Side};
+use capwalk_scene::params::{self, ParameterKind};
+use capwalk_scene::{Bsdf, Resolver, Scene, TextureId};
+
+use crate::common::*;
+
+fn with(material: &str) -> String {
+    scene(&format!(
+        "<shape type=\"cube\" id=\"box\">{material}</shape>"
+    ))
+}
+
+fn bsdf<'s>(scene: &'s Scene, id: &str) -> &'s Bsdf {
+    let found = scene.materials.iter().find(|m| m.id == id);
+    &found.unwrap_or_else(|| panic!("no {id}")).bsdf
+}
+
+fn number(scene: &Scene, id: TextureId) -> f64 {
+    let texture = scene.texture(id);
+    assert_eq!(texture.channels, 1, "{}", texture.id);
+    texture.texel(0).x
+}
+
+fn colour(scene: &Scene, id: TextureId) -> Rgb {
+    let texture = scene.texture(id);
+    assert_eq!(texture.channels, 3, "{}", texture.id);
+    texture.texel(0)
+}
+
+/// The defaults of Mitsuba 3.9.1.
+#[test]
+fn defaults() {
+    for plugin in ["dielectric", "roughdielectric", "thindielectric"] {
+        let scene = load(&with(&format!("<bsdf type=\"{plugin}\"/>")));
+        let (Bsdf::Dielectric(glass)
+        | Bsdf::RoughDielectric(glass, _)
+        | Bsdf::ThinDielectric(glass)) = bsdf(&scene, "box.bsdf")
+        else {
+            panic!("{plugin}");
+        };
+        // Mitsuba shows their quotient, 1.504183.
+        assert_eq!(number(&scene, glass.int_ior), 1.5046);
+        assert_eq!(number(&scene, glass.ext_ior), 1.000277);
+        assert_eq!(
+            colour(&scene, glass.specular_transmittance),
+            Rgb::splat(1.0)
+        );
+    }
+    let scene = load(&with("<bsdf type=\"roughplastic\"/>"));
+    let Bsdf::RoughPlastic {
+        coat,
+        distribution,
+        alpha,
+    } = bsdf(&scene, "box.bsdf")
+    else {
+        panic!("roughplastic");
+    };
+    assert_eq!(number(&scene, coat.int_ior), 1.49);
+    assert_eq!(colour(&scene, coat.diffuse_reflectance), Rgb::splat(0.5));
+    assert_eq!(
+        (number(&scene, *alpha), *distribution),
+        (0.1, Distribution::Beckmann)
+    );
+    assert!(!coat.nonlinear);
+    let scene = load(&with("<bsdf type=\"roughconductor\"/>"));
+    let Bsdf::RoughConductor(metal, facets) = bsdf(&scene, "box.bsdf") else {
+        panic!("roughconductor");
+    };
+    // Without a material it is a perfect mirror.
+    assert_eq!(colour(&scene, metal.eta), Rgb::splat(0.0));
+    assert_eq!(colour(&scene, metal.k), Rgb::splat(1.0));
+    assert_eq!(facets.alpha[0], facets.alpha[1]);
+    assert_eq!(number(&scene, facets.alpha[0]), 0.1);
+    let scene = load(&with("<bsdf type=\"principled\"/>"));
+    let Bsdf::Principled(principled) = bsdf(&scene, "box.bsdf") else {
+        panic!("principled");
+    };
+    assert_eq!(colour(&scene, principled.base_color), Rgb::splat(0.5));
+    assert_eq!(number(&scene, principled.roughness), 0.5);
+    assert_eq!(number(&scene, principled.clearcoat), 0.0);
+    let PrincipledIndex::Specular(specular) = principled.index else {
+        panic!("specular");
+    };
+    assert_eq!(number(&scene, specular), 0.5);
+}
+
+#[test]
+fn metals_and_indices_have_names() {
+    let scene = load(&with(
+        "<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/></bsdf>",
+    ));
+    let Bsdf::Conductor(metal) = bsdf(&scene, "box.bsdf") else {
+        panic!("conductor");
+    };
+    // What Mitsuba 3.9.1 shows for gold in scalar_rgb.
+    let gold = [
+        [0.14303598, 0.37530708, 1.4420453],
+        [3.982997, 2.3855565, 1.6033592],
+    ];
+    assert_eq!(colour(&scene, metal.eta), gold[0].into());
+    assert_eq!(colour(&scene, metal.k), gold[1].into());
+    let scene = load(&with(
+        "<bsdf type=\"dielectric\"><string name=\"int_ior\" value=\"Water\"/>\
+         <float name=\"ext_ior\" value=\"1.1\"/></bsdf>",
+    ));
+    let Bsdf::Dielectric(glass) = bsdf(&scene, "box.bsdf") else {
+        panic!("dielectric");
+    };
+    assert_eq!(number(&scene, glass.int_ior), 1.333);
+    assert_eq!(number(&scene, glass.ext_ior), 1.1);
+}
+
+#[test]
+fn parameters_have_the_names_that_users_type() {
+    let scene = load(&scene(
+        "<bsdf type=\"roughconductor\" id=\"metal\"/><bsdf type=\"dielectric\" id=\"glass\"/>\
+         <bsdf type=\"mask\" id=\"veil\"><bsdf type=\"principled\"/></bsdf>\
+         <shape type=\"cube\" id=\"box\"><ref id=\"veil\"/></shape>",
+    ));
+    let parameters = params::list(&scene);
+    for (name, kind, moves) in [
+        ("metal.alpha.value", ParameterKind::Roughness, false),
+        ("metal.alpha", ParameterKind::Roughness, false),
+        ("metal.eta.value.r", ParameterKind::RefractiveIndex, false),
+        ("metal.k.value", ParameterKind::Extinction, false),
+        ("glass.int_ior", ParameterKind::RefractiveIndex, true),
+        (
+            "glass.specular_transmittance.value",
+            ParameterKind::Transmittance,
+            false,
+        ),
+        ("veil.opacity.value", ParameterKind::Fraction, false),
+        (
+            "veil.nested_bsdf.roughness.value",
+            ParameterKind::Fraction,
+            false,
+        ),
+        ("veil.base_color.value.g", ParameterKind::Reflectance, false),
+        ("box.bsdf.opacity", ParameterKind::Fraction, false),
+        ("box.bsdf.metallic", ParameterKind::Fraction, false),
+    ] {
+        let found = parameters.iter().find(|p| p.name == name);
+        let found = found.unwrap_or_else(|| panic!("no {name}"));
+        assert_eq!(
+            (found.kind, found.moves_discontinuities),
+            (kind, moves),
+            "{name}"
+        );
+        let motion = params::motion(&scene, name).expect(name);
+        assert_eq!(motion.textures.iter().flatten().count(), 1, "{name}");
+    }
+}
+
+/// Materials made of others, down to the lobes.
+#[test]
+fn mixtures() {
+    let scene = load(&with(
+        "<bsdf type=\"blendbsdf\"><float name=\"weight\" value=\"0.25\"/>\
+         <bsdf type=\"diffuse\"/><bsdf type=\"mask\"><float name=\"opacity\" value=\"0.5\"/>\
+         <bsdf type=\"plastic\"/></bsdf></bsdf>",
+    ));
+    let id = scene.shapes[0].bsdf;
+    let lookup = &mut |id| scene.texture(id).texel(0);
+    let resolved = Resolver::new(&scene).resolve(&scene, id, Side::Front, lookup);
+    let lobes: Vec<_> = resolved.bsdf.lobes().collect();
+    let weights: Vec<f64> = lobes.iter().map(|(weight, _)| *weight).collect();
+    assert_eq!(weights, [0.75, 0.125, 0.125]);
+    assert!(matches!(lobes[0].1, Lobe::Diffuse(_)));
+    assert!(matches!(lobes[1].1, Lobe::Plastic(_)));
+    assert!(matches!(lobes[2].1, Lobe::Null(_)));
+    let ids: Vec<&str> = scene.materials.iter().map(|m| m.id.as_str()).collect();
+    let expected = ["bsdf_0", "bsdf_1.nested_bsdf", "bsdf_1"];
+    let mut expected: Vec<String> = expected.map(|part| format!("box.bsdf.{part}")).to_vec();
+    expected.push("box.bsdf".into());
+    assert_eq!(ids, expected);
+}
+
+#[test]
+fn wrong_numbers_and_names() {
+    check(
+        &with("<bsdf type=\"conductor\"><string name=\"material\" value=\"Gold\"/></bsdf>"),
+        &[
+            "scene.xml:5:85: there is no material \"Gold\"",
+            "  expected a symbol such as Au, Ag, Al, Cu or Cr, or none",
+        ],
+    );
+    check(
+        &with(
+            "<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/>\
+             <rgb name=\"k\" value=\"3\"/></bsdf>",
+        ),
+        &[
+            "scene.xml:5:85: both a material and its eta or k are given",
+            "  keep one of them",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"dielectric\"><string name=\"int_ior\" value=\"diamant\"/></bsdf>"),
+        &[
+            "scene.xml:5:85: there is no refractive index of \"diamant\"",
+            "  expected a number, or a name such as bk7, water or diamond",
+            "  did you mean \"diamond\"?",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"dielectric\"><float name=\"int_ior\" value=\"0\"/></bsdf>"),
+        &["scene.xml:5:84: box.bsdf.int_ior.value is (0, 0, 0); expected finite numbers above 0"],
+    );
+    check(
+        &with(
+            "<bsdf type=\"mask\"><float name=\"opacity\" value=\"1.5\"/><bsdf type=\"diffuse\"/></bsdf>",
+        ),
+        &[
+            "scene.xml:5:78: box.bsdf.opacity.value is (1.5, 1.5, 1.5); expected numbers from 0 \
+             to 1",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"roughconductor\"><float name=\"alpha_u\" value=\"0.1\"/></bsdf>"),
+        &[
+            "scene.xml:5:88: the roughness is given in part, or twice",
+            "  give alpha, or both alpha_u and alpha_v",
+        ],
+    );
+    check(
+        &with(
+            "<bsdf type=\"principled\"><float name=\"eta\" value=\"1.5\"/>\
+             <float name=\"specular\" value=\"0.5\"/></bsdf>",
+        ),
+        &[
+            "scene.xml:5:99: both \"eta\" and \"specular\" are given",
+            "  keep one of them",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"roughplastic\"><string name=\"distribution\" value=\"phong\"/></bsdf>"),
+        &[
+            "scene.xml:5:92: \"distribution\" is \"phong\"",
+            "  expected beckmann, ggx",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"plastic\"><float name=\"alpha\" value=\"0.1\"/></bsdf>"),
+        &[
+            "scene.xml:5:65: unknown property \"alpha\" of the bsdf \"plastic\"",
+            "  its properties are diffuse_reflectance, ext_ior, int_ior, nonlinear, \
+             sample_visible, specular_reflectance",
+        ],
+    );
+}
+
+#[test]
+fn materials_that_need_others() {
+    check(
+        &with("<bsdf type=\"mask\"/>"),
+        &[
+            "scene.xml:5:31: the bsdf \"mask\" has no material",
+            "  put a material into it, such as <bsdf type=\"diffuse\"/>",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"blendbsdf\"><bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"/></bsdf>"),
+        &[
+            "scene.xml:5:31: the bsdf \"blendbsdf\" has no weight",
+            "  add <float name=\"weight\" value=\"0.5\"/>: the part of the second",
+        ],
+    );
+    check(
+        &with(
+            "<bsdf type=\"blendbsdf\"><float name=\"weight\" value=\"1\"/>\
+             <bsdf type=\"diffuse\"/></bsdf>",
+        ),
+        &[
+            "scene.xml:5:31: the bsdf \"blendbsdf\" has 1 materials",
+            "  put two into it",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"bumpmap\"><bsdf type=\"diffuse\"/></bsdf>"),
+        &[
+            "scene.xml:5:31: the bsdf \"bumpmap\" has no texture",
+            "  put a <texture> with heights into it",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"twosided\"><bsdf type=\"dielectric\"/></bsdf>"),
+        &[
+            "scene.xml:5:31: the material \"box.bsdf\" cannot be rendered: a two-sided material \
+             must not be made of clear ones",
+        ],
+    );
+    let deep = format!(
+        "{}<bsdf type=\"diffuse\"/>{}",
+        "<bsdf type=\"mask\">".repeat(20),
+        "</bsdf>".repeat(20)
+    );
+    assert!(message(&with(&deep), &[]).contains("stand inside each other too deep"));
+}

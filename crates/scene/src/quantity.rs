@@ -1,0 +1,105 @@
+//! What the numbers of a texture mean where it stands.
+
+/// What the numbers of a texture are, and which are allowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// Emitted radiance.
+    Radiance,
+    /// Fraction of light reflected.
+    Reflectance,
+    /// Fraction of light transmitted.
+    Transmittance,
+    /// Roughness of a surface of microfacets.
+    Roughness,
+    /// A refractive index.
+    RefractiveIndex {
+        /// True if clear images are seen through it, which it moves.
+        bends: bool,
+    },
+    /// Real part of the refractive index of a metal.
+    MetalIndex,
+    /// Imaginary part of a refractive index.
+    Extinction,
+    /// A number from 0 to 1.
+    Fraction,
+    /// Normals, `(n + 1) / 2`.
+    Normal,
+    /// Heights of a bumpy surface.
+    Height,
+    /// Something that comes with a mesh; its use decides what it means.
+    Attribute,
+}
+
+impl Quantity {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Radiance => "radiance",
+            Self::Reflectance => "reflectance",
+            Self::Transmittance => "transmittance",
+            Self::Roughness => "roughness",
+            Self::RefractiveIndex { .. } | Self::MetalIndex => "refractive index",
+            Self::Extinction => "extinction",
+            Self::Fraction => "fraction",
+            Self::Normal => "normals",
+            Self::Height => "heights",
+            Self::Attribute => "attribute",
+        }
+    }
+
+    /// Its unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Radiance => "radiance",
+            Self::Reflectance => "fraction reflected",
+            Self::Transmittance => "fraction transmitted",
+            Self::Roughness => "root mean square slope times √2",
+            Self::RefractiveIndex { .. } | Self::MetalIndex => "refractive index",
+            Self::Extinction => "extinction",
+            Self::Fraction => "fraction",
+            Self::Normal => "(n + 1) / 2",
+            Self::Height => "world units before scaling",
+            Self::Attribute => "as in the mesh",
+        }
+    }
+
+    /// Which numbers are allowed, in words.
+    pub fn expected(self) -> &'static str {
+        match self {
+            Self::Radiance
+            | Self::Reflectance
+            | Self::Transmittance
+            | Self::Roughness
+            | Self::MetalIndex
+            | Self::Extinction => "finite numbers of at least 0",
+            Self::RefractiveIndex { .. } => "finite numbers above 0",
+            Self::Fraction => "numbers from 0 to 1",
+            Self::Normal | Self::Height | Self::Attribute => "finite numbers",
+        }
+    }
+
+    /// True if a number is allowed.
+    pub fn allows(self, number: f64) -> bool {
+        match self {
+            Self::Radiance
+            | Self::Reflectance
+            | Self::Transmittance
+            | Self::Roughness
+            | Self::MetalIndex
+            | Self::Extinction => number >= 0.0,
+            Self::RefractiveIndex { .. } => number > 0.0,
+            Self::Fraction => (0.0..=1.0).contains(&number),
+            Self::Normal | Self::Height | Self::Attribute => number.is_finite(),
+        }
+    }
+
+    /// True if a change moves edges, seen from somewhere: what is seen through
+    /// clear glass or in a mirror moves.
+    pub fn moves_edges(self) -> bool {
+        match self {
+            Self::RefractiveIndex { bends } => bends,
+            Self::Normal | Self::Height => true,
+            _ => false,
+        }
+    }
+}

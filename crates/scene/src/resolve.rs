@@ -1,0 +1,466 @@
+//! From a material and its textures at a point of a surface to lobes.
+
+use std::sync::Arc;
+
+use capwalk_math::{Real, Rgb, Vec3};
+
+use crate::bsdf::{Bsdf, Coat, Facets, Glass, NormalLimits, Principled, PrincipledIndex};
+use crate::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side};
+use crate::scene::{BsdfId, Scene, SceneError};
+use crate::texture::TextureId;
+
+/// What resolving needs besides the scene: tables that take long to make.
+#[derive(Clone, Debug, Default)]
+pub struct Resolver {
+    /// Of each material with a rough coat.
+    coats: Vec<Option<Arc<RoughTransmittance>>>,
+}
+
+/// What a surface does to light at a point, to a viewer on one side.
+#[derive(Clone, Debug)]
+pub struct Resolved<R> {
+    /// The lobes, which know the side that is seen.
+    pub bsdf: lobe::Bsdf<R>,
+    /// True if the shading frame is to be turned over: the back of a two-sided
+    /// material is the front of another.
+    pub flipped: bool,
+    /// What turns the shading normal, if anything does.
+    pub perturbation: Option<Perturbation<R>>,
+}
+
+/// How a texture turns the shading normal.
+#[derive(Clone, Copy, Debug)]
+pub struct Perturbation<R> {
+    /// What it says.
+    pub source: Turned<R>,
+    /// What is done about normals that go too far.
+    pub limits: NormalLimits,
+}
+
+/// What a texture says about the shading normal.
+#[derive(Clone, Copy, Debug)]
+pub enum Turned<R> {
+    /// The normal in the shading frame, of any length.
+    To(Vec3<R>),
+    /// The surface is raised by `scale` times the texture.
+    ByHeights {
+        /// The heights.
+        heights: TextureId,
+        /// Factor on them.
+        scale: f64,
+    },
+}
+
+/// Weights of red, green and blue in a grey (Rec. 709), as in Mitsuba.
+const LUMINANCE: [f64; 3] = [0.212671, 0.715160, 0.072169];
+
+impl Resolver {
+    /// The tables for a checked scene.
+    pub fn new(scene: &Scene) -> Self {
+        let number = |id: TextureId| scene.texture(id).texel(0).x;
+        let coats = scene
+            .materials
+            .iter()
+            .map(|material| match &material.bsdf {
+                Bsdf::RoughPlastic {
+                    coat,
+                    distribution,
+                    alpha,
+                } => {
+                    let eta = number(coat.int_ior) / number(coat.ext_ior);
+                    let table = RoughTransmittance::new(*distribution, number(*alpha), eta);
+                    Some(Arc::new(table))
+                }
+                _ => None,
+            })
+            .collect();
+        Self { coats }
+    }
+
+    /// What a material does to light where its textures have the values that
+    /// `lookup` gives, to a viewer on the given side of the face.
+    pub fn resolve<R: Real>(
+        &self,
+        scene: &Scene,
+        id: BsdfId,
+        side: Side,
+        lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+    ) -> Resolved<R> {
+        let mut parts = Parts {
+            lobes: Vec::with_capacity(lobe::Bsdf::<R>::MAX_LOBES),
+            flipped: false,
+            perturbation: None,
+        };
+        self.add(scene, id, side, R::constant(1.0), lookup, &mut parts);
+        let mut bsdf = lobe::Bsdf::default();
+        for (weight, lobe) in parts.lobes {
+            bsdf.push(weight, lobe);
+        }
+        let side = if parts.flipped { Side::Front } else { side };
+        Resolved {
+            bsdf: bsdf.seen_from(side),
+            flipped: parts.flipped,
+            perturbation: parts.perturbation,
+        }
+    }
+
+    fn add<R: Real>(
+        &self,
+        scene: &Scene,
+        id: BsdfId,
+        side: Side,
+        weight: R,
+        lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+        parts: &mut Parts<R>,
+    ) {
+        let one = R::constant(1.0);
+        match &scene.material(id).bsdf {
+            Bsdf::TwoSided { front, .. } if side == Side::Front => {
+                self.add(scene, *front, side, weight, lookup, parts);
+            }
+            Bsdf::TwoSided { back, .. } => {
+                parts.flipped = true;
+                self.add(scene, *back, Side::Front, weight, lookup, parts);
+            }
+            Bsdf::Mask { opacity, nested } => {
+                let opacity = number(scene, *opacity, lookup);
+                self.add(scene, *nested, side, weight * opacity, lookup, parts);
+                parts.push(weight * (one - opacity), Lobe::Null(lobe::Null));
+            }
+            Bsdf::Blend {
+                weight: second,
+                nested,
+            } => {
+                let second = number(scene, *second, lookup);
+                self.add(
+                    scene,
+                    nested[0],
+                    side,
+                    weight * (one - second),
+                    lookup,
+                    parts,
+                );
+                self.add(scene, nested[1], side, weight * second, lookup, parts);
+            }
+            Bsdf::NormalMap {
+                normals,
+                nested,
+                limits,
+            } => {
+                let normal = lookup(*normals) * R::constant(2.0) - Rgb::splat(one);
+                parts.perturbation = Some(Perturbation {
+                    source: Turned::To(normal),
+                    limits: *limits,
+                });
+                self.add(scene, *nested, side, weight, lookup, parts);
+            }
+            Bsdf::BumpMap {
+                heights,
+                scale,
+                nested,
+                limits,
+            } => {
+                parts.perturbation = Some(Perturbation {
+                    source: Turned::ByHeights {
+                        heights: *heights,
+                        scale: *scale,
+                    },
+                    limits: *limits,
+                });
+                self.add(scene, *nested, side, weight, lookup, parts);
+            }
+            one_sided => {
+                let coat = self.coats.get(id.0 as usize).and_then(Option::as_ref);
+                let lobe = lobe(scene, one_sided, coat, lookup);
+                if side == Side::Front || lobe.is_two_sided() {
+                    parts.push(weight, lobe);
+                }
+            }
+        }
+    }
+}
+
+/// What has been put together so far.
+struct Parts<R> {
+    lobes: Vec<(R, Lobe<R>)>,
+    flipped: bool,
+    perturbation: Option<Perturbation<R>>,
+}
+
+impl<R> Parts<R> {
+    fn push(&mut self, weight: R, lobe: Lobe<R>) {
+        self.lobes.push((weight, lobe));
+    }
+}
+
+/// A texture as one number: the luminance if it is a colour.
+fn number<R: Real>(
+    scene: &Scene,
+    id: TextureId,
+    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+) -> R {
+    let value = lookup(id);
+    if scene.texture(id).channels == 1 {
+        return value.x;
+    }
+    let [r, g, b] = LUMINANCE.map(R::constant);
+    value.x * r + value.y * g + value.z * b
+}
+
+/// The lobe of a material that is not made of others.
+fn lobe<R: Real>(
+    scene: &Scene,
+    bsdf: &Bsdf,
+    coat_table: Option<&Arc<RoughTransmittance>>,
+    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+) -> Lobe<R> {
+    match bsdf {
+        Bsdf::Diffuse { reflectance } => Lobe::Diffuse(lobe::Diffuse {
+            reflectance: lookup(*reflectance),
+        }),
+        Bsdf::Conductor(metal) => Lobe::Conductor(lobe::Conductor {
+            eta: lookup(metal.eta),
+            k: lookup(metal.k),
+            specular_reflectance: lookup(metal.specular_reflectance),
+        }),
+        Bsdf::RoughConductor(metal, facets) => Lobe::RoughConductor(lobe::RoughConductor {
+            microfacets: microfacets(scene, facets, lookup),
+            eta: lookup(metal.eta),
+            k: lookup(metal.k),
+            specular_reflectance: lookup(metal.specular_reflectance),
+        }),
+        Bsdf::Dielectric(glass) => Lobe::Dielectric(lobe::Dielectric {
+            eta: relative_index(scene, glass, lookup),
+            specular_reflectance: lookup(glass.specular_reflectance),
+            specular_transmittance: lookup(glass.specular_transmittance),
+        }),
+        Bsdf::RoughDielectric(glass, facets) => Lobe::RoughDielectric(lobe::RoughDielectric {
+            microfacets: microfacets(scene, facets, lookup),
+            eta: relative_index(scene, glass, lookup),
+            specular_reflectance: lookup(glass.specular_reflectance),
+            specular_transmittance: lookup(glass.specular_transmittance),
+        }),
+        Bsdf::ThinDielectric(glass) => Lobe::ThinDielectric(lobe::ThinDielectric {
+            eta: relative_index(scene, glass, lookup),
+            specular_reflectance: lookup(glass.specular_reflectance),
+            specular_transmittance: lookup(glass.specular_transmittance),
+        }),
+        Bsdf::Plastic(coat) => Lobe::Plastic(lobe::Plastic {
+            eta: coat_index(scene, coat, lookup),
+            diffuse_reflectance: lookup(coat.diffuse_reflectance),
+            specular_reflectance: lookup(coat.specular_reflectance),
+            nonlinear: coat.nonlinear,
+        }),
+        Bsdf::RoughPlastic { coat, alpha, .. } => {
+            let table = coat_table.expect("the resolver is that of the scene");
+            Lobe::RoughPlastic(lobe::RoughPlastic {
+                eta: coat_index(scene, coat, lookup),
+                alpha: number(scene, *alpha, lookup),
+                diffuse_reflectance: lookup(coat.diffuse_reflectance),
+                specular_reflectance: lookup(coat.specular_reflectance),
+                nonlinear: coat.nonlinear,
+                transmittance: Arc::clone(table),
+            })
+        }
+        Bsdf::Principled(principled) => {
+            Lobe::Principled(principled_lobe(scene, principled, lookup))
+        }
+        Bsdf::Null => Lobe::Null(lobe::Null),
+        Bsdf::TwoSided { .. }
+        | Bsdf::Mask { .. }
+        | Bsdf::Blend { .. }
+        | Bsdf::NormalMap { .. }
+        | Bsdf::BumpMap { .. } => unreachable!("materials made of others are taken apart before"),
+    }
+}
+
+fn microfacets<R: Real>(
+    scene: &Scene,
+    facets: &Facets,
+    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+) -> Microfacets<R> {
+    let [alpha_u, alpha_v] = facets.alpha.map(|id| number(scene, id, lookup));
+    Microfacets {
+        distribution: facets.distribution,
+        alpha_u,
+        alpha_v,
+    }
+}
+
+fn relative_index<R: Real>(
+    scene: &Scene,
+    glass: &Glass,
+    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+) -> R {
+    number(scene, glass.int_ior, lookup) / number(scene, glass.ext_ior, lookup)
+}
+
+fn coat_index<R: Real>(
+    scene: &Scene,
+    coat: &Coat,
+    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+) -> R {
+    number(scene, coat.int_ior, lookup) / number(scene, coat.ext_ior, lookup)
+}
+
+fn principled_lobe<R: Real>(
+    scene: &Scene,
+    principled: &Principled,
+    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+) -> lobe::Principled<R> {
+    let base_color = lookup(principled.base_color);
+    let mut number = |id| number(scene, id, lookup);
+    let eta = match principled.index {
+        PrincipledIndex::Eta(eta) => number(eta),
+        PrincipledIndex::Specular(specular) => lobe::Principled::eta_of_specular(number(specular)),
+    };
+    lobe::Principled {
+        base_color,
+        roughness: number(principled.roughness),
+        anisotropic: number(principled.anisotropic),
+        metallic: number(principled.metallic),
+        spec_trans: number(principled.spec_trans),
+        eta,
+        spec_tint: number(principled.spec_tint),
+        sheen: number(principled.sheen),
+        sheen_tint: number(principled.sheen_tint),
+        flatness: number(principled.flatness),
+        clearcoat: number(principled.clearcoat),
+        clearcoat_gloss: number(principled.clearcoat_gloss),
+    }
+}
+
+/// How deep materials may be made of materials.
+const MAX_DEPTH: usize = 8;
+
+/// What matters of a material when others are made of it.
+#[derive(Clone, Copy, Default)]
+struct Makeup {
+    lobes: usize,
+    /// Some part of it shows the same to both sides of itself, but not alike.
+    has_inside: bool,
+    is_two_sided: bool,
+    is_perturbed: bool,
+}
+
+impl Scene {
+    /// Checks that materials can be resolved: not too many lobes, and nothing
+    /// in them that contradicts itself.
+    pub(crate) fn check_materials(&self) -> Result<(), SceneError> {
+        for (i, material) in self.materials.iter().enumerate() {
+            let bad = |problem| SceneError::Material {
+                material: material.id.clone(),
+                problem,
+            };
+            self.makeup(BsdfId(i as u32), 0).map_err(bad)?;
+            if let Bsdf::RoughPlastic { coat, alpha, .. } = &material.bsdf {
+                let constants = [*alpha, coat.int_ior, coat.ext_ior];
+                if !constants.iter().all(|&id| self.texture(id).is_constant()) {
+                    return Err(bad("a rough coat must have one roughness everywhere"));
+                }
+                let [alpha, inside, outside] = constants.map(|id| self.texture(id).texel(0).x);
+                if inside == outside {
+                    return Err(bad("a rough coat must not have the index of its outside"));
+                }
+                if alpha == 0.0 {
+                    return Err(bad("a rough coat must not be smooth; write plastic"));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn makeup(&self, id: BsdfId, depth: usize) -> Result<Makeup, &'static str> {
+        if depth > MAX_DEPTH {
+            return Err("materials stand inside each other too deep; at most 8 may");
+        }
+        let below = |id: BsdfId| self.makeup(id, depth + 1);
+        let makeup = match &self.material(id).bsdf {
+            Bsdf::TwoSided { front, back } => {
+                let (front, back) = (below(*front)?, below(*back)?);
+                if front.is_two_sided || back.is_two_sided {
+                    return Err("a two-sided material must not be made of two-sided ones");
+                }
+                if front.has_inside || back.has_inside {
+                    return Err("a two-sided material must not be made of clear ones");
+                }
+                Makeup {
+                    lobes: front.lobes.max(back.lobes),
+                    is_two_sided: true,
+                    is_perturbed: front.is_perturbed || back.is_perturbed,
+                    ..Makeup::default()
+                }
+            }
+            Bsdf::Mask { nested, .. } => {
+                let nested = below(*nested)?;
+                Makeup {
+                    lobes: nested.lobes + 1,
+                    ..nested
+                }
+            }
+            Bsdf::Blend { nested, .. } => {
+                let [a, b] = [below(nested[0])?, below(nested[1])?];
+                if a.is_perturbed || b.is_perturbed {
+                    return Err(
+                        "a blend must not be made of materials with perturbed normals; \
+                                put the blend inside the map",
+                    );
+                }
+                if a.is_two_sided && b.has_inside || b.is_two_sided && a.has_inside {
+                    return Err("a blend must not be made of a two-sided and a clear material");
+                }
+                Makeup {
+                    lobes: a.lobes + b.lobes,
+                    has_inside: a.has_inside || b.has_inside,
+                    is_two_sided: a.is_two_sided || b.is_two_sided,
+                    is_perturbed: false,
+                }
+            }
+            Bsdf::NormalMap { nested, .. } | Bsdf::BumpMap { nested, .. } => {
+                let nested = below(*nested)?;
+                if nested.is_perturbed {
+                    return Err("normals are perturbed twice");
+                }
+                if nested.is_two_sided {
+                    return Err(
+                        "normals of a two-sided material are perturbed; put the map into \
+                                the two-sided material",
+                    );
+                }
+                Makeup {
+                    is_perturbed: true,
+                    ..nested
+                }
+            }
+            Bsdf::Dielectric(_) | Bsdf::RoughDielectric(..) | Bsdf::ThinDielectric(_) => Makeup {
+                lobes: 1,
+                has_inside: true,
+                ..Makeup::default()
+            },
+            Bsdf::Principled(principled) => {
+                let glass = &self.texture(principled.spec_trans);
+                Makeup {
+                    lobes: 1,
+                    has_inside: !glass.is_constant() || glass.data.iter().any(|&x| x > 0.0),
+                    ..Makeup::default()
+                }
+            }
+            Bsdf::Diffuse { .. }
+            | Bsdf::Conductor(_)
+            | Bsdf::RoughConductor(..)
+            | Bsdf::Plastic(_)
+            | Bsdf::RoughPlastic { .. }
+            | Bsdf::Null => Makeup {
+                lobes: 1,
+                ..Makeup::default()
+            },
+        };
+        match makeup.lobes > lobe::Bsdf::<f64>::MAX_LOBES {
+            true => Err("it is made of too many materials; at most 4 may be mixed"),
+            false => Ok(makeup),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,122 @@
+//! Rows of texels, as Mitsuba 3.9 covers a surface with them: texel `i` of `n`
+//! has its centre at `(i + 0.5) / n`.
+
+use capwalk_math::{Affine, Real, Rgb};
+
+/// A rectangle of texels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bitmap {
+    /// Texels per row.
+    pub width: u32,
+    /// Rows; the first is at `v = 0`.
+    pub height: u32,
+    /// What is between the centres of texels.
+    pub filter: TexelFilter,
+    /// What is outside the unit square.
+    pub wrap: Wrap,
+    /// Acts on texture coordinates first.
+    pub to_uv: UvTransform,
+}
+
+/// What is between the centres of texels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TexelFilter {
+    /// The texel that is nearest.
+    Nearest,
+    /// A mean of the four around.
+    Bilinear,
+}
+
+/// What is outside the unit square.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Wrap {
+    /// The bitmap again.
+    Repeat,
+    /// The bitmap again, every other one reflected.
+    Mirror,
+    /// The texels at the border.
+    Clamp,
+}
+
+/// An affine map of texture coordinates: `(a·u + b·v + c, d·u + e·v + f)`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct UvTransform {
+    /// `[a, b, c]` and `[d, e, f]`.
+    pub rows: [[f64; 3]; 2],
+}
+
+impl UvTransform {
+    /// Leaves texture coordinates as they are.
+    pub const IDENTITY: Self = Self {
+        rows: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+    };
+
+    /// What a transform of space does in the plane `z = 0`.
+    pub fn from_affine(affine: &Affine) -> Self {
+        let row = |i: usize| {
+            let [a, b, _] = affine.rows[i].to_array();
+            [a, b, affine.translation[i]]
+        };
+        Self {
+            rows: [row(0), row(1)],
+        }
+    }
+
+    /// The image of texture coordinates.
+    #[inline]
+    pub fn apply<R: Real>(&self, [u, v]: [R; 2]) -> [R; 2] {
+        self.rows
+            .map(|[a, b, c]| u * R::constant(a) + v * R::constant(b) + R::constant(c))
+    }
+}
+
+impl Wrap {
+    /// The texel that stands for texel `i` of `n`.
+    #[inline]
+    fn apply(self, i: i64, n: u32) -> usize {
+        let n = i64::from(n);
+        let inside = match self {
+            Self::Repeat => i.rem_euclid(n),
+            Self::Clamp => i.clamp(0, n - 1),
+            Self::Mirror => match i.rem_euclid(2 * n) {
+                i if i < n => i,
+                i => 2 * n - 1 - i,
+            },
+        };
+        inside as usize
+    }
+}
+
+impl Bitmap {
+    /// The value at texture coordinates `uv`. `texel` is asked for texels
+    /// counted row by row.
+    pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
+        let [u, v] = self.to_uv.apply(uv);
+        let mut at = |x: i64, y: i64| {
+            let row = self.wrap.apply(y, self.height);
+            texel(row * self.width as usize + self.wrap.apply(x, self.width))
+        };
+        let (width, height) = (f64::from(self.width), f64::from(self.height));
+        match self.filter {
+            TexelFilter::Nearest => {
+                let below = |x: R, n: f64| (x.value() * n).floor() as i64;
+                at(below(u, width), below(v, height))
+            }
+            TexelFilter::Bilinear => {
+                // The texel whose centre is at or below, and the way from it.
+                let split = |x: R, n: f64| {
+                    let x = x * R::constant(n) - R::constant(0.5);
+                    let below = x.value().floor();
+                    (below as i64, x - R::constant(below))
+                };
+                let ((x, s), (y, t)) = (split(u, width), split(v, height));
+                let mut row = |y: i64| {
+                    let (left, right) = (at(x, y), at(x.saturating_add(1), y));
+                    left + (right - left) * s
+                };
+                let (first, second) = (row(y), row(y.saturating_add(1)));
+                first + (second - first) * t
+            }
+        }
+    }
+}

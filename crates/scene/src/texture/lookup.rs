@@ -1,0 +1,52 @@
+//! Textures at a point of a surface.
+
+use capwalk_math::{Real, Rgb};
+
+use super::{Pattern, TextureId};
+use crate::scene::{Scene, ShapeId};
+
+/// A point of a surface, as textures see it. It may move over the surface.
+#[derive(Clone, Copy, Debug)]
+pub struct SurfacePoint<R> {
+    /// The shape.
+    pub shape: ShapeId,
+    /// The triangle, counted in the shape.
+    pub face: usize,
+    /// Weights of the triangle's corners; they add up to one.
+    pub barycentric: [R; 3],
+    /// Texture coordinates ([`crate::Shape::uv`]).
+    pub uv: [R; 2],
+}
+
+impl Scene {
+    /// The value of a texture at a point of a surface. `texel` gives texels,
+    /// with or without derivatives: of the texture itself, or of the shape's
+    /// attribute that it looks up.
+    ///
+    /// # Panics
+    /// If the shape has no such attribute ([`Scene::check`] finds that).
+    pub fn lookup<R: Real>(
+        &self,
+        id: TextureId,
+        at: &SurfacePoint<R>,
+        mut texel: impl FnMut(TextureId, usize) -> Rgb<R>,
+    ) -> Rgb<R> {
+        let texture = self.texture(id);
+        match &texture.pattern {
+            Pattern::MeshAttribute { name, scale } => {
+                let attribute = self.shape(at.shape).attribute(name);
+                let attribute = attribute.expect("scenes are checked for attributes");
+                self.lookup(attribute, at, texel) * R::constant(*scale)
+            }
+            Pattern::PerVertex => {
+                let corners = self.shape(at.shape).mesh.faces[at.face];
+                let [a, b, c] = corners.map(|vertex| texel(id, vertex as usize));
+                a * at.barycentric[0] + b * at.barycentric[1] + c * at.barycentric[2]
+            }
+            Pattern::PerFace => texel(id, at.face),
+            Pattern::Constant | Pattern::Bitmap(_) | Pattern::Checkerboard { .. } => {
+                texture.lookup(at.uv, |index| texel(id, index))
+            }
+        }
+    }
+}

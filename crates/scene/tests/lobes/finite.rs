@@ -1,0 +1,101 @@
+//! No value and no derivative is infinite or NaN, in the corners of everything.
+
+use capwalk_math::{Dual, Vec3};
+use capwalk_scene::lobe::*;
+
+use crate::table;
+use crate::tools::{Random, direction};
+
+/// Corners: along the normal, along the surface, next to both, opposite to
+/// each other; and directions between.
+fn directions() -> Vec<Vec3> {
+    let mut random = Random::new(8);
+    let mut directions = vec![
+        Vec3::new(0.0, 0.0, 1.0),
+        Vec3::new(0.0, 0.0, -1.0),
+        Vec3::new(1.0, 0.0, 0.0),
+        Vec3::new(-1.0, 0.0, 0.0),
+        Vec3::new(0.6, -0.8, -0.0),
+        Vec3::new(-0.6, 0.8, 1e-16),
+        Vec3::new(0.6, -0.8, -1e-16),
+        Vec3::new(1e-9, 0.0, 1.0),
+        direction(1e-6, 1.0),
+    ];
+    directions.extend((0..12).map(|_| direction(2.0 * random.next() - 1.0, 7.0 * random.next())));
+    directions
+}
+
+fn lobes() -> Vec<(&'static str, Lobe)> {
+    let mut lobes = table::smooth();
+    lobes.extend(table::sharp());
+    lobes.push((
+        "principled of ones",
+        Lobe::Principled(table::PLAIN).map(&mut |_| 1.0),
+    ));
+    lobes.push(("principled of zeros", {
+        let black = Lobe::Principled(table::PLAIN).map(&mut |_| 0.0);
+        let Lobe::Principled(black) = black else {
+            unreachable!("was one")
+        };
+        Lobe::Principled(Principled { eta: 1.5, ..black })
+    }));
+    lobes
+}
+
+#[test]
+fn eval_and_pdf_are_finite() {
+    for (name, lobe) in lobes() {
+        let bsdf = Bsdf::from(lobe.clone());
+        let moving = lobe.map(&mut |x| Dual::new(x, [1.0]));
+        for wi in directions() {
+            for wo in directions() {
+                let found = moving.eval(
+                    wi.with_tangent(Vec3::new(0.3, 0.2, 0.4)),
+                    wo.with_tangent(Vec3::new(-0.2, 0.5, 0.1)),
+                );
+                let pdf = bsdf.pdf(wi, wo);
+                let all = found.value().is_finite() && found.tangent(0).is_finite();
+                assert!(
+                    all && pdf.is_finite(),
+                    "{name}, {wi:?}, {wo:?}: {found:?}, pdf {pdf}"
+                );
+                assert!(
+                    found.value().min(Vec3::zero()) == Vec3::zero(),
+                    "{name}: {found:?}"
+                );
+                assert!(pdf >= 0.0, "{name}: {pdf}");
+            }
+        }
+    }
+}
+
+#[test]
+fn samples_are_finite() {
+    const ALMOST_ONE: f64 = 1.0 - f64::EPSILON / 2.0;
+    let numbers = [0.0, 1e-300, 0.25, 0.5, 0.75, ALMOST_ONE];
+    let specular = table::specular()
+        .into_iter()
+        .map(|(name, lobe, _)| (name, lobe));
+    for (name, lobe) in lobes().into_iter().chain(specular) {
+        let bsdf = Bsdf::from(lobe.clone());
+        let moving = Bsdf::from(lobe.map(&mut |x| Dual::new(x, [1.0])));
+        for wi in directions() {
+            for choice in numbers {
+                for u in numbers.into_iter().flat_map(|u| numbers.map(|v| [u, v])) {
+                    let Some(sample) = bsdf.sample(wi, choice, u) else {
+                        continue;
+                    };
+                    let what = format!("{name}, wi = {wi:?}, {choice}, {u:?}: {sample:?}");
+                    assert!(sample.pdf > 0.0 && sample.pdf.is_finite(), "{what}");
+                    assert!((sample.wo.length() - 1.0).abs() < 1e-9, "{what}");
+                    let Some(event) = sample.specular else {
+                        continue;
+                    };
+                    let (wo, throughput) = moving.specular(event, wi.with_tangent(Vec3::zero()));
+                    let finite = wo.tangent(0).is_finite() && throughput.tangent(0).is_finite();
+                    assert!(finite && throughput.value().is_finite(), "{what}");
+                }
+            }
+        }
+    }
+}
