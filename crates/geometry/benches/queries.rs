@@ -2,12 +2,19 @@
 //! `obvhs` as a yardstick; and the time to build both trees.
 //!
 //! `cargo bench -p capwalk-geometry` runs criterion's measurements and then
-//! prints a table of ratios. The ratios are measured by themselves: the views
-//! in small batches, every query on a batch in turn, in many rounds. A time is
-//! the sum over the batches of the medians over the rounds, so neither a slow
-//! phase of the machine nor being interrupted counts for one query only. Before
-//! each, the same query runs on the batch before, so that the caches hold what
-//! they do when nothing else runs.
+//! prints tables of ratios, measured in two ways:
+//!
+//! - alone: one query for all views, in many rounds, then the next query. This
+//!   is what criterion does, and its times are the same. The caches then hold
+//!   the one tree of that query.
+//! - in turn: the views in small batches, every query on a batch in turn. Before
+//!   each, the same query runs on the batch before; still the trees of the other
+//!   queries have been through the caches, as when a renderer traces rays and
+//!   searches silhouettes by turns. Rays suffer more, so ratios are lower.
+//!
+//! A time is the sum over the batches of the medians over the rounds, so neither
+//! a slow phase of the machine nor being interrupted counts for much. Slow
+//! phases do count for one query only where it is measured alone.
 
 mod meshes;
 
@@ -184,38 +191,54 @@ fn count(views: &[View], found: impl Fn(&View) -> bool) -> usize {
 fn print_ratios(scene: &Scene) {
     let found = QUERIES.map(|(_, query)| query(scene, &scene.views)); // also warms up
     let batches: Vec<&[View]> = scene.views.chunks(BATCH).collect();
+    let alone = QUERIES.map(|(_, query)| {
+        let mut times = vec![Vec::new(); batches.len()];
+        for _ in 0..ROUNDS {
+            for (batch, times) in batches.iter().zip(&mut times) {
+                times.push(seconds(|| query(scene, batch)));
+            }
+        }
+        time_per_view(times)
+    });
     // times[query][batch], one for each round
-    let mut times = vec![vec![Vec::new(); batches.len()]; QUERIES.len()];
+    let mut times = QUERIES.map(|_| vec![Vec::new(); batches.len()]);
     for _ in 0..ROUNDS {
         for b in 0..batches.len() {
-            for (q, (_, query)) in QUERIES.iter().enumerate() {
-                black_box(query(
-                    scene,
-                    batches[(b + batches.len() - 1) % batches.len()],
-                ));
-                let start = Instant::now();
-                black_box(query(scene, batches[b]));
-                times[q][b].push(start.elapsed().as_secs_f64());
+            let before = (b + batches.len() - 1) % batches.len();
+            for ((_, query), times) in QUERIES.iter().zip(&mut times) {
+                black_box(query(scene, batches[before]));
+                times[b].push(seconds(|| query(scene, batches[b])));
             }
         }
     }
-    let times: Vec<f64> = times
-        .into_iter()
-        .map(|batches| batches.into_iter().map(median).sum::<f64>() / VIEWS as f64)
-        .collect();
+    let in_turn = times.map(time_per_view);
     println!(
         "\n{}: {} triangles, one thread",
         scene.name, scene.triangles
     );
     println!(
-        "{:<34} {:>9} {:>9} {:>11}",
-        "query", "ns", "found", "x first hit"
+        "{:<30} {:>6} {:>9} {:>11} {:>11} {:>11}",
+        "query", "found", "alone ns", "x first hit", "in turn ns", "x first hit"
     );
     for (i, (name, _)) in QUERIES.iter().enumerate() {
         let share = 100.0 * found[i] as f64 / VIEWS as f64;
-        let (time, ratio) = (1e9 * times[i], times[i] / times[0]);
-        println!("{name:<34} {time:>9.0} {share:>8.0}% {ratio:>11.2}");
+        let [alone, in_turn] = [alone, in_turn].map(|times| (1e9 * times[i], times[i] / times[0]));
+        println!(
+            "{name:<30} {share:>5.0}% {:>9.0} {:>11.2} {:>11.0} {:>11.2}",
+            alone.0, alone.1, in_turn.0, in_turn.1
+        );
     }
+}
+
+fn seconds(run: impl FnOnce() -> usize) -> f64 {
+    let start = Instant::now();
+    black_box(run());
+    start.elapsed().as_secs_f64()
+}
+
+/// From the times of each batch in all rounds.
+fn time_per_view(batches: Vec<Vec<f64>>) -> f64 {
+    batches.into_iter().map(median).sum::<f64>() / VIEWS as f64
 }
 
 fn print_build_times() {

@@ -5,7 +5,9 @@
 //! vertices move, only the bounds are computed again (`refit`), so a refitted
 //! tree answers as exactly as a new one and is merely slower.
 
+pub mod buckets;
 pub mod build;
+mod gather;
 pub mod refit;
 pub mod traverse;
 pub mod validate;

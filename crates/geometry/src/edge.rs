@@ -53,7 +53,8 @@ fn side_seen(cross: Vec3, point: Vec3, eye: Vec3) -> i32 {
 /// its edges are the horizon, whichever side of the face the eye is on.
 #[inline]
 pub fn separates(crosses: [Vec3; 2], point: Vec3, flipped: bool, eye: Vec3) -> bool {
-    let [first, second] = crosses.map(|cross| side_seen(cross, point, eye));
+    let [first, second] = crosses;
+    let (first, second) = (side_seen(first, point, eye), side_seen(second, point, eye));
     let second = if flipped { -second } else { second };
     first * second <= 0
 }
@@ -92,6 +93,7 @@ pub struct ClosestDirection {
 /// through the eye.
 ///
 /// The angle has full relative precision however small it is.
+#[inline]
 pub fn closest_direction(a: Vec3, b: Vec3, axis: Vec3) -> Option<ClosestDirection> {
     let along = b - a;
     let normal = a.cross(along); // of the plane of the great circle

@@ -67,6 +67,8 @@ pub trait Simd: Copy {
     fn load(self, v: &[f32; 8]) -> Self::F32x8;
     /// Eight integers from memory.
     fn load_i16(self, v: &[i16; 8]) -> Self::F32x8;
+    /// Eight small integers from memory.
+    fn load_i8(self, v: &[i8; 8]) -> Self::F32x8;
     /// The same number four times.
     fn splat_f64(self, v: f64) -> Self::F64x4;
     /// Brings a value into the caches that will be needed soon.
@@ -137,6 +139,10 @@ impl Simd for Scalar {
     }
     #[inline(always)]
     fn load_i16(self, v: &[i16; 8]) -> Self::F32x8 {
+        Array(v.map(f32::from))
+    }
+    #[inline(always)]
+    fn load_i8(self, v: &[i8; 8]) -> Self::F32x8 {
         Array(v.map(f32::from))
     }
     #[inline(always)]

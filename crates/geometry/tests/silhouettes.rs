@@ -161,6 +161,25 @@ fn deep_trees_are_brute_force() {
     }
 }
 
+/// Eyes a hair off the plane of a face that they look at: in single precision
+/// its edges may or may not be silhouettes, and must not limit the search.
+#[test]
+fn eyes_near_the_plane_of_a_face() {
+    let mesh = common::ball(9, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
+    let edges = topology::edges(&mesh);
+    let tree = SilhouetteTree::build(&mesh, &edges);
+    for i in 0..2000 {
+        let [a, b, c] = mesh.corners((i * 97) % mesh.faces.len());
+        let normal = (b - a).cross(c - a).normalized();
+        let height = [1e-7, -1e-7, 1e-8, -1e-8, 1e-6][i % 5];
+        let eye = a + (a - b) * (3.0 + (i % 7) as f64) + (a - c) * 2.0 + normal * height;
+        let axis = (b * 0.4 + c * 0.6 - eye).normalized();
+        let query = query(eye, axis, 4.0);
+        let expected = oracle::closest_silhouette(&mesh, &edges, &query);
+        assert_eq!(tree.closest(&query), expected, "{query:?}");
+    }
+}
+
 /// Nothing to find: no edges; an angle limit of zero; no groups.
 #[test]
 fn nothing_is_found() {

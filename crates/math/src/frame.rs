@@ -31,6 +31,23 @@ impl<R: Real> Frame<R> {
         }
     }
 
+    /// A frame whose third axis is the unit vector `n`, and whose first one is
+    /// the part of `tangent` orthogonal to it; [`Frame::from_normal`] if there is
+    /// none.
+    pub fn from_normal_and_tangent(n: Vec3<R>, tangent: Vec3<R>) -> Self {
+        let s = tangent.reject_from(n);
+        let is_usable = s.value().length_squared() > 0.0; // not for NaN
+        if !is_usable {
+            return Self::from_normal(n);
+        }
+        let s = s.normalized();
+        Self {
+            s,
+            t: n.cross(s),
+            n,
+        }
+    }
+
     /// A vector given in the frame's coordinates, in world coordinates.
     #[inline]
     pub fn to_world(&self, v: Vec3<R>) -> Vec3<R> {

@@ -2,9 +2,11 @@
 
 use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
 use capwalk_math::Vec3;
+use capwalk_scene::resolve::Resolver;
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Lamp;
+use crate::material::needs_tangent;
 use crate::unsupported::unsupported_text;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
@@ -22,6 +24,10 @@ pub struct Accel<'s> {
     pub first_face: Vec<u32>,
     /// How to draw points on each emitter; `None` for an environment.
     pub lamps: Vec<Option<Lamp>>,
+    /// Whether it matters how each shape's material is turned about the normal.
+    pub needs_tangent: Vec<bool>,
+    /// What materials need besides their textures.
+    pub resolver: Resolver,
     rays: RayTree,
     /// Distances below this (world units) around a ray's origin belong to the
     /// surface it starts on.
@@ -72,6 +78,12 @@ impl<'s> Accel<'s> {
             first_vertex,
             first_face,
             lamps,
+            needs_tangent: scene
+                .shapes
+                .iter()
+                .map(|s| needs_tangent(scene, s.bsdf))
+                .collect(),
+            resolver: Resolver::new(scene),
             rays: RayTree::build(&mesh),
             mesh,
             self_distance: SELF_INTERSECTION * size,

@@ -15,6 +15,7 @@ pub mod diff;
 pub mod estimate;
 mod integrator;
 mod lamp;
+mod layer;
 mod light;
 mod material;
 pub mod options;

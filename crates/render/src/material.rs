@@ -1,9 +1,10 @@
 //! What a surface does to light at a point: its material with its numbers.
 
 use capwalk_math::{Frame, Real, Vec3};
-use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe, Side};
-use capwalk_scene::{Bsdf as Plugin, Pattern, Scene, Shape, Texture, TextureId};
+use capwalk_scene::lobe::Bsdf;
+use capwalk_scene::{Bsdf as Plugin, BsdfId, Pattern, Scene, Shape, Texture, TextureId};
 
+use crate::accel::Accel;
 use crate::path::Vertex;
 use crate::world::{Surface, World};
 
@@ -11,47 +12,57 @@ use crate::world::{Surface, World};
 /// the side that is seen is black.
 pub fn vertex_at<R: Real, W: World<R>>(
     world: &W,
+    accel: &Accel,
     surface: &Surface<R>,
     direction: Vec3<R>,
 ) -> Option<Vertex<R>> {
-    let scene = world.scene();
-    let side = if surface.side == Side::Front {
-        1.0
-    } else {
-        -1.0
+    let lookup = &mut |id: TextureId| world.lookup(id, &surface.point);
+    let resolver = &accel.resolver;
+    let resolved = resolver.resolve(accel.scene, surface.material, surface.side, lookup);
+    resolved.bsdf.lobes().next()?;
+    let mut frame = match surface.tangent {
+        // As in Mitsuba: the first axis follows the first texture coordinate.
+        Some(tangent) => Frame::from_normal_and_tangent(surface.outward, tangent),
+        None => Frame::from_normal(surface.outward),
     };
-    let facing = scene.facing_bsdf(surface.material, side)?;
-    let (normal, side) = match facing.flipped {
-        true => (-surface.outward, Side::Front),
-        false => (surface.outward, surface.side),
-    };
-    let lobe = match scene.material(facing.id).bsdf {
-        Plugin::Diffuse { reflectance } => Lobe::Diffuse(Diffuse {
-            reflectance: world.lookup(reflectance, &surface.point),
-        }),
-        _ => unreachable!("resolved to one side; other plugins are refused before"),
-    };
-    let bsdf = Bsdf::from(lobe).seen_from(side);
+    if resolved.flipped {
+        frame.n = -frame.n;
+    }
     Some(Vertex::new(
         surface.position,
         surface.face_normal,
-        normal,
+        frame,
         -direction,
-        bsdf,
+        resolved.bsdf,
     ))
 }
 
+/// True if it matters how a material is turned about the normal.
+pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
+    let bsdf = &scene.material(id).bsdf;
+    let is_zero = |id: TextureId| scene.texture(id).data.iter().all(|&x| x == 0.0);
+    let own = match bsdf {
+        Plugin::RoughConductor(_, facets) | Plugin::RoughDielectric(_, facets) => {
+            facets.alpha[0] != facets.alpha[1]
+        }
+        Plugin::Principled(principled) => !is_zero(principled.anisotropic),
+        _ => false,
+    };
+    own || bsdf
+        .parts()
+        .into_iter()
+        .any(|part| needs_tangent(scene, part))
+}
+
 impl<R: Real> Vertex<R> {
-    /// A vertex with the given unit shading normal, seen from the unit direction
-    /// `wi`.
+    /// A vertex with the given shading frame, seen from the unit direction `wi`.
     pub fn new(
         position: Vec3<R>,
         face_normal: Vec3,
-        normal: Vec3<R>,
+        frame: Frame<R>,
         wi: Vec3<R>,
         bsdf: Bsdf<R>,
     ) -> Self {
-        let frame = Frame::from_normal(normal);
         let transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
         Self {
             position,

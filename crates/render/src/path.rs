@@ -21,13 +21,14 @@
 
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Frame, Real, Rgb, Vec3};
-use capwalk_scene::Integrator;
 use capwalk_scene::lobe::{Bsdf, Specular};
+use capwalk_scene::{Integrator, Layer};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::diff::boundary::{Draw, Eye, Field, Numbers};
 use crate::diff::flux::lamp_edge_flux;
+use crate::layer::layer_at;
 use crate::light::{Continuation, LightSampling, emitter_towards, sample_lights};
 use crate::material::vertex_at;
 use crate::pixel::{Support, Supports};
@@ -64,6 +65,8 @@ pub struct Plan {
     pub sampling: LightSampling,
     /// Emitters are not seen by the camera.
     pub hide_emitters: bool,
+    /// Instead of light: this.
+    pub layer: Option<Layer>,
 }
 
 impl Plan {
@@ -82,6 +85,7 @@ impl Plan {
                     bsdf_samples,
                 },
                 hide_emitters,
+                layer: None,
             },
             Integrator::Path {
                 max_depth,
@@ -95,6 +99,17 @@ impl Plan {
                     bsdf_samples: 1,
                 },
                 hide_emitters,
+                layer: None,
+            },
+            Integrator::Aov(layer) => Self {
+                max_depth: Some(1),
+                rr_depth: u32::MAX,
+                sampling: LightSampling {
+                    emitter_samples: 0,
+                    bsdf_samples: 0,
+                },
+                hide_emitters: false,
+                layer: Some(layer),
             },
         }
     }
@@ -397,6 +412,13 @@ impl<'a> Tracer<'a> {
     ) -> Rgb<R> {
         let (accel, plan) = (self.accel, &self.plan);
         let mut hit = self.camera_hit(s, direction.value());
+        if let Some(layer) = plan.layer {
+            return hit.map_or(Rgb::zero(), |hit| {
+                let origin = world.sensor_origin();
+                let surface = surface_at(world, accel, &hit, origin, direction);
+                layer_at(world, accel, layer, &surface, origin, direction)
+            });
+        }
         let mut light = Rgb::zero();
         let mut origin = world.sensor_origin();
         if plan.reaches(1)
@@ -411,7 +433,7 @@ impl<'a> Tracer<'a> {
                 break;
             };
             let surface = surface_at(world, accel, &found, origin, direction);
-            let Some(vertex) = vertex_at(world, &surface, direction) else {
+            let Some(vertex) = vertex_at(world, accel, &surface, direction) else {
                 break;
             };
             let (emitted, next) = self.emitted(world, &vertex, depth, draw);

@@ -6,7 +6,7 @@ use capwalk_scene::{Bsdf, Scene};
 /// What of the scene cannot be rendered yet, one phrase each; empty if all of it
 /// can.
 pub fn unsupported(scene: &Scene) -> Vec<String> {
-    let is_rendered = |bsdf: &Bsdf| matches!(bsdf, Bsdf::Diffuse { .. } | Bsdf::TwoSided { .. });
+    let is_rendered = |bsdf: &Bsdf| !matches!(bsdf, Bsdf::NormalMap { .. } | Bsdf::BumpMap { .. });
     let materials = scene.materials.iter();
     materials
         .filter(|material| !is_rendered(&material.bsdf))

@@ -134,8 +134,13 @@ pub struct Surface<R> {
     pub position: Vec3<R>,
     /// The same on the shape.
     pub point: SurfacePoint<R>,
+    /// Unit normal of the face on the outside.
+    pub geometric: Vec3<R>,
     /// Unit shading normal on the outside.
     pub outward: Vec3<R>,
+    /// How the position changes with the first texture coordinate, if the
+    /// material asks for it and the shape has some.
+    pub tangent: Option<Vec3<R>>,
     /// Unit geometric normal on the viewer's side.
     pub face_normal: Vec3,
     /// Which side is seen.
@@ -200,7 +205,18 @@ pub fn surface_at<R: Real, W: World<R>>(
             barycentric,
             uv: shape.uv(face, barycentric),
         },
+        geometric: cross.normalized() * R::constant(out),
         outward,
+        tangent: match &shape.uvs {
+            Some(uvs) if accel.needs_tangent[shape_id.0 as usize] => {
+                let [[u0, v0], [u1, v1], [u2, v2]] = uvs[face];
+                let (du1, dv1, du2, dv2) = (u1 - u0, v1 - v0, u2 - u0, v2 - v0);
+                let scale = 1.0 / (du1 * dv2 - du2 * dv1);
+                let along = edge1 * R::constant(dv2 * scale) - edge2 * R::constant(dv1 * scale);
+                along.value().is_finite().then_some(along)
+            }
+            _ => None,
+        },
         face_normal: face_normal * seen,
         side: if seen * out > 0.0 {
             Side::Front

@@ -3,7 +3,7 @@
 
 use crate::lobe::Distribution;
 use crate::quantity::Quantity;
-use crate::scene::{BsdfId, Scene};
+use crate::scene::BsdfId;
 use crate::texture::TextureId;
 
 /// A material and its name.
@@ -369,28 +369,5 @@ impl Principled {
             ("clearcoat", self.clearcoat),
             ("clearcoat_gloss", self.clearcoat_gloss),
         ]
-    }
-}
-
-/// The one-sided material that a surface shows, and on which side.
-#[derive(Clone, Copy, Debug)]
-pub struct Facing {
-    /// The material; never two-sided.
-    pub id: BsdfId,
-    /// True if it is seen from the back: flip the normal.
-    pub flipped: bool,
-}
-
-impl Scene {
-    /// The material shown to a viewer on the side `cos_i` (positive: the side
-    /// the shading normal points to), or `None` if that side is black.
-    pub fn facing_bsdf(&self, id: BsdfId, cos_i: f64) -> Option<Facing> {
-        let (id, flipped) = match &self.material(id).bsdf {
-            Bsdf::TwoSided { front, .. } if cos_i > 0.0 => (*front, false),
-            Bsdf::TwoSided { back, .. } if cos_i < 0.0 => (*back, true),
-            _ if cos_i > 0.0 => (id, false),
-            _ => return None,
-        };
-        Some(Facing { id, flipped })
     }
 }

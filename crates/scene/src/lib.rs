@@ -22,7 +22,7 @@ pub mod settings;
 pub mod shape;
 pub mod texture;
 
-pub use bsdf::{Bsdf, Facing, Material};
+pub use bsdf::{Bsdf, Material};
 pub use emitter::Emitter;
 pub use film::Film;
 pub use filter::Filter;
@@ -32,6 +32,6 @@ pub use quantity::Quantity;
 pub use resolve::{Resolved, Resolver};
 pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
 pub use sensor::Perspective;
-pub use settings::{Integrator, SamplerKind, Settings};
+pub use settings::{Integrator, Layer, SamplerKind, Settings};
 pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, vertex_normals};
 pub use texture::{Pattern, SurfacePoint, Texture, TextureId};

@@ -35,6 +35,54 @@ pub enum Integrator {
         /// True if emitters are invisible to the camera.
         hide_emitters: bool,
     },
+    /// What the camera sees first, without light.
+    Aov(Layer),
+}
+
+/// What can be said of the surface that the camera sees; zero where it sees
+/// none. Names as in Mitsuba's `aov` integrator, and `mask`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Layer {
+    /// Distance from the camera along the ray, world units.
+    Depth,
+    /// World position.
+    Position,
+    /// Texture coordinates, and 0.
+    Uv,
+    /// Unit normal of the face, world space, on its outside.
+    GeometricNormal,
+    /// Unit shading normal, world space, on the outside.
+    ShadingNormal,
+    /// Fraction of light reflected.
+    Albedo,
+    /// One where there is a surface.
+    Mask,
+}
+
+impl Layer {
+    /// All layers.
+    pub const ALL: [Self; 7] = [
+        Self::Depth,
+        Self::Position,
+        Self::Uv,
+        Self::GeometricNormal,
+        Self::ShadingNormal,
+        Self::Albedo,
+        Self::Mask,
+    ];
+
+    /// Its name in files and on command lines.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Depth => "depth",
+            Self::Position => "position",
+            Self::Uv => "uv",
+            Self::GeometricNormal => "geo_normal",
+            Self::ShadingNormal => "sh_normal",
+            Self::Albedo => "albedo",
+            Self::Mask => "mask",
+        }
+    }
 }
 
 /// Sources of random numbers.

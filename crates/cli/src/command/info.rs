@@ -113,6 +113,7 @@ fn integrator(integrator: &Integrator) -> String {
             Some(depth) => format!("paths of up to {depth} segments"),
             None => "paths of any length".into(),
         },
+        Integrator::Aov(layer) => format!("no light: {}", layer.name()),
     }
 }
 

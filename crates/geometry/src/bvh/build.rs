@@ -1,10 +1,11 @@
-//! Building a tree: binned surface-area splits (Wald 2007), then every eight
-//! neighbouring subtrees gathered under one node.
+//! Building a tree: binned surface-area splits (Wald 2007), then up to eight
+//! neighbouring subtrees gathered under one node (`gather.rs`).
 //!
 //! Large ranges are split in parallel. Which thread does what cannot change
 //! the result: each range of primitives has its own slots for its nodes.
 
-use super::{Child, MAX_DEPTH, Topology, WIDTH};
+use super::gather;
+use super::{MAX_DEPTH, Topology};
 use crate::aabb::Aabb;
 
 /// Bins per axis. More find slightly better splits and cost building time.
@@ -23,11 +24,18 @@ struct Primitive {
 /// A node of the binary tree. The `n` primitives from `start` on own the
 /// slots from `2 start` to `2 (start + n) - 2`; their node is the first.
 #[derive(Clone, Copy)]
-struct BinaryNode {
-    half_area: f32,
-    start: u32,
+pub(super) struct BinaryNode {
+    pub half_area: f32,
+    pub start: u32,
     /// Primitives in the left half; 0 for a leaf.
     left: u32,
+}
+
+impl BinaryNode {
+    /// The slots of the two halves of the node at `slot`; `None` for a leaf.
+    pub fn halves(&self, slot: usize) -> Option<[usize; 2]> {
+        (self.left > 0).then(|| [slot + 1, slot + 2 * self.left as usize])
+    }
 }
 
 const UNUSED: BinaryNode = BinaryNode {
@@ -60,7 +68,7 @@ pub fn build(bounds: &[Aabb], leaf_size: usize) -> Topology {
         order: primitives.iter().map(|primitive| primitive.id).collect(),
         leaf_starts: Vec::new(),
     };
-    gather_children(&binary, 0, &mut topology);
+    gather::gather(&binary, &mut topology);
     topology.leaf_starts.push(bounds.len() as u32);
     topology
 }
@@ -236,37 +244,4 @@ fn partition(primitives: &mut [Primitive], is_left: impl Fn(&Primitive) -> bool)
         }
     }
     front
-}
-
-/// Appends the wide node for the binary node at `slot`, and all below it; its
-/// index.
-fn gather_children(binary: &[BinaryNode], slot: usize, topology: &mut Topology) -> usize {
-    let mut slots = vec![slot];
-    // Open the child of the largest surface until there are eight: a ray is
-    // most likely to enter that one.
-    while slots.len() < WIDTH {
-        let largest = (0..slots.len())
-            .filter(|&i| binary[slots[i]].left > 0)
-            .max_by(|&a, &b| {
-                let area = |i: usize| binary[slots[i]].half_area;
-                area(a).total_cmp(&area(b))
-            });
-        let Some(opened) = largest else { break };
-        let parent = slots[opened];
-        // In the order of the primitives, so that leaves stay consecutive.
-        slots[opened] = parent + 1;
-        slots.insert(opened + 1, parent + 2 * binary[parent].left as usize);
-    }
-    let index = topology.nodes.len();
-    topology.nodes.push([Child::NONE; WIDTH]);
-    for (i, &child) in slots.iter().enumerate() {
-        let node = &binary[child];
-        topology.nodes[index][i] = if node.left == 0 {
-            topology.leaf_starts.push(node.start);
-            Child::leaf(topology.leaf_starts.len() - 1)
-        } else {
-            Child::node(gather_children(binary, child, topology))
-        };
-    }
-    index
 }

@@ -1,4 +1,4 @@
-//! Nearest first: what every search through a tree has in common.
+//! Nearest first, down one branch of a tree after the other.
 
 use super::{Child, MAX_DEPTH, WIDTH};
 

@@ -1,64 +1,69 @@
 //! Closest silhouettes among those that a caller accepts.
 
-use std::cmp::Ordering;
+use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-use super::cone_kernel::{self, LocalCone};
-use super::silhouette_tree::{ConeQuery, LEAF_SIZE, SilhouettePoint, SilhouetteTree};
-use crate::bvh::{Child, ChildKind};
+use super::edge_kernel::LANES;
+use super::local_cone::LocalCone;
+use super::pseudo_angle::{Limit, pseudo_angle};
+use super::silhouette_tree::{ConeQuery, SilhouettePoint, SilhouetteTree};
+use crate::bvh::{Child, ChildKind, WIDTH};
 use crate::simd::{Job, Simd};
 
-/// Best first instead of depth first: what was rejected must not be what
-/// decides where to look next, and a depth-first search would look through
-/// everything hidden in a subtree before it turned to its neighbour.
+/// What was found cannot limit this search, as it may be rejected. So it goes
+/// strictly by bounds, and tests and offers edges no sooner than necessary.
 pub(super) struct ClosestWhere<'a, F> {
     /// The tree.
     pub tree: &'a SilhouetteTree,
     /// The cone.
     pub query: &'a ConeQuery,
+    /// The closest point of all, which was not accepted.
+    pub rejected: SilhouettePoint,
     /// Which closest points are accepted.
     pub counts: F,
 }
 
-/// Something to look at: a part of the tree, or the closest point of an edge.
-#[derive(Clone, Copy)]
-enum Candidate {
-    Below(Child),
-    Point(SilhouettePoint),
+/// A part of the tree, or an edge, and the least pseudo-angle it may have.
+/// Ordered so that a heap gives the least first.
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+struct Queued(Reverse<(u32, What)>);
+
+#[derive(PartialEq, Eq, PartialOrd, Ord)]
+enum What {
+    /// [`Child::bits`].
+    Below(u32),
+    /// The place of the edge.
+    Edge(u32),
 }
 
-/// A candidate and the least pseudo-angle it may have; ordered so that a heap
-/// gives the smallest first, of equal ones the parts of the tree, then the
+fn queued(least: f32, what: What) -> Queued {
+    // The bits of floats that are not negative compare like the floats.
+    Queued(Reverse((least.to_bits(), what)))
+}
+
+/// A tested edge. A heap gives the nearest first, of equal ones that of the
 /// lowest edge.
-struct Queued(f32, Candidate);
-
-impl Queued {
-    fn key(&self) -> (u32, u32, f64, u32) {
-        // The bits of non-negative floats compare like the floats.
-        let bound = self.0.to_bits();
-        match &self.1 {
-            Candidate::Below(_) => (bound, 0, 0.0, 0),
-            Candidate::Point(point) => (bound, 1, point.angle, point.edge),
-        }
-    }
+struct Tested {
+    point: SilhouettePoint,
+    /// Whatever may be nearer has a lower bound that is not greater than this.
+    bound: f32,
 }
 
-impl PartialEq for Queued {
+impl PartialEq for Tested {
     fn eq(&self, other: &Self) -> bool {
         self.cmp(other).is_eq()
     }
 }
-impl Eq for Queued {}
-impl PartialOrd for Queued {
+impl Eq for Tested {}
+impl PartialOrd for Tested {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp(other))
     }
 }
-impl Ord for Queued {
+impl Ord for Tested {
     fn cmp(&self, other: &Self) -> Ordering {
-        let (a, b) = (self.key(), other.key());
-        let points = b.2.total_cmp(&a.2).then(b.3.cmp(&a.3));
-        (b.0, b.1).cmp(&(a.0, a.1)).then(points)
+        let (a, b) = (&self.point, &other.point);
+        b.angle.total_cmp(&a.angle).then(b.edge.cmp(&a.edge))
     }
 }
 
@@ -69,53 +74,64 @@ impl<F: Fn(&SilhouettePoint) -> bool> Job for ClosestWhere<'_, F> {
         let Self {
             tree,
             query,
+            rejected,
             counts,
         } = self;
-        if tree.nodes.is_empty() {
-            return None;
-        }
         let cone = LocalCone::new(simd, &tree.frame, query);
-        let limit = {
-            let (sin, cos) = query.max_angle.min(std::f64::consts::PI).sin_cos();
-            cone_kernel::pseudo_angle_limit(sin.abs(), cos)
-        };
+        let limit = Limit::of_angle(query.max_angle);
         let mut queue = BinaryHeap::with_capacity(64);
-        queue.push(Queued(0.0, Candidate::Below(Child::node(0))));
-        while let Some(Queued(_, candidate)) = queue.pop() {
-            let child = match candidate {
-                Candidate::Point(point) if counts(&point) => return Some(point),
-                Candidate::Point(_) => continue,
-                Candidate::Below(child) => child,
+        queue.push(queued(0.0, What::Below(Child::node(0).bits())));
+        let mut tested: BinaryHeap<Tested> = BinaryHeap::new();
+        loop {
+            let next = queue
+                .peek()
+                .map(|Queued(Reverse((least, _)))| f32::from_bits(*least));
+            // A tested point is the nearest of all if what is left is farther.
+            if tested
+                .peek()
+                .is_some_and(|nearest| next.is_none_or(|least| nearest.bound < least))
+            {
+                let point = tested.pop().map(|nearest| nearest.point)?;
+                if point.edge != rejected.edge && counts(&point) {
+                    return Some(point);
+                }
+                continue;
+            }
+            let Queued(Reverse((_, what))) = queue.pop()?;
+            let child = match what {
+                What::Edge(edge) => {
+                    if let Some(point) = tree.edges[edge as usize].closest(query, None) {
+                        let sin = query.axis.cross(point.direction).length();
+                        let bound = pseudo_angle(sin, query.axis.dot(point.direction));
+                        tested.push(Tested { point, bound });
+                    }
+                    continue;
+                }
+                What::Below(child) => Child::from_bits(child),
             };
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
-                    let (mut mask, bounds) = cone.children(simd, node, limit);
+                    let (mut mask, bounds) = cone.children(simd, node, &limit);
                     while mask != 0 {
-                        let i = mask.trailing_zeros() as usize % LEAF_SIZE;
+                        let i = mask.trailing_zeros() as usize % WIDTH;
                         mask &= mask - 1;
-                        queue.push(Queued(bounds[i], Candidate::Below(node.children[i])));
+                        queue.push(queued(bounds[i], What::Below(node.children[i].bits())));
                     }
                 }
                 Some(ChildKind::Leaf(leaf)) => {
-                    let (mut mask, _) = cone.edges(simd, &tree.leaves[leaf], limit);
-                    let start = tree.topology.leaf_starts[leaf] as usize;
+                    let block = &tree.leaves[leaf];
+                    let bounds = cone.edges(simd, block, limit.pseudo);
+                    let mut mask = bounds.mask;
                     while mask != 0 {
-                        let lane = mask.trailing_zeros() as usize % LEAF_SIZE;
+                        let lane = mask.trailing_zeros() as usize % LANES;
                         mask &= mask - 1;
-                        if let Some(point) = tree.edges[start + lane].closest(query, None) {
-                            // Rounded up: everything that may be nearer comes
-                            // before it.
-                            let sin = query.axis.cross(point.direction).length();
-                            let cos = query.axis.dot(point.direction);
-                            let bound = cone_kernel::pseudo_angle_limit(sin, cos);
-                            queue.push(Queued(bound, Candidate::Point(point)));
-                        }
+                        let edge = block.start + lane as u32;
+                        queue.push(queued(bounds.least[lane], What::Edge(edge)));
                     }
                 }
                 None => {}
             }
         }
-        None
     }
 }

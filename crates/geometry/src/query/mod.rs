@@ -1,11 +1,19 @@
 //! The trees and their queries.
 
 mod best_first;
+mod closest;
 mod cone_kernel;
 mod cone_node;
+mod edge_block;
+mod edge_kernel;
+mod lanes;
+mod local_cone;
+mod oriented_box;
+mod pseudo_angle;
 mod ray_kernel;
 mod ray_tree;
 mod silhouette_tree;
+mod tree_edge;
 
 pub use ray_tree::RayTree;
 pub use silhouette_tree::{ConeQuery, EdgeSelection, Plane, SilhouettePoint, SilhouetteTree};

@@ -4,18 +4,20 @@ use capwalk_math::Vec3;
 use rayon::prelude::*;
 
 use super::best_first::ClosestWhere;
-use super::cone_kernel::{self, LocalCone};
-use super::cone_node::{ConeNode, EdgeBlock, LocalEdge};
+use super::closest::Closest;
+use super::cone_node::ConeNode;
+use super::edge_block::{EdgeBlock, LocalEdge};
+use super::edge_kernel;
+use super::tree_edge::TreeEdge;
 use crate::aabb::{Aabb, LocalFrame};
-use crate::bvh::traverse::{Stack, for_each_sorted};
 use crate::bvh::validate::{self, TreeError};
-use crate::bvh::{ChildKind, Topology, build, refit};
-use crate::edge::{Edge, Sides, closest_direction, separates};
+use crate::bvh::{Topology, build, refit};
+use crate::edge::Edge;
 use crate::mesh::Mesh;
-use crate::simd::{Instructions, Job, Simd};
+use crate::simd::Instructions;
 
 /// Edges per leaf: as many as are tested at a time.
-pub(super) const LEAF_SIZE: usize = cone_kernel::LANES;
+const LEAF_SIZE: usize = edge_kernel::LANES;
 
 /// Which edges count as boundaries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -96,110 +98,6 @@ pub struct SilhouetteTree {
     instructions: Instructions,
 }
 
-/// What queries need of an edge, in two cache lines.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[repr(align(64))]
-pub(super) struct TreeEdge {
-    ends: [Vec3; 2],
-    /// `Mesh::face_cross` of its two faces; zero if it is open.
-    crosses: [Vec3; 2],
-    id: u32,
-    kind: EdgeKind,
-}
-
-/// [`Sides`] without the faces.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum EdgeKind {
-    Open,
-    Between { flipped: bool },
-}
-
-impl TreeEdge {
-    fn new(mesh: &Mesh, id: u32, edge: &Edge) -> Self {
-        let (kind, crosses) = match edge.sides {
-            Sides::Open => (EdgeKind::Open, [Vec3::zero(); 2]),
-            Sides::Between { faces, flipped } => {
-                let crosses = faces.map(|face| mesh.face_cross(face as usize));
-                (EdgeKind::Between { flipped }, crosses)
-            }
-        };
-        Self {
-            ends: edge.vertices.map(|i| mesh.positions[i as usize]),
-            crosses,
-            id,
-            kind,
-        }
-    }
-
-    /// As [`Edge::is_silhouette`].
-    #[inline(always)]
-    fn is_silhouette(&self, eye: Vec3) -> bool {
-        match self.kind {
-            EdgeKind::Open => true,
-            EdgeKind::Between { flipped } => separates(self.crosses, self.ends[0], flipped, eye),
-        }
-    }
-
-    /// The edge in local coordinates.
-    fn local(&self, frame: &LocalFrame, groups: u8) -> LocalEdge {
-        let normals = match self.kind {
-            EdgeKind::Open => None,
-            EdgeKind::Between { flipped } => {
-                let [first, second] = self.crosses.map(|cross| self.usable_normal(frame, cross));
-                let second = second.map(|n| if flipped { -n } else { n });
-                first.zip(second).map(|(first, second)| [first, second])
-            }
-        };
-        LocalEdge {
-            ends: self.ends.map(|p| frame.local_from_world(p)),
-            normals,
-            groups,
-        }
-    }
-
-    /// The unit normal of a face; `None` if the face is degenerate, or so thin
-    /// that rounding tilts its normal against the edge: the orientation towards
-    /// an eye then depends on where along the edge it is measured.
-    fn usable_normal(&self, frame: &LocalFrame, cross: Vec3) -> Option<Vec3> {
-        let normal = cross.normalized();
-        let [a, b] = self.ends;
-        let tilt = (b - a).dot(normal).abs() * frame.inverse_scale;
-        (tilt <= EDGE_TILT).then_some(normal) // not for NaN
-    }
-
-    /// The point of the edge closest to the axis, if the edge is a boundary and
-    /// the point nearer than `max_angle`, or as near as `best` and the edge
-    /// before it.
-    #[inline(always)]
-    pub(super) fn closest(
-        &self,
-        query: &ConeQuery,
-        best: Option<&SilhouettePoint>,
-    ) -> Option<SilhouettePoint> {
-        let counts = query.edges == EdgeSelection::All || self.is_silhouette(query.eye);
-        if !counts
-            || query
-                .in_front_of
-                .is_some_and(|plane| plane.hides(self.ends))
-        {
-            return None;
-        }
-        let [a, b] = self.ends.map(|p| p - query.eye);
-        let closest = closest_direction(a, b, query.axis)?;
-        let is_nearer = match best {
-            Some(best) => (closest.angle, self.id) < (best.angle, best.edge),
-            None => closest.angle < query.max_angle,
-        };
-        is_nearer.then_some(SilhouettePoint {
-            edge: self.id,
-            t: closest.t,
-            direction: closest.direction,
-            distance: closest.distance,
-            angle: closest.angle,
-        })
-    }
-}
-
 impl SilhouetteTree {
     /// Builds the tree. `edges` may come from several meshes as long as they
     /// index `mesh`.
@@ -250,38 +148,25 @@ impl SilhouetteTree {
             .with_min_len(1024)
             .map(|(edge, source)| edge.local(&self.frame, source.groups))
             .collect();
-        let edges_of_leaf = |leaf: usize| {
-            let [start, end] = [leaf, leaf + 1].map(|i| topology.leaf_starts[i] as usize);
-            &local[start..end]
-        };
-        let (leaves, leaf_bounds): (Vec<_>, Vec<_>) = (0..topology.leaf_count())
+        self.leaves = (0..topology.leaf_count())
             .into_par_iter()
             .with_min_len(256)
             .map(|leaf| {
-                let edges = edges_of_leaf(leaf);
-                let bounds = Aabb::around(edges.iter().flat_map(|edge| edge.ends));
-                (EdgeBlock::new(edges), bounds)
+                let [start, end] = [leaf, leaf + 1].map(|i| topology.leaf_starts[i] as usize);
+                EdgeBlock::new(start, &local[start..end])
             })
-            .unzip();
-        let bounds = refit::child_bounds(topology, &leaf_bounds);
+            .collect();
         let below = refit::child_leaves(topology);
         self.nodes = (0..topology.nodes.len())
             .into_par_iter()
             .map(|index| {
-                let mut node = ConeNode::EMPTY;
-                for (slot, &child) in topology.nodes[index].iter().enumerate() {
-                    if child.kind().is_none() {
-                        continue;
-                    }
+                ConeNode::new(&topology.nodes[index], |slot| {
                     let [start, end] = [below[index][slot].start, below[index][slot].end]
                         .map(|leaf| topology.leaf_starts[leaf as usize] as usize);
-                    let edges = &local[start..end];
-                    node.set(slot, child, &bounds[index][slot], edges);
-                }
-                node
+                    &local[start..end]
+                })
             })
             .collect();
-        self.leaves = leaves;
     }
 
     /// Uses plain arithmetic from now on, whatever the processor can do: for
@@ -306,9 +191,16 @@ impl SilhouetteTree {
         query: &ConeQuery,
         counts: impl Fn(&SilhouettePoint) -> bool,
     ) -> Option<SilhouettePoint> {
+        // Most closest points count, and the search for the closest of all is
+        // several times faster: what it finds limits it.
+        let closest = self.closest(query)?;
+        if counts(&closest) {
+            return Some(closest);
+        }
         self.instructions.run(ClosestWhere {
             tree: self,
             query,
+            rejected: closest,
             counts,
         })
     }
@@ -328,7 +220,8 @@ impl SilhouetteTree {
                 }
                 local.push(edge.local(&self.frame, edges[id as usize].groups));
             }
-            if self.leaves[leaf] != EdgeBlock::new(&local) {
+            let start = topology.leaf_starts[leaf] as usize;
+            if self.leaves[leaf] != EdgeBlock::new(start, &local) {
                 let primitive = topology.leaf(leaf)[0] as usize;
                 return Err(TreeError::LeafContent { leaf, primitive });
             }
@@ -355,82 +248,7 @@ impl SilhouetteTree {
     }
 }
 
-/// Faces whose computed plane misses their edge by more than this, in local
-/// units, are too thin for their normals to be used. Part of the margin of
-/// positions.
-const EDGE_TILT: f64 = 1.0 / (1 << 24) as f64;
-
 fn frame_of(mesh: &Mesh, edges: &[Edge]) -> LocalFrame {
     let ends = edges.iter().flat_map(|edge| edge.vertices);
     LocalFrame::around(ends.map(|i| mesh.positions[i as usize]))
-}
-
-struct Closest<'a> {
-    tree: &'a SilhouetteTree,
-    query: &'a ConeQuery,
-}
-
-impl Job for Closest<'_> {
-    type Output = Option<SilhouettePoint>;
-    #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> Option<SilhouettePoint> {
-        let Self { tree, query } = self;
-        if tree.nodes.is_empty() {
-            return None;
-        }
-        let cone = LocalCone::new(simd, &tree.frame, query);
-        let mut limit = {
-            let (sin, cos) = query.max_angle.min(std::f64::consts::PI).sin_cos();
-            cone_kernel::pseudo_angle_limit(sin.abs(), cos)
-        };
-        let mut best: Option<SilhouettePoint> = None;
-        let mut stack = Stack::with_root();
-        while let Some((bound, child)) = stack.pop() {
-            if bound > limit {
-                continue;
-            }
-            match child.kind() {
-                Some(ChildKind::Node(node)) => {
-                    let node = &tree.nodes[node];
-                    let (mask, bounds) = cone.children(simd, node, limit);
-                    let mut rest = mask;
-                    while rest != 0 {
-                        let i = rest.trailing_zeros() as usize % 8;
-                        rest &= rest - 1;
-                        match node.children[i].kind() {
-                            Some(ChildKind::Node(index)) => simd.prefetch(&tree.nodes[index]),
-                            Some(ChildKind::Leaf(index)) => simd.prefetch(&tree.leaves[index]),
-                            None => {}
-                        }
-                    }
-                    stack.push_sorted(mask, &bounds, &node.children);
-                }
-                Some(ChildKind::Leaf(leaf)) => {
-                    let (mask, bounds) = cone.edges(simd, &tree.leaves[leaf], limit);
-                    let start = tree.topology.leaf_starts[leaf] as usize;
-                    let mut rest = mask;
-                    while rest != 0 {
-                        simd.prefetch(
-                            &tree.edges[start + rest.trailing_zeros() as usize % LEAF_SIZE],
-                        );
-                        rest &= rest - 1;
-                    }
-                    for_each_sorted(mask, &bounds, |lane, bound| {
-                        if bound > limit {
-                            return;
-                        }
-                        if let Some(point) = tree.edges[start + lane].closest(query, best.as_ref())
-                        {
-                            let sin = query.axis.cross(point.direction).length();
-                            let cos = query.axis.dot(point.direction);
-                            limit = cone_kernel::pseudo_angle_limit(sin, cos);
-                            best = Some(point);
-                        }
-                    });
-                }
-                None => {}
-            }
-        }
-        best
-    }
 }

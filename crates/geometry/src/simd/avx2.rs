@@ -67,6 +67,15 @@ impl Simd for Avx2 {
         })
     }
     #[inline(always)]
+    fn load_i8(self, v: &[i8; 8]) -> F32x8Avx2 {
+        // SAFETY: `self` proves the feature; 8 bytes are readable at `v`, and
+        // the load needs no alignment.
+        F32x8Avx2(unsafe {
+            let integers = _mm_loadl_epi64(v.as_ptr().cast());
+            _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(integers))
+        })
+    }
+    #[inline(always)]
     fn splat_f64(self, v: f64) -> F64x4Avx2 {
         // SAFETY: `self` proves the feature.
         F64x4Avx2(unsafe { _mm256_set1_pd(v) })

@@ -10,7 +10,7 @@ use std::cell::Cell;
 
 use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Real, Vec3};
-use capwalk_scene::{Emitter, Pattern, Scene, Shape};
+use capwalk_scene::{Emitter, Integrator, Layer, Pattern, Scene, Shape};
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
@@ -134,16 +134,23 @@ fn normals_differ(shape: &Shape, faces: [u32; 2]) -> bool {
 /// True if a texture of the shape can differ between two neighbouring faces at
 /// an end of their common edge.
 fn textures_differ(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
+    if scene.settings.integrator == Integrator::Aov(Layer::Uv) && uvs_differ(shape, faces) {
+        return true;
+    }
     textures_of(scene, shape).into_iter().any(|texture| {
         let per_face = matches!(texture.pattern, Pattern::PerFace);
-        let by_uv = texture.needs_uv()
-            && common_corners(shape, faces).any(|[first, second]| {
-                let corner = |i: usize| [0, 1, 2].map(|k| if i == k { 1.0_f64 } else { 0.0 });
-                let [a, b] = [(faces[0], first), (faces[1], second)]
-                    .map(|(face, i)| shape.uv(face as usize, corner(i)));
-                (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > SAME_UV
-            });
-        per_face || by_uv
+        per_face || (texture.needs_uv() && uvs_differ(shape, faces))
+    })
+}
+
+/// True if two neighbouring faces have different texture coordinates at an end
+/// of their common edge.
+fn uvs_differ(shape: &Shape, faces: [u32; 2]) -> bool {
+    common_corners(shape, faces).any(|[first, second]| {
+        let corner = |i: usize| [0, 1, 2].map(|k| if i == k { 1.0_f64 } else { 0.0 });
+        let [a, b] = [(faces[0], first), (faces[1], second)]
+            .map(|(face, i)| shape.uv(face as usize, corner(i)));
+        (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > SAME_UV
     })
 }
 

@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use capwalk_math::{Moments, Real, Rgb, Vec3};
+use capwalk_math::{Frame, Moments, Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe};
 use capwalk_scene::{Motion, Scene};
 use capwalk_walk::WalkSettings;
@@ -25,7 +25,13 @@ fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
     let reflectance = Rgb::splat(R::constant(PI));
     let [position, unit] = [position, normal].map(Vec3::constant);
     let lobe = Lobe::Diffuse(Diffuse { reflectance });
-    Vertex::new(position, normal, unit, unit, Bsdf::from(lobe))
+    Vertex::new(
+        position,
+        normal,
+        Frame::from_normal(unit),
+        unit,
+        Bsdf::from(lobe),
+    )
 }
 
 /// Points drawn on emitters, nothing else.
@@ -37,6 +43,7 @@ const EMITTERS_ALONE: Plan = Plan {
         bsdf_samples: 0,
     },
     hide_emitters: false,
+    layer: None,
 };
 
 /// Statistics of single samples of the red irradiance at a point at rest, and

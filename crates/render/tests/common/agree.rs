@@ -13,6 +13,8 @@ pub struct Case {
     pub reference_spp: u32,
     pub step: f64,
     pub walk: WalkSettings,
+    /// Pixels that must have noise.
+    pub min_pixels: usize,
 }
 
 impl Default for Case {
@@ -23,6 +25,7 @@ impl Default for Case {
             reference_spp: 1024,
             step: 3e-2,
             walk: WalkSettings::default(),
+            min_pixels: 1000,
         }
     }
 }
@@ -69,7 +72,7 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
     );
     assert_eq!(result.verdict, Verdict::Right, "{name}");
     assert!(
-        result.pixels >= 1000,
+        result.pixels >= case.min_pixels,
         "{name}: only {} pixels have noise",
         result.pixels
     );

@@ -70,6 +70,11 @@ fn integrator(integrator: &Integrator, xml: &mut Xml) {
             xml.property("integer", "rr_depth", rr_depth);
             xml.property("boolean", "hide_emitters", hide_emitters);
         }
+        Integrator::Aov(layer) => {
+            let name = layer.name();
+            xml.open("integrator", &[("type", "aov")]);
+            xml.property("string", "aovs", format!("{name}:{name}"));
+        }
     }
     xml.close();
 }

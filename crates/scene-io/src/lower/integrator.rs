@@ -1,18 +1,19 @@
-//! Integrators: `direct` and `path`.
+//! Integrators: `direct`, `path`, and `aov` for one layer.
 
-use capwalk_scene::Integrator;
+use capwalk_scene::{Integrator, Layer};
 
 use crate::fields::Fields;
 use crate::source::Problem;
 
 /// The plugins.
-const INTEGRATORS: [&str; 2] = ["direct", "path"];
+const INTEGRATORS: [&str; 3] = ["aov", "direct", "path"];
 
 /// More samples or segments than this are a slip of the pen.
 const MOST: i64 = i32::MAX as i64;
 
 pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
     let integrator = match fields.node.plugin.as_str() {
+        "aov" => aov(fields)?,
         "direct" => direct(fields)?,
         "path" => path(fields)?,
         _ => return Err(fields.unknown_plugin(&INTEGRATORS)),
@@ -67,4 +68,34 @@ fn path(fields: &Fields) -> Result<Integrator, Problem> {
         rr_depth: rr_depth as u32,
         hide_emitters: fields.boolean("hide_emitters", false)?,
     })
+}
+
+/// `aovs` is a list of `name:layer`, of which we render one.
+fn aov(fields: &Fields) -> Result<Integrator, Problem> {
+    let known = || Layer::ALL.map(Layer::name).join(", ");
+    let Some(text) = fields.string("aovs")? else {
+        return Err(
+            Problem::new(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(format!(
+                "add for example <string name=\"aovs\" value=\"depth:depth\"/>; known layers: {}",
+                known()
+            )),
+        );
+    };
+    let wrong =
+        |what: String, help: String| Err(Problem::new(fields.span_of("aovs"), what).help(help));
+    let entries: Vec<&str> = text.split(',').map(str::trim).collect();
+    let &[entry] = entries.as_slice() else {
+        return wrong(
+            format!("\"aovs\" lists {} layers", entries.len()),
+            "one layer at a time is rendered; keep one".into(),
+        );
+    };
+    let kind = entry.rsplit_once(':').map_or(entry, |(_, kind)| kind);
+    match Layer::ALL.into_iter().find(|layer| layer.name() == kind) {
+        Some(layer) => Ok(Integrator::Aov(layer)),
+        None => wrong(
+            format!("unknown layer \"{kind}\""),
+            format!("known layers: {}", known()),
+        ),
+    }
 }

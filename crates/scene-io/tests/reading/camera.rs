@@ -22,7 +22,7 @@ fn unknown_integrator() {
         ),
         &[
             "scene.xml:2:19: unknown integrator plugin \"volpath\"",
-            "  known integrator plugins: direct, path",
+            "  known integrator plugins: aov, direct, path",
         ],
     );
 }

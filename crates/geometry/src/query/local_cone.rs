@@ -1,0 +1,84 @@
+//! A view cone in a tree's own coordinates, ready for the kernels.
+
+use capwalk_math::{Frame, Vec3};
+
+use super::lanes::splat;
+use super::silhouette_tree::{ConeQuery, EdgeSelection};
+use crate::aabb::{LocalFrame, round_up};
+use crate::edge::ON_PLANE;
+use crate::simd::Simd;
+
+/// A plane in local coordinates, relative to the eye, with unit normal `n`: in
+/// front is `n·(p - eye) >= offset`.
+#[derive(Clone, Copy)]
+pub struct LocalPlane {
+    /// `n`.
+    pub normal: [f32; 3],
+    /// `offset`.
+    pub offset: f32,
+    /// Error of heights over the plane.
+    pub margin: f32,
+}
+
+/// Error of positions in local coordinates, and of what is computed from them,
+/// per local unit of distance from the eye. The numbers compared are sums of
+/// some thirty terms of at most that size, each rounded by at most 2⁻²⁴.
+const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
+
+/// A view cone in the coordinates of a tree.
+pub struct LocalCone<S: Simd> {
+    /// Its apex.
+    pub eye: [S::F32x8; 3],
+    /// Its axis.
+    pub axis: [S::F32x8; 3],
+    /// Two unit vectors that complete the axis to a frame.
+    pub across: [[S::F32x8; 3]; 2],
+    /// Error of positions.
+    pub margin: S::F32x8,
+    /// Distance from a face's plane below which the eye may count as in it.
+    pub plane_margin: S::F32x8,
+    /// Whether all edges count, silhouettes or not.
+    pub all_edges: bool,
+    /// The groups that count.
+    pub groups: u8,
+    /// The plane that edges must not be behind.
+    pub in_front_of: Option<LocalPlane>,
+}
+
+impl<S: Simd> LocalCone<S> {
+    /// The cone of a query.
+    #[inline(always)]
+    pub fn new(simd: S, frame: &LocalFrame, query: &ConeQuery) -> Self {
+        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+        let eye = frame.local_from_world(query.eye);
+        // Everything in the tree is nearer to the eye than this.
+        let range = sum(eye) + 3.0;
+        let margin = POSITION_MARGIN * range;
+        let on_plane = ON_PLANE * (sum(query.eye) + frame.reach) * frame.inverse_scale;
+        let axis = query.axis;
+        let Frame { s, t, .. } = Frame::from_normal(axis);
+        let in_front_of = query.in_front_of.map(|plane| {
+            let normal = plane.normal.normalized();
+            let offset = frame.local_from_world(plane.point).dot(normal);
+            LocalPlane {
+                normal: [normal.x as f32, normal.y as f32, normal.z as f32],
+                offset: (offset - eye.dot(normal)) as f32,
+                margin: round_up(margin + POSITION_MARGIN * offset.abs()),
+            }
+        });
+        Self {
+            eye: splat(simd, [eye.x as f32, eye.y as f32, eye.z as f32]),
+            axis: splat(simd, [axis.x as f32, axis.y as f32, axis.z as f32]),
+            across: [
+                splat(simd, [s.x as f32, s.y as f32, s.z as f32]),
+                splat(simd, [t.x as f32, t.y as f32, t.z as f32]),
+            ],
+            margin: simd.splat(round_up(margin)),
+            // Twice: the test in double precision rounds, too.
+            plane_margin: simd.splat(round_up(margin + 2.0 * on_plane)),
+            all_edges: query.edges == EdgeSelection::All,
+            groups: query.groups,
+            in_front_of,
+        }
+    }
+}
