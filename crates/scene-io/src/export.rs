@@ -22,7 +22,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use capwalk_scene::{Emitter, Image, Pattern, Scene, Texture, TextureId};
+use capwalk_scene::{Image, Pattern, Scene, Texture, TextureId};
 
 use crate::atomic::write_atomically;
 use crate::image::{Picture, VALUE, encode_exr};
@@ -85,7 +85,10 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
         .filter_map(|(i, texture)| {
             let size = match &texture.pattern {
                 Pattern::Bitmap(bitmap) => [bitmap.width, bitmap.height],
-                Pattern::Environment => size_of_environment(scene, TextureId(i as u32))?,
+                Pattern::Environment => {
+                    let map = scene.environment_map_of(TextureId(i as u32))?;
+                    [map.width, map.height]
+                }
                 _ => return None,
             };
             Some((i, texture, size))
@@ -126,16 +129,6 @@ struct Files {
     meshes: Vec<String>,
     /// Of textures that are bitmaps.
     bitmaps: BTreeMap<usize, String>,
-}
-
-/// Texels per row, and rows, of the environment map with this data.
-fn size_of_environment(scene: &Scene, data: TextureId) -> Option<[u32; 2]> {
-    let maps = scene.emitters.iter();
-    let mut maps = maps.filter(|emitter| emitter.radiance() == data);
-    match maps.next()? {
-        Emitter::EnvironmentMap { map, .. } => Some([map.width, map.height]),
-        _ => None,
-    }
 }
 
 fn exr_of(texture: &Texture, size: [u32; 2]) -> Result<Vec<u8>, String> {

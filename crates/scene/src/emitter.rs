@@ -141,3 +141,13 @@ impl Emitter {
         }
     }
 }
+
+impl Scene {
+    /// The environment map that has these texels.
+    pub fn environment_map_of(&self, texels: TextureId) -> Option<&EnvironmentMap> {
+        self.emitters.iter().find_map(|emitter| match emitter {
+            Emitter::EnvironmentMap { map, data, .. } if *data == texels => Some(map),
+            _ => None,
+        })
+    }
+}

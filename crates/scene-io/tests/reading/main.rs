@@ -16,3 +16,4 @@ mod parity;
 mod robustness;
 mod syntax;
 mod textures;
+mod upgrade;

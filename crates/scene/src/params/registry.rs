@@ -326,7 +326,7 @@ impl From<Quantity> for ParameterKind {
 
 /// The shapes whose look a texture decides, and environments; or its own id if
 /// there are none.
-fn users(scene: &Scene, id: TextureId) -> String {
+pub(super) fn users(scene: &Scene, id: TextureId) -> String {
     let shows = |bsdf: BsdfId| {
         let mut slots = scene.slots_below(bsdf).into_iter();
         slots.any(|slot| slot.texture == id)
