@@ -472,31 +472,36 @@ impl<'a> Tracer<'a> {
             }
             origin = vertex.position;
             hit = next.hit;
-            if next.specular.is_some() && self.is_uncovered(world, origin, direction, &hit) {
-                draw.counts.uncovered.set(draw.counts.uncovered.get() + 1);
+            if next.specular.is_some() {
+                self.count_uncovered(world, origin, direction, &hit, draw);
             }
         }
         light
     }
 
-    /// True if outlines seen after a specular event can move against the ray:
-    /// they bound no field yet.
-    fn is_uncovered<R: Real, W: World<R>>(
+    /// Counts a ray after a specular event if outlines seen there can move
+    /// against it: they bound no field yet.
+    fn count_uncovered<R: Real, W: World<R>>(
         &self,
         world: &W,
         origin: Vec3<R>,
         direction: Vec3<R>,
         hit: &Option<Hit>,
-    ) -> bool {
+        draw: Draw,
+    ) {
         if !W::MOVES {
-            return false;
+            return;
         }
-        if !origin.is_constant() || !direction.is_constant() {
-            return true;
+        let ray_moves = !origin.is_constant() || !direction.is_constant();
+        let surface_moves = || {
+            let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
+            let mut corners = corners.into_iter().flatten();
+            corners.any(|i| !world.vertex(i).is_constant())
+        };
+        if ray_moves || surface_moves() {
+            let uncovered = &draw.counts.uncovered;
+            uncovered.set(uncovered.get() + 1);
         }
-        let Some(hit) = hit else { return false };
-        let corners = self.accel.mesh.faces[hit.face as usize];
-        corners.iter().any(|&i| !world.vertex(i).is_constant())
     }
 
     /// Light that arrives from emitters at a moving surface point and is
@@ -533,6 +538,7 @@ impl<'a> Tracer<'a> {
                 if let Some(event) = sample.specular {
                     let (direction, fraction) = vertex.specular(event);
                     light += fraction.hadamard(radiance(direction)) * weight;
+                    self.count_uncovered(world, vertex.position, direction, &sample.hit, draw);
                     return;
                 }
                 let emitter = self.accel.scene.emitter(sample.emitter);
