@@ -1,27 +1,20 @@
 //! What a scene may hold and this crate cannot render yet. Nothing is rendered
 //! as something else: who renders asks here first.
 
-use capwalk_scene::{Bsdf, Emitter, Scene};
+use capwalk_scene::{Bsdf, Scene};
 
 /// What of the scene cannot be rendered yet, one phrase each; empty if all of it
 /// can.
 pub fn unsupported(scene: &Scene) -> Vec<String> {
     let is_rendered = |bsdf: &Bsdf| !matches!(bsdf, Bsdf::NormalMap { .. } | Bsdf::BumpMap { .. });
     let materials = scene.materials.iter();
-    let materials = materials
+    materials
         .filter(|material| !is_rendered(&material.bsdf))
         .map(|material| {
             let plugin = material.bsdf.plugin();
             format!("the material \"{}\" is a {plugin}", material.id)
-        });
-    let is_lamp =
-        |emitter: &Emitter| matches!(emitter, Emitter::Area { .. } | Emitter::Constant { .. });
-    let emitters = scene.emitters.iter().filter(|emitter| !is_lamp(emitter));
-    let emitters = emitters.map(|emitter| {
-        let plugin = emitter.plugin();
-        format!("the emitter \"{}\" is a {plugin}", emitter.name(scene))
-    });
-    materials.chain(emitters).collect()
+        })
+        .collect()
 }
 
 /// [`unsupported`] as one text, or `None` if all of the scene can be rendered.
