@@ -33,6 +33,7 @@ mod node;
 mod resolve;
 mod source;
 mod suggest;
+mod upgrade;
 mod value;
 mod xml;
 

@@ -80,6 +80,12 @@ pub enum ParameterKind {
     Scale,
     /// What an emitter emits.
     Radiance,
+    /// What a light without extent emits, per solid angle.
+    Intensity,
+    /// What parallel light brings, per area.
+    Irradiance,
+    /// A factor.
+    Factor,
     /// How much a material reflects.
     Reflectance,
     /// Vertices of a shape.

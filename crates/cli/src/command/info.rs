@@ -148,10 +148,14 @@ fn shapes(scene: &Scene) -> String {
     }
     let mut text = report::table(&rows);
     for emitter in &scene.emitters {
-        if let Emitter::Constant { id, radiance } = emitter {
-            let radiance = texture(scene, *radiance);
-            text += &format!("{id}: surrounds the scene with {radiance}\n");
-        }
+        let what = match emitter {
+            Emitter::Area { .. } => continue,
+            Emitter::Constant { .. } | Emitter::EnvironmentMap { .. } => "surrounds the scene with",
+            Emitter::Point { .. } | Emitter::Spot { .. } => "is a point of intensity",
+            Emitter::Directional { .. } => "sends parallel light of irradiance",
+        };
+        let emitted = texture(scene, emitter.radiance());
+        text += &format!("{}: {what} {emitted}\n", emitter.name(scene));
     }
     text
 }
@@ -167,6 +171,7 @@ fn texture(scene: &Scene, id: TextureId) -> String {
         }
         Pattern::MeshAttribute { name, .. } => format!("attribute {name}"),
         Pattern::PerVertex | Pattern::PerFace => texture.id.clone(),
+        Pattern::Environment => format!("{} texels", texture.texels()),
     }
 }
 

@@ -17,7 +17,9 @@ use crate::sampler::Sampler;
 use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::clip::refuse_clipped;
-use super::forward::{check_walk, refuse_jumping_textures, refuse_uncovered, refuse_unsupported};
+use super::forward::{
+    check_walk, refuse_hard_shadows, refuse_jumping_textures, refuse_uncovered, refuse_unsupported,
+};
 use super::recording::Recording;
 
 /// Batches that the samples are split into, whatever the number of threads, so
@@ -107,6 +109,7 @@ pub fn backward(
     refuse_non_finite(adjoint)?;
     let accel = Accel::new(scene);
     if wanted.geometry() {
+        refuse_hard_shadows(scene)?;
         refuse_jumping_textures(scene)?;
         refuse_clipped(&accel)?;
     }

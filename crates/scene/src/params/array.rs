@@ -78,6 +78,10 @@ fn behind(scene: &Scene, entry: &Entry) -> Vec<ArrayParameter> {
                 (Pattern::Bitmap(bitmap), _) => vec![bitmap.height as usize, bitmap.width as usize],
                 (Pattern::PerVertex | Pattern::PerFace, count) => vec![count],
                 (Pattern::Constant | Pattern::Checkerboard { .. }, _) => Vec::new(),
+                (Pattern::Environment, count) => match scene.environment_map_of(id) {
+                    Some(map) => vec![map.height as usize, map.width as usize],
+                    None => vec![count],
+                },
                 (Pattern::MeshAttribute { .. }, _) => unreachable!("its numbers are the shape's"),
             };
             shape.push(texture.channels);
