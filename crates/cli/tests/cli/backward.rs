@@ -186,7 +186,7 @@ fn forward_and_reverse_agree_within_their_errors() {
 
 /// A picture is the best one for itself: the derivative of the square is zero
 /// on average over seeds. It would not be if picture and gradient shared their
-/// random numbers: by what was measured then, 10 standard errors.
+/// random numbers: by 12 of its standard errors, for the lamp.
 #[test]
 fn a_picture_is_the_best_one_for_itself() {
     let capwalk = Capwalk::new("backward_minimum");
@@ -352,7 +352,7 @@ fn the_number_of_threads_changes_no_bit() {
     write_adjoint(&capwalk, "a.npz", "adjoint", |_| {});
     for threads in [1, 3] {
         capwalk.json(&format!(
-            "backward ball {SIZE} --spp 17 --adjoint a.npz --errors --json -t {threads} \
+            "backward leaf {SIZE} --spp 37 --adjoint a.npz --errors --json -t {threads} \
              -o {threads}.npz"
         ));
     }
@@ -456,6 +456,8 @@ fn wrong_usage() {
         "backward leaf --adjoint a.npz --loss l2 --target a.npz",
         "backward leaf --loss l3 --target a.npz",
     ] {
-        assert_eq!(capwalk.run(arguments).status, 3, "{arguments}");
+        let finished = capwalk.run(arguments);
+        assert_eq!(finished.status, 3, "{arguments}");
+        assert_has(&finished.stderr, &["--help"]);
     }
 }
