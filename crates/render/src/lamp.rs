@@ -12,12 +12,10 @@ pub enum Source {
     Lamp(Lamp),
     /// By the cosine at the surface, or uniformly: light from everywhere.
     Everywhere,
-    /// By the brightness of an environment map.
-    Map(EnvironmentTable),
+    /// By the brightness of an environment map, unless it is black.
+    Map(Option<EnvironmentTable>),
     /// There is only one.
     Delta,
-    /// Never: the emitter is black.
-    Black,
 }
 
 impl Source {
@@ -27,8 +25,7 @@ impl Source {
             Emitter::Area { shape, .. } => Self::Lamp(Lamp::new(&scene.shape(*shape).mesh)),
             Emitter::Constant { .. } => Self::Everywhere,
             Emitter::EnvironmentMap { map, data, .. } => {
-                let table = EnvironmentTable::new(map, scene.texture(*data));
-                table.map_or(Self::Black, Self::Map)
+                Self::Map(EnvironmentTable::new(map, scene.texture(*data)))
             }
             Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
                 Self::Delta

@@ -7,6 +7,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 use capwalk_geometry::Hit;
 use capwalk_math::Vec3;
 use capwalk_scene::EmitterId;
+use capwalk_scene::emitter::EnvironmentTable;
 use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 
 use crate::accel::Accel;
@@ -67,7 +68,8 @@ impl LightSampling {
 
 /// Draws directions towards light from a surface, by points on emitters and by
 /// the material, combined with the power heuristic (Veach 1997), and passes on
-/// those that reach an emitter, with the number of the sample. Takes
+/// those that reach an emitter, with the number of the sample. `look` hears of
+/// all perfectly specular events, and of what is seen there. Takes
 /// `sampling.dimensions()` numbers from `dimension` on. Gives back the first
 /// direction drawn from the material.
 pub fn sample_lights(
@@ -77,6 +79,7 @@ pub fn sample_lights(
     stream: &Stream,
     dimension: u32,
     mut shade: impl FnMut(u32, LightSample),
+    mut look: impl FnMut(Specular, &Option<Hit>),
 ) -> Option<Continuation> {
     let counts = sampling;
     // Densities of all samples of each technique together.
@@ -114,6 +117,9 @@ pub fn sample_lights(
         };
         let direction = vertex.frame.to_world(drawn.wo).normalized();
         let hit = accel.first_hit(vertex.position, direction);
+        if let Some(event) = drawn.specular {
+            look(event, &hit);
+        }
         if i == 0 {
             next = Some(Continuation {
                 direction,
@@ -174,11 +180,11 @@ pub fn emitter_pdf(
             let face_normal = accel.mesh.face_cross(hit.face as usize).normalized();
             chosen * lamp.solid_angle_pdf(hit.t, face_normal.dot(direction))
         }
-        (Source::Map(table), _) => chosen * table.pdf(direction),
+        (Source::Map(table), _) => chosen * map_pdf(table.as_ref(), direction),
         (Source::Everywhere, _) => {
             chosen * environment_pdf(vertex, vertex.frame.to_local(direction))
         }
-        (Source::Lamp(_) | Source::Delta | Source::Black, _) => 0.0,
+        (Source::Lamp(_) | Source::Delta, _) => 0.0,
     }
 }
 
@@ -229,9 +235,9 @@ fn sample_emitter(
             free.then(|| (direction, None, environment_pdf(vertex, local)))?
         }
         Source::Map(table) => {
-            let (direction, pdf) = table.sample(u);
+            let direction = sample_map(table.as_ref(), u);
             let free = is_free(direction);
-            free.then_some((direction, None, pdf))?
+            free.then(|| (direction, None, map_pdf(table.as_ref(), direction)))?
         }
         Source::Delta => {
             let light = accel.scene.emitter(emitter).delta_light(position)?;
@@ -242,7 +248,6 @@ fn sample_emitter(
             // In the place of a density.
             free.then_some((light.direction, None, 1.0))?
         }
-        Source::Black => return None,
     };
     let sample = LightSample {
         direction,
@@ -254,16 +259,46 @@ fn sample_emitter(
     Some((sample, pdf / count as f64))
 }
 
-/// A direction in the shading frame: by the cosine, or uniform if light can come
-/// from both sides.
-fn sample_environment(vertex: &Vertex<f64>, u: [f64; 2]) -> Vec3 {
-    if !vertex.transmits {
-        return sample_cosine(u);
+/// Share of directions to an environment map that are drawn uniformly: black
+/// texels have derivatives, too.
+const UNIFORM_SKY: f64 = 0.05;
+
+/// A direction to an environment map, in world space.
+fn sample_map(table: Option<&EnvironmentTable>, u: [f64; 2]) -> Vec3 {
+    match table {
+        Some(table) if u[0] >= UNIFORM_SKY => {
+            let rest = (u[0] - UNIFORM_SKY) / (1.0 - UNIFORM_SKY);
+            table.sample([rest, u[1]]).0
+        }
+        Some(_) => uniform_direction([u[0] / UNIFORM_SKY, u[1]]),
+        None => uniform_direction(u),
     }
+}
+
+/// Density per solid angle of [`sample_map`].
+fn map_pdf(table: Option<&EnvironmentTable>, direction: Vec3) -> f64 {
+    let uniform = 0.25 * FRAC_1_PI;
+    match table {
+        Some(table) => UNIFORM_SKY * uniform + (1.0 - UNIFORM_SKY) * table.pdf(direction),
+        None => uniform,
+    }
+}
+
+/// A direction drawn uniformly from the sphere.
+fn uniform_direction(u: [f64; 2]) -> Vec3 {
     let z = 1.0 - 2.0 * u[0];
     let (sin, cos) = (2.0 * PI * u[1]).sin_cos();
     let radius = (1.0 - z * z).max(0.0).sqrt();
     Vec3::new(radius * cos, radius * sin, z)
+}
+
+/// A direction in the shading frame: by the cosine, or uniform if light can come
+/// from both sides.
+fn sample_environment(vertex: &Vertex<f64>, u: [f64; 2]) -> Vec3 {
+    match vertex.transmits {
+        true => uniform_direction(u),
+        false => sample_cosine(u),
+    }
 }
 
 /// Density per solid angle of [`sample_environment`].

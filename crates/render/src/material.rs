@@ -37,21 +37,67 @@ pub fn vertex_at<R: Real, W: World<R>>(
     ))
 }
 
-/// True if it matters how a material is turned about the normal.
+/// True if it matters, for the value or a derivative, how a material is turned
+/// about the normal.
 pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
-    let bsdf = &scene.material(id).bsdf;
-    let is_zero = |id: TextureId| scene.texture(id).data.iter().all(|&x| x == 0.0);
-    let own = match bsdf {
+    any_part(scene, id, &|bsdf| {
+        matches!(bsdf, Plugin::Principled(_)) || is_anisotropic(scene, bsdf)
+    })
+}
+
+/// True if the value depends on how a material is turned about the normal.
+pub fn looks_turned(scene: &Scene, id: BsdfId) -> bool {
+    any_part(scene, id, &|bsdf| is_anisotropic(scene, bsdf))
+}
+
+fn is_anisotropic(scene: &Scene, bsdf: &Plugin) -> bool {
+    match bsdf {
         Plugin::RoughConductor(_, facets) | Plugin::RoughDielectric(_, facets) => {
             facets.alpha[0] != facets.alpha[1]
         }
-        Plugin::Principled(principled) => !is_zero(principled.anisotropic),
+        Plugin::Principled(principled) => {
+            let anisotropic = &scene.texture(principled.anisotropic).data;
+            anisotropic.iter().any(|&x| x != 0.0)
+        }
         _ => false,
-    };
-    own || bsdf
-        .parts()
-        .into_iter()
-        .any(|part| needs_tangent(scene, part))
+    }
+}
+
+/// True if a material can reflect, refract or pass light in one direction alone.
+pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
+    any_part(scene, id, &|bsdf| {
+        matches!(
+            bsdf,
+            Plugin::Conductor(_)
+                | Plugin::Dielectric(_)
+                | Plugin::ThinDielectric(_)
+                | Plugin::Plastic(_)
+                | Plugin::Mask { .. }
+                | Plugin::Null
+        )
+    })
+}
+
+/// True if something holds for a material, or one that it is made of.
+fn any_part(scene: &Scene, id: BsdfId, holds: &impl Fn(&Plugin) -> bool) -> bool {
+    let bsdf = &scene.material(id).bsdf;
+    let mut parts = bsdf.parts().into_iter();
+    holds(bsdf) || parts.any(|part| any_part(scene, part, holds))
+}
+
+/// How the position on a face of a shape changes with the first texture
+/// coordinate, for edges from its first corner to the others; `None` without
+/// usable texture coordinates.
+pub fn tangent_of_face<R: Real>(
+    shape: &Shape,
+    face: usize,
+    edges: [Vec3<R>; 2],
+) -> Option<Vec3<R>> {
+    let [[u0, v0], [u1, v1], [u2, v2]] = shape.uvs.as_ref()?[face];
+    let (du1, dv1, du2, dv2) = (u1 - u0, v1 - v0, u2 - u0, v2 - v0);
+    let scale = 1.0 / (du1 * dv2 - du2 * dv1);
+    let along = edges[0] * R::constant(dv2 * scale) - edges[1] * R::constant(dv1 * scale);
+    along.value().is_finite().then_some(along)
 }
 
 impl<R: Real> Vertex<R> {

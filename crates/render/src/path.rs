@@ -125,7 +125,7 @@ impl Plan {
     }
 
     fn vertex_numbers(&self, depth: u32) -> u32 {
-        FIRST_VERTEX + depth * self.numbers_per_vertex()
+        FIRST_VERTEX.saturating_add(depth.saturating_mul(self.numbers_per_vertex()))
     }
 
     fn first_walk(&self) -> u32 {
@@ -472,9 +472,6 @@ impl<'a> Tracer<'a> {
             }
             origin = vertex.position;
             hit = next.hit;
-            if next.specular.is_some() {
-                self.count_uncovered(world, origin, direction, &hit, draw);
-            }
         }
         light
     }
@@ -489,9 +486,6 @@ impl<'a> Tracer<'a> {
         hit: &Option<Hit>,
         draw: Draw,
     ) {
-        if !W::MOVES {
-            return;
-        }
         let ray_moves = !origin.is_constant() || !direction.is_constant();
         let surface_moves = || {
             let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
@@ -538,7 +532,6 @@ impl<'a> Tracer<'a> {
                 if let Some(event) = sample.specular {
                     let (direction, fraction) = vertex.specular(event);
                     light += fraction.hadamard(radiance(direction)) * weight;
-                    self.count_uncovered(world, vertex.position, direction, &sample.hit, draw);
                     return;
                 }
                 let emitter = self.accel.scene.emitter(sample.emitter);
@@ -551,6 +544,12 @@ impl<'a> Tracer<'a> {
                 let carried = world.carry(&eye, sample.direction, walk, numbers);
                 let f = vertex.eval(carried.direction);
                 light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
+            },
+            |event, hit| {
+                if W::MOVES {
+                    let (direction, _) = vertex.specular(event);
+                    self.count_uncovered(world, vertex.position, direction, hit, draw);
+                }
             },
         );
         if W::MOVES

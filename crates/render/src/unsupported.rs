@@ -23,8 +23,8 @@ pub fn unsupported_text(scene: &Scene) -> Option<String> {
     match found.is_empty() {
         true => None,
         false => Some(format!(
-            "the scene has what cannot be rendered yet: {}. Give one colour, or a material and \
-             lamps that docs/scene-files.md lists as rendered",
+            "the scene has what cannot be rendered yet: {}. Use the material that it stands around \
+             by itself",
             found.join("; ")
         )),
     }

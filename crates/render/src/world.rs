@@ -10,6 +10,7 @@ use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::diff::boundary::{Eye, Numbers};
+use crate::material::tangent_of_face;
 
 /// What a path reads of a scene, and how its directions move.
 pub trait World<R: Real> {
@@ -207,15 +208,9 @@ pub fn surface_at<R: Real, W: World<R>>(
         },
         geometric: cross.normalized() * R::constant(out),
         outward,
-        tangent: match &shape.uvs {
-            Some(uvs) if accel.needs_tangent[shape_id.0 as usize] => {
-                let [[u0, v0], [u1, v1], [u2, v2]] = uvs[face];
-                let (du1, dv1, du2, dv2) = (u1 - u0, v1 - v0, u2 - u0, v2 - v0);
-                let scale = 1.0 / (du1 * dv2 - du2 * dv1);
-                let along = edge1 * R::constant(dv2 * scale) - edge2 * R::constant(dv1 * scale);
-                along.value().is_finite().then_some(along)
-            }
-            _ => None,
+        tangent: match accel.needs_tangent[shape_id.0 as usize] {
+            true => tangent_of_face(shape, face, [edge1, edge2]),
+            false => None,
         },
         face_normal: face_normal * seen,
         side: if seen * out > 0.0 {

@@ -24,7 +24,7 @@ fn under_a_sky(mut scene: Scene) -> Scene {
         id: "sky".into(),
         channels: 3,
         data: (0..96).map(number).collect(),
-        pattern: Pattern::Constant,
+        pattern: Pattern::Environment,
     });
     let scale = scene.add_texture(Texture::number("sky.scale", 0.7));
     scene.emitters.push(Emitter::EnvironmentMap {
@@ -84,6 +84,43 @@ fn colours_of_a_sky() {
         }
     }
     agree("colours of a sky", scene, &motion, visible(64));
+}
+
+/// Black texels, drawn by nothing but the map.
+#[test]
+fn colours_of_a_black_sky() {
+    let mut scene = under_a_sky(visible_cube());
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 0,
+        hide_emitters: true,
+    };
+    let sky = scene
+        .textures
+        .iter()
+        .position(|t| t.id == "sky")
+        .expect("a sky");
+    scene.textures[sky].data[24..].fill(0.0);
+    let mut change = Motion::zero(&scene);
+    change.textures[sky] = Some(vec![1.0; 96]);
+    let options = Options {
+        spp: 400,
+        seed: 1,
+        threads: None,
+    };
+    let settings = GradientOptions {
+        options,
+        walk: WalkSettings::default(),
+    };
+    let sum = |estimate: &capwalk_render::Estimate| -> f64 {
+        estimate.mean.pixels.iter().map(|p| p.x).sum()
+    };
+    let ours = gradient(&scene, &change, &settings, &Unwatched).expect("covered");
+    // The picture is linear in the sky's colours.
+    let [before, after] = [scene.clone(), scene.moved(&change, 1.0)]
+        .map(|scene| sum(&capwalk_render::render(&scene, &options, &Unwatched).value));
+    let (found, expected) = (sum(&ours.gradient), after - before);
+    assert!((found / expected - 1.0).abs() < 0.03, "{found} {expected}");
 }
 
 fn under_a_spot() -> Scene {

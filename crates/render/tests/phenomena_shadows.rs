@@ -246,3 +246,31 @@ fn sobol_points() {
     let motion = motion(&scene, "thing.translate.x");
     agree("sobol", scene, &motion, case);
 }
+
+/// Adds a square lamp of side 1 that faces down at height 3.
+fn add_square_lamp(scene: &mut Scene, id: &str, corner: [f64; 2], radiance: f64) {
+    let [x, y] = corner;
+    let mesh = Mesh {
+        positions: [[0.0, 0.0], [0.0, 1.0], [1.0, 1.0], [1.0, 0.0]]
+            .map(|[dx, dy]| v(x + dx, y + dy, 3.0))
+            .to_vec(),
+        faces: vec![[0, 1, 2], [0, 2, 3]],
+    };
+    add(scene, id, mesh, ShadingNormals::Face, 0.0);
+    light_up(scene, radiance);
+}
+
+/// Lamps that touch along an edge, or a part of one: what jumps there is counted
+/// once.
+#[test]
+fn touching_lamps() {
+    for shift in [0.0, 0.375] {
+        let mut scene = shadow_stage();
+        scene.shapes.retain(|shape| shape.id == "floor");
+        scene.emitters.clear();
+        add_square_lamp(&mut scene, "left", [-1.0, -0.5], 10.0);
+        add_square_lamp(&mut scene, "right", [0.0, shift - 0.5], 1.0);
+        add(&mut scene, "thing", triangle(), ShadingNormals::Face, 0.5);
+        shadow_case("touching lamps", scene, "thing.translate.x");
+    }
+}

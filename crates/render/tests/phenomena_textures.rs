@@ -188,6 +188,84 @@ fn faces_of_different_colours() {
     agree("colours of faces", scene, &motion, case);
 }
 
+/// Two triangles of a floor with vertices of their own, and a colour for each
+/// vertex: the colours jump where the triangles meet.
+#[test]
+fn vertices_of_different_colours() {
+    let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 19.0, 36);
+    let corner = |x: f64, y: f64| v(0.6 * x, 0.6 * y, 0.0);
+    let mesh = capwalk_geometry::Mesh {
+        positions: vec![
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, 1.0),
+        ],
+        faces: vec![[0, 1, 2], [3, 4, 5]],
+    };
+    add(&mut scene, "floor", mesh, ShadingNormals::Face, 0.5);
+    let attribute = scene.add_texture(Texture {
+        id: "floor.vertex_color".into(),
+        channels: 1,
+        data: vec![0.9, 0.8, 0.9, 0.1, 0.2, 0.1],
+        pattern: Pattern::PerVertex,
+    });
+    scene.shapes[0]
+        .attributes
+        .push(capwalk_scene::shape::Attribute {
+            name: "vertex_color".into(),
+            texture: attribute,
+        });
+    let by_vertex = Texture {
+        pattern: Pattern::MeshAttribute {
+            name: "vertex_color".into(),
+            scale: 1.0,
+        },
+        channels: 1,
+        data: Vec::new(),
+        id: "by_vertex".into(),
+    };
+    paint(&mut scene, "floor", by_vertex);
+    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
+    let motion = motion(&scene, "floor.translate.x + floor.rotate.z");
+    agree("colours of vertices", scene, &motion, visible(200));
+}
+
+/// Texture coordinates that agree where two triangles meet, but turn an
+/// anisotropic material differently.
+#[test]
+fn seam_of_tangents() {
+    let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 19.0, 36);
+    add_floor(&mut scene, 0.6);
+    let faces = scene.shapes[0].mesh.faces.clone();
+    let turned = |face: usize| {
+        faces[face].map(|i| {
+            let p = scene.shapes[0].mesh.positions[i as usize];
+            // The same on the diagonal x = y.
+            if face == 0 { [p.x, p.y] } else { [p.y, p.x] }
+        })
+    };
+    scene.shapes[0].uvs = Some(vec![turned(0), turned(1)]);
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    let alpha = [number("alpha_u", 0.6), number("alpha_v", 0.15)];
+    let metal = capwalk_scene::bsdf::Metal {
+        eta: number("eta", 0.2),
+        k: number("k", 3.0),
+        specular_reflectance: number("white", 1.0),
+    };
+    let facets = capwalk_scene::bsdf::Facets {
+        distribution: capwalk_scene::lobe::Distribution::Ggx,
+        alpha,
+    };
+    let material = scene.materials.iter_mut().find(|m| m.id == "floor.bsdf");
+    material.expect("the floor's").bsdf = Bsdf::RoughConductor(metal, facets);
+    add_lamp(&mut scene, v(0.1, 1.5, 2.0), 1.5, 0.3, 10.0);
+    let motion = motion(&scene, "floor.translate.x + floor.rotate.z");
+    agree("seam of tangents", scene, &motion, visible(400));
+}
+
 /// Textures that jump are refused if something moves, and only then.
 #[test]
 fn nearest_texels_are_refused() {

@@ -129,7 +129,7 @@ pub struct Adjoint {
 
 impl Adjoint {
     /// Zero.
-    pub fn zero(scene: &Scene, boundaries: &Boundaries) -> Self {
+    pub fn zero(scene: &Scene, boundaries: &Boundaries, wanted: &Wanted) -> Self {
         let normals = |normals: &ShadingNormals| {
             let count = normals.per_vertex()?.len();
             Some(vec![Vec3::zero(); count])
@@ -137,10 +137,12 @@ impl Adjoint {
         Self {
             points: vec![Vec3::zero(); boundaries.point_count()],
             normals: scene.shapes.iter().map(|s| normals(&s.normals)).collect(),
+            // Only what is wanted takes memory: environment maps are large.
             textures: scene
                 .textures
                 .iter()
-                .map(|t| vec![0.0; t.data.len()])
+                .zip(&wanted.textures)
+                .map(|(texture, &wanted)| vec![0.0; if wanted { texture.data.len() } else { 0 }])
                 .collect(),
             channels: scene.textures.iter().map(|t| t.channels).collect(),
             sensor: SensorMotion::default(),

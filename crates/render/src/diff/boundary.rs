@@ -14,7 +14,7 @@ use capwalk_scene::{Emitter, Integrator, Layer, Pattern, Scene, Shape};
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
-use crate::material::textures_of;
+use crate::material::{needs_tangent, tangent_of_face, textures_of};
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
@@ -44,9 +44,49 @@ pub struct Boundaries {
     positions: Vec<Vec3>,
     /// The curves where faces cross, in the order of their ends' positions.
     pub crossings: Vec<Crossing>,
-    /// End points (vertices of the joined mesh) of the edges of lamps with few
-    /// edges, and the total length up to and including each.
-    pub lamp_edges: Vec<([u32; 2], f64)>,
+    /// The edges of lamps with few edges.
+    pub lamp_edges: Vec<LampEdge>,
+}
+
+/// An edge of a lamp with few edges.
+#[derive(Clone, Debug)]
+pub struct LampEdge {
+    /// Its ends, vertices of the joined mesh.
+    pub ends: [u32; 2],
+    /// Total length of the edges up to and including it.
+    pub cumulative: f64,
+    /// Where other lamps' edges lie on it: lamps that touch. In lengths from its
+    /// first end over its own.
+    pub shared: Vec<[f64; 2]>,
+}
+
+impl LampEdge {
+    /// How many edges lie at a place on it, itself among them: each of them takes
+    /// its share of what jumps there.
+    pub fn multiplicity(&self, t: f64) -> f64 {
+        let covers = |[from, to]: &&[f64; 2]| *from <= t && t <= *to;
+        1.0 + self.shared.iter().filter(covers).count() as f64
+    }
+}
+
+/// Fraction of its length by which an edge may lie beside another one and still
+/// lie on it.
+const ON_EDGE: f64 = 1e-6;
+
+/// Where the second of two edges lies on the first one, if it does.
+fn overlap([a, b]: [Vec3; 2], other: [Vec3; 2]) -> Option<[f64; 2]> {
+    let along = b - a;
+    let squared = along.length_squared();
+    let is_beside = |p: &Vec3| {
+        let distance = (*p - a).cross(along).length_squared();
+        distance > (ON_EDGE * squared) * (ON_EDGE * squared)
+    };
+    if other.iter().any(is_beside) {
+        return None;
+    }
+    let [s, t] = other.map(|p| (p - a).dot(along) / squared);
+    let (from, to) = (s.min(t).max(0.0), s.max(t).min(1.0));
+    (to - from > ON_EDGE).then_some([from, to])
 }
 
 impl Boundaries {
@@ -78,11 +118,23 @@ impl Boundaries {
                 if is_lamp {
                     let [a, b] = edge.vertices.map(|i| accel.mesh.positions[i as usize]);
                     length += (b - a).length();
-                    lamp_edges.push((edge.vertices, length));
+                    lamp_edges.push(LampEdge {
+                        ends: edge.vertices,
+                        cumulative: length,
+                        shared: Vec::new(),
+                    });
                 }
             }
             edges.append(&mut own);
             first_face += shape.mesh.faces.len() as u32;
+        }
+        let ends = |edge: &LampEdge| edge.ends.map(|i| accel.mesh.positions[i as usize]);
+        let segments: Vec<[Vec3; 2]> = lamp_edges.iter().map(ends).collect();
+        for (i, edge) in lamp_edges.iter_mut().enumerate() {
+            let others = segments.iter().enumerate().filter(|&(k, _)| k != i);
+            edge.shared = others
+                .filter_map(|(_, &other)| overlap(segments[i], other))
+                .collect();
         }
         let mut mesh = accel.mesh.clone();
         let crossings = crossings(accel);
@@ -115,7 +167,23 @@ impl Boundaries {
 /// True if two neighbouring faces look different at their common edge even if
 /// they are coplanar: by their shading normals or their textures.
 fn shades_apart(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
-    normals_differ(shape, faces) || textures_differ(scene, shape, faces)
+    normals_differ(shape, faces)
+        || textures_differ(scene, shape, faces)
+        || needs_tangent(scene, shape.bsdf) && tangents_differ(shape, faces)
+}
+
+/// True if texture coordinates turn two neighbouring faces differently about
+/// their normals.
+fn tangents_differ(shape: &Shape, faces: [u32; 2]) -> bool {
+    let [first, second] = faces.map(|face| {
+        let [a, b, c] = shape.mesh.corners(face as usize);
+        tangent_of_face(shape, face as usize, [b - a, c - a]).map(Vec3::normalized)
+    });
+    match (first, second) {
+        (Some(first), Some(second)) => (first - second).length() > SAME_NORMAL,
+        (None, None) => false,
+        _ => true,
+    }
 }
 
 /// True if two neighbouring faces have different shading normals at an end of
@@ -124,11 +192,8 @@ fn normals_differ(shape: &Shape, faces: [u32; 2]) -> bool {
     let Some(normals) = shape.normals.per_vertex() else {
         return false;
     };
-    common_corners(shape, faces).any(|[first, second]| {
-        let [a, b] = [(faces[0], first), (faces[1], second)]
-            .map(|(face, corner)| shape.mesh.faces[face as usize][corner] as usize);
-        (normals[a] - normals[b]).length() > SAME_NORMAL
-    })
+    common_vertices(shape, faces)
+        .any(|[a, b]| (normals[a as usize] - normals[b as usize]).length() > SAME_NORMAL)
 }
 
 /// True if a texture of the shape can differ between two neighbouring faces at
@@ -137,10 +202,14 @@ fn textures_differ(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
     if scene.settings.integrator == Integrator::Aov(Layer::Uv) && uvs_differ(shape, faces) {
         return true;
     }
-    textures_of(scene, shape).into_iter().any(|texture| {
-        let per_face = matches!(texture.pattern, Pattern::PerFace);
-        per_face || (texture.needs_uv() && uvs_differ(shape, faces))
-    })
+    textures_of(scene, shape)
+        .into_iter()
+        .any(|texture| match texture.pattern {
+            Pattern::PerFace => true,
+            Pattern::PerVertex => common_vertices(shape, faces)
+                .any(|[a, b]| texture.texel(a as usize) != texture.texel(b as usize)),
+            _ => texture.needs_uv() && uvs_differ(shape, faces),
+        })
 }
 
 /// True if two neighbouring faces have different texture coordinates at an end
@@ -152,6 +221,12 @@ fn uvs_differ(shape: &Shape, faces: [u32; 2]) -> bool {
             .map(|(face, i)| shape.uv(face as usize, corner(i)));
         (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > SAME_UV
     })
+}
+
+/// The vertices of two faces that are at the same place.
+fn common_vertices(shape: &Shape, faces: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+    let [first, second] = faces.map(|face| shape.mesh.faces[face as usize]);
+    common_corners(shape, faces).map(move |[i, k]| [first[i], second[k]])
 }
 
 /// The corners of two faces that are at the same place.

@@ -12,6 +12,7 @@ use crate::tiles::{self, Sample};
 use crate::world::AtRest;
 
 use super::boundary::{Counts, Draw};
+use super::forward::refuse_unsupported;
 
 /// The derivative of the picture along `motion` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;
@@ -25,6 +26,7 @@ pub fn finite_difference(
     options: &Options,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
+    refuse_unsupported(scene)?;
     let sides = [step, -step].map(|step| scene.moved(motion, step));
     for side in &sides {
         side.check().map_err(|error| Refusal {

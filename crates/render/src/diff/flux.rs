@@ -43,18 +43,18 @@ pub fn lamp_edge_flux<R: Real, W: World<R>>(
     numbers: Numbers,
 ) -> Rgb<R> {
     let edges = &boundaries.lamp_edges;
-    let Some(&(_, total)) = edges.last() else {
+    let Some(total) = edges.last().map(|edge| edge.cumulative) else {
         return Rgb::zero();
     };
     let target = u * total;
     let i = edges
-        .partition_point(|&(_, cumulative)| cumulative <= target)
+        .partition_point(|edge| edge.cumulative <= target)
         .min(edges.len() - 1);
-    let (ends, cumulative) = edges[i];
-    let [a, b] = ends.map(|v| world.vertex(v));
+    let lamp_edge = &edges[i];
+    let [a, b] = lamp_edge.ends.map(|v| world.vertex(v));
     let along = (b - a).value();
     let length = along.length();
-    let t = ((cumulative - target) / length).clamp(0.0, 1.0);
+    let t = ((lamp_edge.cumulative - target) / length).clamp(0.0, 1.0);
 
     // The moving direction of the edge, and that of the field.
     let offset = a + (b - a) * R::constant(t) - eye.position;
@@ -64,7 +64,8 @@ pub fn lamp_edge_flux<R: Real, W: World<R>>(
     // Per unit of length along the edge, the curve on the sphere advances by
     // P_q ê / r; this is its normal times that length.
     let across = q.cross(along) / (length * offset.value().length());
-    let flow = (edge - carried).dot(Vec3::constant(across * total));
+    let share = total / lamp_edge.multiplicity(t);
+    let flow = (edge - carried).dot(Vec3::constant(across * share));
     // Not a number where the surface touches the edge: it goes on, to be counted.
     if flow.is_constant() {
         return Rgb::zero();

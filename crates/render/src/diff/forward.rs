@@ -1,12 +1,12 @@
 //! The derivative picture in forward mode.
 
-use capwalk_scene::{Emitter, Motion, Scene};
+use capwalk_scene::{Emitter, Motion, Scene, Shape};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::estimate::{GradientImage, Statistics};
-use crate::material::textures_of;
-use crate::options::{GradientOptions, Options, Refusal, Unwatched, Watch};
+use crate::material::{looks_turned, may_be_specular, textures_of};
+use crate::options::{GradientOptions, Options, Refusal, Watch};
 use crate::path::Tracer;
 use crate::sampler::Stream;
 use crate::tiles::{self, Sample};
@@ -34,6 +34,7 @@ pub fn gradient(
     if world.moves() {
         refuse_hard_shadows(scene)?;
         refuse_jumping_textures(scene)?;
+        refuse_turned_without_uvs(scene)?;
         refuse_clipped(&accel)?;
     }
     let tracer = Tracer::moving(&accel, &field, options.walk);
@@ -52,11 +53,13 @@ pub fn gradient(
         }
     };
     // What cannot be covered is found by looking, before the work is done.
-    let pilot = Options {
-        spp: options.options.spp.min(PILOT_SPP),
-        ..options.options
-    };
-    refuse_uncovered(&tiles::average(scene, &pilot, &Unwatched, sample).statistics)?;
+    if is_specular_somewhere(scene) {
+        let pilot = Options {
+            spp: options.options.spp.min(PILOT_SPP),
+            ..options.options
+        };
+        refuse_uncovered(&tiles::average(scene, &pilot, &Silent(watch), sample).statistics)?;
+    }
     let averages = tiles::average(scene, &options.options, watch, sample);
     refuse_uncovered(&averages.statistics)?;
     Ok(GradientImage {
@@ -106,6 +109,43 @@ pub(super) fn refuse_jumping_textures(scene: &Scene) -> Result<(), Refusal> {
     Ok(())
 }
 
+/// A refusal if a smooth surface reflects differently in different directions, and
+/// nothing says how it is turned: the frame that is then made up jumps.
+pub(super) fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
+    let jumps = |shape: &&Shape| {
+        shape.uvs.is_none()
+            && shape.normals.per_vertex().is_some()
+            && looks_turned(scene, shape.bsdf)
+    };
+    match scene.shapes.iter().find(jumps) {
+        None => Ok(()),
+        Some(shape) => Err(Refusal {
+            reason: format!(
+                "the material of the shape \"{}\" is anisotropic, and its mesh has no texture \
+                 coordinates to say in which directions; these jump somewhere on smooth surfaces. \
+                 Add texture coordinates to the mesh",
+                shape.id
+            ),
+        }),
+    }
+}
+
+/// True if some shape has a material that can be perfectly specular.
+pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
+    let mut shapes = scene.shapes.iter();
+    shapes.any(|shape| may_be_specular(scene, shape.bsdf))
+}
+
+/// Stops when another watch does, and says nothing.
+struct Silent<'a>(&'a dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn progress(&self, _done: u64, _total: u64) {}
+    fn should_stop(&self) -> bool {
+        self.0.should_stop()
+    }
+}
+
 /// Samples per pixel of a first look.
 const PILOT_SPP: u32 = 2;
 
@@ -134,6 +174,7 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
     }
     refuse_hard_shadows(scene)
         .and_then(|()| refuse_jumping_textures(scene))
+        .and_then(|()| refuse_turned_without_uvs(scene))
         .and_then(|()| refuse_clipped(&Accel::new(scene)))
         .err()
 }

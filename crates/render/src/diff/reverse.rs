@@ -18,7 +18,8 @@ use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::clip::refuse_clipped;
 use super::forward::{
-    check_walk, refuse_hard_shadows, refuse_jumping_textures, refuse_uncovered, refuse_unsupported,
+    check_walk, is_specular_somewhere, refuse_hard_shadows, refuse_jumping_textures,
+    refuse_turned_without_uvs, refuse_uncovered, refuse_unsupported,
 };
 use super::recording::Recording;
 
@@ -111,6 +112,7 @@ pub fn backward(
     if wanted.geometry() {
         refuse_hard_shadows(scene)?;
         refuse_jumping_textures(scene)?;
+        refuse_turned_without_uvs(scene)?;
         refuse_clipped(&accel)?;
     }
     let field = Field::new(&accel);
@@ -225,10 +227,16 @@ struct Batch {
 impl Pass<'_> {
     /// A first look: one sample of each pixel.
     fn refuse_uncovered_soon(&self) -> Result<(), Refusal> {
+        if !is_specular_somewhere(self.scene) {
+            return Ok(());
+        }
         let mut statistics = Statistics::default();
         let mut tape = Tape::default();
         let width = self.adjoint.width;
         for index in 0..self.adjoint.pixels.len() {
+            if self.watch.should_stop() {
+                break;
+            }
             let (stream, counts) = (self.sampler.stream(index as u64, 0), Counts::default());
             let draw = Draw {
                 stream: &stream,
@@ -250,7 +258,7 @@ impl Pass<'_> {
 
     fn batch(&self, numbers: std::ops::Range<u32>) -> Batch {
         let mut batch = Batch {
-            sums: Adjoint::zero(self.scene, &self.field.boundaries),
+            sums: Adjoint::zero(self.scene, &self.field.boundaries, self.wanted),
             taken: 0,
             non_finite: 0,
             cone_queries: 0,

@@ -1,0 +1,132 @@
+//! What moves in mirrors and behind smooth glass is found and refused, however
+//! short the paths are.
+
+mod common;
+
+use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_render::{
+    GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
+};
+use capwalk_scene::bsdf::{Glass, Metal};
+use capwalk_scene::primitive::{icosphere, rectangle};
+use capwalk_scene::*;
+use common::agree::motion;
+use common::stages::*;
+use common::*;
+
+fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
+    let found = scene.materials.iter_mut().find(|m| m.id == name);
+    found.expect("a material").bsdf = bsdf;
+}
+
+fn mirror(scene: &mut Scene) -> Bsdf {
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    Bsdf::Conductor(Metal {
+        eta: number("eta", 0.2),
+        k: number("k", 3.0),
+        specular_reflectance: number("tint", 1.0),
+    })
+}
+
+/// A mirror for a floor, and a lamp seen in it.
+fn mirror_floor() -> Scene {
+    let mut scene = empty(v(0.0, -3.0, 2.0), v(0.0, 0.0, 0.0), 30.0, 12);
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.0, 1.6, 1.2), 0.8, 0.3, 10.0);
+    let metal = mirror(&mut scene);
+    material(&mut scene, "floor.bsdf", metal);
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: false,
+    };
+    scene
+}
+
+/// True if both modes refuse, by name.
+fn is_refused(scene: &Scene, name: &str) -> bool {
+    let settings = GradientOptions {
+        options: Options {
+            spp: 64,
+            seed: 1,
+            threads: None,
+        },
+        walk: WalkSettings::default(),
+    };
+    let motion = motion(scene, name);
+    let forward = gradient(scene, &motion, &settings, &Unwatched);
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    let adjoint = Image {
+        width,
+        height,
+        pixels: vec![Rgb::splat(1.0); width * height],
+    };
+    let wanted = Wanted::by(&motion);
+    let reverse = backward(scene, &adjoint, &wanted, &settings, &Unwatched);
+    let reasons = [forward.err(), reverse.err()].map(|refusal| {
+        let reason = refusal.map(|refusal| refusal.reason);
+        reason.is_some_and(|reason| reason.contains("specular"))
+    });
+    assert_eq!(reasons[0], reasons[1], "{name}: only one mode refuses");
+    reasons[0]
+}
+
+#[test]
+fn a_lamp_that_moves_in_a_mirror() {
+    let scene = mirror_floor();
+    assert!(is_refused(&scene, "lamp.translate.x"));
+    assert!(is_refused(&scene, "sensor.translate.x"));
+    assert!(is_refused(&scene, "floor.rotate.x"));
+    assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
+}
+
+/// A black ball hides the sky's reflection: it is met by the last segment, which
+/// carries no light.
+#[test]
+fn a_blocker_that_moves_in_a_mirror() {
+    let mut scene = mirror_floor();
+    scene.shapes.pop();
+    let radiance = scene.textures.len() as u32;
+    scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
+    scene.emitters = vec![Emitter::Constant {
+        id: "sky".into(),
+        radiance: TextureId(radiance),
+    }];
+    // Above the picture, seen in the mirror only.
+    let mut ball = icosphere(4);
+    ball.positions
+        .iter_mut()
+        .for_each(|p| *p = *p * 0.4 + v(0.0, 1.5, 1.6));
+    add(&mut scene, "ball", ball, ShadingNormals::Face, 0.0);
+    assert!(is_refused(&scene, "ball.translate.x"));
+}
+
+/// A shadow behind a pane of glass, lit through it.
+#[test]
+fn a_blocker_that_moves_behind_a_pane() {
+    let mut scene = empty(v(0.0, -4.0, 0.5), v(0.0, 0.0, 0.0), 30.0, 12);
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.0, 0.0, 3.0), 1.5, 0.3, 10.0);
+    let pane = Affine::translate(v(0.0, 0.0, 0.8)) * Affine::scale(v(3.0, 3.0, 1.0));
+    let (mesh, normals) = rectangle(pane);
+    add(&mut scene, "pane", mesh, normals, 0.0);
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    let glass = Bsdf::ThinDielectric(Glass {
+        int_ior: number("int_ior", 1.5),
+        ext_ior: number("ext_ior", 1.0),
+        specular_reflectance: number("reflected", 1.0),
+        specular_transmittance: number("transmitted", 1.0),
+    });
+    let shown = scene.shapes.last().expect("the pane").bsdf;
+    scene.materials[shown.0 as usize].bsdf = glass;
+    let thing = placed(triangle(), Affine::translate(Vec3::new(0.0, 0.0, 0.6)));
+    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
+    for depth in [3, 4] {
+        scene.settings.integrator = Integrator::Path {
+            max_depth: Some(depth),
+            rr_depth: 5,
+            hide_emitters: false,
+        };
+        assert!(is_refused(&scene, "thing.translate.x"), "depth {depth}");
+    }
+}
