@@ -472,9 +472,6 @@ impl<'a> Tracer<'a> {
             }
             origin = vertex.position;
             hit = next.hit;
-            if next.specular.is_some() && self.is_uncovered(world, origin, direction, &hit) {
-                draw.counts.uncovered.set(draw.counts.uncovered.get() + 1);
-            }
         }
         light
     }
@@ -541,6 +538,15 @@ impl<'a> Tracer<'a> {
                 light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
         );
+        // Also if the path ends there: what moves can cover light.
+        if W::MOVES
+            && let Some((event, next)) = next.and_then(|next| Some((next.specular?, next)))
+        {
+            let (direction, _) = vertex.specular(event);
+            if self.is_uncovered(world, vertex.position, direction, &next.hit) {
+                draw.counts.uncovered.set(draw.counts.uncovered.get() + 1);
+            }
+        }
         if W::MOVES
             && self.plan.sampling.dimensions() > 0
             && at_rest.bsdf.has_smooth()

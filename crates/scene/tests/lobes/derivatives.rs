@@ -136,12 +136,36 @@ fn weights_have_derivatives() {
         );
         at_rest.push(weight, lobe);
     }
-    assert_eq!(bsdf.value(), at_rest);
+    // That lobes are sampled for their derivatives is all that is left of them.
+    let resting = bsdf.value();
+    assert!(resting.lobes().eq(at_rest.lobes()));
     let value = bsdf.eval(wi.map(Dual::constant), wo.map(Dual::constant));
     let lobes: Vec<&Lobe> = at_rest.lobes().map(|(_, lobe)| lobe).collect();
     let difference = lobes[0].eval(wi, wo) - lobes[1].eval(wi, wo);
     assert!((value.tangent(0) - difference).length() < 1e-14);
     assert!((value.value() - at_rest.eval(wi, wo)).length() < 1e-14);
+}
+
+/// A lobe of weight zero is drawn if its weight has a derivative, and only then;
+/// the density is that of what is drawn.
+#[test]
+fn lobes_with_derivatives_are_drawn() {
+    let black = Diffuse {
+        reflectance: Rgb::splat(Dual::<1>::constant(0.0)),
+    };
+    for slope in [0.0, 1.0] {
+        let mut bsdf = Bsdf::default();
+        bsdf.push(Dual::new(1.0, [-slope]), Lobe::Diffuse(black));
+        bsdf.push(Dual::new(0.0, [slope]), Lobe::Null(Null));
+        let at_rest = bsdf.value();
+        let wi = direction(0.6, 1.0);
+        let places = (0..1000).map(|i| f64::from(i) / 1000.0);
+        let drawn = places.filter_map(|u| at_rest.sample(wi, u, [0.3, 0.6]));
+        let passing: Vec<_> = drawn.filter(|drawn| drawn.specular.is_some()).collect();
+        assert_eq!(passing.is_empty(), slope == 0.0);
+        let share = passing.len() as f64 / 1000.0;
+        assert!(passing.iter().all(|drawn| (drawn.pdf - share).abs() < 2e-3));
+    }
 }
 
 /// Nothing jumps: the derivative of all that is reflected or transmitted is the
