@@ -41,6 +41,12 @@ pub enum Command {
     /// and SCENE-gradient.png (blue negative, white zero, red positive)
     /// unless -o says otherwise.
     Gradient(Gradient),
+    /// Differentiate a loss by many parameters at once
+    ///
+    /// The loss is given by its derivative by every pixel (--adjoint), or is
+    /// the distance of the picture to a target (--loss). Writes
+    /// SCENE-backward.npz, one array per parameter, unless -o says otherwise.
+    Backward(Backward),
     /// Check a gradient against central finite differences
     ///
     /// Writes SCENE-check.png (value | gradient | reference | z) unless -o
@@ -177,6 +183,63 @@ pub struct Gradient {
     pub sampling: SamplingArgs,
     #[command(flatten)]
     pub output: OutputArgs,
+}
+
+/// What is differentiated.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub struct ObjectiveArgs {
+    /// Picture (.exr, .npz) of the derivative of a loss by every pixel and
+    /// channel; its noise must not come from the seed of this command
+    #[arg(long, value_name = "FILE")]
+    pub adjoint: Option<PathBuf>,
+    /// Distance of the picture to the --target, a mean over pixels and
+    /// channels. The picture is rendered first, with the seed's complement; a
+    /// quarter of a --time-limit is for it
+    #[arg(long, requires = "target")]
+    pub loss: Option<LossName>,
+}
+
+/// Losses by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LossName {
+    /// Absolute difference; noise in the picture makes its gradient too small
+    L1,
+    /// Squared difference; its gradient is unbiased
+    L2,
+}
+
+#[derive(Args, Debug)]
+pub struct Backward {
+    #[command(flatten)]
+    pub scene: SceneArgs,
+    #[command(flatten)]
+    pub objective: ObjectiveArgs,
+    /// What the picture should look like (.exr, .npz), for --loss
+    #[arg(long, value_name = "FILE", requires = "loss")]
+    pub target: Option<PathBuf>,
+    /// Layer of the --adjoint [default: adjoint, else value] or of the --target
+    /// [default: value]
+    #[arg(long, value_name = "NAME")]
+    pub layer: Option<String>,
+    /// What to differentiate by: arrays such as ball.positions, parameters such
+    /// as ball.translate.x, or sums of parameters as for `gradient` [default:
+    /// all arrays] (`capwalk info SCENE` lists them)
+    #[arg(short, long, value_name = "NAMES", num_args = 1..)]
+    pub param: Vec<String>,
+    /// Write the standard error of every number too, as NAME.stderr
+    #[arg(long)]
+    pub errors: bool,
+    #[command(flatten)]
+    pub walk: WalkArgs,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    /// Output file (.npz)
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[derive(Args, Debug)]

@@ -1,6 +1,7 @@
 //! What the command line can do, one file each. Every `run` says how it ended;
 //! an error is bad input or a refusal.
 
+pub mod backward;
 pub mod check;
 pub mod compare;
 pub mod demo;

@@ -41,6 +41,7 @@ fn main() -> ExitCode {
     let result = progress::catch_interrupts().and_then(|()| match &cli.command {
         Command::Render(args) => command::render::run(args),
         Command::Gradient(args) => command::gradient::run(args),
+        Command::Backward(args) => command::backward::run(args),
         Command::Check(args) => command::check::run(args),
         Command::Info(args) => command::info::run(args),
         Command::Compare(args) => command::compare::run(args),

@@ -30,7 +30,8 @@ pub fn motion(scene: &Scene, args: &MotionArgs) -> Result<Motion> {
     Ok(motion)
 }
 
-fn is_zero(motion: &Motion) -> bool {
+/// True if nothing moves or changes.
+pub fn is_zero(motion: &Motion) -> bool {
     let shapes = motion.shapes.iter().flatten();
     let sensor = [motion.sensor.translation, motion.sensor.rotation];
     shapes

@@ -27,7 +27,8 @@ impl Files {
             asked.to_vec()
         };
         for path in &paths {
-            prepare(path)?;
+            make_folder(path)?;
+            image::check_writable(path)?;
         }
         Ok(Self { paths })
     }
@@ -50,8 +51,8 @@ impl Files {
     }
 }
 
-/// Creates the folder of a file, and checks that the file can be written.
-fn prepare(path: &Path) -> Result<()> {
+/// Creates the folder that a file is to be in.
+pub fn make_folder(path: &Path) -> Result<()> {
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
         fs::create_dir_all(folder).with_context(|| {
             format!(
@@ -61,21 +62,31 @@ fn prepare(path: &Path) -> Result<()> {
             )
         })?;
     }
-    Ok(image::check_writable(path)?)
+    Ok(())
 }
 
 /// A picture to be filled with layers, which says what was asked for.
 pub fn picture(command: &str, scene: &str, parameter: Option<&str>, options: &Options) -> Picture {
-    let mut picture = Picture::default();
-    note(&mut picture, "command", command);
-    note(&mut picture, "scene", scene);
-    note(&mut picture, "seed", options.seed);
-    note(&mut picture, "spp", options.spp);
-    note(&mut picture, "version", env!("CARGO_PKG_VERSION"));
+    let mut picture = Picture {
+        metadata: origin(command, scene, options),
+        ..Picture::default()
+    };
     if let Some(name) = parameter {
         note(&mut picture, "parameter", name);
     }
     picture
+}
+
+/// What every file says about how it was made.
+pub fn origin(command: &str, scene: &str, options: &Options) -> Vec<(String, String)> {
+    let pair = |key: &str, value: String| (key.to_owned(), value);
+    vec![
+        pair("command", command.into()),
+        pair("scene", scene.into()),
+        pair("seed", options.seed.to_string()),
+        pair("spp", options.spp.to_string()),
+        pair("version", env!("CARGO_PKG_VERSION").into()),
+    ]
 }
 
 /// Adds to what a picture says about itself.
@@ -102,6 +113,22 @@ pub fn push_statistics(picture: &mut Picture, pieces: &[&Statistics]) {
 pub fn push_estimate(picture: &mut Picture, name: &str, errors: &str, estimate: &Estimate) {
     picture.push(name, estimate.mean.clone());
     picture.push(errors, estimate.standard_error.clone());
+}
+
+/// A layer, or an error that names those that there are.
+pub fn layer<'a>(picture: &'a Picture, name: &str) -> Result<&'a Image> {
+    picture.layer(name).with_context(|| {
+        format!(
+            "there is no layer \"{name}\"; there are {}",
+            layer_names(picture)
+        )
+    })
+}
+
+/// The names of a picture's layers, for messages.
+pub fn layer_names(picture: &Picture) -> String {
+    let names: Vec<&str> = picture.layers.iter().map(|l| l.name.as_str()).collect();
+    names.join(", ")
 }
 
 /// An estimate from a layer and that with its standard errors, if both are

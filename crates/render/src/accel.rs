@@ -5,7 +5,7 @@ use capwalk_math::Vec3;
 use capwalk_scene::resolve::Resolver;
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
-use crate::lamp::Lamp;
+use crate::lamp::Source;
 use crate::material::needs_tangent;
 use crate::unsupported::unsupported_text;
 
@@ -22,8 +22,8 @@ pub struct Accel<'s> {
     pub first_vertex: Vec<u32>,
     /// First face of each shape.
     pub first_face: Vec<u32>,
-    /// How to draw points on each emitter; `None` for an environment.
-    pub lamps: Vec<Option<Lamp>>,
+    /// How to draw directions towards each emitter.
+    pub sources: Vec<Source>,
     /// Whether it matters how each shape's material is turned about the normal.
     pub needs_tangent: Vec<bool>,
     /// What materials need besides their textures.
@@ -59,14 +59,8 @@ impl<'s> Accel<'s> {
             mesh.append(&shape.mesh);
             shape_of_face.resize(mesh.faces.len(), ShapeId(i as u32));
         }
-        let lamps = scene
-            .emitters
-            .iter()
-            .map(|emitter| match emitter {
-                Emitter::Area { shape, .. } => Some(Lamp::new(&scene.shape(*shape).mesh)),
-                Emitter::Constant { .. } => None,
-            })
-            .collect();
+        let sources = scene.emitters.iter();
+        let sources = sources.map(|emitter| Source::new(scene, emitter)).collect();
         let size = mesh
             .positions
             .iter()
@@ -77,7 +71,7 @@ impl<'s> Accel<'s> {
             shape_of_face,
             first_vertex,
             first_face,
-            lamps,
+            sources,
             needs_tangent: scene
                 .shapes
                 .iter()
@@ -166,7 +160,7 @@ impl<'s> Accel<'s> {
     pub fn lamp_face(&self, emitter: EmitterId, face: u32) -> u32 {
         match self.scene.emitter(emitter) {
             Emitter::Area { shape, .. } => self.first_face[shape.0 as usize] + face,
-            Emitter::Constant { .. } => unreachable!("an environment has no faces"),
+            _ => unreachable!("only lamps of area have faces"),
         }
     }
 

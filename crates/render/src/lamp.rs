@@ -1,7 +1,41 @@
-//! Points on lamps.
+//! How directions towards emitters are drawn, and points on lamps.
 
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
+use capwalk_scene::emitter::EnvironmentTable;
+use capwalk_scene::{Emitter, Scene};
+
+/// How directions towards an emitter are drawn.
+#[derive(Clone, Debug)]
+pub enum Source {
+    /// By points on a lamp.
+    Lamp(Lamp),
+    /// By the cosine at the surface, or uniformly: light from everywhere.
+    Everywhere,
+    /// By the brightness of an environment map.
+    Map(EnvironmentTable),
+    /// There is only one.
+    Delta,
+    /// Never: the emitter is black.
+    Black,
+}
+
+impl Source {
+    /// The source of a scene's emitter.
+    pub fn new(scene: &Scene, emitter: &Emitter) -> Self {
+        match emitter {
+            Emitter::Area { shape, .. } => Self::Lamp(Lamp::new(&scene.shape(*shape).mesh)),
+            Emitter::Constant { .. } => Self::Everywhere,
+            Emitter::EnvironmentMap { map, data, .. } => {
+                let table = EnvironmentTable::new(map, scene.texture(*data));
+                table.map_or(Self::Black, Self::Map)
+            }
+            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
+                Self::Delta
+            }
+        }
+    }
+}
 
 /// A lamp's triangles, to be drawn by area. Indices are the shape's own.
 #[derive(Clone, Debug)]

@@ -10,6 +10,7 @@ use capwalk_scene::EmitterId;
 use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 
 use crate::accel::Accel;
+use crate::lamp::Source;
 use crate::path::Vertex;
 use crate::sampler::Stream;
 
@@ -93,7 +94,12 @@ pub fn sample_lights(
         let Some((drawn, pdf)) = sample_emitter(accel, vertex, stream, base) else {
             continue;
         };
-        let (own, other) = (of_emitters(pdf), of_bsdf(vertex.pdf(drawn.direction)));
+        // Nothing else draws the direction of a light without extent.
+        let other = match accel.sources[drawn.emitter.0 as usize] {
+            Source::Delta => 0.0,
+            _ => of_bsdf(vertex.pdf(drawn.direction)),
+        };
+        let own = of_emitters(pdf);
         if own > 0.0 {
             let weight = power_heuristic(own, other) / own;
             shade(i, LightSample { weight, ..drawn });
@@ -162,13 +168,17 @@ pub fn emitter_pdf(
     direction: Vec3,
     vertex: &Vertex<f64>,
 ) -> f64 {
-    let chosen = 1.0 / accel.lamps.len() as f64;
-    match (&accel.lamps[emitter.0 as usize], hit) {
-        (Some(lamp), Some(hit)) => {
+    let chosen = 1.0 / accel.sources.len() as f64;
+    match (&accel.sources[emitter.0 as usize], hit) {
+        (Source::Lamp(lamp), Some(hit)) => {
             let face_normal = accel.mesh.face_cross(hit.face as usize).normalized();
             chosen * lamp.solid_angle_pdf(hit.t, face_normal.dot(direction))
         }
-        _ => chosen * environment_pdf(vertex, vertex.frame.to_local(direction)),
+        (Source::Map(table), _) => chosen * table.pdf(direction),
+        (Source::Everywhere, _) => {
+            chosen * environment_pdf(vertex, vertex.frame.to_local(direction))
+        }
+        (Source::Lamp(_) | Source::Delta | Source::Black, _) => 0.0,
     }
 }
 
@@ -181,46 +191,63 @@ fn sample_emitter(
     stream: &Stream,
     dimension: u32,
 ) -> Option<(LightSample, f64)> {
-    let count = accel.lamps.len();
+    let count = accel.sources.len();
     if count == 0 {
         return None;
     }
     let index = ((stream.number(dimension) * count as f64) as usize).min(count - 1);
     let u = stream.pair(dimension + 1);
-    let chosen = 1.0 / count as f64;
     let emitter = EmitterId(index as u32);
-    let sample = |direction: Vec3, hit: Option<Hit>| LightSample {
+    let position = vertex.position;
+    let is_free = |direction: Vec3| accel.first_hit(position, direction).is_none();
+    let (direction, hit, pdf) = match &accel.sources[index] {
+        Source::Lamp(lamp) => {
+            let point = lamp.sample(u);
+            let offset = point.position - position;
+            let distance = offset.length();
+            let direction = offset / distance;
+            let cos_l = -point.normal.dot(direction);
+            let lit = cos_l > 0.0 && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
+            if !lit || !accel.visible(position, point.position) {
+                return None;
+            }
+            let hit = Hit {
+                t: distance,
+                face: accel.lamp_face(emitter, point.face),
+                barycentric: point.barycentric,
+            };
+            (direction, Some(hit), lamp.solid_angle_pdf(distance, cos_l))
+        }
+        Source::Everywhere => {
+            let local = sample_environment(vertex, u);
+            let direction = vertex.frame.to_world(local);
+            let free = is_free(direction);
+            free.then(|| (direction, None, environment_pdf(vertex, local)))?
+        }
+        Source::Map(table) => {
+            let (direction, pdf) = table.sample(u);
+            let free = is_free(direction);
+            free.then_some((direction, None, pdf))?
+        }
+        Source::Delta => {
+            let light = accel.scene.emitter(emitter).delta_light(position)?;
+            let free = match light.distance.is_finite() {
+                true => accel.surface_sees(position, light.direction, light.distance),
+                false => is_free(light.direction),
+            };
+            // In the place of a density.
+            free.then_some((light.direction, None, 1.0))?
+        }
+        Source::Black => return None,
+    };
+    let sample = LightSample {
         direction,
         emitter,
         hit,
         weight: 0.0,
         specular: None,
     };
-    let position = vertex.position;
-    let Some(lamp) = &accel.lamps[index] else {
-        let local = sample_environment(vertex, u);
-        let direction = vertex.frame.to_world(local);
-        let free = accel.first_hit(position, direction).is_none();
-        return free.then(|| {
-            let pdf = chosen * environment_pdf(vertex, local);
-            (sample(direction, None), pdf)
-        });
-    };
-    let point = lamp.sample(u);
-    let offset = point.position - position;
-    let distance = offset.length();
-    let direction = offset / distance;
-    let cos_l = -point.normal.dot(direction);
-    let lit = cos_l > 0.0 && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
-    (lit && accel.visible(position, point.position)).then(|| {
-        let hit = Hit {
-            t: distance,
-            face: accel.lamp_face(emitter, point.face),
-            barycentric: point.barycentric,
-        };
-        let pdf = chosen * lamp.solid_angle_pdf(distance, cos_l);
-        (sample(direction, Some(hit)), pdf)
-    })
+    Some((sample, pdf / count as f64))
 }
 
 /// A direction in the shading frame: by the cosine, or uniform if light can come

@@ -532,6 +532,12 @@ impl<'a> Tracer<'a> {
                     light += fraction.hadamard(radiance(direction)) * weight;
                     return;
                 }
+                let emitter = self.accel.scene.emitter(sample.emitter);
+                if let Some(delta) = emitter.delta_light(vertex.position) {
+                    let f = vertex.eval(delta.direction);
+                    light += f.hadamard(radiance(delta.direction)) * weight;
+                    return;
+                }
                 let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
                 let carried = world.carry(&eye, sample.direction, walk, numbers);
                 let f = vertex.eval(carried.direction);

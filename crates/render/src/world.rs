@@ -5,7 +5,7 @@
 use capwalk_geometry::Hit;
 use capwalk_math::{Affine, Real, Rgb, Vec3};
 use capwalk_scene::lobe::Side;
-use capwalk_scene::{BsdfId, EmitterId, Scene, SurfacePoint, TextureId};
+use capwalk_scene::{BsdfId, Emitter, EmitterId, Scene, SurfacePoint, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -228,7 +228,8 @@ pub fn surface_at<R: Real, W: World<R>>(
 }
 
 /// What an emitter sends back along a ray that meets it at `hit`, or in no
-/// surface if it is the environment.
+/// surface if it is the environment: radiance. Of a light without extent, what a
+/// surface at `origin` receives across the direction towards it: irradiance.
 pub fn emitted_at<R: Real, W: World<R>>(
     world: &W,
     accel: &Accel,
@@ -238,12 +239,26 @@ pub fn emitted_at<R: Real, W: World<R>>(
     direction: Vec3<R>,
 ) -> Rgb<R> {
     let scene = accel.scene;
-    let radiance = scene.emitter(emitter).radiance();
-    match hit {
-        Some(hit) if !scene.texture(radiance).is_constant() => {
+    match (scene.emitter(emitter), hit) {
+        (Emitter::Area { radiance, .. }, Some(hit)) if !scene.texture(*radiance).is_constant() => {
             let surface = surface_at(world, accel, hit, origin, direction);
-            world.lookup(radiance, &surface.point)
+            world.lookup(*radiance, &surface.point)
         }
-        _ => world.texel(radiance, 0),
+        (Emitter::Area { radiance, .. } | Emitter::Constant { radiance, .. }, _) => {
+            world.texel(*radiance, 0)
+        }
+        (
+            Emitter::EnvironmentMap {
+                map, data, scale, ..
+            },
+            _,
+        ) => {
+            let texels = map.lookup(direction, |index| world.texel(*data, index));
+            texels.hadamard(world.texel(*scale, 0))
+        }
+        (emitter, _) => match emitter.delta_light(origin) {
+            Some(light) => world.texel(emitter.radiance(), 0) * light.factor,
+            None => Rgb::zero(),
+        },
     }
 }

@@ -46,7 +46,7 @@ fn depth() {
 fn position() {
     let mut scene = visible_cube();
     scene.film.filter = Filter::Tent { radius: 1.0 };
-    layer_case(Layer::Position, scene, "thing.rotate.z");
+    layer_case(Layer::Position, scene, "thing.translate.x + thing.rotate.z");
 }
 
 #[test]

@@ -269,7 +269,11 @@ fn threads_change_nothing() {
     scene.film.size = [8; 2];
     scene.film.crop_size = [8; 2];
     let wanted = Wanted::all(&scene);
-    let [one, three] = [1, 3].map(|threads| reverse(&scene, &wanted, 20, Some(threads)).gradient());
+    let [one, three] = [1, 3].map(|threads| {
+        reverse(&scene, &wanted, 20, Some(threads))
+            .gradient()
+            .clone()
+    });
     assert_eq!(one, three);
 }
 
@@ -295,6 +299,77 @@ fn standard_errors_are_right() {
     }
     let ratio = stated / spread.variance();
     assert!((0.45..2.6).contains(&ratio), "{ratio}");
+}
+
+/// Normals given with a mesh can be asked for without its vertices: the same
+/// numbers as in the gradient of all, and no curve moves for them.
+#[test]
+fn normals_alone() {
+    let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    scene.film.size = [12; 2];
+    scene.film.crop_size = [12; 2];
+    for shape in &mut scene.shapes {
+        if let ShadingNormals::Computed(normals) = shape.normals.clone() {
+            shape.normals = ShadingNormals::Given(normals);
+        }
+    }
+    let ball = scene.shapes.iter().position(|s| s.id == "ball");
+    let ball = ball.expect("a ball");
+    let mut turning = everything(&scene, 11);
+    turning.textures.fill(None);
+    turning.sensor = SensorMotion::default();
+    for (i, shape) in turning.shapes.iter_mut().enumerate() {
+        match shape {
+            Some(shape) if i == ball => shape.vertices.fill(Vec3::zero()),
+            _ => *shape = None,
+        }
+    }
+    let wanted = Wanted::by(&turning);
+    assert!(!wanted.geometry() && wanted.normals[ball]);
+    let alone = reverse(&scene, &wanted, 16, None);
+    let forward = forward(&scene, &turning, 16);
+    let (along, _) = alone.along(&turning);
+    assert!((along - forward).abs() <= 1e-10 * forward.abs() && forward.abs() > 1e-6);
+    assert_eq!(alone.statistics.cone_queries, 0);
+    let shape = alone.gradient().shapes[ball].clone().expect("wanted");
+    assert!(shape.vertices.iter().all(|&v| v == Vec3::zero()));
+}
+
+/// Numbers and errors of a linear map are those of the gradient itself.
+#[test]
+fn numbers_of_the_gradient() {
+    let mut scene = visible_cube();
+    scene.film.size = [8; 2];
+    scene.film.crop_size = [8; 2];
+    let result = reverse(&scene, &Wanted::all(&scene), 32, None);
+    let flat = |motion: &Motion| {
+        let shapes = motion.shapes.iter().flatten();
+        shapes
+            .flat_map(|shape| shape.vertices.iter().flat_map(|v| v.to_array()))
+            .collect::<Vec<f64>>()
+    };
+    let (numbers, errors) = result.numbers(flat);
+    assert_eq!(numbers, flat(result.gradient()));
+    let expected = flat(&result.standard_error());
+    assert!(errors.iter().any(|&e| e > 0.0));
+    for (a, b) in errors.iter().zip(&expected) {
+        assert!((a - b).abs() <= 1e-9 * b, "{a} {b}");
+    }
+}
+
+/// An adjoint that is not a number somewhere is refused with the place.
+#[test]
+fn adjoint_with_nan() {
+    let scene = visible_cube();
+    let mut bad = adjoint(&scene, 3);
+    bad.pixels[2 * 36 + 7].y = f64::NAN;
+    let wanted = Wanted::all(&scene);
+    let refusal = backward(&scene, &bad, &wanted, &settings(2, None), &Unwatched);
+    let reason = refusal.expect_err("refused").reason;
+    assert!(
+        reason.contains("NaN") && reason.contains("column 7, row 2"),
+        "{reason}"
+    );
 }
 
 /// An adjoint of the wrong size is refused with both sizes.

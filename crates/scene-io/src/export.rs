@@ -22,8 +22,7 @@ use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use capwalk_scene::texture::Bitmap;
-use capwalk_scene::{Image, Pattern, Scene, Texture};
+use capwalk_scene::{Image, Pattern, Scene, Texture, TextureId};
 
 use crate::atomic::write_atomically;
 use crate::image::{Picture, VALUE, encode_exr};
@@ -83,18 +82,25 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
     let directory = xml_path.with_file_name(&folder);
     let bitmaps = scene.textures.iter().enumerate();
     let bitmaps: Vec<_> = bitmaps
-        .filter_map(|(i, texture)| match &texture.pattern {
-            Pattern::Bitmap(bitmap) => Some((i, texture, bitmap)),
-            _ => None,
+        .filter_map(|(i, texture)| {
+            let size = match &texture.pattern {
+                Pattern::Bitmap(bitmap) => [bitmap.width, bitmap.height],
+                Pattern::Environment => {
+                    let map = scene.environment_map_of(TextureId(i as u32))?;
+                    [map.width, map.height]
+                }
+                _ => return None,
+            };
+            Some((i, texture, size))
         })
         .collect();
     if !bitmaps.is_empty() {
         at(&directory, fs::create_dir_all(&directory))?;
     }
     let names = file_names(bitmaps.iter().map(|(_, t, _)| t.id.as_str()), "exr");
-    for ((i, texture, bitmap), name) in bitmaps.into_iter().zip(names) {
+    for ((i, texture, size), name) in bitmaps.into_iter().zip(names) {
         let path = directory.join(&name);
-        let bytes = exr_of(texture, bitmap).map_err(io::Error::other);
+        let bytes = exr_of(texture, size).map_err(io::Error::other);
         let bytes = at(&path, bytes)?;
         at(
             &path,
@@ -125,8 +131,8 @@ struct Files {
     bitmaps: BTreeMap<usize, String>,
 }
 
-fn exr_of(texture: &Texture, bitmap: &Bitmap) -> Result<Vec<u8>, String> {
-    let (width, height) = (bitmap.width as usize, bitmap.height as usize);
+fn exr_of(texture: &Texture, size: [u32; 2]) -> Result<Vec<u8>, String> {
+    let [width, height] = size.map(|n| n as usize);
     let pixels = (0..texture.texels()).map(|i| texture.texel(i)).collect();
     let mut picture = Picture::default();
     picture.push(

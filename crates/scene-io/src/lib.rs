@@ -1,8 +1,8 @@
-//! Files to scenes, pictures to files.
+//! Files to scenes, pictures and arrays to files.
 //!
 //! Scenes are read from Mitsuba 3's XML format; `docs/scene-files.md` says which
-//! part of it. [`export`] writes scenes, [`image`] writes and reads pictures.
-//! The stages of reading, each in its file:
+//! part of it. [`export`] writes scenes, [`image`] writes and reads pictures,
+//! [`arrays`] numbers. The stages of reading, each in its file:
 //!
 //! ```text
 //! text -> elements  -> elements without $name, <include> -> nodes     -> Scene
@@ -33,13 +33,16 @@ mod node;
 mod resolve;
 mod source;
 mod suggest;
+mod upgrade;
 mod value;
 mod xml;
 
-// Writing scenes and pictures.
+// Writing scenes, pictures and arrays.
+pub mod arrays;
 mod atomic;
 pub mod export;
 pub mod image;
+mod npz;
 
 pub use error::{LoadError, Position};
 pub use load::{LoadOptions, load_scene, load_scene_str, load_scene_with};

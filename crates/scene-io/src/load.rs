@@ -86,6 +86,9 @@ fn load_and_collect(
         graph: &graph,
         warnings: Default::default(),
     };
+    for upgraded in &resolved.upgraded {
+        context.warn(upgraded.span, &upgraded.message);
+    }
     for &stray in &resolved.stray {
         context.warn(stray, "text outside of an attribute means nothing");
     }
@@ -110,6 +113,22 @@ mod tests {
         };
         let loaded = load_and_collect(source, &LoadOptions::default());
         loaded.unwrap_or_else(|error| panic!("{error}")).1
+    }
+
+    /// A file for an old version says what was renamed, once.
+    #[test]
+    fn old_versions_warn() {
+        let text = r#"<scene version="0.5.0">
+<integrator type="path"><integer name="maxDepth" value="3"/></integrator>
+<sensor type="perspective"><film type="ldrfilm"><float name="gamma" value="2"/></film></sensor>
+<emitter type="constant"/></scene>"#;
+        assert_eq!(
+            warnings(text),
+            [
+                "scene.xml:1:17: the file is for Mitsuba 0.5.0; it is read as one for version 3 \
+                 (gamma left out, ldrfilm is now hdrfilm, maxDepth is now max_depth)"
+            ]
+        );
     }
 
     /// What does not change the picture is accepted, each with its place.

@@ -41,6 +41,7 @@ struct Lowering<'a> {
     bsdf_depth: usize,
     shape_ids: Names,
     material_ids: Names,
+    emitter_ids: Names,
     places: Places,
 }
 
@@ -94,6 +95,7 @@ pub(crate) fn lower(
         bsdf_depth: 0,
         shape_ids: Names::default(),
         material_ids: Names::default(),
+        emitter_ids: Names::default(),
         places: Places::default(),
     };
     // Names that the file gives are taken before any are made up.
@@ -101,6 +103,7 @@ pub(crate) fn lower(
         let taken = match node.kind {
             Kind::Shape => &mut lowering.shape_ids,
             Kind::Bsdf => &mut lowering.material_ids,
+            Kind::Emitter => &mut lowering.emitter_ids,
             _ => continue,
         };
         taken.0.extend(node.id.clone());

@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use crate::error::LoadError;
 use crate::source::{FileId, Problem, Source, Sources, Span};
 use crate::suggest::nearest;
-use crate::xml::{self, Element};
+use crate::upgrade::{Upgraded, upgrade};
+use crate::xml::{self, Attribute, Element};
 
 /// Files that include files, at most (Mitsuba's limit).
 const DEEPEST_INCLUDE: usize = 15;
@@ -29,6 +30,8 @@ pub(crate) struct Resolved {
     pub search_directories: Vec<PathBuf>,
     /// Texts outside of elements, which mean nothing.
     pub stray: Vec<Span>,
+    /// Files of old versions that were brought to the names of today.
+    pub upgraded: Vec<Upgraded>,
 }
 
 /// A name that `$name` stands for.
@@ -45,6 +48,7 @@ struct Resolver<'a> {
     parameters: Vec<Parameter>,
     search_directories: Vec<PathBuf>,
     stray: Vec<Span>,
+    upgraded: Vec<Upgraded>,
     /// Files that are being included, outermost first.
     open_files: Vec<PathBuf>,
 }
@@ -68,6 +72,7 @@ pub(crate) fn resolve(
         parameters,
         search_directories: Vec::new(),
         stray: Vec::new(),
+        upgraded: Vec::new(),
         open_files: Vec::new(),
     };
     let main_name = resolver.sources.get(main).name.clone();
@@ -85,6 +90,7 @@ pub(crate) fn resolve(
         root,
         search_directories: resolver.search_directories,
         stray: resolver.stray,
+        upgraded: resolver.upgraded,
     })
 }
 
@@ -128,7 +134,10 @@ impl Resolver<'_> {
     fn file(&mut self, file: FileId) -> Result<Element, Problem> {
         let (mut root, stray) = xml::parse(self.sources, file)?;
         self.stray.extend(stray);
-        check_version(&root)?;
+        if let Some(old) = check_version(&root)? {
+            let upgraded = upgrade(&mut root, &old);
+            self.upgraded.push(upgraded);
+        }
         self.substitute(&mut root)?;
         root.attributes.retain(|a| a.name != "version");
         root.children = self.children(root.children, true)?;
@@ -344,8 +353,9 @@ fn no_children(element: &Element) -> Result<(), Problem> {
     }
 }
 
-/// Demands a version from 2.0 to 3.x of the root element.
-fn check_version(root: &Element) -> Result<(), Problem> {
+/// Demands a version up to 3.x of the root element, and gives it back if it is
+/// below 2.0.
+fn check_version(root: &Element) -> Result<Option<Attribute>, Problem> {
     let Some(version) = root.attribute("version") else {
         return Err(Problem::new(
             root.span,
@@ -355,15 +365,10 @@ fn check_version(root: &Element) -> Result<(), Problem> {
     };
     let parts: Vec<Option<u32>> = version.value.split('.').map(|n| n.parse().ok()).collect();
     match parts[..] {
-        [Some(2 | 3)] | [Some(2 | 3), Some(_)] | [Some(2 | 3), Some(_), Some(_)] => Ok(()),
-        [Some(0 | 1), ..] => Err(Problem::new(
-            version.value_span,
-            format!("the file is for Mitsuba {}", version.value),
-        )
-        .help(
-            "versions 2.0 to 3.x are read: write version=\"3.0.0\", and the names of properties \
-             in small letters with underscores (to_world, not toWorld)",
-        )),
+        [Some(2 | 3)] | [Some(2 | 3), Some(_)] | [Some(2 | 3), Some(_), Some(_)] => Ok(None),
+        [Some(0 | 1)] | [Some(0 | 1), Some(_)] | [Some(0 | 1), Some(_), Some(_)] => {
+            Ok(Some(version.clone()))
+        }
         _ => Err(Problem::new(
             version.value_span,
             format!(
@@ -371,6 +376,6 @@ fn check_version(root: &Element) -> Result<(), Problem> {
                 version.value
             ),
         )
-        .help("expected 2.0 to 3.x, for example version=\"3.0.0\"")),
+        .help("expected up to 3.x, for example version=\"3.0.0\"")),
     }
 }

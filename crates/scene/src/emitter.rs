@@ -1,5 +1,15 @@
 //! Light sources.
 
+mod delta;
+mod environment;
+
+pub use delta::DeltaLight;
+pub use environment::{EnvironmentMap, EnvironmentTable};
+
+use capwalk_math::{Affine, Vec3};
+
+use crate::bsdf::Slot;
+use crate::quantity::Quantity;
 use crate::scene::{Scene, ShapeId};
 use crate::texture::TextureId;
 
@@ -20,27 +30,124 @@ pub enum Emitter {
         /// What it emits.
         radiance: TextureId,
     },
+    /// Radiance from a picture of all directions.
+    EnvironmentMap {
+        /// Name of the emitter, for parameters.
+        id: String,
+        /// The picture's form and place.
+        map: EnvironmentMap,
+        /// Its texels.
+        data: TextureId,
+        /// Factor on them.
+        scale: TextureId,
+    },
+    /// A point that emits equally in all directions.
+    Point {
+        /// Name of the emitter, for parameters.
+        id: String,
+        /// Where it is.
+        position: Vec3,
+        /// Power per solid angle.
+        intensity: TextureId,
+    },
+    /// A point that emits into a cone.
+    Spot {
+        /// Name of the emitter, for parameters.
+        id: String,
+        /// The light is at the origin of its own space and shines along `+z`.
+        world_from_emitter: Affine,
+        /// Power per solid angle in the middle.
+        intensity: TextureId,
+        /// Angle to the axis beyond which it is dark, radians.
+        cutoff_angle: f64,
+        /// Angle to the axis up to which it is as bright as in the middle,
+        /// radians; in between it falls linearly.
+        beam_width: f64,
+    },
+    /// Parallel light.
+    Directional {
+        /// Name of the emitter, for parameters.
+        id: String,
+        /// Where the light goes, a unit vector.
+        direction: Vec3,
+        /// Power per area across it.
+        irradiance: TextureId,
+    },
 }
 
 impl Emitter {
-    /// What it emits.
+    /// What it emits: radiance, intensity or irradiance.
     #[inline]
     pub fn radiance(&self) -> TextureId {
         match self {
             Self::Area { radiance, .. } | Self::Constant { radiance, .. } => *radiance,
+            Self::EnvironmentMap { data, .. } => *data,
+            Self::Point { intensity, .. } | Self::Spot { intensity, .. } => *intensity,
+            Self::Directional { irradiance, .. } => *irradiance,
+        }
+    }
+
+    /// The plugin's name.
+    pub fn plugin(&self) -> &'static str {
+        match self {
+            Self::Area { .. } => "area",
+            Self::Constant { .. } => "constant",
+            Self::EnvironmentMap { .. } => "envmap",
+            Self::Point { .. } => "point",
+            Self::Spot { .. } => "spot",
+            Self::Directional { .. } => "directional",
+        }
+    }
+
+    /// The textures that stand in it. The texels of an environment map are its
+    /// own: their slot has no name.
+    pub fn slots(&self) -> Vec<Slot> {
+        let slot = |name, texture, quantity| Slot {
+            name,
+            texture,
+            quantity,
+        };
+        match self {
+            Self::Area { radiance, .. } | Self::Constant { radiance, .. } => {
+                vec![slot("radiance", *radiance, Quantity::Radiance)]
+            }
+            Self::EnvironmentMap { data, scale, .. } => vec![
+                slot("", *data, Quantity::Radiance),
+                slot("scale", *scale, Quantity::Factor),
+            ],
+            Self::Point { intensity, .. } | Self::Spot { intensity, .. } => {
+                vec![slot("intensity", *intensity, Quantity::Intensity)]
+            }
+            Self::Directional { irradiance, .. } => {
+                vec![slot("irradiance", *irradiance, Quantity::Irradiance)]
+            }
         }
     }
 
     /// True if it surrounds the scene.
     pub fn is_environment(&self) -> bool {
-        matches!(self, Self::Constant { .. })
+        matches!(self, Self::Constant { .. } | Self::EnvironmentMap { .. })
     }
 
     /// What users call it: `<shape>.emitter`, or its own id.
     pub fn name(&self, scene: &Scene) -> String {
         match self {
             Self::Area { shape, .. } => format!("{}.emitter", scene.shape(*shape).id),
-            Self::Constant { id, .. } => id.clone(),
+            Self::Constant { id, .. }
+            | Self::EnvironmentMap { id, .. }
+            | Self::Point { id, .. }
+            | Self::Spot { id, .. }
+            | Self::Directional { id, .. } => id.clone(),
         }
+    }
+}
+
+impl Scene {
+    /// The environment map that has these texels.
+    pub fn environment_map_of(&self, texels: TextureId) -> Option<&EnvironmentMap> {
+        self.emitters.iter().find_map(|emitter| match emitter {
+            Emitter::EnvironmentMap { map, data, .. } if *data == texels => Some(map),
+            _ => None,
+        })
     }
 }

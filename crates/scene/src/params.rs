@@ -16,16 +16,30 @@
 //! | `sensor.translate.x` (…), `sensor.rotate.x` (…) | as for shapes, about the sensor's origin |
 //!
 //! A texture with an id is called by it: `<texture>.value`, `<texture>.data`.
+//!
+//! Arrays, whose numbers each may change by themselves ([`arrays`]):
+//!
+//! | name | shape | numbers |
+//! |---|---|---|
+//! | `<shape>.positions` | (V, 3) | vertices, world units |
+//! | `<shape>.normals` | (V, 3) | shading normals, where they are given with the mesh |
+//! | `<emitter>.radiance.value`, `<material>.reflectance.value` (…) | (3,) or (1,) | the channels |
+//! | `<material>.reflectance.data` (…) | (H, W, 3) or (H, W, 1) | texels of a bitmap, from the top |
+//! | `<shape>.vertex_color` (…) | (V, 3) or (F, 3) | an attribute of a mesh, or one channel |
+//! | `sensor.translate`, `sensor.rotate` | (3,) | motion and turn in world axes |
+//!
 //! The sensor answers to its own id too. The centre is that of the bounding
 //! box. Names joined by `+` or `-` move together, each with an optional
 //! factor: `ball.translate.x + 0.5*lamp.translate.y - sensor.rotate.z`. Names
 //! are matched whole and the longest wins, so ids may contain any of `.+-*`.
 
+mod array;
 mod error;
 mod expression;
 mod registry;
 mod velocity;
 
+pub use array::{ArrayParameter, arrays};
 pub use error::ParameterError;
 pub use velocity::vertex_motion;
 
@@ -66,8 +80,18 @@ pub enum ParameterKind {
     Scale,
     /// What an emitter emits.
     Radiance,
+    /// What a light without extent emits, per solid angle.
+    Intensity,
+    /// What parallel light brings, per area.
+    Irradiance,
+    /// A factor.
+    Factor,
     /// How much a material reflects.
     Reflectance,
+    /// Vertices of a shape.
+    Positions,
+    /// Shading normals given with a shape.
+    Normals,
     /// Something that comes with a mesh, per vertex or per face.
     Attribute,
     /// How much a material transmits.
@@ -104,10 +128,49 @@ pub fn list(scene: &Scene) -> Vec<Parameter> {
 pub fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
     let entries = registry::entries(scene);
     let mut motion = Motion::zero(scene);
-    for term in expression::parse(&entries, expression)? {
+    let terms = expression::parse(&entries, expression).map_err(|error| match error {
+        ParameterError::Unknown { name, .. } if is_array(scene, &name) => {
+            ParameterError::Array { name }
+        }
+        error => error,
+    })?;
+    for term in terms {
         velocity::accumulate(scene, term.target, term.factor, &mut motion);
     }
     Ok(motion)
+}
+
+/// What a gradient can be asked for by one text.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// An array, by its name.
+    Array(ArrayParameter),
+    /// One number, by an expression.
+    Motion(Motion),
+}
+
+/// What a text asks for. A name that is both means the array: `<id>.value` is
+/// three numbers, `1*<id>.value` all of them together.
+pub fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
+    if let Some(array) = array::find(scene, text.trim())? {
+        return Ok(Request::Array(array));
+    }
+    match motion(scene, text) {
+        Ok(motion) => Ok(Request::Motion(motion)),
+        Err(ParameterError::Unknown { name, .. }) => {
+            let mut names: Vec<String> = arrays(scene).into_iter().map(|a| a.name).collect();
+            let scalars = list(scene).into_iter().map(|parameter| parameter.name);
+            let scalars = scalars.filter(|name| !names.contains(name));
+            names.extend(scalars.collect::<Vec<_>>());
+            let near = error::near(&name, names.iter().map(String::as_str));
+            Err(ParameterError::Unknown { name, near })
+        }
+        Err(error) => Err(error),
+    }
+}
+
+fn is_array(scene: &Scene, name: &str) -> bool {
+    arrays(scene).iter().any(|array| array.name == name)
 }
 
 #[cfg(test)]

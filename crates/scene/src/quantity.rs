@@ -5,6 +5,12 @@
 pub enum Quantity {
     /// Emitted radiance.
     Radiance,
+    /// Power per solid angle.
+    Intensity,
+    /// Power per area.
+    Irradiance,
+    /// A factor of any size.
+    Factor,
     /// Fraction of light reflected.
     Reflectance,
     /// Fraction of light transmitted.
@@ -35,6 +41,9 @@ impl Quantity {
     pub fn name(self) -> &'static str {
         match self {
             Self::Radiance => "radiance",
+            Self::Intensity => "intensity",
+            Self::Irradiance => "irradiance",
+            Self::Factor => "factor",
             Self::Reflectance => "reflectance",
             Self::Transmittance => "transmittance",
             Self::Roughness => "roughness",
@@ -51,6 +60,9 @@ impl Quantity {
     pub fn unit(self) -> &'static str {
         match self {
             Self::Radiance => "radiance",
+            Self::Intensity => "intensity",
+            Self::Irradiance => "irradiance",
+            Self::Factor => "times what it is",
             Self::Reflectance => "fraction reflected",
             Self::Transmittance => "fraction transmitted",
             Self::Roughness => "root mean square slope times √2",
@@ -67,6 +79,9 @@ impl Quantity {
     pub fn expected(self) -> &'static str {
         match self {
             Self::Radiance
+            | Self::Intensity
+            | Self::Irradiance
+            | Self::Factor
             | Self::Reflectance
             | Self::Transmittance
             | Self::Roughness
@@ -82,6 +97,9 @@ impl Quantity {
     pub fn allows(self, number: f64) -> bool {
         match self {
             Self::Radiance
+            | Self::Intensity
+            | Self::Irradiance
+            | Self::Factor
             | Self::Reflectance
             | Self::Transmittance
             | Self::Roughness

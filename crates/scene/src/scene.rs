@@ -130,7 +130,10 @@ impl fmt::Display for SceneError {
                 write!(f, "{name} is {value}; expected {expected}")
             }
             Self::SeveralEnvironments => {
-                write!(f, "there is more than one constant emitter; keep one")
+                write!(
+                    f,
+                    "there is more than one emitter around the scene (constant, envmap); keep one"
+                )
             }
             Self::Material { material, problem } => {
                 write!(
@@ -204,7 +207,9 @@ impl Scene {
     /// have what their textures ask for.
     fn check_slots(&self) -> Result<(), SceneError> {
         for emitter in &self.emitters {
-            self.check_range(emitter.radiance(), Quantity::Radiance)?;
+            for slot in emitter.slots() {
+                self.check_range(slot.texture, slot.quantity)?;
+            }
         }
         for slot in self.materials.iter().flat_map(|m| m.bsdf.slots()) {
             self.check_range(slot.texture, slot.quantity)?;

@@ -54,6 +54,8 @@ pub enum Pattern {
     PerVertex,
     /// An attribute of a shape with one texel per triangle.
     PerFace,
+    /// Texels of all directions, [`crate::emitter::EnvironmentMap`].
+    Environment,
 }
 
 /// Part of the data of a texture that has a name of its own.
@@ -121,7 +123,8 @@ impl Texture {
             Pattern::Constant
             | Pattern::MeshAttribute { .. }
             | Pattern::PerVertex
-            | Pattern::PerFace => false,
+            | Pattern::PerFace
+            | Pattern::Environment => false,
         }
     }
 
@@ -142,8 +145,11 @@ impl Texture {
                 });
                 texel(usize::from(second_half[0] != second_half[1]))
             }
-            Pattern::MeshAttribute { .. } | Pattern::PerVertex | Pattern::PerFace => {
-                panic!("{} depends on the shape that it is on", self.id)
+            Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => {
+                panic!("{} depends on more than texture coordinates", self.id)
             }
         }
     }
@@ -154,7 +160,7 @@ impl Texture {
         let part = |name, first, count| Part { name, first, count };
         match self.pattern {
             Pattern::Constant => vec![part("value", 0, 1)],
-            Pattern::Bitmap(_) => vec![part("data", 0, self.texels())],
+            Pattern::Bitmap(_) | Pattern::Environment => vec![part("data", 0, self.texels())],
             Pattern::Checkerboard { .. } => {
                 vec![part("color0.value", 0, 1), part("color1.value", 1, 1)]
             }

@@ -24,8 +24,9 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         }
         None => VALUE,
     };
-    let a = layer_of(&picture, layer).with_context(|| args.picture.display().to_string())?;
-    let b = layer_of(&reference, layer).with_context(|| args.reference.display().to_string())?;
+    let a = output::layer(&picture, layer).with_context(|| args.picture.display().to_string())?;
+    let b =
+        output::layer(&reference, layer).with_context(|| args.reference.display().to_string())?;
     ensure!(
         (a.width, a.height) == (b.width, b.height),
         "the pictures have different sizes: {} x {} and {} x {}",
@@ -96,16 +97,6 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         console::print(&text)?;
     }
     Ok(comparison.as_ref().map_or(Outcome::Done, verdicts::outcome))
-}
-
-fn layer_of<'a>(picture: &'a Picture, layer: &str) -> Result<&'a Image> {
-    picture.layer(layer).with_context(|| {
-        let names: Vec<&str> = picture.layers.iter().map(|l| l.name.as_str()).collect();
-        format!(
-            "there is no layer \"{layer}\"; there are {}",
-            names.join(", ")
-        )
-    })
 }
 
 /// How far pictures are apart, over all channels of the finite pixels.

@@ -3,7 +3,7 @@
 use anyhow::Result;
 use capwalk_math::Vec3;
 use capwalk_render::Refusal;
-use capwalk_scene::params::{self, Parameter};
+use capwalk_scene::params::{self, ArrayParameter, Parameter};
 use capwalk_scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, ShadingNormals,
     TextureId,
@@ -17,15 +17,22 @@ use crate::{console, moving, report, source};
 pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
     let parameters = params::list(&scene);
+    let arrays = params::arrays(&scene);
     let refusal = capwalk_render::refusal(&scene);
     if args.json {
-        console::print_json(&to_json(&scene, &parameters, refusal.as_ref()))?;
+        console::print_json(&to_json(&scene, &parameters, &arrays, refusal.as_ref()))?;
     } else {
         let mut text = format!(
-            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}",
+            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}\n\
+             arrays, for `capwalk backward`\n{}",
             summary(&args.scene.scene, &scene),
             shapes(&scene),
-            table(&parameters, refusal.as_ref())
+            table(
+                parameters
+                    .iter()
+                    .map(|p| parameter_line(p, refusal.as_ref()))
+            ),
+            table(arrays.iter().map(|a| array_line(a, refusal.as_ref()))),
         );
         if let Some(refusal) = refusal {
             text += &format!("\nderivatives by what moves edges (D) are refused: {refusal}\n");
@@ -141,10 +148,14 @@ fn shapes(scene: &Scene) -> String {
     }
     let mut text = report::table(&rows);
     for emitter in &scene.emitters {
-        if let Emitter::Constant { id, radiance } = emitter {
-            let radiance = texture(scene, *radiance);
-            text += &format!("{id}: surrounds the scene with {radiance}\n");
-        }
+        let what = match emitter {
+            Emitter::Area { .. } => continue,
+            Emitter::Constant { .. } | Emitter::EnvironmentMap { .. } => "surrounds the scene with",
+            Emitter::Point { .. } | Emitter::Spot { .. } => "is a point of intensity",
+            Emitter::Directional { .. } => "sends parallel light of irradiance",
+        };
+        let emitted = texture(scene, emitter.radiance());
+        text += &format!("{}: {what} {emitted}\n", emitter.name(scene));
     }
     text
 }
@@ -160,6 +171,7 @@ fn texture(scene: &Scene, id: TextureId) -> String {
         }
         Pattern::MeshAttribute { name, .. } => format!("attribute {name}"),
         Pattern::PerVertex | Pattern::PerFace => texture.id.clone(),
+        Pattern::Environment => format!("{} texels", texture.texels()),
     }
 }
 
@@ -187,39 +199,68 @@ fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
     }
 }
 
-/// One line for each parameter, with other names under the first.
 /// A refusal is about curves that move.
-fn differentiable(parameter: &Parameter, refusal: Option<&Refusal>) -> bool {
-    refusal.is_none() || !parameter.moves_discontinuities
+fn differentiable(moves_discontinuities: bool, refusal: Option<&Refusal>) -> bool {
+    refusal.is_none() || !moves_discontinuities
 }
 
-fn table(parameters: &[Parameter], refusal: Option<&Refusal>) -> String {
-    let mut rows = Vec::new();
-    for parameter in parameters {
-        let mark = match differentiable(parameter, refusal) {
-            true => "∂",
-            false => "-",
-        };
-        if let Some(other) = &parameter.alias_of {
-            rows.push([
-                format!("  {}", parameter.name),
-                mark.into(),
-                String::new(),
-                format!("= {other}"),
-            ]);
-            continue;
-        }
-        rows.push([
+/// Cells of a line of a table of parameters.
+type Line = [String; 4];
+
+fn parameter_line(parameter: &Parameter, refusal: Option<&Refusal>) -> Line {
+    let moves = parameter.moves_discontinuities;
+    match &parameter.alias_of {
+        Some(other) => alias(&parameter.name, differentiable(moves, refusal), other),
+        None => [
             format!("  {}", parameter.name),
-            if parameter.moves_discontinuities {
-                format!("{mark} D")
-            } else {
-                mark.into()
-            },
+            flags(moves, refusal),
             values(&parameter.value),
             format!("{} ({})", parameter.description, parameter.unit),
-        ]);
+        ],
     }
+}
+
+fn array_line(array: &ArrayParameter, refusal: Option<&Refusal>) -> Line {
+    let moves = array.moves_discontinuities;
+    match &array.alias_of {
+        Some(other) => alias(&array.name, differentiable(moves, refusal), other),
+        None => [
+            format!("  {}", array.name),
+            flags(moves, refusal),
+            array.shape_text(),
+            format!("{} ({})", array.description, array.unit),
+        ],
+    }
+}
+
+/// Another name for what is listed before.
+fn alias(name: &str, differentiable: bool, other: &str) -> Line {
+    [
+        format!("  {name}"),
+        mark(differentiable).into(),
+        String::new(),
+        format!("= {other}"),
+    ]
+}
+
+fn flags(moves_discontinuities: bool, refusal: Option<&Refusal>) -> String {
+    let mark = mark(differentiable(moves_discontinuities, refusal));
+    match moves_discontinuities {
+        true => format!("{mark} D"),
+        false => mark.into(),
+    }
+}
+
+fn mark(differentiable: bool) -> &'static str {
+    match differentiable {
+        true => "∂",
+        false => "-",
+    }
+}
+
+/// Lines with their columns aligned to the left.
+fn table(lines: impl Iterator<Item = Line>) -> String {
+    let rows: Vec<Line> = lines.collect();
     let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
     let widths = [width(0), width(1), width(2)];
     rows.iter()
@@ -238,7 +279,12 @@ fn values(values: &[f64]) -> String {
     numbers.join(" ")
 }
 
-fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -> Value {
+fn to_json(
+    scene: &Scene,
+    parameters: &[Parameter],
+    arrays: &[ArrayParameter],
+    refusal: Option<&Refusal>,
+) -> Value {
     let (low, high) = moving::bounds(scene);
     let shapes = scene.shapes.iter().map(|shape| {
         json!({
@@ -256,9 +302,21 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
             "value": p.value,
             "unit": p.unit,
             "description": p.description,
-            "differentiable": differentiable(p, refusal),
+            "differentiable": differentiable(p.moves_discontinuities, refusal),
             "moves_discontinuities": p.moves_discontinuities,
             "alias_of": p.alias_of,
+        })
+    });
+    let arrays = arrays.iter().map(|a| {
+        json!({
+            "name": a.name,
+            "kind": format!("{:?}", a.kind),
+            "shape": a.shape,
+            "unit": a.unit,
+            "description": a.description,
+            "differentiable": differentiable(a.moves_discontinuities, refusal),
+            "moves_discontinuities": a.moves_discontinuities,
+            "alias_of": a.alias_of,
         })
     });
     json!({
@@ -270,6 +328,7 @@ fn to_json(scene: &Scene, parameters: &[Parameter], refusal: Option<&Refusal>) -
         "triangles": scene.shapes.iter().map(|s| s.mesh.faces.len()).sum::<usize>(),
         "shapes": shapes.collect::<Vec<_>>(),
         "parameters": parameters.collect::<Vec<_>>(),
+        "arrays": arrays.collect::<Vec<_>>(),
         "refused": refusal.map(ToString::to_string),
     })
 }

@@ -9,6 +9,7 @@ fn help_lists_commands_and_exit_statuses() {
         &[
             "render",
             "gradient",
+            "backward",
             "check",
             "info",
             "compare",
@@ -24,7 +25,7 @@ fn help_lists_commands_and_exit_statuses() {
 fn every_command_has_help() {
     let capwalk = Capwalk::new("help_commands");
     for command in [
-        "render", "gradient", "check", "info", "compare", "scenes", "demo",
+        "render", "gradient", "backward", "check", "info", "compare", "scenes", "demo",
     ] {
         let finished = capwalk.run(&format!("{command} --help"));
         assert_eq!(finished.status, 0, "{command}");
@@ -69,6 +70,13 @@ fn info_lists_parameters() {
         let found = parameters.iter().find(|p| p["name"] == name).expect(name);
         found["moves_discontinuities"].as_bool()
     };
+    let arrays = json["arrays"].as_array().expect("a list");
+    let array = |name: &str| arrays.iter().find(|a| a["name"] == name).expect(name);
+    assert_eq!(array("ball.positions")["kind"], "Positions");
+    assert_eq!(array("ball.positions")["shape"][1], 3);
+    assert_eq!(array("ball.positions")["moves_discontinuities"], true);
+    assert_eq!(array("lamp.emitter.radiance.value")["differentiable"], true);
+    assert_has(&text, &["arrays", "ball.positions", "vertices of ball"]);
     assert_eq!(moves("ball.translate.x"), Some(true));
     assert_eq!(moves("lamp.emitter.radiance.value"), Some(false));
 }

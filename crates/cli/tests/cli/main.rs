@@ -1,5 +1,6 @@
 //! The built command from outside: what it prints, writes, and returns.
 
+mod backward;
 mod bad_input;
 mod compare;
 mod demo;

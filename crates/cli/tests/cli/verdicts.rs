@@ -8,7 +8,7 @@ const SIZE: &str = "--size 24x18";
 fn a_right_gradient_is_right() {
     let capwalk = Capwalk::new("check_right");
     let json = capwalk.json(&format!(
-        "check leaf -p leaf.translate.x {SIZE} --spp 256 --reference-spp 4096 --json -o c.png,c.npz"
+        "check leaf -p leaf.translate.x {SIZE} --spp 1024 --reference-spp 4096 --json -o c.png,c.npz"
     ));
     let comparison = &json["comparison"];
     assert_eq!(comparison["verdict"], "right");

@@ -15,8 +15,10 @@ use super::boundary::Boundaries;
 /// cost nothing.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Wanted {
-    /// The vertices of each shape.
+    /// The vertices of each shape, with the normals that are computed from them.
     pub shapes: Vec<bool>,
+    /// The normals given with each shape; shapes without count as constant.
+    pub normals: Vec<bool>,
     /// The data of each texture: the numbers of materials and emitters.
     pub textures: Vec<bool>,
     /// The sensor's position and orientation.
@@ -28,6 +30,7 @@ impl Wanted {
     pub fn all(scene: &Scene) -> Self {
         Self {
             shapes: vec![true; scene.shapes.len()],
+            normals: vec![true; scene.shapes.len()],
             textures: vec![true; scene.textures.len()],
             sensor: true,
         }
@@ -35,8 +38,12 @@ impl Wanted {
 
     /// What changes in a motion.
     pub fn by(motion: &Motion) -> Self {
+        let moves = |shape: &ShapeMotion| shape.vertices.iter().any(|&v| v != Vec3::zero());
+        let turns = |shape: &ShapeMotion| shape.normals.is_some();
+        let shapes = motion.shapes.iter().map(Option::as_ref);
         Self {
-            shapes: motion.shapes.iter().map(Option::is_some).collect(),
+            shapes: shapes.clone().map(|s| s.is_some_and(moves)).collect(),
+            normals: shapes.map(|s| s.is_some_and(turns)).collect(),
             textures: motion.textures.iter().map(Option::is_some).collect(),
             sensor: motion.sensor != SensorMotion::default(),
         }
@@ -50,6 +57,7 @@ impl Wanted {
                 .for_each(|(own, other)| *own |= other);
         };
         add(&mut self.shapes, &other.shapes);
+        add(&mut self.normals, &other.normals);
         add(&mut self.textures, &other.textures);
         self.sensor |= other.sensor;
     }
@@ -81,6 +89,15 @@ impl Wanted {
 
     pub(super) fn vertices(&self, accel: &Accel, vertex: u32) -> bool {
         self.shape(accel.shape_of_vertex(vertex))
+    }
+
+    /// True if the shading normals of a shape depend on something wanted.
+    pub(super) fn normals_of(&self, scene: &Scene, shape: usize) -> bool {
+        match scene.shapes[shape].normals {
+            ShadingNormals::Face => false,
+            ShadingNormals::Given(_) => self.normals[shape],
+            ShadingNormals::Computed(_) => self.shapes[shape],
+        }
     }
 }
 
@@ -174,15 +191,22 @@ impl Adjoint {
         let scaled = |v: Vec<Vec3>| v.into_iter().map(|v| v * factor).collect::<Vec<_>>();
         let mut shapes = Vec::new();
         for (i, shape) in scene.shapes.iter().enumerate() {
-            if !wanted.shapes[i] {
-                shapes.push(None);
-                continue;
-            }
+            let count = shape.mesh.positions.len();
             let first = accel.first_vertex[i] as usize;
-            let mut on_vertices = vertices[first..first + shape.mesh.positions.len()].to_vec();
+            let mut on_vertices = match (wanted.shapes[i], wanted.normals_of(scene, i)) {
+                (false, false) => {
+                    shapes.push(None);
+                    continue;
+                }
+                // Boundaries of other shapes may have left something here.
+                (false, true) => vec![Vec3::zero(); count],
+                (true, _) => vertices[first..first + count].to_vec(),
+            };
             let on_normals = self.normals[i].take();
             let normals = match (&shape.normals, on_normals) {
-                (ShadingNormals::Given(_), Some(on_normals)) => Some(scaled(on_normals)),
+                (ShadingNormals::Given(_), Some(on_normals)) if wanted.normals[i] => {
+                    Some(scaled(on_normals))
+                }
                 (ShadingNormals::Computed(_), Some(on_normals)) => {
                     pull_computed_normals(&shape.mesh, &on_normals, &mut on_vertices);
                     None

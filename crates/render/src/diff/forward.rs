@@ -1,6 +1,6 @@
 //! The derivative picture in forward mode.
 
-use capwalk_scene::{Motion, Scene};
+use capwalk_scene::{Emitter, Motion, Scene};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -32,6 +32,7 @@ pub fn gradient(
     let field = Field::new(&accel);
     let world = InMotion::new(&accel, &field, motion);
     if world.moves() {
+        refuse_hard_shadows(scene)?;
         refuse_jumping_textures(scene)?;
         refuse_clipped(&accel)?;
     }
@@ -63,6 +64,28 @@ pub fn gradient(
         gradient: averages.estimate(scene, 3),
         statistics: averages.statistics,
     })
+}
+
+/// A refusal if there are lights without extent: the edges of their shadows lie on
+/// surfaces, not among directions (METHOD 7).
+pub(super) fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
+    let is_delta = |emitter: &&Emitter| {
+        matches!(
+            emitter,
+            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }
+        )
+    };
+    match scene.emitters.iter().find(is_delta) {
+        None => Ok(()),
+        Some(emitter) => Err(Refusal {
+            reason: format!(
+                "the emitter \"{}\" ({}) has no extent, and the motion of the hard edges of its \
+                 shadows is not available. Use a small area lamp instead, or finite differences",
+                emitter.name(scene),
+                emitter.plugin()
+            ),
+        }),
+    }
 }
 
 /// A refusal if a texture jumps inside faces: its motion against the rays would be
@@ -109,7 +132,8 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
     if let Err(refusal) = refuse_unsupported(scene) {
         return Some(refusal);
     }
-    refuse_jumping_textures(scene)
+    refuse_hard_shadows(scene)
+        .and_then(|()| refuse_jumping_textures(scene))
         .and_then(|()| refuse_clipped(&Accel::new(scene)))
         .err()
 }

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Rgb, Tape, Var, Vec3};
-use capwalk_scene::{Scene, ShapeId, TextureId};
+use capwalk_scene::{Scene, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -147,7 +147,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
     }
     #[inline]
     fn normal(&self, shape: usize, vertex: u32) -> Vec3<Var<'t>> {
-        let wanted = self.wanted.shape(ShapeId(shape as u32));
+        let wanted = self.wanted.normals_of(self.accel.scene, shape);
         let value = vertex_normal(self.accel.scene, shape, vertex);
         self.variables(wanted, value, Origin::Scene(Target::Normal(shape, vertex)))
     }

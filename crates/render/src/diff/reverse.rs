@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_math::tape::Adjoints;
-use capwalk_math::{Moments, Tape};
+use capwalk_math::{Moments, Rgb, Tape};
 use capwalk_scene::{Image, Motion, Scene};
 use rayon::prelude::*;
 
@@ -17,7 +17,9 @@ use crate::sampler::Sampler;
 use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::clip::refuse_clipped;
-use super::forward::{check_walk, refuse_jumping_textures, refuse_uncovered, refuse_unsupported};
+use super::forward::{
+    check_walk, refuse_hard_shadows, refuse_jumping_textures, refuse_uncovered, refuse_unsupported,
+};
 use super::recording::Recording;
 
 /// Batches that the samples are split into, whatever the number of threads, so
@@ -30,6 +32,8 @@ pub struct Backward {
     /// Independent estimates with equal numbers of samples (the last ones may
     /// have fewer if the work was stopped), and how many samples they have.
     batches: Vec<(Motion, u32)>,
+    /// Their mean, weighted by their samples.
+    mean: Motion,
     /// What was done.
     pub statistics: Statistics,
 }
@@ -38,41 +42,42 @@ impl Backward {
     /// The gradient: what every vertex, normal, colour and the sensor
     /// contribute per unit of their change. Its inner product with a motion is
     /// the derivative along it. Shapes that were not asked for have `None`.
-    pub fn gradient(&self) -> Motion {
-        let mut sum = self.batches[0].0.scaled(0.0);
-        let samples: u32 = self.batches.iter().map(|(_, n)| n).sum();
-        for (batch, n) in &self.batches {
-            sum.add(&batch.scaled(f64::from(*n) / f64::from(samples)));
-        }
-        sum
+    pub fn gradient(&self) -> &Motion {
+        &self.mean
     }
 
     /// The derivative along a motion of what was asked for, and its standard
     /// error (NaN from a single batch).
     pub fn along(&self, motion: &Motion) -> (f64, f64) {
-        let moments = self.moments(|batch| batch.dot(motion));
-        (self.gradient().dot(motion), moments.standard_error())
+        let (value, error) = self.numbers(|gradient| vec![gradient.dot(motion)]);
+        (value[0], error[0])
+    }
+
+    /// Numbers that are linear in the gradient, and the standard error of each
+    /// (NaN from a single batch). `of` gives as many whatever it is given.
+    pub fn numbers(&self, of: impl Fn(&Motion) -> Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+        let mut moments: Vec<Moments> = Vec::new();
+        for (batch, _) in &self.batches {
+            let numbers = of(batch);
+            moments.resize(numbers.len(), Moments::default());
+            for (moments, number) in moments.iter_mut().zip(numbers) {
+                moments.add(number);
+            }
+        }
+        let errors = moments.iter().map(Moments::standard_error).collect();
+        (of(&self.mean), errors)
     }
 
     /// The standard error of every number of the gradient, in its form.
     pub fn standard_error(&self) -> Motion {
-        let mean = self.gradient();
-        let mut squares = mean.scaled(0.0);
+        let mut squares = self.mean.scaled(0.0);
         for (batch, _) in &self.batches {
             let mut difference = batch.clone();
-            difference.add(&mean.scaled(-1.0));
+            difference.add(&self.mean.scaled(-1.0));
             squares.add(&difference.map(|x| x * x));
         }
         let n = self.batches.len() as f64;
         squares.map(|x| (x / (n * (n - 1.0))).sqrt())
-    }
-
-    fn moments(&self, number: impl Fn(&Motion) -> f64) -> Moments {
-        let mut moments = Moments::default();
-        for (batch, _) in &self.batches {
-            moments.add(number(batch));
-        }
-        moments
     }
 }
 
@@ -82,7 +87,7 @@ impl Backward {
 ///
 /// One pass over the samples, whatever the number of parameters. The same to
 /// the bit for every number of threads. Refuses what [`crate::gradient`]
-/// refuses, and an adjoint of another size.
+/// refuses, and an adjoint of another size or with numbers that are not finite.
 pub fn backward(
     scene: &Scene,
     adjoint: &Image,
@@ -101,8 +106,10 @@ pub fn backward(
             ),
         });
     }
+    refuse_non_finite(adjoint)?;
     let accel = Accel::new(scene);
     if wanted.geometry() {
+        refuse_hard_shadows(scene)?;
         refuse_jumping_textures(scene)?;
         refuse_clipped(&accel)?;
     }
@@ -159,10 +166,33 @@ pub fn backward(
         }
     }
     refuse_uncovered(&statistics)?;
+    let samples: u32 = gradients.iter().map(|(_, n)| n).sum();
+    let mut mean = gradients[0].0.scaled(0.0);
+    for (batch, n) in &gradients {
+        mean.add(&batch.scaled(f64::from(*n) / f64::from(samples)));
+    }
     Ok(Backward {
         batches: gradients,
+        mean,
         statistics,
     })
+}
+
+/// A NaN would take the samples of its pixel out of the sum.
+fn refuse_non_finite(adjoint: &Image) -> Result<(), Refusal> {
+    match adjoint.pixels.iter().position(|pixel| !pixel.is_finite()) {
+        None => Ok(()),
+        Some(index) => {
+            let (x, y) = (index % adjoint.width, index / adjoint.width);
+            let Rgb { x: r, y: g, z: b } = adjoint.pixels[index];
+            Err(Refusal {
+                reason: format!(
+                    "the adjoint is ({r}, {g}, {b}) in column {x}, row {y}, counted from 0 at the \
+                     upper left; expected finite numbers"
+                ),
+            })
+        }
+    }
 }
 
 /// What all batches share.

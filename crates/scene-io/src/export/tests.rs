@@ -295,3 +295,40 @@ fn materials_come_back() {
     assert_eq!(scene.textures, loaded.textures);
     assert_eq!(scene.materials, loaded.materials);
 }
+
+/// Every light, with what differs from its defaults. Rotations and directions
+/// are normalised anew and may differ in the last digit.
+#[test]
+fn emitters_come_back() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let text = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<emitter type="envmap" id="sky"><string name="filename" value="sky.exr"/><float name="scale" value="3"/>
+<transform name="to_world"><rotate y="1" angle="30"/></transform></emitter>
+<emitter type="point" id="bulb"><point name="position" x="1" y="2" z="3"/></emitter>
+<emitter type="spot" id="spot"><float name="cutoff_angle" value="33.3"/><rgb name="intensity" value="1 2 3"/>
+<transform name="to_world"><translate x="1" z="-4.5"/></transform></emitter>
+<emitter type="directional" id="sun"><vector name="direction" x="0.1" y="-1" z="3"/></emitter></scene>"#;
+    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    let directory = Directory::new("emitters");
+    let path = write_scene(&scene, &directory.0).expect("writable");
+    let mut loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(scene.textures, loaded.textures);
+    for (own, other) in scene.emitters.iter().zip(&mut loaded.emitters) {
+        match (own, other) {
+            (Emitter::EnvironmentMap { map: a, .. }, Emitter::EnvironmentMap { map: b, .. }) => {
+                let pairs = a.world_from_map.rows.iter().zip(&b.world_from_map.rows);
+                assert!(pairs.map(|(a, b)| (*a - *b).length()).all(|e| e < 1e-15));
+                b.world_from_map = a.world_from_map;
+            }
+            (
+                Emitter::Directional { direction: a, .. },
+                Emitter::Directional { direction: b, .. },
+            ) => {
+                assert!((*a - *b).length() < 1e-15);
+                *b = *a;
+            }
+            _ => {}
+        }
+    }
+    assert_eq!(scene.emitters, loaded.emitters);
+}

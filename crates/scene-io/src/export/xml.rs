@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use capwalk_math::Affine;
+use capwalk_math::{Affine, Vec3};
 use capwalk_scene::bsdf::NormalLimits;
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::scene::BsdfId;
@@ -37,11 +37,7 @@ pub(super) fn text(scene: &Scene, files: &Files) -> String {
         out.shape(shape, file);
     }
     for emitter in &scene.emitters {
-        if let Emitter::Constant { id, radiance } = emitter {
-            out.xml.open("emitter", &[("type", "constant"), ("id", id)]);
-            out.slot("radiance", *radiance);
-            out.xml.close();
-        }
+        out.emitter(emitter);
     }
     out.xml.close();
     std::mem::take(&mut out.xml.text)
@@ -159,6 +155,43 @@ impl Writer<'_> {
         self.xml.close();
     }
 
+    /// An emitter that does not stand in a shape.
+    fn emitter(&mut self, emitter: &Emitter) {
+        if let Emitter::Area { .. } = emitter {
+            return;
+        }
+        let id = emitter.name(self.scene);
+        let attributes = [("type", emitter.plugin()), ("id", &id)];
+        self.xml.open("emitter", &attributes);
+        for slot in emitter.slots().iter().filter(|slot| !slot.name.is_empty()) {
+            self.slot(slot.name, slot.texture);
+        }
+        let xml = &mut self.xml;
+        match emitter {
+            Emitter::Area { .. } | Emitter::Constant { .. } => {}
+            Emitter::EnvironmentMap { map, data, .. } => {
+                let file = &self.files.bitmaps[&(data.0 as usize)];
+                xml.property("string", "filename", file);
+                xml.transform("to_world", &map.world_from_map);
+            }
+            Emitter::Point { position, .. } => xml.vector("point", "position", *position),
+            Emitter::Spot {
+                world_from_emitter,
+                cutoff_angle,
+                beam_width,
+                ..
+            } => {
+                xml.transform("to_world", world_from_emitter);
+                xml.property("float", "cutoff_angle", degrees(*cutoff_angle));
+                xml.property("float", "beam_width", degrees(*beam_width));
+            }
+            Emitter::Directional { direction, .. } => {
+                xml.vector("vector", "direction", *direction);
+            }
+        }
+        self.xml.close();
+    }
+
     /// A material: itself at its home, a reference elsewhere.
     fn bsdf(&mut self, id: BsdfId, at_top: bool) {
         let material = self.scene.material(id);
@@ -250,6 +283,8 @@ impl Writer<'_> {
             Pattern::Constant => return xml.constant(slot.unwrap_or_default(), &texture.data),
             // They are in the file of their mesh.
             Pattern::PerVertex | Pattern::PerFace => return,
+            // It is in the file of its emitter.
+            Pattern::Environment => return,
             Pattern::Bitmap(bitmap) => {
                 open("bitmap");
                 let file = &self.files.bitmaps[&(id.0 as usize)];
@@ -289,7 +324,10 @@ impl Writer<'_> {
     /// the one that does. Constants always stand in their slots.
     fn stands_alone(&self, id: TextureId) -> bool {
         let texture = self.scene.texture(id);
-        let attribute = matches!(texture.pattern, Pattern::PerVertex | Pattern::PerFace);
+        let attribute = matches!(
+            texture.pattern,
+            Pattern::PerVertex | Pattern::PerFace | Pattern::Environment
+        );
         if texture.is_constant() || attribute {
             return false;
         }
@@ -362,6 +400,10 @@ impl Xml {
 
     fn property(&mut self, tag: &str, name: &str, value: impl std::fmt::Display) {
         self.line(tag, &[("name", name), ("value", &value.to_string())]);
+    }
+
+    fn vector(&mut self, tag: &str, name: &str, Vec3 { x, y, z }: Vec3) {
+        self.property(tag, name, format!("{x}, {y}, {z}"));
     }
 
     /// One number, or one colour.

@@ -1,14 +1,20 @@
-//! Emitters: `area` inside shapes, `constant` around the scene.
+//! Emitters: `area` inside shapes, all others in the scene.
 
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::scene::{EmitterId, ShapeId};
-use capwalk_scene::{Emitter, Quantity};
+use capwalk_scene::{Emitter, Pattern, Quantity, Texture, TextureId};
 
 use super::Lowering;
 use crate::fields::{Child, Fields};
 use crate::source::{Problem, Span};
 
 /// The plugins.
-const EMITTERS: [&str; 2] = ["area", "constant"];
+const EMITTERS: [&str; 6] = ["area", "constant", "envmap", "point", "spot", "directional"];
+
+/// How far `to_world` of a light may be from a rotation, in the entries of
+/// `M Mᵀ`, as for sensors.
+const RIGID: f64 = 1e-3;
 
 impl Lowering<'_> {
     /// The area emitter that stands in the shape that is added next.
@@ -20,11 +26,10 @@ impl Lowering<'_> {
         let fields = Fields::new(self.context, child.node);
         match fields.node.plugin.as_str() {
             "area" => {}
-            "constant" => {
-                return Err(
-                    Problem::new(child.span, "a constant emitter stands inside a shape")
-                        .help("move it into <scene>, or write <emitter type=\"area\">"),
-                );
+            plugin if EMITTERS.contains(&plugin) => {
+                let message = format!("a {plugin} emitter stands inside a shape");
+                return Err(Problem::new(child.span, message)
+                    .help("move it into <scene>, or write <emitter type=\"area\">"));
             }
             _ => return Err(fields.unknown_plugin(&EMITTERS)),
         }
@@ -52,7 +57,7 @@ impl Lowering<'_> {
     pub(super) fn scene_emitter(&mut self, child: Child) -> Result<(), Problem> {
         let fields = Fields::new(self.context, child.node);
         match fields.node.plugin.as_str() {
-            "constant" => {}
+            "constant" | "envmap" | "point" | "spot" | "directional" => {}
             // Defined here, used in a shape by a <ref>.
             "area" if self.attached.contains(&child.node) => return Ok(()),
             "area" => {
@@ -64,20 +69,168 @@ impl Lowering<'_> {
             }
             _ => return Err(fields.unknown_plugin(&EMITTERS)),
         }
-        let id = fields.node.id.clone();
-        let id = id.unwrap_or_else(|| "environment".into());
-        let radiance = self.slot(&fields, &id, "radiance", Quantity::Radiance, 1.0)?;
+        let emitter = match fields.node.plugin.as_str() {
+            "constant" => self.constant(&fields)?,
+            "envmap" => self.environment_map(&fields)?,
+            "point" => self.point(&fields)?,
+            "spot" => self.spot(&fields)?,
+            _ => self.directional(&fields)?,
+        };
         sampling_weight(&fields)?;
         fields.finish()?;
-        if !self.textures[radiance.0 as usize].is_constant() {
-            let problem = Problem::new(
-                fields.span_of("radiance"),
-                "the radiance of a constant emitter is a texture",
-            );
-            return Err(problem.help("give one colour, or write <emitter type=\"envmap\">"));
-        }
-        self.add_emitter(Emitter::Constant { id, radiance }, child.span);
+        self.add_emitter(emitter, child.span);
         Ok(())
+    }
+
+    /// The name of an emitter in the scene: its id, or a made up one.
+    fn emitter_name(&mut self, fields: &Fields, otherwise: &str) -> String {
+        match &fields.node.id {
+            Some(id) => id.clone(),
+            None => self.emitter_ids.make_unique(otherwise),
+        }
+    }
+
+    fn constant(&mut self, fields: &Fields) -> Result<Emitter, Problem> {
+        let id = self.emitter_name(fields, "environment");
+        let radiance = self.slot(fields, &id, "radiance", Quantity::Radiance, 1.0)?;
+        self.refuse_texture(fields, radiance, "radiance")?;
+        Ok(Emitter::Constant { id, radiance })
+    }
+
+    /// Refuses a texture where there is no surface that it could be on.
+    fn refuse_texture(
+        &self,
+        fields: &Fields,
+        texture: TextureId,
+        slot: &'static str,
+    ) -> Result<(), Problem> {
+        if self.textures[texture.0 as usize].is_constant() {
+            return Ok(());
+        }
+        let message = format!("the {slot} of {} is a texture", fields.title());
+        let help = "give one colour; a picture of all directions is <emitter type=\"envmap\">";
+        Err(Problem::new(fields.span_of(slot), message).help(help))
+    }
+
+    fn environment_map(&mut self, fields: &Fields) -> Result<Emitter, Problem> {
+        let id = self.emitter_name(fields, "environment");
+        let world_from_map = rotation(fields)?;
+        fields.cosmetic(
+            &["mis_compensation"],
+            "directions are chosen by our own rule; the mean is the same",
+        );
+        let example = "add <string name=\"filename\" value=\"sky.exr\"/>";
+        let (file, span) = self.image(fields, false, example)?;
+        if file.width < 2 || file.height < 3 {
+            let message = format!(
+                "the environment has {} x {} texels",
+                file.width, file.height
+            );
+            return Err(Problem::new(span, message).help("expected at least 2 x 3"));
+        }
+        let data = match file.channels {
+            1 => file.data.iter().flat_map(|&grey| [grey; 3]).collect(),
+            _ => file.data,
+        };
+        let texture = Texture {
+            id: id.clone(),
+            channels: 3,
+            data,
+            pattern: Pattern::Environment,
+        };
+        let data = self.add_texture(texture, span);
+        Ok(Emitter::EnvironmentMap {
+            map: EnvironmentMap {
+                width: file.width,
+                height: file.height,
+                world_from_map,
+            },
+            data,
+            scale: self.number(fields, &id, "scale", Quantity::Factor, 1.0)?,
+            id,
+        })
+    }
+
+    fn point(&mut self, fields: &Fields) -> Result<Emitter, Problem> {
+        let id = self.emitter_name(fields, "point");
+        let to_world = fields.transform("to_world")?;
+        let position = match (fields.get("to_world"), fields.point("position")?) {
+            (Some(_), Some(_)) => {
+                let message = "both \"to_world\" and \"position\" are given";
+                let span = fields.span_of("position");
+                return Err(Problem::new(span, message).help("keep one of them"));
+            }
+            (_, Some(position)) => position,
+            (_, None) => to_world.translation,
+        };
+        let intensity = self.slot(fields, &id, "intensity", Quantity::Intensity, 1.0)?;
+        self.refuse_texture(fields, intensity, "intensity")?;
+        Ok(Emitter::Point {
+            id,
+            position,
+            intensity,
+        })
+    }
+
+    fn spot(&mut self, fields: &Fields) -> Result<Emitter, Problem> {
+        let id = self.emitter_name(fields, "spot");
+        let translation = fields.transform("to_world")?.translation;
+        let world_from_emitter = Affine {
+            translation,
+            ..rotation(fields)?
+        };
+        let cutoff = fields.float("cutoff_angle", 20.0)?;
+        let beam = fields.float("beam_width", 0.75 * cutoff)?;
+        if !(cutoff > 0.0 && cutoff <= 180.0 && beam >= 0.0 && beam < cutoff) {
+            let span = match fields.get("beam_width") {
+                Some(_) => fields.span_of("beam_width"),
+                None => fields.span_of("cutoff_angle"),
+            };
+            let message = format!("\"beam_width\" is {beam} and \"cutoff_angle\" is {cutoff}");
+            return Err(Problem::new(span, message)
+                .help("expected degrees, 0 <= beam_width < cutoff_angle <= 180"));
+        }
+        let intensity = self.slot(fields, &id, "intensity", Quantity::Intensity, 1.0)?;
+        self.refuse_texture(fields, intensity, "intensity")?;
+        if let Some(texture) = fields.get("texture") {
+            let message = "projected textures of spot lights are not supported";
+            return Err(Problem::new(texture.value_span, message).help("remove the texture"));
+        }
+        Ok(Emitter::Spot {
+            id,
+            world_from_emitter,
+            intensity,
+            cutoff_angle: cutoff.to_radians(),
+            beam_width: beam.to_radians(),
+        })
+    }
+
+    fn directional(&mut self, fields: &Fields) -> Result<Emitter, Problem> {
+        let id = self.emitter_name(fields, "directional");
+        let to_world = fields.transform("to_world")?;
+        let (direction, span) = match (fields.get("to_world"), fields.point("direction")?) {
+            (Some(_), Some(_)) => {
+                let message = "both \"to_world\" and \"direction\" are given";
+                let span = fields.span_of("direction");
+                return Err(Problem::new(span, message).help("keep one of them"));
+            }
+            (_, Some(direction)) => (direction, fields.span_of("direction")),
+            (_, None) => {
+                let direction = to_world.vector(Vec3::new(0.0, 0.0, 1.0));
+                (direction, fields.span_of("to_world"))
+            }
+        };
+        if direction.length() == 0.0 {
+            return Err(Problem::new(span, "the light has no direction")
+                .help("expected a vector that is not zero: where the light goes"));
+        }
+        let irradiance = self.slot(fields, &id, "irradiance", Quantity::Irradiance, 1.0)?;
+        self.refuse_texture(fields, irradiance, "irradiance")?;
+        Ok(Emitter::Directional {
+            id,
+            direction: direction.normalized(),
+            irradiance,
+        })
     }
 
     fn add_emitter(&mut self, emitter: Emitter, span: Span) -> EmitterId {
@@ -85,6 +238,34 @@ impl Lowering<'_> {
         self.places.emitters.push(span);
         EmitterId(self.emitters.len() as u32 - 1)
     }
+}
+
+/// The rotation of `to_world`, freed from the rounding of its digits.
+fn rotation(fields: &Fields) -> Result<Affine, Problem> {
+    let given = fields.transform("to_world")?;
+    let [a, b, c] = given.rows;
+    let products = [
+        a.dot(a) - 1.0,
+        b.dot(b) - 1.0,
+        c.dot(c) - 1.0,
+        a.dot(b),
+        b.dot(c),
+        c.dot(a),
+    ];
+    if !products.iter().all(|x| x.abs() <= RIGID) || given.determinant() < 0.0 {
+        let message = format!(
+            "the \"to_world\" of {} scales, shears or mirrors",
+            fields.title()
+        );
+        return Err(Problem::new(fields.span_of("to_world"), message)
+            .help("expected a rotation and a translation"));
+    }
+    let first = a.normalized();
+    let second = b.reject_from(first).normalized();
+    Ok(Affine {
+        rows: [first, second, first.cross(second)],
+        translation: Vec3::zero(),
+    })
 }
 
 /// How often Mitsuba samples this emitter; the mean of the picture does not

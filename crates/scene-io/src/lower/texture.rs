@@ -5,7 +5,7 @@ use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 
 use super::{Lowering, colour};
-use crate::bitmap;
+use crate::bitmap::{self, BitmapFile};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId, Spectrum, Value};
 use crate::source::{Problem, Span};
@@ -94,7 +94,9 @@ impl Lowering<'_> {
         default: f64,
     ) -> Result<Rgb, Problem> {
         match quantity {
-            Quantity::Radiance => colour::radiance(fields, name, default),
+            Quantity::Radiance | Quantity::Intensity | Quantity::Irradiance => {
+                colour::radiance(fields, name, default)
+            }
             _ => colour::reflectance(self.context, fields, name, default),
         }
     }
@@ -139,16 +141,7 @@ impl Lowering<'_> {
         let reason = "texels are kept in double precision";
         fields.cosmetic(&["format", "accel"], reason);
         let example = "add <string name=\"filename\" value=\"texture.png\"/>";
-        let (bytes, path, span) = self.file(fields, example)?;
-        let ending = path.extension().and_then(|ending| ending.to_str());
-        let ending = ending.unwrap_or("").to_ascii_lowercase();
-        let file = bitmap::read(&bytes, &ending, raw).map_err(|error| {
-            let shown = path.display();
-            Problem::new(span, format!("cannot read \"{shown}\": {error}")).help(format!(
-                "give an image file that ends in {}",
-                bitmap::ENDINGS.join(", ")
-            ))
-        })?;
+        let (file, span) = self.image(fields, raw, example)?;
         let texture = Texture {
             id,
             channels: file.channels,
@@ -162,6 +155,26 @@ impl Lowering<'_> {
             }),
         };
         Ok((texture, span))
+    }
+
+    /// The image that `filename` names, and where it is named.
+    pub(super) fn image(
+        &self,
+        fields: &Fields,
+        raw: bool,
+        example: &str,
+    ) -> Result<(BitmapFile, Span), Problem> {
+        let (bytes, path, span) = self.file(fields, example)?;
+        let ending = path.extension().and_then(|ending| ending.to_str());
+        let ending = ending.unwrap_or("").to_ascii_lowercase();
+        let file = bitmap::read(&bytes, &ending, raw).map_err(|error| {
+            let shown = path.display();
+            Problem::new(span, format!("cannot read \"{shown}\": {error}")).help(format!(
+                "give an image file that ends in {}",
+                bitmap::ENDINGS.join(", ")
+            ))
+        })?;
+        Ok((file, span))
     }
 
     fn checkerboard(

@@ -4,6 +4,7 @@
 
 mod camera;
 mod common;
+mod emitters;
 mod materials;
 mod meaning;
 mod mesh_files;
@@ -15,3 +16,4 @@ mod parity;
 mod robustness;
 mod syntax;
 mod textures;
+mod upgrade;

@@ -42,10 +42,10 @@ fn unknown_bsdf_plugin() {
 #[test]
 fn unknown_emitter_plugin() {
     check(
-        &scene(r#"<emitter type="envmap"/>"#),
+        &scene(r#"<emitter type="sunsky"/>"#),
         &[
-            "scene.xml:5:18: unknown emitter plugin \"envmap\"",
-            "  known emitter plugins: area, constant",
+            "scene.xml:5:18: unknown emitter plugin \"sunsky\"",
+            "  known emitter plugins: area, constant, envmap, point, spot, directional",
         ],
     );
 }
@@ -224,7 +224,9 @@ fn constant_emitter_inside() {
 fn two_environments() {
     check(
         &scene(r#"<emitter type="constant" id="b"/>"#),
-        &["scene.xml:5:3: there is more than one constant emitter; keep one"],
+        &[
+            "scene.xml:5:3: there is more than one emitter around the scene (constant, envmap); keep one",
+        ],
     );
 }
 

@@ -293,8 +293,8 @@ fn constant_emitters_have_one_colour() {
     check(
         &text,
         &[
-            "scene.xml:4:28: the radiance of a constant emitter is a texture",
-            "  give one colour, or write <emitter type=\"envmap\">",
+            "scene.xml:4:28: the radiance of the emitter \"constant\" is a texture",
+            "  give one colour; a picture of all directions is <emitter type=\"envmap\">",
         ],
     );
 }

@@ -38,6 +38,42 @@ pub enum ParameterError {
         /// Ids like it, the likeliest first.
         near: Vec<String>,
     },
+    /// An array where a scalar is needed.
+    Array {
+        /// What was asked for.
+        name: String,
+    },
+    /// An array would get more or fewer numbers than it has.
+    ArrayLength {
+        /// The array.
+        name: String,
+        /// Its shape, as NumPy writes it.
+        shape: String,
+        /// Numbers it has.
+        numbers: usize,
+        /// Numbers given.
+        given: usize,
+    },
+    /// An array would get a number that it cannot have.
+    BadNumber {
+        /// The array.
+        name: String,
+        /// Which of its numbers, row by row, counted from 0.
+        index: usize,
+        /// What it would be.
+        value: f64,
+        /// What it should be.
+        expected: &'static str,
+    },
+    /// Two vertices at the same place would get different ones.
+    Parted {
+        /// The shape.
+        shape: String,
+        /// The vertices, counted from 0.
+        vertices: [usize; 2],
+        /// Where they would be.
+        positions: [Vec3; 2],
+    },
     /// There are more or fewer velocities than vertices.
     VertexCount {
         /// The shape.
@@ -100,6 +136,41 @@ impl fmt::Display for ParameterError {
                 did_you_mean(f, near)?;
                 write!(f, "; `capwalk info` lists all shapes")
             }
+            Self::Array { name } => write!(
+                f,
+                "\"{name}\" is an array, not one number that could be differentiated by or \
+                 stand in a sum; `capwalk backward` gives its gradient by that name alone"
+            ),
+            Self::ArrayLength {
+                name,
+                shape,
+                numbers,
+                given,
+            } => write!(
+                f,
+                "{given} numbers were given for \"{name}\"; expected {numbers}, in the shape \
+                 {shape}"
+            ),
+            Self::BadNumber {
+                name,
+                index,
+                value,
+                expected,
+            } => write!(
+                f,
+                "number {index} of \"{name}\" would be {value}; expected {expected}"
+            ),
+            Self::Parted {
+                shape,
+                vertices: [a, b],
+                positions: [u, v],
+            } => write!(
+                f,
+                "vertices {a} and {b} of the shape \"{shape}\" are at the same place but would \
+                 go to {} and {}; the surface would tear: keep them together",
+                vector(u),
+                vector(v)
+            ),
             Self::VertexCount {
                 shape,
                 vertices,

@@ -103,9 +103,10 @@ pub(super) fn entries(scene: &Scene) -> Vec<Entry> {
     }
     let mut listed = HashSet::new();
     for emitter in &scene.emitters {
-        let id = emitter.radiance();
-        if listed.insert(id) {
-            add_texture(scene, id, Quantity::Radiance, &mut entries);
+        for slot in emitter.slots() {
+            if listed.insert(slot.texture) {
+                add_texture(scene, slot.texture, slot.quantity, &mut entries);
+            }
         }
     }
     for (i, material) in scene.materials.iter().enumerate() {
@@ -125,8 +126,13 @@ pub(super) fn entries(scene: &Scene) -> Vec<Entry> {
 fn add_texture(scene: &Scene, id: TextureId, quantity: Quantity, entries: &mut Vec<Entry>) {
     let texture = scene.texture(id);
     let mut names = vec![texture.id.clone()];
-    for emitter in scene.emitters.iter().filter(|e| e.radiance() == id) {
-        names.push(format!("{}.radiance", emitter.name(scene)));
+    for emitter in &scene.emitters {
+        for slot in emitter.slots().iter().filter(|s| s.texture == id) {
+            names.push(match slot.name {
+                "" => emitter.name(scene),
+                slot => format!("{}.{slot}", emitter.name(scene)),
+            });
+        }
     }
     for (i, material) in scene.materials.iter().enumerate() {
         for slot in material.bsdf.slots().iter().filter(|s| s.texture == id) {
@@ -302,6 +308,9 @@ impl From<Quantity> for ParameterKind {
     fn from(quantity: Quantity) -> Self {
         match quantity {
             Quantity::Radiance => Self::Radiance,
+            Quantity::Intensity => Self::Intensity,
+            Quantity::Irradiance => Self::Irradiance,
+            Quantity::Factor => Self::Factor,
             Quantity::Reflectance => Self::Reflectance,
             Quantity::Attribute => Self::Attribute,
             Quantity::Transmittance => Self::Transmittance,
@@ -317,7 +326,7 @@ impl From<Quantity> for ParameterKind {
 
 /// The shapes whose look a texture decides, and environments; or its own id if
 /// there are none.
-fn users(scene: &Scene, id: TextureId) -> String {
+pub(super) fn users(scene: &Scene, id: TextureId) -> String {
     let shows = |bsdf: BsdfId| {
         let mut slots = scene.slots_below(bsdf).into_iter();
         slots.any(|slot| slot.texture == id)
@@ -329,13 +338,14 @@ fn users(scene: &Scene, id: TextureId) -> String {
     let has = |shape: &Shape| shape.attributes.iter().any(|a| a.texture == id);
     let uses = |shape: &&Shape| shows(shape.bsdf) || emits(shape) || has(shape);
     let shapes = scene.shapes.iter().filter(uses);
-    let environments = scene.emitters.iter().filter_map(|emitter| match emitter {
-        Emitter::Constant { id: name, radiance } if *radiance == id => Some(name),
-        _ => None,
+    let elsewhere = scene.emitters.iter().filter(|emitter| {
+        let is_area = matches!(emitter, Emitter::Area { .. });
+        !is_area && emitter.slots().iter().any(|slot| slot.texture == id)
     });
+    let elsewhere: Vec<String> = elsewhere.map(|emitter| emitter.name(scene)).collect();
     let names: Vec<&str> = shapes
         .map(|shape| &shape.id)
-        .chain(environments)
+        .chain(&elsewhere)
         .map(String::as_str)
         .collect();
     match names.len() {

@@ -12,7 +12,7 @@ use crate::texture::{Texture, TextureId};
 use capwalk_math::{Affine, Rgb, Vec3};
 
 /// A ball, a lamp, and a sheet whose id holds all that could confuse a parser.
-fn example() -> Scene {
+pub(super) fn example() -> Scene {
     let place = Affine::translate(Vec3::new(0.4, 1.0, -0.3))
         * Affine::rotate(Vec3::new(1.0, 2.0, 0.5), 0.4)
         * Affine::scale(Vec3::new(1.0, 0.5, 0.8));
@@ -93,13 +93,15 @@ fn example() -> Scene {
 
 /// Central differences of all positions, normals and colours of two scenes,
 /// and of the images of some camera points.
-fn numbers(scene: &Scene) -> Vec<Vec3> {
+pub(super) fn numbers(scene: &Scene) -> Vec<Vec3> {
     let mut numbers = Vec::new();
     for shape in &scene.shapes {
         numbers.extend_from_slice(&shape.mesh.positions);
         numbers.extend(shape.normals.per_vertex().into_iter().flatten());
     }
-    numbers.extend(scene.textures.iter().map(|texture| texture.texel(0)));
+    for texture in &scene.textures {
+        numbers.extend((0..texture.texels()).map(|i| texture.texel(i)));
+    }
     let camera = &scene.sensor.world_from_camera;
     numbers.extend([[0.0; 3], [1.0, 0.0, 0.0], [0.3, -0.2, 2.0]].map(|p| camera.point(p.into())));
     numbers

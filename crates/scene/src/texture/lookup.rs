@@ -44,9 +44,10 @@ impl Scene {
                 a * at.barycentric[0] + b * at.barycentric[1] + c * at.barycentric[2]
             }
             Pattern::PerFace => texel(id, at.face),
-            Pattern::Constant | Pattern::Bitmap(_) | Pattern::Checkerboard { .. } => {
-                texture.lookup(at.uv, |index| texel(id, index))
-            }
+            Pattern::Constant
+            | Pattern::Bitmap(_)
+            | Pattern::Checkerboard { .. }
+            | Pattern::Environment => texture.lookup(at.uv, |index| texel(id, index)),
         }
     }
 }

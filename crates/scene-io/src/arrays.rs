@@ -1,0 +1,235 @@
+//! Named arrays of numbers as files: NPZ, the archive of NumPy arrays that
+//! `numpy.load` opens. What is known about them stands in one more array,
+//! [`METADATA`], as pairs of strings.
+//!
+//! Files appear whole or not at all, and the same arrays always give the same
+//! bytes.
+
+use std::collections::HashSet;
+use std::io::{Cursor, Write};
+use std::path::Path;
+
+use npyz::{NpyFile, Order};
+use zip::{ZipArchive, ZipWriter};
+
+use crate::atomic;
+use crate::image::ImageError;
+use crate::npz;
+
+/// The array of keys and values; no other one may have this name.
+pub const METADATA: &str = "metadata";
+
+/// The endings that [`write()`] and [`read`] know.
+const KNOWN: &str = ".npz";
+
+/// Numbers with a name and a shape.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Array {
+    /// What it is called.
+    pub name: String,
+    /// Its dimensions; none for a single number.
+    pub shape: Vec<usize>,
+    /// Its numbers, row by row.
+    pub numbers: Vec<f64>,
+}
+
+/// Arrays, and what is known about them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Arrays {
+    /// The arrays; their names differ.
+    pub arrays: Vec<Array>,
+    /// Keys and values: `scene`, `seed`, `spp`, `version`.
+    pub metadata: Vec<(String, String)>,
+}
+
+impl Arrays {
+    /// The array with this name.
+    pub fn get(&self, name: &str) -> Option<&Array> {
+        self.arrays.iter().find(|array| array.name == name)
+    }
+}
+
+/// Checks that arrays could be written under this name: it ends in `.npz`, and
+/// a file can be made there. Leaves nothing behind.
+pub fn check_writable(path: &Path) -> Result<(), ImageError> {
+    check_ending(path)?;
+    atomic::check_writable(path).map_err(|error| write_error(path, error))
+}
+
+fn check_ending(path: &Path) -> Result<(), ImageError> {
+    let ending = path.extension().unwrap_or_default();
+    match ending.eq_ignore_ascii_case("npz") {
+        true => Ok(()),
+        false => Err(ImageError::UnknownEnding {
+            path: path.to_owned(),
+            known: KNOWN,
+        }),
+    }
+}
+
+/// Writes arrays of `float64`, and then the metadata if there is any. Two
+/// arrays of the same name, or as many numbers as do not fill a shape, are
+/// errors.
+pub fn write(path: &Path, arrays: &Arrays) -> Result<(), ImageError> {
+    check_ending(path)?;
+    let bytes = encode(arrays).map_err(|reason| write_error(path, reason))?;
+    atomic::write_atomically(path, |file| file.write_all(&bytes))
+        .map_err(|error| write_error(path, error))
+}
+
+fn encode(arrays: &Arrays) -> Result<Vec<u8>, String> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    let mut names = HashSet::from([METADATA]);
+    for Array {
+        name,
+        shape,
+        numbers,
+    } in &arrays.arrays
+    {
+        if !names.insert(name) {
+            return Err(format!("two arrays have the name \"{name}\""));
+        }
+        let shape: Vec<u64> = shape.iter().map(|&n| n as u64).collect();
+        npz::add_array(&mut archive, name, "<f8", &shape, numbers.iter().copied())?;
+    }
+    npz::add_pairs(&mut archive, METADATA, &arrays.metadata)?;
+    let bytes = archive.finish().map_err(|error| error.to_string())?;
+    Ok(bytes.into_inner())
+}
+
+/// Reads arrays of `float64` as [`write()`] and `numpy.savez` write them.
+pub fn read(path: &Path) -> Result<Arrays, ImageError> {
+    check_ending(path)?;
+    let bytes = std::fs::read(path).map_err(|error| read_error(path, error))?;
+    decode(&bytes).map_err(|reason| read_error(path, reason))
+}
+
+fn decode(bytes: &[u8]) -> Result<Arrays, String> {
+    let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
+    let mut arrays = Arrays::default();
+    for i in 0..archive.len() {
+        let (name, file) = npz::open(&mut archive, i)?;
+        let in_array = |error: std::io::Error| format!("the array \"{name}\": {error}");
+        if name == METADATA {
+            arrays.metadata = npz::pairs(file).map_err(in_array)?;
+            continue;
+        }
+        arrays.arrays.push(Array {
+            shape: file.shape().iter().map(|&n| n as usize).collect(),
+            numbers: numbers(file).map_err(|why| format!("the array \"{name}\" {why}"))?,
+            name,
+        });
+    }
+    Ok(arrays)
+}
+
+fn numbers(file: NpyFile<impl std::io::Read>) -> Result<Vec<f64>, String> {
+    if file.order() != Order::C {
+        return Err("is stored column by column; expected row by row (C order)".into());
+    }
+    let descr = file.dtype().descr();
+    let Ok(numbers) = file.try_data::<f64>() else {
+        return Err(format!("has the type {descr}; expected float64"));
+    };
+    let numbers: Result<Vec<f64>, _> = numbers.collect();
+    numbers.map_err(|error| error.to_string())
+}
+
+fn write_error(path: &Path, reason: impl ToString) -> ImageError {
+    ImageError::Write {
+        path: path.to_owned(),
+        reason: reason.to_string(),
+    }
+}
+
+fn read_error(path: &Path, reason: impl ToString) -> ImageError {
+    ImageError::Read {
+        path: path.to_owned(),
+        reason: reason.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn example() -> Arrays {
+        let array = |name: &str, shape: &[usize], numbers: &[f64]| Array {
+            name: name.into(),
+            shape: shape.to_vec(),
+            numbers: numbers.to_vec(),
+        };
+        Arrays {
+            arrays: vec![
+                array(
+                    "a.positions",
+                    &[2, 3],
+                    &[1.0, -2.0, 0.1, 1e-300, f64::NAN, 6.0],
+                ),
+                array("2*a.translate.x - b/c", &[], &[std::f64::consts::PI]),
+                array("empty", &[0, 3], &[]),
+            ],
+            metadata: vec![
+                ("scene".into(), "größe".into()),
+                ("seed".into(), "5".into()),
+            ],
+        }
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        let folder = std::env::temp_dir().join(format!("capwalk-arrays-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).expect("a temporary directory");
+        let path = folder.join("a.npz");
+        check_writable(&path).expect("writable");
+        write(&path, &example()).expect("writable");
+        let back = read(&path).expect("readable");
+        assert_eq!(format!("{back:?}"), format!("{:?}", example()));
+        assert_eq!(
+            back.get("2*a.translate.x - b/c").expect("there").shape,
+            [0; 0]
+        );
+        let bytes = std::fs::read(&path).expect("readable");
+        write(&path, &example()).expect("writable");
+        assert_eq!(bytes, std::fs::read(&path).expect("readable"));
+        std::fs::remove_dir_all(&folder).expect("removable");
+    }
+
+    /// A file cut off anywhere, or with an array that promises more than there
+    /// is, is an error.
+    #[test]
+    fn broken_files_are_errors() {
+        let bytes = encode(&example()).expect("fine");
+        for end in 0..bytes.len() {
+            assert!(decode(&bytes[..end]).is_err(), "{end}");
+        }
+        let text = b"(2, 3, )";
+        let place = bytes.windows(text.len()).position(|w| w == text);
+        let mut promising = bytes.clone();
+        let place = place.expect("the shape of the first array");
+        promising[place..place + text.len()].copy_from_slice(b"(9, 9, )");
+        let error = decode(&promising).expect_err("too short");
+        // Before memory is taken for what is promised.
+        let expected = "the array \"a.positions\" ends before its shape";
+        assert!(error.contains(expected), "{error}");
+    }
+
+    #[test]
+    fn bad_arrays_and_names_are_errors() {
+        let mut twice = example();
+        twice.arrays[1].name = "a.positions".into();
+        assert!(encode(&twice).expect_err("twice").contains("two arrays"));
+        let mut reserved = example();
+        reserved.arrays[1].name = METADATA.into();
+        assert!(encode(&reserved).is_err());
+        let mut short = example();
+        short.arrays[0].numbers.pop();
+        assert!(encode(&short).is_err());
+        let error = check_writable("gradient.exr".as_ref()).expect_err("an ending");
+        let message = error.to_string();
+        assert!(
+            message.contains("gradient.exr") && message.contains(".npz"),
+            "{message}"
+        );
+    }
+}

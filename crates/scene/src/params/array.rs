@@ -1,0 +1,365 @@
+//! Arrays: numbers of the scene that may each change by itself, such as the
+//! vertices of a mesh. Reverse mode gives the gradient of a loss by all of
+//! them; an optimiser reads and writes them.
+
+use std::ops::Range;
+
+use capwalk_geometry::topology::weld;
+use capwalk_math::Vec3;
+
+use super::ParameterKind;
+use super::error::ParameterError;
+use super::registry::{Channel, Entry, Target, entries, users};
+use crate::motion::{Motion, ShapeMotion};
+use crate::scene::{Scene, ShapeId};
+use crate::shape::{ShadingNormals, vertex_normals};
+use crate::texture::{Part, Pattern, TextureId};
+
+/// An array of numbers of the scene, each of which may change by itself.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArrayParameter {
+    /// What it is called.
+    pub name: String,
+    /// What sort of numbers are in it.
+    pub kind: ParameterKind,
+    /// Its dimensions; numbers are in row-major order.
+    pub shape: Vec<usize>,
+    /// Unit of its numbers.
+    pub unit: &'static str,
+    /// True if edges move, seen from somewhere: the derivative then has a
+    /// boundary part.
+    pub moves_discontinuities: bool,
+    /// What is in it, in a few words.
+    pub description: String,
+    /// The name under which the same array is listed first, if this is only
+    /// another name for it.
+    pub alias_of: Option<String>,
+    place: Place,
+}
+
+/// Where its numbers are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Place {
+    Positions(ShapeId),
+    Normals(ShapeId),
+    Texels(TextureId, Part),
+    SensorTranslation,
+    SensorRotation,
+}
+
+/// Every array of the scene, in the order of [`super::list`].
+pub fn arrays(scene: &Scene) -> Vec<ArrayParameter> {
+    let entries = entries(scene);
+    let arrays = entries.iter().flat_map(|entry| behind(scene, entry));
+    arrays.collect()
+}
+
+/// The array with this name, or `None` if there is none.
+pub(super) fn find(scene: &Scene, name: &str) -> Result<Option<ArrayParameter>, ParameterError> {
+    let mut found = arrays(scene).into_iter().filter(|array| array.name == name);
+    let first = found.next();
+    if found.any(|other| Some(other.place) != first.as_ref().map(|first| first.place)) {
+        return Err(ParameterError::Ambiguous { name: name.into() });
+    }
+    Ok(first)
+}
+
+/// The arrays that are listed at the first of the scalars that change them.
+fn behind(scene: &Scene, entry: &Entry) -> Vec<ArrayParameter> {
+    let Some(target) = entry.target else {
+        return Vec::new();
+    };
+    match target {
+        Target::Translate(id, 0) => of_shape(scene, id),
+        // A single number has a short name too, which stays a scalar's.
+        Target::Texels(id, part, quantity, Channel::All) if entry.name.ends_with(part.name) => {
+            let texture = scene.texture(id);
+            let mut shape = match (&texture.pattern, part.count) {
+                (Pattern::Bitmap(bitmap), _) => vec![bitmap.height as usize, bitmap.width as usize],
+                (Pattern::PerVertex | Pattern::PerFace, count) => vec![count],
+                (Pattern::Constant | Pattern::Checkerboard { .. }, _) => Vec::new(),
+                (Pattern::Environment, count) => match scene.environment_map_of(id) {
+                    Some(map) => vec![map.height as usize, map.width as usize],
+                    None => vec![count],
+                },
+                (Pattern::MeshAttribute { .. }, _) => unreachable!("its numbers are the shape's"),
+            };
+            shape.push(texture.channels);
+            vec![ArrayParameter {
+                name: entry.name.clone(),
+                kind: quantity.into(),
+                shape,
+                unit: quantity.unit(),
+                moves_discontinuities: quantity.moves_edges(),
+                description: format!("{} of {}", quantity.name(), users(scene, id)),
+                alias_of: entry.alias_of.clone(),
+                place: Place::Texels(id, part),
+            }]
+        }
+        Target::TranslateSensor(0) => vec![ArrayParameter {
+            kind: ParameterKind::SensorTranslation,
+            unit: "world units",
+            description: "moves the sensor, world axes".into(),
+            ..of_sensor(entry, Place::SensorTranslation)
+        }],
+        Target::RotateSensor(0) => vec![ArrayParameter {
+            kind: ParameterKind::SensorRotation,
+            unit: "radians",
+            description: "turns the sensor about its origin, world axes".into(),
+            ..of_sensor(entry, Place::SensorRotation)
+        }],
+        Target::Translate(..)
+        | Target::Rotate(..)
+        | Target::Scale(_)
+        | Target::Texels(..)
+        | Target::TranslateSensor(_)
+        | Target::RotateSensor(_) => Vec::new(),
+    }
+}
+
+fn of_shape(scene: &Scene, id: ShapeId) -> Vec<ArrayParameter> {
+    let shape = scene.shape(id);
+    let name = &shape.id;
+    let positions = ArrayParameter {
+        name: format!("{name}.positions"),
+        kind: ParameterKind::Positions,
+        shape: vec![shape.mesh.positions.len(), 3],
+        unit: "world units",
+        moves_discontinuities: true,
+        description: format!("vertices of {name}"),
+        alias_of: None,
+        place: Place::Positions(id),
+    };
+    let normals = ArrayParameter {
+        name: format!("{name}.normals"),
+        kind: ParameterKind::Normals,
+        unit: "length 1",
+        // They decide what a mirror shows.
+        moves_discontinuities: true,
+        description: format!("shading normals given with {name}"),
+        place: Place::Normals(id),
+        ..positions.clone()
+    };
+    match shape.normals {
+        ShadingNormals::Given(_) => vec![positions, normals],
+        ShadingNormals::Face | ShadingNormals::Computed(_) => vec![positions],
+    }
+}
+
+/// What both arrays of the sensor have in common. The names are those of their
+/// first entries, without the axis.
+fn of_sensor(entry: &Entry, place: Place) -> ArrayParameter {
+    let whole = |name: &String| name.trim_end_matches(".x").to_owned();
+    ArrayParameter {
+        name: whole(&entry.name),
+        kind: ParameterKind::SensorTranslation,
+        shape: vec![3],
+        unit: "",
+        moves_discontinuities: true,
+        description: String::new(),
+        alias_of: entry.alias_of.as_ref().map(whole),
+        place,
+    }
+}
+
+impl ArrayParameter {
+    /// How many numbers it has.
+    pub fn count(&self) -> usize {
+        self.shape.iter().product()
+    }
+
+    /// Its shape as NumPy writes it: `(162, 3)`, `(3,)`.
+    pub fn shape_text(&self) -> String {
+        match self.shape[..] {
+            [one] => format!("({one},)"),
+            _ => {
+                let sides: Vec<String> = self.shape.iter().map(ToString::to_string).collect();
+                format!("({})", sides.join(", "))
+            }
+        }
+    }
+
+    /// Its numbers. The sensor's are zero: they are changes of what it is.
+    pub fn get(&self, scene: &Scene) -> Vec<f64> {
+        match self.place {
+            Place::Positions(id) => flat(&scene.shape(id).mesh.positions),
+            Place::Normals(id) => flat(scene.shape(id).normals.per_vertex().unwrap_or_default()),
+            Place::Texels(id, part) => scene.texture(id).data[numbers_of(scene, id, part)].to_vec(),
+            Place::SensorTranslation | Place::SensorRotation => vec![0.0; 3],
+        }
+    }
+
+    /// Replaces its numbers. Computed normals follow the positions, given ones
+    /// are made unit; the sensor moves and turns from where it is, by a vector
+    /// along the axis with the angle as its length.
+    ///
+    /// Refuses another count, numbers that are not finite, normals without
+    /// direction, and positions that part vertices which lie at the same place,
+    /// and leaves the scene as it was then. Ask [`Scene::check`] whether what
+    /// came out can be rendered.
+    pub fn set(&self, scene: &mut Scene, numbers: &[f64]) -> Result<(), ParameterError> {
+        self.check(numbers)?;
+        match self.place {
+            Place::Positions(id) => {
+                let shape = &mut scene.shapes[id.0 as usize];
+                let positions = vectors(numbers);
+                refuse_tears(&shape.id, &shape.mesh.positions, &positions)?;
+                shape.mesh.positions = positions;
+                if let ShadingNormals::Computed(normals) = &mut shape.normals {
+                    *normals = vertex_normals(&shape.mesh.positions, &shape.mesh.faces);
+                }
+            }
+            Place::Normals(id) => {
+                let normals = vectors(numbers).into_iter().map(Vec3::normalized).collect();
+                scene.shapes[id.0 as usize].normals = ShadingNormals::Given(normals);
+            }
+            Place::Texels(id, part) => {
+                let range = numbers_of(scene, id, part);
+                scene.texture_mut(id).data[range].copy_from_slice(numbers);
+            }
+            Place::SensorTranslation | Place::SensorRotation => {
+                *scene = scene.moved(&self.motion(scene, numbers), 1.0);
+            }
+        }
+        Ok(())
+    }
+
+    fn check(&self, numbers: &[f64]) -> Result<(), ParameterError> {
+        if numbers.len() != self.count() {
+            return Err(ParameterError::ArrayLength {
+                name: self.name.clone(),
+                shape: self.shape_text(),
+                numbers: self.count(),
+                given: numbers.len(),
+            });
+        }
+        let bad = |index: usize, expected| ParameterError::BadNumber {
+            name: self.name.clone(),
+            index,
+            value: numbers[index],
+            expected,
+        };
+        if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
+            return Err(bad(index, "finite numbers"));
+        }
+        if let Place::Normals(_) = self.place {
+            let zero = vectors(numbers).iter().position(|n| n.length() == 0.0);
+            if let Some(vertex) = zero {
+                return Err(bad(3 * vertex, "normals that are longer than 0"));
+            }
+        }
+        Ok(())
+    }
+
+    /// The motion in which its numbers change at these velocities.
+    ///
+    /// # Panics
+    /// If there are not as many.
+    pub fn motion(&self, scene: &Scene, velocities: &[f64]) -> Motion {
+        assert_eq!(velocities.len(), self.count(), "{}", self.name);
+        let mut motion = Motion::zero(scene);
+        match self.place {
+            Place::Positions(id) => {
+                motion.shapes[id.0 as usize] = Some(ShapeMotion {
+                    vertices: vectors(velocities),
+                    normals: None,
+                });
+            }
+            Place::Normals(id) => {
+                motion.shapes[id.0 as usize] = Some(ShapeMotion {
+                    vertices: vec![Vec3::zero(); self.shape[0]],
+                    normals: Some(vectors(velocities)),
+                });
+            }
+            Place::Texels(id, part) => {
+                let mut data = vec![0.0; scene.texture(id).data.len()];
+                data[numbers_of(scene, id, part)].copy_from_slice(velocities);
+                motion.textures[id.0 as usize] = Some(data);
+            }
+            Place::SensorTranslation => motion.sensor.translation = vectors(velocities)[0],
+            Place::SensorRotation => motion.sensor.rotation = vectors(velocities)[0],
+        }
+        motion
+    }
+
+    /// What a gradient (of the form of a [`Motion`]) says about its numbers:
+    /// the derivative by each, so that a step along it is one that
+    /// [`ArrayParameter::set`] takes. Vertices at the same place share the sum
+    /// of their derivatives evenly, because they must stay together, and
+    /// derivatives by normals are orthogonal to them, because their length does
+    /// not count. Linear in the gradient; zero if it was not asked for this.
+    pub fn gradient(&self, scene: &Scene, gradient: &Motion) -> Vec<f64> {
+        match self.place {
+            Place::Positions(id) => {
+                let of_shape = gradient.shapes[id.0 as usize].as_ref();
+                let positions = &scene.shape(id).mesh.positions;
+                of_shape.map(|shape| flat(&shared(positions, &shape.vertices)))
+            }
+            Place::Normals(id) => {
+                let of_shape = gradient.shapes[id.0 as usize].as_ref();
+                let covectors = of_shape.and_then(|shape| shape.normals.as_ref());
+                covectors
+                    .zip(scene.shape(id).normals.per_vertex())
+                    .map(|(covectors, normals)| {
+                        let pairs = covectors.iter().zip(normals);
+                        let tangent = pairs.map(|(covector, &n)| covector.reject_from(n));
+                        flat(&tangent.collect::<Vec<_>>())
+                    })
+            }
+            Place::Texels(id, part) => {
+                let data = gradient.textures[id.0 as usize].as_ref();
+                data.map(|data| data[numbers_of(scene, id, part)].to_vec())
+            }
+            Place::SensorTranslation => Some(flat(&[gradient.sensor.translation])),
+            Place::SensorRotation => Some(flat(&[gradient.sensor.rotation])),
+        }
+        .unwrap_or_else(|| vec![0.0; self.count()])
+    }
+}
+
+/// Where the numbers of a part of a texture are in its data.
+fn numbers_of(scene: &Scene, id: TextureId, part: Part) -> Range<usize> {
+    let channels = scene.texture(id).channels;
+    part.first * channels..(part.first + part.count) * channels
+}
+
+/// The mean of the covectors on each group of vertices at the same place, for
+/// every vertex of the group.
+fn shared(positions: &[Vec3], covectors: &[Vec3]) -> Vec<Vec3> {
+    let first = weld(positions);
+    let mut sums = vec![Vec3::zero(); positions.len()];
+    let mut counts = vec![0.0; positions.len()];
+    for (&first, &covector) in first.iter().zip(covectors) {
+        sums[first as usize] += covector;
+        counts[first as usize] += 1.0;
+    }
+    let mean = |&first: &u32| sums[first as usize] / counts[first as usize];
+    first.iter().map(mean).collect()
+}
+
+/// An error if vertices at the same place would part.
+fn refuse_tears(shape: &str, old: &[Vec3], new: &[Vec3]) -> Result<(), ParameterError> {
+    for (vertex, &first) in weld(old).iter().enumerate() {
+        let first = first as usize;
+        if new[first] != new[vertex] {
+            return Err(ParameterError::Parted {
+                shape: shape.into(),
+                vertices: [first, vertex],
+                positions: [new[first], new[vertex]],
+            });
+        }
+    }
+    Ok(())
+}
+
+fn flat(vectors: &[Vec3]) -> Vec<f64> {
+    vectors.iter().flat_map(|v| v.to_array()).collect()
+}
+
+fn vectors(numbers: &[f64]) -> Vec<Vec3> {
+    let rows = numbers.chunks_exact(3);
+    rows.map(|row| Vec3::new(row[0], row[1], row[2])).collect()
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,298 @@
+use super::super::tests::{example, numbers};
+use super::super::{Request, request};
+use super::*;
+use crate::motion::SensorMotion;
+use crate::shape::Attribute;
+use crate::texture::{Bitmap, TexelFilter, Texture, UvTransform, Wrap};
+
+/// The example with a seam: the last vertex of the ball lies on the first.
+fn with_seam() -> Scene {
+    let mut scene = example();
+    let positions = &mut scene.shapes[0].mesh.positions;
+    *positions.last_mut().expect("a ball") = positions[0];
+    scene
+}
+
+/// The same with numbers in all forms that textures have.
+fn with_textures() -> Scene {
+    let mut scene = with_seam();
+    let data = |count: usize| random(count, 9).iter().map(|x| x * x).collect();
+    let mut form = |id: usize, channels, data, pattern| {
+        let texture = &mut scene.textures[id];
+        (texture.channels, texture.data, texture.pattern) = (channels, data, pattern);
+    };
+    let to_uv = UvTransform::IDENTITY;
+    form(0, 3, data(6), Pattern::Checkerboard { to_uv });
+    let bitmap = Bitmap {
+        width: 3,
+        height: 2,
+        filter: TexelFilter::Bilinear,
+        wrap: Wrap::Repeat,
+        to_uv,
+    };
+    form(1, 1, data(6), Pattern::Bitmap(bitmap));
+    form(3, 1, data(1), Pattern::Constant);
+    scene.textures.push(Texture {
+        id: "ball.vertex_color".into(),
+        channels: 3,
+        data: data(42 * 3),
+        pattern: Pattern::PerVertex,
+    });
+    scene.shapes[0].attributes.push(Attribute {
+        name: "vertex_color".into(),
+        texture: TextureId(4),
+    });
+    scene
+}
+
+/// Numbers between -1 and 1 that look random.
+fn random(count: usize, seed: u64) -> Vec<f64> {
+    let mut state = seed;
+    let mut next = || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    };
+    (0..count).map(|_| next()).collect()
+}
+
+/// Velocities that vertices at the same place share, and that keep normals
+/// unit.
+fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
+    let velocities = random(array.count(), 21);
+    match array.place {
+        Place::Positions(id) => {
+            let positions = &scene.shape(id).mesh.positions;
+            flat(&shared(positions, &vectors(&velocities)))
+        }
+        Place::Normals(id) => {
+            let normals = scene.shape(id).normals.per_vertex().expect("given");
+            let pairs = normals.iter().zip(vectors(&velocities));
+            flat(&pairs.map(|(&n, v)| v.reject_from(n)).collect::<Vec<_>>())
+        }
+        _ => velocities,
+    }
+}
+
+fn named(scene: &Scene, name: &str) -> ArrayParameter {
+    find(scene, name).expect("one thing").expect(name)
+}
+
+fn stepped(scene: &Scene, array: &ArrayParameter, velocities: &[f64], step: f64) -> Scene {
+    let old = array.get(scene);
+    let new: Vec<f64> = old
+        .iter()
+        .zip(velocities)
+        .map(|(x, v)| x + step * v)
+        .collect();
+    let mut scene = scene.clone();
+    array.set(&mut scene, &new).expect("admissible");
+    scene
+}
+
+#[test]
+fn arrays_are_listed_in_the_order_of_parameters() {
+    let listed: Vec<(String, String)> = arrays(&example())
+        .iter()
+        .map(|array| (array.name.clone(), array.shape_text()))
+        .collect();
+    let expected = [
+        ("ball.positions", "(42, 3)"),
+        ("ball.normals", "(42, 3)"),
+        ("lamp.positions", "(4, 3)"),
+        ("-a.b+2*c.positions", "(225, 3)"),
+        ("lamp.emitter.radiance.value", "(3,)"),
+        ("sky.radiance.value", "(3,)"),
+        ("red.reflectance.value", "(3,)"),
+        ("both.reflectance.value", "(3,)"),
+        ("ball.bsdf.reflectance.value", "(3,)"),
+        ("lamp.bsdf.reflectance.value", "(3,)"),
+        ("sensor.translate", "(3,)"),
+        ("eye.translate", "(3,)"),
+        ("sensor.rotate", "(3,)"),
+        ("eye.rotate", "(3,)"),
+    ];
+    assert_eq!(
+        listed,
+        expected.map(|(name, shape)| (name.into(), shape.into()))
+    );
+    let alias = |name: &str| named(&example(), name).alias_of;
+    assert_eq!(
+        alias("both.reflectance.value").as_deref(),
+        Some("red.reflectance.value")
+    );
+    assert_eq!(alias("eye.rotate").as_deref(), Some("sensor.rotate"));
+    assert_eq!(alias("sensor.rotate"), None);
+    let scene = with_textures();
+    for (name, shape) in [
+        ("red.reflectance.color0.value", "(3,)"),
+        ("ball.bsdf.reflectance.color1.value", "(3,)"),
+        ("lamp.bsdf.reflectance.data", "(2, 3, 1)"),
+        ("sky.radiance.value", "(1,)"),
+        ("ball.vertex_color", "(42, 3)"),
+    ] {
+        assert_eq!(named(&scene, name).shape_text(), shape, "{name}");
+    }
+    // The short name of a single number is a scalar's.
+    assert_eq!(find(&scene, "sky.radiance"), Ok(None));
+}
+
+/// Each array has numbers of its own.
+#[test]
+fn parts_of_a_texture_are_apart() {
+    let scene = with_textures();
+    let data = &scene.textures[0].data;
+    for (part, range) in [("color0", 0..3), ("color1", 3..6)] {
+        let array = named(&scene, &format!("red.reflectance.{part}.value"));
+        assert_eq!(array.get(&scene), data[range], "{part}");
+    }
+}
+
+/// Setting numbers does what their motion says, for every array: differences of
+/// everything in the scene on both ways.
+#[test]
+fn every_array_means_what_it_says() {
+    let scene = with_textures();
+    let h = 1e-5;
+    for array in arrays(&scene) {
+        assert_eq!(array.get(&scene).len(), array.count(), "{}", array.name);
+        let velocities = admissible(&scene, &array);
+        let motion = array.motion(&scene, &velocities);
+        let set = [h, -h].map(|h| numbers(&stepped(&scene, &array, &velocities, h)));
+        let moved = [h, -h].map(|h| numbers(&scene.moved(&motion, h)));
+        let mut moves = false;
+        for i in 0..set[0].len() {
+            let [by_set, by_motion] = [&set, &moved].map(|x| (x[0][i] - x[1][i]) / (2.0 * h));
+            let error = (by_set - by_motion).length();
+            assert!(error < 1e-7, "{}: number {i}: {error:e}", array.name);
+            moves |= by_set.length() > 0.1;
+        }
+        assert!(moves, "{} does nothing", array.name);
+    }
+}
+
+/// The same sum of products whether a gradient is read as an array or the
+/// array's change as a motion.
+#[test]
+fn gradients_are_transposed_motions() {
+    let scene = with_textures();
+    let mut gradient = Motion::zero(&scene);
+    for (i, shape) in scene.shapes.iter().enumerate() {
+        let count = 3 * shape.mesh.positions.len();
+        let given = matches!(shape.normals, ShadingNormals::Given(_));
+        gradient.shapes[i] = Some(ShapeMotion {
+            vertices: vectors(&random(count, 3)),
+            normals: given.then(|| vectors(&random(count, 4))),
+        });
+    }
+    for (texture, covectors) in scene.textures.iter().zip(&mut gradient.textures) {
+        *covectors = Some(random(texture.data.len(), 5));
+    }
+    gradient.sensor = SensorMotion {
+        translation: vectors(&random(3, 1))[0],
+        rotation: vectors(&random(3, 2))[0],
+    };
+    for array in arrays(&scene) {
+        let velocities = admissible(&scene, &array);
+        let read = array.gradient(&scene, &gradient);
+        let dot: f64 = read.iter().zip(&velocities).map(|(a, b)| a * b).sum();
+        let expected = gradient.dot(&array.motion(&scene, &velocities));
+        let name = &array.name;
+        assert!((dot - expected).abs() < 1e-12, "{name}: {dot} {expected}");
+        assert!(expected.abs() > 1e-3, "{name}: nothing to compare");
+        // A step along it is admissible.
+        stepped(&scene, &array, &read, -0.1);
+        let nothing = array.gradient(&scene, &Motion::zero(&scene));
+        assert_eq!(nothing, vec![0.0; array.count()], "{name}");
+    }
+}
+
+#[test]
+fn computed_normals_follow_positions() {
+    let mut scene = example();
+    let sheet = named(&scene, "-a.b+2*c.positions");
+    let bent: Vec<f64> = sheet.get(&scene).iter().map(|x| x + 0.1 * x * x).collect();
+    sheet.set(&mut scene, &bent).expect("admissible");
+    let shape = &scene.shapes[2];
+    assert_eq!(shape.normals, ShadingNormals::computed(&shape.mesh));
+    assert_ne!(shape.normals, example().shapes[2].normals);
+}
+
+#[test]
+fn bad_numbers_are_refused_and_change_nothing() {
+    let scene = with_seam();
+    let refused = |name: &str, numbers: Vec<f64>| {
+        let mut changed = scene.clone();
+        let error = named(&scene, name)
+            .set(&mut changed, &numbers)
+            .expect_err(name);
+        assert_eq!(changed, scene, "{name}");
+        error.to_string()
+    };
+    let message = refused("lamp.positions", vec![0.0; 11]);
+    assert!(
+        message.contains("11 numbers") && message.contains("(4, 3)"),
+        "{message}"
+    );
+    let mut numbers = vec![0.5; 3];
+    numbers[1] = f64::NAN;
+    let message = refused("sky.radiance.value", numbers);
+    assert!(
+        message.contains("number 1") && message.contains("NaN"),
+        "{message}"
+    );
+    let message = refused("ball.normals", vec![0.0; 42 * 3]);
+    assert!(message.contains("longer than 0"), "{message}");
+    let message = refused("ball.positions", random(42 * 3, 1));
+    assert!(
+        message.contains("vertices 0 and 41") && message.contains("tear"),
+        "{message}"
+    );
+}
+
+#[test]
+fn requests_are_arrays_or_expressions() {
+    let scene = example();
+    let is_array = |text: &str| matches!(request(&scene, text).expect(text), Request::Array(_));
+    for text in [
+        "ball.positions",
+        "-a.b+2*c.positions",
+        "red.reflectance.value",
+        " eye.rotate ",
+    ] {
+        assert!(is_array(text), "{text}");
+    }
+    for text in [
+        "ball.translate.x",
+        "1*red.reflectance.value",
+        "eye.rotate.x",
+        "red.reflectance.value.g",
+    ] {
+        assert!(!is_array(text), "{text}");
+    }
+    let message = |text: &str| request(&scene, text).expect_err(text).to_string();
+    for (text, part) in [
+        ("bal.positions", "did you mean `ball.positions`"),
+        (
+            "lamp.radiance.value",
+            "did you mean `lamp.emitter.radiance.value`",
+        ),
+        ("ball.translate.w", "`ball.translate.x`"),
+        ("2*ball.positions", "\"ball.positions\" is an array"),
+        ("lamp.normals", "no parameter \"lamp.normals\""),
+        ("mixed.reflectance.value", "made of different ones"),
+        ("", "expected a parameter's name"),
+    ] {
+        assert!(message(text).contains(part), "{text}: {}", message(text));
+    }
+    let scalar = super::super::motion(&scene, "ball.positions").expect_err("an array");
+    assert!(scalar.to_string().contains("capwalk backward"), "{scalar}");
+    let mut twice = example();
+    twice.textures[2].id = "sky.radiance".into();
+    let error = request(&twice, "sky.radiance.value").expect_err("ambiguous");
+    assert!(
+        error.to_string().contains("two different things"),
+        "{error}"
+    );
+}
