@@ -45,7 +45,7 @@ impl<'s> Accel<'s> {
     /// Builds the tree of a checked scene.
     ///
     /// # Panics
-    /// If the scene has what cannot be rendered yet ([`crate::unsupported`]).
+    /// If the scene has what cannot be rendered yet ([`crate::unsupported()`]).
     pub fn new(scene: &'s Scene) -> Self {
         let mut mesh = Mesh::default();
         let mut shape_of_face = Vec::new();

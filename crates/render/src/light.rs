@@ -182,6 +182,9 @@ pub fn emitter_pdf(
     }
 }
 
+/// A lamp seen at a smaller cosine is seen from its own plane, up to rounding.
+const IN_ITS_PLANE: f64 = 1e-12;
+
 /// Draws an emitter uniformly and a direction towards it: a uniform point of a
 /// lamp, or a direction to the environment; with its density, and no weight
 /// yet. `None` if it is occluded or seen from behind.
@@ -207,7 +210,8 @@ fn sample_emitter(
             let distance = offset.length();
             let direction = offset / distance;
             let cos_l = -point.normal.dot(direction);
-            let lit = cos_l > 0.0 && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
+            let lit =
+                cos_l > IN_ITS_PLANE && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
             if !lit || !accel.visible(position, point.position) {
                 return None;
             }

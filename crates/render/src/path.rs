@@ -476,24 +476,29 @@ impl<'a> Tracer<'a> {
         light
     }
 
-    /// True if outlines seen after a specular event can move against the ray:
-    /// they bound no field yet.
-    fn is_uncovered<R: Real, W: World<R>>(
+    /// Counts a ray after a specular event if outlines seen there can move
+    /// against it: they bound no field yet.
+    fn count_uncovered<R: Real, W: World<R>>(
         &self,
         world: &W,
         origin: Vec3<R>,
         direction: Vec3<R>,
         hit: &Option<Hit>,
-    ) -> bool {
+        draw: Draw,
+    ) {
         if !W::MOVES {
-            return false;
+            return;
         }
-        if !origin.is_constant() || !direction.is_constant() {
-            return true;
+        let ray_moves = !origin.is_constant() || !direction.is_constant();
+        let surface_moves = || {
+            let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
+            let mut corners = corners.into_iter().flatten();
+            corners.any(|i| !world.vertex(i).is_constant())
+        };
+        if ray_moves || surface_moves() {
+            let uncovered = &draw.counts.uncovered;
+            uncovered.set(uncovered.get() + 1);
         }
-        let Some(hit) = hit else { return false };
-        let corners = self.accel.mesh.faces[hit.face as usize];
-        corners.iter().any(|&i| !world.vertex(i).is_constant())
     }
 
     /// Light that arrives from emitters at a moving surface point and is
@@ -549,9 +554,7 @@ impl<'a> Tracer<'a> {
             && let Some((event, next)) = next.and_then(|next| Some((next.specular?, next)))
         {
             let (direction, _) = vertex.specular(event);
-            if self.is_uncovered(world, vertex.position, direction, &next.hit) {
-                draw.counts.uncovered.set(draw.counts.uncovered.get() + 1);
-            }
+            self.count_uncovered(world, vertex.position, direction, &next.hit, draw);
         }
         if W::MOVES
             && self.plan.sampling.dimensions() > 0

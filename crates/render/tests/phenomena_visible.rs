@@ -129,6 +129,20 @@ fn radiance_and_reflectance() {
     agree("reflectance", scene, &floor, primary());
 }
 
+/// The built-in scenes as users get them, but small.
+#[test]
+fn built_in_ball() {
+    let scene = builtin::scene("ball").expect("a built-in scene");
+    primary_case("built-in ball", scene, "ball.translate.x");
+}
+
+#[test]
+fn built_in_leaf() {
+    let scene = builtin::scene("leaf").expect("a built-in scene");
+    let motion = motion(&scene, "leaf.translate.x");
+    agree("built-in leaf", scene, &motion, Case::default());
+}
+
 #[test]
 fn box_room() {
     let scene = builtin::scene("box-room").expect("a built-in scene");

@@ -132,6 +132,8 @@ pub fn backward(
     let groups = spp.div_ceil(group);
     let count = groups.min(BATCHES);
     let bounds = |batch: u32| (batch * groups / count * group).min(spp);
+    // What cannot be covered is found by looking, before the work is done.
+    pass.refuse_uncovered_soon()?;
     let run = || -> Vec<Batch> {
         (0..count)
             .into_par_iter()
@@ -221,6 +223,31 @@ struct Batch {
 }
 
 impl Pass<'_> {
+    /// A first look: one sample of each pixel.
+    fn refuse_uncovered_soon(&self) -> Result<(), Refusal> {
+        let mut statistics = Statistics::default();
+        let mut tape = Tape::default();
+        let width = self.adjoint.width;
+        for index in 0..self.adjoint.pixels.len() {
+            let (stream, counts) = (self.sampler.stream(index as u64, 0), Counts::default());
+            let draw = Draw {
+                stream: &stream,
+                counts: &counts,
+            };
+            let pixel = [(index % width) as u32, (index / width) as u32];
+            let accel = self.tracer.accel;
+            let world = Recording::new(accel, self.field, self.wanted, &self.points, &tape);
+            self.tracer.pixel(&world, pixel, draw);
+            tape.clear();
+            statistics.samples += 1;
+            statistics.uncovered += counts.uncovered.get();
+            if statistics.uncovered > 0 && statistics.samples > 1000 {
+                break;
+            }
+        }
+        refuse_uncovered(&statistics)
+    }
+
     fn batch(&self, numbers: std::ops::Range<u32>) -> Batch {
         let mut batch = Batch {
             sums: Adjoint::zero(self.scene, &self.field.boundaries),

@@ -96,14 +96,14 @@ pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) ->
         scene,
         material: id,
     });
-    let is_clear = match &bsdf {
+    let is_clear = matches!(
+        bsdf,
         Bsdf::Dielectric(_)
-        | Bsdf::RoughDielectric(..)
-        | Bsdf::ThinDielectric(_)
-        | Bsdf::Principled(_)
-        | Bsdf::Mask { .. } => true,
-        _ => false,
-    };
+            | Bsdf::RoughDielectric(..)
+            | Bsdf::ThinDielectric(_)
+            | Bsdf::Principled(_)
+            | Bsdf::Mask { .. }
+    );
     scene.materials[place].bsdf = bsdf;
     if is_clear {
         let shape = scene.shapes.iter_mut().find(|s| s.id == shape);
