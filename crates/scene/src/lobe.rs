@@ -49,8 +49,8 @@
 //!   seen from the denser side. It can be integrated; its square, the variance,
 //!   only just not;
 //! * [`RoughPlastic`] interpolates a table linearly in the cosine: kinks;
-//! * a lobe whose weight does not change is not sampled at weight zero, one whose
-//!   weight has a derivative is ([`Bsdf::value`]); likewise a [`Principled`] that
+//! * a lobe of weight zero is only sampled with [`Bsdf::explored`], and transmission
+//!   by a [`Principled`] without glass only if it
 //!   [may transmit](Principled::may_transmit).
 
 mod bsdf;

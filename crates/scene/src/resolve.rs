@@ -316,10 +316,14 @@ fn principled_lobe<R: Real>(
     is_opaque: bool,
     lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
 ) -> lobe::Principled<R> {
-    let one = R::constant(1.0);
     let base_color = lookup(principled.base_color);
     let mut number = |id| number(scene, id, lookup);
     let (metallic, spec_trans) = (number(principled.metallic), number(principled.spec_trans));
+    // Not so in bitmaps: there it would depend on what moves how texels change.
+    let is_changing =
+        |id: TextureId, value: R| scene.texture(id).is_constant() && !value.is_constant();
+    let glass_changes = is_changing(principled.metallic, metallic)
+        || is_changing(principled.spec_trans, spec_trans);
     let eta = match principled.index {
         PrincipledIndex::Eta(eta) => number(eta),
         PrincipledIndex::Specular(specular) => lobe::Principled::eta_of_specular(number(specular)),
@@ -337,7 +341,7 @@ fn principled_lobe<R: Real>(
         flatness: number(principled.flatness),
         clearcoat: number(principled.clearcoat),
         clearcoat_gloss: number(principled.clearcoat_gloss),
-        may_transmit: !is_opaque && !((one - metallic) * spec_trans).is_constant(),
+        may_transmit: !is_opaque && glass_changes,
     }
 }
 

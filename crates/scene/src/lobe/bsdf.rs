@@ -8,8 +8,8 @@ use super::{Drawn, Lobe};
 /// at a point.
 ///
 /// Sampling chooses a lobe in proportion to the values of the weights (negative
-/// ones count as zero), and a density is that of the whole choice. A lobe whose
-/// weight has a derivative is chosen even at weight zero.
+/// ones count as zero), and a density is that of the whole choice. With
+/// [`Bsdf::explored`], lobes are chosen even at weight zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bsdf<R = f64> {
     lobes: [Option<(R, Lobe<R>)>; 4],
@@ -18,8 +18,8 @@ pub struct Bsdf<R = f64> {
     side: Option<Side>,
 }
 
-/// Smallest chance of a lobe whose weight has a derivative, which is there even
-/// where the weight is zero.
+/// Smallest chance of a lobe whose weight may have a derivative, which is there
+/// even where the weight is zero.
 const LEAST_CHANCE: f64 = 0.1;
 
 /// The side of a surface that is seen.
@@ -192,14 +192,17 @@ impl<R: Real> Bsdf<R> {
         mapped
     }
 
-    /// The surface at rest: without derivatives, but sampled where there are
-    /// some.
+    /// The surface at rest: without derivatives.
     pub fn value(&self) -> Bsdf {
-        let mut at_rest = self.map(&mut R::value);
-        for (is_explored, (weight, _)) in at_rest.is_explored.iter_mut().zip(self.lobes()) {
-            *is_explored |= !weight.is_constant();
-        }
-        at_rest
+        self.map(&mut R::value)
+    }
+
+    /// The same surface, of which every lobe is drawn, also those of weight zero:
+    /// their weights may have derivatives.
+    #[must_use]
+    pub fn explored(mut self) -> Self {
+        self.is_explored = [true; 4];
+        self
     }
 
     /// True if it can be drawn anything that is not perfectly specular: worth
