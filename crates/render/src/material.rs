@@ -28,12 +28,16 @@ pub fn vertex_at<R: Real, W: World<R>>(
     if resolved.flipped {
         frame.n = -frame.n;
     }
+    let bsdf = match W::MOVES {
+        true => resolved.bsdf.explored(),
+        false => resolved.bsdf,
+    };
     Some(Vertex::new(
         surface.position,
         surface.face_normal,
         frame,
         -direction,
-        resolved.bsdf,
+        bsdf,
     ))
 }
 

@@ -6,13 +6,15 @@
 
 mod common;
 
-use capwalk_math::Vec3;
+use capwalk_math::{Affine, Vec3};
 use capwalk_render::{
     Backward, GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
 };
+use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::cube;
 use capwalk_scene::*;
 use common::agree::motion;
+use common::materials::*;
 use common::stages::*;
 use common::*;
 
@@ -94,6 +96,13 @@ fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
 }
 
 fn agree_in_both_modes(name: &str, mut scene: Scene, depth: u32) {
+    small(&mut scene, depth);
+    let motion = everything(&scene, 11);
+    agree_along(name, &scene, &motion);
+}
+
+/// Few pixels, paths of so many segments.
+fn small(scene: &mut Scene, depth: u32) {
     scene.film.size = [12; 2];
     scene.film.crop_size = [12; 2];
     scene.settings.integrator = Integrator::Path {
@@ -102,9 +111,11 @@ fn agree_in_both_modes(name: &str, mut scene: Scene, depth: u32) {
         hide_emitters: false,
     };
     scene.check().expect("a valid scene");
-    let motion = everything(&scene, 11);
-    let forward = forward(&scene, &motion, 32);
-    let (reverse, error) = reverse(&scene, &Wanted::all(&scene), 32, None).along(&motion);
+}
+
+fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
+    let forward = forward(scene, motion, 32);
+    let (reverse, error) = reverse(scene, &Wanted::by(motion), 32, None).along(motion);
     println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
     let difference = (forward - reverse).abs();
     assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
@@ -155,6 +166,69 @@ fn constant_light() {
         radiance,
     });
     agree_in_both_modes("constant light", scene, 4);
+}
+
+/// Materials of microfacets, blended and coated; glass where there was none.
+#[test]
+fn rough_materials() {
+    let mut scene = visible_cube();
+    make(&mut scene, "floor", |n| {
+        let metal = Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.3));
+        let metal = n.part("metal", metal);
+        Bsdf::Blend {
+            weight: n.number("weight", 0.0),
+            nested: [n.diffuse("paint", [0.8, 0.2, 0.1]), metal],
+        }
+    });
+    make(&mut scene, "thing", |n| Bsdf::Principled(n.principled(0.0)));
+    for (name, x) in [("glass", -0.8), ("plastic", 0.9)] {
+        let place = Affine::translate(v(x, -0.4, -0.5));
+        add(
+            &mut scene,
+            name,
+            placed(small_ball(), place),
+            ShadingNormals::Face,
+            0.5,
+        );
+    }
+    make(&mut scene, "glass", |n| {
+        Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Beckmann, 0.2))
+    });
+    make(&mut scene, "plastic", |n| Bsdf::RoughPlastic {
+        coat: n.coat(true),
+        distribution: Distribution::Ggx,
+        alpha: n.number("alpha", 0.2),
+    });
+    agree_in_both_modes("rough materials", scene, 4);
+}
+
+/// Mirrors, panes and masks: their numbers change, nothing moves.
+#[test]
+fn numbers_of_specular_materials() {
+    let mut scene = visible_cube();
+    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(false)));
+    make(&mut scene, "thing", |n| Bsdf::ThinDielectric(n.glass()));
+    for (name, x) in [("metal", -0.8), ("leaf", 0.9)] {
+        let place = Affine::translate(v(x, -0.4, -0.5));
+        add(
+            &mut scene,
+            name,
+            placed(small_ball(), place),
+            ShadingNormals::Face,
+            0.5,
+        );
+    }
+    make(&mut scene, "metal", |n| Bsdf::Conductor(n.copper()));
+    make(&mut scene, "leaf", |n| Bsdf::Mask {
+        opacity: n.number("opacity", 1.0),
+        nested: n.diffuse("green", [0.2, 0.7, 0.1]),
+    });
+    small(&mut scene, 5);
+    let motion = Motion {
+        textures: everything(&scene, 11).textures,
+        ..Motion::zero(&scene)
+    };
+    agree_along("specular materials", &scene, &motion);
 }
 
 /// Gradients of single parameters are entries of the gradient of all, and

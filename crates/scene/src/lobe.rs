@@ -49,10 +49,9 @@
 //!   seen from the denser side. It can be integrated; its square, the variance,
 //!   only just not;
 //! * [`RoughPlastic`] interpolates a table linearly in the cosine: kinks;
-//! * a lobe of weight zero is never sampled, so the derivative by its weight is
-//!   only seen by directions that others sample. A [`Principled`] of which
-//!   nothing is glass is opaque: the derivative by `spec_trans` at 0 does not
-//!   see what would be transmitted.
+//! * a lobe of weight zero is only sampled with [`Bsdf::explored`], and transmission
+//!   by a [`Principled`] without glass only if it
+//!   [may transmit](Principled::may_transmit).
 
 mod bsdf;
 mod conductor;

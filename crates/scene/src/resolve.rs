@@ -89,6 +89,7 @@ impl Resolver {
         let mut parts = Parts {
             lobes: Vec::with_capacity(lobe::Bsdf::<R>::MAX_LOBES),
             flipped: false,
+            is_opaque: false,
             perturbation: None,
         };
         self.add(scene, id, side, R::constant(1.0), lookup, &mut parts);
@@ -116,10 +117,12 @@ impl Resolver {
         let one = R::constant(1.0);
         match &scene.material(id).bsdf {
             Bsdf::TwoSided { front, .. } if side == Side::Front => {
+                parts.is_opaque = true;
                 self.add(scene, *front, side, weight, lookup, parts);
             }
             Bsdf::TwoSided { back, .. } => {
                 parts.flipped = true;
+                parts.is_opaque = true;
                 self.add(scene, *back, Side::Front, weight, lookup, parts);
             }
             Bsdf::Mask { opacity, nested } => {
@@ -171,7 +174,7 @@ impl Resolver {
             }
             one_sided => {
                 let coat = self.coats.get(id.0 as usize).and_then(Option::as_ref);
-                let lobe = lobe(scene, one_sided, coat, lookup);
+                let lobe = lobe(scene, one_sided, coat, parts.is_opaque, lookup);
                 if side == Side::Front || lobe.is_two_sided() {
                     parts.push(weight, lobe);
                 }
@@ -184,6 +187,8 @@ impl Resolver {
 struct Parts<R> {
     lobes: Vec<(R, Lobe<R>)>,
     flipped: bool,
+    /// A two-sided material was met.
+    is_opaque: bool,
     perturbation: Option<Perturbation<R>>,
 }
 
@@ -207,11 +212,13 @@ fn number<R: Real>(
     value.x * r + value.y * g + value.z * b
 }
 
-/// The lobe of a material that is not made of others.
+/// The lobe of a material that is not made of others. `is_opaque` if it stands
+/// in a two-sided material, where nothing may transmit, whatever changes.
 fn lobe<R: Real>(
     scene: &Scene,
     bsdf: &Bsdf,
     coat_table: Option<&Arc<RoughTransmittance>>,
+    is_opaque: bool,
     lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
 ) -> Lobe<R> {
     match bsdf {
@@ -263,7 +270,7 @@ fn lobe<R: Real>(
             })
         }
         Bsdf::Principled(principled) => {
-            Lobe::Principled(principled_lobe(scene, principled, lookup))
+            Lobe::Principled(principled_lobe(scene, principled, is_opaque, lookup))
         }
         Bsdf::Null => Lobe::Null(lobe::Null),
         Bsdf::TwoSided { .. }
@@ -306,10 +313,17 @@ fn coat_index<R: Real>(
 fn principled_lobe<R: Real>(
     scene: &Scene,
     principled: &Principled,
+    is_opaque: bool,
     lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
 ) -> lobe::Principled<R> {
     let base_color = lookup(principled.base_color);
     let mut number = |id| number(scene, id, lookup);
+    let (metallic, spec_trans) = (number(principled.metallic), number(principled.spec_trans));
+    // Not so in bitmaps: there it would depend on what moves how texels change.
+    let is_changing =
+        |id: TextureId, value: R| scene.texture(id).is_constant() && !value.is_constant();
+    let glass_changes = is_changing(principled.metallic, metallic)
+        || is_changing(principled.spec_trans, spec_trans);
     let eta = match principled.index {
         PrincipledIndex::Eta(eta) => number(eta),
         PrincipledIndex::Specular(specular) => lobe::Principled::eta_of_specular(number(specular)),
@@ -318,8 +332,8 @@ fn principled_lobe<R: Real>(
         base_color,
         roughness: number(principled.roughness),
         anisotropic: number(principled.anisotropic),
-        metallic: number(principled.metallic),
-        spec_trans: number(principled.spec_trans),
+        metallic,
+        spec_trans,
         eta,
         spec_tint: number(principled.spec_tint),
         sheen: number(principled.sheen),
@@ -327,6 +341,7 @@ fn principled_lobe<R: Real>(
         flatness: number(principled.flatness),
         clearcoat: number(principled.clearcoat),
         clearcoat_gloss: number(principled.clearcoat_gloss),
+        may_transmit: !is_opaque && glass_changes,
     }
 }
 

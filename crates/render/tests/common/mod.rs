@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test program uses some of it")]
 
 pub mod agree;
+pub mod materials;
 pub mod stages;
 
 use capwalk_geometry::Mesh;

@@ -8,12 +8,19 @@ use super::{Drawn, Lobe};
 /// at a point.
 ///
 /// Sampling chooses a lobe in proportion to the values of the weights (negative
-/// ones count as zero), and a density is that of the whole choice.
+/// ones count as zero), and a density is that of the whole choice. With
+/// [`Bsdf::explored`], lobes are chosen even at weight zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bsdf<R = f64> {
     lobes: [Option<(R, Lobe<R>)>; 4],
+    /// Lobes that are chosen with [`LEAST_CHANCE`] at least.
+    is_explored: [bool; 4],
     side: Option<Side>,
 }
+
+/// Smallest chance of a lobe whose weight may have a derivative, which is there
+/// even where the weight is zero.
+const LEAST_CHANCE: f64 = 0.1;
 
 /// The side of a surface that is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -62,6 +69,7 @@ impl<R: Real> Default for Bsdf<R> {
     fn default() -> Self {
         Self {
             lobes: [const { None }; 4],
+            is_explored: [false; 4],
             side: None,
         }
     }
@@ -133,14 +141,16 @@ impl<R: Real> Bsdf<R> {
         self.side != Some(Side::Back) || lobe.is_two_sided()
     }
 
-    /// The weight with which a lobe is chosen, up to a common factor.
+    /// The lobes and the weights with which they are chosen, up to a common
+    /// factor.
     #[inline]
-    fn chance(&self, weight: R, lobe: &Lobe<R>) -> f64 {
-        if self.shows(lobe) {
-            weight.value().max(0.0)
-        } else {
-            0.0
-        }
+    fn chances(&self) -> impl Iterator<Item = (f64, &Lobe<R>)> {
+        let lobes = self.lobes().zip(self.is_explored);
+        lobes.map(|((weight, lobe), is_explored)| {
+            let least = if is_explored { LEAST_CHANCE } else { 0.0 };
+            let chance = weight.value().max(least);
+            (if self.shows(lobe) { chance } else { 0.0 }, lobe)
+        })
     }
 
     /// `f(wi, wo) |cos wo|` of everything but perfectly specular parts.
@@ -172,6 +182,7 @@ impl<R: Real> Bsdf<R> {
     pub fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Bsdf<S> {
         let mut mapped = Bsdf {
             side: self.side,
+            is_explored: self.is_explored,
             ..Bsdf::default()
         };
         for (weight, lobe) in self.lobes() {
@@ -186,11 +197,19 @@ impl<R: Real> Bsdf<R> {
         self.map(&mut R::value)
     }
 
+    /// The same surface, of which every lobe is drawn, also those of weight zero:
+    /// their weights may have derivatives.
+    #[must_use]
+    pub fn explored(mut self) -> Self {
+        self.is_explored = [true; 4];
+        self
+    }
+
     /// True if it can be drawn anything that is not perfectly specular: worth
     /// sampling lamps.
     pub fn has_smooth(&self) -> bool {
-        self.lobes()
-            .any(|(weight, lobe)| self.chance(*weight, lobe) > 0.0 && lobe.has_smooth())
+        self.chances()
+            .any(|(chance, lobe)| chance > 0.0 && lobe.has_smooth())
     }
 }
 
@@ -198,9 +217,7 @@ impl Bsdf {
     /// Sum of the weights that are chosen by.
     #[inline]
     fn total_chance(&self) -> f64 {
-        self.lobes()
-            .map(|(weight, lobe)| self.chance(*weight, lobe))
-            .sum()
+        self.chances().map(|(chance, _)| chance).sum()
     }
 
     /// Density per solid angle of the smooth directions that [`Bsdf::sample`]
@@ -212,8 +229,7 @@ impl Bsdf {
         }
         let wi = self.seen(wi);
         let sum: f64 = self
-            .lobes()
-            .map(|(weight, lobe)| (self.chance(*weight, lobe), lobe))
+            .chances()
             .filter(|(chance, _)| *chance > 0.0)
             .map(|(chance, lobe)| chance * lobe.pdf(wi, wo))
             .sum();
@@ -227,8 +243,7 @@ impl Bsdf {
         let total = self.total_chance();
         let mut left = u_choice * total;
         let mut chosen = None;
-        for (place, (weight, lobe)) in self.lobes().enumerate() {
-            let chance = self.chance(*weight, lobe);
+        for (place, (chance, lobe)) in self.chances().enumerate() {
             if chance <= 0.0 {
                 continue;
             }

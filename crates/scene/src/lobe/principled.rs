@@ -14,7 +14,7 @@ use super::{Distribution, Drawn, Microfacets, fresnel_dielectric, local};
 /// `eta` are from 0 to 1.
 ///
 /// It shows something to the back only if it transmits (`spec_trans` above 0
-/// and `metallic` below 1); from there it is glass.
+/// and `metallic` below 1, or `may_transmit`); from there it is glass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Principled<R = f64> {
     /// The colour of base and metal.
@@ -41,10 +41,16 @@ pub struct Principled<R = f64> {
     pub clearcoat: R,
     /// How smooth that coat is.
     pub clearcoat_gloss: R,
+    /// True if transmission is sampled even where there is none: what is
+    /// transmitted may have a derivative.
+    pub may_transmit: bool,
 }
 
 /// Smallest roughness.
 const MIN_ALPHA: f64 = 1e-3;
+
+/// Smallest share of what passes the facets that is sampled if it may be some.
+const LEAST_GLASS: f64 = 0.1;
 
 impl<R: Real> Principled<R> {
     /// The refractive index for the number `specular` (0 to 1), which says how
@@ -88,7 +94,7 @@ impl<R: Real> Principled<R> {
     }
 
     pub(super) fn is_two_sided(&self) -> bool {
-        self.glass().value() > 0.0
+        self.may_transmit || self.glass().value() > 0.0
     }
 
     /// Directions and refractive index with `wi` in front; true if that is the
@@ -217,6 +223,7 @@ impl<R: Real> Principled<R> {
             flatness: f(self.flatness),
             clearcoat: f(self.clearcoat),
             clearcoat_gloss: f(self.clearcoat_gloss),
+            may_transmit: self.may_transmit,
         }
     }
 }
@@ -297,7 +304,12 @@ impl Principled {
     #[inline]
     fn refraction(&self, cos_h: f64, eta: f64, front: bool) -> f64 {
         let passes = 1.0 - fresnel_dielectric(cos_h, eta);
-        if front { self.glass() * passes } else { passes }
+        let least = if self.may_transmit { LEAST_GLASS } else { 0.0 };
+        if front {
+            self.glass().max(least) * passes
+        } else {
+            passes
+        }
     }
 
     #[inline]

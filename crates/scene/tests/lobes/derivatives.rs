@@ -144,6 +144,28 @@ fn weights_have_derivatives() {
     assert!((value.value() - at_rest.eval(wi, wo)).length() < 1e-14);
 }
 
+/// A lobe of weight zero is drawn if it is to be explored, and only then; the
+/// density is that of what is drawn.
+#[test]
+fn lobes_of_weight_zero_are_explored() {
+    let black = Diffuse {
+        reflectance: Rgb::splat(0.0),
+    };
+    for explores in [false, true] {
+        let mut bsdf = Bsdf::default();
+        bsdf.push(1.0, Lobe::Diffuse(black));
+        bsdf.push(0.0, Lobe::Null(Null));
+        let bsdf = if explores { bsdf.explored() } else { bsdf };
+        let wi = direction(0.6, 1.0);
+        let places = (0..1000).map(|i| f64::from(i) / 1000.0);
+        let drawn = places.filter_map(|u| bsdf.sample(wi, u, [0.3, 0.6]));
+        let passing: Vec<_> = drawn.filter(|drawn| drawn.specular.is_some()).collect();
+        assert_eq!(passing.is_empty(), !explores);
+        let share = passing.len() as f64 / 1000.0;
+        assert!(passing.iter().all(|drawn| (drawn.pdf - share).abs() < 2e-3));
+    }
+}
+
 /// Nothing jumps: the derivative of all that is reflected or transmitted is the
 /// integral of derivatives. A jump along a curve that moves would be missing.
 /// Seen from the thinner side; from the denser one the derivative is unbounded

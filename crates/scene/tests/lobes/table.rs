@@ -78,6 +78,7 @@ pub const PLAIN: Principled = Principled {
     flatness: 0.0,
     clearcoat: 0.0,
     clearcoat_gloss: 0.0,
+    may_transmit: false,
 };
 
 fn principled() -> Vec<(&'static str, Principled)> {

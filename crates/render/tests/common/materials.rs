@@ -1,0 +1,113 @@
+//! Materials for the cases.
+
+use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, Principled, PrincipledIndex};
+use capwalk_scene::lobe::Distribution;
+use capwalk_scene::*;
+
+use super::*;
+
+/// A material's textures, named after their places in it.
+pub struct Slots<'a> {
+    pub scene: &'a mut Scene,
+    pub material: String,
+}
+
+impl Slots<'_> {
+    pub fn number(&mut self, slot: &str, value: f64) -> TextureId {
+        let id = format!("{}.{slot}", self.material);
+        self.scene.add_texture(Texture::number(id, value))
+    }
+    pub fn colour(&mut self, slot: &str, rgb: [f64; 3]) -> TextureId {
+        let id = format!("{}.{slot}", self.material);
+        let [r, g, b] = rgb;
+        self.scene.add_texture(Texture::colour(id, v(r, g, b)))
+    }
+    pub fn copper(&mut self) -> Metal {
+        Metal {
+            eta: self.colour("eta", [0.3, 0.9, 1.2]),
+            k: self.colour("k", [3.3, 2.6, 2.4]),
+            specular_reflectance: self.colour("specular_reflectance", [0.9, 0.8, 0.9]),
+        }
+    }
+    pub fn mirror(&mut self) -> Metal {
+        Metal {
+            eta: self.colour("eta", [0.0; 3]),
+            k: self.colour("k", [1.0; 3]),
+            specular_reflectance: self.colour("specular_reflectance", [0.9; 3]),
+        }
+    }
+    pub fn facets(&mut self, distribution: Distribution, alpha: f64) -> Facets {
+        Facets {
+            distribution,
+            alpha: [self.number("alpha", alpha); 2],
+        }
+    }
+    pub fn glass(&mut self) -> Glass {
+        Glass {
+            int_ior: self.number("int_ior", 1.5),
+            ext_ior: self.number("ext_ior", 1.0),
+            specular_reflectance: self.colour("specular_reflectance", [1.0; 3]),
+            specular_transmittance: self.colour("specular_transmittance", [0.7, 0.9, 0.8]),
+        }
+    }
+    pub fn coat(&mut self, nonlinear: bool) -> Coat {
+        Coat {
+            int_ior: self.number("int_ior", 1.5),
+            ext_ior: self.number("ext_ior", 1.0),
+            diffuse_reflectance: self.colour("diffuse_reflectance", [0.7, 0.3, 0.2]),
+            specular_reflectance: self.colour("specular_reflectance", [0.9; 3]),
+            nonlinear,
+        }
+    }
+    pub fn principled(&mut self, glass: f64) -> Principled {
+        Principled {
+            base_color: self.colour("base_color", [0.8, 0.5, 0.3]),
+            roughness: self.number("roughness", 0.5),
+            anisotropic: self.number("anisotropic", 0.2),
+            metallic: self.number("metallic", 0.3),
+            spec_trans: self.number("spec_trans", glass),
+            index: PrincipledIndex::Eta(self.number("eta", 1.5)),
+            spec_tint: self.number("spec_tint", 0.4),
+            sheen: self.number("sheen", 0.6),
+            sheen_tint: self.number("sheen_tint", 0.3),
+            flatness: self.number("flatness", 0.2),
+            clearcoat: self.number("clearcoat", 0.5),
+            clearcoat_gloss: self.number("clearcoat_gloss", 0.05),
+        }
+    }
+    /// A material of its own, to be mixed.
+    pub fn part(&mut self, name: &str, bsdf: Bsdf) -> BsdfId {
+        let id = format!("{}.{name}", self.material);
+        self.scene.materials.push(Material { id, bsdf });
+        BsdfId(self.scene.materials.len() as u32 - 1)
+    }
+    pub fn diffuse(&mut self, name: &str, rgb: [f64; 3]) -> BsdfId {
+        let reflectance = self.colour(&format!("{name}.reflectance"), rgb);
+        self.part(name, Bsdf::Diffuse { reflectance })
+    }
+}
+
+/// Gives a shape the material, on both sides if it is one that has only one.
+pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) -> Bsdf) {
+    let id = format!("{shape}.bsdf");
+    let place = scene.materials.iter().position(|m| m.id == id);
+    let place = place.expect("the material of a shape");
+    let bsdf = material(&mut Slots {
+        scene,
+        material: id,
+    });
+    let is_clear = matches!(
+        bsdf,
+        Bsdf::Dielectric(_)
+            | Bsdf::RoughDielectric(..)
+            | Bsdf::ThinDielectric(_)
+            | Bsdf::Principled(_)
+            | Bsdf::Mask { .. }
+    );
+    scene.materials[place].bsdf = bsdf;
+    if is_clear {
+        let shape = scene.shapes.iter_mut().find(|s| s.id == shape);
+        shape.expect("a shape").bsdf = BsdfId(place as u32);
+        scene.materials[place + 1].bsdf = Bsdf::Null; // not of this shape any more
+    }
+}

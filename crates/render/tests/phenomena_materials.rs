@@ -1,0 +1,359 @@
+//! Gradients against finite differences, one scene per phenomenon: materials.
+//! What is demanded of each case, and how often it raises a false alarm, is said
+//! in `phenomena_shadows.rs`.
+
+mod common;
+
+use capwalk_math::{Affine, Vec3};
+use capwalk_render::check::{Verdict, compare};
+use capwalk_render::{
+    GradientImage, GradientOptions, Options, Refusal, Unwatched, WalkSettings, gradient,
+};
+use capwalk_scene::lobe::Distribution;
+use capwalk_scene::primitive::rectangle;
+use capwalk_scene::*;
+use common::agree::*;
+use common::materials::*;
+use common::stages::*;
+use common::*;
+
+fn paths(scene: &mut Scene, segments: u32) {
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(segments),
+        rr_depth: 100,
+        hide_emitters: false,
+    };
+}
+
+fn run(scene: &Scene, expression: &str) -> Result<GradientImage, Refusal> {
+    let settings = GradientOptions {
+        options: Options {
+            spp: 16,
+            seed: 1,
+            threads: None,
+        },
+        walk: WalkSettings::default(),
+    };
+    gradient(scene, &motion(scene, expression), &settings, &Unwatched)
+}
+
+/// A wall that reaches past the picture's borders, across the view along y.
+fn add_wall(scene: &mut Scene, id: &str, y: f64) {
+    let upright = Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2);
+    let (mesh, normals) =
+        rectangle(Affine::translate(v(0.0, y, 1.2)) * upright * Affine::scale(v(1.5, 1.2, 1.0)));
+    add(scene, id, mesh, normals, 0.5);
+}
+
+/// A floor with the shadow of a thing, which hangs higher than any ray to the
+/// floor gets. `eye` says from where along y it is seen.
+fn shadow_from_below(eye: Vec3, to: Vec3) -> Scene {
+    let mut scene = empty(eye, to, 24.0, 36);
+    scene.sensor.world_from_camera =
+        Affine::look_at(eye, to, v(0.0, 0.0, 1.0)).expect("not along the up vector");
+    add_floor(&mut scene, 4.0);
+    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
+    let high = placed(triangle(), Affine::translate(v(0.0, 0.0, 0.5)));
+    add(&mut scene, "thing", high, ShadingNormals::Face, 0.5);
+    paths(&mut scene, 3);
+    scene
+}
+
+/// The floor as a mirror behind the camera shows it.
+fn seen_in_a_mirror() -> Scene {
+    let mut scene = shadow_from_below(v(0.0, -1.0, 1.4), v(0.0, -4.1, 0.0));
+    add_wall(&mut scene, "mirror", -2.0);
+    scene
+}
+
+/// The floor behind a pane.
+fn seen_through_a_pane() -> Scene {
+    let mut scene = shadow_from_below(v(0.0, -3.0, 1.4), v(0.0, 0.1, 0.0));
+    add_wall(&mut scene, "pane", -2.0);
+    scene
+}
+
+/// A step that moves outlines by less than 0.2 pixels, for a smooth filter.
+fn visible(spp: u32) -> Case {
+    Case {
+        step: 8e-3,
+        gradient_spp: spp,
+        reference_spp: 2 * spp,
+        ..Case::default()
+    }
+}
+
+fn smooth() -> Filter {
+    Filter::Gaussian { stddev: 0.5 }
+}
+
+/// A ball moves over a glossy floor that reflects it.
+#[test]
+fn ball_over_a_glossy_floor() {
+    let mut scene = visible_ball(smooth());
+    make(&mut scene, "floor", |n| {
+        Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.1))
+    });
+    paths(&mut scene, 3);
+    let motion = motion(&scene, "ball.translate.x");
+    agree("glossy floor", scene, &motion, visible(400));
+}
+
+/// A moving shadow in a mirror that is a little rough.
+#[test]
+fn shadow_in_a_rough_mirror() {
+    let mut scene = seen_in_a_mirror();
+    make(&mut scene, "mirror", |n| {
+        Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Beckmann, 0.02))
+    });
+    let motion = motion(&scene, "thing.translate.x");
+    agree("rough mirror", scene, &motion, Case::default());
+}
+
+/// A moving shadow in a perfect mirror at rest, in which the thing is not seen.
+#[test]
+fn shadow_in_a_perfect_mirror() {
+    let mut scene = seen_in_a_mirror();
+    make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+    let motion = motion(&scene, "thing.translate.x");
+    agree("perfect mirror", scene, &motion, Case::default());
+}
+
+/// A moving shadow behind a pane at rest, and behind the face of a glass body.
+#[test]
+fn shadow_behind_glass() {
+    let mut scene = seen_through_a_pane();
+    make(&mut scene, "pane", |n| Bsdf::ThinDielectric(n.glass()));
+    let along = motion(&scene, "thing.translate.x");
+    agree("pane", scene, &along, Case::default());
+
+    let mut scene = seen_through_a_pane();
+    make(&mut scene, "pane", |n| Bsdf::Dielectric(n.glass()));
+    let along = motion(&scene, "thing.translate.x");
+    let case = Case {
+        min_pixels: 600,
+        ..Case::default()
+    };
+    agree("glass", scene, &along, case);
+}
+
+/// A ball of rough plastic moves.
+#[test]
+fn moving_ball_of_rough_plastic() {
+    let mut scene = visible_ball(smooth());
+    make(&mut scene, "ball", |n| Bsdf::RoughPlastic {
+        coat: n.coat(true),
+        distribution: Distribution::Beckmann,
+        alpha: n.number("alpha", 0.2),
+    });
+    paths(&mut scene, 3);
+    let motion = motion(&scene, "ball.translate.x");
+    agree("rough plastic", scene, &motion, visible(400));
+}
+
+/// A ball of rough glass moves, light from all around it.
+#[test]
+fn moving_ball_of_rough_glass() {
+    let mut scene = visible_ball(smooth());
+    make(&mut scene, "ball", |n| {
+        Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Ggx, 0.3))
+    });
+    paths(&mut scene, 3);
+    let motion = motion(&scene, "ball.translate.x");
+    agree("rough glass", scene, &motion, visible(250));
+}
+
+/// A principled ball, partly glass, moves.
+#[test]
+fn moving_principled_ball() {
+    let mut scene = visible_ball(smooth());
+    make(&mut scene, "ball", |n| Bsdf::Principled(n.principled(0.4)));
+    paths(&mut scene, 3);
+    let motion = motion(&scene, "ball.translate.x");
+    agree("principled", scene, &motion, visible(300));
+}
+
+/// A floor of some material with a thing on it, under a lamp, and a lamp below.
+fn sample_of(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
+    let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 40.0, 36);
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.1, 0.5, 2.5), 1.5, 0.3, 4.0);
+    let (below, normals) = rectangle(Affine::translate(v(0.5, 0.5, -2.0)));
+    add(&mut scene, "below", below, normals, 0.0);
+    light_up(&mut scene, 3.0);
+    add(&mut scene, "thing", small_ball(), ShadingNormals::Face, 0.6);
+    make(&mut scene, "floor", material);
+    paths(&mut scene, 3);
+    scene
+}
+
+/// Numbers of the floor's material change, nothing moves.
+fn numbers_change(name: &str, scene: Scene, expression: &str) {
+    let along = motion(&scene, expression);
+    let case = Case {
+        step: 1e-2,
+        gradient_spp: 200,
+        reference_spp: 400,
+        min_pixels: 900,
+        ..Case::default()
+    };
+    agree(name, scene, &along, case);
+}
+
+#[test]
+fn numbers_of_a_rough_metal() {
+    let metal = |n: &mut Slots| Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.3));
+    for name in ["alpha", "eta", "k", "specular_reflectance"] {
+        let expression = format!("floor.bsdf.{name}.value");
+        numbers_change(name, sample_of(metal), &expression);
+    }
+}
+
+#[test]
+fn numbers_of_rough_glass() {
+    let glass =
+        |n: &mut Slots| Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Beckmann, 0.3));
+    let expression = "floor.bsdf.int_ior.value + 0.3*floor.bsdf.alpha.value \
+                      - 0.2*floor.bsdf.specular_transmittance.value";
+    for expression in [expression, "floor.bsdf.ext_ior.value"] {
+        numbers_change("rough glass", sample_of(glass), expression);
+    }
+}
+
+#[test]
+fn numbers_of_plastic() {
+    let plastic = |n: &mut Slots| Bsdf::Plastic(n.coat(true));
+    let expression = "floor.bsdf.int_ior.value + 0.5*floor.bsdf.diffuse_reflectance.value";
+    numbers_change("plastic", sample_of(plastic), expression);
+}
+
+#[test]
+fn numbers_of_rough_plastic() {
+    let rough = |n: &mut Slots| Bsdf::RoughPlastic {
+        coat: n.coat(false),
+        distribution: Distribution::Ggx,
+        alpha: n.number("alpha", 0.25),
+    };
+    for name in ["alpha", "int_ior"] {
+        let expression = format!("floor.bsdf.{name}.value");
+        numbers_change("rough plastic", sample_of(rough), &expression);
+    }
+}
+
+#[test]
+fn numbers_of_principled() {
+    let principled = |n: &mut Slots| Bsdf::Principled(n.principled(0.4));
+    for expression in [
+        "floor.bsdf.roughness.value + 0.5*floor.bsdf.base_color.value",
+        "floor.bsdf.metallic.value - 0.3*floor.bsdf.spec_trans.value + 0.2*floor.bsdf.eta.value",
+    ] {
+        numbers_change("principled", sample_of(principled), expression);
+    }
+    // Where a number decides what is drawn, differences are noisy. It depends on
+    // these almost linearly, so that steps can be long.
+    for (expression, step) in [
+        ("floor.bsdf.clearcoat.value", 0.4),
+        ("floor.bsdf.clearcoat_gloss.value", 0.045),
+        ("floor.bsdf.anisotropic.value", 0.1),
+        (
+            "floor.bsdf.flatness.value + floor.bsdf.spec_tint.value + floor.bsdf.sheen.value",
+            0.1,
+        ),
+    ] {
+        let case = Case {
+            step,
+            gradient_spp: 200,
+            reference_spp: 1200,
+            min_pixels: 900,
+            ..Case::default()
+        };
+        let scene = sample_of(principled);
+        let along = motion(&scene, expression);
+        agree(expression, scene, &along, case);
+    }
+}
+
+/// How much of two materials there is, and how much of one.
+#[test]
+fn weights_of_blends_and_masks() {
+    let blend = |n: &mut Slots| Bsdf::Blend {
+        weight: n.number("weight", 0.3),
+        nested: [
+            n.diffuse("first", [0.8, 0.2, 0.1]),
+            n.diffuse("second", [0.1, 0.4, 0.7]),
+        ],
+    };
+    numbers_change("blend", sample_of(blend), "floor.bsdf.weight.value");
+    numbers_change("mask", masked_floor(0.6), "floor.bsdf.opacity.value");
+}
+
+fn masked_floor(opacity: f64) -> Scene {
+    sample_of(|n| Bsdf::Mask {
+        opacity: n.number("opacity", opacity),
+        nested: n.diffuse("first", [0.8, 0.2, 0.1]),
+    })
+}
+
+/// Where there is all of a material or nothing of it, differences would need
+/// numbers that are not allowed. Paths that meet it once are linear in how much
+/// there is: the derivative is the same everywhere.
+#[test]
+fn weights_at_their_limits() {
+    let derivative = |scene: &Scene, name: &str, seed: u64| {
+        let settings = GradientOptions {
+            options: Options {
+                spp: 200,
+                seed,
+                threads: None,
+            },
+            walk: WalkSettings::default(),
+        };
+        let result = gradient(scene, &motion(scene, name), &settings, &Unwatched);
+        result.expect("covered").gradient
+    };
+    let same = |name: &str, half: Scene, limit: Scene, parameter: &str| {
+        let half = derivative(&half, parameter, 1);
+        let result = compare(&derivative(&limit, parameter, 2), &half);
+        assert_eq!(result.verdict, Verdict::Right, "{name}: {result:?}");
+        assert!(result.pixels >= 900, "{name}: {} pixels", result.pixels);
+    };
+    let opacity = "floor.bsdf.opacity.value";
+    for limit in [0.0, 1.0] {
+        same("mask", masked_floor(0.5), masked_floor(limit), opacity);
+    }
+    let glass = |part: f64| sample_of(|n| Bsdf::Principled(n.principled(part)));
+    let spec_trans = "floor.bsdf.spec_trans.value";
+    same("glass", glass(0.5), glass(0.0), spec_trans);
+}
+
+/// What moves and is seen in a perfect mirror is refused, with the reason: its
+/// outline there is not available; and so is a mirror that moves.
+#[test]
+fn things_that_move_in_mirrors_are_refused() {
+    let mut scene = empty(v(0.0, -3.0, 1.5), v(0.0, 0.0, 0.0), 30.0, 12);
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.0, 2.4, 1.2), 1.2, 0.3, 4.0);
+    let ahead = placed(triangle(), Affine::translate(v(0.0, 1.2, -0.5)));
+    add(&mut scene, "thing", ahead, ShadingNormals::Face, 0.6);
+    make(&mut scene, "floor", |n| Bsdf::Conductor(n.mirror()));
+    // Two segments: the lamp in the mirror, and what hides it.
+    for (segments, expression) in [
+        (2, "thing.translate.x"),
+        (2, "lamp.translate.x"),
+        (2, "floor.rotate.x"),
+        (3, "thing.translate.x"),
+        (3, "floor.translate.z"),
+        (3, "sensor.translate.x"),
+    ] {
+        paths(&mut scene, segments);
+        let Err(refusal) = run(&scene, expression) else {
+            panic!("{expression}, {segments} segments: not refused");
+        };
+        let reason = refusal.reason;
+        let is_named = reason.contains("specular") && reason.contains("rough material");
+        assert!(is_named, "{expression}: {reason}");
+    }
+    // Nothing moves.
+    assert!(run(&scene, "floor.bsdf.specular_reflectance.value").is_ok());
+    assert!(run(&scene, "thing.bsdf.reflectance.value").is_ok());
+}
