@@ -552,13 +552,6 @@ impl<'a> Tracer<'a> {
                 }
             },
         );
-        // Also if the path ends there: what moves can cover light.
-        if W::MOVES
-            && let Some((event, next)) = next.and_then(|next| Some((next.specular?, next)))
-        {
-            let (direction, _) = vertex.specular(event);
-            self.count_uncovered(world, vertex.position, direction, &next.hit, draw);
-        }
         if W::MOVES
             && self.plan.sampling.dimensions() > 0
             && at_rest.bsdf.has_smooth()
