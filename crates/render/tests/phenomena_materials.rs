@@ -163,12 +163,17 @@ fn moving_ball_of_rough_glass() {
     agree("rough glass", scene, &motion, visible(250));
 }
 
-/// A principled ball, partly glass, moves.
+/// A principled ball, partly glass, moves. It is anisotropic: without texture
+/// coordinates nobody knows in which directions, and that is refused.
 #[test]
 fn moving_principled_ball() {
     let mut scene = visible_ball(smooth());
     make(&mut scene, "ball", |n| Bsdf::Principled(n.principled(0.4)));
     paths(&mut scene, 3);
+    let refusal = run(&scene, "ball.translate.x").expect_err("no directions");
+    assert!(refusal.reason.contains("texture coordinates"), "{refusal}");
+    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
+    ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
     let motion = motion(&scene, "ball.translate.x");
     agree("principled", scene, &motion, visible(300));
 }
