@@ -44,6 +44,22 @@ impl Affine {
         }
     }
 
+    /// True if the linear part is a rotation or reflection: the inner products of
+    /// its rows differ from those of an orthonormal frame by less than
+    /// `tolerance`. False if it is not finite.
+    pub fn is_rigid(&self, tolerance: f64) -> bool {
+        let [a, b, c] = self.rows;
+        let products = [
+            a.dot(a) - 1.0,
+            b.dot(b) - 1.0,
+            c.dot(c) - 1.0,
+            a.dot(b),
+            b.dot(c),
+            c.dot(a),
+        ];
+        products.iter().all(|x| x.abs() < tolerance) // not for NaN
+    }
+
     /// Rotates by `angle` radians about `axis` (any length but zero),
     /// counter-clockwise when the axis points at the viewer.
     pub fn rotate(axis: Vec3, angle: f64) -> Self {
@@ -153,6 +169,21 @@ impl Mul for Affine {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rotations_are_rigid() {
+        let turn = Affine::rotate(Vec3::new(0.3, -1.0, 0.5), 0.7);
+        assert!(turn.is_rigid(1e-14));
+        let mut sheared = turn;
+        sheared.rows[0] += sheared.rows[1] * 0.01;
+        assert!(!sheared.is_rigid(1e-3) && sheared.is_rigid(0.02));
+        assert!(!(turn * Affine::scale(Vec3::new(1.0, 1.5, 1.0))).is_rigid(1e-3));
+        for row in 0..3 {
+            let mut broken = turn;
+            broken.rows[row].x = f64::NAN;
+            assert!(!broken.is_rigid(1e9));
+        }
+    }
 
     fn example() -> Affine {
         Affine::translate(Vec3::new(1.0, -2.0, 0.5))

@@ -537,7 +537,8 @@ impl<'a> Tracer<'a> {
                 let emitter = self.accel.scene.emitter(sample.emitter);
                 if let Some(delta) = emitter.delta_light(vertex.position) {
                     let f = vertex.eval(delta.direction);
-                    light += f.hadamard(radiance(delta.direction)) * weight;
+                    let irradiance = world.texel(emitter.radiance(), 0) * delta.factor;
+                    light += f.hadamard(irradiance) * weight;
                     return;
                 }
                 let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);

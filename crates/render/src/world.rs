@@ -223,8 +223,7 @@ pub fn surface_at<R: Real, W: World<R>>(
 }
 
 /// What an emitter sends back along a ray that meets it at `hit`, or in no
-/// surface if it is the environment: radiance. Of a light without extent, what a
-/// surface at `origin` receives across the direction towards it: irradiance.
+/// surface if it is the environment. Lights without extent are met by no ray.
 pub fn emitted_at<R: Real, W: World<R>>(
     world: &W,
     accel: &Accel,
@@ -251,9 +250,8 @@ pub fn emitted_at<R: Real, W: World<R>>(
             let texels = map.lookup(direction, |index| world.texel(*data, index));
             texels.hadamard(world.texel(*scale, 0))
         }
-        (emitter, _) => match emitter.delta_light(origin) {
-            Some(light) => world.texel(emitter.radiance(), 0) * light.factor,
-            None => Rgb::zero(),
-        },
+        (Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }, _) => {
+            unreachable!("no ray meets a light without extent")
+        }
     }
 }

@@ -38,6 +38,38 @@ fn paint(scene: &mut Scene, shape: &str, texture: Texture) {
     material.expect("the material of a shape").bsdf = Bsdf::Diffuse { reflectance: id };
 }
 
+/// Gives the shape an attribute, and its material the texture that looks it up.
+fn paint_by_attribute(
+    scene: &mut Scene,
+    shape: &str,
+    pattern: Pattern,
+    channels: usize,
+    data: Vec<f64>,
+) {
+    let attribute = scene.add_texture(Texture {
+        id: format!("{shape}.color"),
+        channels,
+        data,
+        pattern,
+    });
+    let found = scene.shapes.iter_mut().find(|s| s.id == shape);
+    let attributes = &mut found.expect("a shape").attributes;
+    attributes.push(capwalk_scene::shape::Attribute {
+        name: "color".into(),
+        texture: attribute,
+    });
+    let by_attribute = Texture {
+        id: "by_attribute".into(),
+        channels,
+        data: Vec::new(),
+        pattern: Pattern::MeshAttribute {
+            name: "color".into(),
+            scale: 1.0,
+        },
+    };
+    paint(scene, shape, by_attribute);
+}
+
 /// Corners of a rectangle's two triangles.
 fn unit_square(scene: &mut Scene, shape: &str) {
     let shape = scene
@@ -157,28 +189,8 @@ fn faces_of_different_colours() {
     let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 19.0, 36);
     let (mesh, normals) = rectangle(Affine::scale(v(0.7, 0.5, 1.0)));
     add(&mut scene, "floor", mesh, normals, 0.5);
-    let attribute = scene.add_texture(Texture {
-        id: "floor.face_color".into(),
-        channels: 3,
-        data: vec![0.9, 0.2, 0.1, 0.1, 0.3, 0.8],
-        pattern: Pattern::PerFace,
-    });
-    scene.shapes[0]
-        .attributes
-        .push(capwalk_scene::shape::Attribute {
-            name: "face_color".into(),
-            texture: attribute,
-        });
-    let by_face = Texture {
-        pattern: Pattern::MeshAttribute {
-            name: "face_color".into(),
-            scale: 1.0,
-        },
-        channels: 3,
-        data: Vec::new(),
-        id: "by_face".into(),
-    };
-    paint(&mut scene, "floor", by_face);
+    let colours = vec![0.9, 0.2, 0.1, 0.1, 0.3, 0.8];
+    paint_by_attribute(&mut scene, "floor", Pattern::PerFace, 3, colours);
     add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
     let motion = motion(&scene, "floor.translate.x + floor.rotate.z");
     let case = Case {
@@ -206,28 +218,8 @@ fn vertices_of_different_colours() {
         faces: vec![[0, 1, 2], [3, 4, 5]],
     };
     add(&mut scene, "floor", mesh, ShadingNormals::Face, 0.5);
-    let attribute = scene.add_texture(Texture {
-        id: "floor.vertex_color".into(),
-        channels: 1,
-        data: vec![0.9, 0.8, 0.9, 0.1, 0.2, 0.1],
-        pattern: Pattern::PerVertex,
-    });
-    scene.shapes[0]
-        .attributes
-        .push(capwalk_scene::shape::Attribute {
-            name: "vertex_color".into(),
-            texture: attribute,
-        });
-    let by_vertex = Texture {
-        pattern: Pattern::MeshAttribute {
-            name: "vertex_color".into(),
-            scale: 1.0,
-        },
-        channels: 1,
-        data: Vec::new(),
-        id: "by_vertex".into(),
-    };
-    paint(&mut scene, "floor", by_vertex);
+    let greys = vec![0.9, 0.8, 0.9, 0.1, 0.2, 0.1];
+    paint_by_attribute(&mut scene, "floor", Pattern::PerVertex, 1, greys);
     add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
     let motion = motion(&scene, "floor.translate.x + floor.rotate.z");
     agree("colours of vertices", scene, &motion, visible(200));

@@ -181,16 +181,7 @@ fn rough_materials() {
         }
     });
     make(&mut scene, "thing", |n| Bsdf::Principled(n.principled(0.0)));
-    for (name, x) in [("glass", -0.8), ("plastic", 0.9)] {
-        let place = Affine::translate(v(x, -0.4, -0.5));
-        add(
-            &mut scene,
-            name,
-            placed(small_ball(), place),
-            ShadingNormals::Face,
-            0.5,
-        );
-    }
+    add_balls(&mut scene, ["glass", "plastic"]);
     make(&mut scene, "glass", |n| {
         Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Beckmann, 0.2))
     });
@@ -202,22 +193,21 @@ fn rough_materials() {
     agree_in_both_modes("rough materials", scene, 4);
 }
 
+/// Adds a ball on either side of the thing.
+fn add_balls(scene: &mut Scene, names: [&str; 2]) {
+    for (name, x) in names.into_iter().zip([-0.8, 0.9]) {
+        let ball = placed(small_ball(), Affine::translate(v(x, -0.4, -0.5)));
+        add(scene, name, ball, ShadingNormals::Face, 0.5);
+    }
+}
+
 /// Mirrors, panes and masks: their numbers change, nothing moves.
 #[test]
 fn numbers_of_specular_materials() {
     let mut scene = visible_cube();
     make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(false)));
     make(&mut scene, "thing", |n| Bsdf::ThinDielectric(n.glass()));
-    for (name, x) in [("metal", -0.8), ("leaf", 0.9)] {
-        let place = Affine::translate(v(x, -0.4, -0.5));
-        add(
-            &mut scene,
-            name,
-            placed(small_ball(), place),
-            ShadingNormals::Face,
-            0.5,
-        );
-    }
+    add_balls(&mut scene, ["metal", "leaf"]);
     make(&mut scene, "metal", |n| Bsdf::Conductor(n.copper()));
     make(&mut scene, "leaf", |n| Bsdf::Mask {
         opacity: n.number("opacity", 1.0),

@@ -33,5 +33,5 @@ pub use resolve::{Resolved, Resolver};
 pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
 pub use sensor::Perspective;
 pub use settings::{Integrator, Layer, SamplerKind, Settings};
-pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, vertex_normals};
+pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, normal_sums, vertex_normals};
 pub use texture::{Pattern, SurfacePoint, Texture, TextureId};

@@ -73,16 +73,7 @@ impl Perspective {
                 expected,
             })
         };
-        let [a, b, c] = self.world_from_camera.rows;
-        let rigid = [
-            a.dot(a) - 1.0,
-            b.dot(b) - 1.0,
-            c.dot(c) - 1.0,
-            a.dot(b),
-            b.dot(c),
-            c.dot(a),
-        ];
-        if !rigid.iter().all(|x| x.abs() < RIGID) || !self.origin().is_finite() {
+        if !self.world_from_camera.is_rigid(RIGID) || !self.origin().is_finite() {
             return bad(
                 "to_world",
                 format!("{:?}", self.world_from_camera),

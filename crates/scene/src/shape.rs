@@ -109,6 +109,19 @@ impl Shape {
 /// angle of the corner (Max 1999 compares the weights; Mitsuba takes these).
 /// `+z` where all faces at a vertex are degenerate or cancel.
 pub fn vertex_normals<R: Real>(positions: &[Vec3<R>], faces: &[[u32; 3]]) -> Vec<Vec3<R>> {
+    let sums = normal_sums(positions, faces);
+    let up = Vec3::constant(Vec3::new(0.0, 0.0, 1.0));
+    sums.into_iter()
+        .map(|sum| match sum.length_squared().value() {
+            0.0 => up,
+            _ => sum.normalized(),
+        })
+        .collect()
+}
+
+/// The vertex normals before they are normalised: sums over the faces around each
+/// vertex, zero where there are none or they cancel.
+pub fn normal_sums<R: Real>(positions: &[Vec3<R>], faces: &[[u32; 3]]) -> Vec<Vec3<R>> {
     let mut sums = vec![Vec3::<R>::zero(); positions.len()];
     for corners in faces {
         if let Some(parts) = corner_normals(corners.map(|i| positions[i as usize])) {
@@ -117,13 +130,7 @@ pub fn vertex_normals<R: Real>(positions: &[Vec3<R>], faces: &[[u32; 3]]) -> Vec
             }
         }
     }
-    let up = Vec3::constant(Vec3::new(0.0, 0.0, 1.0));
-    sums.into_iter()
-        .map(|sum| match sum.length_squared().value() {
-            0.0 => up,
-            _ => sum.normalized(),
-        })
-        .collect()
+    sums
 }
 
 /// What a face adds to the normals at its corners, before they are normalised:

@@ -5,6 +5,7 @@ use capwalk_math::tape::Adjoints;
 use capwalk_math::{Tape, Vec3};
 use capwalk_scene::{
     Motion, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion, TextureId, corner_normals,
+    normal_sums,
 };
 
 use crate::accel::Accel;
@@ -243,14 +244,7 @@ fn pull_computed_normals(
     on_normals: &[Vec3],
     on_vertices: &mut [Vec3],
 ) {
-    let mut sums = vec![Vec3::zero(); mesh.positions.len()];
-    for face in 0..mesh.faces.len() {
-        if let Some(parts) = corner_normals(mesh.corners(face)) {
-            for (&i, part) in mesh.faces[face].iter().zip(parts) {
-                sums[i as usize] += part;
-            }
-        }
-    }
+    let sums = normal_sums(&mesh.positions, &mesh.faces);
     // Covectors on the sums: of v / |v|, orthogonal to it.
     let on_sums: Vec<Vec3> = sums
         .into_iter()

@@ -10,14 +10,14 @@ use std::cell::Cell;
 
 use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Real, Vec3};
-use capwalk_scene::{Emitter, Integrator, Layer, Pattern, Scene, Shape};
+use capwalk_scene::Emitter;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
-use crate::material::{needs_tangent, tangent_of_face, textures_of};
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
+use super::look::Look;
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -28,13 +28,6 @@ pub const EMITTED: u8 = 2;
 /// Lamps with at most this many edges have their flux sampled explicitly
 /// (METHOD 3); the edges of others join the boundaries.
 const FEW_EDGES: usize = 64;
-
-/// Unit normals that differ by less than this are the same: rounding to single
-/// precision moves them by about 1e-7.
-const SAME_NORMAL: f64 = 1e-6;
-
-/// Texture coordinates that differ by less than this are the same.
-const SAME_UV: f64 = 1e-6;
 
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
@@ -99,8 +92,8 @@ impl Boundaries {
         let mut length = 0.0;
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
-            let mut own =
-                topology::edges_with(&shape.mesh, |faces| shades_apart(scene, shape, faces));
+            let look = Look::new(scene, shape);
+            let mut own = topology::edges_with(&shape.mesh, |faces| look.differs(faces));
             let is_lamp = shape.emitter.is_some_and(|id| {
                 matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
             });
@@ -111,7 +104,7 @@ impl Boundaries {
                     // Light ends where a lamp turns its back, folded or not, and
                     // jumps with its texture.
                     let local = faces.map(|face| face - first_face);
-                    if flipped || textures_differ(scene, shape, local) {
+                    if flipped || look.textures_differ(local) {
                         edge.sides = Sides::Open;
                     }
                 }
@@ -162,79 +155,6 @@ impl Boundaries {
     pub fn point_count(&self) -> usize {
         self.positions.len()
     }
-}
-
-/// True if two neighbouring faces look different at their common edge even if
-/// they are coplanar: by their shading normals or their textures.
-fn shades_apart(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
-    normals_differ(shape, faces)
-        || textures_differ(scene, shape, faces)
-        || needs_tangent(scene, shape.bsdf) && tangents_differ(shape, faces)
-}
-
-/// True if texture coordinates turn two neighbouring faces differently about
-/// their normals.
-fn tangents_differ(shape: &Shape, faces: [u32; 2]) -> bool {
-    let [first, second] = faces.map(|face| {
-        let [a, b, c] = shape.mesh.corners(face as usize);
-        tangent_of_face(shape, face as usize, [b - a, c - a]).map(Vec3::normalized)
-    });
-    match (first, second) {
-        (Some(first), Some(second)) => (first - second).length() > SAME_NORMAL,
-        (None, None) => false,
-        _ => true,
-    }
-}
-
-/// True if two neighbouring faces have different shading normals at an end of
-/// their common edge.
-fn normals_differ(shape: &Shape, faces: [u32; 2]) -> bool {
-    let Some(normals) = shape.normals.per_vertex() else {
-        return false;
-    };
-    common_vertices(shape, faces)
-        .any(|[a, b]| (normals[a as usize] - normals[b as usize]).length() > SAME_NORMAL)
-}
-
-/// True if a texture of the shape can differ between two neighbouring faces at
-/// an end of their common edge.
-fn textures_differ(scene: &Scene, shape: &Shape, faces: [u32; 2]) -> bool {
-    if scene.settings.integrator == Integrator::Aov(Layer::Uv) && uvs_differ(shape, faces) {
-        return true;
-    }
-    textures_of(scene, shape)
-        .into_iter()
-        .any(|texture| match texture.pattern {
-            Pattern::PerFace => true,
-            Pattern::PerVertex => common_vertices(shape, faces)
-                .any(|[a, b]| texture.texel(a as usize) != texture.texel(b as usize)),
-            _ => texture.needs_uv() && uvs_differ(shape, faces),
-        })
-}
-
-/// True if two neighbouring faces have different texture coordinates at an end
-/// of their common edge.
-fn uvs_differ(shape: &Shape, faces: [u32; 2]) -> bool {
-    common_corners(shape, faces).any(|[first, second]| {
-        let corner = |i: usize| [0, 1, 2].map(|k| if i == k { 1.0_f64 } else { 0.0 });
-        let [a, b] = [(faces[0], first), (faces[1], second)]
-            .map(|(face, i)| shape.uv(face as usize, corner(i)));
-        (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > SAME_UV
-    })
-}
-
-/// The vertices of two faces that are at the same place.
-fn common_vertices(shape: &Shape, faces: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
-    let [first, second] = faces.map(|face| shape.mesh.faces[face as usize]);
-    common_corners(shape, faces).map(move |[i, k]| [first[i], second[k]])
-}
-
-/// The corners of two faces that are at the same place.
-fn common_corners(shape: &Shape, faces: [u32; 2]) -> impl Iterator<Item = [usize; 2]> {
-    let [first, second] = faces.map(|face| shape.mesh.corners(face as usize));
-    (0..3)
-        .flat_map(|i| (0..3).map(move |k| [i, k]))
-        .filter(move |&[i, k]| first[i] == second[k])
 }
 
 /// Makes an edge of a shape one of the joined mesh.

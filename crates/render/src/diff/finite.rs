@@ -12,7 +12,7 @@ use crate::tiles::{self, Sample};
 use crate::world::AtRest;
 
 use super::boundary::{Counts, Draw};
-use super::forward::refuse_unsupported;
+use super::refuse::refuse_unsupported;
 
 /// The derivative of the picture along `motion` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;

@@ -16,8 +16,8 @@ use crate::sampler::Sampler;
 use crate::world::AtRest;
 
 use super::boundary::{Counts, Draw, Field};
-use super::forward::check_walk;
 use super::motion::InMotion;
+use super::refuse::refuse_walk;
 
 /// A surface point at rest that reflects the irradiance itself: its reflectance
 /// is π.
@@ -66,7 +66,7 @@ pub fn irradiance(
     samples: u32,
     seed: u64,
 ) -> Result<Vec<Irradiance>, Refusal> {
-    check_walk(&walk)?;
+    refuse_walk(&walk)?;
     let accel = Accel::new(scene);
     let field = Field::new(&accel);
     let world = InMotion::new(&accel, &field, motion);

@@ -16,12 +16,10 @@ use crate::sampler::Sampler;
 
 use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
-use super::clip::refuse_clipped;
-use super::forward::{
-    check_walk, is_specular_somewhere, refuse_hard_shadows, refuse_jumping_textures,
-    refuse_turned_without_uvs, refuse_uncovered, refuse_unsupported,
-};
 use super::recording::Recording;
+use super::refuse::{
+    is_specular_somewhere, refuse_motion, refuse_uncovered, refuse_unsupported, refuse_walk,
+};
 
 /// Batches that the samples are split into, whatever the number of threads, so
 /// that sums are the same to the bit. Their spread gives the standard errors.
@@ -97,7 +95,7 @@ pub fn backward(
     watch: &dyn Watch,
 ) -> Result<Backward, Refusal> {
     refuse_unsupported(scene)?;
-    check_walk(&options.walk)?;
+    refuse_walk(&options.walk)?;
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     if [adjoint.width, adjoint.height] != [width, height] {
         return Err(Refusal {
@@ -110,10 +108,7 @@ pub fn backward(
     refuse_non_finite(adjoint)?;
     let accel = Accel::new(scene);
     if wanted.geometry() {
-        refuse_hard_shadows(scene)?;
-        refuse_jumping_textures(scene)?;
-        refuse_turned_without_uvs(scene)?;
-        refuse_clipped(&accel)?;
+        refuse_motion(&accel)?;
     }
     let field = Field::new(&accel);
     let pass = Pass {

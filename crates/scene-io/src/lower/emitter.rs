@@ -6,15 +6,12 @@ use capwalk_scene::scene::{EmitterId, ShapeId};
 use capwalk_scene::{Emitter, Pattern, Quantity, Texture, TextureId};
 
 use super::Lowering;
+use super::sensor::RIGID;
 use crate::fields::{Child, Fields};
 use crate::source::{Problem, Span};
 
 /// The plugins.
 const EMITTERS: [&str; 6] = ["area", "constant", "envmap", "point", "spot", "directional"];
-
-/// How far `to_world` of a light may be from a rotation, in the entries of
-/// `M Mᵀ`, as for sensors.
-const RIGID: f64 = 1e-3;
 
 impl Lowering<'_> {
     /// The area emitter that stands in the shape that is added next.
@@ -243,16 +240,7 @@ impl Lowering<'_> {
 /// The rotation of `to_world`, freed from the rounding of its digits.
 fn rotation(fields: &Fields) -> Result<Affine, Problem> {
     let given = fields.transform("to_world")?;
-    let [a, b, c] = given.rows;
-    let products = [
-        a.dot(a) - 1.0,
-        b.dot(b) - 1.0,
-        c.dot(c) - 1.0,
-        a.dot(b),
-        b.dot(c),
-        c.dot(a),
-    ];
-    if !products.iter().all(|x| x.abs() <= RIGID) || given.determinant() < 0.0 {
+    if !given.is_rigid(RIGID) || given.determinant() < 0.0 {
         let message = format!(
             "the \"to_world\" of {} scales, shears or mirrors",
             fields.title()
@@ -260,6 +248,7 @@ fn rotation(fields: &Fields) -> Result<Affine, Problem> {
         return Err(Problem::new(fields.span_of("to_world"), message)
             .help("expected a rotation and a translation"));
     }
+    let [a, b, _] = given.rows;
     let first = a.normalized();
     let second = b.reject_from(first).normalized();
     Ok(Affine {

@@ -17,7 +17,7 @@ const FILM_DIAGONAL: f64 = 43.266615305567875;
 
 /// How far `to_world` may be from a rotation, in the entries of `M Mᵀ`: Mitsuba's
 /// limit. Files with three or four digits stay below it.
-const RIGID: f64 = 1e-3;
+pub(super) const RIGID: f64 = 1e-3;
 
 impl Lowering<'_> {
     /// The sensor, its film and its sampler.
@@ -75,22 +75,14 @@ impl Lowering<'_> {
 /// direction, up is made orthogonal to it.
 fn rigid(fields: &Fields) -> Result<Affine, Problem> {
     let given = fields.transform("to_world")?;
-    let [a, b, c] = given.rows;
-    let products = [
-        a.dot(a) - 1.0,
-        b.dot(b) - 1.0,
-        c.dot(c) - 1.0,
-        a.dot(b),
-        b.dot(c),
-        c.dot(a),
-    ];
-    if !products.iter().all(|x| x.abs() <= RIGID) {
+    if !given.is_rigid(RIGID) {
         return Err(Problem::new(
             fields.span_of("to_world"),
             "the \"to_world\" of a sensor scales or shears",
         )
         .help("expected a rotation and a translation; fov sets how much is seen"));
     }
+    let [a, b, c] = given.rows;
     let column = |i: usize| Vec3::new(a[i], b[i], c[i]);
     let forward = column(2).normalized();
     let up = column(1).reject_from(forward).normalized();

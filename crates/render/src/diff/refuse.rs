@@ -1,0 +1,141 @@
+//! What cannot be differentiated rightly, said before or while it is tried.
+
+use capwalk_scene::{Emitter, Scene, Shape};
+use capwalk_walk::WalkSettings;
+
+use crate::accel::Accel;
+use crate::estimate::Statistics;
+use crate::material::{looks_turned, may_be_specular, textures_of};
+use crate::options::Refusal;
+use crate::unsupported::unsupported_text;
+
+use super::clip::refuse_clipped;
+
+/// A refusal if there are lights without extent: the edges of their shadows lie on
+/// surfaces, not among directions (METHOD 7).
+fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
+    let is_delta = |emitter: &&Emitter| {
+        matches!(
+            emitter,
+            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }
+        )
+    };
+    match scene.emitters.iter().find(is_delta) {
+        None => Ok(()),
+        Some(emitter) => Err(Refusal {
+            reason: format!(
+                "the emitter \"{}\" ({}) has no extent, and the motion of the hard edges of its \
+                 shadows is not available. Use a small area lamp instead, or finite differences",
+                emitter.name(scene),
+                emitter.plugin()
+            ),
+        }),
+    }
+}
+
+/// A refusal if a texture jumps inside faces: its motion against the rays would be
+/// missed (METHOD 7).
+fn refuse_jumping_textures(scene: &Scene) -> Result<(), Refusal> {
+    for shape in &scene.shapes {
+        if let Some(texture) = textures_of(scene, shape).iter().find(|t| t.jumps()) {
+            return Err(Refusal {
+                reason: format!(
+                    "the texture \"{}\" on the shape \"{}\" jumps from texel to texel, and the \
+                     motion of these jumps is not available. Use the filter `bilinear`, or finite \
+                     differences",
+                    texture.id, shape.id
+                ),
+            });
+        }
+    }
+    Ok(())
+}
+
+/// A refusal if a smooth surface reflects differently in different directions, and
+/// nothing says how it is turned: the frame that is then made up jumps.
+fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
+    let jumps = |shape: &&Shape| {
+        shape.uvs.is_none()
+            && shape.normals.per_vertex().is_some()
+            && looks_turned(scene, shape.bsdf)
+    };
+    match scene.shapes.iter().find(jumps) {
+        None => Ok(()),
+        Some(shape) => Err(Refusal {
+            reason: format!(
+                "the material of the shape \"{}\" is anisotropic, and its mesh has no texture \
+                 coordinates to say in which directions; these jump somewhere on smooth surfaces. \
+                 Add texture coordinates to the mesh",
+                shape.id
+            ),
+        }),
+    }
+}
+
+/// True if some shape has a material that can be perfectly specular.
+pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
+    let mut shapes = scene.shapes.iter();
+    shapes.any(|shape| may_be_specular(scene, shape.bsdf))
+}
+
+/// A refusal if something moved in a mirror or behind glass.
+pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
+    if statistics.uncovered == 0 {
+        return Ok(());
+    }
+    let share = statistics.uncovered as f64 / statistics.samples as f64;
+    Err(Refusal {
+        reason: format!(
+            "things move that are seen in perfectly specular reflection or refraction (about \
+             {:.2} events in 100 samples), and the motion of their outlines there is not \
+             available. Shadows seen in a mirror at rest are. Use a rough material (alpha of \
+             0.01 or more) instead of the perfectly smooth one, or finite differences",
+            100.0 * share
+        ),
+    })
+}
+
+/// The reason why derivatives by whatever moves edges are refused for the scene,
+/// if they are.
+pub fn refusal(scene: &Scene) -> Option<Refusal> {
+    if let Err(refusal) = refuse_unsupported(scene) {
+        return Some(refusal);
+    }
+    refuse_motion(&Accel::new(scene)).err()
+}
+
+/// A refusal if the scene has what cannot be differentiated by what moves edges.
+pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
+    refuse_hard_shadows(accel.scene)?;
+    refuse_jumping_textures(accel.scene)?;
+    refuse_turned_without_uvs(accel.scene)?;
+    refuse_clipped(accel)
+}
+
+/// Refuses what cannot be rendered yet.
+pub(super) fn refuse_unsupported(scene: &Scene) -> Result<(), Refusal> {
+    match unsupported_text(scene) {
+        None => Ok(()),
+        Some(reason) => Err(Refusal { reason }),
+    }
+}
+
+/// A refusal if a walk does not give a continuous field.
+pub(super) fn refuse_walk(walk: &WalkSettings) -> Result<(), Refusal> {
+    if walk.steps == 0 {
+        return Err(Refusal {
+            reason: "a walk of 0 steps gives a field that is not continuous, and a wrong \
+                     derivative; use at least 1 step"
+                .into(),
+        });
+    }
+    if !(walk.max_radius > 0.0 && walk.max_radius <= std::f64::consts::PI) {
+        return Err(Refusal {
+            reason: format!(
+                "the largest angle of a walk is {}; expected radians above 0 and at most π",
+                walk.max_radius
+            ),
+        });
+    }
+    Ok(())
+}
