@@ -18,7 +18,7 @@ use super::refuse::{
 /// The derivative of the picture for a unit change along `motion`, in forward
 /// mode, with its standard error. Refuses what it cannot differentiate rightly:
 /// surfaces that move while a clip plane of the camera cuts them, and things that
-/// move in mirrors and smooth glass.
+/// move in curved mirrors and refracting glass.
 pub fn gradient(
     scene: &Scene,
     motion: &Motion,
