@@ -13,4 +13,5 @@ pub mod probe;
 mod recording;
 pub mod refuse;
 pub mod reverse;
+mod slope;
 pub(crate) mod unfold;

@@ -25,6 +25,8 @@ pub trait World<R: Real> {
     fn scene(&self) -> &Scene;
     /// A texel of a texture.
     fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
+    /// True if derivatives by the texels of a texture are asked for.
+    fn is_asked_for(&self, id: TextureId) -> bool;
     /// Where the sensor stands.
     fn sensor_origin(&self) -> Vec3<R>;
     /// How far the sensor has turned, a rotation vector in world axes: zero,
@@ -97,6 +99,10 @@ impl World<f64> for AtRest<'_> {
     #[inline]
     fn texel(&self, id: TextureId, index: usize) -> Rgb {
         self.0.scene.texture(id).texel(index)
+    }
+    #[inline]
+    fn is_asked_for(&self, _: TextureId) -> bool {
+        false
     }
     #[inline]
     fn sensor_origin(&self) -> Vec3 {

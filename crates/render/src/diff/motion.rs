@@ -102,6 +102,10 @@ impl World<D> for InMotion<'_> {
         scene.texture(id).texel(index).with_tangent(velocity)
     }
     #[inline]
+    fn is_asked_for(&self, id: TextureId) -> bool {
+        self.motion.textures[id.0 as usize].is_some()
+    }
+    #[inline]
     fn sensor_origin(&self) -> Vec3<D> {
         let origin = self.accel.scene.sensor.origin();
         origin.with_tangent(self.motion.sensor.translation)

@@ -69,3 +69,21 @@ pub fn visible_cube() -> Scene {
     add(&mut scene, "thing", mesh, normals, 0.6);
     scene
 }
+
+/// Texture coordinates from corner to corner of a horizontal rectangle.
+pub fn unit_square(scene: &mut Scene, shape: &str) {
+    let shape = scene
+        .shapes
+        .iter_mut()
+        .find(|s| s.id == shape)
+        .expect("a shape");
+    let uv = |i: u32| {
+        let p = shape.mesh.positions[i as usize];
+        let (low, high) = shape.mesh.bounds();
+        [
+            (p.x - low.x) / (high.x - low.x),
+            (p.y - low.y) / (high.y - low.y),
+        ]
+    };
+    shape.uvs = Some(shape.mesh.faces.iter().map(|face| face.map(uv)).collect());
+}
