@@ -6,7 +6,7 @@ use capwalk_scene::resolve::Resolver;
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Source;
-use crate::material::needs_tangent;
+use crate::material::{FlatEvents, flat_events, needs_tangent};
 use crate::unsupported::unsupported_text;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
@@ -28,6 +28,9 @@ pub struct Accel<'s> {
     pub needs_tangent: Vec<bool>,
     /// What materials need besides their textures.
     pub resolver: Resolver,
+    /// What specular events at each shape keep images in shape.
+    flat_events: Vec<FlatEvents>,
+    has_flat_events: bool,
     rays: RayTree,
     /// Distances below this (world units) around a ray's origin belong to the
     /// surface it starts on.
@@ -61,6 +64,8 @@ impl<'s> Accel<'s> {
         }
         let sources = scene.emitters.iter();
         let sources = sources.map(|emitter| Source::new(scene, emitter)).collect();
+        let flat_events = scene.shapes.iter().map(|shape| flat_events(scene, shape));
+        let flat_events: Vec<FlatEvents> = flat_events.collect();
         let size = mesh
             .positions
             .iter()
@@ -78,6 +83,8 @@ impl<'s> Accel<'s> {
                 .map(|s| needs_tangent(scene, s.bsdf))
                 .collect(),
             resolver: Resolver::new(scene),
+            has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
+            flat_events,
             rays: RayTree::build(&mesh),
             mesh,
             self_distance: SELF_INTERSECTION * size,
@@ -93,11 +100,16 @@ impl<'s> Accel<'s> {
     /// The first surface seen from a point on another one.
     #[inline]
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
-        let t_min = self.self_distance;
-        self.rays.first_hit(&Ray {
-            t_min,
+        self.rays.first_hit(&self.surface_ray(origin, direction))
+    }
+
+    /// A ray from a point on a surface.
+    #[inline]
+    pub fn surface_ray(&self, origin: Vec3, direction: Vec3) -> Ray {
+        Ray {
+            t_min: self.self_distance,
             ..Ray::new(origin, direction)
-        })
+        }
     }
 
     /// The first surface along a ray with bounds of its own.
@@ -119,28 +131,48 @@ impl<'s> Accel<'s> {
     #[inline]
     pub fn surface_sees(&self, from: Vec3, direction: Vec3, distance: f64) -> bool {
         !self.rays.occluded(&Ray {
-            origin: from,
-            direction,
-            t_min: self.self_distance,
             t_max: distance * (1.0 - SHORT_OF_TARGET),
+            ..self.surface_ray(from, direction)
         })
+    }
+
+    /// The camera's ray along a unit direction, between its clip planes.
+    pub fn camera_ray(&self, direction: Vec3) -> Ray {
+        let sensor = &self.scene.sensor;
+        let forward = sensor.world_from_camera.vector(Vec3::new(0.0, 0.0, 1.0));
+        let cosine = direction.dot(forward);
+        Ray {
+            origin: sensor.origin(),
+            direction,
+            t_min: sensor.near_clip / cosine,
+            t_max: sensor.far_clip / cosine,
+        }
     }
 
     /// True if the camera sees the point at a distance along a unit direction:
     /// between its clip planes, nothing is before it.
     pub fn camera_sees(&self, direction: Vec3, distance: f64) -> bool {
-        let sensor = &self.scene.sensor;
-        let forward = sensor.world_from_camera.vector(Vec3::new(0.0, 0.0, 1.0));
-        let cosine = direction.dot(forward);
-        let depth = cosine * distance;
-        depth > sensor.near_clip
-            && depth < sensor.far_clip
+        let ray = self.camera_ray(direction);
+        // Nothing if the direction goes backwards.
+        ray.t_min > 0.0
+            && ray.t_min < distance
+            && distance < ray.t_max
             && !self.rays.occluded(&Ray {
-                origin: sensor.origin(),
-                direction,
-                t_min: sensor.near_clip / cosine,
                 t_max: distance * (1.0 - SHORT_OF_TARGET),
+                ..ray
             })
+    }
+
+    /// True if there are flat mirrors or panes.
+    #[inline]
+    pub fn has_flat_events(&self) -> bool {
+        self.has_flat_events
+    }
+
+    /// What specular events at a hit keep images in shape.
+    #[inline]
+    pub fn flat_events(&self, hit: &Hit) -> FlatEvents {
+        self.flat_events[self.shape_of(hit).0 as usize]
     }
 
     /// The shape that a vertex of the joined mesh belongs to.
