@@ -13,6 +13,9 @@ use std::time::{Duration, Instant};
 /// microseconds.
 const LONGEST: Duration = Duration::from_secs(20);
 
+/// A reader: true if it could read the bytes.
+pub type Reader = fn(&[u8]) -> bool;
+
 /// A good file, and what must survive its damage.
 #[derive(Clone)]
 pub struct Original {
@@ -20,12 +23,12 @@ pub struct Original {
     pub bytes: Vec<u8>,
     /// Makes a file of it: damage behind a checksum would never be seen.
     pub wrap: fn(&[u8]) -> Vec<u8>,
-    pub read: fn(&[u8]) -> bool,
+    pub read: Reader,
 }
 
 impl Original {
     /// A file that is damaged as it is.
-    pub fn new(bytes: impl Into<Vec<u8>>, read: fn(&[u8]) -> bool) -> Self {
+    pub fn new(bytes: impl Into<Vec<u8>>, read: Reader) -> Self {
         let (bytes, wrap) = (bytes.into(), <[u8]>::to_vec as fn(&[u8]) -> Vec<u8>);
         Self { bytes, wrap, read }
     }
@@ -149,7 +152,7 @@ fn change_number(bytes: &mut Vec<u8>, at: usize, random: &mut Random) {
 }
 
 /// The file with this number.
-fn damaged(originals: &[Original], number: u64) -> (Vec<u8>, fn(&[u8]) -> bool) {
+fn damaged(originals: &[Original], number: u64) -> (Vec<u8>, Reader) {
     let original = &originals[(number % originals.len() as u64) as usize];
     let mut random = Random(number.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     let other = &originals[random.below(originals.len())].bytes;
