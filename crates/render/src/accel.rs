@@ -3,6 +3,7 @@
 use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
 use capwalk_math::Vec3;
 use capwalk_scene::resolve::Resolver;
+use capwalk_scene::sensor::view::{View, ViewRay};
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Source;
@@ -26,6 +27,8 @@ pub struct Accel<'s> {
     pub sources: Vec<Source>,
     /// Whether it matters how each shape's material is turned about the normal.
     pub needs_tangent: Vec<bool>,
+    /// What the camera sees from the middle of its lens.
+    pub view: View<f64>,
     /// What materials need besides their textures.
     pub resolver: Resolver,
     rays: RayTree,
@@ -77,6 +80,7 @@ impl<'s> Accel<'s> {
                 .iter()
                 .map(|s| needs_tangent(scene, s.bsdf))
                 .collect(),
+            view: scene.sensor.view(&scene.film),
             resolver: Resolver::new(scene),
             rays: RayTree::build(&mesh),
             mesh,
@@ -126,19 +130,16 @@ impl<'s> Accel<'s> {
         })
     }
 
-    /// True if the camera sees the point at a distance along a unit direction:
-    /// between its clip planes, nothing is before it.
-    pub fn camera_sees(&self, direction: Vec3, distance: f64) -> bool {
-        let sensor = &self.scene.sensor;
-        let forward = sensor.world_from_camera.vector(Vec3::new(0.0, 0.0, 1.0));
-        let cosine = direction.dot(forward);
-        let depth = cosine * distance;
-        depth > sensor.near_clip
-            && depth < sensor.far_clip
+    /// True if the point at a distance along a ray of the camera is seen: between
+    /// the clip planes, nothing is before it.
+    pub fn camera_sees(&self, ray: &ViewRay<f64>, distance: f64) -> bool {
+        let [near, far] = ray.range;
+        distance > near
+            && distance < far
             && !self.rays.occluded(&Ray {
-                origin: sensor.origin(),
-                direction,
-                t_min: sensor.near_clip / cosine,
+                origin: ray.origin,
+                direction: ray.direction,
+                t_min: near,
                 t_max: distance * (1.0 - SHORT_OF_TARGET),
             })
     }

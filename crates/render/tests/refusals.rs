@@ -130,3 +130,14 @@ fn a_blocker_that_moves_behind_a_pane() {
         assert!(is_refused(&scene, "thing.translate.x"), "depth {depth}");
     }
 }
+
+/// What an orthographic sensor sees move is refused; its colours are not.
+#[test]
+fn motion_under_parallel_rays() {
+    let mut scene = visible_cube();
+    scene.sensor.model = SensorModel::Orthographic;
+    for name in ["thing.translate.x", "sensor.rotate.y"] {
+        assert!(is_refused(&scene, name), "{name}");
+    }
+    assert!(!is_refused(&scene, "thing.bsdf.reflectance.value"));
+}

@@ -69,3 +69,13 @@ pub fn visible_cube() -> Scene {
     add(&mut scene, "thing", mesh, normals, 0.6);
     scene
 }
+
+/// The scene seen through a lens.
+pub fn through_lens(mut scene: Scene, aperture_radius: f64, focus_distance: f64) -> Scene {
+    scene.sensor.model = SensorModel::ThinLens {
+        fov_x: *fov_x(&mut scene),
+        aperture_radius,
+        focus_distance,
+    };
+    scene
+}
