@@ -13,3 +13,4 @@ pub mod probe;
 mod recording;
 pub mod refuse;
 pub mod reverse;
+mod slope;

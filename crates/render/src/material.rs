@@ -1,7 +1,8 @@
 //! What a surface does to light at a point: its material with its numbers.
 
-use capwalk_math::{Frame, Real, Vec3};
+use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::Bsdf;
+use capwalk_scene::resolve::TexturesAt;
 use capwalk_scene::{Bsdf as Plugin, BsdfId, Pattern, Scene, Shape, Texture, TextureId};
 
 use crate::accel::Accel;
@@ -16,9 +17,9 @@ pub fn vertex_at<R: Real, W: World<R>>(
     surface: &Surface<R>,
     direction: Vec3<R>,
 ) -> Option<Vertex<R>> {
-    let lookup = &mut |id: TextureId| world.lookup(id, &surface.point);
+    let textures = &mut Textures { world, surface };
     let resolver = &accel.resolver;
-    let resolved = resolver.resolve(accel.scene, surface.material, surface.side, lookup);
+    let resolved = resolver.resolve(accel.scene, surface.material, surface.side, textures);
     resolved.bsdf.lobes().next()?;
     let mut frame = match surface.tangent {
         // As in Mitsuba: the first axis follows the first texture coordinate.
@@ -41,6 +42,25 @@ pub fn vertex_at<R: Real, W: World<R>>(
     ))
 }
 
+/// The textures where a surface is met.
+struct Textures<'a, R, W> {
+    world: &'a W,
+    surface: &'a Surface<R>,
+}
+
+impl<R: Real, W: World<R>> TexturesAt<R> for Textures<'_, R, W> {
+    #[inline]
+    fn value(&mut self, id: TextureId) -> Rgb<R> {
+        self.world.lookup(id, &self.surface.point)
+    }
+    fn may_change(&self, id: TextureId) -> bool {
+        let scene = self.world.scene();
+        let shape = scene.shape(self.surface.point.shape);
+        let numbers = scene.numbers_of(id, shape);
+        self.world.is_asked_for(numbers)
+    }
+}
+
 /// True if it matters, for the value or a derivative, how a material is turned
 /// about the normal.
 pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
@@ -60,8 +80,9 @@ fn is_anisotropic(scene: &Scene, bsdf: &Plugin) -> bool {
             facets.alpha[0] != facets.alpha[1]
         }
         Plugin::Principled(principled) => {
-            let anisotropic = &scene.texture(principled.anisotropic).data;
-            anisotropic.iter().any(|&x| x != 0.0)
+            let anisotropic = scene.texture(principled.anisotropic);
+            let is_attribute = matches!(anisotropic.pattern, Pattern::MeshAttribute { .. });
+            is_attribute || anisotropic.data.iter().any(|&x| x != 0.0)
         }
         _ => false,
     }
@@ -139,12 +160,6 @@ pub fn textures_of<'s>(scene: &'s Scene, shape: &Shape) -> Vec<&'s Texture> {
         materials.extend(bsdf.parts());
         ids.extend(bsdf.slots().iter().map(|slot| slot.texture));
     }
-    let resolved = |id: TextureId| match &scene.texture(id).pattern {
-        Pattern::MeshAttribute { name, .. } => {
-            let attribute = shape.attribute(name);
-            scene.texture(attribute.expect("scenes are checked for attributes"))
-        }
-        _ => scene.texture(id),
-    };
-    ids.into_iter().map(resolved).collect()
+    let shown = |id| scene.texture(scene.numbers_of(id, shape));
+    ids.into_iter().map(shown).collect()
 }

@@ -26,6 +26,8 @@ pub trait World<R: Real> {
     fn scene(&self) -> &Scene;
     /// A texel of a texture.
     fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
+    /// True if derivatives by the texels of a texture are asked for.
+    fn is_asked_for(&self, id: TextureId) -> bool;
     /// The sensor's numbers.
     fn sensor(&self) -> SensorState<R>;
     /// The unit direction `q` from a point, moving with the velocity field
@@ -87,6 +89,10 @@ impl World<f64> for AtRest<'_> {
     #[inline]
     fn texel(&self, id: TextureId, index: usize) -> Rgb {
         self.0.scene.texture(id).texel(index)
+    }
+    #[inline]
+    fn is_asked_for(&self, _: TextureId) -> bool {
+        false
     }
     #[inline]
     fn sensor(&self) -> SensorState<f64> {

@@ -11,6 +11,7 @@ use capwalk_render::{
 };
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::rectangle;
+use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
 use common::agree::*;
 use common::materials::*;
@@ -329,6 +330,71 @@ fn weights_at_their_limits() {
     let glass = |part: f64| sample_of(|n| Bsdf::Principled(n.principled(part)));
     let spec_trans = "floor.bsdf.spec_trans.value";
     same("glass", glass(0.5), glass(0.0), spec_trans);
+}
+
+/// A texture of ends of its range, in blocks, and a motion that takes them inside.
+fn at_the_ends(scene: &mut Scene, id: &str, ends: [f64; 2]) -> Motion {
+    let index = scene.textures.iter().position(|texture| texture.id == id);
+    let index = index.expect("a texture");
+    let texture = &mut scene.textures[index];
+    texture.pattern = Pattern::Bitmap(Bitmap {
+        width: 4,
+        height: 4,
+        filter: TexelFilter::Bilinear,
+        wrap: Wrap::Clamp,
+        to_uv: UvTransform::IDENTITY,
+    });
+    texture.data = (0..16).map(|i| ends[i / 2 % 2]).collect();
+    let inside = |&x: &f64| if x < 0.5 { 1.0 } else { -1.0 };
+    let velocities = texture.data.iter().map(inside).collect();
+    let mut motion = Motion::zero(scene);
+    motion.textures[index] = Some(velocities);
+    motion
+}
+
+/// Derivatives by texels where there is all of something or nothing of it, against
+/// differences towards the inside. Paths that meet the floor once are linear in
+/// them.
+fn texels_at_the_ends(name: &str, mut scene: Scene, ends: [f64; 2]) {
+    unit_square(&mut scene, "floor");
+    let motion = at_the_ends(&mut scene, &format!("floor.bsdf.{name}"), ends);
+    let case = Case {
+        step: 0.125, // sums of it are exact, and stay inside
+        one_sided: true,
+        gradient_spp: 200,
+        reference_spp: 600,
+        min_pixels: 900,
+        ..Case::default()
+    };
+    agree(name, scene, &motion, case);
+}
+
+#[test]
+fn texels_without_glass_or_metal() {
+    let principled = || sample_of(|n| Bsdf::Principled(n.principled(0.4)));
+    texels_at_the_ends("spec_trans", principled(), [0.0, 0.0]);
+    texels_at_the_ends("spec_trans", principled(), [0.0, 0.5]);
+    texels_at_the_ends("metallic", principled(), [0.0, 1.0]);
+}
+
+#[test]
+fn texels_without_sheen_or_coat() {
+    let principled = || sample_of(|n| Bsdf::Principled(n.principled(0.0)));
+    texels_at_the_ends("clearcoat", principled(), [0.0, 0.0]);
+    texels_at_the_ends("sheen", principled(), [0.0, 1.0]);
+}
+
+#[test]
+fn texels_of_weights() {
+    texels_at_the_ends("opacity", masked_floor(0.5), [0.0, 1.0]);
+    let blend = sample_of(|n| Bsdf::Blend {
+        weight: n.number("weight", 0.3),
+        nested: [
+            n.diffuse("first", [0.8, 0.2, 0.1]),
+            n.diffuse("second", [0.1, 0.4, 0.7]),
+        ],
+    });
+    texels_at_the_ends("weight", blend, [0.0, 1.0]);
 }
 
 /// What moves and is seen in a perfect mirror is refused, with the reason: its

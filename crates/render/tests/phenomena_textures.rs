@@ -70,24 +70,6 @@ fn paint_by_attribute(
     paint(scene, shape, by_attribute);
 }
 
-/// Corners of a rectangle's two triangles.
-fn unit_square(scene: &mut Scene, shape: &str) {
-    let shape = scene
-        .shapes
-        .iter_mut()
-        .find(|s| s.id == shape)
-        .expect("a shape");
-    let uv = |i: u32| {
-        let p = shape.mesh.positions[i as usize];
-        let (low, high) = shape.mesh.bounds();
-        [
-            (p.x - low.x) / (high.x - low.x),
-            (p.y - low.y) / (high.y - low.y),
-        ]
-    };
-    shape.uvs = Some(shape.mesh.faces.iter().map(|face| face.map(uv)).collect());
-}
-
 /// A painted plane under a lamp, seen from near by.
 fn painted_floor() -> Scene {
     let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 40.0, 36);

@@ -1,5 +1,5 @@
 //! What moves in mirrors and behind smooth glass is found and refused, however
-//! short the paths are.
+//! short the paths are; so is what has no slope.
 
 mod common;
 
@@ -7,10 +7,11 @@ use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_render::{
     GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
 };
-use capwalk_scene::bsdf::{Glass, Metal};
+use capwalk_scene::bsdf::{Glass, Metal, Principled};
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::*;
 use common::agree::motion;
+use common::materials::*;
 use common::stages::*;
 use common::*;
 
@@ -45,6 +46,14 @@ fn mirror_floor() -> Scene {
 
 /// True if both modes refuse, by name.
 fn is_refused(scene: &Scene, name: &str) -> bool {
+    let reasons = refusals(scene, &motion(scene, name))
+        .map(|reason| reason.is_some_and(|reason| reason.contains("specular")));
+    assert_eq!(reasons[0], reasons[1], "{name}: only one mode refuses");
+    reasons[0]
+}
+
+/// Why forward and reverse mode refuse, if they do.
+fn refusals(scene: &Scene, motion: &Motion) -> [Option<String>; 2] {
     let settings = GradientOptions {
         options: Options {
             spp: 64,
@@ -53,22 +62,16 @@ fn is_refused(scene: &Scene, name: &str) -> bool {
         },
         walk: WalkSettings::default(),
     };
-    let motion = motion(scene, name);
-    let forward = gradient(scene, &motion, &settings, &Unwatched);
+    let forward = gradient(scene, motion, &settings, &Unwatched);
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let adjoint = Image {
         width,
         height,
         pixels: vec![Rgb::splat(1.0); width * height],
     };
-    let wanted = Wanted::by(&motion);
+    let wanted = Wanted::by(motion);
     let reverse = backward(scene, &adjoint, &wanted, &settings, &Unwatched);
-    let reasons = [forward.err(), reverse.err()].map(|refusal| {
-        let reason = refusal.map(|refusal| refusal.reason);
-        reason.is_some_and(|reason| reason.contains("specular"))
-    });
-    assert_eq!(reasons[0], reasons[1], "{name}: only one mode refuses");
-    reasons[0]
+    [forward.err(), reverse.err()].map(|refusal| refusal.map(|refusal| refusal.reason))
 }
 
 #[test]
@@ -140,4 +143,32 @@ fn motion_under_parallel_rays() {
         assert!(is_refused(&scene, name), "{name}");
     }
     assert!(!is_refused(&scene, "thing.bsdf.reflectance.value"));
+}
+
+/// Square roots and hues of what is black have no derivative by it.
+#[test]
+fn numbers_without_a_slope() {
+    let run = |base: [f64; 3], glass: f64, name: &str| {
+        let mut scene = shadow_stage();
+        make(&mut scene, "floor", |n| {
+            Bsdf::Principled(Principled {
+                base_color: n.colour("base_color", base),
+                ..n.principled(glass)
+            })
+        });
+        let motion = motion(&scene, &format!("floor.bsdf.{name}.value"));
+        refusals(&scene, &motion).map(|reason| reason.unwrap_or_default())
+    };
+    for (base, glass, name, why) in [
+        ([0.5, 0.0, 0.5], 0.4, "base_color", "square root"),
+        ([0.0, 0.0, 0.0], 0.0, "base_color", "hue"),
+        ([0.5, 0.0, 0.5], 0.0, "base_color", ""),
+        ([0.5, 0.2, 0.5], 0.4, "base_color", ""),
+        ([0.0, 0.0, 0.0], 0.4, "roughness", ""),
+    ] {
+        for reason in run(base, glass, name) {
+            let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
+            assert!(is_right, "{base:?} {glass} {name}: {reason}");
+        }
+    }
 }

@@ -110,8 +110,12 @@ impl<'a> Fields<'a> {
 
     /// A whole number from `least` that fits 32 bits.
     pub fn count(&self, name: &'static str, least: u32, default: u32) -> Result<u32, Problem> {
+        Ok(self.optional_count(name, least)?.unwrap_or(default))
+    }
+
+    pub fn optional_count(&self, name: &'static str, least: u32) -> Result<Option<u32>, Problem> {
         let number = self.integer(name, i64::from(least)..=i64::from(u32::MAX))?;
-        Ok(number.map_or(default, |i| i as u32))
+        Ok(number.map(|i| i as u32))
     }
 
     pub fn boolean(&self, name: &'static str, default: bool) -> Result<bool, Problem> {

@@ -1,12 +1,22 @@
-//! Mesh files: OBJ and PLY.
+//! Mesh files: OBJ, PLY, Mitsuba's `.serialized`, and glTF.
 
+mod gltf;
+mod gltf_accessor;
+mod gltf_buffer;
+mod gltf_json;
+mod gltf_node;
 mod obj;
 mod ply;
 mod ply_attribute;
 mod ply_header;
+mod serialized;
 
+pub use gltf::read_gltf;
+pub use gltf_buffer::OpenFile;
+pub use gltf_node::{GltfChoice, GltfName};
 pub use obj::read_obj;
 pub use ply::read_ply;
+pub use serialized::read_serialized;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
@@ -14,6 +24,8 @@ use capwalk_math::Vec3;
 /// A mesh as its file gives it, in its own coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeshFile {
+    /// What the file calls the mesh, if it does.
+    pub name: Option<String>,
     /// Positions and triangles; checked.
     pub mesh: Mesh,
     /// Unit normals of the vertices, if the file has them and they were wanted.
@@ -22,8 +34,9 @@ pub struct MeshFile {
     pub uvs: Option<Vec<[f64; 2]>>,
     /// Other numbers of vertices and triangles.
     pub attributes: Vec<FileAttribute>,
-    /// What the file has besides, and was not read.
-    pub skipped: Vec<String>,
+    /// What else is to be known about the file, each as the end of a sentence
+    /// that begins with its name: "has 2 elements "edge", which are not read".
+    pub warnings: Vec<String>,
 }
 
 /// Numbers of all vertices or of all triangles.

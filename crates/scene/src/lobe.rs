@@ -4,11 +4,12 @@
 //! `tests/lobes/table.rs`, which tests it.
 //!
 //! Formulas are those of Mitsuba 3's plugins of the same names. They differ in
-//! three places: shadowing of Beckmann's facets is the integral and not a fit
+//! four places: shadowing of Beckmann's facets is the integral and not a fit
 //! to it (up to 0.35 % for each direction); refraction by facets that stand
 //! upright fades out and does not jump (0.05 % of what a GGX surface of
 //! roughness 0.3 transmits); the transmittance of rough coats is integrated
-//! more exactly (0.1 %, for `eta` below 1 0.3 %).
+//! more exactly (0.1 %, for `eta` below 1 0.3 %); sheen is also on a
+//! [`Principled`] of nothing but glass, as in Mitsuba's vectorised variants.
 //!
 //! A lobe has its numbers in it and knows nothing of textures, frames or faces.
 //! All directions are unit vectors in the shading frame, normal `+z`, and point
@@ -49,9 +50,9 @@
 //!   seen from the denser side. It can be integrated; its square, the variance,
 //!   only just not;
 //! * [`RoughPlastic`] interpolates a table linearly in the cosine: kinks;
-//! * a lobe of weight zero is only sampled with [`Bsdf::explored`], and transmission
-//!   by a [`Principled`] without glass only if it
-//!   [may transmit](Principled::may_transmit).
+//! * a lobe of weight zero is only sampled with [`Bsdf::explored`], and parts of a
+//!   [`Principled`] that it has none of only if they are
+//!   [explored](Principled::explored).
 
 mod bsdf;
 mod conductor;
@@ -79,7 +80,7 @@ pub use local::{cosine_pdf, sample_cosine};
 pub use microfacets::{Distribution, Microfacets};
 pub use null::Null;
 pub use plastic::Plastic;
-pub use principled::Principled;
+pub use principled::{Explored, Principled};
 pub use rough_conductor::RoughConductor;
 pub use rough_dielectric::RoughDielectric;
 pub use rough_plastic::RoughPlastic;

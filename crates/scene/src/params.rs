@@ -28,12 +28,17 @@
 //! | `<shape>.vertex_color` (…) | (V, 3) or (F, 3) | an attribute of a mesh, or one channel |
 //! | `sensor.translate`, `sensor.rotate` | (3,) | motion and turn in world axes |
 //!
+//! One number of an array, or all in a row together, by their indices from 0:
+//! `<shape>.positions[12,0]`, `<material>.reflectance.data[3,1]`. Vertices at the
+//! same place move with the one that is named.
+//!
 //! The sensor answers to its own id too. The centre is that of the bounding
 //! box. Names joined by `+` or `-` move together, each with an optional
 //! factor: `ball.translate.x + 0.5*lamp.translate.y - sensor.rotate.z`. Names
 //! are matched whole and the longest wins, so ids may contain any of `.+-*`.
 
 mod array;
+mod element;
 mod error;
 mod expression;
 mod registry;
@@ -45,6 +50,7 @@ pub use velocity::vertex_motion;
 
 use crate::motion::Motion;
 use crate::scene::Scene;
+use expression::Named;
 
 /// A number of the scene, or three that change together.
 #[derive(Clone, Debug, PartialEq)]
@@ -128,14 +134,21 @@ pub fn list(scene: &Scene) -> Vec<Parameter> {
 pub fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
     let entries = registry::entries(scene);
     let mut motion = Motion::zero(scene);
-    let terms = expression::parse(&entries, expression).map_err(|error| match error {
+    let terms = expression::parse(scene, &entries, expression).map_err(|error| match error {
         ParameterError::Unknown { name, .. } if is_array(scene, &name) => {
             ParameterError::Array { name }
         }
         error => error,
     })?;
     for term in terms {
-        velocity::accumulate(scene, term.target, term.factor, &mut motion);
+        match term.named {
+            Named::Target(target) => {
+                velocity::accumulate(scene, target, term.factor, &mut motion);
+            }
+            Named::Element(element) => {
+                motion.add(&element.motion(scene).scaled(term.factor));
+            }
+        }
     }
     Ok(motion)
 }

@@ -9,11 +9,22 @@ use crate::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side};
 use crate::scene::{BsdfId, Scene, SceneError};
 use crate::texture::TextureId;
 
-/// What resolving needs besides the scene: tables that take long to make.
+/// The textures at a point of a surface.
+pub trait TexturesAt<R> {
+    /// The value of one.
+    fn value(&mut self, id: TextureId) -> Rgb<R>;
+    /// True if derivatives by its texels may be asked for: also where there is
+    /// none of something, its amount is a number that can change.
+    fn may_change(&self, id: TextureId) -> bool;
+}
+
+/// What resolving needs besides the scene: what takes long to find out.
 #[derive(Clone, Debug, Default)]
 pub struct Resolver {
-    /// Of each material with a rough coat.
+    /// A table for each material with a rough coat.
     coats: Vec<Option<Arc<RoughTransmittance>>>,
+    /// Which materials have a two-sided one in them.
+    two_sided: Vec<bool>,
 }
 
 /// What a surface does to light at a point, to a viewer on one side.
@@ -74,25 +85,27 @@ impl Resolver {
                 _ => None,
             })
             .collect();
-        Self { coats }
+        let ids = (0..scene.materials.len() as u32).map(BsdfId);
+        let two_sided = ids.map(|id| is_two_sided(scene, id)).collect();
+        Self { coats, two_sided }
     }
 
-    /// What a material does to light where its textures have the values that
-    /// `lookup` gives, to a viewer on the given side of the face.
+    /// What a material does to light at a point, to a viewer on the given side of
+    /// the face.
     pub fn resolve<R: Real>(
         &self,
         scene: &Scene,
         id: BsdfId,
         side: Side,
-        lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+        textures: &mut impl TexturesAt<R>,
     ) -> Resolved<R> {
         let mut parts = Parts {
             lobes: Vec::with_capacity(lobe::Bsdf::<R>::MAX_LOBES),
             flipped: false,
-            is_opaque: false,
+            is_opaque: self.two_sided[id.0 as usize],
             perturbation: None,
         };
-        self.add(scene, id, side, R::constant(1.0), lookup, &mut parts);
+        self.add(scene, id, side, R::constant(1.0), textures, &mut parts);
         let mut bsdf = lobe::Bsdf::default();
         for (weight, lobe) in parts.lobes {
             bsdf.push(weight, lobe);
@@ -111,51 +124,49 @@ impl Resolver {
         id: BsdfId,
         side: Side,
         weight: R,
-        lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+        textures: &mut impl TexturesAt<R>,
         parts: &mut Parts<R>,
     ) {
         let one = R::constant(1.0);
         match &scene.material(id).bsdf {
             Bsdf::TwoSided { front, .. } if side == Side::Front => {
-                parts.is_opaque = true;
-                self.add(scene, *front, side, weight, lookup, parts);
+                self.add(scene, *front, side, weight, textures, parts);
             }
             Bsdf::TwoSided { back, .. } => {
                 parts.flipped = true;
-                parts.is_opaque = true;
-                self.add(scene, *back, Side::Front, weight, lookup, parts);
+                self.add(scene, *back, Side::Front, weight, textures, parts);
             }
             Bsdf::Mask { opacity, nested } => {
-                let opacity = number(scene, *opacity, lookup);
-                self.add(scene, *nested, side, weight * opacity, lookup, parts);
+                let opacity = number(scene, *opacity, textures);
+                self.add(scene, *nested, side, weight * opacity, textures, parts);
                 parts.push(weight * (one - opacity), Lobe::Null(lobe::Null));
             }
             Bsdf::Blend {
                 weight: second,
                 nested,
             } => {
-                let second = number(scene, *second, lookup);
+                let second = number(scene, *second, textures);
                 self.add(
                     scene,
                     nested[0],
                     side,
                     weight * (one - second),
-                    lookup,
+                    textures,
                     parts,
                 );
-                self.add(scene, nested[1], side, weight * second, lookup, parts);
+                self.add(scene, nested[1], side, weight * second, textures, parts);
             }
             Bsdf::NormalMap {
                 normals,
                 nested,
                 limits,
             } => {
-                let normal = lookup(*normals) * R::constant(2.0) - Rgb::splat(one);
+                let normal = textures.value(*normals) * R::constant(2.0) - Rgb::splat(one);
                 parts.perturbation = Some(Perturbation {
                     source: Turned::To(normal),
                     limits: *limits,
                 });
-                self.add(scene, *nested, side, weight, lookup, parts);
+                self.add(scene, *nested, side, weight, textures, parts);
             }
             Bsdf::BumpMap {
                 heights,
@@ -170,11 +181,11 @@ impl Resolver {
                     },
                     limits: *limits,
                 });
-                self.add(scene, *nested, side, weight, lookup, parts);
+                self.add(scene, *nested, side, weight, textures, parts);
             }
             one_sided => {
                 let coat = self.coats.get(id.0 as usize).and_then(Option::as_ref);
-                let lobe = lobe(scene, one_sided, coat, parts.is_opaque, lookup);
+                let lobe = lobe(scene, one_sided, coat, parts.is_opaque, textures);
                 if side == Side::Front || lobe.is_two_sided() {
                     parts.push(weight, lobe);
                 }
@@ -187,7 +198,7 @@ impl Resolver {
 struct Parts<R> {
     lobes: Vec<(R, Lobe<R>)>,
     flipped: bool,
-    /// A two-sided material was met.
+    /// There is a two-sided material: nothing may transmit, whatever changes.
     is_opaque: bool,
     perturbation: Option<Perturbation<R>>,
 }
@@ -199,12 +210,8 @@ impl<R> Parts<R> {
 }
 
 /// A texture as one number: the luminance if it is a colour.
-fn number<R: Real>(
-    scene: &Scene,
-    id: TextureId,
-    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
-) -> R {
-    let value = lookup(id);
+fn number<R: Real>(scene: &Scene, id: TextureId, textures: &mut impl TexturesAt<R>) -> R {
+    let value = textures.value(id);
     if scene.texture(id).channels == 1 {
         return value.x;
     }
@@ -212,65 +219,65 @@ fn number<R: Real>(
     value.x * r + value.y * g + value.z * b
 }
 
-/// The lobe of a material that is not made of others. `is_opaque` if it stands
-/// in a two-sided material, where nothing may transmit, whatever changes.
+/// The lobe of a material that is not made of others. `is_opaque` if nothing may
+/// transmit, whatever changes.
 fn lobe<R: Real>(
     scene: &Scene,
     bsdf: &Bsdf,
     coat_table: Option<&Arc<RoughTransmittance>>,
     is_opaque: bool,
-    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+    textures: &mut impl TexturesAt<R>,
 ) -> Lobe<R> {
     match bsdf {
         Bsdf::Diffuse { reflectance } => Lobe::Diffuse(lobe::Diffuse {
-            reflectance: lookup(*reflectance),
+            reflectance: textures.value(*reflectance),
         }),
         Bsdf::Conductor(metal) => Lobe::Conductor(lobe::Conductor {
-            eta: lookup(metal.eta),
-            k: lookup(metal.k),
-            specular_reflectance: lookup(metal.specular_reflectance),
+            eta: textures.value(metal.eta),
+            k: textures.value(metal.k),
+            specular_reflectance: textures.value(metal.specular_reflectance),
         }),
         Bsdf::RoughConductor(metal, facets) => Lobe::RoughConductor(lobe::RoughConductor {
-            microfacets: microfacets(scene, facets, lookup),
-            eta: lookup(metal.eta),
-            k: lookup(metal.k),
-            specular_reflectance: lookup(metal.specular_reflectance),
+            microfacets: microfacets(scene, facets, textures),
+            eta: textures.value(metal.eta),
+            k: textures.value(metal.k),
+            specular_reflectance: textures.value(metal.specular_reflectance),
         }),
         Bsdf::Dielectric(glass) => Lobe::Dielectric(lobe::Dielectric {
-            eta: relative_index(scene, glass, lookup),
-            specular_reflectance: lookup(glass.specular_reflectance),
-            specular_transmittance: lookup(glass.specular_transmittance),
+            eta: relative_index(scene, glass, textures),
+            specular_reflectance: textures.value(glass.specular_reflectance),
+            specular_transmittance: textures.value(glass.specular_transmittance),
         }),
         Bsdf::RoughDielectric(glass, facets) => Lobe::RoughDielectric(lobe::RoughDielectric {
-            microfacets: microfacets(scene, facets, lookup),
-            eta: relative_index(scene, glass, lookup),
-            specular_reflectance: lookup(glass.specular_reflectance),
-            specular_transmittance: lookup(glass.specular_transmittance),
+            microfacets: microfacets(scene, facets, textures),
+            eta: relative_index(scene, glass, textures),
+            specular_reflectance: textures.value(glass.specular_reflectance),
+            specular_transmittance: textures.value(glass.specular_transmittance),
         }),
         Bsdf::ThinDielectric(glass) => Lobe::ThinDielectric(lobe::ThinDielectric {
-            eta: relative_index(scene, glass, lookup),
-            specular_reflectance: lookup(glass.specular_reflectance),
-            specular_transmittance: lookup(glass.specular_transmittance),
+            eta: relative_index(scene, glass, textures),
+            specular_reflectance: textures.value(glass.specular_reflectance),
+            specular_transmittance: textures.value(glass.specular_transmittance),
         }),
         Bsdf::Plastic(coat) => Lobe::Plastic(lobe::Plastic {
-            eta: coat_index(scene, coat, lookup),
-            diffuse_reflectance: lookup(coat.diffuse_reflectance),
-            specular_reflectance: lookup(coat.specular_reflectance),
+            eta: coat_index(scene, coat, textures),
+            diffuse_reflectance: textures.value(coat.diffuse_reflectance),
+            specular_reflectance: textures.value(coat.specular_reflectance),
             nonlinear: coat.nonlinear,
         }),
         Bsdf::RoughPlastic { coat, alpha, .. } => {
             let table = coat_table.expect("the resolver is that of the scene");
             Lobe::RoughPlastic(lobe::RoughPlastic {
-                eta: coat_index(scene, coat, lookup),
-                alpha: number(scene, *alpha, lookup),
-                diffuse_reflectance: lookup(coat.diffuse_reflectance),
-                specular_reflectance: lookup(coat.specular_reflectance),
+                eta: coat_index(scene, coat, textures),
+                alpha: number(scene, *alpha, textures),
+                diffuse_reflectance: textures.value(coat.diffuse_reflectance),
+                specular_reflectance: textures.value(coat.specular_reflectance),
                 nonlinear: coat.nonlinear,
                 transmittance: Arc::clone(table),
             })
         }
         Bsdf::Principled(principled) => {
-            Lobe::Principled(principled_lobe(scene, principled, is_opaque, lookup))
+            Lobe::Principled(principled_lobe(scene, principled, is_opaque, textures))
         }
         Bsdf::Null => Lobe::Null(lobe::Null),
         Bsdf::TwoSided { .. }
@@ -284,9 +291,9 @@ fn lobe<R: Real>(
 fn microfacets<R: Real>(
     scene: &Scene,
     facets: &Facets,
-    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+    textures: &mut impl TexturesAt<R>,
 ) -> Microfacets<R> {
-    let [alpha_u, alpha_v] = facets.alpha.map(|id| number(scene, id, lookup));
+    let [alpha_u, alpha_v] = facets.alpha.map(|id| number(scene, id, textures));
     Microfacets {
         distribution: facets.distribution,
         alpha_u,
@@ -294,36 +301,25 @@ fn microfacets<R: Real>(
     }
 }
 
-fn relative_index<R: Real>(
-    scene: &Scene,
-    glass: &Glass,
-    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
-) -> R {
-    number(scene, glass.int_ior, lookup) / number(scene, glass.ext_ior, lookup)
+fn relative_index<R: Real>(scene: &Scene, glass: &Glass, textures: &mut impl TexturesAt<R>) -> R {
+    number(scene, glass.int_ior, textures) / number(scene, glass.ext_ior, textures)
 }
 
-fn coat_index<R: Real>(
-    scene: &Scene,
-    coat: &Coat,
-    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
-) -> R {
-    number(scene, coat.int_ior, lookup) / number(scene, coat.ext_ior, lookup)
+fn coat_index<R: Real>(scene: &Scene, coat: &Coat, textures: &mut impl TexturesAt<R>) -> R {
+    number(scene, coat.int_ior, textures) / number(scene, coat.ext_ior, textures)
 }
 
 fn principled_lobe<R: Real>(
     scene: &Scene,
     principled: &Principled,
     is_opaque: bool,
-    lookup: &mut impl FnMut(TextureId) -> Rgb<R>,
+    textures: &mut impl TexturesAt<R>,
 ) -> lobe::Principled<R> {
-    let base_color = lookup(principled.base_color);
-    let mut number = |id| number(scene, id, lookup);
-    let (metallic, spec_trans) = (number(principled.metallic), number(principled.spec_trans));
-    // Not so in bitmaps: there it would depend on what moves how texels change.
-    let is_changing =
-        |id: TextureId, value: R| scene.texture(id).is_constant() && !value.is_constant();
-    let glass_changes = is_changing(principled.metallic, metallic)
-        || is_changing(principled.spec_trans, spec_trans);
+    let base_color = textures.value(principled.base_color);
+    let glass_changes =
+        textures.may_change(principled.metallic) || textures.may_change(principled.spec_trans);
+    let coat_changes = textures.may_change(principled.clearcoat);
+    let mut number = |id| number(scene, id, textures);
     let eta = match principled.index {
         PrincipledIndex::Eta(eta) => number(eta),
         PrincipledIndex::Specular(specular) => lobe::Principled::eta_of_specular(number(specular)),
@@ -332,8 +328,8 @@ fn principled_lobe<R: Real>(
         base_color,
         roughness: number(principled.roughness),
         anisotropic: number(principled.anisotropic),
-        metallic,
-        spec_trans,
+        metallic: number(principled.metallic),
+        spec_trans: number(principled.spec_trans),
         eta,
         spec_tint: number(principled.spec_tint),
         sheen: number(principled.sheen),
@@ -341,8 +337,19 @@ fn principled_lobe<R: Real>(
         flatness: number(principled.flatness),
         clearcoat: number(principled.clearcoat),
         clearcoat_gloss: number(principled.clearcoat_gloss),
-        may_transmit: !is_opaque && glass_changes,
+        explored: lobe::Explored {
+            base: glass_changes,
+            glass: glass_changes && !is_opaque,
+            coat: coat_changes,
+        },
     }
+}
+
+/// True if there is a two-sided material in a material.
+fn is_two_sided(scene: &Scene, id: BsdfId) -> bool {
+    let bsdf = &scene.material(id).bsdf;
+    let mut parts = bsdf.parts().into_iter();
+    matches!(bsdf, Bsdf::TwoSided { .. }) || parts.any(|part| is_two_sided(scene, part))
 }
 
 /// How deep materials may be made of materials.

@@ -14,6 +14,7 @@ use super::motion::InMotion;
 use super::refuse::{
     is_specular_somewhere, refuse_motion, refuse_uncovered, refuse_unsupported, refuse_walk,
 };
+use super::slope::refuse_infinite_slopes;
 
 /// The derivative of the picture for a unit change along `motion`, in forward
 /// mode, with its standard error. Refuses what it cannot differentiate rightly:
@@ -27,6 +28,7 @@ pub fn gradient(
 ) -> Result<GradientImage, Refusal> {
     refuse_unsupported(scene)?;
     refuse_walk(&options.walk)?;
+    refuse_infinite_slopes(scene, |id| motion.textures[id.0 as usize].is_some())?;
     let accel = Accel::new(scene);
     let field = Field::new(&accel);
     let world = InMotion::new(&accel, &field, motion);

@@ -97,6 +97,10 @@ impl World<D> for InMotion<'_> {
         scene.texture(id).texel(index).with_tangent(velocity)
     }
     #[inline]
+    fn is_asked_for(&self, id: TextureId) -> bool {
+        self.motion.textures[id.0 as usize].is_some()
+    }
+    #[inline]
     fn sensor(&self) -> SensorState<D> {
         self.accel.scene.sensor.moving_state(&self.motion.sensor)
     }

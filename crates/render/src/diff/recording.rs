@@ -159,8 +159,12 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
     #[inline]
     fn texel(&self, id: TextureId, index: usize) -> Rgb<Var<'t>> {
         let value = self.accel.scene.texture(id).texel(index);
-        let wanted = self.wanted.textures[id.0 as usize];
+        let wanted = self.is_asked_for(id);
         self.variables(wanted, value, Origin::Scene(Target::Texel(id, index)))
+    }
+    #[inline]
+    fn is_asked_for(&self, id: TextureId) -> bool {
+        self.wanted.textures[id.0 as usize]
     }
     #[inline]
     fn sensor(&self) -> SensorState<Var<'t>> {

@@ -20,6 +20,7 @@ use super::recording::Recording;
 use super::refuse::{
     is_specular_somewhere, refuse_motion, refuse_uncovered, refuse_unsupported, refuse_walk,
 };
+use super::slope::refuse_infinite_slopes;
 
 /// Batches that the samples are split into, whatever the number of threads, so
 /// that sums are the same to the bit. Their spread gives the standard errors.
@@ -106,6 +107,7 @@ pub fn backward(
         });
     }
     refuse_non_finite(adjoint)?;
+    refuse_infinite_slopes(scene, |id| wanted.textures[id.0 as usize])?;
     let accel = Accel::new(scene);
     if wanted.geometry() {
         refuse_motion(&accel)?;

@@ -12,6 +12,9 @@ pub struct Case {
     pub gradient_spp: u32,
     pub reference_spp: u32,
     pub step: f64,
+    /// Differences between the scene and two steps on, where steps back are not
+    /// allowed.
+    pub one_sided: bool,
     pub walk: WalkSettings,
     /// Pixels that must have noise.
     pub min_pixels: usize,
@@ -24,6 +27,7 @@ impl Default for Case {
             gradient_spp: 400,
             reference_spp: 1024,
             step: 3e-2,
+            one_sided: false,
             walk: WalkSettings::default(),
             min_pixels: 1000,
         }
@@ -45,8 +49,12 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
         walk: case.walk,
     };
     let ours = gradient(&scene, motion, &settings, &Unwatched).expect("covered");
+    let middle = match case.one_sided {
+        true => scene.moved(motion, case.step),
+        false => scene.clone(),
+    };
     let reference = finite_difference(
-        &scene,
+        &middle,
         motion,
         case.step,
         &options(case.reference_spp, 2),

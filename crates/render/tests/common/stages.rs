@@ -79,3 +79,21 @@ pub fn through_lens(mut scene: Scene, aperture_radius: f64, focus_distance: f64)
     };
     scene
 }
+
+/// Texture coordinates from corner to corner of a horizontal rectangle.
+pub fn unit_square(scene: &mut Scene, shape: &str) {
+    let shape = scene
+        .shapes
+        .iter_mut()
+        .find(|s| s.id == shape)
+        .expect("a shape");
+    let uv = |i: u32| {
+        let p = shape.mesh.positions[i as usize];
+        let (low, high) = shape.mesh.bounds();
+        [
+            (p.x - low.x) / (high.x - low.x),
+            (p.y - low.y) / (high.y - low.y),
+        ]
+    };
+    shape.uvs = Some(shape.mesh.faces.iter().map(|face| face.map(uv)).collect());
+}

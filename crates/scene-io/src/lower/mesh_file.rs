@@ -1,24 +1,25 @@
-//! Shapes from mesh files: `obj` and `ply`.
+//! Shapes from mesh files.
 
 use std::path::{Path, PathBuf};
 
 use super::Lowering;
 use crate::fields::Fields;
-use crate::mesh::{MeshFile, read_obj, read_ply};
+use crate::mesh::{GltfChoice, GltfName, MeshFile, read_gltf, read_obj, read_ply, read_serialized};
+use crate::node::Value;
 use crate::resolve::find_file;
 use crate::source::{Problem, Span};
 
-/// Endings of mesh formats; a file with another one's is not read as this one.
-const MESH_ENDINGS: [&str; 8] = [
-    "obj",
-    "ply",
-    "stl",
-    "off",
-    "gltf",
-    "glb",
-    "fbx",
-    "serialized",
-];
+/// The plugins that read files.
+pub(super) const MESH_PLUGINS: [&str; 4] = ["obj", "ply", "serialized", "gltf"];
+
+/// Endings of mesh formats that no plugin reads.
+const OTHER_ENDINGS: [&str; 3] = ["stl", "off", "fbx"];
+
+/// The plugin for files that end so.
+fn plugin_for(ending: &str) -> Option<&'static str> {
+    let format = if ending == "glb" { "gltf" } else { ending };
+    MESH_PLUGINS.into_iter().find(|&plugin| plugin == format)
+}
 
 impl Lowering<'_> {
     /// The mesh that the shape names and the path of its file.
@@ -33,20 +34,39 @@ impl Lowering<'_> {
         let span = fields.span_of("filename");
         let ending = Path::new(filename).extension().and_then(|e| e.to_str());
         let ending = ending.unwrap_or("").to_ascii_lowercase();
-        if ending != plugin && MESH_ENDINGS.contains(&ending.as_str()) {
+        let right = plugin_for(&ending);
+        // Other endings say nothing about the format.
+        let is_known = right.is_some() || OTHER_ENDINGS.contains(&ending.as_str());
+        if is_known && right != Some(plugin) {
             let problem = Problem::new(
                 span,
                 format!("{} cannot read \"{filename}\"", fields.title()),
             );
-            return Err(match ending.as_str() {
-                "obj" | "ply" => problem.help(format!("write <shape type=\"{ending}\">")),
-                _ => problem.help("convert the mesh to .ply or .obj"),
+            return Err(match right {
+                Some(right) => problem.help(format!("write <shape type=\"{right}\">")),
+                None => problem.help("convert the mesh to .ply or .obj"),
             });
         }
         let (bytes, path, _) = self.file(fields, &example)?;
         let shown = path.display();
         let mesh = match plugin {
             "obj" => read_obj(&bytes, want_normals),
+            "serialized" => {
+                let index = fields.count("shape_index", 0, 0)?;
+                read_serialized(&bytes, index, want_normals)
+            }
+            "gltf" => {
+                let choice = GltfChoice {
+                    node: gltf_name(fields, "node")?,
+                    mesh: gltf_name(fields, "mesh")?,
+                    primitive: fields.optional_count("primitive", 0)?,
+                };
+                let beside = |name: &str| {
+                    let path = path.parent().unwrap_or(Path::new("")).join(name);
+                    std::fs::read(path).map_err(|error| error.to_string())
+                };
+                read_gltf(&bytes, &choice, want_normals, &beside)
+            }
             _ => read_ply(&bytes, want_normals),
         };
         let mesh = mesh.map_err(|error| {
@@ -56,8 +76,8 @@ impl Lowering<'_> {
             };
             Problem::new(span, format!("\"{shown}\"{place}: {}", error.message)).help(error.help)
         })?;
-        for skipped in &mesh.skipped {
-            let message = format!("\"{shown}\" has {skipped}, which are not read");
+        for warning in &mesh.warnings {
+            let message = format!("\"{shown}\" {warning}");
             self.context.warn(span, &message);
         }
         Ok((mesh, path))
@@ -91,6 +111,14 @@ impl Lowering<'_> {
         })?;
         Ok((bytes, path, span))
     }
+}
+
+/// An object of a glTF file, by its name or its index.
+fn gltf_name(fields: &Fields, property: &'static str) -> Result<Option<GltfName>, Problem> {
+    if let Some(Value::String(name)) = fields.get(property).map(|p| &p.value) {
+        return Ok(Some(GltfName::Name(name.clone())));
+    }
+    Ok(fields.optional_count(property, 0)?.map(GltfName::Index))
 }
 
 fn named_file<'a>(fields: &Fields<'a>, example: &str) -> Result<&'a str, Problem> {

@@ -11,13 +11,23 @@ use capwalk_scene::primitive::{self, FaceUvs};
 use capwalk_scene::{Attribute, Pattern, ShadingNormals, Shape, Texture};
 
 use super::Lowering;
+use super::mesh_file::MESH_PLUGINS;
 use crate::fields::{Child, Fields};
 use crate::mesh::{FileAttribute, MeshFile};
 use crate::node::Kind;
 use crate::source::{Problem, Span};
 
 /// The plugins.
-const SHAPES: [&str; 6] = ["obj", "ply", "rectangle", "cube", "disk", "sphere"];
+const SHAPES: [&str; 8] = [
+    "obj",
+    "ply",
+    "serialized",
+    "gltf",
+    "rectangle",
+    "cube",
+    "disk",
+    "sphere",
+];
 
 /// How unequal the axes of a sphere may be scaled, relative: rounding of the
 /// digits in scene files.
@@ -48,7 +58,7 @@ impl Lowering<'_> {
         let mut stem = plugin.to_owned();
         let mut of_file = Vec::new();
         let (mut surface, is_flipped) = match plugin {
-            "obj" | "ply" => {
+            _ if MESH_PLUGINS.contains(&plugin) => {
                 let (surface, attributes, name) = self.placed_file(&fields, to_world)?;
                 stem = name;
                 of_file = attributes;
@@ -97,7 +107,7 @@ impl Lowering<'_> {
         );
         fields.finish()?;
         self.places.shapes.push(match plugin {
-            "obj" | "ply" => fields.span_of("filename"),
+            _ if MESH_PLUGINS.contains(&plugin) => fields.span_of("filename"),
             _ => fields.node.span,
         });
         let attributes = self.attributes(&id, of_file, fields.span_of("filename"));
@@ -158,6 +168,7 @@ impl Lowering<'_> {
         let flip_v = fields.boolean("flip_tex_coords", fields.node.plugin == "obj")?;
         let (file, path) = self.mesh_file(fields, !flat)?;
         let MeshFile {
+            name,
             mut mesh,
             normals,
             uvs,
@@ -177,6 +188,8 @@ impl Lowering<'_> {
         }
         let normals = match normals {
             _ if flat => ShadingNormals::Face,
+            // By glTF's own rule.
+            None if fields.node.plugin == "gltf" => ShadingNormals::Face,
             None => ShadingNormals::computed(&mesh),
             Some(normals) => {
                 let normals: Vec<Vec3> = normals
@@ -187,9 +200,12 @@ impl Lowering<'_> {
                 ShadingNormals::Given(normals)
             }
         };
-        let stem = path.file_stem().unwrap_or(Path::new("mesh").as_os_str());
+        let name = name.unwrap_or_else(|| {
+            let stem = path.file_stem().unwrap_or(Path::new("mesh").as_os_str());
+            stem.to_string_lossy().into_owned()
+        });
         let surface = Surface { mesh, normals, uvs };
-        Ok((surface, attributes, stem.to_string_lossy().into_owned()))
+        Ok((surface, attributes, name))
     }
 }
 

@@ -238,11 +238,12 @@ impl Reader {
         let uvs = self.corners.iter();
         let uvs = uvs.map(|c| Some(self.texture_coordinates[c.texture?]));
         finish(MeshFile {
+            name: None,
             mesh,
             normals,
             uvs: uvs.collect(),
             attributes: Vec::new(),
-            skipped: Vec::new(),
+            warnings: Vec::new(),
         })
     }
 }

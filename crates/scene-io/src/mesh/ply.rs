@@ -27,7 +27,7 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
         .find(is_vertex)
         .map_or(0, |e| e.count);
     let (mut vertices, mut faces) = (None, None);
-    let mut skipped = Vec::new();
+    let mut warnings = Vec::new();
     for element in &header.elements {
         body.announced(element)?;
         match element.name.as_str() {
@@ -41,7 +41,10 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
                 ));
             }
             name => {
-                skipped.push(format!("{} elements \"{name}\"", element.count));
+                let count = element.count;
+                warnings.push(format!(
+                    "has {count} elements \"{name}\", which are not read"
+                ));
                 skip(&mut body, element)?;
             }
         }
@@ -59,11 +62,12 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
     };
     let attributes = vertices.attributes.into_iter().chain(faces.attributes);
     finish(MeshFile {
+        name: None,
         mesh,
         normals: vertices.normals,
         uvs: vertices.uvs,
         attributes: attributes.collect(),
-        skipped,
+        warnings,
     })
 }
 

@@ -5,6 +5,9 @@
 mod camera;
 mod common;
 mod emitters;
+mod gltf;
+mod gltf_bad;
+mod gltf_file;
 mod materials;
 mod meaning;
 mod mesh_files;
@@ -14,6 +17,7 @@ mod objects;
 mod parameters;
 mod parity;
 mod robustness;
+mod serialized;
 mod syntax;
 mod textures;
 mod upgrade;

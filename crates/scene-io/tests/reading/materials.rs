@@ -5,6 +5,7 @@ use capwalk_math::Rgb;
 use capwalk_scene::bsdf::PrincipledIndex;
 use capwalk_scene::lobe::{Distribution, Lobe, Side};
 use capwalk_scene::params::{self, ParameterKind};
+use capwalk_scene::resolve::TexturesAt;
 use capwalk_scene::{Bsdf, Resolver, Scene, TextureId};
 
 use crate::common::*;
@@ -156,6 +157,18 @@ fn parameters_have_the_names_that_users_type() {
     }
 }
 
+/// Textures of one colour.
+struct FirstTexels<'a>(&'a Scene);
+
+impl TexturesAt<f64> for FirstTexels<'_> {
+    fn value(&mut self, id: TextureId) -> Rgb<f64> {
+        self.0.texture(id).texel(0)
+    }
+    fn may_change(&self, _: TextureId) -> bool {
+        false
+    }
+}
+
 /// Materials made of others, down to the lobes.
 #[test]
 fn mixtures() {
@@ -165,8 +178,8 @@ fn mixtures() {
          <bsdf type=\"plastic\"/></bsdf></bsdf>",
     ));
     let id = scene.shapes[0].bsdf;
-    let lookup = &mut |id| scene.texture(id).texel(0);
-    let resolved = Resolver::new(&scene).resolve(&scene, id, Side::Front, lookup);
+    let textures = &mut FirstTexels(&scene);
+    let resolved = Resolver::new(&scene).resolve(&scene, id, Side::Front, textures);
     let lobes: Vec<_> = resolved.bsdf.lobes().collect();
     let weights: Vec<f64> = lobes.iter().map(|(weight, _)| *weight).collect();
     assert_eq!(weights, [0.75, 0.125, 0.125]);

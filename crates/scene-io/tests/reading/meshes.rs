@@ -210,7 +210,8 @@ fn ply_in_every_format() {
             "{format}"
         );
         assert_eq!(file.normals, Some(vec![p(0.0, 0.0, 1.0); 4]), "{format}");
-        assert_eq!(file.skipped, ["2 elements \"edge\""], "{format}");
+        let warning = "has 2 elements \"edge\", which are not read";
+        assert_eq!(file.warnings, [warning], "{format}");
         let without = read_ply(&ply_bytes(format), false).expect("the same without normals");
         assert_eq!(without.normals, None);
     }

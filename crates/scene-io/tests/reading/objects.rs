@@ -8,7 +8,7 @@ fn unknown_shape_plugin() {
         &scene(r#"<shape type="cylinder"/>"#),
         &[
             "scene.xml:5:16: unknown shape plugin \"cylinder\"",
-            "  known shape plugins: obj, ply, rectangle, cube, disk, sphere",
+            "  known shape plugins: obj, ply, serialized, gltf, rectangle, cube, disk, sphere",
         ],
     );
 }
@@ -19,7 +19,7 @@ fn mistyped_shape_plugin() {
         &scene(r#"<shape type="spere"/>"#),
         &[
             "scene.xml:5:16: unknown shape plugin \"spere\"",
-            "  known shape plugins: obj, ply, rectangle, cube, disk, sphere",
+            "  known shape plugins: obj, ply, serialized, gltf, rectangle, cube, disk, sphere",
             "  did you mean \"sphere\"?",
         ],
     );

@@ -14,7 +14,7 @@ use super::{Distribution, Drawn, Microfacets, fresnel_dielectric, local};
 /// `eta` are from 0 to 1.
 ///
 /// It shows something to the back only if it transmits (`spec_trans` above 0
-/// and `metallic` below 1, or `may_transmit`); from there it is glass.
+/// and `metallic` below 1, or `explored.glass`); from there it is glass.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Principled<R = f64> {
     /// The colour of base and metal.
@@ -41,16 +41,33 @@ pub struct Principled<R = f64> {
     pub clearcoat: R,
     /// How smooth that coat is.
     pub clearcoat_gloss: R,
-    /// True if transmission is sampled even where there is none: what is
-    /// transmitted may have a derivative.
-    pub may_transmit: bool,
+    /// What is sampled even where there is none of it.
+    pub explored: Explored,
+}
+
+/// Parts of a [`Principled`] that are sampled even where there are none of them:
+/// how much there is may have a derivative.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Explored {
+    /// The diffuse base.
+    pub base: bool,
+    /// Transmission.
+    pub glass: bool,
+    /// The clear coat.
+    pub coat: bool,
 }
 
 /// Smallest roughness.
 const MIN_ALPHA: f64 = 1e-3;
 
-/// Smallest share of what passes the facets that is sampled if it may be some.
-const LEAST_GLASS: f64 = 0.1;
+/// Smallest share of a part that is explored.
+const LEAST_SHARE: f64 = 0.1;
+
+/// The share of a part by which it is sampled.
+#[inline]
+fn share(amount: f64, is_explored: bool) -> f64 {
+    amount.max(if is_explored { LEAST_SHARE } else { 0.0 })
+}
 
 impl<R: Real> Principled<R> {
     /// The refractive index for the number `specular` (0 to 1), which says how
@@ -94,7 +111,7 @@ impl<R: Real> Principled<R> {
     }
 
     pub(super) fn is_two_sided(&self) -> bool {
-        self.may_transmit || self.glass().value() > 0.0
+        self.explored.glass || self.glass().value() > 0.0
     }
 
     /// Directions and refractive index with `wi` in front; true if that is the
@@ -183,11 +200,8 @@ impl<R: Real> Principled<R> {
         let white = Rgb::splat(one);
         let hue = white + (self.hue() - white) * self.sheen_tint;
         let no_metal = one - self.metallic;
-        let sheen = if self.base().value() > 0.0 {
-            self.sheen * no_metal * fifth_power(one - cos_h)
-        } else {
-            constant(0.0) // glass alone has none: as in Mitsuba
-        };
+        // Of glass alone, too, for continuity: Mitsuba's scalar variants have none there.
+        let sheen = self.sheen * no_metal * fifth_power(one - cos_h);
         (self.base_color * base + hue * sheen) * wo.z
     }
 
@@ -223,7 +237,7 @@ impl<R: Real> Principled<R> {
             flatness: f(self.flatness),
             clearcoat: f(self.clearcoat),
             clearcoat_gloss: f(self.clearcoat_gloss),
-            may_transmit: self.may_transmit,
+            explored: self.explored,
         }
     }
 }
@@ -291,7 +305,8 @@ impl Principled {
                 facets: 1.0,
             };
         }
-        let (base, coat) = (self.base().max(0.0), 0.25 * self.clearcoat.max(0.0));
+        let base = share(self.base(), self.explored.base);
+        let coat = 0.25 * share(self.clearcoat, self.explored.coat);
         let sum = base + coat + 1.0;
         Chances {
             base: base / sum,
@@ -304,9 +319,8 @@ impl Principled {
     #[inline]
     fn refraction(&self, cos_h: f64, eta: f64, front: bool) -> f64 {
         let passes = 1.0 - fresnel_dielectric(cos_h, eta);
-        let least = if self.may_transmit { LEAST_GLASS } else { 0.0 };
         if front {
-            self.glass().max(least) * passes
+            share(self.glass(), self.explored.glass) * passes
         } else {
             passes
         }

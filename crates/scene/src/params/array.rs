@@ -34,12 +34,12 @@ pub struct ArrayParameter {
     /// The name under which the same array is listed first, if this is only
     /// another name for it.
     pub alias_of: Option<String>,
-    place: Place,
+    pub(super) place: Place,
 }
 
 /// Where its numbers are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Place {
+pub(super) enum Place {
     Positions(ShapeId),
     Normals(ShapeId),
     Texels(TextureId, Part),

@@ -43,6 +43,15 @@ pub enum ParameterError {
         /// What was asked for.
         name: String,
     },
+    /// Indices that an array has not.
+    BadIndex {
+        /// The array.
+        name: String,
+        /// What stands behind the bracket.
+        indices: String,
+        /// Its shape, as NumPy writes it.
+        shape: String,
+    },
     /// An array would get more or fewer numbers than it has.
     ArrayLength {
         /// The array.
@@ -139,7 +148,18 @@ impl fmt::Display for ParameterError {
             Self::Array { name } => write!(
                 f,
                 "\"{name}\" is an array, not one number that could be differentiated by or \
-                 stand in a sum; `capwalk backward` gives its gradient by that name alone"
+                 stand in a sum; `capwalk backward` gives its gradient by that name alone, and \
+                 `{name}[0]` is a part of it"
+            ),
+            Self::BadIndex {
+                name,
+                indices,
+                shape,
+            } => write!(
+                f,
+                "the array \"{name}\" has the shape {shape}, and nothing in it is called \
+                 \"[{indices}\"; expected whole numbers from 0, one for each side or for the \
+                 first of them, and `]`"
             ),
             Self::ArrayLength {
                 name,

@@ -1,27 +1,43 @@
 //! `ball.translate.x + 0.5*lamp.translate.y`: names with signs and factors.
 
+use super::element::{self, Element};
 use super::error::{ParameterError, near};
 use super::registry::{Entry, Target};
+use crate::scene::Scene;
 
 /// A parameter times a number.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Term {
     pub factor: f64,
-    pub target: Target,
+    pub named: Named,
+}
+
+/// What a term names.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Named {
+    Target(Target),
+    Element(Element),
 }
 
 /// The terms of a sum. A name is the longest registered one at its place that
 /// ends where the text or the term ends, so ids may contain signs and dots.
-pub(super) fn parse(entries: &[Entry], text: &str) -> Result<Vec<Term>, ParameterError> {
+pub(super) fn parse(
+    scene: &Scene,
+    entries: &[Entry],
+    text: &str,
+) -> Result<Vec<Term>, ParameterError> {
     let mut terms = Vec::new();
     let mut rest = text.trim_start();
     loop {
         let mut factor = 1.0;
         // A sign before a term joins it to the ones before it; without one
         // only the first term may stand. Names are tried first.
-        let found = loop {
-            if let Some(found) = longest_name(entries, rest) {
-                break found;
+        let (named, after) = loop {
+            if let Some(name) = longest_name(entries, rest) {
+                break (Named::Target(target(entries, name)?), &rest[name.len()..]);
+            }
+            if let Some((element, after)) = element::leading(scene, rest)? {
+                break (Named::Element(element), after);
             }
             if let Some(after) = rest.strip_prefix('-') {
                 factor = -factor;
@@ -35,11 +51,8 @@ pub(super) fn parse(entries: &[Entry], text: &str) -> Result<Vec<Term>, Paramete
                 return Err(unknown(entries, rest));
             }
         };
-        terms.push(Term {
-            factor,
-            target: target(entries, found)?,
-        });
-        rest = rest[found.len()..].trim_start();
+        terms.push(Term { factor, named });
+        rest = after.trim_start();
         if rest.is_empty() {
             return Ok(terms);
         }

@@ -4,6 +4,18 @@ use crate::lobe::Distribution;
 use crate::texture::Texture;
 use capwalk_math::Dual;
 
+/// Textures with the values that a function says.
+struct Values<F>(F);
+
+impl<R: Real, F: Fn(TextureId) -> Rgb<R>> TexturesAt<R> for Values<F> {
+    fn value(&mut self, id: TextureId) -> Rgb<R> {
+        self.0(id)
+    }
+    fn may_change(&self, _: TextureId) -> bool {
+        false
+    }
+}
+
 /// A scene of materials made of each other: diffuse 0 and 1, glass 2, a rough
 /// metal 3, and what is added.
 struct Materials(Scene);
@@ -57,8 +69,8 @@ impl Materials {
 
     fn resolve(&self, id: BsdfId, side: Side) -> Resolved<f64> {
         self.0.check_materials().expect("right");
-        let lookup = &mut |id| self.0.texture(id).texel(0);
-        Resolver::new(&self.0).resolve(&self.0, id, side, lookup)
+        let textures = &mut Values(|id| self.0.texture(id).texel(0));
+        Resolver::new(&self.0).resolve(&self.0, id, side, textures)
     }
 
     fn problem(&self) -> String {
@@ -154,12 +166,12 @@ fn derivatives_pass_through() {
         nested: BsdfId(0),
     });
     let scene = &materials.0;
-    let lookup = &mut |id: TextureId| {
+    let textures = &mut Values(|id| {
         let value = scene.texture(id).texel(0);
         value.with_tangent(Rgb::new(1.0, 10.0, 100.0))
-    };
+    });
     let resolver = Resolver::new(scene);
-    let resolved = resolver.resolve::<Dual<1>>(scene, mask, Side::Front, lookup);
+    let resolved = resolver.resolve::<Dual<1>>(scene, mask, Side::Front, textures);
     let lobes: Vec<_> = resolved.bsdf.lobes().collect();
     let luminance = 0.212671 * 0.2 + 0.715160 * 0.4 + 0.072169 * 0.9;
     assert!((lobes[0].0.value - luminance).abs() < 1e-15);

@@ -4,6 +4,7 @@ use capwalk_math::{Real, Rgb};
 
 use super::{Pattern, TextureId};
 use crate::scene::{Scene, ShapeId};
+use crate::shape::Shape;
 
 /// A point of a surface, as textures see it. It may move over the surface.
 #[derive(Clone, Copy, Debug)]
@@ -19,6 +20,22 @@ pub struct SurfacePoint<R> {
 }
 
 impl Scene {
+    /// The texture whose numbers another one shows on a shape: itself, or the
+    /// shape's attribute that it looks up.
+    ///
+    /// # Panics
+    /// If the shape has no such attribute ([`Scene::check`] finds that).
+    #[inline]
+    pub fn numbers_of(&self, id: TextureId, shape: &Shape) -> TextureId {
+        match &self.texture(id).pattern {
+            Pattern::MeshAttribute { name, .. } => {
+                let attribute = shape.attribute(name);
+                attribute.expect("scenes are checked for attributes")
+            }
+            _ => id,
+        }
+    }
+
     /// The value of a texture at a point of a surface. `texel` gives texels,
     /// with or without derivatives: of the texture itself, or of the shape's
     /// attribute that it looks up.
@@ -33,9 +50,8 @@ impl Scene {
     ) -> Rgb<R> {
         let texture = self.texture(id);
         match &texture.pattern {
-            Pattern::MeshAttribute { name, scale } => {
-                let attribute = self.shape(at.shape).attribute(name);
-                let attribute = attribute.expect("scenes are checked for attributes");
+            Pattern::MeshAttribute { scale, .. } => {
+                let attribute = self.numbers_of(id, self.shape(at.shape));
                 self.lookup(attribute, at, texel) * R::constant(*scale)
             }
             Pattern::PerVertex => {

@@ -78,7 +78,11 @@ pub const PLAIN: Principled = Principled {
     flatness: 0.0,
     clearcoat: 0.0,
     clearcoat_gloss: 0.0,
-    may_transmit: false,
+    explored: Explored {
+        base: false,
+        glass: false,
+        coat: false,
+    },
 };
 
 fn principled() -> Vec<(&'static str, Principled)> {
@@ -113,6 +117,19 @@ fn principled() -> Vec<(&'static str, Principled)> {
                 clearcoat: 0.9,
                 clearcoat_gloss: 0.1,
                 spec_tint: 0.5,
+                ..PLAIN
+            },
+        ),
+        (
+            "principled explored",
+            Principled {
+                explored: Explored {
+                    base: true,
+                    glass: true,
+                    coat: true,
+                },
+                metallic: 0.9,
+                spec_trans: 0.02,
                 ..PLAIN
             },
         ),

@@ -281,6 +281,11 @@ fn requests_are_arrays_or_expressions() {
         ),
         ("ball.translate.w", "`ball.translate.x`"),
         ("2*ball.positions", "\"ball.positions\" is an array"),
+        ("ball.positions[42]", "(42, 3)"),
+        ("2*ball.positions[1,x]", "\"[1,x\""),
+        ("ball.positions[1,0,0]", "\"[1,0,0\""),
+        ("ball.positions[1", "and `]`"),
+        ("ball.positions[1]a", "expected whole numbers"),
         ("lamp.normals", "no parameter \"lamp.normals\""),
         ("mixed.reflectance.value", "made of different ones"),
         ("", "expected a parameter's name"),
@@ -296,4 +301,60 @@ fn requests_are_arrays_or_expressions() {
         error.to_string().contains("two different things"),
         "{error}"
     );
+}
+
+/// Elements of arrays are parameters: their motion is what the array's own is
+/// with a one in their place, and vertices at the same place stay together.
+#[test]
+fn elements_are_parameters() {
+    let scene = example();
+    let motion = |scene: &Scene, text: &str| super::super::motion(scene, text).expect(text);
+    let array = |scene: &Scene, name: &str| {
+        let found = find(scene, name).expect("one meaning");
+        found.expect("it is there")
+    };
+    for (text, name, numbers) in [
+        ("ball.positions[7,2]", "ball.positions", vec![(23, 1.0)]),
+        (
+            "-2*ball.normals[ 3 ]",
+            "ball.normals",
+            vec![(9, -2.0), (10, -2.0), (11, -2.0)],
+        ),
+        (
+            "eye.translate[1]+ 0.5*eye.translate[2]",
+            "eye.translate",
+            vec![(1, 1.0), (2, 0.5)],
+        ),
+        (
+            "sky.radiance.value[1]",
+            "sky.radiance.value",
+            vec![(1, 1.0)],
+        ),
+        (
+            "-a.b+2*c.positions[4,0]",
+            "-a.b+2*c.positions",
+            vec![(12, 1.0)],
+        ),
+    ] {
+        let array = array(&scene, name);
+        let mut velocities = vec![0.0; array.count()];
+        for (index, velocity) in numbers {
+            velocities[index] = velocity;
+        }
+        let expected = array.motion(&scene, &velocities);
+        assert_eq!(motion(&scene, text), expected, "{text}");
+    }
+    let mixed = motion(&scene, "ball.translate.x - ball.positions[0,0]");
+    let ball = mixed.shapes[0].clone().expect("it moves");
+    assert_eq!(ball.vertices[0], Vec3::zero());
+    assert_eq!(ball.vertices[1], Vec3::new(1.0, 0.0, 0.0));
+
+    let seamed = with_seam();
+    let count = seamed.shapes[0].mesh.positions.len();
+    let welded = motion(&seamed, &format!("ball.positions[{},1]", count - 1));
+    let ball = welded.shapes[0].clone().expect("it moves");
+    let moved: Vec<usize> = (0..count)
+        .filter(|&i| ball.vertices[i] == Vec3::new(0.0, 1.0, 0.0))
+        .collect();
+    assert_eq!(moved, [0, count - 1]);
 }

@@ -1,0 +1,81 @@
+//! Single numbers of arrays: `ball.positions[12,0]`, and `ball.positions[12]`
+//! for all numbers of a row together.
+
+use std::ops::Range;
+
+use capwalk_geometry::topology::weld;
+
+use super::array::{ArrayParameter, Place, arrays, find};
+use super::error::ParameterError;
+use crate::motion::Motion;
+use crate::scene::Scene;
+
+/// Numbers of an array that change together.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Element {
+    array: ArrayParameter,
+    numbers: Range<usize>,
+}
+
+/// The element that `text` starts with, if it is an array's name and a bracket,
+/// and what stands behind it.
+pub(super) fn leading<'a>(
+    scene: &Scene,
+    text: &'a str,
+) -> Result<Option<(Element, &'a str)>, ParameterError> {
+    let names = arrays(scene).into_iter().map(|array| array.name);
+    let opened = names.filter(|name| {
+        let after = text.strip_prefix(name.as_str());
+        after.is_some_and(|after| after.starts_with('['))
+    });
+    let Some(name) = opened.max_by_key(String::len) else {
+        return Ok(None);
+    };
+    let array = find(scene, &name)?.expect("it is one of them");
+    let inside = &text[name.len() + 1..];
+    let bad = |indices: &str| ParameterError::BadIndex {
+        name: name.clone(),
+        indices: indices.into(),
+        shape: array.shape_text(),
+    };
+    let (indices, after) = inside.split_once(']').ok_or_else(|| bad(inside))?;
+    let after = after.trim_start();
+    let ends = after.is_empty() || after.starts_with(['+', '-']);
+    let numbers = numbers(&array.shape, indices).filter(|_| ends);
+    let numbers = numbers.ok_or_else(|| bad(indices))?;
+    Ok(Some((Element { array, numbers }, after)))
+}
+
+/// Where the numbers with these first indices are in an array of this shape.
+fn numbers(shape: &[usize], indices: &str) -> Option<Range<usize>> {
+    let indices: Option<Vec<usize>> = indices
+        .split(',')
+        .map(|index| index.trim().parse().ok())
+        .collect();
+    let indices = indices.filter(|indices| indices.len() <= shape.len())?;
+    let mut first = 0;
+    for (&index, &side) in indices.iter().zip(shape) {
+        first = first * side + Some(index).filter(|&index| index < side)?;
+    }
+    let count: usize = shape[indices.len()..].iter().product();
+    Some(first * count..(first + 1) * count)
+}
+
+impl Element {
+    /// The motion in which its numbers change by one per unit. Vertices at the
+    /// same place move with the one that is named.
+    pub fn motion(&self, scene: &Scene) -> Motion {
+        let mut velocities = vec![0.0; self.array.count()];
+        velocities[self.numbers.clone()].fill(1.0);
+        if let Place::Positions(id) = self.array.place {
+            let first = weld(&scene.shape(id).mesh.positions);
+            let named = self.numbers.start / 3;
+            let row = [0, 1, 2].map(|axis| velocities[3 * named + axis]);
+            let same_place = (0..first.len()).filter(|&vertex| first[vertex] == first[named]);
+            for vertex in same_place {
+                velocities[3 * vertex..3 * vertex + 3].copy_from_slice(&row);
+            }
+        }
+        self.array.motion(scene, &velocities)
+    }
+}
