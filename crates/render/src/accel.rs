@@ -3,11 +3,11 @@
 use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
 use capwalk_math::Vec3;
 use capwalk_scene::resolve::Resolver;
-use capwalk_scene::sensor::view::{View, ViewRay};
+use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Source;
-use crate::material::needs_tangent;
+use crate::material::{FlatEvents, flat_events, needs_tangent};
 use crate::unsupported::unsupported_text;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
@@ -31,6 +31,9 @@ pub struct Accel<'s> {
     pub view: View<f64>,
     /// What materials need besides their textures.
     pub resolver: Resolver,
+    /// What specular events at each shape keep images in shape.
+    flat_events: Vec<FlatEvents>,
+    has_flat_events: bool,
     rays: RayTree,
     /// Distances below this (world units) around a ray's origin belong to the
     /// surface it starts on.
@@ -64,6 +67,8 @@ impl<'s> Accel<'s> {
         }
         let sources = scene.emitters.iter();
         let sources = sources.map(|emitter| Source::new(scene, emitter)).collect();
+        let flat_events = scene.shapes.iter().map(|shape| flat_events(scene, shape));
+        let flat_events: Vec<FlatEvents> = flat_events.collect();
         let size = mesh
             .positions
             .iter()
@@ -82,6 +87,8 @@ impl<'s> Accel<'s> {
                 .collect(),
             view: scene.sensor.view(&scene.film),
             resolver: Resolver::new(scene),
+            has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
+            flat_events,
             rays: RayTree::build(&mesh),
             mesh,
             self_distance: SELF_INTERSECTION * size,
@@ -97,11 +104,16 @@ impl<'s> Accel<'s> {
     /// The first surface seen from a point on another one.
     #[inline]
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
-        let t_min = self.self_distance;
-        self.rays.first_hit(&Ray {
-            t_min,
+        self.rays.first_hit(&self.surface_ray(origin, direction))
+    }
+
+    /// A ray from a point on a surface.
+    #[inline]
+    pub fn surface_ray(&self, origin: Vec3, direction: Vec3) -> Ray {
+        Ray {
+            t_min: self.self_distance,
             ..Ray::new(origin, direction)
-        })
+        }
     }
 
     /// The first surface along a ray with bounds of its own.
@@ -123,25 +135,46 @@ impl<'s> Accel<'s> {
     #[inline]
     pub fn surface_sees(&self, from: Vec3, direction: Vec3, distance: f64) -> bool {
         !self.rays.occluded(&Ray {
-            origin: from,
-            direction,
-            t_min: self.self_distance,
             t_max: distance * (1.0 - SHORT_OF_TARGET),
+            ..self.surface_ray(from, direction)
         })
     }
 
-    /// True if the point at a distance along a ray of the camera is seen: between
-    /// the clip planes, nothing is before it.
-    pub fn camera_sees(&self, ray: &ViewRay<f64>, distance: f64) -> bool {
-        let [near, far] = ray.range;
-        distance > near
-            && distance < far
+    /// The camera's ray from a point of its lens in a unit direction, between its
+    /// clip planes.
+    pub fn camera_ray(&self, eye: Vec3, direction: Vec3) -> Ray {
+        let ray = self.view.from(eye).ray(direction);
+        let [t_min, t_max] = ray.range;
+        Ray {
+            origin: ray.origin,
+            direction: ray.direction,
+            t_min,
+            t_max,
+        }
+    }
+
+    /// True if the camera sees the point at a distance along its ray from a point
+    /// of its lens: between its clip planes, nothing is before it.
+    pub fn camera_sees(&self, eye: Vec3, direction: Vec3, distance: f64) -> bool {
+        let ray = self.camera_ray(eye, direction);
+        ray.t_min < distance
+            && distance < ray.t_max
             && !self.rays.occluded(&Ray {
-                origin: ray.origin,
-                direction: ray.direction,
-                t_min: near,
                 t_max: distance * (1.0 - SHORT_OF_TARGET),
+                ..ray
             })
+    }
+
+    /// True if there are flat mirrors or panes.
+    #[inline]
+    pub fn has_flat_events(&self) -> bool {
+        self.has_flat_events
+    }
+
+    /// What specular events at a hit keep images in shape.
+    #[inline]
+    pub fn flat_events(&self, hit: &Hit) -> FlatEvents {
+        self.flat_events[self.shape_of(hit).0 as usize]
     }
 
     /// The shape that a vertex of the joined mesh belongs to.

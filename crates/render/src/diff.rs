@@ -14,3 +14,4 @@ mod recording;
 pub mod refuse;
 pub mod reverse;
 mod slope;
+pub(crate) mod unfold;

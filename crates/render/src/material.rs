@@ -1,7 +1,7 @@
 //! What a surface does to light at a point: its material with its numbers.
 
 use capwalk_math::{Frame, Real, Rgb, Vec3};
-use capwalk_scene::lobe::Bsdf;
+use capwalk_scene::lobe::{Bsdf, Event};
 use capwalk_scene::resolve::TexturesAt;
 use capwalk_scene::{Bsdf as Plugin, BsdfId, Pattern, Scene, Shape, Texture, TextureId};
 
@@ -101,6 +101,60 @@ pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
                 | Plugin::Null
         )
     })
+}
+
+/// Which perfectly specular events at a shape keep images in shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FlatEvents {
+    /// Reflection by a plane.
+    reflects: bool,
+    /// Passing straight on.
+    passes: bool,
+}
+
+impl FlatEvents {
+    /// The events.
+    pub fn iter(self) -> impl Iterator<Item = Event> {
+        let reflects = self.reflects.then_some(Event::Reflect);
+        let passes = self.passes.then_some(Event::Pass);
+        reflects.into_iter().chain(passes)
+    }
+
+    /// True if the event is one of them.
+    pub fn contains(self, event: Event) -> bool {
+        self.iter().any(|own| own == event)
+    }
+
+    /// True if there are none.
+    pub fn is_empty(self) -> bool {
+        self.iter().next().is_none()
+    }
+}
+
+/// Which perfectly specular events at a shape keep images in shape: mirrors must
+/// be flat, panes may be bent.
+pub fn flat_events(scene: &Scene, shape: &Shape) -> FlatEvents {
+    let any = |holds: fn(&Plugin) -> bool| any_part(scene, shape.bsdf, &holds);
+    let turns = |bsdf: &Plugin| matches!(bsdf, Plugin::NormalMap { .. } | Plugin::BumpMap { .. });
+    let reflects = |bsdf: &Plugin| {
+        matches!(
+            bsdf,
+            Plugin::Conductor(_)
+                | Plugin::Dielectric(_)
+                | Plugin::ThinDielectric(_)
+                | Plugin::Plastic(_)
+        )
+    };
+    let passes = |bsdf: &Plugin| {
+        matches!(
+            bsdf,
+            Plugin::ThinDielectric(_) | Plugin::Mask { .. } | Plugin::Null
+        )
+    };
+    FlatEvents {
+        reflects: any(reflects) && shape.normals.per_vertex().is_none() && !any(turns),
+        passes: any(passes),
+    }
 }
 
 /// True if something holds for a material, or one that it is made of.

@@ -23,7 +23,7 @@ use std::f64::consts::PI;
 
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Frame, Real, Rgb, Vec3};
-use capwalk_scene::lobe::{Bsdf, Specular};
+use capwalk_scene::lobe::{Bsdf, Event, Specular};
 use capwalk_scene::sensor::view::{View, ViewRay};
 use capwalk_scene::{Integrator, Layer, Scene};
 use capwalk_walk::WalkSettings;
@@ -31,9 +31,10 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::diff::boundary::{Draw, Eye, Field, Numbers};
 use crate::diff::flux::lamp_edge_flux;
+use crate::diff::unfold::MAX_EVENTS;
 use crate::layer::layer_at;
 use crate::light::{Continuation, LightSampling, emitter_towards, sample_lights};
-use crate::material::vertex_at;
+use crate::material::{FlatEvents, vertex_at};
 use crate::pixel::{Support, Supports};
 use crate::world::{AtRest, World, emitted_at, surface_at};
 
@@ -135,6 +136,13 @@ impl Plan {
         self.max_depth.is_none_or(|max| segments <= max)
     }
 
+    /// Most specular events between a point that paths of so many segments lead
+    /// to and what they show of the scene.
+    fn events_behind(&self, segments: u32) -> u32 {
+        let left = self.max_depth.map(|max| max.saturating_sub(segments + 1));
+        left.map_or(MAX_EVENTS, |left| left.min(MAX_EVENTS))
+    }
+
     /// Random numbers of each vertex: light and continuation, roulette.
     fn numbers_per_vertex(&self) -> u32 {
         self.sampling.dimensions() + 1
@@ -195,6 +203,32 @@ struct FilmPoint<R> {
 impl<R: Real> FilmPoint<R> {
     fn moves(&self) -> bool {
         self.near_boundary || self.film.iter().any(|x| !x.is_constant())
+    }
+}
+
+/// The specular events since a direction was carried along a field.
+#[derive(Clone, Copy, Debug)]
+pub struct Unfolded {
+    /// How many, if the field has the outlines that are seen behind them.
+    count: Option<u32>,
+    /// After which further ones at this place it has them, too.
+    events_here: FlatEvents,
+}
+
+impl Default for Unfolded {
+    fn default() -> Self {
+        Self {
+            count: Some(0),
+            events_here: FlatEvents::default(),
+        }
+    }
+}
+
+impl Unfolded {
+    /// Their number with one more, if the field has the outlines behind it.
+    fn after(&self, event: Event) -> Option<u32> {
+        let count = self.count.filter(|_| self.events_here.contains(event))?;
+        (count < MAX_EVENTS).then_some(count + 1)
     }
 }
 
@@ -399,7 +433,7 @@ impl<'a> Tracer<'a> {
             };
         }
         let (settings, numbers) = self.film_walk(walk, draw);
-        let carried = world.carry(&Eye::camera(view.eye), q, settings, numbers);
+        let carried = world.carry(&self.camera_eye(view), q, settings, numbers);
         let area = view.film_area_per_solid_angle(carried.direction);
         FilmPoint {
             ray: view.ray(carried.direction),
@@ -420,7 +454,19 @@ impl<'a> Tracer<'a> {
         let (settings, numbers) = self.film_walk(2, draw);
         let q = camera.at_rest.direction(s);
         let view = &camera.moving;
-        view.film(world.carry_value(&Eye::camera(view.eye), q, settings, numbers))
+        view.film(world.carry_value(&self.camera_eye(view), q, settings, numbers))
+    }
+
+    fn camera_eye<R: Real>(&self, view: &View<R>) -> Eye<R> {
+        Eye::camera(view.eye, self.events_behind(0))
+    }
+
+    /// Most specular events behind which edges count.
+    fn events_behind(&self, segments: u32) -> u32 {
+        match self.accel.has_flat_events() {
+            true => self.plan.events_behind(segments),
+            false => 0,
+        }
     }
 
     /// A sample of the radiance that arrives along a moving camera ray.
@@ -451,6 +497,7 @@ impl<'a> Tracer<'a> {
             light += emitted_at(world, accel, emitter, hit.as_ref(), origin, direction);
         }
         let mut throughput = Rgb::constant(Rgb::splat(1.0)); // over its density
+        let mut unfolded = Unfolded::default();
         for depth in 0.. {
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
                 break;
@@ -459,7 +506,8 @@ impl<'a> Tracer<'a> {
             let Some(vertex) = vertex_at(world, accel, &surface, direction) else {
                 break;
             };
-            let (emitted, next) = self.emitted(world, &vertex, depth, draw);
+            unfolded.events_here = accel.flat_events(&found);
+            let (emitted, next) = self.emitted(world, &vertex, depth, unfolded, draw);
             light += throughput.hadamard(emitted);
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
                 break;
@@ -468,16 +516,19 @@ impl<'a> Tracer<'a> {
             direction = match next.specular {
                 None => {
                     // Light from another surface, along the field around this one.
-                    let eye = Eye::towards_surfaces(vertex.position, vertex.face_normal);
+                    let events = self.events_behind(depth + 1);
+                    let eye = Eye::towards_surfaces(vertex.position, vertex.face_normal, events);
                     let (walk, numbers) = self.vertex_walk(depth, 1, draw);
                     let carried = world.carry(&eye, next.direction, walk, numbers);
                     let f = vertex.eval(carried.direction);
                     throughput = throughput.hadamard(f * (carried.stretch * over_density));
+                    unfolded = Unfolded::default();
                     carried.direction
                 }
                 Some(event) => {
                     let (wo, fraction) = vertex.specular(event);
                     throughput = throughput.hadamard(fraction * over_density);
+                    unfolded.count = unfolded.after(event.event);
                     wo
                 }
             };
@@ -499,8 +550,8 @@ impl<'a> Tracer<'a> {
         light
     }
 
-    /// Counts a ray after a specular event if outlines seen there can move
-    /// against it: they bound no field yet.
+    /// Counts a ray after a specular event that bends light if outlines seen there
+    /// can move against it: they bound no field.
     fn count_uncovered<R: Real, W: World<R>>(
         &self,
         world: &W,
@@ -528,6 +579,7 @@ impl<'a> Tracer<'a> {
         world: &W,
         vertex: &Vertex<R>,
         depth: u32,
+        unfolded: Unfolded,
         draw: Draw,
     ) -> (Rgb<R>, Option<Continuation>) {
         let mut light = Rgb::zero();
@@ -570,7 +622,7 @@ impl<'a> Tracer<'a> {
                 light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
             |event, hit| {
-                if W::MOVES {
+                if W::MOVES && unfolded.after(event.event).is_none() {
                     let (direction, _) = vertex.specular(event);
                     self.count_uncovered(world, vertex.position, direction, hit, draw);
                 }

@@ -396,35 +396,3 @@ fn texels_of_weights() {
     });
     texels_at_the_ends("weight", blend, [0.0, 1.0]);
 }
-
-/// What moves and is seen in a perfect mirror is refused, with the reason: its
-/// outline there is not available; and so is a mirror that moves.
-#[test]
-fn things_that_move_in_mirrors_are_refused() {
-    let mut scene = empty(v(0.0, -3.0, 1.5), v(0.0, 0.0, 0.0), 30.0, 12);
-    add_floor(&mut scene, 3.0);
-    add_lamp(&mut scene, v(0.0, 2.4, 1.2), 1.2, 0.3, 4.0);
-    let ahead = placed(triangle(), Affine::translate(v(0.0, 1.2, -0.5)));
-    add(&mut scene, "thing", ahead, ShadingNormals::Face, 0.6);
-    make(&mut scene, "floor", |n| Bsdf::Conductor(n.mirror()));
-    // Two segments: the lamp in the mirror, and what hides it.
-    for (segments, expression) in [
-        (2, "thing.translate.x"),
-        (2, "lamp.translate.x"),
-        (2, "floor.rotate.x"),
-        (3, "thing.translate.x"),
-        (3, "floor.translate.z"),
-        (3, "sensor.translate.x"),
-    ] {
-        paths(&mut scene, segments);
-        let Err(refusal) = run(&scene, expression) else {
-            panic!("{expression}, {segments} segments: not refused");
-        };
-        let reason = refusal.reason;
-        let is_named = reason.contains("specular") && reason.contains("rough material");
-        assert!(is_named, "{expression}: {reason}");
-    }
-    // Nothing moves.
-    assert!(run(&scene, "floor.bsdf.specular_reflectance.value").is_ok());
-    assert!(run(&scene, "thing.bsdf.reflectance.value").is_ok());
-}

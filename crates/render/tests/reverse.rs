@@ -11,7 +11,7 @@ use capwalk_render::{
     Backward, GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
 };
 use capwalk_scene::lobe::Distribution;
-use capwalk_scene::primitive::cube;
+use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
 use common::agree::motion;
 use common::materials::*;
@@ -230,6 +230,24 @@ fn numbers_of_specular_materials() {
         ..Motion::zero(&scene)
     };
     agree_along("specular materials", &scene, &motion);
+}
+
+/// Flat mirrors across each other and a pane, everything moving.
+#[test]
+fn mirrors() {
+    let mut scene = visible_cube();
+    for (id, turn) in [("left", 1.3), ("right", -1.4), ("pane", 1.1)] {
+        let turn = Affine::rotate(v(0.1, 1.0, 0.2), turn);
+        let (mesh, normals) =
+            rectangle(Affine::translate(v(0.5 * turn.rows[0].z, 0.6, 0.5)) * turn);
+        add(&mut scene, id, mesh, normals, 0.5);
+    }
+    for id in ["left", "right"] {
+        make(&mut scene, id, |n| Bsdf::Conductor(n.copper()));
+    }
+    make(&mut scene, "pane", |n| Bsdf::ThinDielectric(n.glass()));
+    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(true)));
+    agree_in_both_modes("mirrors", scene, 5);
 }
 
 /// Gradients of single parameters are entries of the gradient of all, and

@@ -18,6 +18,7 @@ use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
 use super::look::Look;
+use super::unfold::{Mirrors, Seen, Unfolded};
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -178,6 +179,8 @@ pub struct Eye<R> {
     pub group: u8,
     /// Whether hidden edges count.
     pub visibility: Visibility,
+    /// Most flat specular events behind which edges count.
+    pub events: u32,
 }
 
 /// Which boundary points count. If the closest point of an edge is hidden, what
@@ -194,8 +197,8 @@ pub enum Visibility {
 }
 
 impl<R: Real> Eye<R> {
-    /// The camera.
-    pub fn camera(position: Vec3<R>) -> Self {
+    /// The camera, whose paths can take so many specular events.
+    pub fn camera(position: Vec3<R>, events: u32) -> Self {
         Self {
             position,
             face_normal: None,
@@ -203,6 +206,7 @@ impl<R: Real> Eye<R> {
             selection: EdgeSelection::All,
             group: SEEN,
             visibility: Visibility::Camera,
+            events,
         }
     }
 
@@ -216,24 +220,28 @@ impl<R: Real> Eye<R> {
             // Around a direction that reaches light nothing is hidden: what
             // hides an edge would have an outline nearer than the edge.
             visibility: Visibility::All,
+            events: 0,
         }
     }
 
-    /// A surface point that looks at other surfaces.
-    pub fn towards_surfaces(position: Vec3<R>, face_normal: Vec3) -> Self {
+    /// A surface point that looks at other surfaces, along paths that can take so
+    /// many specular events.
+    pub fn towards_surfaces(position: Vec3<R>, face_normal: Vec3, events: u32) -> Self {
         Self {
             position,
             face_normal: Some(face_normal),
             selection: EdgeSelection::All,
             group: SEEN,
             visibility: Visibility::Surface,
+            events,
         }
     }
 }
 
 /// The fields around all points of a scene at rest.
 pub struct Field<'a> {
-    accel: &'a Accel<'a>,
+    /// The scene.
+    pub accel: &'a Accel<'a>,
     /// The edges.
     pub boundaries: Boundaries,
     /// Edges whose ends lie this close (world units) to the plane of the face
@@ -254,11 +262,14 @@ pub struct Site {
     direction: Vec3,
     is_horizon: bool,
     distance: f64,
+    /// The mirrors in which the eye sees the point.
+    pub mirrors: Mirrors,
 }
 
 impl Site {
-    /// The angular velocity of the point for a velocity `ẋ - ȯ` relative to the
-    /// eye, `P_x̂ (ẋ - ȯ) / |x - o|`. A symmetric map: its own transpose.
+    /// The angular velocity of the point, or its image in mirrors, for a velocity
+    /// `ẋ - ȯ` relative to the eye, `P_x̂ (ẋ - ȯ) / |x - o|`. A symmetric map: its
+    /// own transpose.
     #[inline]
     pub fn angular(&self, relative: Vec3) -> Vec3 {
         let along = self.direction * self.direction.dot(relative);
@@ -285,27 +296,32 @@ impl<'a> Field<'a> {
         }
     }
 
-    fn sphere<R: Real>(&self, eye: &Eye<R>) -> Sphere<'_, impl Fn(&SilhouettePoint) -> bool> {
+    fn sphere<'e, R: Real>(
+        &'e self,
+        eye: &'e Eye<R>,
+    ) -> Unfolded<'e, R, impl Fn(&SilhouettePoint) -> bool> {
         let position = eye.position.value();
         let is_camera = eye.visibility == Visibility::Camera;
         let is_seen = move |site: &SilhouettePoint| match is_camera {
-            true => {
-                let view = self.accel.view.from(position);
-                self.accel
-                    .camera_sees(&view.ray(site.direction), site.distance)
-            }
+            true => self
+                .accel
+                .camera_sees(position, site.direction, site.distance),
             false => self
                 .accel
                 .surface_sees(position, site.direction, site.distance),
         };
-        Sphere {
-            tree: &self.boundaries.tree,
-            eye: position,
-            edges: eye.selection,
-            groups: eye.group,
-            in_front_of: None,
-            counts: (eye.visibility != Visibility::All).then_some(is_seen),
-            queries: Cell::new(0),
+        Unfolded {
+            direct: Sphere {
+                tree: &self.boundaries.tree,
+                eye: position,
+                edges: eye.selection,
+                groups: eye.group,
+                in_front_of: None,
+                counts: (eye.visibility != Visibility::All).then_some(is_seen),
+                queries: Cell::new(0),
+            },
+            accel: self.accel,
+            eye,
         }
     }
 
@@ -319,7 +335,7 @@ impl<'a> Field<'a> {
     ) -> Sites {
         let sphere = self.sphere(eye);
         let sample = sample_field(&sphere, q, walk, |i| random.number(i));
-        random.draw.count_queries(sphere.queries.get());
+        random.draw.count_queries(sphere.direct.queries.get());
         sample.map(|site| self.site(eye, site))
     }
 
@@ -333,17 +349,19 @@ impl<'a> Field<'a> {
     ) -> Option<Site> {
         let sphere = self.sphere(eye);
         let site = sample_value(&sphere, q, walk, |i| random.number(i));
-        random.draw.count_queries(sphere.queries.get());
+        random.draw.count_queries(sphere.direct.queries.get());
         Some(self.site(eye, &site?))
     }
 
-    fn site<R: Real>(&self, eye: &Eye<R>, found: &SilhouettePoint) -> Site {
+    fn site<R: Real>(&self, eye: &Eye<R>, seen: &Seen) -> Site {
+        let found = &seen.point;
         let edge = &self.boundaries.edges[found.edge as usize];
         // Around the face that the eye slides on, its edges are the horizon.
         // Only the motion across the horizon matters; that along it grows
         // without bound as the eye nears the edge.
         let horizon = eye
             .face_normal
+            .filter(|_| seen.is_direct)
             .filter(|&normal| self.in_horizon(eye.position.value(), edge, normal));
         Site {
             points: edge.vertices,
@@ -351,7 +369,14 @@ impl<'a> Field<'a> {
             direction: horizon.unwrap_or(found.direction),
             is_horizon: horizon.is_some(),
             distance: found.distance,
+            mirrors: seen.mirrors,
         }
+    }
+
+    /// Where a boundary point is.
+    pub fn position(&self, site: &Site) -> Vec3 {
+        let [a, b] = site.points.map(|i| self.boundaries.positions[i as usize]);
+        a + (b - a) * site.t
     }
 
     fn in_horizon(&self, eye: Vec3, edge: &Edge, normal: Vec3) -> bool {

@@ -96,9 +96,9 @@ fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
     let [near, _] = view.clip();
     let sees = |t: f64| {
         let p = segment[0] + (segment[1] - segment[0]) * t;
-        let ray = view.ray(view.towards(p).normalized());
-        let distance = (p - ray.origin).length();
-        depth <= near || is_blurred || accel.camera_sees(&ray, distance * (1.0 - SHORT))
+        let direction = view.towards(p).normalized();
+        let distance = (p - view.ray(direction).origin).length() * (1.0 - SHORT);
+        depth <= near || is_blurred || accel.camera_sees(view.eye, direction, distance)
     };
     [first, 0.5 * (first + last), last].into_iter().any(sees)
 }

@@ -19,7 +19,7 @@ use super::slope::refuse_infinite_slopes;
 /// The derivative of the picture for a unit change along `motion`, in forward
 /// mode, with its standard error. Refuses what it cannot differentiate rightly:
 /// surfaces that move while a clip plane of the camera cuts them, and things that
-/// move in mirrors and smooth glass.
+/// move in curved mirrors and refracting glass.
 pub fn gradient(
     scene: &Scene,
     motion: &Motion,

@@ -67,7 +67,13 @@ impl<'a> InMotion<'a> {
     /// Angular velocity of a boundary point seen from the eye.
     fn angular(&self, eye: &Eye<D>, site: &Site) -> Vec3 {
         let [a, b] = site.points.map(|i| self.points[i as usize]);
-        site.angular(a + (b - a) * site.t - eye.position.tangent(0))
+        let mut velocity = a + (b - a) * site.t;
+        if !site.mirrors.is_empty() {
+            let corner = |i: u32| self.points[i as usize];
+            let (mesh, point) = (&self.accel.mesh, self.field.position(site));
+            velocity = site.mirrors.velocity(mesh, point, velocity, corner);
+        }
+        site.angular(velocity - eye.position.tangent(0))
     }
 }
 

@@ -11,7 +11,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::light::LightSampling;
 use crate::options::Refusal;
-use crate::path::{FIRST_VERTEX, Plan, Tracer, Vertex};
+use crate::path::{FIRST_VERTEX, Plan, Tracer, Unfolded, Vertex};
 use crate::sampler::Sampler;
 use crate::world::AtRest;
 
@@ -82,7 +82,7 @@ pub fn irradiance(
                 stream: &stream,
                 counts: &Counts::default(),
             };
-            let (light, _) = tracer.emitted(&world, &vertex, 0, draw);
+            let (light, _) = tracer.emitted(&world, &vertex, 0, Unfolded::default(), draw);
             irradiance.value.add(light.x.value);
             irradiance.gradient.add(light.x.tangent[0]);
         }
@@ -117,7 +117,10 @@ pub fn difference(
             };
             let [above, below] = [0, 1].map(|i| {
                 let world = AtRest(&accels[i]);
-                tracers[i].emitted(&world, &vertex, 0, draw).0.x
+                tracers[i]
+                    .emitted(&world, &vertex, 0, Unfolded::default(), draw)
+                    .0
+                    .x
             });
             moments.add(above - below);
         }

@@ -81,7 +81,13 @@ impl<'a, 't> Recording<'a, 't> {
 
     /// True if the boundary point can move against the eye.
     fn moves(&self, eye: &Eye<Var<'t>>, site: &Site) -> bool {
-        !eye.position.is_constant() || site.points.iter().any(|&i| self.points[i as usize])
+        let moves = |i: &u32| self.points[*i as usize];
+        let faces = site.mirrors.faces().iter();
+        !eye.position.is_constant()
+            || site.points.iter().any(moves)
+            || faces
+                .flat_map(|&face| &self.accel.mesh.faces[face as usize])
+                .any(moves)
     }
 
     /// Collects the covectors on the scene's numbers that follow from the
@@ -111,11 +117,19 @@ impl<'a, 't> Recording<'a, 't> {
                     for term in sites.terms() {
                         let on_velocity =
                             tangent * term.weight + sites.divergence_covector(term) * stretch;
-                        pull_site(&term.site, on_velocity, eye, adjoints, covectors);
+                        pull_site(
+                            self.field,
+                            &term.site,
+                            on_velocity,
+                            eye,
+                            adjoints,
+                            covectors,
+                        );
                     }
                 }
                 Origin::Value { q, eye, site } => {
-                    pull_site(&site, covector.reject_from(q), eye, adjoints, covectors);
+                    let covector = covector.reject_from(q);
+                    pull_site(self.field, &site, covector, eye, adjoints, covectors);
                 }
             }
         }
@@ -123,19 +137,25 @@ impl<'a, 't> Recording<'a, 't> {
 }
 
 /// Passes a covector on the angular velocity of a boundary point on to the
-/// point's ends and to the eye.
+/// point's ends, to the mirrors in which it is seen, and to the eye.
 fn pull_site(
+    field: &Field,
     site: &Site,
     covector: Vec3,
     eye: Vec3<Var>,
     adjoints: &mut Adjoints,
     covectors: &mut Vec<(Target, Vec3)>,
 ) {
-    let on_point = site.angular(covector);
+    let mut on_point = site.angular(covector);
+    adjoints.add_vector(eye, -on_point);
+    if !site.mirrors.is_empty() {
+        let corner = |i, covector| covectors.push((Target::Point(i), covector));
+        let (mesh, point) = (&field.accel.mesh, field.position(site));
+        on_point = site.mirrors.pull(mesh, point, on_point, corner);
+    }
     let [a, b] = site.points.map(Target::Point);
     covectors.push((a, on_point * (1.0 - site.t)));
     covectors.push((b, on_point * site.t));
-    adjoints.add_vector(eye, -on_point);
 }
 
 impl<'t> World<Var<'t>> for Recording<'_, 't> {

@@ -10,6 +10,7 @@ use crate::options::Refusal;
 use crate::unsupported::unsupported_text;
 
 use super::clip::refuse_clipped;
+use super::unfold::MAX_EVENTS;
 
 /// A refusal if there are lights without extent: the edges of their shadows lie on
 /// surfaces, not among directions (METHOD 7).
@@ -91,7 +92,7 @@ pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
     shapes.any(|shape| may_be_specular(scene, shape.bsdf))
 }
 
-/// A refusal if something moved in a mirror or behind glass.
+/// A refusal if something moved in a curved mirror or behind refracting glass.
 pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
     if statistics.uncovered == 0 {
         return Ok(());
@@ -99,10 +100,11 @@ pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
     let share = statistics.uncovered as f64 / statistics.samples as f64;
     Err(Refusal {
         reason: format!(
-            "things move that are seen in perfectly specular reflection or refraction (about \
-             {:.2} events in 100 samples), and the motion of their outlines there is not \
-             available. Shadows seen in a mirror at rest are. Use a rough material (alpha of \
-             0.01 or more) instead of the perfectly smooth one, or finite differences",
+            "things move that are seen in curved mirrors, through refracting glass, or after more \
+             than {MAX_EVENTS} reflections (about {:.2} specular events in 100 samples), and the \
+             motion of their outlines there is not available. It is in flat mirrors (without vertex \
+             normals) and panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use \
+             one of these, a rough material (alpha of 0.01 or more), or finite differences",
             100.0 * share
         ),
     })

@@ -18,6 +18,9 @@ pub struct Case {
     pub walk: WalkSettings,
     /// Pixels that must have noise.
     pub min_pixels: usize,
+    /// By what factor more samples the verdict may want before it says "right",
+    /// where derivatives have heavy tails.
+    pub patience: f64,
 }
 
 impl Default for Case {
@@ -30,6 +33,7 @@ impl Default for Case {
             one_sided: false,
             walk: WalkSettings::default(),
             min_pixels: 1000,
+            patience: 1.0,
         }
     }
 }
@@ -78,7 +82,10 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
         result.slope_error,
         result.worst[0]
     );
-    assert_eq!(result.verdict, Verdict::Right, "{name}");
+    match result.verdict {
+        Verdict::CouldNotTell { samples_factor } if samples_factor <= case.patience => {}
+        verdict => assert_eq!(verdict, Verdict::Right, "{name}"),
+    }
     assert!(
         result.pixels >= case.min_pixels,
         "{name}: only {} pixels have noise",
