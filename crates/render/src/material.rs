@@ -242,3 +242,68 @@ pub fn textures_of<'s>(scene: &'s Scene, shape: &Shape) -> Vec<&'s Texture> {
     let shown = |id| scene.texture(scene.numbers_of(id, shape));
     ids.into_iter().map(shown).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use capwalk_geometry::Mesh;
+    use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
+    use capwalk_scene::{ShadingNormals, ShapeId, builtin};
+
+    use super::*;
+    use crate::world::{AtRest, surface_at};
+
+    /// On a triangle with skewed texture coordinates, whose heights are a ramp of
+    /// them, the gradient along the axes gives the heights of all corners.
+    #[test]
+    fn gradients_follow_skewed_coordinates() {
+        let mut scene = builtin::scene("leaf").expect("built in");
+        let corners = [(-3.0, 0.2, 1.0), (2.0, -2.5, 0.3), (1.5, 3.0, -0.4)];
+        let corners = corners.map(|(x, y, z)| Vec3::new(x, y, z));
+        let mesh = Mesh {
+            positions: corners.to_vec(),
+            faces: vec![[0, 1, 2]],
+        };
+        let uvs = [[0.3, 0.3], [0.7, 0.4], [0.4, 0.7]];
+        let bsdf = scene.shapes[0].bsdf;
+        let mut shape = Shape::new("skewed", mesh, ShadingNormals::Face, bsdf);
+        shape.uvs = Some(vec![uvs]);
+        scene.shapes = vec![shape];
+        scene.emitters.clear();
+        // 2 u - 3 v at the centres of 8 x 8 texels.
+        let centre = |i: usize| (i as f64 + 0.5) / 8.0;
+        let ramp = |i: usize| 2.0 * centre(i % 8) - 3.0 * centre(i / 8);
+        let heights = scene.add_texture(Texture {
+            id: "ramp".into(),
+            channels: 1,
+            data: (0..64).map(ramp).collect(),
+            pattern: Pattern::Bitmap(Bitmap {
+                width: 8,
+                height: 8,
+                filter: TexelFilter::Bilinear,
+                wrap: Wrap::Clamp,
+                to_uv: UvTransform::IDENTITY,
+            }),
+        });
+        let mut accel = Accel::new(&scene);
+        accel.needs_tangent = vec![true];
+        let (origin, down) = (Vec3::new(0.1, 0.2, 4.0), Vec3::new(0.0, 0.0, -1.0));
+        let hit = accel.first_hit(origin, down).expect("above the triangle");
+        assert_eq!(accel.shape_of(&hit), ShapeId(0));
+        let world = AtRest(&accel);
+        let surface = surface_at(&world, &accel, &hit, origin, down);
+        let [along_u, _] = surface.tangents.expect("texture coordinates");
+        let frame = Frame::from_normal_and_tangent(surface.outward, along_u);
+        let mut textures = Textures {
+            world: &world,
+            surface: &surface,
+            frame,
+        };
+        let [by_s, by_t] = textures.gradient(heights).map(|slope| slope.x);
+        let rise = |i: usize| 2.0 * (uvs[i][0] - uvs[0][0]) - 3.0 * (uvs[i][1] - uvs[0][1]);
+        for i in [1, 2] {
+            let way = corners[i] - corners[0];
+            let found = by_s * way.dot(frame.s) + by_t * way.dot(frame.t);
+            assert!((found - rise(i)).abs() < 1e-12, "{found} {}", rise(i));
+        }
+    }
+}

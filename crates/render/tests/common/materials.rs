@@ -118,7 +118,7 @@ fn scattered(count: usize) -> impl Iterator<Item = f64> {
     (0..count).map(|i| ((i * i * 7 + i * 13) % 17) as f64 / 16.0)
 }
 
-/// A bitmap of `size` by `size` texels, repeated.
+/// A bitmap of `size` by `size` texels, repeated twice along both coordinates.
 pub fn bitmap(id: String, size: usize, channels: usize, data: Vec<f64>) -> Texture {
     Texture {
         id,
@@ -129,7 +129,9 @@ pub fn bitmap(id: String, size: usize, channels: usize, data: Vec<f64>) -> Textu
             height: size as u32,
             filter: TexelFilter::Bilinear,
             wrap: Wrap::Repeat,
-            to_uv: UvTransform::IDENTITY,
+            to_uv: UvTransform {
+                rows: [[2.0, 0.0, 0.0], [0.0, 2.0, 0.0]],
+            },
         }),
     }
 }

@@ -85,11 +85,13 @@ fn nothing_jumps() {
             continue; // total reflection begins steeply
         }
         let bsdf = tilted(&lobe, LIMITS);
+        let up = Vec3::new(0.0, 0.0, 1.0);
         let along = Vec3::new(0.3, 0.9, 0.2);
-        for (normal, fixed) in [
-            (n, direction(0.6, 0.5)),
-            (n, direction(0.9, 3.5)),
-            (Vec3::new(0.0, 0.0, 1.0), direction(0.6, 0.5)),
+        for (normal, along, fixed) in [
+            (n, along, direction(0.6, 0.5)),
+            (n, along, direction(0.9, 3.5)),
+            (up, along, direction(0.6, 0.5)),
+            (up, -along, direction(0.6, 0.5)),
         ] {
             let in_plane = along.reject_from(normal).normalized();
             let [above, below] = [STEP, -STEP].map(|by| (in_plane + normal * by).normalized());
