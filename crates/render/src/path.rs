@@ -176,13 +176,8 @@ struct FilmPoint<R> {
     /// Film area per solid angle over its value, times the field's stretch: 1,
     /// and its change.
     stretch: R,
-    near_boundary: bool,
-}
-
-impl<R: Real> FilmPoint<R> {
-    fn moves(&self) -> bool {
-        self.near_boundary || self.film.iter().any(|x| !x.is_constant())
-    }
+    /// Whether it can move; alike in both modes, which draw the same samples.
+    moves: bool,
 }
 
 /// The specular events since a direction was carried along a field.
@@ -315,7 +310,7 @@ impl<'a> Tracer<'a> {
         // centre: where the picture moves, averaging both removes most of its
         // noise.
         let other = self.film_point(world, support.mirror(s), 1, draw);
-        if !point.moves() && !other.moves() {
+        if !point.moves && !other.moves {
             return self.share(world, support, &point, density, draw);
         }
         let both = self.share(world, support, &point, density, draw)
@@ -384,7 +379,7 @@ impl<'a> Tracer<'a> {
                 direction: Vec3::constant(q),
                 film: s.map(R::constant),
                 stretch: R::constant(1.0),
-                near_boundary: false,
+                moves: false,
             };
         }
         let (settings, numbers) = self.film_walk(walk, draw);
@@ -393,12 +388,16 @@ impl<'a> Tracer<'a> {
         let scene = self.accel.scene;
         let local = world.camera_direction(carried.direction);
         let area = scene.sensor.film_area_per_solid_angle(&scene.film, local);
+        let film = scene.sensor.film_from_camera(&scene.film, local);
+        // A sensor that only moves turns no direction, but reverse mode asks for
+        // its motion and its turn together.
+        let sensor_moves = !eye.position.is_constant() || film.iter().any(|x| !x.is_constant());
         FilmPoint {
             at: s,
             direction: carried.direction,
-            film: scene.sensor.film_from_camera(&scene.film, local),
+            film,
             stretch: area * R::constant(1.0 / area.value()) * carried.stretch,
-            near_boundary: carried.near_boundary,
+            moves: carried.near_boundary || sensor_moves,
         }
     }
 
