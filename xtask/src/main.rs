@@ -4,13 +4,14 @@
 //! |---|---|
 //! | `test` | everything a change must pass: format, lints, documentation, all tests |
 //! | `bench` | the benchmarks |
-//! | `soak` | random scenes, for a minute |
+//! | `soak` | random scenes and damaged files, for a minute each |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares |
 
 #[cfg(test)]
 mod code_map;
 mod deviation;
 mod parity;
+mod soak;
 mod test;
 
 use std::path::{Path, PathBuf};
@@ -25,8 +26,8 @@ usage: cargo xtask <task>
 tasks:
   test     format, lints, documentation, and all tests
   bench    the benchmarks (further arguments go to them)
-  soak     render and differentiate random scenes for a minute (further
-           arguments: seconds, first seed)
+  soak     read damaged files for a minute, then render and differentiate random
+           scenes for a minute (further arguments: seconds of each, first seed)
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare
            (needs python3 and PyPI; further arguments: scene names)
 ";
@@ -40,7 +41,7 @@ fn main() -> ExitCode {
     let result = match task {
         "test" => test::run(),
         "bench" => bench(rest),
-        "soak" => soak(rest),
+        "soak" => soak::run(rest),
         "parity" => parity::run(rest),
         "help" | "--help" | "-h" => {
             print!("{HELP}");
@@ -66,25 +67,6 @@ fn bench(rest: &[String]) -> Result<()> {
         command.arg("--").args(rest);
     }
     step("bench", command)
-}
-
-/// Random scenes, for some seconds from some seed on.
-fn soak(rest: &[String]) -> Result<()> {
-    let number = |i: usize, default: u64| match rest.get(i) {
-        None => Ok(default),
-        Some(text) => text
-            .parse::<u64>()
-            .with_context(|| format!("expected a whole number instead of \"{text}\"")),
-    };
-    let (seconds, seed) = (number(0, 60)?, number(1, 1)?);
-    let test = ["--package", "capwalk-render", "--test", "random_scenes"];
-    let mut command = cargo(&["test", "--release"]);
-    command
-        .args(test)
-        .args(["--", "--nocapture"])
-        .env("CAPWALK_SOAK_SECONDS", seconds.to_string())
-        .env("CAPWALK_SOAK_SEED", seed.to_string());
-    step("soak", command)
 }
 
 /// The root of the workspace.

@@ -5,8 +5,9 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
-use capwalk_math::Vec3;
-use capwalk_scene::{Filter, Motion, Scene, params};
+use capwalk_math::{Dual, Vec3};
+use capwalk_scene::sensor::view::View;
+use capwalk_scene::{Filter, Motion, Scene, SensorMotion, params};
 
 use crate::args::MotionArgs;
 
@@ -33,11 +34,10 @@ pub fn motion(scene: &Scene, args: &MotionArgs) -> Result<Motion> {
 /// True if nothing moves or changes.
 pub fn is_zero(motion: &Motion) -> bool {
     let shapes = motion.shapes.iter().flatten();
-    let sensor = [motion.sensor.translation, motion.sensor.rotation];
-    shapes
-        .flat_map(|shape| &shape.vertices)
-        .chain(&sensor)
-        .all(|&velocity| velocity == Vec3::zero())
+    motion.sensor == SensorMotion::default()
+        && shapes
+            .flat_map(|shape| &shape.vertices)
+            .all(|&velocity| velocity == Vec3::zero())
         && motion
             .textures
             .iter()
@@ -78,7 +78,11 @@ pub fn default_step(scene: &Scene, motion: &Motion) -> f64 {
     let (low, high) = bounds(scene);
     let size = (high - low).length();
     let sensor = &motion.sensor;
-    let speed = sensor.translation.length() + sensor.rotation.length() * size;
+    let turning = sensor
+        .axes
+        .iter()
+        .fold(sensor.rotation.length(), |sum, axis| sum + axis.length());
+    let speed = sensor.translation.length() + turning * size;
     step = step.min(STEP_FRACTION * size / speed);
     step = step.min(film_step(scene) / film_speed(scene, motion));
     let numbers = motion.textures.iter().flatten().flatten();
@@ -101,27 +105,34 @@ fn film_step(scene: &Scene) -> f64 {
 /// sensor turns.
 fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
     let (sensor, film) = (&scene.sensor, &scene.film);
-    // The transpose of a rotation is its inverse.
-    let [a, b, c] = sensor.world_from_camera.rows;
-    let to_camera = |v: Vec3| a * v.x + b * v.y + c * v.z;
-    let turn = motion.sensor.rotation;
-    // Speed on the film of a point seen along `offset`, from the sensor.
-    let speed = |offset: Vec3, velocity: Vec3| {
-        let seen = velocity - turn.cross(offset);
-        let at = to_camera(offset).with_tangent(to_camera(seen));
-        let [x, y] = sensor.film_from_camera(film, at);
-        let reach = film.filter.radius();
-        let in_picture = [x, y].iter().enumerate().all(|(axis, c)| {
-            let low = f64::from(film.crop_offset[axis]);
-            let high = low + f64::from(film.crop_size[axis]);
-            (low - reach..=high + reach).contains(&c.value)
-        });
-        let depth = at.z.value;
-        let in_depth = depth > 0.0 && depth > sensor.near_clip && depth < sensor.far_clip;
-        match in_picture && in_depth {
-            true => x.tangent[0].hypot(y.tangent[0]),
-            false => 0.0,
-        }
+    let moving = sensor.moving_state(&motion.sensor);
+    // The middle of the lens, and places on its rim.
+    let lenses: &[[f64; 2]] = match sensor.model.has_lens() {
+        true => &[[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]],
+        false => &[[0.0, 0.0]],
+    };
+    let views = lenses
+        .iter()
+        .map(|&lens| View::new(sensor, film, &moving, lens));
+    let views: Vec<_> = views.map(|view| (view, view.value())).collect();
+    let reach = film.filter.radius();
+    // Speed on the film of a point.
+    let speed = |position: Vec3, velocity: Vec3| {
+        let seen_from = |(view, at_rest): &(View<Dual<1>>, View<f64>)| {
+            let [x, y] = view.film(view.towards(position.with_tangent(velocity)));
+            let in_picture = [x, y].iter().enumerate().all(|(axis, c)| {
+                let low = f64::from(film.crop_offset[axis]);
+                let high = low + f64::from(film.crop_size[axis]);
+                (low - reach..=high + reach).contains(&c.value)
+            });
+            let depth = at_rest.depth(position);
+            let [near, far] = at_rest.clip();
+            match in_picture && depth > 0.0 && depth > near && depth < far {
+                true => x.tangent[0].hypot(y.tangent[0]),
+                false => 0.0,
+            }
+        };
+        views.iter().map(seen_from).fold(0.0, f64::max)
     };
     let vertices = scene
         .shapes
@@ -140,12 +151,7 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
                     (position, velocity)
                 })
         });
-    let of_vertices = vertices.map(|(position, velocity)| {
-        speed(
-            position - sensor.origin(),
-            velocity - motion.sensor.translation,
-        )
-    });
+    let of_vertices = vertices.map(|(position, velocity)| speed(position, velocity));
     let [x, y] = film.crop_offset.map(f64::from);
     let [width, height] = film.crop_size.map(f64::from);
     let corners = [
@@ -155,10 +161,11 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
         [x + width, y + height],
     ];
     let of_corners = corners.map(|corner| {
-        let direction = sensor.camera_from_film(film, corner);
-        let depth = 0.5 * (sensor.near_clip + sensor.far_clip) / direction.z;
+        let view = sensor.view(film);
+        let ray = view.ray(view.direction(corner));
+        let [near, far] = ray.range;
         speed(
-            sensor.world_from_camera.vector(direction) * depth,
+            ray.origin + ray.direction * (0.5 * (near + far)),
             Vec3::zero(),
         )
     });
@@ -230,6 +237,7 @@ fn text_numbers(bytes: &[u8]) -> Result<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use capwalk_scene::Optic;
 
     #[test]
     fn rows_of_text() {
@@ -285,7 +293,8 @@ mod tests {
             default_step(scene, &motion)
         };
         // The middle of the picture turns by this many pixels per radian.
-        let focal = 0.5 * f64::from(scene.film.size[0]) / (0.5 * scene.sensor.fov_x).tan();
+        let fov_x = scene.sensor.model.optic(Optic::FovX).unwrap();
+        let focal = 0.5 * f64::from(scene.film.size[0]) / (0.5 * fov_x).tan();
         let turn = step(&scene, "sensor.rotate.y");
         assert!(
             turn < 0.03 / focal * 1.2 && turn > 0.03 / focal * 0.6,

@@ -3,6 +3,7 @@
 use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
 use capwalk_math::Vec3;
 use capwalk_scene::resolve::Resolver;
+use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Source;
@@ -26,6 +27,8 @@ pub struct Accel<'s> {
     pub sources: Vec<Source>,
     /// Whether it matters how each shape's material is turned about the normal.
     pub needs_tangent: Vec<bool>,
+    /// What the camera sees from the middle of its lens.
+    pub view: View<f64>,
     /// What materials need besides their textures.
     pub resolver: Resolver,
     /// What specular events at each shape keep images in shape.
@@ -82,6 +85,7 @@ impl<'s> Accel<'s> {
                 .iter()
                 .map(|s| needs_tangent(scene, s.bsdf))
                 .collect(),
+            view: scene.sensor.view(&scene.film),
             resolver: Resolver::new(scene),
             has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
             flat_events,
@@ -136,26 +140,24 @@ impl<'s> Accel<'s> {
         })
     }
 
-    /// The camera's ray along a unit direction, between its clip planes.
-    pub fn camera_ray(&self, direction: Vec3) -> Ray {
-        let sensor = &self.scene.sensor;
-        let forward = sensor.world_from_camera.vector(Vec3::new(0.0, 0.0, 1.0));
-        let cosine = direction.dot(forward);
+    /// The camera's ray from a point of its lens in a unit direction, between its
+    /// clip planes.
+    pub fn camera_ray(&self, eye: Vec3, direction: Vec3) -> Ray {
+        let ray = self.view.from(eye).ray(direction);
+        let [t_min, t_max] = ray.range;
         Ray {
-            origin: sensor.origin(),
-            direction,
-            t_min: sensor.near_clip / cosine,
-            t_max: sensor.far_clip / cosine,
+            origin: ray.origin,
+            direction: ray.direction,
+            t_min,
+            t_max,
         }
     }
 
-    /// True if the camera sees the point at a distance along a unit direction:
-    /// between its clip planes, nothing is before it.
-    pub fn camera_sees(&self, direction: Vec3, distance: f64) -> bool {
-        let ray = self.camera_ray(direction);
-        // Nothing if the direction goes backwards.
-        ray.t_min > 0.0
-            && ray.t_min < distance
+    /// True if the camera sees the point at a distance along its ray from a point
+    /// of its lens: between its clip planes, nothing is before it.
+    pub fn camera_sees(&self, eye: Vec3, direction: Vec3, distance: f64) -> bool {
+        let ray = self.camera_ray(eye, direction);
+        ray.t_min < distance
             && distance < ray.t_max
             && !self.rays.occluded(&Ray {
                 t_max: distance * (1.0 - SHORT_OF_TARGET),

@@ -19,10 +19,13 @@
 //!
 //! Sampling, weights and roulette see the scene at rest.
 
+use std::f64::consts::PI;
+
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Bsdf, Event, Specular};
-use capwalk_scene::{Integrator, Layer};
+use capwalk_scene::sensor::view::{View, ViewRay};
+use capwalk_scene::{Integrator, Layer, Scene};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -39,8 +42,12 @@ use crate::world::{AtRest, World, emitted_at, surface_at};
 const FILM: u32 = 0;
 /// Which way to draw the film point.
 const FILM_CHOICE: u32 = 2;
-/// The first vertex's numbers start here.
+/// The first vertex's numbers start here, if the camera has no lens.
 pub const FIRST_VERTEX: u32 = 3;
+/// Where on the lens.
+const LENS: u32 = FIRST_VERTEX;
+/// How many numbers that takes.
+const LENS_NUMBERS: u32 = 2;
 /// With no largest depth, the numbers of walks start here.
 const BEHIND_ALL_VERTICES: u32 = 1 << 20;
 
@@ -58,6 +65,8 @@ const RR_MIN: f64 = 0.05;
 /// Which paths are sampled, and how.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan {
+    /// Where the random numbers of the first vertex start.
+    pub first_vertex: u32,
     /// Most segments of a path.
     pub max_depth: Option<u32>,
     /// Paths of more segments than this are subject to roulette.
@@ -71,14 +80,19 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// What an integrator does.
-    pub fn new(integrator: &Integrator) -> Self {
-        match *integrator {
+    /// What a scene asks for.
+    pub fn new(scene: &Scene) -> Self {
+        let first_vertex = match scene.sensor.model.has_lens() {
+            true => FIRST_VERTEX + LENS_NUMBERS,
+            false => FIRST_VERTEX,
+        };
+        match scene.settings.integrator {
             Integrator::Direct {
                 emitter_samples,
                 bsdf_samples,
                 hide_emitters,
             } => Self {
+                first_vertex,
                 max_depth: Some(2),
                 rr_depth: u32::MAX,
                 sampling: LightSampling {
@@ -93,6 +107,7 @@ impl Plan {
                 rr_depth,
                 hide_emitters,
             } => Self {
+                first_vertex,
                 max_depth,
                 rr_depth,
                 sampling: LightSampling {
@@ -103,6 +118,7 @@ impl Plan {
                 layer: None,
             },
             Integrator::Aov(layer) => Self {
+                first_vertex,
                 max_depth: Some(1),
                 rr_depth: u32::MAX,
                 sampling: LightSampling {
@@ -133,7 +149,8 @@ impl Plan {
     }
 
     fn vertex_numbers(&self, depth: u32) -> u32 {
-        FIRST_VERTEX.saturating_add(depth.saturating_mul(self.numbers_per_vertex()))
+        let first = self.first_vertex;
+        first.saturating_add(depth.saturating_mul(self.numbers_per_vertex()))
     }
 
     fn first_walk(&self) -> u32 {
@@ -165,12 +182,16 @@ pub struct Tracer<'a> {
     pub moving: Option<(&'a Field<'a>, Walks)>,
 }
 
+/// The camera of a sample, seen from one point of its lens.
+struct Camera<R> {
+    at_rest: View<f64>,
+    moving: View<R>,
+}
+
 /// A film point that moves with the field around the camera.
 struct FilmPoint<R> {
-    /// Where, pixels.
-    at: [f64; 2],
-    /// The moving world-space direction.
-    direction: Vec3<R>,
+    /// Where it looks.
+    ray: ViewRay<R>,
     /// The moving film point.
     film: [R; 2],
     /// Film area per solid angle over its value, times the field's stretch: 1,
@@ -265,7 +286,7 @@ impl<'a> Tracer<'a> {
         Self {
             accel,
             supports: Supports::new(&accel.scene.film),
-            plan: Plan::new(&accel.scene.settings.integrator),
+            plan: Plan::new(accel.scene),
             moving: None,
         }
     }
@@ -290,26 +311,47 @@ impl<'a> Tracer<'a> {
     /// One sample of a pixel.
     pub fn pixel<R: Real, W: World<R>>(&self, world: &W, pixel: [u32; 2], draw: Draw) -> Rgb<R> {
         let support = self.supports.pixel(pixel);
-        let light = self.interior(world, &support, draw);
+        let camera = self.camera(world, draw);
+        let light = self.interior(world, &camera, &support, draw);
         match W::MOVES && support.jumps() {
-            true => light + self.border_flux(world, &support, draw),
+            true => light + self.border_flux(world, &camera, &support, draw),
             false => light,
         }
     }
 
-    fn interior<R: Real, W: World<R>>(&self, world: &W, support: &Support, draw: Draw) -> Rgb<R> {
+    /// The camera, from a point of its lens.
+    fn camera<R: Real, W: World<R>>(&self, world: &W, draw: Draw) -> Camera<R> {
+        let scene = self.accel.scene;
+        let lens = match scene.sensor.model.has_lens() {
+            true => uniform_disk(draw.stream.pair(LENS)),
+            false => [0.0; 2],
+        };
+        let moving = View::new(&scene.sensor, &scene.film, &world.sensor(), lens);
+        Camera {
+            at_rest: moving.value(),
+            moving,
+        }
+    }
+
+    fn interior<R: Real, W: World<R>>(
+        &self,
+        world: &W,
+        camera: &Camera<R>,
+        support: &Support,
+        draw: Draw,
+    ) -> Rgb<R> {
         let stream = draw.stream;
         let uniform = if W::MOVES { UNIFORM } else { 0.0 };
         let s = support.sample(uniform, stream.number(FILM_CHOICE), stream.pair(FILM));
         let density = support.pdf(uniform, s);
-        let point = self.film_point(world, s, 0, draw);
+        let point = self.film_point(world, camera, s, 0, draw);
         if !W::MOVES || support.jumps() {
             return self.share(world, support, &point, density, draw);
         }
         // The filter's slope points opposite ways on opposite sides of its
         // centre: where the picture moves, averaging both removes most of its
         // noise.
-        let other = self.film_point(world, support.mirror(s), 1, draw);
+        let other = self.film_point(world, camera, support.mirror(s), 1, draw);
         if !point.moves && !other.moves {
             return self.share(world, support, &point, density, draw);
         }
@@ -329,7 +371,7 @@ impl<'a> Tracer<'a> {
         draw: Draw,
     ) -> Rgb<R> {
         let weight = support.weight(point.film) * point.stretch * R::constant(1.0 / density);
-        self.radiance(world, point.at, point.direction, draw) * weight
+        self.radiance(world, point.ray, draw) * weight
     }
 
     /// `-∮ W L ṡ·n dl` along the sides of the support where the filter jumps.
@@ -338,6 +380,7 @@ impl<'a> Tracer<'a> {
     fn border_flux<R: Real, W: World<R>>(
         &self,
         world: &W,
+        camera: &Camera<R>,
         support: &Support,
         draw: Draw,
     ) -> Rgb<R> {
@@ -353,12 +396,13 @@ impl<'a> Tracer<'a> {
             }
             let mut s = [place; 2];
             s[axis] = side.bounds[end];
-            let film = self.carried_film_point(world, s, draw)[axis];
+            let film = self.carried_film_point(world, camera, s, draw)[axis];
             let flow = film - R::constant(film.value());
             if !flow.is_constant() {
                 // Two axes, each drawn half of the time.
                 let weight = support.weight(s) * 2.0 * along.width();
-                let light = self.radiance(&AtRest(self.accel), s, self.film_direction(s), draw);
+                let ray = camera.at_rest.ray(camera.at_rest.direction(s));
+                let light = self.radiance(&AtRest(self.accel), ray, draw);
                 flux += Rgb::constant(light * (-outward * weight)) * flow;
             }
         }
@@ -368,33 +412,31 @@ impl<'a> Tracer<'a> {
     fn film_point<R: Real, W: World<R>>(
         &self,
         world: &W,
+        camera: &Camera<R>,
         s: [f64; 2],
         walk: u32,
         draw: Draw,
     ) -> FilmPoint<R> {
-        let q = self.film_direction(s);
+        let view = &camera.moving;
+        let q = camera.at_rest.direction(s);
         if !W::MOVES {
             return FilmPoint {
-                at: s,
-                direction: Vec3::constant(q),
+                ray: view.ray(Vec3::constant(q)),
                 film: s.map(R::constant),
                 stretch: R::constant(1.0),
                 moves: false,
             };
         }
         let (settings, numbers) = self.film_walk(walk, draw);
-        let eye = self.camera_eye(world);
+        let eye = self.camera_eye(view);
         let carried = world.carry(&eye, q, settings, numbers);
-        let scene = self.accel.scene;
-        let local = world.camera_direction(carried.direction);
-        let area = scene.sensor.film_area_per_solid_angle(&scene.film, local);
-        let film = scene.sensor.film_from_camera(&scene.film, local);
+        let area = view.film_area_per_solid_angle(carried.direction);
+        let film = view.film(carried.direction);
         // A sensor that only moves turns no direction, but reverse mode asks for
         // its motion and its turn together.
         let sensor_moves = !eye.position.is_constant() || film.iter().any(|x| !x.is_constant());
         FilmPoint {
-            at: s,
-            direction: carried.direction,
+            ray: view.ray(carried.direction),
             film,
             stretch: area * R::constant(1.0 / area.value()) * carried.stretch,
             moves: carried.near_boundary || sensor_moves,
@@ -405,19 +447,18 @@ impl<'a> Tracer<'a> {
     fn carried_film_point<R: Real, W: World<R>>(
         &self,
         world: &W,
+        camera: &Camera<R>,
         s: [f64; 2],
         draw: Draw,
     ) -> [R; 2] {
         let (settings, numbers) = self.film_walk(2, draw);
-        let eye = self.camera_eye(world);
-        let carried = world.carry_value(&eye, self.film_direction(s), settings, numbers);
-        let scene = self.accel.scene;
-        let local = world.camera_direction(carried);
-        scene.sensor.film_from_camera(&scene.film, local)
+        let q = camera.at_rest.direction(s);
+        let view = &camera.moving;
+        view.film(world.carry_value(&self.camera_eye(view), q, settings, numbers))
     }
 
-    fn camera_eye<R: Real, W: World<R>>(&self, world: &W) -> Eye<R> {
-        Eye::camera(world.sensor_origin(), self.events_behind(0))
+    fn camera_eye<R: Real>(&self, view: &View<R>) -> Eye<R> {
+        Eye::camera(view.eye, self.events_behind(0))
     }
 
     /// Most specular events behind which edges count.
@@ -428,44 +469,27 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn film_direction(&self, s: [f64; 2]) -> Vec3 {
-        let scene = self.accel.scene;
-        let local = scene.sensor.camera_from_film(&scene.film, s);
-        scene.sensor.world_from_camera.vector(local).normalized()
-    }
-
-    /// What a camera ray hits between the clip planes.
-    fn camera_hit(&self, s: [f64; 2], direction: Vec3) -> Option<Hit> {
-        let sensor = &self.accel.scene.sensor;
-        let depth = sensor.camera_from_film(&self.accel.scene.film, s).z;
-        self.accel.first_hit_within(&Ray {
-            origin: sensor.origin(),
-            direction,
-            t_min: sensor.near_clip / depth,
-            t_max: sensor.far_clip / depth,
-        })
-    }
-
-    /// A sample of the radiance that arrives at a film point, along the moving
-    /// camera ray.
-    fn radiance<R: Real, W: World<R>>(
-        &self,
-        world: &W,
-        s: [f64; 2],
-        mut direction: Vec3<R>,
-        draw: Draw,
-    ) -> Rgb<R> {
+    /// A sample of the radiance that arrives along a moving camera ray.
+    fn radiance<R: Real, W: World<R>>(&self, world: &W, ray: ViewRay<R>, draw: Draw) -> Rgb<R> {
         let (accel, plan) = (self.accel, &self.plan);
-        let mut hit = self.camera_hit(s, direction.value());
+        let ViewRay {
+            mut origin,
+            mut direction,
+            range: [t_min, t_max],
+        } = ray;
+        let mut hit = accel.first_hit_within(&Ray {
+            origin: origin.value(),
+            direction: direction.value(),
+            t_min,
+            t_max,
+        });
         if let Some(layer) = plan.layer {
             return hit.map_or(Rgb::zero(), |hit| {
-                let origin = world.sensor_origin();
                 let surface = surface_at(world, accel, &hit, origin, direction);
                 layer_at(world, accel, layer, &surface, origin, direction)
             });
         }
         let mut light = Rgb::zero();
-        let mut origin = world.sensor_origin();
         if plan.reaches(1)
             && !plan.hide_emitters
             && let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction.value())
@@ -673,7 +697,11 @@ const CAMERA_PIXELS: f64 = 2.0;
 
 /// [`CAMERA_PIXELS`] as an angle, in the middle of the film.
 fn camera_angle(accel: &Accel) -> f64 {
-    let scene = accel.scene;
-    let pixel = 2.0 * (0.5 * scene.sensor.fov_x).tan() / f64::from(scene.film.size[0]);
-    (CAMERA_PIXELS * pixel).atan()
+    (CAMERA_PIXELS * accel.view.pixel_size()).atan()
+}
+
+/// A uniform point of the unit disk.
+fn uniform_disk(u: [f64; 2]) -> [f64; 2] {
+    let (sin, cos) = (2.0 * PI * u[1]).sin_cos();
+    [cos, sin].map(|x| x * u[0].sqrt())
 }

@@ -3,8 +3,9 @@
 //! another.
 
 use capwalk_geometry::Hit;
-use capwalk_math::{Affine, Real, Rgb, Vec3};
+use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Side;
+use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{BsdfId, Emitter, EmitterId, Scene, SurfacePoint, TextureId};
 use capwalk_walk::WalkSettings;
 
@@ -27,24 +28,13 @@ pub trait World<R: Real> {
     fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
     /// True if derivatives by the texels of a texture are asked for.
     fn is_asked_for(&self, id: TextureId) -> bool;
-    /// Where the sensor stands.
-    fn sensor_origin(&self) -> Vec3<R>;
-    /// How far the sensor has turned, a rotation vector in world axes: zero,
-    /// but for its derivative.
-    fn sensor_turn(&self) -> Vec3<R>;
+    /// The sensor's numbers.
+    fn sensor(&self) -> SensorState<R>;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.
     fn carry(&self, eye: &Eye<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Carried<R>;
     /// The same without the divergence, for flows through curves.
     fn carry_value(&self, eye: &Eye<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Vec3<R>;
-
-    /// The camera-space direction of a world-space one.
-    fn camera_direction(&self, direction: Vec3<R>) -> Vec3<R> {
-        // d/dθ (Rᵀ q) = Rᵀ (q̇ - ω × q): turning the camera to the left shows
-        // what lies to the left.
-        let seen = direction - self.sensor_turn().cross(direction);
-        camera_from_world(&self.scene().sensor.world_from_camera, seen)
-    }
 
     /// The value of a texture at a point of a surface.
     #[inline]
@@ -105,12 +95,8 @@ impl World<f64> for AtRest<'_> {
         false
     }
     #[inline]
-    fn sensor_origin(&self) -> Vec3 {
-        self.0.scene.sensor.origin()
-    }
-    #[inline]
-    fn sensor_turn(&self) -> Vec3 {
-        Vec3::zero()
+    fn sensor(&self) -> SensorState<f64> {
+        self.0.scene.sensor.state()
     }
     #[inline]
     fn carry(&self, _: &Eye<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Carried<f64> {
@@ -126,12 +112,6 @@ impl World<f64> for AtRest<'_> {
 pub fn vertex_normal(scene: &Scene, shape: usize, vertex: u32) -> Vec3 {
     let normals = scene.shapes[shape].normals.per_vertex();
     normals.expect("asked only of shapes with vertex normals")[vertex as usize]
-}
-
-/// The transpose of a rotation is its inverse.
-fn camera_from_world<R: Real>(world_from_camera: &Affine, v: Vec3<R>) -> Vec3<R> {
-    let [a, b, c] = world_from_camera.rows.map(Vec3::constant);
-    a * v.x + b * v.y + c * v.z
 }
 
 /// Where a (moving) ray meets the (moving) surface that it hits.

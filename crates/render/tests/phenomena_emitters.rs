@@ -66,7 +66,7 @@ fn occluder_under_a_sky() {
 #[test]
 fn camera_turns_under_a_sky() {
     let mut scene = under_a_sky(visible_cube());
-    scene.sensor.fov_x = 1.2;
+    *fov_x(&mut scene) = 1.2;
     scene.film.filter = Filter::Tent { radius: 1.0 };
     let motion = motion(&scene, "sensor.rotate.z + 0.5*sensor.rotate.x");
     agree("camera under a sky", scene, &motion, visible(800));

@@ -32,7 +32,7 @@ fn layer_case(layer: Layer, mut scene: Scene, expression: &str) {
 
 fn close_ball() -> Scene {
     let mut scene = visible_ball(Filter::Tent { radius: 1.0 });
-    scene.sensor.fov_x *= 0.6;
+    *fov_x(&mut scene) *= 0.6;
     scene
 }
 

@@ -100,7 +100,7 @@ fn turning_camera_with_tent_filter() {
 #[test]
 fn visible_lamp_moves() {
     let mut scene = visible_cube();
-    scene.sensor.fov_x = 50.0_f64.to_radians();
+    *fov_x(&mut scene) = 50.0_f64.to_radians();
     let turned = Affine::translate(v(-0.2, 0.4, 1.3)) * Affine::rotate(v(1.0, 0.2, 0.0), 1.9);
     let (mesh, normals) =
         capwalk_scene::primitive::rectangle(turned * Affine::scale(v(0.4, 0.3, 1.0)));

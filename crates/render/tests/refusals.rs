@@ -139,6 +139,20 @@ fn a_blocker_that_moves_in_glass() {
     }
 }
 
+/// What an orthographic sensor sees move is refused; its colours are not.
+#[test]
+fn motion_under_parallel_rays() {
+    let mut scene = visible_cube();
+    scene.sensor.model = SensorModel::Orthographic;
+    let run = |name| refusals(&scene, &motion(&scene, name));
+    for name in ["thing.translate.x", "sensor.rotate.y"] {
+        for reason in run(name) {
+            assert!(reason.expect(name).contains("orthographic"), "{name}");
+        }
+    }
+    assert_eq!(run("thing.bsdf.reflectance.value"), [None, None]);
+}
+
 /// Square roots and hues of what is black have no derivative by it.
 #[test]
 fn numbers_without_a_slope() {

@@ -57,6 +57,8 @@ fn everything(scene: &Scene, seed: u64) -> Motion {
     motion.sensor = SensorMotion {
         translation: numbers.vector(),
         rotation: numbers.vector(),
+        axes: [0, 1, 2].map(|_| numbers.vector()),
+        optics: numbers.vector(),
     };
     motion
 }
@@ -143,6 +145,15 @@ fn given_normals() {
         }
     }
     agree_in_both_modes("given normals", scene, 3);
+}
+
+/// Rays that start on a lens, filters that end abruptly or not.
+#[test]
+fn thin_lens() {
+    for filter in [Filter::Box, Filter::Tent { radius: 1.0 }] {
+        let scene = through_lens(visible_ball(filter), 0.2, 3.0);
+        agree_in_both_modes("thin lens", scene, 3);
+    }
 }
 
 /// Two cubes that pass through each other.

@@ -102,22 +102,34 @@ fn fan(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
     pairs.map(|pair| [corners[0], pair[0], pair[1]])
 }
 
+/// Coordinates beyond this are no surface: what is computed from them, squares of
+/// areas, must still be numbers.
+pub(crate) const LARGEST_COORDINATE: f64 = 1e30;
+
 fn finite_position(p: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFileError> {
-    match p.is_finite() {
-        true => Ok(p),
-        false => Err(MeshFileError::new(
-            place,
-            format!(
-                "vertex {vertex} has the position ({}, {}, {})",
-                p.x, p.y, p.z
-            ),
-            "expected finite coordinates",
-        )),
-    }
+    let largest = p.x.abs().max(p.y.abs()).max(p.z.abs());
+    let help = match p.is_finite() {
+        true if largest <= LARGEST_COORDINATE => return Ok(p),
+        true => format!("expected coordinates up to {LARGEST_COORDINATE:e}"),
+        false => "expected finite coordinates".to_owned(),
+    };
+    let message = format!(
+        "vertex {vertex} has the position ({}, {}, {})",
+        p.x, p.y, p.z
+    );
+    Err(MeshFileError::new(place, message, help))
+}
+
+/// The unit vector in a direction, not finite if there is none. The square of the
+/// vector's length may be too large or too small for a number; by powers of two
+/// nothing is rounded.
+pub(crate) fn direction(v: Vec3) -> Vec3 {
+    let largest = v.x.abs().max(v.y.abs()).max(v.z.abs());
+    (v * (-largest.log2().floor()).exp2()).normalized()
 }
 
 fn unit_normal(n: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFileError> {
-    let unit = n.normalized();
+    let unit = direction(n);
     match unit.is_finite() {
         true => Ok(unit),
         false => Err(MeshFileError::new(

@@ -124,9 +124,8 @@ mod tests {
                 for j in 0..=9 {
                     let [w, h] = scene.film.size.map(f64::from);
                     let point = [w * f64::from(i) / 12.0, h * f64::from(j) / 9.0];
-                    let direction = scene.sensor.camera_from_film(&scene.film, point);
-                    let camera = scene.sensor.world_from_camera;
-                    let ray = Ray::new(camera.translation, camera.vector(direction));
+                    let view = scene.sensor.view(&scene.film);
+                    let ray = Ray::new(view.eye, view.direction(point));
                     seen.insert(first_shape(&scene, &ray).expect("no hole in the background"));
                 }
             }

@@ -31,7 +31,7 @@ pub use motion::{Motion, SensorMotion, ShapeMotion};
 pub use quantity::Quantity;
 pub use resolve::{Resolved, Resolver};
 pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
-pub use sensor::Perspective;
+pub use sensor::{Optic, Sensor, SensorModel};
 pub use settings::{Integrator, Layer, SamplerKind, Settings};
 pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, normal_sums, vertex_normals};
 pub use texture::{Pattern, SurfacePoint, Texture, TextureId};

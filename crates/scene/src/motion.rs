@@ -1,9 +1,12 @@
 //! A direction in parameter space: how fast every number of a scene changes
 //! for a unit change of the parameter.
 
-use capwalk_math::{Affine, Rgb, Vec3};
+use std::array;
+
+use capwalk_math::{Rgb, Vec3};
 
 use crate::scene::Scene;
+use crate::sensor::Optic;
 use crate::shape::{ShadingNormals, vertex_normals};
 use crate::texture::{TextureId, texel};
 
@@ -28,21 +31,46 @@ pub struct ShapeMotion {
     pub normals: Option<Vec<Vec3>>,
 }
 
-/// A rigid motion of the sensor; at rest by default.
+/// A motion of the sensor; at rest by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorMotion {
     /// Velocity of its origin, world units.
     pub translation: Vec3,
     /// Angular velocity about its origin, radians, in world axes.
     pub rotation: Vec3,
+    /// Velocities of the images of the camera's axes, the columns of
+    /// `world_from_camera`, besides the rotation.
+    pub axes: [Vec3; 3],
+    /// Change of its other numbers, by [`Optic`](crate::sensor::Optic).
+    pub optics: Vec3,
 }
 
 impl Default for SensorMotion {
     fn default() -> Self {
+        Self::from_vectors([Vec3::zero(); 6])
+    }
+}
+
+impl SensorMotion {
+    fn vectors(&self) -> [Vec3; 6] {
+        let [a, b, c] = self.axes;
+        [self.translation, self.rotation, a, b, c, self.optics]
+    }
+
+    fn from_vectors([translation, rotation, a, b, c, optics]: [Vec3; 6]) -> Self {
         Self {
-            translation: Vec3::zero(),
-            rotation: Vec3::zero(),
+            translation,
+            rotation,
+            axes: [a, b, c],
+            optics,
         }
+    }
+
+    /// True if rays start elsewhere or turn: not if they only reach other
+    /// places of the film, as with another field of view.
+    pub fn moves_rays(&self) -> bool {
+        let [pose @ .., optics] = self.vectors();
+        pose.iter().any(|&v| v != Vec3::zero()) || optics[Optic::ApertureRadius as usize] != 0.0
     }
 }
 
@@ -74,8 +102,8 @@ impl Motion {
                 }
             }
         }
-        self.sensor.translation += other.sensor.translation;
-        self.sensor.rotation += other.sensor.rotation;
+        let (own, others) = (self.sensor.vectors(), other.sensor.vectors());
+        self.sensor = SensorMotion::from_vectors(array::from_fn(|i| own[i] + others[i]));
     }
 
     /// The motion with every number replaced by a function of it, which must
@@ -94,10 +122,7 @@ impl Motion {
                 .iter()
                 .map(|t| t.as_ref().map(texture))
                 .collect(),
-            sensor: SensorMotion {
-                translation: self.sensor.translation.map(&f),
-                rotation: self.sensor.rotation.map(&f),
-            },
+            sensor: SensorMotion::from_vectors(self.sensor.vectors().map(|v| v.map(&f))),
         }
     }
 
@@ -125,10 +150,7 @@ impl Motion {
             .filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)))
             .flat_map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b))
             .sum();
-        of_shapes
-            + of_textures
-            + self.sensor.translation.dot(other.sensor.translation)
-            + self.sensor.rotation.dot(other.sensor.rotation)
+        of_shapes + of_textures + dot(&self.sensor.vectors(), &other.sensor.vectors())
     }
 
     /// Change of a texel of a texture.
@@ -158,7 +180,7 @@ impl ShapeMotion {
 
 impl Scene {
     /// The scene after the motion has gone on for `step`: vertices, normals
-    /// and colours along straight lines, the sensor turning rigidly. Its
+    /// and numbers along straight lines, the sensor turning rigidly. Its
     /// derivative at `step = 0` is the motion; differences of it are what
     /// derivatives are checked against.
     pub fn moved(&self, motion: &Motion, step: f64) -> Scene {
@@ -188,13 +210,7 @@ impl Scene {
             let numbers = texture.data.iter_mut().zip(velocities);
             numbers.for_each(|(x, &v)| *x += v * step);
         }
-        let sensor = &mut scene.sensor.world_from_camera;
-        let origin = sensor.translation + motion.sensor.translation * step;
-        let rate = motion.sensor.rotation.length();
-        if rate > 0.0 {
-            *sensor = Affine::rotate(motion.sensor.rotation, rate * step) * *sensor;
-        }
-        sensor.translation = origin;
+        scene.sensor.move_along(&motion.sensor, step);
         scene
     }
 

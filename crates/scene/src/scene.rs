@@ -8,7 +8,7 @@ use crate::bsdf::{Material, Slot};
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::quantity::Quantity;
-use crate::sensor::Perspective;
+use crate::sensor::Sensor;
 use crate::settings::Settings;
 use crate::shape::Shape;
 use crate::texture::{Pattern, Texture, TextureId};
@@ -35,7 +35,7 @@ pub struct Scene {
     /// The numbers of materials and emitters.
     pub textures: Vec<Texture>,
     /// The camera.
-    pub sensor: Perspective,
+    pub sensor: Sensor,
     /// Its film.
     pub film: Film,
     /// How to render it.

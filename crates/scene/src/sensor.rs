@@ -1,67 +1,188 @@
-//! The perspective camera, with Mitsuba's conventions.
+//! Sensors, with Mitsuba's conventions.
 //!
 //! Camera space: `+z` looks forward, `+y` is up, `+x` points to the left of
-//! the picture. A film point `(x, y)` in pixels looks along
-//! `((1 - 2x'/w) t, (1 - 2y'/h) t h/w, 1)` with `t = tan(fov_x / 2)` and
-//! `(x', y') = (x, y) + (w, h) · principal point offset`.
+//! the picture. How a film point looks into it is in [`view`].
 
-use capwalk_math::{Affine, Real, Vec3};
+pub mod view;
+
+use capwalk_math::{Affine, Dual, Vec3};
 
 use crate::film::Film;
+use crate::motion::SensorMotion;
 use crate::scene::SceneError;
+use view::View;
 
-/// A pinhole camera.
+/// A sensor.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Perspective {
+pub struct Sensor {
     /// Name, for parameters; `sensor` if none was given.
     pub id: String,
-    /// Where it is and how it is turned; a rotation and a translation.
+    /// Where it is and how it is turned. Files give cameras with a field of
+    /// view a rotation and a translation, orthographic ones a scale, too.
     pub world_from_camera: Affine,
-    /// Horizontal field of view of the whole film, radians.
-    pub fov_x: f64,
-    /// Offset of the principal point from the centre of the film, in film
-    /// widths and heights.
-    pub principal_point_offset: [f64; 2],
-    /// Depth (along the view axis) before which nothing is seen.
+    /// How film points look into camera space.
+    pub model: SensorModel,
+    /// Depth (camera-space `z`) before which nothing is seen.
     pub near_clip: f64,
-    /// Depth beyond which nothing is seen.
+    /// Depth beyond which nothing is seen. With parallel rays the distance of
+    /// both planes is in world units, whatever the scale, as in Mitsuba.
     pub far_clip: f64,
 }
 
-impl Perspective {
-    /// Pixels per unit of `x / z` (the same along y) and the film point of the
-    /// view axis.
-    fn intrinsics(&self, film: &Film) -> (f64, [f64; 2]) {
-        let [w, h] = film.size.map(f64::from);
-        let focal = 0.5 * w / (0.5 * self.fov_x).tan();
-        let [ox, oy] = self.principal_point_offset;
-        (focal, [w * (0.5 - ox), h * (0.5 - oy)])
+/// How film points look into camera space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SensorModel {
+    /// Through the origin.
+    Perspective {
+        /// Horizontal field of view of the whole film, radians.
+        fov_x: f64,
+        /// Offset of the principal point from the centre of the film, in film
+        /// widths and heights.
+        principal_point_offset: [f64; 2],
+    },
+    /// Through a disk around the origin, sharp at one depth.
+    ThinLens {
+        /// Horizontal field of view of the whole film, radians.
+        fov_x: f64,
+        /// Radius of the disk, camera units.
+        aperture_radius: f64,
+        /// Depth that is sharp, camera units.
+        focus_distance: f64,
+    },
+    /// Along the view axis; the film is two camera units wide.
+    Orthographic,
+}
+
+/// A number of the sensor besides its place, as index in
+/// [`SensorState::optics`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Optic {
+    /// Horizontal field of view, radians.
+    FovX,
+    /// Radius of the lens, camera units.
+    ApertureRadius,
+    /// Depth that is sharp, camera units.
+    FocusDistance,
+}
+
+/// The numbers of a sensor that can move, over any scalar.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SensorState<R> {
+    /// World-space images of the camera's axes: the columns of
+    /// `world_from_camera`.
+    pub axes: [Vec3<R>; 3],
+    /// Where it stands.
+    pub origin: Vec3<R>,
+    /// By [`Optic`]; what a model does not have is not read.
+    pub optics: Vec3<R>,
+}
+
+impl SensorModel {
+    /// Name of the plugin.
+    pub fn plugin(&self) -> &'static str {
+        match self {
+            Self::Perspective { .. } => "perspective",
+            Self::ThinLens { .. } => "thinlens",
+            Self::Orthographic => "orthographic",
+        }
     }
 
-    /// The film point at which a camera-space direction is seen, pixels.
-    /// Meaningless for directions with `z <= 0`.
-    pub fn film_from_camera<R: Real>(&self, film: &Film, d: Vec3<R>) -> [R; 2] {
-        let (focal, [cx, cy]) = self.intrinsics(film);
-        let scale = R::constant(-focal) / d.z;
-        [R::constant(cx) + d.x * scale, R::constant(cy) + d.y * scale]
+    /// The number, if the model has it.
+    pub fn optic(&self, optic: Optic) -> Option<f64> {
+        { *self }.optic_mut(optic).copied()
     }
 
-    /// The unit camera-space direction of a film point.
-    pub fn camera_from_film(&self, film: &Film, [x, y]: [f64; 2]) -> Vec3 {
-        let (focal, [cx, cy]) = self.intrinsics(film);
-        Vec3::new((cx - x) / focal, (cy - y) / focal, 1.0).normalized()
+    /// The number, to be changed.
+    pub fn optic_mut(&mut self, optic: Optic) -> Option<&mut f64> {
+        match (self, optic) {
+            (Self::Perspective { fov_x, .. } | Self::ThinLens { fov_x, .. }, Optic::FovX) => {
+                Some(fov_x)
+            }
+            (
+                Self::ThinLens {
+                    aperture_radius, ..
+                },
+                Optic::ApertureRadius,
+            ) => Some(aperture_radius),
+            (Self::ThinLens { focus_distance, .. }, Optic::FocusDistance) => Some(focus_distance),
+            (Self::Perspective { .. } | Self::Orthographic, _) => None,
+        }
     }
 
-    /// Film area (pixels²) per solid angle around a unit camera-space
-    /// direction: `focal² / cos³`.
-    pub fn film_area_per_solid_angle<R: Real>(&self, film: &Film, d: Vec3<R>) -> R {
-        let (focal, _) = self.intrinsics(film);
-        R::constant(focal * focal) / (d.z * d.z * d.z)
+    /// True if rays of one film point start at different places of a lens.
+    pub fn has_lens(&self) -> bool {
+        matches!(self, Self::ThinLens { .. })
     }
+}
 
+impl Optic {
+    /// All of them, in the order of their numbers.
+    pub const ALL: [Self; 3] = [Self::FovX, Self::ApertureRadius, Self::FocusDistance];
+
+    /// What Mitsuba calls it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::FovX => "x_fov",
+            Self::ApertureRadius => "aperture_radius",
+            Self::FocusDistance => "focus_distance",
+        }
+    }
+}
+
+impl Sensor {
     /// Where it stands, in world space.
     pub fn origin(&self) -> Vec3 {
         self.world_from_camera.translation
+    }
+
+    /// Its numbers as they are.
+    pub fn state(&self) -> SensorState<f64> {
+        let [a, b, c] = self.world_from_camera.rows;
+        let optic = |optic| self.model.optic(optic).unwrap_or(0.0);
+        SensorState {
+            axes: [0, 1, 2].map(|i| Vec3::new(a[i], b[i], c[i])),
+            origin: self.origin(),
+            optics: Vec3::from(Optic::ALL.map(optic)),
+        }
+    }
+
+    /// Its numbers with their velocities.
+    pub fn moving_state(&self, motion: &SensorMotion) -> SensorState<Dual<1>> {
+        let SensorState {
+            axes,
+            origin,
+            optics,
+        } = self.state();
+        let turning = |i: usize| motion.rotation.cross(axes[i]) + motion.axes[i];
+        SensorState {
+            axes: [0, 1, 2].map(|i| axes[i].with_tangent(turning(i))),
+            origin: origin.with_tangent(motion.translation),
+            optics: optics.with_tangent(motion.optics),
+        }
+    }
+
+    /// Moves on along a motion for `step`, turning rigidly where it turns.
+    pub(crate) fn move_along(&mut self, motion: &SensorMotion, step: f64) {
+        let camera = &mut self.world_from_camera;
+        let origin = camera.translation + motion.translation * step;
+        let rate = motion.rotation.length();
+        if rate > 0.0 {
+            *camera = Affine::rotate(motion.rotation, rate * step) * *camera;
+        }
+        for (i, row) in camera.rows.iter_mut().enumerate() {
+            *row += Vec3::from(motion.axes.map(|axis| axis[i])) * step;
+        }
+        camera.translation = origin;
+        for optic in Optic::ALL {
+            if let Some(number) = self.model.optic_mut(optic) {
+                *number += motion.optics[optic as usize] * step;
+            }
+        }
+    }
+
+    /// What it sees from the middle of its lens.
+    pub fn view(&self, film: &Film) -> View<f64> {
+        View::new(self, film, &self.state(), [0.0; 2])
     }
 
     pub(crate) fn check(&self) -> Result<(), SceneError> {
@@ -73,19 +194,32 @@ impl Perspective {
                 expected,
             })
         };
-        if !self.world_from_camera.is_rigid(RIGID) || !self.origin().is_finite() {
+        if self.world_from_camera.inverse().is_none() || !self.origin().is_finite() {
             return bad(
                 "to_world",
                 format!("{:?}", self.world_from_camera),
-                "a rotation and a translation, without scale",
+                "a matrix of finite numbers that can be inverted",
             );
         }
-        if !(self.fov_x > 0.0 && self.fov_x < std::f64::consts::PI) {
+        let number = |optic| self.model.optic(optic);
+        if let Some(fov_x) = number(Optic::FovX)
+            && !(fov_x > 0.0 && fov_x < std::f64::consts::PI)
+        {
             return bad(
                 "fov",
-                format!("{} degrees", self.fov_x.to_degrees()),
+                format!("{} degrees", fov_x.to_degrees()),
                 "an angle between 0 and 180 degrees",
             );
+        }
+        if let Some(radius) = number(Optic::ApertureRadius)
+            && !(radius >= 0.0 && radius.is_finite())
+        {
+            return bad("aperture_radius", radius.to_string(), "0 or more");
+        }
+        if let Some(distance) = number(Optic::FocusDistance)
+            && !(distance > 0.0 && distance.is_finite())
+        {
+            return bad("focus_distance", distance.to_string(), "a depth above 0");
         }
         if !(self.near_clip >= 0.0 && self.far_clip > self.near_clip) {
             return bad(
@@ -94,54 +228,16 @@ impl Perspective {
                 "0 <= near_clip < far_clip",
             );
         }
-        if !self.principal_point_offset.iter().all(|x| x.is_finite()) {
-            return bad(
+        match self.model {
+            SensorModel::Perspective {
+                principal_point_offset: offset,
+                ..
+            } if !offset.iter().all(|x| x.is_finite()) => bad(
                 "principal_point_offset",
-                format!("{:?}", self.principal_point_offset),
+                format!("{offset:?}"),
                 "finite numbers",
-            );
-        }
-        Ok(())
-    }
-}
-
-/// Largest deviation of the inner products of a rotation's rows from those of
-/// an orthonormal frame. The transpose serves as the inverse.
-const RIGID: f64 = 1e-9;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::filter::Filter;
-    use capwalk_math::Dual;
-
-    fn example() -> (Perspective, Film) {
-        let camera = Perspective {
-            id: "sensor".into(),
-            world_from_camera: Affine::IDENTITY,
-            fov_x: 0.7,
-            principal_point_offset: [0.1, -0.05],
-            near_clip: 0.01,
-            far_clip: 1e4,
-        };
-        (camera, Film::new(30, 20, Filter::Box))
-    }
-
-    /// Film to direction and back, and the area element against duals.
-    #[test]
-    fn projection_inverts_and_its_area_element_matches() {
-        let (camera, film) = example();
-        for point in [[0.0, 0.0], [15.0, 10.0], [27.3, 4.1]] {
-            let d = camera.camera_from_film(&film, point);
-            let back = camera.film_from_camera(&film, d);
-            assert!((back[0] - point[0]).abs() < 1e-12 && (back[1] - point[1]).abs() < 1e-12);
-            let frame = capwalk_math::Frame::from_normal(d);
-            let moved = |axis: Vec3| camera.film_from_camera(&film, d.with_tangent(axis));
-            let (s, t) = (moved(frame.s), moved(frame.t));
-            let tangent = |x: Dual<1>| x.tangent[0];
-            let area = tangent(s[0]) * tangent(t[1]) - tangent(s[1]) * tangent(t[0]);
-            let expected = camera.film_area_per_solid_angle(&film, d);
-            assert!((area.abs() / expected - 1.0).abs() < 1e-12);
+            ),
+            _ => Ok(()),
         }
     }
 }

@@ -5,8 +5,8 @@ use capwalk_math::Vec3;
 use capwalk_render::Refusal;
 use capwalk_scene::params::{self, ArrayParameter, Parameter};
 use capwalk_scene::{
-    Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, ShadingNormals,
-    TextureId,
+    Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
+    ShadingNormals, TextureId,
 };
 use serde_json::{Value, json};
 
@@ -75,9 +75,9 @@ fn summary(name: &str, scene: &Scene) -> String {
         (
             "camera",
             format!(
-                "at {}, {:.1}° wide",
-                vector(scene.sensor.origin()),
-                scene.sensor.fov_x.to_degrees()
+                "{} at {}",
+                sensor(&scene.sensor.model),
+                vector(scene.sensor.origin())
             ),
         ),
         (
@@ -92,6 +92,24 @@ fn summary(name: &str, scene: &Scene) -> String {
         ),
         ("extent", format!("{} to {}", vector(low), vector(high))),
     ])
+}
+
+fn sensor(model: &SensorModel) -> String {
+    let plugin = model.plugin();
+    match *model {
+        SensorModel::Perspective { fov_x, .. } => {
+            format!("{plugin}, {:.1}° wide,", fov_x.to_degrees())
+        }
+        SensorModel::ThinLens {
+            fov_x,
+            aperture_radius,
+            focus_distance,
+        } => format!(
+            "{plugin}, {:.1}° wide, aperture radius {aperture_radius}, focus at {focus_distance},",
+            fov_x.to_degrees()
+        ),
+        SensorModel::Orthographic => plugin.into(),
+    }
 }
 
 fn filter(filter: &Filter) -> String {

@@ -22,8 +22,10 @@ pub struct Wanted {
     pub normals: Vec<bool>,
     /// The data of each texture: the numbers of materials and emitters.
     pub textures: Vec<bool>,
-    /// The sensor's position and orientation.
+    /// The sensor's place: its rays.
     pub sensor: bool,
+    /// The sensor's other numbers.
+    pub optics: bool,
 }
 
 impl Wanted {
@@ -34,6 +36,7 @@ impl Wanted {
             normals: vec![true; scene.shapes.len()],
             textures: vec![true; scene.textures.len()],
             sensor: true,
+            optics: true,
         }
     }
 
@@ -46,7 +49,8 @@ impl Wanted {
             shapes: shapes.clone().map(|s| s.is_some_and(moves)).collect(),
             normals: shapes.map(|s| s.is_some_and(turns)).collect(),
             textures: motion.textures.iter().map(Option::is_some).collect(),
-            sensor: motion.sensor != SensorMotion::default(),
+            sensor: motion.sensor.moves_rays(),
+            optics: motion.sensor.optics != Vec3::zero(),
         }
     }
 
@@ -61,6 +65,7 @@ impl Wanted {
         add(&mut self.normals, &other.normals);
         add(&mut self.textures, &other.textures);
         self.sensor |= other.sensor;
+        self.optics |= other.optics;
     }
 
     /// True if curves in the picture depend on something wanted.
@@ -114,8 +119,10 @@ pub enum Target {
     Texel(TextureId, usize),
     /// The sensor's position.
     SensorOrigin,
-    /// The sensor's orientation.
-    SensorTurn,
+    /// The world-space image of an axis of the camera.
+    SensorAxis(usize),
+    /// The sensor's other numbers.
+    SensorOptics,
 }
 
 /// Sums of covectors.
@@ -171,7 +178,8 @@ impl Adjoint {
                 }
             }
             Target::SensorOrigin => self.sensor.translation += covector,
-            Target::SensorTurn => self.sensor.rotation += covector,
+            Target::SensorAxis(i) => self.sensor.axes[i] += covector,
+            Target::SensorOptics => self.sensor.optics += covector,
         }
     }
 
@@ -231,10 +239,20 @@ impl Adjoint {
                 .collect(),
             sensor: SensorMotion {
                 translation: self.sensor.translation * factor,
-                rotation: self.sensor.rotation * factor,
+                rotation: turning(&scene.sensor.state().axes, &self.sensor.axes) * factor,
+                axes: self.sensor.axes.map(|axis| axis * factor),
+                optics: self.sensor.optics * factor,
             },
         }
     }
+}
+
+/// The transpose of `ω -> ω × a` for each of the axes.
+fn turning(axes: &[Vec3; 3], on_axes: &[Vec3; 3]) -> Vec3 {
+    let pairs = axes.iter().zip(on_axes);
+    pairs.fold(Vec3::zero(), |sum, (axis, &covector)| {
+        sum + axis.cross(covector)
+    })
 }
 
 /// The transpose of the derivative of [`capwalk_scene::vertex_normals`], face

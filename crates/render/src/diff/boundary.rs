@@ -303,7 +303,9 @@ impl<'a> Field<'a> {
         let position = eye.position.value();
         let is_camera = eye.visibility == Visibility::Camera;
         let is_seen = move |site: &SilhouettePoint| match is_camera {
-            true => self.accel.camera_sees(site.direction, site.distance),
+            true => self
+                .accel
+                .camera_sees(position, site.direction, site.distance),
             false => self
                 .accel
                 .surface_sees(position, site.direction, site.distance),

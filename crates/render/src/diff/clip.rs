@@ -4,24 +4,22 @@
 //! that no edge carries. Such scenes are refused.
 
 use capwalk_math::Vec3;
+use capwalk_scene::SensorModel;
+use capwalk_scene::sensor::view::View;
 
 use crate::accel::Accel;
 use crate::options::Refusal;
 
 /// A refusal if the near or the far plane cuts a face within the picture.
 pub fn refuse_clipped(accel: &Accel) -> Result<(), Refusal> {
-    let sensor = &accel.scene.sensor;
-    let planes = [
-        ("near_clip", sensor.near_clip),
-        ("far_clip", sensor.far_clip),
-    ];
+    let planes = ["near_clip", "far_clip"].into_iter().zip(accel.view.clip());
     for face in 0..accel.mesh.faces.len() {
-        let corners = accel.mesh.corners(face).map(|p| in_camera(accel, p));
-        for (name, depth) in planes {
-            let Some(cut) = cut_at_depth(corners, depth) else {
+        let corners = accel.mesh.corners(face);
+        for (name, depth) in planes.clone() {
+            let Some(cut) = cut_at_depth(&accel.view, corners, depth) else {
                 continue;
             };
-            if depth > 0.0 && is_in_view(accel, cut) {
+            if depth > 0.0 && is_in_view(accel, cut, depth) {
                 let shape = &accel.scene.shape(accel.shape_of_face[face]).id;
                 return Err(Refusal {
                     reason: format!(
@@ -36,21 +34,15 @@ pub fn refuse_clipped(accel: &Accel) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A point in camera space.
-fn in_camera(accel: &Accel, p: Vec3) -> Vec3 {
-    let camera = &accel.scene.sensor.world_from_camera;
-    let offset = p - camera.translation;
-    let [a, b, c] = camera.rows;
-    a * offset.x + b * offset.y + c * offset.z
-}
-
 /// The segment in which a triangle meets the plane of a depth.
-fn cut_at_depth(corners: [Vec3; 3], depth: f64) -> Option<[Vec3; 2]> {
+fn cut_at_depth(view: &View<f64>, corners: [Vec3; 3], depth: f64) -> Option<[Vec3; 2]> {
+    let depths = corners.map(|p| view.depth(p));
     let mut points = Vec::with_capacity(2);
     for i in 0..3 {
-        let (a, b) = (corners[i], corners[(i + 1) % 3]);
-        if (a.z < depth) != (b.z < depth) {
-            points.push(a + (b - a) * ((depth - a.z) / (b.z - a.z)));
+        let k = (i + 1) % 3;
+        if (depths[i] < depth) != (depths[k] < depth) {
+            let t = (depth - depths[i]) / (depths[k] - depths[i]);
+            points.push(corners[i] + (corners[k] - corners[i]) * t);
         }
     }
     match points[..] {
@@ -59,16 +51,27 @@ fn cut_at_depth(corners: [Vec3; 3], depth: f64) -> Option<[Vec3; 2]> {
     }
 }
 
-/// True if a segment in camera space, all at one depth, crosses the rectangle
-/// of the film that pixels gather light from, and something of it is seen.
-fn is_in_view(accel: &Accel, segment: [Vec3; 2]) -> bool {
-    let (sensor, film) = (&accel.scene.sensor, &accel.scene.film);
-    let [a, b] = segment.map(|p| sensor.film_from_camera(film, p));
-    let reach = if film.sample_border {
+/// True if a segment at a depth crosses the rectangle of the film that pixels
+/// gather light from, and something of it is seen.
+fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
+    let (view, film) = (&accel.view, &accel.scene.film);
+    let [a, b] = segment.map(|p| view.film(view.towards(p)));
+    let mut reach = if film.sample_border {
         film.filter.radius()
     } else {
         0.0
     };
+    let mut is_blurred = false;
+    if let SensorModel::ThinLens {
+        aperture_radius,
+        focus_distance,
+        ..
+    } = accel.scene.sensor.model
+    {
+        let shift = (1.0 / focus_distance - 1.0 / depth).abs();
+        reach += aperture_radius * shift / view.pixel_size();
+        is_blurred = aperture_radius > 0.0;
+    }
     // Liang and Barsky 1984: the part of the segment inside the rectangle.
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
@@ -88,13 +91,14 @@ fn is_in_view(accel: &Accel, segment: [Vec3; 2]) -> bool {
     if first > last {
         return false;
     }
-    // Just before the plane: at the near plane nothing can be in the way.
+    // Before the near plane nothing can be in the way; around what hides a point
+    // from the middle of a lens, other points of it may see.
+    let [near, _] = view.clip();
     let sees = |t: f64| {
         let p = segment[0] + (segment[1] - segment[0]) * t;
-        let distance = p.length();
-        let direction = sensor.world_from_camera.vector(p / distance);
-        p.z <= sensor.near_clip * (1.0 + SHORT)
-            || accel.camera_sees(direction, distance * (1.0 - SHORT))
+        let direction = view.towards(p).normalized();
+        let distance = (p - view.ray(direction).origin).length() * (1.0 - SHORT);
+        depth <= near || is_blurred || accel.camera_sees(view.eye, direction, distance)
     };
     [first, 0.5 * (first + last), last].into_iter().any(sees)
 }

@@ -1,7 +1,8 @@
 //! The scene in motion: values with one derivative, for forward mode.
 
 use capwalk_math::{Dual, Rgb, Vec3};
-use capwalk_scene::{Motion, Scene, SensorMotion, TextureId};
+use capwalk_scene::sensor::SensorState;
+use capwalk_scene::{Motion, Scene, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -53,9 +54,9 @@ impl<'a> InMotion<'a> {
         }
     }
 
-    /// True if curves in the picture can move.
+    /// True if curves in the picture can move against the rays.
     pub fn moves(&self) -> bool {
-        self.boundaries_move || self.motion.sensor != SensorMotion::default()
+        self.boundaries_move || self.motion.sensor.moves_rays()
     }
 
     /// True if no boundary moves relative to the eye.
@@ -106,13 +107,8 @@ impl World<D> for InMotion<'_> {
         self.motion.textures[id.0 as usize].is_some()
     }
     #[inline]
-    fn sensor_origin(&self) -> Vec3<D> {
-        let origin = self.accel.scene.sensor.origin();
-        origin.with_tangent(self.motion.sensor.translation)
-    }
-    #[inline]
-    fn sensor_turn(&self) -> Vec3<D> {
-        Vec3::zero().with_tangent(self.motion.sensor.rotation)
+    fn sensor(&self) -> SensorState<D> {
+        self.accel.scene.sensor.moving_state(&self.motion.sensor)
     }
     fn carry(&self, eye: &Eye<D>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Carried<D> {
         if self.is_at_rest(eye) {

@@ -11,7 +11,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::light::LightSampling;
 use crate::options::Refusal;
-use crate::path::{Plan, Tracer, Unfolded, Vertex};
+use crate::path::{FIRST_VERTEX, Plan, Tracer, Unfolded, Vertex};
 use crate::sampler::Sampler;
 use crate::world::AtRest;
 
@@ -36,6 +36,7 @@ fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
 
 /// Points drawn on emitters, nothing else.
 const EMITTERS_ALONE: Plan = Plan {
+    first_vertex: FIRST_VERTEX,
     max_depth: Some(2),
     rr_depth: u32::MAX,
     sampling: LightSampling {

@@ -4,6 +4,7 @@ use std::cell::RefCell;
 
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Rgb, Tape, Var, Vec3};
+use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{Scene, TextureId};
 use capwalk_walk::WalkSettings;
 
@@ -186,21 +187,20 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         self.wanted.textures[id.0 as usize]
     }
     #[inline]
-    fn sensor_origin(&self) -> Vec3<Var<'t>> {
-        let value = self.accel.scene.sensor.origin();
-        self.variables(
-            self.wanted.sensor,
-            value,
-            Origin::Scene(Target::SensorOrigin),
-        )
-    }
-    #[inline]
-    fn sensor_turn(&self) -> Vec3<Var<'t>> {
-        self.variables(
-            self.wanted.sensor,
-            Vec3::zero(),
-            Origin::Scene(Target::SensorTurn),
-        )
+    fn sensor(&self) -> SensorState<Var<'t>> {
+        let SensorState {
+            axes,
+            origin,
+            optics,
+        } = self.accel.scene.sensor.state();
+        let (pose, wanted) = (self.wanted.sensor, self.wanted.optics);
+        let variables =
+            |wanted, value, target| self.variables(wanted, value, Origin::Scene(target));
+        SensorState {
+            axes: [0, 1, 2].map(|i| variables(pose, axes[i], Target::SensorAxis(i))),
+            origin: variables(pose, origin, Target::SensorOrigin),
+            optics: variables(wanted, optics, Target::SensorOptics),
+        }
     }
     fn carry(
         &self,

@@ -1,6 +1,6 @@
 //! What cannot be differentiated rightly, said before or while it is tried.
 
-use capwalk_scene::{Emitter, Scene, Shape};
+use capwalk_scene::{Emitter, Scene, SensorModel, Shape};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -31,6 +31,19 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
                 emitter.plugin()
             ),
         }),
+    }
+}
+
+/// A refusal if the camera's rays are parallel: no field is around them.
+fn refuse_parallel_rays(scene: &Scene) -> Result<(), Refusal> {
+    match scene.sensor.model {
+        SensorModel::Orthographic => Err(Refusal {
+            reason: "the motion of what an orthographic sensor sees is not available, derivatives \
+                     by colours, textures and light are. Use a perspective sensor far away with a \
+                     small fov, or finite differences"
+                .into(),
+        }),
+        SensorModel::Perspective { .. } | SensorModel::ThinLens { .. } => Ok(()),
     }
 }
 
@@ -108,6 +121,7 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
 
 /// A refusal if the scene has what cannot be differentiated by what moves edges.
 pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
+    refuse_parallel_rays(accel.scene)?;
     refuse_hard_shadows(accel.scene)?;
     refuse_jumping_textures(accel.scene)?;
     refuse_turned_without_uvs(accel.scene)?;

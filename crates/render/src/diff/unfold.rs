@@ -206,7 +206,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
         let eye = self.eye.position.value();
         Sight {
             ray: match self.eye.visibility {
-                Visibility::Camera => self.accel.camera_ray(direction),
+                Visibility::Camera => self.accel.camera_ray(eye, direction),
                 Visibility::Surface | Visibility::All => self.accel.surface_ray(eye, direction),
             },
             eye,

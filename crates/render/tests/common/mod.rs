@@ -23,11 +23,13 @@ pub fn empty(from: Vec3, to: Vec3, fov_degrees: f64, size: u32) -> Scene {
         materials: Vec::new(),
         emitters: Vec::new(),
         textures: Vec::new(),
-        sensor: Perspective {
+        sensor: Sensor {
             id: "sensor".into(),
             world_from_camera: Affine::look_at(from, to, up).expect("not along the up vector"),
-            fov_x: fov_degrees.to_radians(),
-            principal_point_offset: [0.0, 0.0],
+            model: SensorModel::Perspective {
+                fov_x: fov_degrees.to_radians(),
+                principal_point_offset: [0.0, 0.0],
+            },
             near_clip: 1e-2,
             far_clip: 1e4,
         },
@@ -43,6 +45,12 @@ pub fn empty(from: Vec3, to: Vec3, fov_degrees: f64, size: u32) -> Scene {
             seed: 0,
         },
     }
+}
+
+/// The horizontal field of view of the scene's sensor, radians.
+pub fn fov_x(scene: &mut Scene) -> &mut f64 {
+    let fov_x = scene.sensor.model.optic_mut(Optic::FovX);
+    fov_x.expect("a sensor with a field of view")
 }
 
 /// Adds a two-sided grey shape.

@@ -70,6 +70,16 @@ pub fn visible_cube() -> Scene {
     scene
 }
 
+/// The scene seen through a lens.
+pub fn through_lens(mut scene: Scene, aperture_radius: f64, focus_distance: f64) -> Scene {
+    scene.sensor.model = SensorModel::ThinLens {
+        fov_x: *fov_x(&mut scene),
+        aperture_radius,
+        focus_distance,
+    };
+    scene
+}
+
 /// Texture coordinates from corner to corner of a horizontal rectangle.
 pub fn unit_square(scene: &mut Scene, shape: &str) {
     let shape = scene

@@ -3,8 +3,8 @@ use crate::load_scene;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::scene::BsdfId;
 use capwalk_scene::{
-    Bsdf, Emitter, Filter, Integrator, Material, SamplerKind, ShadingNormals, Texture, TextureId,
-    builtin, primitive,
+    Bsdf, Emitter, Filter, Integrator, Material, Optic, SamplerKind, SensorModel, ShadingNormals,
+    Texture, TextureId, builtin, primitive,
 };
 
 struct Directory(PathBuf);
@@ -61,9 +61,12 @@ fn check_round_trip(scene: &Scene, name: &str) {
         let difference = own.world_from_camera.rows[axis] - other.world_from_camera.rows[axis];
         assert!(difference.length() < 1e-15, "{name}: row {axis}");
     }
-    assert!((own.fov_x - other.fov_x).abs() < 1e-15, "{name}");
+    if let Some(fov_x) = other.model.optic_mut(Optic::FovX) {
+        let expected = own.model.optic(Optic::FovX).expect("the same model");
+        assert!((*fov_x - expected).abs() < 1e-15, "{name}");
+        *fov_x = expected;
+    }
     other.world_from_camera.rows = own.world_from_camera.rows;
-    other.fov_x = own.fov_x;
     for (a, b) in scene.shapes.iter().zip(&mut loaded.shapes) {
         // Not printed: they may be long.
         assert!(a.mesh == b.mesh, "{name}: {}", a.id);
@@ -167,8 +170,10 @@ fn every_setting_comes_back() {
     scene.sensor.id = "eye".into();
     scene.sensor.world_from_camera = Affine::translate(Vec3::new(0.1, -1e-17, 3e5))
         * Affine::rotate(Vec3::new(0.3, 1.0, -0.2), 2.0);
-    scene.sensor.fov_x = 1.234567890123;
-    scene.sensor.principal_point_offset = [0.1, -0.3];
+    scene.sensor.model = SensorModel::Perspective {
+        fov_x: 1.234567890123,
+        principal_point_offset: [0.1, -0.3],
+    };
     scene.sensor.near_clip = 0.3;
     scene.sensor.far_clip = 77.7;
     scene.film.crop_offset = [10, 20];
@@ -198,6 +203,16 @@ fn every_setting_comes_back() {
         hide_emitters: true,
     };
     check_round_trip(&scene, "direct");
+    scene.sensor.model = SensorModel::ThinLens {
+        fov_x: 0.4,
+        aperture_radius: 0.1 + 0.2,
+        focus_distance: 7.0,
+    };
+    check_round_trip(&scene, "lens");
+    scene.sensor.model = SensorModel::Orthographic;
+    scene.sensor.world_from_camera =
+        scene.sensor.world_from_camera * Affine::scale(Vec3::new(3.0, -0.1, 2.0));
+    check_round_trip(&scene, "orthographic");
 }
 
 #[test]

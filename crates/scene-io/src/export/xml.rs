@@ -8,8 +8,8 @@ use capwalk_scene::lobe::Distribution;
 use capwalk_scene::scene::BsdfId;
 use capwalk_scene::texture::{TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
-    Bsdf, Emitter, Film, Filter, Integrator, Pattern, Perspective, SamplerKind, Scene, Settings,
-    ShadingNormals, Shape, TextureId,
+    Bsdf, Emitter, Film, Filter, Integrator, Optic, Pattern, SamplerKind, Scene, Sensor,
+    SensorModel, Settings, ShadingNormals, Shape, TextureId,
 };
 
 use super::Files;
@@ -75,14 +75,32 @@ fn integrator(integrator: &Integrator, xml: &mut Xml) {
     xml.close();
 }
 
-fn sensor(sensor: &Perspective, film: &Film, settings: &Settings, xml: &mut Xml) {
-    xml.open("sensor", &[("type", "perspective"), ("id", &sensor.id)]);
+fn sensor(sensor: &Sensor, film: &Film, settings: &Settings, xml: &mut Xml) {
+    let plugin = sensor.model.plugin();
+    xml.open("sensor", &[("type", plugin), ("id", &sensor.id)]);
     xml.transform("to_world", &sensor.world_from_camera);
-    xml.property("string", "fov_axis", "x");
-    xml.property("float", "fov", degrees(sensor.fov_x));
-    let [x, y] = sensor.principal_point_offset;
-    xml.property("float", "principal_point_offset_x", x);
-    xml.property("float", "principal_point_offset_y", y);
+    if let Some(fov_x) = sensor.model.optic(Optic::FovX) {
+        xml.property("string", "fov_axis", "x");
+        xml.property("float", "fov", degrees(fov_x));
+    }
+    match sensor.model {
+        SensorModel::Perspective {
+            principal_point_offset: [x, y],
+            ..
+        } => {
+            xml.property("float", "principal_point_offset_x", x);
+            xml.property("float", "principal_point_offset_y", y);
+        }
+        SensorModel::ThinLens {
+            aperture_radius,
+            focus_distance,
+            ..
+        } => {
+            xml.property("float", "aperture_radius", aperture_radius);
+            xml.property("float", "focus_distance", focus_distance);
+        }
+        SensorModel::Orthographic => {}
+    }
     xml.property("float", "near_clip", sensor.near_clip);
     xml.property("float", "far_clip", sensor.far_clip);
 

@@ -1,7 +1,7 @@
-//! Sensors: `perspective`, with Mitsuba's fields of view.
+//! Sensors, with Mitsuba's fields of view.
 
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::{Film, Perspective};
+use capwalk_scene::{Film, Sensor, SensorModel};
 
 use super::Lowering;
 use super::sampler::{self, Sampler};
@@ -10,7 +10,7 @@ use crate::node::{Kind, NodeId};
 use crate::source::Problem;
 
 /// The plugins.
-const SENSORS: [&str; 1] = ["perspective"];
+const SENSORS: [&str; 3] = ["perspective", "thinlens", "orthographic"];
 
 /// Diagonal of the 35 mm film that focal lengths refer to, millimetres.
 const FILM_DIAGONAL: f64 = 43.266615305567875;
@@ -21,9 +21,10 @@ pub(super) const RIGID: f64 = 1e-3;
 
 impl Lowering<'_> {
     /// The sensor, its film and its sampler.
-    pub(super) fn sensor(&mut self, node: NodeId) -> Result<(Perspective, Film, Sampler), Problem> {
+    pub(super) fn sensor(&mut self, node: NodeId) -> Result<(Sensor, Film, Sampler), Problem> {
         let fields = Fields::new(self.context, node);
-        if fields.node.plugin != "perspective" {
+        let plugin = fields.node.plugin.as_str();
+        if !SENSORS.contains(&plugin) {
             return Err(fields.unknown_plugin(&SENSORS));
         }
         let film = self.film(fields.child(Kind::Film)?.map(|child| child.node))?;
@@ -32,19 +33,38 @@ impl Lowering<'_> {
             None => Sampler::default(),
         };
         let id = fields.node.id.clone().unwrap_or_else(|| "sensor".into());
-        let sensor = Perspective {
-            world_from_camera: rigid(&fields)?,
-            fov_x: fov_x(&fields, &film)?,
-            principal_point_offset: [
-                fields.float("principal_point_offset_x", 0.0)?,
-                fields.float("principal_point_offset_y", 0.0)?,
-            ],
+        let far_clip = fields.float("far_clip", 1e4)?;
+        let model = match plugin {
+            "perspective" => SensorModel::Perspective {
+                fov_x: fov_x(&fields, &film)?,
+                principal_point_offset: [
+                    fields.float("principal_point_offset_x", 0.0)?,
+                    fields.float("principal_point_offset_y", 0.0)?,
+                ],
+            },
+            "thinlens" => SensorModel::ThinLens {
+                fov_x: fov_x(&fields, &film)?,
+                aperture_radius: aperture_radius(&fields)?,
+                focus_distance: focus_distance(&fields, far_clip)?,
+            },
+            _ => SensorModel::Orthographic,
+        };
+        let sensor = Sensor {
+            world_from_camera: match model {
+                SensorModel::Orthographic => invertible(&fields)?,
+                _ => rigid(&fields)?,
+            },
+            model,
             near_clip: fields.float("near_clip", 1e-2)?,
-            far_clip: fields.float("far_clip", 1e4)?,
+            far_clip,
             id,
         };
-        let reason = "the camera is a pinhole and nothing moves while its shutter is open";
-        fields.cosmetic(&["focus_distance", "shutter_open", "shutter_close"], reason);
+        if !model.has_lens() {
+            let reason = "without a lens everything is in focus";
+            fields.cosmetic(&["focus_distance"], reason);
+        }
+        let reason = "nothing moves while the shutter is open";
+        fields.cosmetic(&["shutter_open", "shutter_close"], reason);
         fields.refuse(
             &["srf"],
             "light is computed in red, green and blue, without spectral response functions",
@@ -55,6 +75,8 @@ impl Lowering<'_> {
             ("near_clip", "near_clip"),
             ("fov", "fov"),
             ("principal_point_offset", "principal_point_offset_x"),
+            ("aperture_radius", "aperture_radius"),
+            ("focus_distance", "focus_distance"),
         ] {
             let name = format!("{}.{number}", sensor.id);
             self.places.numbers.insert(name, fields.span_of(property));
@@ -92,6 +114,43 @@ fn rigid(fields: &Fields) -> Result<Affine, Problem> {
         rows: [0, 1, 2].map(|i| Vec3::new(left[i], up[i], forward[i])),
         translation: given.translation,
     })
+}
+
+/// `to_world` of a camera whose rays are parallel: it may scale, which sets how
+/// much is seen.
+fn invertible(fields: &Fields) -> Result<Affine, Problem> {
+    let given = fields.transform("to_world")?;
+    match given.inverse() {
+        Some(_) => Ok(given),
+        None => Err(Problem::new(
+            fields.span_of("to_world"),
+            "the \"to_world\" of a sensor cannot be inverted",
+        )
+        .help("scale by finite numbers other than 0")),
+    }
+}
+
+fn aperture_radius(fields: &Fields) -> Result<f64, Problem> {
+    let Some(radius) = fields.optional_float("aperture_radius")? else {
+        let message = "a thin lens has no \"aperture_radius\"";
+        return Err(Problem::new(fields.node.span, message)
+            .help("add it, in world units; a perspective sensor has none"));
+    };
+    if radius >= 0.0 {
+        return Ok(radius);
+    }
+    let message = format!("\"aperture_radius\" is {radius}");
+    Err(Problem::new(fields.span_of("aperture_radius"), message).help("expected 0 or more"))
+}
+
+fn focus_distance(fields: &Fields, far_clip: f64) -> Result<f64, Problem> {
+    let distance = fields.float("focus_distance", far_clip)?;
+    if distance > 0.0 {
+        return Ok(distance);
+    }
+    let message = format!("\"focus_distance\" is {distance}");
+    Err(Problem::new(fields.span_of("focus_distance"), message)
+        .help("expected the depth that is sharp, above 0"))
 }
 
 /// The horizontal field of view of the whole film, radians (`parse_fov` of

@@ -13,7 +13,7 @@ use capwalk_scene::{Attribute, Pattern, ShadingNormals, Shape, Texture};
 use super::Lowering;
 use super::mesh_file::MESH_PLUGINS;
 use crate::fields::{Child, Fields};
-use crate::mesh::{FileAttribute, MeshFile};
+use crate::mesh::{FileAttribute, LARGEST_COORDINATE, MeshFile, direction};
 use crate::node::Kind;
 use crate::source::{Problem, Span};
 
@@ -53,6 +53,13 @@ impl Lowering<'_> {
                 "\"to_world\" cannot be inverted",
             )
             .help("scale by finite numbers other than 0"));
+        }
+        let rows = to_world.rows.iter().chain([&to_world.translation]);
+        let mut numbers = rows.flat_map(|row| row.to_array());
+        if numbers.any(|x| x.abs() > LARGEST_COORDINATE) {
+            let span = fields.span_of("to_world");
+            let help = format!("scale and translate by numbers up to {LARGEST_COORDINATE:e}");
+            return Err(Problem::new(span, "\"to_world\" leads out of reach").help(help));
         }
         let plugin = fields.node.plugin.as_str();
         let mut stem = plugin.to_owned();
@@ -194,7 +201,7 @@ impl Lowering<'_> {
             Some(normals) => {
                 let normals: Vec<Vec3> = normals
                     .into_iter()
-                    .map(|n| to_world.normal(n).normalized())
+                    .map(|n| direction(to_world.normal(n)))
                     .collect();
                 agree(&mut mesh, &mut uvs, &normals);
                 ShadingNormals::Given(normals)

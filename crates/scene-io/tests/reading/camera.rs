@@ -99,11 +99,78 @@ fn unknown_sensor() {
     check(
         &format!(
             "{HEAD}{}",
-            r#"<integrator type="path"/><sensor type="thinlens"/></scene>"#
+            r#"<integrator type="path"/><sensor type="fisheye"/></scene>"#
         ),
         &[
-            "scene.xml:2:40: unknown sensor plugin \"thinlens\"",
-            "  known sensor plugins: perspective",
+            "scene.xml:2:40: unknown sensor plugin \"fisheye\"",
+            "  known sensor plugins: perspective, thinlens, orthographic",
+        ],
+    );
+}
+
+/// A scene with a sensor of this plugin and these properties.
+fn other_sensor(plugin: &str, properties: &str) -> String {
+    sensor(properties).replace("\"perspective\"", &format!("\"{plugin}\""))
+}
+
+#[test]
+fn lens_without_aperture() {
+    check(
+        &other_sensor("thinlens", ""),
+        &[
+            "scene.xml:3:3: a thin lens has no \"aperture_radius\"",
+            "  add it, in world units; a perspective sensor has none",
+        ],
+    );
+}
+
+#[test]
+fn lens_of_negative_radius() {
+    check(
+        &other_sensor("thinlens", r#"<float name="aperture_radius" value="-1"/>"#),
+        &[
+            "scene.xml:3:64: \"aperture_radius\" is -1",
+            "  expected 0 or more",
+        ],
+    );
+}
+
+#[test]
+fn lens_in_focus_nowhere() {
+    check(
+        &other_sensor(
+            "thinlens",
+            r#"<float name="aperture_radius" value="1"/><float name="focus_distance" value="0"/>"#,
+        ),
+        &[
+            "scene.xml:3:104: \"focus_distance\" is 0",
+            "  expected the depth that is sharp, above 0",
+        ],
+    );
+}
+
+#[test]
+fn flat_orthographic_sensor() {
+    check(
+        &other_sensor(
+            "orthographic",
+            r#"<transform name="to_world"><scale x="0"/></transform>"#,
+        ),
+        &[
+            "scene.xml:3:31: the \"to_world\" of a sensor cannot be inverted",
+            "  scale by finite numbers other than 0",
+        ],
+    );
+}
+
+/// An orthographic sensor has no angle.
+#[test]
+fn orthographic_fov() {
+    check(
+        &other_sensor("orthographic", r#"<float name="fov" value="40"/>"#),
+        &[
+            "scene.xml:3:44: unknown property \"fov\" of the sensor \"orthographic\"",
+            "  its properties are far_clip, focus_distance, near_clip, shutter_close, shutter_open, to_world",
         ],
     );
 }

@@ -69,7 +69,12 @@ impl Document {
 
     /// A `.glb`.
     pub fn binary(&self, json: &Value) -> Vec<u8> {
-        let mut text = json.to_string().into_bytes();
+        self.binary_with(json.to_string().as_bytes())
+    }
+
+    /// A `.glb` with any text in place of the JSON.
+    pub fn binary_with(&self, text: &[u8]) -> Vec<u8> {
+        let mut text = text.to_vec();
         text.resize(text.len().next_multiple_of(4), b' ');
         let chunks = [(b"JSON", &text), (b"BIN\0", &self.buffer)];
         let mut bytes = b"glTF\x02\0\0\0\0\0\0\0".to_vec();

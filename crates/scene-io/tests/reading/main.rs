@@ -4,6 +4,7 @@
 
 mod camera;
 mod common;
+mod damage;
 mod emitters;
 mod gltf;
 mod gltf_bad;
@@ -16,6 +17,7 @@ mod names;
 mod objects;
 mod parameters;
 mod parity;
+mod readers;
 mod robustness;
 mod serialized;
 mod syntax;

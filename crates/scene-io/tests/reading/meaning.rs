@@ -4,7 +4,10 @@
 use std::f64::consts::PI;
 
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::{Bsdf, Film, Filter, Integrator, SamplerKind, Scene, Settings, ShadingNormals};
+use capwalk_scene::{
+    Bsdf, Film, Filter, Integrator, Optic, SamplerKind, Scene, SensorModel, Settings,
+    ShadingNormals,
+};
 
 use crate::common::*;
 
@@ -104,7 +107,8 @@ fn fov_degrees(properties: &str) -> f64 {
     let film = "<film type=\"hdrfilm\"><integer name=\"width\" value=\"60\"/>\
                 <integer name=\"height\" value=\"40\"/></film>";
     let scene = load(&sensor(&format!("{film}{properties}")));
-    scene.sensor.fov_x.to_degrees()
+    let fov_x = scene.sensor.model.optic(Optic::FovX);
+    fov_x.expect("it has one").to_degrees()
 }
 
 #[test]
@@ -141,11 +145,43 @@ fn principal_point_and_handedness() {
          <float name=\"principal_point_offset_x\" value=\"0.1\"/>\
          <float name=\"principal_point_offset_y\" value=\"-0.2\"/>"
     )));
-    let d = scene
-        .sensor
-        .camera_from_film(&scene.film, [0.1 * 60.0, 0.3 * 40.0]);
-    let d = scene.sensor.world_from_camera.vector(d);
+    let view = scene.sensor.view(&scene.film);
+    let d = view.direction([0.1 * 60.0, 0.3 * 40.0]);
     assert!((d - Vec3::new(0.262027, 0.232913, 0.936532)).length() < 2e-6);
+}
+
+/// What a lens is in focus on where nothing says it, and that it has no
+/// rounded rotation either.
+#[test]
+fn lenses_are_those_of_mitsuba() {
+    let text =
+        sensor("<float name=\"fov\" value=\"50\"/><float name=\"aperture_radius\" value=\"0.3\"/>");
+    let scene = load(&text.replace("\"perspective\"", "\"thinlens\""));
+    assert_eq!(
+        scene.sensor.model,
+        SensorModel::ThinLens {
+            fov_x: scene.sensor.model.optic(Optic::FovX).expect("it has one"),
+            aperture_radius: 0.3,
+            focus_distance: 1e4,
+        }
+    );
+}
+
+/// The film of an orthographic sensor is two units wide, times the scale.
+#[test]
+fn orthographic_films_scale() {
+    let text = sensor(
+        "<film type=\"hdrfilm\"><integer name=\"width\" value=\"60\"/>\
+         <integer name=\"height\" value=\"40\"/></film>\
+         <transform name=\"to_world\"><scale x=\"3\" y=\"3\" z=\"2\"/></transform>",
+    );
+    let scene = load(&text.replace("\"perspective\"", "\"orthographic\""));
+    let view = scene.sensor.view(&scene.film);
+    let ray = view.ray(view.direction([0.0, 0.0]));
+    assert!((ray.origin - Vec3::new(3.0, 2.0, 0.0)).length() < 1e-12);
+    assert_eq!(ray.direction, Vec3::new(0.0, 0.0, 1.0));
+    // The near plane scales, the distance between the planes does not.
+    assert_eq!(ray.range, [0.02, 0.02 + (1e4 - 0.01)]);
 }
 
 /// Four digits are not quite a rotation; what is made of them is one.

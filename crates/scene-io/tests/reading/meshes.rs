@@ -60,6 +60,21 @@ fn obj_statements_in_every_form() {
     assert_eq!(without.expect("normals are not wanted").normals, None);
 }
 
+/// However long or short, as long as it has a direction.
+#[test]
+fn obj_normals_of_any_length() {
+    for size in ["e300", "e-300", ""] {
+        let file = obj(&format!(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 3{size} 0 4{size}\nf 1//1 2//1 3//1\n"
+        ));
+        let normal = file.normals.expect("they are there")[0];
+        assert!(
+            (normal - Vec3::new(0.6, 0.0, 0.8)).length() < 1e-15,
+            "{normal:?}"
+        );
+    }
+}
+
 /// Decimals are read in double precision, so that equal texts weld.
 #[test]
 fn obj_numbers_keep_their_digits() {
@@ -116,6 +131,11 @@ fn bad_obj_statements() {
         (
             obj_error("v 0 0 inf\n"),
             "line 1: vertex 1 has the position (0, 0, inf); expected finite coordinates",
+        ),
+        (
+            obj_error("v 0 -2e30 0\n"),
+            "line 1: vertex 1 has the position (0, -2000000000000000000000000000000, 0); expected \
+             coordinates up to 1e30",
         ),
         (
             obj_error("vn 0 0 0\n"),

@@ -129,6 +129,19 @@ fn flattening_transform() {
 }
 
 #[test]
+fn transform_out_of_reach() {
+    check(
+        &scene(
+            r#"<shape type="cube"><transform name="to_world"><scale y="1e31"/></transform></shape>"#,
+        ),
+        &[
+            "scene.xml:5:22: \"to_world\" leads out of reach",
+            "  scale and translate by numbers up to 1e30",
+        ],
+    );
+}
+
+#[test]
 fn ellipsoid() {
     check(
         &scene(

@@ -1,70 +1,15 @@
-//! Damaged files: thousands of them, the same ones in every run. Each is read or
-//! refused; nothing panics, and nothing reserves memory that the file does not
-//! pay for.
+//! Damaged files are read or refused: nothing panics, nothing hangs, and nothing
+//! reserves memory that the file does not pay for.
 
-use capwalk_scene_io::mesh::{read_obj, read_ply};
+use serde_json::Value;
 
 use crate::common::*;
+use crate::damage::{Original, survive};
+use crate::serialized::{file_of, triangle_and_square, written};
+use crate::{gltf_file, readers};
 
-/// Knuth's MMIX generator: deterministic, and good enough for damage.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, n: usize) -> usize {
-        self.0 = self
-            .0
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (self.0 >> 33) as usize % n.max(1)
-    }
-}
-
-/// Pieces that parsers stumble over.
-const PIECES: [&str; 20] = [
-    "0",
-    "-1",
-    "1e999",
-    "nan",
-    "4294967296",
-    "99999999999999999999",
-    "$",
-    "\\",
-    "\"",
-    "<",
-    "/>",
-    "&lt;",
-    "<scene>",
-    "//",
-    "f 1 2 3\n",
-    "\n",
-    " ",
-    "\u{fffd}",
-    "property list uchar int x\n",
-    "element face 1000000000000\n",
-];
-
-/// One to four changes of a text: cut, deleted, repeated, replaced, inserted.
-fn damage(original: &[u8], random: &mut Random) -> Vec<u8> {
-    let mut bytes = original.to_vec();
-    for _ in 0..=random.below(4) {
-        let at = random.below(bytes.len());
-        let end = (at + random.below(12)).min(bytes.len());
-        match random.below(6) {
-            0 => bytes.truncate(at),
-            1 => drop(bytes.drain(at..end)),
-            2 => {
-                let piece = bytes[at..end].to_vec();
-                bytes.splice(at..at, piece);
-            }
-            3 if at < bytes.len() => bytes[at] = random.below(256) as u8,
-            4 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
-            _ => {
-                let piece = PIECES[random.below(PIECES.len())];
-                bytes.splice(at..at, piece.bytes());
-            }
-        }
-    }
-    bytes
+fn read_scene(bytes: &[u8]) -> bool {
+    readers::scene_in(&folder(), bytes)
 }
 
 #[test]
@@ -90,80 +35,127 @@ fn damaged_scenes() {
          name=\"width\" value=\"$w\"/><rfilter type=\"tent\"/></film><sampler \
          type=\"independent\"/></sensor>",
     );
-    load(&original);
-    let mut random = Random(1);
-    let mut loaded = 0;
-    for _ in 0..6000 {
-        let damaged = damage(original.as_bytes(), &mut random);
-        let text = String::from_utf8_lossy(&damaged);
-        match try_load(&text, &[]) {
-            Ok(_) => loaded += 1,
-            Err(error) => {
-                let message = error.to_string();
-                assert!(
-                    !message.is_empty() && message.contains(".xml:"),
-                    "{message}"
-                );
-                if let Some(position) = error.position() {
-                    assert!(position.span.start <= position.span.end, "{message}");
-                }
-            }
-        }
-    }
     // The damage is of the interesting kind: some survive it, most do not.
-    assert!((20..3000).contains(&loaded), "{loaded}");
+    let others = scene(
+        "<shape type=\"ply\"><string name=\"filename\" value=\"given_normals.ply\"/>\
+         <transform name=\"to_world\"><scale x=\"2\" y=\"-1.5\" z=\"0.5\"/><translate y=\"1\"/>\
+         </transform></shape><shape type=\"serialized\"><string name=\"filename\" \
+         value=\"two.serialized\"/><integer name=\"shape_index\" value=\"0\"/><boolean \
+         name=\"face_normals\" value=\"true\"/><bsdf type=\"principled\"><texture \
+         name=\"base_color\" type=\"mesh_attribute\"><string name=\"name\" \
+         value=\"vertex_color\"/></texture><float name=\"roughness\" value=\"0.3\"/></bsdf>\
+         </shape><shape type=\"rectangle\"><boolean name=\"flip_normals\" value=\"true\"/>\
+         <bsdf type=\"blendbsdf\"><float name=\"weight\" \
+         value=\"0.25\"/><bsdf type=\"roughconductor\"><string name=\"material\" value=\"Au\"/>\
+         <float name=\"alpha_u\" value=\"0.2\"/><float name=\"alpha_v\" value=\"0.3\"/></bsdf>\
+         <bsdf type=\"plastic\"><string name=\"int_ior\" value=\"water\"/></bsdf></bsdf></shape>\
+         <emitter type=\"spot\"><float name=\"cutoff_angle\" value=\"30\"/></emitter>",
+    );
+    let originals = [original, others];
+    originals.iter().for_each(|text| drop(load(text)));
+    let originals = originals.map(|text| Original::new(text, read_scene));
+    let share = survive("scene.xml", originals.into(), 4000);
+    assert!((0.003..0.5).contains(&share), "{share}");
 }
 
 #[test]
 fn damaged_obj_meshes() {
-    let original = "# mesh\no a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nvt 0 0\nvn 0 0 1\n\
-                    f 1/1/1 2/1/1 3/1/1 4/1/1\nf -1/1/1 -2/1/1 -3/1/1\ns off\n";
-    let mut random = Random(2);
-    let mut read = 0;
-    for _ in 0..20_000 {
-        let damaged = damage(original.as_bytes(), &mut random);
-        for want_normals in [false, true] {
-            if let Ok(file) = read_obj(&damaged, want_normals) {
-                file.mesh.check().expect("what is read is usable");
-                read += 1;
-            }
-        }
-    }
-    assert!((1000..39_000).contains(&read), "{read}");
+    let originals = [
+        "# mesh\no a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nvt 0 0\nvn 0 0 1\n\
+         f 1/1/1 2/1/1 3/1/1 4/1/1\nf -1/1/1 -2/1/1 -3/1/1\ns off\n",
+        "v 0 0 0 1\r\nv 1\t0 0\nv 1 1 0 0.5 0.5 0.5\ng a b\nusemtl x\nvt 0.5\nvn 0 1 2\n\
+         f -3//1 \\\n -2//1 3//-1\nf 1//1 2//1 3//1\n",
+    ];
+    let originals = originals.map(|text| Original::new(text, readers::obj));
+    let share = survive("mesh.obj", originals.into(), 20_000);
+    assert!((0.03..0.9).contains(&share), "{share}");
 }
 
 #[test]
 fn damaged_ply_meshes() {
     let header = |format: &str| {
         format!(
-            "ply\nformat {format} 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
-             property float z\nproperty list uchar uchar extra\nelement face 1\n\
-             property list uchar int vertex_indices\nend_header\n"
+            "ply\nformat {format} 1.0\ncomment x\nelement vertex 3\nproperty float x\n\
+             property float y\nproperty float z\nproperty list uchar uchar extra\n\
+             property uchar a_r\nelement face 1\nproperty list uchar int vertex_indices\n\
+             property double heat_x\nend_header\n"
         )
     };
-    let text = format!("{}0 0 0 0\n1 0 0 1 7\n0 1 0 0\n3 0 1 2\n", header("ascii"));
-    let mut binary = header("binary_little_endian").into_bytes();
-    for p in [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
-        p.iter().for_each(|x| binary.extend(x.to_le_bytes()));
-        binary.extend([1, 9]);
-    }
-    binary.push(3);
-    [0_i32, 1, 2]
-        .iter()
-        .for_each(|i| binary.extend(i.to_le_bytes()));
-    let mut random = Random(3);
-    let mut read = 0;
-    for original in [text.as_bytes(), &binary[..]] {
-        read_ply(original, true).expect("it is good before it is damaged");
-        for _ in 0..10_000 {
-            let damaged = damage(original, &mut random);
-            if let Ok(file) = read_ply(&damaged, true) {
-                file.mesh.check().expect("what is read is usable");
-                read += 1;
+    let text = format!(
+        "{}0 0 0 0 1\n1 0 0 1 7 2\n0 1 0 0 3\n3 0 1 2 4\n",
+        header("ascii")
+    );
+    let mut originals = vec![Original::new(text, readers::ply)];
+    for format in ["binary_little_endian", "binary_big_endian"] {
+        let is_big = format == "binary_big_endian";
+        let order = |mut bytes: Vec<u8>| {
+            if is_big {
+                bytes.reverse();
             }
+            bytes
+        };
+        let mut binary = header(format).into_bytes();
+        for p in [[0.0_f32, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
+            for x in p {
+                binary.extend(order(x.to_le_bytes().to_vec()));
+            }
+            binary.extend([1, 9, 200]);
         }
+        binary.push(3);
+        for i in 0..3_i32 {
+            binary.extend(order(i.to_le_bytes().to_vec()));
+        }
+        binary.extend(order(4.0_f64.to_le_bytes().to_vec()));
+        originals.push(Original::new(binary, readers::ply));
     }
-    assert!((200..19_000).contains(&read), "{read}");
+    let share = survive("mesh.ply", originals, 20_000);
+    assert!((0.01..0.95).contains(&share), "{share}");
+}
+
+/// As files, and inside the deflated data, which a checksum guards.
+#[test]
+fn damaged_serialized_meshes() {
+    let mut originals = Vec::new();
+    for version in [3, 4] {
+        let file = written(&triangle_and_square(), version);
+        originals.push(Original::new(file, readers::serialized));
+    }
+    for mesh in triangle_and_square() {
+        originals.push(Original {
+            bytes: mesh.unpacked(4),
+            wrap: |data| file_of(&[data.to_vec()], 4),
+            read: readers::serialized,
+        });
+    }
+    let share = survive("mesh.serialized", originals, 20_000);
+    assert!((0.01..0.95).contains(&share), "{share}");
+}
+
+/// As files, the text with the buffer as it was, and the buffer with the text
+/// as it was.
+#[test]
+fn damaged_gltf_meshes() {
+    let (document, json) = gltf_file::bent();
+    let originals = vec![
+        Original::new(document.embedded(json.clone()), readers::gltf),
+        Original::new(document.binary(&json), readers::gltf),
+        Original {
+            bytes: json.to_string().into_bytes(),
+            wrap: |text| gltf_file::bent().0.binary_with(text),
+            read: readers::gltf,
+        },
+        Original {
+            bytes: document.buffer,
+            wrap: |buffer| {
+                let (mut document, json): (_, Value) = gltf_file::bent();
+                document.buffer = buffer.to_vec();
+                document.binary(&json)
+            },
+            read: readers::gltf,
+        },
+    ];
+    let share = survive("mesh.gltf", originals, 20_000);
+    assert!((0.01..0.95).contains(&share), "{share}");
 }
 
 /// Neither the parser of XML nor what comes after it may run out of stack.

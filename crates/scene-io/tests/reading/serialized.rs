@@ -26,7 +26,7 @@ pub struct Contents {
 
 impl Contents {
     /// The data of the mesh before they are deflated.
-    fn unpacked(&self, version: u16) -> Vec<u8> {
+    pub fn unpacked(&self, version: u16) -> Vec<u8> {
         let bits = [
             (!self.normals.is_empty(), 1),
             (!self.uvs.is_empty(), 2),
@@ -64,7 +64,7 @@ fn deflated(data: &[u8]) -> Vec<u8> {
 }
 
 /// A file with these data, each deflated.
-fn file_of(meshes: &[Vec<u8>], version: u16) -> Vec<u8> {
+pub fn file_of(meshes: &[Vec<u8>], version: u16) -> Vec<u8> {
     let (mut bytes, mut offsets) = (Vec::new(), Vec::new());
     for data in meshes {
         offsets.push(bytes.len() as u64);

@@ -9,7 +9,7 @@ use crate::film::Film;
 use crate::filter::Filter;
 use crate::primitive;
 use crate::scene::{BsdfId, EmitterId, Scene, ShapeId};
-use crate::sensor::Perspective;
+use crate::sensor::{Sensor, SensorModel};
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
 use crate::texture::Texture;
@@ -23,12 +23,14 @@ pub fn empty(origin: Vec3, target: Vec3, fov_x: f64) -> Scene {
         materials: Vec::new(),
         emitters: Vec::new(),
         textures: Vec::new(),
-        sensor: Perspective {
+        sensor: Sensor {
             id: "sensor".into(),
             world_from_camera: Affine::look_at(origin, target, Vec3::new(0.0, 1.0, 0.0))
                 .expect("no built-in camera looks straight down"),
-            fov_x: fov_x.to_radians(),
-            principal_point_offset: [0.0, 0.0],
+            model: SensorModel::Perspective {
+                fov_x: fov_x.to_radians(),
+                principal_point_offset: [0.0, 0.0],
+            },
             near_clip: 0.01,
             far_clip: 1000.0,
         },

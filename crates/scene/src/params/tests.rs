@@ -5,7 +5,7 @@ use crate::film::Film;
 use crate::filter::Filter;
 use crate::primitive;
 use crate::scene::{BsdfId, EmitterId, ShapeId};
-use crate::sensor::Perspective;
+use crate::sensor::{Sensor, SensorModel};
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
 use crate::texture::{Texture, TextureId};
@@ -68,12 +68,14 @@ pub(super) fn example() -> Scene {
             Texture::colour("lamp.emitter.radiance", Rgb::new(5.0, 6.0, 7.0)),
             Texture::colour("sky.radiance", Rgb::splat(0.25)),
         ],
-        sensor: Perspective {
+        sensor: Sensor {
             id: "eye".into(),
             world_from_camera: Affine::translate(Vec3::new(0.0, 1.0, -5.0))
                 * Affine::rotate(Vec3::new(0.1, 1.0, 0.0), 0.2),
-            fov_x: 0.7,
-            principal_point_offset: [0.0; 2],
+            model: SensorModel::Perspective {
+                fov_x: 0.7,
+                principal_point_offset: [0.0; 2],
+            },
             near_clip: 0.01,
             far_clip: 1e4,
         },

@@ -192,6 +192,7 @@ fn gradients_are_transposed_motions() {
     gradient.sensor = SensorMotion {
         translation: vectors(&random(3, 1))[0],
         rotation: vectors(&random(3, 2))[0],
+        ..SensorMotion::default()
     };
     for array in arrays(&scene) {
         let velocities = admissible(&scene, &array);

@@ -1,0 +1,134 @@
+//! Gradients against finite differences, one scene per phenomenon: sensors
+//! other than pinholes, and the numbers of sensors.
+//!
+//! What must hold is that of `phenomena_visible.rs`.
+
+mod common;
+
+use capwalk_math::Rgb;
+use capwalk_scene::*;
+use common::agree::*;
+use common::stages::*;
+use common::*;
+
+/// The silhouette of a visible thing crosses pixels: short steps, so that the
+/// difference does not run over whole pixels.
+fn primary() -> Case {
+    Case {
+        size: 46,
+        step: 4e-3,
+        gradient_spp: 320,
+        reference_spp: 960,
+        ..Case::default()
+    }
+}
+
+/// A ball 4.3 away, seen through a lens: its outlines are three pixels wide.
+fn blurred_ball(filter: Filter) -> Scene {
+    through_lens(visible_ball(filter), 0.12, 2.9)
+}
+
+/// Nothing but a number of the sensor changes.
+fn optic(scene: &Scene, optic: Optic) -> Motion {
+    let mut motion = Motion::zero(scene);
+    let mut rates = [0.0; 3];
+    rates[optic as usize] = 1.0;
+    motion.sensor.optics = rates.into();
+    motion
+}
+
+#[test]
+fn ball_out_of_focus() {
+    let scene = blurred_ball(Filter::Box);
+    let motion = motion(&scene, "ball.translate.x");
+    agree("ball out of focus", scene, &motion, primary());
+}
+
+#[test]
+fn moving_lens() {
+    let scene = through_lens(visible_cube(), 0.12, 2.9);
+    let motion = motion(&scene, "sensor.translate.x");
+    let case = Case {
+        step: 1e-3,
+        reference_spp: 2000,
+        ..primary()
+    };
+    agree("lens moves", scene, &motion, case);
+}
+
+/// Turning about its middle moves the other points of the lens.
+#[test]
+fn turning_lens() {
+    let case = Case {
+        step: 2.5e-4,
+        reference_spp: 2000,
+        ..primary()
+    };
+    let scene = through_lens(visible_cube(), 0.3, 2.9);
+    let motion = motion(&scene, "sensor.rotate.y");
+    agree("lens turns", scene, &motion, case);
+}
+
+/// A shadow out of focus.
+#[test]
+fn shadow_through_lens() {
+    let scene = through_lens(with(triangle()), 0.3, 4.0);
+    let motion = motion(&scene, "thing.translate.x");
+    agree("shadow through a lens", scene, &motion, Case::default());
+}
+
+#[test]
+fn opening_lens() {
+    let scene = blurred_ball(Filter::Gaussian { stddev: 0.5 });
+    let motion = optic(&scene, Optic::ApertureRadius);
+    let case = Case {
+        step: 4e-3,
+        gradient_spp: 500,
+        reference_spp: 1600,
+        ..primary()
+    };
+    agree("aperture", scene, &motion, case);
+}
+
+#[test]
+fn focusing_lens() {
+    let scene = blurred_ball(Filter::Tent { radius: 1.0 });
+    let motion = optic(&scene, Optic::FocusDistance);
+    let case = Case {
+        step: 0.08,
+        ..primary()
+    };
+    agree("focus", scene, &motion, case);
+}
+
+/// The film moves under the picture: everywhere, so that the flux through the
+/// borders of pixels counts.
+#[test]
+fn zooming() {
+    let scene = visible_cube();
+    let motion = optic(&scene, Optic::FovX);
+    let case = Case {
+        step: 2.5e-4,
+        reference_spp: 2000,
+        ..primary()
+    };
+    agree("field of view", scene, &motion, case);
+}
+
+/// Nothing moves against the rays: the edges of hard shadows need no field.
+#[test]
+fn zooming_on_hard_shadows() {
+    let mut scene = visible_ball(Filter::Box);
+    let intensity = scene.add_texture(Texture::colour("bulb.intensity", Rgb::splat(20.0)));
+    scene.emitters.push(Emitter::Point {
+        id: "bulb".into(),
+        position: v(-0.8, -0.6, 2.6),
+        intensity,
+    });
+    let motion = optic(&scene, Optic::FovX);
+    let case = Case {
+        step: 2.5e-4,
+        ..primary()
+    };
+    agree("field of view, hard shadow", scene, &motion, case);
+}

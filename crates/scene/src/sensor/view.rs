@@ -1,0 +1,307 @@
+//! What a sensor sees from one point of its lens.
+//!
+//! Film points are in pixels. Seen from the origin of camera space, the film
+//! point `(x, y)` looks along
+//!
+//! ```text
+//! ((c_x - x) / f, (c_y - y) / f, 1)
+//! ```
+//!
+//! with `f = w / (2 tan(fov_x / 2))` and `c` the film point of the view axis.
+//! Through the point `l` of a lens it looks at the same point of the plane in
+//! focus, at depth `F`: its direction `d` fulfils `x = c_x - f (l_x / F + d_x /
+//! d_z)`. So a lens is a camera for each of its points, which differ in where
+//! they are and in `c`.
+//!
+//! Parallel rays have no point that all of them start from. There, "directions"
+//! are those of picture space, in which the film point `(x, y)` lies in the
+//! direction above with `f = w / 2`: the camera-space point `(X, Y, Z)` is seen
+//! along `(X, Y, 1)`.
+
+use capwalk_math::{Real, Vec3};
+
+use super::{Optic, Sensor, SensorModel, SensorState};
+use crate::film::Film;
+
+/// A sensor that looks from one point of its lens.
+#[derive(Clone, Copy, Debug)]
+pub struct View<R> {
+    /// World-space position of that point; of the camera if rays are parallel.
+    pub eye: Vec3<R>,
+    axes: [Vec3<R>; 3],
+    /// Rows of the linear part of `camera_from_world`.
+    rows: [Vec3<R>; 3],
+    /// World-space volume of the unit cube of camera space.
+    volume: R,
+    is_parallel: bool,
+    /// Pixels per unit of `x / z` (the same along y).
+    focal: R,
+    /// Film point of the view axis.
+    centre: [R; 2],
+    /// Depths of the clip planes.
+    clip: [f64; 2],
+}
+
+/// Where a film point looks.
+#[derive(Clone, Copy, Debug)]
+pub struct ViewRay<R> {
+    /// Where the ray starts.
+    pub origin: Vec3<R>,
+    /// Its unit direction.
+    pub direction: Vec3<R>,
+    /// Distances along it between which something is seen.
+    pub range: [f64; 2],
+}
+
+impl<R: Real> View<R> {
+    /// The view from the point of the lens that `lens` is on the unit disk.
+    /// `state` holds the numbers of the sensor.
+    pub fn new(sensor: &Sensor, film: &Film, state: &SensorState<R>, lens: [f64; 2]) -> Self {
+        let [w, h] = film.size.map(f64::from);
+        let half_width = R::constant(0.5 * w);
+        let focal = || {
+            let half = state.optics[Optic::FovX as usize] * R::constant(0.5);
+            let (sin, cos) = half.sin_cos();
+            half_width * cos / sin
+        };
+        let middle = [0.5 * w, 0.5 * h].map(R::constant);
+        let mut eye = state.origin;
+        let (focal, centre) = match sensor.model {
+            SensorModel::Orthographic => (half_width, middle),
+            SensorModel::Perspective {
+                principal_point_offset: [x, y],
+                ..
+            } => (focal(), [w * (0.5 - x), h * (0.5 - y)].map(R::constant)),
+            SensorModel::ThinLens { .. } => {
+                let [x, y] =
+                    lens.map(|l| state.optics[Optic::ApertureRadius as usize] * R::constant(l));
+                eye += state.axes[0] * x + state.axes[1] * y;
+                let focal = focal();
+                let shift = focal / state.optics[Optic::FocusDistance as usize];
+                (focal, [middle[0] - x * shift, middle[1] - y * shift])
+            }
+        };
+        let [a, b, c] = state.axes;
+        let volume = a.dot(b.cross(c));
+        let is_parallel = sensor.model == SensorModel::Orthographic;
+        Self {
+            eye,
+            axes: state.axes,
+            rows: [b.cross(c), c.cross(a), a.cross(b)].map(|row| row / volume),
+            volume,
+            is_parallel,
+            focal,
+            centre,
+            clip: match is_parallel {
+                false => [sensor.near_clip, sensor.far_clip],
+                true => {
+                    let near = sensor.near_clip * c.value().length();
+                    [near, near + (sensor.far_clip - sensor.near_clip)]
+                }
+            },
+        }
+    }
+
+    /// The same without derivatives.
+    pub fn value(&self) -> View<f64> {
+        View {
+            eye: self.eye.value(),
+            axes: self.axes.map(Vec3::value),
+            rows: self.rows.map(Vec3::value),
+            volume: self.volume.value(),
+            is_parallel: self.is_parallel,
+            focal: self.focal.value(),
+            centre: self.centre.map(R::value),
+            clip: self.clip,
+        }
+    }
+
+    /// True if all rays have the same direction.
+    pub fn is_parallel(&self) -> bool {
+        self.is_parallel
+    }
+
+    fn camera_from_world(&self, v: Vec3<R>) -> Vec3<R> {
+        let [a, b, c] = self.rows;
+        Vec3::new(a.dot(v), b.dot(v), c.dot(v))
+    }
+
+    /// A direction in the space in which film points look along `(.., .., 1)`.
+    fn local(&self, direction: Vec3<R>) -> Vec3<R> {
+        match self.is_parallel {
+            true => direction,
+            false => self.camera_from_world(direction),
+        }
+    }
+
+    /// The film point that looks in a direction (of any length). Meaningless
+    /// for directions that point backwards.
+    pub fn film(&self, direction: Vec3<R>) -> [R; 2] {
+        let d = self.local(direction);
+        let scale = self.focal / d.z;
+        [self.centre[0] - d.x * scale, self.centre[1] - d.y * scale]
+    }
+
+    /// Film area (pixels²) per solid angle around a unit direction.
+    pub fn film_area_per_solid_angle(&self, direction: Vec3<R>) -> R {
+        let d = self.local(direction);
+        let area = self.focal.squared() / (d.z * d.z * d.z);
+        match self.is_parallel {
+            true => area,
+            false => area / self.volume.abs(),
+        }
+    }
+
+    /// The direction (of any length) in which a world-space point is seen.
+    pub fn towards(&self, point: Vec3<R>) -> Vec3<R> {
+        let offset = point - self.eye;
+        match self.is_parallel {
+            true => {
+                let Vec3 { x, y, .. } = self.camera_from_world(offset);
+                Vec3::new(x, y, R::constant(1.0))
+            }
+            false => offset,
+        }
+    }
+
+    /// The ray in a unit direction.
+    pub fn ray(&self, direction: Vec3<R>) -> ViewRay<R> {
+        if self.is_parallel {
+            let [left, up, forward] = self.axes;
+            let [x, y] = [direction.x / direction.z, direction.y / direction.z];
+            return ViewRay {
+                origin: self.eye + left * x + up * y,
+                direction: forward.normalized(),
+                range: self.clip,
+            };
+        }
+        let depth = self.rows[2].value().dot(direction.value());
+        ViewRay {
+            origin: self.eye,
+            direction,
+            range: self.clip.map(|clip| clip / depth),
+        }
+    }
+}
+
+impl View<f64> {
+    /// The unit direction in which a film point looks.
+    pub fn direction(&self, [x, y]: [f64; 2]) -> Vec3 {
+        let [cx, cy] = self.centre;
+        let (x, y) = ((cx - x) / self.focal, (cy - y) / self.focal);
+        match self.is_parallel {
+            true => Vec3::new(x, y, 1.0).normalized(),
+            false => (self.axes[0] * x + self.axes[1] * y + self.axes[2]).normalized(),
+        }
+    }
+
+    /// The view from another point of the lens, for rays; the film stays.
+    pub fn from(&self, eye: Vec3) -> Self {
+        Self { eye, ..*self }
+    }
+
+    /// Depth of a world-space point, to be compared with [`View::clip`].
+    pub fn depth(&self, point: Vec3) -> f64 {
+        let depth = self.rows[2].dot(point - self.eye);
+        match self.is_parallel {
+            true => depth * self.axes[2].length(),
+            false => depth,
+        }
+    }
+
+    /// Depths of the near and the far plane.
+    pub fn clip(&self) -> [f64; 2] {
+        self.clip
+    }
+
+    /// Side of a pixel at depth 1.
+    pub fn pixel_size(&self) -> f64 {
+        self.focal.recip()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::filter::Filter;
+    use capwalk_math::{Affine, Dual, Frame};
+
+    fn sensors() -> (Vec<Sensor>, Film) {
+        let models = [
+            SensorModel::Perspective {
+                fov_x: 0.7,
+                principal_point_offset: [0.1, -0.05],
+            },
+            SensorModel::ThinLens {
+                fov_x: 0.9,
+                aperture_radius: 0.3,
+                focus_distance: 2.5,
+            },
+            SensorModel::Orthographic,
+        ];
+        let place = Affine::translate(Vec3::new(0.3, -1.0, 0.5))
+            * Affine::rotate(Vec3::new(1.0, 2.0, 0.5), 0.8)
+            * Affine::scale(Vec3::new(1.2, -0.7, 1.4));
+        let sensor = |model| Sensor {
+            id: "sensor".into(),
+            world_from_camera: place,
+            model,
+            near_clip: 0.01,
+            far_clip: 1e4,
+        };
+        (models.map(sensor).to_vec(), Film::new(30, 20, Filter::Box))
+    }
+
+    /// Film to direction and back, the area element against duals, and points
+    /// on the ray are seen where it starts.
+    #[test]
+    fn projection_inverts_and_its_area_element_matches() {
+        let (sensors, film) = sensors();
+        for sensor in sensors {
+            for lens in [[0.0, 0.0], [0.6, -0.3]] {
+                let view = View::new(&sensor, &film, &sensor.state(), lens);
+                let constant = sensor.moving_state(&Default::default());
+                let moving = View::new(&sensor, &film, &constant, lens);
+                for point in [[0.0, 0.0], [15.0, 10.0], [27.3, 4.1]] {
+                    let is_point = |[x, y]: [f64; 2]| {
+                        (x - point[0]).abs() < 1e-12 && (y - point[1]).abs() < 1e-12
+                    };
+                    let d = view.direction(point);
+                    assert!(is_point(view.film(d)));
+                    let ray = view.ray(d);
+                    let at = |t: f64| ray.origin + ray.direction * t;
+                    assert!(is_point(view.film(view.towards(at(3.7)))));
+                    let [near, far] = ray.range.map(|t| view.depth(at(t)));
+                    let [low, high] = view.clip();
+                    assert!((near - low).abs() < 1e-12 && (far - high).abs() < 1e-8);
+
+                    let frame = Frame::from_normal(d);
+                    let moved = |axis: Vec3| moving.film(d.with_tangent(axis));
+                    let (s, t) = (moved(frame.s), moved(frame.t));
+                    let tangent = |x: Dual<1>| x.tangent[0];
+                    let area = tangent(s[0]) * tangent(t[1]) - tangent(s[1]) * tangent(t[0]);
+                    let expected = view.film_area_per_solid_angle(d);
+                    assert!((area.abs() / expected - 1.0).abs() < 1e-12);
+                }
+            }
+        }
+    }
+
+    /// Whatever the point of the lens, a film point looks at the same point of
+    /// the plane in focus.
+    #[test]
+    fn a_lens_is_sharp_at_its_focus() {
+        let (sensors, film) = sensors();
+        let sensor = &sensors[1];
+        let focused = |lens| {
+            let view = View::new(sensor, &film, &sensor.state(), lens);
+            let ray = view.ray(view.direction([3.2, 17.1]));
+            let depth = ray.direction.dot(view.rows[2]);
+            ray.origin + ray.direction * (2.5 / depth)
+        };
+        let middle = focused([0.0, 0.0]);
+        for lens in [[1.0, 0.0], [-0.3, 0.8]] {
+            assert!((focused(lens) - middle).length() < 1e-12);
+        }
+    }
+}

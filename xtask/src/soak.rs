@@ -1,0 +1,54 @@
+//! `cargo xtask soak`: the randomised tests, for longer than tests may take.
+
+use std::process::Command;
+
+use anyhow::{Context, Result};
+
+use crate::{cargo, root, step};
+
+/// Address space of the readers, in KiB: what a damaged file of a few kilobytes
+/// makes a reader reserve beyond that is a fault of the reader.
+const ADDRESS_SPACE: u32 = 3 << 20;
+
+/// Damaged files, then random scenes, for some seconds each from some seed on.
+pub fn run(rest: &[String]) -> Result<()> {
+    let number = |i: usize, default: u64| match rest.get(i) {
+        None => Ok(default),
+        Some(text) => text
+            .parse::<u64>()
+            .with_context(|| format!("expected a whole number instead of \"{text}\"")),
+    };
+    let (seconds, seed) = (number(0, 60)?, number(1, 1)?);
+    let run = |name: &str, package: &str, target: &str, filter: &str| {
+        let test = ["test", "--release", "--package", package, "--test", target];
+        let mut build = cargo(&test);
+        build.arg("--no-run");
+        step(&format!("{name}, build"), build)?;
+        let mut command = match name {
+            "damaged files" => limited(cargo(&test)),
+            _ => cargo(&test),
+        };
+        command
+            .args(["--", "--nocapture", filter])
+            .env("CAPWALK_SOAK_SECONDS", seconds.to_string())
+            .env("CAPWALK_SOAK_SEED", seed.to_string());
+        step(name, command)
+    };
+    run("damaged files", "capwalk-scene-io", "reading", "damaged")?;
+    run("random scenes", "capwalk-render", "random_scenes", "random")
+}
+
+/// The command with little memory, where a shell can say so.
+fn limited(command: Command) -> Command {
+    if !cfg!(unix) {
+        return command;
+    }
+    let mut limited = Command::new("sh");
+    limited
+        .arg("-c")
+        .arg(format!("ulimit -v {ADDRESS_SPACE} && exec \"$0\" \"$@\""))
+        .arg(command.get_program())
+        .args(command.get_args())
+        .current_dir(root());
+    limited
+}
