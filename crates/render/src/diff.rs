@@ -7,6 +7,7 @@ mod crossing;
 pub mod finite;
 pub(crate) mod flux;
 pub mod forward;
+mod lamp_edge;
 mod look;
 mod motion;
 pub mod probe;

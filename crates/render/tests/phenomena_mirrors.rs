@@ -54,7 +54,10 @@ fn case(spp: u32) -> Case {
         step: 6e-3,
         gradient_spp: spp,
         reference_spp: 2 * spp,
-        min_pixels: 500,
+        size: 28,
+        min_pixels: 300,
+        // Outlines and their images cross.
+        patience: 3.0,
         ..Case::default()
     }
 }
@@ -148,7 +151,6 @@ fn shadow_by_way_of_a_mirror() {
         step: 2e-2,
         gradient_spp: 1000,
         reference_spp: 1000,
-        // Outlines of the lamp and of the triangle cross in the mirror.
         patience: 3.0,
         ..Case::default()
     };

@@ -17,6 +17,7 @@ use crate::accel::Accel;
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
+use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::unfold::{Mirrors, Seen, Unfolded};
 
@@ -42,55 +43,13 @@ pub struct Boundaries {
     pub lamp_edges: Vec<LampEdge>,
 }
 
-/// An edge of a lamp with few edges.
-#[derive(Clone, Debug)]
-pub struct LampEdge {
-    /// Its ends, vertices of the joined mesh.
-    pub ends: [u32; 2],
-    /// Total length of the edges up to and including it.
-    pub cumulative: f64,
-    /// Where other lamps' edges lie on it: lamps that touch. In lengths from its
-    /// first end over its own.
-    pub shared: Vec<[f64; 2]>,
-}
-
-impl LampEdge {
-    /// How many edges lie at a place on it, itself among them: each of them takes
-    /// its share of what jumps there.
-    pub fn multiplicity(&self, t: f64) -> f64 {
-        let covers = |[from, to]: &&[f64; 2]| *from <= t && t <= *to;
-        1.0 + self.shared.iter().filter(covers).count() as f64
-    }
-}
-
-/// Fraction of its length by which an edge may lie beside another one and still
-/// lie on it.
-const ON_EDGE: f64 = 1e-6;
-
-/// Where the second of two edges lies on the first one, if it does.
-fn overlap([a, b]: [Vec3; 2], other: [Vec3; 2]) -> Option<[f64; 2]> {
-    let along = b - a;
-    let squared = along.length_squared();
-    let is_beside = |p: &Vec3| {
-        let distance = (*p - a).cross(along).length_squared();
-        distance > (ON_EDGE * squared) * (ON_EDGE * squared)
-    };
-    if other.iter().any(is_beside) {
-        return None;
-    }
-    let [s, t] = other.map(|p| (p - a).dot(along) / squared);
-    let (from, to) = (s.min(t).max(0.0), s.max(t).min(1.0));
-    (to - from > ON_EDGE).then_some([from, to])
-}
-
 impl Boundaries {
     /// The boundaries of a scene. Edges are welded within each shape: shapes
     /// may move against each other.
     pub fn new(accel: &Accel) -> Self {
         let scene = accel.scene;
         let mut edges = Vec::new();
-        let mut lamp_edges = Vec::new();
-        let mut length = 0.0;
+        let mut ends_on_lamps = Vec::new();
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
             let look = Look::new(scene, shape);
@@ -110,25 +69,11 @@ impl Boundaries {
                     }
                 }
                 if is_lamp {
-                    let [a, b] = edge.vertices.map(|i| accel.mesh.positions[i as usize]);
-                    length += (b - a).length();
-                    lamp_edges.push(LampEdge {
-                        ends: edge.vertices,
-                        cumulative: length,
-                        shared: Vec::new(),
-                    });
+                    ends_on_lamps.push(edge.vertices);
                 }
             }
             edges.append(&mut own);
             first_face += shape.mesh.faces.len() as u32;
-        }
-        let ends = |edge: &LampEdge| edge.ends.map(|i| accel.mesh.positions[i as usize]);
-        let segments: Vec<[Vec3; 2]> = lamp_edges.iter().map(ends).collect();
-        for (i, edge) in lamp_edges.iter_mut().enumerate() {
-            let others = segments.iter().enumerate().filter(|&(k, _)| k != i);
-            edge.shared = others
-                .filter_map(|(_, &other)| overlap(segments[i], other))
-                .collect();
         }
         let mut mesh = accel.mesh.clone();
         let crossings = crossings(accel);
@@ -147,7 +92,7 @@ impl Boundaries {
             edges,
             positions: mesh.positions,
             crossings,
-            lamp_edges,
+            lamp_edges: lamp_edges(&ends_on_lamps, &accel.mesh.positions),
         }
     }
 

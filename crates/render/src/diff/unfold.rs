@@ -271,8 +271,16 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
     /// faces of the planes that were looked into. `None` if it is hidden.
     fn mirrors_before(&self, sight: &Sight, point: &SilhouettePoint) -> Option<Mirrors> {
         let accel = self.accel;
+        let direction = self.unfolded(sight, point.direction);
+        // What lies in the plane of the eye's own face is seen edge-on: nothing jumps,
+        // and whether a ray along the plane meets something is a matter of rounding.
+        let height = |normal: Vec3| (direction.dot(normal) * point.distance).abs();
+        let horizon = self.eye.face_normal.map(height);
+        if horizon.is_some_and(|height| height <= accel.horizon_distance()) {
+            return None;
+        }
         let target = sight.eye + point.direction * point.distance;
-        let mut trace = self.first_ray(self.unfolded(sight, point.direction));
+        let mut trace = self.first_ray(direction);
         let mut left = point.distance;
         for &event in sight.events() {
             let hit = accel.first_hit_within(&trace.ray)?;
