@@ -300,6 +300,12 @@ mod tests {
             turn < 0.03 / focal * 1.2 && turn > 0.03 / focal * 0.6,
             "{turn}"
         );
+        // With another field of view, the corners move farthest.
+        let fov = params::motion(&scene, "sensor.x_fov").unwrap();
+        let zoomed = scene.moved(&fov, default_step(&scene, &fov)).sensor;
+        let corner = scene.sensor.view(&scene.film).direction([0.0, 0.0]);
+        let [x, y] = zoomed.view(&scene.film).film(corner);
+        assert!((x.hypot(y) / 0.03 - 1.0).abs() < 0.01, "{x} {y}");
         let coarse = step(&scene, "ball.translate.x");
         scene.film.size = scene.film.size.map(|n| 2 * n);
         scene.film.crop_size = scene.film.size;

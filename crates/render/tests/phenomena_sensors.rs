@@ -28,15 +28,6 @@ fn blurred_ball(filter: Filter) -> Scene {
     through_lens(visible_ball(filter), 0.12, 2.9)
 }
 
-/// Nothing but a number of the sensor changes.
-fn optic(scene: &Scene, optic: Optic) -> Motion {
-    let mut motion = Motion::zero(scene);
-    let mut rates = [0.0; 3];
-    rates[optic as usize] = 1.0;
-    motion.sensor.optics = rates.into();
-    motion
-}
-
 #[test]
 fn ball_out_of_focus() {
     let scene = blurred_ball(Filter::Box);
@@ -80,7 +71,7 @@ fn shadow_through_lens() {
 #[test]
 fn opening_lens() {
     let scene = blurred_ball(Filter::Gaussian { stddev: 0.5 });
-    let motion = optic(&scene, Optic::ApertureRadius);
+    let motion = motion(&scene, "sensor.aperture_radius");
     let case = Case {
         step: 4e-3,
         gradient_spp: 500,
@@ -93,7 +84,7 @@ fn opening_lens() {
 #[test]
 fn focusing_lens() {
     let scene = blurred_ball(Filter::Tent { radius: 1.0 });
-    let motion = optic(&scene, Optic::FocusDistance);
+    let motion = motion(&scene, "sensor.focus_distance");
     let case = Case {
         step: 0.08,
         ..primary()
@@ -106,9 +97,9 @@ fn focusing_lens() {
 #[test]
 fn zooming() {
     let scene = visible_cube();
-    let motion = optic(&scene, Optic::FovX);
+    let motion = motion(&scene, "sensor.x_fov");
     let case = Case {
-        step: 2.5e-4,
+        step: 1.5e-2,
         reference_spp: 2000,
         ..primary()
     };
@@ -125,10 +116,27 @@ fn zooming_on_hard_shadows() {
         position: v(-0.8, -0.6, 2.6),
         intensity,
     });
-    let motion = optic(&scene, Optic::FovX);
+    let motion = motion(&scene, "sensor.x_fov");
     let case = Case {
-        step: 2.5e-4,
+        step: 1.5e-2,
         ..primary()
     };
     agree("field of view, hard shadow", scene, &motion, case);
+}
+
+/// Every entry of the matrix: the camera shears, scales, turns and moves.
+#[test]
+fn camera_of_any_matrix() {
+    let scene = visible_cube();
+    let motion = motion(
+        &scene,
+        "0.4*sensor.to_world[0,0] - sensor.to_world[0,1] + 0.5*sensor.to_world[2,1] \
+         + sensor.to_world[1,2] + sensor.to_world[2,3]",
+    );
+    let case = Case {
+        step: 2.5e-4,
+        reference_spp: 2000,
+        ..primary()
+    };
+    agree("any matrix", scene, &motion, case);
 }

@@ -66,6 +66,13 @@ impl SensorMotion {
         }
     }
 
+    /// Changes one of the other numbers, too.
+    pub fn add_optic(&mut self, optic: Optic, velocity: f64) {
+        let mut optics = self.optics.to_array();
+        optics[optic as usize] += velocity;
+        self.optics = optics.into();
+    }
+
     /// True if rays start elsewhere or turn: not if they only reach other
     /// places of the film, as with another field of view.
     pub fn moves_rays(&self) -> bool {

@@ -14,6 +14,8 @@
 //! | `<material>.reflectance.color0.value` (…), `color1` | a colour of a checkerboard by one |
 //! | `<shape>.vertex_color` (…) | an attribute of a mesh by one, at all vertices or faces |
 //! | `sensor.translate.x` (…), `sensor.rotate.x` (…) | as for shapes, about the sensor's origin |
+//! | `sensor.x_fov` | horizontal field of view by one degree, if the sensor has one |
+//! | `sensor.aperture_radius`, `sensor.focus_distance` | one world unit, if the sensor has a lens |
 //!
 //! A texture with an id is called by it: `<texture>.value`, `<texture>.data`.
 //!
@@ -26,7 +28,18 @@
 //! | `<emitter>.radiance.value`, `<material>.reflectance.value` (…) | (3,) or (1,) | the channels |
 //! | `<material>.reflectance.data` (…) | (H, W, 3) or (H, W, 1) | texels of a bitmap, from the top |
 //! | `<shape>.vertex_color` (…) | (V, 3) or (F, 3) | an attribute of a mesh, or one channel |
+//! | `<shape>.to_world` | (4, 4) | the matrix that puts the shape in the world, see below |
 //! | `sensor.translate`, `sensor.rotate` | (3,) | motion and turn in world axes |
+//! | `sensor.to_world` | (4, 4) | the matrix that puts the sensor in the world |
+//! | `sensor.x_fov`, `sensor.aperture_radius`, `sensor.focus_distance` | (1,) | as above |
+//!
+//! Matrices are those of Mitsuba: each entry changes by itself, whatever comes of
+//! it, a scale or a shear too, and the last row, `0 0 0 1`, stays. The vertices of
+//! a shape go with it from the coordinates that its file gives them; a sphere's
+//! matrix makes it of the unit sphere, and exported scenes and those made by code
+//! have identities. Who moves a camera along its gradient and wants a rotation has
+//! to make one of the new matrix: files give cameras with a field of view nothing
+//! else.
 //!
 //! One number of an array, or all in a row together, by their indices from 0:
 //! `<shape>.positions[12,0]`, `<material>.reflectance.data[3,1]`. Vertices at the
@@ -41,6 +54,7 @@ mod array;
 mod element;
 mod error;
 mod expression;
+mod matrix;
 mod registry;
 mod velocity;
 
@@ -118,6 +132,16 @@ pub enum ParameterKind {
     SensorTranslation,
     /// Angle of the sensor about a world axis through its origin.
     SensorRotation,
+    /// The matrix that puts a shape in the world.
+    ToWorld,
+    /// The matrix that puts the sensor in the world.
+    SensorToWorld,
+    /// Horizontal field of view of the sensor.
+    FieldOfView,
+    /// Radius of the sensor's lens.
+    ApertureRadius,
+    /// Depth at which the sensor is sharp.
+    FocusDistance,
 }
 
 /// Every parameter of the scene, shape by shape, then emitters, materials and

@@ -185,6 +185,13 @@ impl Scene {
                 shape: shape.id.clone(),
                 error,
             })?;
+            if shape.world_from_object.inverse().is_none() {
+                return Err(SceneError::BadNumber {
+                    name: format!("{}.to_world", shape.id),
+                    value: format!("{:?}", shape.world_from_object),
+                    expected: "a matrix of finite numbers that can be inverted",
+                });
+            }
             if shape.emitter.is_some() && shape.mesh.area() <= 0.0 {
                 return Err(SceneError::ZeroAreaLamp {
                     shape: shape.id.clone(),

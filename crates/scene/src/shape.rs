@@ -1,7 +1,7 @@
 //! A shape: a mesh in world coordinates and what it is made of.
 
 use capwalk_geometry::Mesh;
-use capwalk_math::{Real, Vec3};
+use capwalk_math::{Affine, Real, Vec3};
 
 use crate::scene::{BsdfId, EmitterId};
 use crate::texture::TextureId;
@@ -13,6 +13,9 @@ pub struct Shape {
     pub id: String,
     /// Its triangles, in world coordinates.
     pub mesh: Mesh,
+    /// Where the coordinates that it was described in lie in the world; can be
+    /// inverted. Only a parameter: whatever the shape is moved by, it stays.
+    pub world_from_object: Affine,
     /// Its shading normals.
     pub normals: ShadingNormals,
     /// Its material.
@@ -70,6 +73,7 @@ impl Shape {
         Self {
             id: id.into(),
             mesh,
+            world_from_object: Affine::IDENTITY,
             normals,
             bsdf,
             emitter: None,

@@ -64,6 +64,7 @@ impl Lowering<'_> {
         let plugin = fields.node.plugin.as_str();
         let mut stem = plugin.to_owned();
         let mut of_file = Vec::new();
+        let mut world_from_object = to_world;
         let (mut surface, is_flipped) = match plugin {
             _ if MESH_PLUGINS.contains(&plugin) => {
                 let (surface, attributes, name) = self.placed_file(&fields, to_world)?;
@@ -89,7 +90,11 @@ impl Lowering<'_> {
                 let flip = fields.boolean("flip_normals", false)?;
                 (Surface::new(mesh, primitive::disk_uvs(to_world)), flip)
             }
-            "sphere" => sphere(&fields, to_world)?,
+            "sphere" => {
+                let (surface, is_flipped, from_unit) = sphere(&fields, to_world)?;
+                world_from_object = from_unit;
+                (surface, is_flipped)
+            }
             _ => return Err(fields.unknown_plugin(&SHAPES)),
         };
         if is_flipped {
@@ -121,6 +126,7 @@ impl Lowering<'_> {
         self.shapes.push(Shape {
             id,
             mesh: surface.mesh,
+            world_from_object,
             normals: surface.normals,
             bsdf,
             emitter,
@@ -266,7 +272,8 @@ fn agree(mesh: &mut Mesh, uvs: &mut Option<FaceUvs>, normals: &[Vec3]) {
 
 /// A sphere, and whether its sides must be exchanged. As in Mitsuba, a mirroring
 /// transform turns a sphere inside out ([`primitive::sphere`] does it).
-fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, bool), Problem> {
+/// A sphere, whether its sides are swapped, and what puts the unit sphere there.
+fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, bool, Affine), Problem> {
     let centre = fields.point("center")?.unwrap_or(Vec3::zero());
     let radius = fields.float("radius", 1.0)?;
     if radius == 0.0 {
@@ -295,5 +302,6 @@ fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, bool), Problem>
     let surface = Surface::new(mesh, primitive::sphere_uvs());
     // A negative radius mirrors, too.
     let is_flipped = fields.boolean("flip_normals", false)? != (radius < 0.0);
-    Ok((surface, is_flipped))
+    let unit = Affine::translate(centre) * Affine::scale(Vec3::splat(radius.abs()));
+    Ok((surface, is_flipped, to_world * unit))
 }

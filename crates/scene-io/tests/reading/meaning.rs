@@ -447,3 +447,32 @@ fn spheres_are_placed_by_centre_radius_and_transform() {
         assert!(((*p - Vec3::new(0.0, 2.0, 0.0)).length() - 1.0).abs() < 1e-12);
     }
 }
+
+/// The parameter is the matrix of the file; a sphere's makes it of the unit one.
+#[test]
+fn to_world_is_that_of_the_file() {
+    let text = scene(
+        "<shape type=\"rectangle\" id=\"r\"><transform name=\"to_world\">\
+         <scale x=\"2\"/><translate z=\"5\"/></transform></shape>\
+         <shape type=\"sphere\" id=\"s\"><point name=\"center\" x=\"1\" y=\"0\" z=\"0\"/>\
+         <float name=\"radius\" value=\"0.5\"/><transform name=\"to_world\">\
+         <scale value=\"3\"/></transform></shape>",
+    );
+    let scene = load(&text);
+    let matrix = |name: &str| {
+        let arrays = capwalk_scene::params::arrays(&scene);
+        let array = arrays.iter().find(|array| array.name == name);
+        array.expect(name).get(&scene)
+    };
+    let rows = |diagonal: [f64; 3], translation: [f64; 3]| {
+        let mut numbers = vec![0.0; 16];
+        for i in 0..3 {
+            numbers[5 * i] = diagonal[i];
+            numbers[4 * i + 3] = translation[i];
+        }
+        numbers[15] = 1.0;
+        numbers
+    };
+    assert_eq!(matrix("r.to_world"), rows([2.0, 1.0, 1.0], [0.0, 0.0, 5.0]));
+    assert_eq!(matrix("s.to_world"), rows([1.5; 3], [3.0, 0.0, 0.0]));
+}

@@ -9,9 +9,13 @@ use capwalk_math::Vec3;
 
 use super::ParameterKind;
 use super::error::ParameterError;
-use super::registry::{Channel, Entry, Target, entries, users};
+use super::matrix;
+use super::registry::{
+    Channel, Entry, Target, entries, optic_scale, optic_text, optic_value, users,
+};
 use crate::motion::{Motion, ShapeMotion};
 use crate::scene::{Scene, ShapeId};
+use crate::sensor::Optic;
 use crate::shape::{ShadingNormals, vertex_normals};
 use crate::texture::{Part, Pattern, TextureId};
 
@@ -43,8 +47,11 @@ pub(super) enum Place {
     Positions(ShapeId),
     Normals(ShapeId),
     Texels(TextureId, Part),
+    ShapeToWorld(ShapeId),
     SensorTranslation,
     SensorRotation,
+    SensorToWorld,
+    SensorOptic(Optic),
 }
 
 /// Every array of the scene, in the order of [`super::list`].
@@ -102,12 +109,25 @@ fn behind(scene: &Scene, entry: &Entry) -> Vec<ArrayParameter> {
             description: "moves the sensor, world axes".into(),
             ..of_sensor(entry, Place::SensorTranslation)
         }],
-        Target::RotateSensor(0) => vec![ArrayParameter {
-            kind: ParameterKind::SensorRotation,
-            unit: "radians",
-            description: "turns the sensor about its origin, world axes".into(),
-            ..of_sensor(entry, Place::SensorRotation)
-        }],
+        Target::RotateSensor(0) => vec![
+            ArrayParameter {
+                kind: ParameterKind::SensorRotation,
+                unit: "radians",
+                description: "turns the sensor about its origin, world axes".into(),
+                ..of_sensor(entry, Place::SensorRotation)
+            },
+            sensor_to_world(of_sensor(entry, Place::SensorToWorld)),
+        ],
+        Target::SensorOptic(optic) => {
+            let (kind, unit, description) = optic_text(optic);
+            vec![ArrayParameter {
+                kind,
+                shape: vec![1],
+                unit,
+                description: description.into(),
+                ..of_sensor(entry, Place::SensorOptic(optic))
+            }]
+        }
         Target::Translate(..)
         | Target::Rotate(..)
         | Target::Scale(_)
@@ -140,9 +160,34 @@ fn of_shape(scene: &Scene, id: ShapeId) -> Vec<ArrayParameter> {
         place: Place::Normals(id),
         ..positions.clone()
     };
+    let to_world = ArrayParameter {
+        name: format!("{name}.to_world"),
+        kind: ParameterKind::ToWorld,
+        shape: vec![4, 4],
+        unit: MATRIX,
+        description: format!("matrix that puts {name} in the world"),
+        place: Place::ShapeToWorld(id),
+        ..positions.clone()
+    };
     match shape.normals {
-        ShadingNormals::Given(_) => vec![positions, normals],
-        ShadingNormals::Face | ShadingNormals::Computed(_) => vec![positions],
+        ShadingNormals::Given(_) => vec![positions, normals, to_world],
+        ShadingNormals::Face | ShadingNormals::Computed(_) => vec![positions, to_world],
+    }
+}
+
+/// Unit of the numbers of a matrix.
+const MATRIX: &str = "matrix entries";
+
+fn sensor_to_world(rotation: ArrayParameter) -> ArrayParameter {
+    let named = |name: &String| format!("{}.to_world", name.trim_end_matches(".rotate"));
+    ArrayParameter {
+        name: named(&rotation.name),
+        alias_of: rotation.alias_of.as_ref().map(named),
+        kind: ParameterKind::SensorToWorld,
+        shape: vec![4, 4],
+        unit: MATRIX,
+        description: "matrix that puts the sensor in the world".into(),
+        ..rotation
     }
 }
 
@@ -179,26 +224,32 @@ impl ArrayParameter {
         }
     }
 
-    /// Its numbers. The sensor's are zero: they are changes of what it is.
+    /// Its numbers. The sensor's translation and rotation are zero: they are
+    /// changes of what it is.
     pub fn get(&self, scene: &Scene) -> Vec<f64> {
         match self.place {
             Place::Positions(id) => flat(&scene.shape(id).mesh.positions),
             Place::Normals(id) => flat(scene.shape(id).normals.per_vertex().unwrap_or_default()),
             Place::Texels(id, part) => scene.texture(id).data[numbers_of(scene, id, part)].to_vec(),
+            Place::ShapeToWorld(id) => matrix::numbers(&scene.shape(id).world_from_object),
             Place::SensorTranslation | Place::SensorRotation => vec![0.0; 3],
+            Place::SensorToWorld => matrix::numbers(&scene.sensor.world_from_camera),
+            Place::SensorOptic(optic) => vec![optic_value(scene, optic)],
         }
     }
 
     /// Replaces its numbers. Computed normals follow the positions, given ones
     /// are made unit; the sensor moves and turns from where it is, by a vector
-    /// along the axis with the angle as its length.
+    /// along the axis with the angle as its length. A matrix takes the shape with
+    /// it.
     ///
     /// Refuses another count, numbers that are not finite, normals without
-    /// direction, and positions that part vertices which lie at the same place,
+    /// direction, matrices that cannot be inverted or whose last row is not `0 0 0
+    /// 1`, and positions that part vertices which lie at the same place,
     /// and leaves the scene as it was then. Ask [`Scene::check`] whether what
     /// came out can be rendered.
     pub fn set(&self, scene: &mut Scene, numbers: &[f64]) -> Result<(), ParameterError> {
-        self.check(numbers)?;
+        self.check(scene, numbers)?;
         match self.place {
             Place::Positions(id) => {
                 let shape = &mut scene.shapes[id.0 as usize];
@@ -217,14 +268,23 @@ impl ArrayParameter {
                 let range = numbers_of(scene, id, part);
                 scene.texture_mut(id).data[range].copy_from_slice(numbers);
             }
+            Place::ShapeToWorld(id) => {
+                matrix::place(&mut scene.shapes[id.0 as usize], matrix::affine(numbers));
+            }
             Place::SensorTranslation | Place::SensorRotation => {
                 *scene = scene.moved(&self.motion(scene, numbers), 1.0);
+            }
+            Place::SensorToWorld => scene.sensor.world_from_camera = matrix::affine(numbers),
+            Place::SensorOptic(optic) => {
+                if let Some(number) = scene.sensor.model.optic_mut(optic) {
+                    *number = numbers[0] * optic_scale(optic);
+                }
             }
         }
         Ok(())
     }
 
-    fn check(&self, numbers: &[f64]) -> Result<(), ParameterError> {
+    fn check(&self, scene: &Scene, numbers: &[f64]) -> Result<(), ParameterError> {
         if numbers.len() != self.count() {
             return Err(ParameterError::ArrayLength {
                 name: self.name.clone(),
@@ -248,10 +308,19 @@ impl ArrayParameter {
                 return Err(bad(3 * vertex, "normals that are longer than 0"));
             }
         }
-        Ok(())
+        let old = match self.place {
+            Place::ShapeToWorld(id) => &scene.shape(id).world_from_object,
+            Place::SensorToWorld => &scene.sensor.world_from_camera,
+            _ => return Ok(()),
+        };
+        match matrix::refusal(numbers, old) {
+            None => Ok(()),
+            Some((index, expected)) => Err(bad(index, expected)),
+        }
     }
 
-    /// The motion in which its numbers change at these velocities.
+    /// The motion in which its numbers change at these velocities. The last row of
+    /// a matrix stays as it is.
     ///
     /// # Panics
     /// If there are not as many.
@@ -276,8 +345,18 @@ impl ArrayParameter {
                 data[numbers_of(scene, id, part)].copy_from_slice(velocities);
                 motion.textures[id.0 as usize] = Some(data);
             }
+            Place::ShapeToWorld(id) => {
+                let of_shape = matrix::shape_motion(scene.shape(id), velocities);
+                motion.shapes[id.0 as usize] = Some(of_shape);
+            }
             Place::SensorTranslation => motion.sensor.translation = vectors(velocities)[0],
             Place::SensorRotation => motion.sensor.rotation = vectors(velocities)[0],
+            Place::SensorToWorld => motion.sensor = matrix::sensor_motion(velocities),
+            Place::SensorOptic(optic) => {
+                motion
+                    .sensor
+                    .add_optic(optic, velocities[0] * optic_scale(optic));
+            }
         }
         motion
     }
@@ -310,8 +389,16 @@ impl ArrayParameter {
                 let data = gradient.textures[id.0 as usize].as_ref();
                 data.map(|data| data[numbers_of(scene, id, part)].to_vec())
             }
+            Place::ShapeToWorld(id) => {
+                let of_shape = gradient.shapes[id.0 as usize].as_ref();
+                of_shape.map(|covectors| matrix::shape_gradient(scene.shape(id), covectors))
+            }
             Place::SensorTranslation => Some(flat(&[gradient.sensor.translation])),
             Place::SensorRotation => Some(flat(&[gradient.sensor.rotation])),
+            Place::SensorToWorld => Some(matrix::sensor_gradient(&gradient.sensor)),
+            Place::SensorOptic(optic) => Some(vec![
+                gradient.sensor.optics[optic as usize] * optic_scale(optic),
+            ]),
         }
         .unwrap_or_else(|| vec![0.0; self.count()])
     }

@@ -6,6 +6,7 @@ use super::{Parameter, ParameterKind};
 use crate::emitter::Emitter;
 use crate::quantity::Quantity;
 use crate::scene::{BsdfId, Scene, ShapeId};
+use crate::sensor::Optic;
 use crate::shape::Shape;
 use crate::texture::{Part, TextureId};
 
@@ -19,6 +20,7 @@ pub(super) enum Target {
     Texels(TextureId, Part, Quantity, Channel),
     TranslateSensor(usize),
     RotateSensor(usize),
+    SensorOptic(Optic),
 }
 
 /// Which channels of a colour change.
@@ -217,23 +219,60 @@ fn add_contradiction(scene: &Scene, id: BsdfId, entries: &mut Vec<Entry>) {
 
 fn add_sensor(scene: &Scene, entries: &mut Vec<Entry>) {
     let own = &scene.sensor.id;
+    let mut add = |number: String, target| {
+        let name = format!("sensor.{number}");
+        entries.push(Entry::new(name.clone(), target));
+        if own != "sensor" {
+            entries.push(Entry {
+                name: format!("{own}.{number}"),
+                target: Some(target),
+                alias_of: Some(name),
+            });
+        }
+    };
     let motions = [
         ("translate", Target::TranslateSensor as fn(usize) -> Target),
         ("rotate", Target::RotateSensor),
     ];
     for (verb, target) in motions {
         for (axis, letter) in AXES.iter().enumerate() {
-            let name = format!("sensor.{verb}.{letter}");
-            entries.push(Entry::new(name.clone(), target(axis)));
-            if own != "sensor" {
-                entries.push(Entry {
-                    name: format!("{own}.{verb}.{letter}"),
-                    target: Some(target(axis)),
-                    alias_of: Some(name),
-                });
-            }
+            add(format!("{verb}.{letter}"), target(axis));
         }
     }
+    for optic in Optic::ALL {
+        if scene.sensor.model.optic(optic).is_some() {
+            add(optic.name().into(), Target::SensorOptic(optic));
+        }
+    }
+}
+
+/// The sort, the unit and a description of a number of the sensor.
+pub(super) fn optic_text(optic: Optic) -> (ParameterKind, &'static str, &'static str) {
+    use ParameterKind::*;
+    match optic {
+        Optic::FovX => (
+            FieldOfView,
+            "degrees",
+            "horizontal field of view of the film",
+        ),
+        Optic::ApertureRadius => (ApertureRadius, "world units", "radius of the lens"),
+        Optic::FocusDistance => (FocusDistance, "world units", "depth that is sharp"),
+    }
+}
+
+/// How much the sensor's own number changes for a unit of the parameter: users
+/// have fields of view in degrees.
+pub(super) fn optic_scale(optic: Optic) -> f64 {
+    match optic {
+        Optic::FovX => 1.0_f64.to_radians(),
+        Optic::ApertureRadius | Optic::FocusDistance => 1.0,
+    }
+}
+
+/// What a number of the sensor is now, in the parameter's unit.
+pub(super) fn optic_value(scene: &Scene, optic: Optic) -> f64 {
+    let number = scene.sensor.model.optic(optic);
+    number.unwrap_or(0.0) / optic_scale(optic)
 }
 
 impl Entry {
@@ -290,6 +329,10 @@ impl Entry {
             Target::RotateSensor(axis) => {
                 let what = format!("turns the sensor about its origin, world {}", AXES[axis]);
                 (SensorRotation, vec![0.0], "radians", what)
+            }
+            Target::SensorOptic(optic) => {
+                let (kind, unit, what) = optic_text(optic);
+                (kind, vec![optic_value(scene, optic)], unit, what.to_owned())
             }
         };
         Some(Parameter {

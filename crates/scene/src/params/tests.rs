@@ -42,7 +42,10 @@ pub(super) fn example() -> Scene {
     };
     Scene {
         shapes: vec![
-            shape("ball", ball, ShadingNormals::Given(given), 2, None),
+            Shape {
+                world_from_object: place,
+                ..shape("ball", ball, ShadingNormals::Given(given), 2, None)
+            },
             shape("lamp", lamp, ShadingNormals::Face, 1, Some(EmitterId(0))),
             shape("-a.b+2*c", sheet, computed, 3, None),
         ],
@@ -72,9 +75,10 @@ pub(super) fn example() -> Scene {
             id: "eye".into(),
             world_from_camera: Affine::translate(Vec3::new(0.0, 1.0, -5.0))
                 * Affine::rotate(Vec3::new(0.1, 1.0, 0.0), 0.2),
-            model: SensorModel::Perspective {
+            model: SensorModel::ThinLens {
                 fov_x: 0.7,
-                principal_point_offset: [0.0; 2],
+                aperture_radius: 0.2,
+                focus_distance: 3.0,
             },
             near_clip: 0.01,
             far_clip: 1e4,
@@ -106,6 +110,8 @@ pub(super) fn numbers(scene: &Scene) -> Vec<Vec3> {
     }
     let camera = &scene.sensor.world_from_camera;
     numbers.extend([[0.0; 3], [1.0, 0.0, 0.0], [0.3, -0.2, 2.0]].map(|p| camera.point(p.into())));
+    let optics = scene.sensor.state().optics;
+    numbers.push(Vec3::new(optics.x.to_degrees(), optics.y, optics.z));
     numbers
 }
 
@@ -148,6 +154,23 @@ fn changed(scene: &Scene, parameter: &Parameter, h: f64) -> Scene {
         ParameterKind::SensorRotation => {
             *camera = about(camera.translation, Affine::rotate(axis, h)) * *camera;
         }
+        ParameterKind::FieldOfView
+        | ParameterKind::ApertureRadius
+        | ParameterKind::FocusDistance => {
+            let SensorModel::ThinLens {
+                fov_x,
+                aperture_radius,
+                focus_distance,
+            } = &mut scene.sensor.model
+            else {
+                unreachable!("the example has a lens")
+            };
+            match parameter.kind {
+                ParameterKind::FieldOfView => *fov_x += h.to_radians(),
+                ParameterKind::ApertureRadius => *aperture_radius += h,
+                _ => *focus_distance += h,
+            }
+        }
         ParameterKind::Radiance | ParameterKind::Reflectance => {
             let holders = ["red", "lamp.bsdf", "lamp.emitter", "sky"];
             let texture = holders.iter().position(|id| name.starts_with(id));
@@ -167,8 +190,8 @@ fn every_name_means_what_it_says() {
     let h = 1e-5;
     let parameters = list(&scene);
     // 3 shapes × 7, 2 emitters × 4, `red` and its aliases `both`, `ball.bsdf`
-    // and `lamp.bsdf` × 4, the sensor under two names × 6.
-    assert_eq!(parameters.len(), 21 + 8 + 16 + 12);
+    // and `lamp.bsdf` × 4, the sensor under two names × 9.
+    assert_eq!(parameters.len(), 21 + 8 + 16 + 18);
     for parameter in parameters {
         let says = |word: &str| parameter.name.contains(word);
         let is_colour = says(".radiance") || says(".reflectance");

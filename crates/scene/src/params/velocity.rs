@@ -4,7 +4,7 @@ use capwalk_geometry::topology::weld;
 use capwalk_math::Vec3;
 
 use super::error::{ParameterError, near};
-use super::registry::Target;
+use super::registry::{Target, optic_scale};
 use crate::motion::{Motion, ShapeMotion};
 use crate::scene::{Scene, ShapeId};
 use crate::shape::ShadingNormals;
@@ -37,6 +37,7 @@ pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mu
         }
         Target::TranslateSensor(along) => motion.sensor.translation += axis(along),
         Target::RotateSensor(about) => motion.sensor.rotation += axis(about),
+        Target::SensorOptic(optic) => motion.sensor.add_optic(optic, factor * optic_scale(optic)),
     }
 }
 

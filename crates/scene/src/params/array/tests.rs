@@ -58,10 +58,14 @@ fn random(count: usize, seed: u64) -> Vec<f64> {
 }
 
 /// Velocities that vertices at the same place share, and that keep normals
-/// unit.
+/// unit and the last rows of matrices.
 fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
-    let velocities = random(array.count(), 21);
+    let mut velocities = random(array.count(), 21);
     match array.place {
+        Place::ShapeToWorld(_) | Place::SensorToWorld => {
+            velocities[12..].fill(0.0);
+            velocities
+        }
         Place::Positions(id) => {
             let positions = &scene.shape(id).mesh.positions;
             flat(&shared(positions, &vectors(&velocities)))
@@ -100,8 +104,11 @@ fn arrays_are_listed_in_the_order_of_parameters() {
     let expected = [
         ("ball.positions", "(42, 3)"),
         ("ball.normals", "(42, 3)"),
+        ("ball.to_world", "(4, 4)"),
         ("lamp.positions", "(4, 3)"),
+        ("lamp.to_world", "(4, 4)"),
         ("-a.b+2*c.positions", "(225, 3)"),
+        ("-a.b+2*c.to_world", "(4, 4)"),
         ("lamp.emitter.radiance.value", "(3,)"),
         ("sky.radiance.value", "(3,)"),
         ("red.reflectance.value", "(3,)"),
@@ -111,7 +118,15 @@ fn arrays_are_listed_in_the_order_of_parameters() {
         ("sensor.translate", "(3,)"),
         ("eye.translate", "(3,)"),
         ("sensor.rotate", "(3,)"),
+        ("sensor.to_world", "(4, 4)"),
         ("eye.rotate", "(3,)"),
+        ("eye.to_world", "(4, 4)"),
+        ("sensor.x_fov", "(1,)"),
+        ("eye.x_fov", "(1,)"),
+        ("sensor.aperture_radius", "(1,)"),
+        ("eye.aperture_radius", "(1,)"),
+        ("sensor.focus_distance", "(1,)"),
+        ("eye.focus_distance", "(1,)"),
     ];
     assert_eq!(
         listed,
@@ -172,6 +187,27 @@ fn every_array_means_what_it_says() {
     }
 }
 
+/// Matrices that cannot put anything in the world leave it as it was.
+#[test]
+fn wrong_matrices_are_refused() {
+    let scene = example();
+    for name in ["ball.to_world", "eye.to_world"] {
+        let array = named(&scene, name);
+        for (index, value, part) in [
+            (13, 0.1, "last row"),
+            (0, -9.0, "inverted"),
+            (5, f64::NAN, "finite"),
+        ] {
+            let mut numbers = array.get(&scene);
+            numbers[index] = value;
+            let mut other = scene.clone();
+            let error = array.set(&mut other, &numbers).expect_err("wrong");
+            assert!(error.to_string().contains(part), "{name}: {error}");
+            assert!(other == scene);
+        }
+    }
+}
+
 /// The same sum of products whether a gradient is read as an array or the
 /// array's change as a motion.
 #[test]
@@ -192,7 +228,8 @@ fn gradients_are_transposed_motions() {
     gradient.sensor = SensorMotion {
         translation: vectors(&random(3, 1))[0],
         rotation: vectors(&random(3, 2))[0],
-        ..SensorMotion::default()
+        axes: [0, 1, 2].map(|i| vectors(&random(9, 6))[i]),
+        optics: vectors(&random(3, 8))[0],
     };
     for array in arrays(&scene) {
         let velocities = admissible(&scene, &array);
@@ -203,7 +240,7 @@ fn gradients_are_transposed_motions() {
         assert!((dot - expected).abs() < 1e-12, "{name}: {dot} {expected}");
         assert!(expected.abs() > 1e-3, "{name}: nothing to compare");
         // A step along it is admissible.
-        stepped(&scene, &array, &read, -0.1);
+        stepped(&scene, &array, &read, -0.01);
         let nothing = array.gradient(&scene, &Motion::zero(&scene));
         assert_eq!(nothing, vec![0.0; array.count()], "{name}");
     }
