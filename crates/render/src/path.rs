@@ -197,8 +197,13 @@ struct FilmPoint<R> {
     /// Film area per solid angle over its value, times the field's stretch: 1,
     /// and its change.
     stretch: R,
-    /// Whether it can move; alike in both modes, which draw the same samples.
-    moves: bool,
+    near_boundary: bool,
+}
+
+impl<R: Real> FilmPoint<R> {
+    fn moves(&self) -> bool {
+        self.near_boundary || self.film.iter().any(|x| !x.is_constant())
+    }
 }
 
 /// The specular events since a direction was carried along a field.
@@ -352,7 +357,7 @@ impl<'a> Tracer<'a> {
         // centre: where the picture moves, averaging both removes most of its
         // noise.
         let other = self.film_point(world, camera, support.mirror(s), 1, draw);
-        if !point.moves && !other.moves {
+        if !point.moves() && !other.moves() {
             return self.share(world, support, &point, density, draw);
         }
         let both = self.share(world, support, &point, density, draw)
@@ -424,22 +429,17 @@ impl<'a> Tracer<'a> {
                 ray: view.ray(Vec3::constant(q)),
                 film: s.map(R::constant),
                 stretch: R::constant(1.0),
-                moves: false,
+                near_boundary: false,
             };
         }
         let (settings, numbers) = self.film_walk(walk, draw);
-        let eye = self.camera_eye(view);
-        let carried = world.carry(&eye, q, settings, numbers);
+        let carried = world.carry(&self.camera_eye(view), q, settings, numbers);
         let area = view.film_area_per_solid_angle(carried.direction);
-        let film = view.film(carried.direction);
-        // A sensor that only moves turns no direction, but reverse mode asks for
-        // its motion and its turn together.
-        let sensor_moves = !eye.position.is_constant() || film.iter().any(|x| !x.is_constant());
         FilmPoint {
             ray: view.ray(carried.direction),
-            film,
+            film: view.film(carried.direction),
             stretch: area * R::constant(1.0 / area.value()) * carried.stretch,
-            moves: carried.near_boundary || sensor_moves,
+            near_boundary: carried.near_boundary,
         }
     }
 

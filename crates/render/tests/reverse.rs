@@ -151,8 +151,19 @@ fn given_normals() {
 #[test]
 fn thin_lens() {
     for filter in [Filter::Box, Filter::Tent { radius: 1.0 }] {
-        let scene = through_lens(visible_ball(filter), 0.2, 3.0);
-        agree_in_both_modes("thin lens", scene, 3);
+        let mut scene = through_lens(visible_ball(filter), 0.2, 3.0);
+        agree_in_both_modes("thin lens", scene.clone(), 3);
+        small(&mut scene, 2);
+        // What is not wanted is constant in both modes.
+        for name in [
+            "sensor.translate.x",
+            "sensor.x_fov",
+            "sensor.aperture_radius",
+            "sensor.focus_distance",
+        ] {
+            let motion = params::motion(&scene, name).expect(name);
+            agree_along(name, &scene, &motion);
+        }
     }
 }
 
@@ -202,6 +213,28 @@ fn rough_materials() {
         alpha: n.number("alpha", 0.2),
     });
     agree_in_both_modes("rough materials", scene, 4);
+}
+
+/// Maps of normals and bumps, one of them blended.
+#[test]
+fn maps_of_normals() {
+    let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    unit_square(&mut scene, "floor");
+    make(&mut scene, "floor", |n| {
+        let nested = n.glossy();
+        let bumps = n.bump_map(0.3, nested);
+        Bsdf::Blend {
+            weight: n.number("part", 0.3),
+            nested: [n.part("bumps", bumps), n.diffuse("dust", [0.5; 3])],
+        }
+    });
+    make(&mut scene, "ball", |n| {
+        let nested = n.glossy();
+        n.normal_map(nested)
+    });
+    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
+    ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
+    agree_in_both_modes("maps of normals", scene, 4);
 }
 
 /// Adds a ball on either side of the thing.
