@@ -17,12 +17,21 @@ pub struct Deviation {
 }
 
 /// Bounds are two and a half times what was measured (docs/benchmarks.md).
-pub const DEVIATIONS: [Deviation; 1] = [Deviation {
-    scene: "coarse_normals",
-    reason: "the face decides which side is seen, not the interpolated normal (docs/scene-files.md)",
-    failing: 0.01,     // measured: 0.39 %
-    brightness: 0.003, // measured: 0.12 %
-}];
+pub const DEVIATIONS: [Deviation; 2] = [
+    Deviation {
+        scene: "coarse_normals",
+        reason: "the face decides which side is seen, not the interpolated normal (docs/scene-files.md)",
+        failing: 0.01,     // measured: 0.39 %
+        brightness: 0.003, // measured: 0.12 %
+    },
+    Deviation {
+        scene: "turned_normals",
+        reason: "normals of maps that turn away from the viewer are not turned back, which would \
+                 be a jump (docs/scene-files.md)",
+        failing: 0.06,    // measured: 2.38 %
+        brightness: 0.01, // measured: -0.39 %
+    },
+];
 
 /// Standard errors of the sum of all differences within which a picture counts
 /// as equal by a wide margin; a difference is called one at four.

@@ -48,15 +48,6 @@ pub fn load(args: &SceneArgs) -> Result<Scene> {
     Ok(scene)
 }
 
-/// [`load`] of a scene that is to be rendered.
-pub fn load_to_render(args: &SceneArgs) -> Result<Scene> {
-    let scene = load(args)?;
-    if let Some(text) = capwalk_render::unsupported_text(&scene) {
-        bail!("{}: {text}", args.scene);
-    }
-    Ok(scene)
-}
-
 fn from_file(args: &SceneArgs) -> Result<Scene> {
     let path = Path::new(&args.scene);
     if !path.exists() {

@@ -4,7 +4,7 @@ use crate::real::Real;
 use crate::vec3::Vec3;
 
 /// Three orthonormal directions, right-handed: `s × t = n`.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame<R = f64> {
     /// First tangent.
     pub s: Vec3<R>,

@@ -8,7 +8,6 @@ use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Source;
 use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
-use crate::unsupported::unsupported_text;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
 /// face indices of a shape follow those of the shapes before it.
@@ -51,15 +50,9 @@ const SHORT_OF_TARGET: f64 = 1e-9;
 
 impl<'s> Accel<'s> {
     /// Builds the tree of a checked scene.
-    ///
-    /// # Panics
-    /// If the scene has what cannot be rendered yet ([`crate::unsupported()`]).
     pub fn new(scene: &'s Scene) -> Self {
         let mut mesh = Mesh::default();
         let mut shape_of_face = Vec::new();
-        if let Some(text) = unsupported_text(scene) {
-            panic!("{text}; ask `unsupported` before");
-        }
         let (mut first_vertex, mut first_face) = (Vec::new(), Vec::new());
         for (i, shape) in scene.shapes.iter().enumerate() {
             first_vertex.push(mesh.positions.len() as u32);

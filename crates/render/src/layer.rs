@@ -32,9 +32,9 @@ pub fn layer_at<R: Real, W: World<R>>(
                 return Rgb::zero();
             };
             // Of a material that reflects to all directions alike; of others
-            // what Mitsuba takes, their value straight on.
+            // what Mitsuba takes, their value straight on; of maps, what is in them.
             let up = Vec3::constant(Vec3::new(0.0, 0.0, 1.0));
-            vertex.bsdf.eval(up, up) * R::constant(PI)
+            vertex.bsdf.levelled().eval(up, up) * R::constant(PI)
         }
         Layer::Mask => Rgb::splat(R::constant(1.0)),
     }

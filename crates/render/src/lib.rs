@@ -23,7 +23,6 @@ mod path;
 mod pixel;
 mod sampler;
 mod tiles;
-mod unsupported;
 mod world;
 
 pub use capwalk_walk::{Estimator, WalkSettings};
@@ -35,4 +34,3 @@ pub use diff::reverse::{Backward, backward};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use integrator::render;
 pub use options::{GradientOptions, Options, Refusal, Unwatched, Watch};
-pub use unsupported::{unsupported, unsupported_text};

@@ -19,15 +19,19 @@ pub fn vertex_at<R: Real, W: World<R>>(
     surface: &Surface<R>,
     direction: Vec3<R>,
 ) -> Option<Vertex<R>> {
-    let textures = &mut Textures { world, surface };
+    let mut frame = match surface.tangents {
+        // As in Mitsuba: the first axis follows the first texture coordinate.
+        Some([along_u, _]) => Frame::from_normal_and_tangent(surface.outward, along_u),
+        None => Frame::from_normal(surface.outward),
+    };
+    let textures = &mut Textures {
+        world,
+        surface,
+        frame,
+    };
     let resolver = &accel.resolver;
     let resolved = resolver.resolve(accel.scene, surface.material, surface.side, textures);
     resolved.bsdf.lobes().next()?;
-    let mut frame = match surface.tangent {
-        // As in Mitsuba: the first axis follows the first texture coordinate.
-        Some(tangent) => Frame::from_normal_and_tangent(surface.outward, tangent),
-        None => Frame::from_normal(surface.outward),
-    };
     if resolved.flipped {
         frame.n = -frame.n;
     }
@@ -48,12 +52,29 @@ pub fn vertex_at<R: Real, W: World<R>>(
 struct Textures<'a, R, W> {
     world: &'a W,
     surface: &'a Surface<R>,
+    /// The shading frame on the outside.
+    frame: Frame<R>,
 }
 
 impl<R: Real, W: World<R>> TexturesAt<R> for Textures<'_, R, W> {
     #[inline]
     fn value(&mut self, id: TextureId) -> Rgb<R> {
         self.world.lookup(id, &self.surface.point)
+    }
+    /// With the position `p(u, v)` and the axes `s` and `t`, where `s` is along
+    /// `∂p/∂u`: `h_u = (∂p/∂u·s) h_s` and `h_v = (∂p/∂v·s) h_s + (∂p/∂v·t) h_t`.
+    fn gradient(&mut self, id: TextureId) -> [Rgb<R>; 2] {
+        let (surface, frame) = (self.surface, &self.frame);
+        let Pattern::Bitmap(bitmap) = &self.world.scene().texture(id).pattern else {
+            unreachable!("scenes are checked for heights with slopes");
+        };
+        let Some([along_u, along_v]) = surface.tangents else {
+            return [Rgb::zero(); 2]; // texture coordinates that do not span the face
+        };
+        let [by_u, by_v] = bitmap.gradient(surface.point.uv, |index| self.world.texel(id, index));
+        let by_s = by_u / along_u.dot(frame.s);
+        let by_t = (by_v - by_s * along_v.dot(frame.s)) / along_v.dot(frame.t);
+        [by_s, by_t]
     }
     fn may_change(&self, id: TextureId) -> bool {
         let scene = self.world.scene();
@@ -66,9 +87,9 @@ impl<R: Real, W: World<R>> TexturesAt<R> for Textures<'_, R, W> {
 /// True if it matters, for the value or a derivative, how a material is turned
 /// about the normal.
 pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
-    any_part(scene, id, &|bsdf| {
+    any_part(scene, id, |bsdf| {
         matches!(bsdf, Plugin::Principled(_)) || is_anisotropic(scene, bsdf)
-    })
+    }) || scene.map_in(id).is_some()
 }
 
 /// True if it matters where on a face of a shape a ray meets it, besides the
@@ -82,7 +103,7 @@ pub fn needs_place(scene: &Scene, shape: &Shape) -> bool {
 
 /// True if the value depends on how a material is turned about the normal.
 pub fn looks_turned(scene: &Scene, id: BsdfId) -> bool {
-    any_part(scene, id, &|bsdf| is_anisotropic(scene, bsdf))
+    any_part(scene, id, |bsdf| is_anisotropic(scene, bsdf))
 }
 
 fn is_anisotropic(scene: &Scene, bsdf: &Plugin) -> bool {
@@ -101,7 +122,7 @@ fn is_anisotropic(scene: &Scene, bsdf: &Plugin) -> bool {
 
 /// True if a material can reflect, refract or pass light in one direction alone.
 pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
-    any_part(scene, id, &|bsdf| {
+    any_part(scene, id, |bsdf| {
         matches!(
             bsdf,
             Plugin::Conductor(_)
@@ -145,8 +166,8 @@ impl FlatEvents {
 /// Which perfectly specular events at a shape keep images in shape: mirrors must
 /// be flat, panes may be bent.
 pub fn flat_events(scene: &Scene, shape: &Shape) -> FlatEvents {
-    let any = |holds: fn(&Plugin) -> bool| any_part(scene, shape.bsdf, &holds);
-    let turns = |bsdf: &Plugin| matches!(bsdf, Plugin::NormalMap { .. } | Plugin::BumpMap { .. });
+    let any = |holds: fn(&Plugin) -> bool| any_part(scene, shape.bsdf, holds);
+    let turns = scene.map_in(shape.bsdf).is_some();
     let reflects = |bsdf: &Plugin| {
         matches!(
             bsdf,
@@ -163,31 +184,35 @@ pub fn flat_events(scene: &Scene, shape: &Shape) -> FlatEvents {
         )
     };
     FlatEvents {
-        reflects: any(reflects) && shape.normals.per_vertex().is_none() && !any(turns),
+        reflects: any(reflects) && shape.normals.per_vertex().is_none() && !turns,
         passes: any(passes),
     }
 }
 
 /// True if something holds for a material, or one that it is made of.
-fn any_part(scene: &Scene, id: BsdfId, holds: &impl Fn(&Plugin) -> bool) -> bool {
-    let bsdf = &scene.material(id).bsdf;
-    let mut parts = bsdf.parts().into_iter();
-    holds(bsdf) || parts.any(|part| any_part(scene, part, holds))
+fn any_part(scene: &Scene, id: BsdfId, holds: impl Fn(&Plugin) -> bool) -> bool {
+    let mut parts = scene.materials_below(id).into_iter();
+    parts.any(|part| holds(&scene.material(part).bsdf))
 }
 
-/// How the position on a face of a shape changes with the first texture
-/// coordinate, for edges from its first corner to the others; `None` without
-/// usable texture coordinates.
-pub fn tangent_of_face<R: Real>(
+/// How the position on a face of a shape changes with each texture coordinate,
+/// for edges from its first corner to the others; `None` without usable texture
+/// coordinates.
+pub fn tangents_of_face<R: Real>(
     shape: &Shape,
     face: usize,
     edges: [Vec3<R>; 2],
-) -> Option<Vec3<R>> {
+) -> Option<[Vec3<R>; 2]> {
     let [[u0, v0], [u1, v1], [u2, v2]] = shape.uvs.as_ref()?[face];
     let (du1, dv1, du2, dv2) = (u1 - u0, v1 - v0, u2 - u0, v2 - v0);
     let scale = 1.0 / (du1 * dv2 - du2 * dv1);
-    let along = edges[0] * R::constant(dv2 * scale) - edges[1] * R::constant(dv1 * scale);
-    along.value().is_finite().then_some(along)
+    let along = |a: f64, b: f64| {
+        let [a, b] = [a, b].map(|x| R::constant(x * scale));
+        edges[0] * a + edges[1] * b
+    };
+    let tangents = [along(dv2, -dv1), along(-du2, du1)];
+    let are_finite = tangents.iter().all(|tangent| tangent.value().is_finite());
+    are_finite.then_some(tangents)
 }
 
 impl<R: Real> Vertex<R> {
@@ -214,17 +239,17 @@ impl<R: Real> Vertex<R> {
 /// The textures that decide how a shape looks: those of its materials and of
 /// what it emits, attributes in the place of what looks them up.
 pub fn textures_of<'s>(scene: &'s Scene, shape: &Shape) -> Vec<&'s Texture> {
-    let mut materials = vec![shape.bsdf];
     let mut ids: Vec<TextureId> = shape
         .emitter
         .map(|id| scene.emitter(id).radiance())
         .into_iter()
         .collect();
-    while let Some(id) = materials.pop() {
-        let bsdf = &scene.material(id).bsdf;
-        materials.extend(bsdf.parts());
-        ids.extend(bsdf.slots().iter().map(|slot| slot.texture));
-    }
+    ids.extend(
+        scene
+            .slots_below(shape.bsdf)
+            .iter()
+            .map(|slot| slot.texture),
+    );
     let shown = |id| scene.texture(scene.numbers_of(id, shape));
     ids.into_iter().map(shown).collect()
 }

@@ -11,7 +11,7 @@ use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::diff::boundary::{Eye, Numbers};
-use crate::material::tangent_of_face;
+use crate::material::tangents_of_face;
 
 /// What a path reads of a scene, and how its directions move.
 pub trait World<R: Real> {
@@ -127,9 +127,9 @@ pub struct Surface<R> {
     out: f64,
     /// Unit shading normal on the outside.
     pub outward: Vec3<R>,
-    /// How the position changes with the first texture coordinate, if the
-    /// material asks for it and the shape has some.
-    pub tangent: Option<Vec3<R>>,
+    /// How the position changes with each texture coordinate, if the material asks
+    /// for it and the shape has some.
+    pub tangents: Option<[Vec3<R>; 2]>,
     /// Unit geometric normal on the viewer's side.
     pub face_normal: Vec3,
     /// Which side is seen.
@@ -209,8 +209,8 @@ pub fn surface_at<R: Real, W: World<R>>(
         cross,
         out,
         outward,
-        tangent: match accel.needs_tangent[shape_id.0 as usize] {
-            true => tangent_of_face(shape, face, [edge1, edge2]),
+        tangents: match accel.needs_tangent[shape_id.0 as usize] {
+            true => tangents_of_face(shape, face, [edge1, edge2]),
             false => None,
         },
         face_normal: face_normal * seen,

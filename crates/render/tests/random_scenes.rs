@@ -14,7 +14,7 @@ use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_render::{
     GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient, render,
 };
-use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, Principled, PrincipledIndex};
+use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
 use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, disk, icosphere, rectangle};
@@ -71,25 +71,14 @@ struct Builder {
 
 impl Builder {
     fn colour(&mut self) -> TextureId {
-        let id = format!("t{}", self.scene.textures.len());
-        let texture = match self.random.below(4) {
-            0 => Texture {
-                id,
-                channels: 3,
-                data: (0..4)
-                    .flat_map(|_| self.random.colour().to_array())
-                    .collect(),
-                pattern: Pattern::Bitmap(Bitmap {
-                    width: 2,
-                    height: 2,
-                    filter: TexelFilter::Bilinear,
-                    wrap: [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp][self.random.below(3)],
-                    to_uv: UvTransform::IDENTITY,
-                }),
-            },
-            _ => Texture::colour(id, self.random.colour()),
-        };
-        self.scene.add_texture(texture)
+        match self.random.below(4) {
+            0 => {
+                let colour = |_| self.random.colour().to_array();
+                let data = (0..4).flat_map(colour).collect();
+                self.bitmap(3, data)
+            }
+            _ => self.colour_alone(),
+        }
     }
 
     fn number(&mut self, low: f64, high: f64) -> TextureId {
@@ -152,8 +141,45 @@ impl Builder {
         }
     }
 
+    fn bitmap(&mut self, channels: usize, data: Vec<f64>) -> TextureId {
+        let id = format!("t{}", self.scene.textures.len());
+        self.scene.add_texture(Texture {
+            id,
+            channels,
+            data,
+            pattern: Pattern::Bitmap(Bitmap {
+                width: 2,
+                height: 2,
+                filter: TexelFilter::Bilinear,
+                wrap: [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp][self.random.below(3)],
+                to_uv: UvTransform::IDENTITY,
+            }),
+        })
+    }
+
+    fn normals(&mut self) -> TextureId {
+        let normal = |random: &mut Random| {
+            let turned = [random.number(0.2, 0.8), random.number(0.2, 0.8)];
+            [turned[0], turned[1], random.number(0.6, 1.0)]
+        };
+        let data = (0..4).flat_map(|_| normal(&mut self.random)).collect();
+        self.bitmap(3, data)
+    }
+
+    fn heights(&mut self) -> TextureId {
+        let data = (0..4).map(|_| self.random.fraction()).collect();
+        self.bitmap(1, data)
+    }
+
+    fn normal_limits(&mut self) -> NormalLimits {
+        NormalLimits {
+            flip_invalid: self.random.chance(0.8),
+            shadowing: self.random.chance(0.8),
+        }
+    }
+
     fn material(&mut self, depth: u32) -> BsdfId {
-        let kinds = if depth == 0 { 12 } else { 9 };
+        let kinds = if depth == 0 { 14 } else { 9 };
         let bsdf = match self.random.below(kinds) {
             0 | 1 => Bsdf::Diffuse {
                 reflectance: self.colour(),
@@ -181,6 +207,17 @@ impl Builder {
             10 => Bsdf::Mask {
                 opacity: self.fraction(),
                 nested: self.material(depth + 1),
+            },
+            11 => Bsdf::NormalMap {
+                normals: self.normals(),
+                nested: self.material(depth + 1),
+                limits: self.normal_limits(),
+            },
+            12 => Bsdf::BumpMap {
+                heights: self.heights(),
+                scale: self.number(-1.0, 1.0),
+                nested: self.material(depth + 1),
+                limits: self.normal_limits(),
             },
             _ => Bsdf::Blend {
                 weight: self.fraction(),

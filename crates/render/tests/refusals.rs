@@ -158,6 +158,7 @@ fn motion_under_parallel_rays() {
 fn numbers_without_a_slope() {
     let run = |base: [f64; 3], glass: f64, name: &str| {
         let mut scene = shadow_stage();
+        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
         make(&mut scene, "floor", |n| {
             Bsdf::Principled(Principled {
                 base_color: n.colour("base_color", base),
@@ -177,6 +178,46 @@ fn numbers_without_a_slope() {
         for reason in run(base, glass, name) {
             let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
             assert!(is_right, "{base:?} {glass} {name}: {reason}");
+        }
+    }
+}
+
+/// Maps that cut light off inside faces are refused when the cuts move: by the
+/// numbers of the map, by what moves, and not by anything else.
+#[test]
+fn maps_that_cut_light_off() {
+    let run = |flip_invalid: bool, shadowing: bool, name: &str| {
+        let mut scene = shadow_stage();
+        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+        unit_square(&mut scene, "floor");
+        make(&mut scene, "floor", |n| {
+            let nested = n.diffuse("nested", [0.5; 3]);
+            n.normal_map(nested)
+        });
+        for material in &mut scene.materials {
+            if let Bsdf::NormalMap { limits, .. } = &mut material.bsdf {
+                (limits.flip_invalid, limits.shadowing) = (flip_invalid, shadowing);
+            }
+        }
+        refusals(&scene, &motion(&scene, name)).map(|reason| reason.unwrap_or_default())
+    };
+    let (moves, turns, colours) = (
+        "lamp.translate.x",
+        "floor.bsdf.normalmap.data",
+        "lamp.emitter.radiance.value",
+    );
+    for (limits, name, why) in [
+        ([true, true], moves, ""),
+        ([true, true], turns, ""),
+        ([false, true], moves, "`flip_invalid_normals`"),
+        ([false, true], turns, "`flip_invalid_normals`"),
+        ([false, false], colours, ""),
+        ([true, false], moves, "`use_shadowing_function`"),
+        ([true, false], turns, ""),
+    ] {
+        for reason in run(limits[0], limits[1], name) {
+            let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
+            assert!(is_right, "{limits:?} {name}: {reason}");
         }
     }
 }

@@ -204,6 +204,28 @@ fn rough_materials() {
     agree_in_both_modes("rough materials", scene, 4);
 }
 
+/// Maps of normals and bumps, one of them blended.
+#[test]
+fn maps_of_normals() {
+    let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    unit_square(&mut scene, "floor");
+    make(&mut scene, "floor", |n| {
+        let nested = n.glossy();
+        let bumps = n.bump_map(0.3, nested);
+        Bsdf::Blend {
+            weight: n.number("part", 0.3),
+            nested: [n.part("bumps", bumps), n.diffuse("dust", [0.5; 3])],
+        }
+    });
+    make(&mut scene, "ball", |n| {
+        let nested = n.glossy();
+        n.normal_map(nested)
+    });
+    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
+    ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
+    agree_in_both_modes("maps of normals", scene, 4);
+}
+
 /// Adds a ball on either side of the thing.
 fn add_balls(scene: &mut Scene, names: [&str; 2]) {
     for (name, x) in names.into_iter().zip([-0.8, 0.9]) {

@@ -253,6 +253,7 @@ impl Places {
             SceneError::Mesh { shape, .. }
             | SceneError::DuplicateId { id: shape }
             | SceneError::NoTextureCoordinates { shape, .. }
+            | SceneError::NoDirections { shape, .. }
             | SceneError::NoAttribute { shape, .. } => shape_span(shape),
             SceneError::ZeroAreaLamp { shape } => {
                 let lamp = scene.shapes.iter().find(|s| s.id == *shape);

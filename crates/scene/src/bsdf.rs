@@ -82,8 +82,8 @@ pub enum Bsdf {
     BumpMap {
         /// Heights, in world units.
         heights: TextureId,
-        /// Factor on the heights.
-        scale: f64,
+        /// Factor on the heights; a constant.
+        scale: TextureId,
         /// The material.
         nested: BsdfId,
         /// What is done about normals that go too far.
@@ -208,6 +208,15 @@ impl Bsdf {
         }
     }
 
+    /// What is done about normals that go too far, if it is a map of normals or
+    /// heights.
+    pub fn normal_limits(&self) -> Option<NormalLimits> {
+        match self {
+            Self::NormalMap { limits, .. } | Self::BumpMap { limits, .. } => Some(*limits),
+            _ => None,
+        }
+    }
+
     /// The textures that stand in it.
     pub fn slots(&self) -> Vec<Slot> {
         use Quantity::*;
@@ -242,7 +251,10 @@ impl Bsdf {
             Self::Mask { opacity, .. } => add("opacity", *opacity, Fraction),
             Self::Blend { weight, .. } => add("weight", *weight, Fraction),
             Self::NormalMap { normals, .. } => add("normalmap", *normals, Normal),
-            Self::BumpMap { heights, .. } => add("nested_texture", *heights, Height),
+            Self::BumpMap { heights, scale, .. } => {
+                add("nested_texture", *heights, Height);
+                add("scale", *scale, SignedFactor);
+            }
         }
         slots
     }

@@ -11,6 +11,7 @@ pub mod film;
 pub mod filter;
 pub mod image;
 pub mod lobe;
+mod makeup;
 pub mod motion;
 pub mod params;
 pub mod primitive;

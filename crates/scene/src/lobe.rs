@@ -69,6 +69,7 @@ mod rough_dielectric;
 mod rough_plastic;
 mod rough_transmittance;
 mod thin_dielectric;
+mod tilt;
 mod visible_facets;
 
 pub use bsdf::{Bsdf, BsdfSample, Event, Side, Specular};
@@ -86,6 +87,7 @@ pub use rough_dielectric::RoughDielectric;
 pub use rough_plastic::RoughPlastic;
 pub use rough_transmittance::RoughTransmittance;
 pub use thin_dielectric::ThinDielectric;
+pub use tilt::Tilt;
 
 use capwalk_math::{Real, Rgb, Vec3};
 

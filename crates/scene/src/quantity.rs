@@ -11,6 +11,8 @@ pub enum Quantity {
     Irradiance,
     /// A factor of any size.
     Factor,
+    /// A factor of any size and either sign.
+    SignedFactor,
     /// Fraction of light reflected.
     Reflectance,
     /// Fraction of light transmitted.
@@ -43,7 +45,7 @@ impl Quantity {
             Self::Radiance => "radiance",
             Self::Intensity => "intensity",
             Self::Irradiance => "irradiance",
-            Self::Factor => "factor",
+            Self::Factor | Self::SignedFactor => "factor",
             Self::Reflectance => "reflectance",
             Self::Transmittance => "transmittance",
             Self::Roughness => "roughness",
@@ -62,7 +64,7 @@ impl Quantity {
             Self::Radiance => "radiance",
             Self::Intensity => "intensity",
             Self::Irradiance => "irradiance",
-            Self::Factor => "times what it is",
+            Self::Factor | Self::SignedFactor => "times what it is",
             Self::Reflectance => "fraction reflected",
             Self::Transmittance => "fraction transmitted",
             Self::Roughness => "root mean square slope times √2",
@@ -89,7 +91,7 @@ impl Quantity {
             | Self::Extinction => "finite numbers of at least 0",
             Self::RefractiveIndex { .. } => "finite numbers above 0",
             Self::Fraction => "numbers from 0 to 1",
-            Self::Normal | Self::Height | Self::Attribute => "finite numbers",
+            Self::SignedFactor | Self::Normal | Self::Height | Self::Attribute => "finite numbers",
         }
     }
 
@@ -107,16 +109,17 @@ impl Quantity {
             | Self::Extinction => number >= 0.0,
             Self::RefractiveIndex { .. } => number > 0.0,
             Self::Fraction => (0.0..=1.0).contains(&number),
-            Self::Normal | Self::Height | Self::Attribute => number.is_finite(),
+            Self::SignedFactor | Self::Normal | Self::Height | Self::Attribute => {
+                number.is_finite()
+            }
         }
     }
 
-    /// True if a change moves edges, seen from somewhere: what is seen through
-    /// clear glass or in a mirror moves.
+    /// True if a change moves edges: what is seen through clear glass moves. (What
+    /// is seen in a mirror with a map of normals is found while it is sampled.)
     pub fn moves_edges(self) -> bool {
         match self {
             Self::RefractiveIndex { bends } => bends,
-            Self::Normal | Self::Height => true,
             _ => false,
         }
     }

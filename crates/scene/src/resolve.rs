@@ -4,15 +4,18 @@ use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use crate::bsdf::{Bsdf, Coat, Facets, Glass, NormalLimits, Principled, PrincipledIndex};
-use crate::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side};
-use crate::scene::{BsdfId, Scene, SceneError};
+use crate::bsdf::{Bsdf, Coat, Facets, Glass, Principled, PrincipledIndex};
+use crate::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
+use crate::scene::{BsdfId, Scene};
 use crate::texture::TextureId;
 
 /// The textures at a point of a surface.
 pub trait TexturesAt<R> {
     /// The value of one.
     fn value(&mut self, id: TextureId) -> Rgb<R>;
+    /// How the value of a bitmap changes along the first two axes of the shading
+    /// frame, per unit of length.
+    fn gradient(&mut self, id: TextureId) -> [Rgb<R>; 2];
     /// True if derivatives by its texels may be asked for: also where there is
     /// none of something, its amount is a number that can change.
     fn may_change(&self, id: TextureId) -> bool;
@@ -35,31 +38,6 @@ pub struct Resolved<R> {
     /// True if the shading frame is to be turned over: the back of a two-sided
     /// material is the front of another.
     pub flipped: bool,
-    /// What turns the shading normal, if anything does.
-    pub perturbation: Option<Perturbation<R>>,
-}
-
-/// How a texture turns the shading normal.
-#[derive(Clone, Copy, Debug)]
-pub struct Perturbation<R> {
-    /// What it says.
-    pub source: Turned<R>,
-    /// What is done about normals that go too far.
-    pub limits: NormalLimits,
-}
-
-/// What a texture says about the shading normal.
-#[derive(Clone, Copy, Debug)]
-pub enum Turned<R> {
-    /// The normal in the shading frame, of any length.
-    To(Vec3<R>),
-    /// The surface is raised by `scale` times the texture.
-    ByHeights {
-        /// The heights.
-        heights: TextureId,
-        /// Factor on them.
-        scale: f64,
-    },
 }
 
 /// Weights of red, green and blue in a grey (Rec. 709), as in Mitsuba.
@@ -85,8 +63,12 @@ impl Resolver {
                 _ => None,
             })
             .collect();
+        let is_two_sided = |id| {
+            let mut parts = scene.materials_below(id).into_iter();
+            parts.any(|part| matches!(scene.material(part).bsdf, Bsdf::TwoSided { .. }))
+        };
         let ids = (0..scene.materials.len() as u32).map(BsdfId);
-        let two_sided = ids.map(|id| is_two_sided(scene, id)).collect();
+        let two_sided = ids.map(is_two_sided).collect();
         Self { coats, two_sided }
     }
 
@@ -103,18 +85,17 @@ impl Resolver {
             lobes: Vec::with_capacity(lobe::Bsdf::<R>::MAX_LOBES),
             flipped: false,
             is_opaque: self.two_sided[id.0 as usize],
-            perturbation: None,
+            tilt: None,
         };
         self.add(scene, id, side, R::constant(1.0), textures, &mut parts);
         let mut bsdf = lobe::Bsdf::default();
-        for (weight, lobe) in parts.lobes {
-            bsdf.push(weight, lobe);
+        for (weight, lobe, tilt) in parts.lobes {
+            bsdf.push_tilted(weight, lobe, tilt);
         }
         let side = if parts.flipped { Side::Front } else { side };
         Resolved {
             bsdf: bsdf.seen_from(side),
             flipped: parts.flipped,
-            perturbation: parts.perturbation,
         }
     }
 
@@ -162,11 +143,9 @@ impl Resolver {
                 limits,
             } => {
                 let normal = textures.value(*normals) * R::constant(2.0) - Rgb::splat(one);
-                parts.perturbation = Some(Perturbation {
-                    source: Turned::To(normal),
-                    limits: *limits,
-                });
+                parts.tilt = Some(Tilt::new(normal, *limits));
                 self.add(scene, *nested, side, weight, textures, parts);
+                parts.tilt = None;
             }
             Bsdf::BumpMap {
                 heights,
@@ -174,14 +153,12 @@ impl Resolver {
                 nested,
                 limits,
             } => {
-                parts.perturbation = Some(Perturbation {
-                    source: Turned::ByHeights {
-                        heights: *heights,
-                        scale: *scale,
-                    },
-                    limits: *limits,
-                });
+                let scale = number(scene, *scale, textures);
+                let slopes = textures.gradient(*heights);
+                let [x, y] = slopes.map(|slope| -grey(scene, *heights, slope) * scale);
+                parts.tilt = Some(Tilt::new(Vec3::new(x, y, one), *limits));
                 self.add(scene, *nested, side, weight, textures, parts);
+                parts.tilt = None;
             }
             one_sided => {
                 let coat = self.coats.get(id.0 as usize).and_then(Option::as_ref);
@@ -196,22 +173,30 @@ impl Resolver {
 
 /// What has been put together so far.
 struct Parts<R> {
-    lobes: Vec<(R, Lobe<R>)>,
+    lobes: Vec<(R, Lobe<R>, Option<Tilt<R>>)>,
     flipped: bool,
     /// There is a two-sided material: nothing may transmit, whatever changes.
     is_opaque: bool,
-    perturbation: Option<Perturbation<R>>,
+    /// That of the map which is looked into.
+    tilt: Option<Tilt<R>>,
 }
 
-impl<R> Parts<R> {
+impl<R: Real> Parts<R> {
     fn push(&mut self, weight: R, lobe: Lobe<R>) {
-        self.lobes.push((weight, lobe));
+        // What passes goes straight on, whatever the normal.
+        let passes = matches!(lobe, Lobe::Null(_));
+        let tilt = self.tilt.filter(|_| !passes);
+        self.lobes.push((weight, lobe, tilt));
     }
 }
 
 /// A texture as one number: the luminance if it is a colour.
 fn number<R: Real>(scene: &Scene, id: TextureId, textures: &mut impl TexturesAt<R>) -> R {
-    let value = textures.value(id);
+    grey(scene, id, textures.value(id))
+}
+
+/// A value of a texture, or a change of it, as one number.
+fn grey<R: Real>(scene: &Scene, id: TextureId, value: Rgb<R>) -> R {
     if scene.texture(id).channels == 1 {
         return value.x;
     }
@@ -342,145 +327,6 @@ fn principled_lobe<R: Real>(
             glass: glass_changes && !is_opaque,
             coat: coat_changes,
         },
-    }
-}
-
-/// True if there is a two-sided material in a material.
-fn is_two_sided(scene: &Scene, id: BsdfId) -> bool {
-    let bsdf = &scene.material(id).bsdf;
-    let mut parts = bsdf.parts().into_iter();
-    matches!(bsdf, Bsdf::TwoSided { .. }) || parts.any(|part| is_two_sided(scene, part))
-}
-
-/// How deep materials may be made of materials.
-const MAX_DEPTH: usize = 8;
-
-/// What matters of a material when others are made of it.
-#[derive(Clone, Copy, Default)]
-struct Makeup {
-    lobes: usize,
-    /// Some part of it shows the same to both sides of itself, but not alike.
-    has_inside: bool,
-    is_two_sided: bool,
-    is_perturbed: bool,
-}
-
-impl Scene {
-    /// Checks that materials can be resolved: not too many lobes, and nothing
-    /// in them that contradicts itself.
-    pub(crate) fn check_materials(&self) -> Result<(), SceneError> {
-        for (i, material) in self.materials.iter().enumerate() {
-            let bad = |problem| SceneError::Material {
-                material: material.id.clone(),
-                problem,
-            };
-            self.makeup(BsdfId(i as u32), 0).map_err(bad)?;
-            if let Bsdf::RoughPlastic { coat, alpha, .. } = &material.bsdf {
-                let constants = [*alpha, coat.int_ior, coat.ext_ior];
-                if !constants.iter().all(|&id| self.texture(id).is_constant()) {
-                    return Err(bad("a rough coat must have one roughness everywhere"));
-                }
-                let [alpha, inside, outside] = constants.map(|id| self.texture(id).texel(0).x);
-                if inside == outside {
-                    return Err(bad("a rough coat must not have the index of its outside"));
-                }
-                if alpha == 0.0 {
-                    return Err(bad("a rough coat must not be smooth; write plastic"));
-                }
-            }
-        }
-        Ok(())
-    }
-
-    fn makeup(&self, id: BsdfId, depth: usize) -> Result<Makeup, &'static str> {
-        if depth > MAX_DEPTH {
-            return Err("materials stand inside each other too deep; at most 8 may");
-        }
-        let below = |id: BsdfId| self.makeup(id, depth + 1);
-        let makeup = match &self.material(id).bsdf {
-            Bsdf::TwoSided { front, back } => {
-                let (front, back) = (below(*front)?, below(*back)?);
-                if front.is_two_sided || back.is_two_sided {
-                    return Err("a two-sided material must not be made of two-sided ones");
-                }
-                if front.has_inside || back.has_inside {
-                    return Err("a two-sided material must not be made of clear ones");
-                }
-                Makeup {
-                    lobes: front.lobes.max(back.lobes),
-                    is_two_sided: true,
-                    is_perturbed: front.is_perturbed || back.is_perturbed,
-                    ..Makeup::default()
-                }
-            }
-            Bsdf::Mask { nested, .. } => {
-                let nested = below(*nested)?;
-                Makeup {
-                    lobes: nested.lobes + 1,
-                    ..nested
-                }
-            }
-            Bsdf::Blend { nested, .. } => {
-                let [a, b] = [below(nested[0])?, below(nested[1])?];
-                if a.is_perturbed || b.is_perturbed {
-                    return Err(
-                        "a blend must not be made of materials with perturbed normals; \
-                                put the blend inside the map",
-                    );
-                }
-                if a.is_two_sided && b.has_inside || b.is_two_sided && a.has_inside {
-                    return Err("a blend must not be made of a two-sided and a clear material");
-                }
-                Makeup {
-                    lobes: a.lobes + b.lobes,
-                    has_inside: a.has_inside || b.has_inside,
-                    is_two_sided: a.is_two_sided || b.is_two_sided,
-                    is_perturbed: false,
-                }
-            }
-            Bsdf::NormalMap { nested, .. } | Bsdf::BumpMap { nested, .. } => {
-                let nested = below(*nested)?;
-                if nested.is_perturbed {
-                    return Err("normals are perturbed twice");
-                }
-                if nested.is_two_sided {
-                    return Err(
-                        "normals of a two-sided material are perturbed; put the map into \
-                                the two-sided material",
-                    );
-                }
-                Makeup {
-                    is_perturbed: true,
-                    ..nested
-                }
-            }
-            Bsdf::Dielectric(_) | Bsdf::RoughDielectric(..) | Bsdf::ThinDielectric(_) => Makeup {
-                lobes: 1,
-                has_inside: true,
-                ..Makeup::default()
-            },
-            Bsdf::Principled(principled) => {
-                let glass = &self.texture(principled.spec_trans);
-                Makeup {
-                    lobes: 1,
-                    has_inside: !glass.is_constant() || glass.data.iter().any(|&x| x > 0.0),
-                    ..Makeup::default()
-                }
-            }
-            Bsdf::Diffuse { .. }
-            | Bsdf::Conductor(_)
-            | Bsdf::RoughConductor(..)
-            | Bsdf::Plastic(_)
-            | Bsdf::RoughPlastic { .. }
-            | Bsdf::Null => Makeup {
-                lobes: 1,
-                ..Makeup::default()
-            },
-        };
-        match makeup.lobes > lobe::Bsdf::<f64>::MAX_LOBES {
-            true => Err("it is made of too many materials; at most 4 may be mixed"),
-            false => Ok(makeup),
-        }
     }
 }
 

@@ -92,6 +92,13 @@ pub enum SceneError {
         /// The texture.
         texture: String,
     },
+    /// A map of normals needs texture coordinates that the shape does not have.
+    NoDirections {
+        /// The shape.
+        shape: String,
+        /// The material with the map.
+        material: String,
+    },
     /// A texture asks for an attribute that the shape does not have.
     NoAttribute {
         /// The shape.
@@ -145,6 +152,12 @@ impl fmt::Display for SceneError {
                 f,
                 "the texture \"{texture}\" needs texture coordinates, but the mesh of \"{shape}\" \
                  has none; add them to all corners of the mesh, or give one colour"
+            ),
+            Self::NoDirections { shape, material } => write!(
+                f,
+                "the map of normals \"{material}\" needs texture coordinates to say in which \
+                 directions they turn, but the mesh of \"{shape}\" has none; add them to all \
+                 corners of the mesh, or use the material inside the map"
             ),
             Self::NoAttribute {
                 shape,
@@ -231,6 +244,12 @@ impl Scene {
             for slot in slots {
                 self.check_slot_on_shape(&slot, shape)?;
             }
+            if let Some(map) = self.map_in(shape.bsdf).filter(|_| shape.uvs.is_none()) {
+                return Err(SceneError::NoDirections {
+                    shape: shape.id.clone(),
+                    material: self.material(map).id.clone(),
+                });
+            }
         }
         Ok(())
     }
@@ -271,14 +290,27 @@ impl Scene {
         Ok(())
     }
 
+    /// A material and all that it is made of.
+    pub fn materials_below(&self, id: BsdfId) -> Vec<BsdfId> {
+        let mut found = vec![id];
+        for part in self.material(id).bsdf.parts() {
+            found.extend(self.materials_below(part));
+        }
+        found
+    }
+
+    /// A map of normals or heights in a material, if there is one.
+    pub fn map_in(&self, id: BsdfId) -> Option<BsdfId> {
+        let is_map = |id: &BsdfId| self.material(*id).bsdf.normal_limits().is_some();
+        self.materials_below(id).into_iter().find(is_map)
+    }
+
     /// The textures in a material and in all that it is made of.
     pub fn slots_below(&self, id: BsdfId) -> Vec<Slot> {
-        let bsdf = &self.material(id).bsdf;
-        let mut slots = bsdf.slots();
-        for part in bsdf.parts() {
-            slots.extend(self.slots_below(part));
-        }
-        slots
+        let materials = self.materials_below(id).into_iter();
+        materials
+            .flat_map(|id| self.material(id).bsdf.slots())
+            .collect()
     }
 
     /// The shape with this id.

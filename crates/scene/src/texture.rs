@@ -128,6 +128,11 @@ impl Texture {
         }
     }
 
+    /// True if its slopes are known: if it is a bitmap of interpolated texels.
+    pub fn has_slopes(&self) -> bool {
+        matches!(&self.pattern, Pattern::Bitmap(bitmap) if bitmap.filter == TexelFilter::Bilinear)
+    }
+
     /// Its value at texture coordinates `uv`. `texel` gives its texels, with
     /// or without derivatives. Rows of bitmaps begin at `v = 0`, the top of the
     /// picture, as in Mitsuba.

@@ -19,7 +19,7 @@ use crate::{console, moving, output, report, source};
 use objective::{Loss, Objective};
 
 pub fn run(args: &Backward) -> Result<Outcome> {
-    let scene = source::load_to_render(&args.scene)?;
+    let scene = source::load(&args.scene)?;
     let parameters = parameters(&scene, &args.param)?;
     check_names(&parameters, args.errors)?;
     let options = source::options(&args.sampling, &scene);

@@ -61,7 +61,7 @@ impl Reference {
 
 pub fn run(args: &Check) -> Result<Outcome> {
     let typed = &args.gradient;
-    let scene = source::load_to_render(&typed.scene)?;
+    let scene = source::load(&typed.scene)?;
     let motion = moving::motion(&scene, &typed.motion)?;
     let options = source::options(&typed.sampling, &scene);
     let stem = format!("{}-check", source::stem(&typed.scene));

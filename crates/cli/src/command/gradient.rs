@@ -12,7 +12,7 @@ use crate::progress::Progress;
 use crate::{console, moving, report, source};
 
 pub fn run(args: &Gradient) -> Result<Outcome> {
-    let scene = source::load_to_render(&args.scene)?;
+    let scene = source::load(&args.scene)?;
     let motion = moving::motion(&scene, &args.motion)?;
     let options = source::options(&args.sampling, &scene);
     let stem = format!("{}-gradient", source::stem(&args.scene));

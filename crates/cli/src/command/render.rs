@@ -10,7 +10,7 @@ use crate::progress::Progress;
 use crate::{console, report, source};
 
 pub fn run(args: &Render) -> Result<Outcome> {
-    let scene = source::load_to_render(&args.scene)?;
+    let scene = source::load(&args.scene)?;
     let options = source::options(&args.sampling, &scene);
     let stem = source::stem(&args.scene);
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;

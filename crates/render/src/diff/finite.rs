@@ -12,7 +12,6 @@ use crate::tiles::{self, Sample};
 use crate::world::AtRest;
 
 use super::boundary::{Counts, Draw};
-use super::refuse::refuse_unsupported;
 
 /// The derivative of the picture along `motion` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;
@@ -26,7 +25,6 @@ pub fn finite_difference(
     options: &Options,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    refuse_unsupported(scene)?;
     let sides = [step, -step].map(|step| scene.moved(motion, step));
     for side in &sides {
         side.check().map_err(|error| Refusal {

@@ -1,6 +1,6 @@
 //! The derivative picture in forward mode.
 
-use capwalk_scene::{Motion, Scene};
+use capwalk_scene::{Motion, Scene, TextureId};
 
 use crate::accel::Accel;
 use crate::estimate::GradientImage;
@@ -12,7 +12,7 @@ use crate::tiles::{self, Sample};
 use super::boundary::{Counts, Draw, Field};
 use super::motion::InMotion;
 use super::refuse::{
-    is_specular_somewhere, refuse_motion, refuse_uncovered, refuse_unsupported, refuse_walk,
+    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_uncovered, refuse_walk,
 };
 use super::slope::refuse_infinite_slopes;
 
@@ -26,12 +26,14 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    refuse_unsupported(scene)?;
     refuse_walk(&options.walk)?;
-    refuse_infinite_slopes(scene, |id| motion.textures[id.0 as usize].is_some())?;
+    let is_asked_for = |id: TextureId| motion.textures[id.0 as usize].is_some();
+    refuse_infinite_slopes(scene, is_asked_for)?;
     let accel = Accel::new(scene);
     let field = Field::new(&accel);
     let world = InMotion::new(&accel, &field, motion);
+    let turns = motion.shapes.iter().any(Option::is_some);
+    refuse_cut_normals(scene, turns || world.moves(), is_asked_for)?;
     if world.moves() {
         refuse_motion(&accel)?;
     }

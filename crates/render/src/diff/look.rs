@@ -1,14 +1,16 @@
 //! Where neighbouring faces of a shape look different although they may lie in one
 //! plane: by their shading normals, their textures, or how these turn them.
 
-use capwalk_math::Vec3;
 use capwalk_scene::{Integrator, Layer, Pattern, Scene, Shape, Texture};
 
-use crate::material::{needs_tangent, tangent_of_face, textures_of};
+use crate::material::{needs_tangent, tangents_of_face, textures_of};
 
 /// Unit normals that differ by less than this are the same: rounding to single
 /// precision moves them by about 1e-7.
 const SAME_NORMAL: f64 = 1e-6;
+
+/// Tangents that differ by less than this part of their length are the same.
+const SAME_TANGENT: f64 = 1e-6;
 
 /// Texture coordinates that differ by less than this are the same.
 const SAME_UV: f64 = 1e-6;
@@ -57,15 +59,17 @@ impl<'s> Look<'s> {
         })
     }
 
-    /// True if texture coordinates turn two neighbouring faces differently about
-    /// their normals.
+    /// True if two neighbouring faces show textures turned or stretched differently.
     fn tangents_differ(&self, faces: [u32; 2]) -> bool {
         let [first, second] = faces.map(|face| {
             let [a, b, c] = self.shape.mesh.corners(face as usize);
-            tangent_of_face(self.shape, face as usize, [b - a, c - a]).map(Vec3::normalized)
+            tangents_of_face(self.shape, face as usize, [b - a, c - a])
         });
         match (first, second) {
-            (Some(first), Some(second)) => (first - second).length() > SAME_NORMAL,
+            (Some(first), Some(second)) => first
+                .into_iter()
+                .zip(second)
+                .any(|(a, b)| (a - b).length() > SAME_TANGENT * a.length()),
             (None, None) => false,
             _ => true,
         }

@@ -1,13 +1,12 @@
 //! What cannot be differentiated rightly, said before or while it is tried.
 
-use capwalk_scene::{Emitter, Scene, SensorModel, Shape};
+use capwalk_scene::{Emitter, Scene, SensorModel, Shape, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::estimate::Statistics;
 use crate::material::{looks_turned, may_be_specular, textures_of};
 use crate::options::Refusal;
-use crate::unsupported::unsupported_text;
 
 use super::clip::refuse_clipped;
 use super::unfold::MAX_EVENTS;
@@ -86,6 +85,41 @@ fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
     }
 }
 
+/// A refusal if a map of normals cuts light off along curves inside faces, and
+/// these move: with the geometry, or with the numbers of the map.
+pub(super) fn refuse_cut_normals(
+    scene: &Scene,
+    moves: bool,
+    is_asked_for: impl Fn(TextureId) -> bool,
+) -> Result<(), Refusal> {
+    for shape in &scene.shapes {
+        for id in scene.materials_below(shape.bsdf) {
+            let material = scene.material(id);
+            let Some(limits) = material.bsdf.normal_limits() else {
+                continue;
+            };
+            let mut slots = material.bsdf.slots().into_iter();
+            let turns = slots.any(|slot| is_asked_for(scene.numbers_of(slot.texture, shape)));
+            let flag = if !limits.flip_invalid && (moves || turns) {
+                "flip_invalid_normals"
+            } else if !limits.shadowing && moves {
+                "use_shadowing_function"
+            } else {
+                continue;
+            };
+            return Err(Refusal {
+                reason: format!(
+                    "without `{flag}` the {} \"{}\" cuts light off along curves inside faces, \
+                     and their motion is not available. Set it to true, or use finite differences",
+                    material.bsdf.plugin(),
+                    material.id
+                ),
+            });
+        }
+    }
+    Ok(())
+}
+
 /// True if some shape has a material that can be perfectly specular.
 pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
     let mut shapes = scene.shapes.iter();
@@ -113,10 +147,8 @@ pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
 /// The reason why derivatives by whatever moves edges are refused for the scene,
 /// if they are.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
-    if let Err(refusal) = refuse_unsupported(scene) {
-        return Some(refusal);
-    }
-    refuse_motion(&Accel::new(scene)).err()
+    let found = refuse_cut_normals(scene, true, |_| false);
+    found.and_then(|()| refuse_motion(&Accel::new(scene))).err()
 }
 
 /// A refusal if the scene has what cannot be differentiated by what moves edges.
@@ -126,14 +158,6 @@ pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
     refuse_jumping_textures(accel.scene)?;
     refuse_turned_without_uvs(accel.scene)?;
     refuse_clipped(accel)
-}
-
-/// Refuses what cannot be rendered yet.
-pub(super) fn refuse_unsupported(scene: &Scene) -> Result<(), Refusal> {
-    match unsupported_text(scene) {
-        None => Ok(()),
-        Some(reason) => Err(Refusal { reason }),
-    }
 }
 
 /// A refusal if a walk does not give a continuous field.

@@ -5,7 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape};
-use capwalk_scene::{Image, Motion, Scene};
+use capwalk_scene::{Image, Motion, Scene, TextureId};
 use rayon::prelude::*;
 
 use crate::accel::Accel;
@@ -18,7 +18,7 @@ use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::recording::Recording;
 use super::refuse::{
-    is_specular_somewhere, refuse_motion, refuse_uncovered, refuse_unsupported, refuse_walk,
+    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_uncovered, refuse_walk,
 };
 use super::slope::refuse_infinite_slopes;
 
@@ -95,7 +95,6 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Backward, Refusal> {
-    refuse_unsupported(scene)?;
     refuse_walk(&options.walk)?;
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     if [adjoint.width, adjoint.height] != [width, height] {
@@ -107,7 +106,10 @@ pub fn backward(
         });
     }
     refuse_non_finite(adjoint)?;
-    refuse_infinite_slopes(scene, |id| wanted.textures[id.0 as usize])?;
+    let is_asked_for = |id: TextureId| wanted.textures[id.0 as usize];
+    refuse_infinite_slopes(scene, is_asked_for)?;
+    let turns = wanted.normals.contains(&true);
+    refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
     let accel = Accel::new(scene);
     if wanted.geometry() {
         refuse_motion(&accel)?;

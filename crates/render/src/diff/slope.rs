@@ -13,11 +13,8 @@ pub(super) fn refuse_infinite_slopes(
     is_asked_for: impl Fn(TextureId) -> bool,
 ) -> Result<(), Refusal> {
     for shape in &scene.shapes {
-        let mut materials = vec![shape.bsdf];
-        while let Some(id) = materials.pop() {
-            let bsdf = &scene.material(id).bsdf;
-            materials.extend(bsdf.parts());
-            let Bsdf::Principled(principled) = bsdf else {
+        for id in scene.materials_below(shape.bsdf) {
+            let Bsdf::Principled(principled) = &scene.material(id).bsdf else {
                 continue;
             };
             let numbers = Numbers { scene, shape };

@@ -1,7 +1,8 @@
 //! Materials for the cases.
 
-use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, Principled, PrincipledIndex};
+use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
 use capwalk_scene::lobe::Distribution;
+use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
 
 use super::*;
@@ -111,3 +112,77 @@ pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) ->
         scene.materials[place + 1].bsdf = Bsdf::Null; // not of this shape any more
     }
 }
+
+/// Numbers from 0 to 1 that look random.
+fn scattered(count: usize) -> impl Iterator<Item = f64> {
+    (0..count).map(|i| ((i * i * 7 + i * 13) % 17) as f64 / 16.0)
+}
+
+/// A bitmap of `size` by `size` texels, repeated.
+pub fn bitmap(id: String, size: usize, channels: usize, data: Vec<f64>) -> Texture {
+    Texture {
+        id,
+        channels,
+        data,
+        pattern: Pattern::Bitmap(Bitmap {
+            width: size as u32,
+            height: size as u32,
+            filter: TexelFilter::Bilinear,
+            wrap: Wrap::Repeat,
+            to_uv: UvTransform::IDENTITY,
+        }),
+    }
+}
+
+impl Slots<'_> {
+    /// A material under a map of normals that turn by up to 30 degrees.
+    pub fn normal_map(&mut self, nested: BsdfId) -> Bsdf {
+        let size = 4;
+        let turns = scattered(2 * size * size).map(|x| 0.5 + 0.4 * (x - 0.5));
+        let turns: Vec<f64> = turns.collect();
+        let data = turns.chunks(2).flat_map(|xy| [xy[0], xy[1], 0.95]);
+        let normals = bitmap(
+            format!("{}.normalmap", self.material),
+            size,
+            3,
+            data.collect(),
+        );
+        Bsdf::NormalMap {
+            normals: self.scene.add_texture(normals),
+            nested,
+            limits: SMOOTH_LIMITS,
+        }
+    }
+
+    /// A material under a map of bumps, of heights up to `height`.
+    pub fn bump_map(&mut self, height: f64, nested: BsdfId) -> Bsdf {
+        let size = 6;
+        let data = scattered(size * size).collect();
+        let heights = bitmap(format!("{}.heights", self.material), size, 1, data);
+        Bsdf::BumpMap {
+            heights: self.scene.add_texture(heights),
+            scale: self.number("scale", height),
+            nested,
+            limits: SMOOTH_LIMITS,
+        }
+    }
+
+    /// Half paint, half rough metal.
+    pub fn glossy(&mut self) -> BsdfId {
+        let metal = Bsdf::RoughConductor(self.copper(), self.facets(Distribution::Ggx, 0.4));
+        let blend = Bsdf::Blend {
+            weight: self.number("weight", 0.5),
+            nested: [
+                self.diffuse("paint", [0.7, 0.5, 0.3]),
+                self.part("metal", metal),
+            ],
+        };
+        self.part("glossy", blend)
+    }
+}
+
+/// What maps of normals do by default: nothing jumps.
+pub const SMOOTH_LIMITS: NormalLimits = NormalLimits {
+    flip_invalid: true,
+    shadowing: true,
+};

@@ -296,7 +296,8 @@ fn materials_come_back() {
 <texture name="normalmap" type="checkerboard"/><bsdf type="diffuse"/></bsdf></bsdf>
 <bsdf type="bumpmap" id="rough"><float name="scale" value="3"/>
 <boolean name="flip_invalid_normals" value="false"/>
-<texture name="whatever" type="checkerboard"/><bsdf type="plastic"/></bsdf>
+<texture name="whatever" type="bitmap"><string name="filename" value="sky.exr"/></texture>
+<bsdf type="plastic"/></bsdf>
 <shape type="rectangle" id="a"><ref id="mix"/></shape></scene>"#;
     let scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
     let directory = Directory::new("materials");

@@ -258,9 +258,7 @@ impl Writer<'_> {
                 xml.property("boolean", "nonlinear", coat.nonlinear);
             }
             Bsdf::Plastic(coat) => xml.property("boolean", "nonlinear", coat.nonlinear),
-            Bsdf::NormalMap { limits, .. } => xml.normal_limits(limits),
-            Bsdf::BumpMap { scale, limits, .. } => {
-                xml.property("float", "scale", scale);
+            Bsdf::NormalMap { limits, .. } | Bsdf::BumpMap { limits, .. } => {
                 xml.normal_limits(limits);
             }
             Bsdf::Diffuse { .. }

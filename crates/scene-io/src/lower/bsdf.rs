@@ -395,7 +395,7 @@ impl Lowering<'_> {
         let id = format!("{name}.nested_texture");
         Ok(Bsdf::BumpMap {
             heights: self.texture(node, &id, Quantity::Height)?,
-            scale: fields.float("scale", 1.0)?,
+            scale: self.number(fields, name, "scale", Quantity::SignedFactor, 1.0)?,
             nested: self.nested(fields, name)?,
             limits: normal_limits(fields)?,
         })

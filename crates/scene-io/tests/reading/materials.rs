@@ -161,8 +161,11 @@ fn parameters_have_the_names_that_users_type() {
 struct FirstTexels<'a>(&'a Scene);
 
 impl TexturesAt<f64> for FirstTexels<'_> {
-    fn value(&mut self, id: TextureId) -> Rgb<f64> {
+    fn value(&mut self, id: TextureId) -> Rgb {
         self.0.texture(id).texel(0)
+    }
+    fn gradient(&mut self, _: TextureId) -> [Rgb; 2] {
+        [Rgb::zero(); 2]
     }
     fn may_change(&self, _: TextureId) -> bool {
         false
@@ -298,6 +301,38 @@ fn materials_that_need_others() {
         &[
             "scene.xml:5:31: the bsdf \"bumpmap\" has no texture",
             "  put a <texture> with heights into it",
+        ],
+    );
+    let map = |plugin: &str, texture: &str| {
+        with(&format!(
+            "<bsdf type=\"{plugin}\"><bsdf type=\"diffuse\"/>{texture}</bsdf>"
+        ))
+    };
+    check(
+        &map(
+            "bumpmap",
+            "<texture name=\"heights\" type=\"checkerboard\"/>",
+        ),
+        &[
+            "scene.xml:5:31: the material \"box.bsdf\" cannot be rendered: the heights of a bump \
+             map must be a bitmap with the filter bilinear",
+        ],
+    );
+    check(
+        &map("normalmap", "<float name=\"normalmap\" value=\"0.5\"/>"),
+        &[
+            "scene.xml:5:31: the material \"box.bsdf\" cannot be rendered: a map of normals must \
+             have three channels",
+        ],
+    );
+    check(
+        &map(
+            "normalmap",
+            "<rgb name=\"normalmap\" value=\"0.5 0.5 0.5\"/>",
+        ),
+        &[
+            "scene.xml:5:31: the material \"box.bsdf\" cannot be rendered: a normal in its map is \
+             0 (the colour 0.5, 0.5, 0.5)",
         ],
     );
     check(

@@ -2,7 +2,7 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::{Drawn, Lobe};
+use super::{Drawn, Lobe, Tilt};
 
 /// Up to [`Bsdf::MAX_LOBES`] lobes with weights: what a surface does to light
 /// at a point.
@@ -13,6 +13,8 @@ use super::{Drawn, Lobe};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bsdf<R = f64> {
     lobes: [Option<(R, Lobe<R>)>; 4],
+    /// Lobes that have normals of their own.
+    tilts: [Option<Box<Tilt<R>>>; 4],
     /// Lobes that are chosen with [`LEAST_CHANCE`] at least.
     is_explored: [bool; 4],
     side: Option<Side>,
@@ -29,6 +31,24 @@ pub enum Side {
     Front,
     /// It points away.
     Back,
+}
+
+impl Side {
+    /// The direction, or its mirror image, that is on this side of the surface.
+    #[inline]
+    fn put<R: Real>(self, w: Vec3<R>) -> Vec3<R> {
+        // What is seen along the surface is on no side: put on the right one.
+        const MIN_COS: f64 = 1e-12;
+        let mut height = w.z.abs();
+        if height.value() < MIN_COS {
+            height = R::constant(MIN_COS);
+        }
+        let z = match self {
+            Side::Front => height,
+            Side::Back => -height,
+        };
+        Vec3::new(w.x, w.y, z)
+    }
 }
 
 /// What a perfectly specular surface can do to a path.
@@ -69,6 +89,7 @@ impl<R: Real> Default for Bsdf<R> {
     fn default() -> Self {
         Self {
             lobes: [const { None }; 4],
+            tilts: [const { None }; 4],
             is_explored: [false; 4],
             side: None,
         }
@@ -94,8 +115,31 @@ impl<R: Real> Bsdf<R> {
     ///
     /// If there is no place; refuse such materials when reading them.
     pub fn push(&mut self, weight: R, lobe: Lobe<R>) {
-        let place = self.lobes.iter_mut().find(|place| place.is_none());
-        *place.expect("materials of more lobes are refused when read") = Some((weight, lobe));
+        self.push_tilted(weight, lobe, None);
+    }
+
+    /// Adds a lobe that may have a normal of its own.
+    ///
+    /// # Panics
+    ///
+    /// If there is no place; refuse such materials when reading them.
+    pub fn push_tilted(&mut self, weight: R, lobe: Lobe<R>, tilt: Option<Tilt<R>>) {
+        let place = self.lobes.iter().position(Option::is_none);
+        let place = place.expect("materials of more lobes are refused when read");
+        self.lobes[place] = Some((weight, lobe));
+        self.tilts[place] = tilt.map(Box::new);
+    }
+
+    /// The same surface, all lobes about the shading normal.
+    #[must_use]
+    pub fn levelled(mut self) -> Self {
+        self.tilts = [const { None }; 4];
+        self
+    }
+
+    /// The tilts of the lobes, in the order of [`Bsdf::lobes`].
+    fn tilts(&self) -> impl Iterator<Item = Option<&Tilt<R>>> {
+        self.tilts.iter().map(Option::as_deref)
     }
 
     /// The lobes and their weights, in the order in which they were added.
@@ -116,23 +160,22 @@ impl<R: Real> Bsdf<R> {
         self
     }
 
-    /// `wi` on the side that is seen.
+    /// `wi` in a lobe's frame, on the side that is seen; `None` if the lobe shows
+    /// nothing there.
     #[inline]
-    fn seen(&self, wi: Vec3<R>) -> Vec3<R> {
-        // What is seen along the surface is on no side: put on the right one.
-        const MIN_COS: f64 = 1e-12;
-        let Some(side) = self.side else {
-            return wi;
+    fn seen(&self, wi: Vec3<R>, tilt: Option<&Tilt<R>>) -> Option<Vec3<R>> {
+        let Some(tilt) = tilt else {
+            return Some(match self.side {
+                None => wi,
+                Some(side) => side.put(wi),
+            });
         };
-        let mut height = wi.z.abs();
-        if height.value() < MIN_COS {
-            height = R::constant(MIN_COS);
-        }
-        let z = match side {
-            Side::Front => height,
-            Side::Back => -height,
-        };
-        Vec3::new(wi.x, wi.y, z)
+        let side = self.side.unwrap_or(match wi.z.value() < 0.0 {
+            true => Side::Back,
+            false => Side::Front,
+        });
+        let wi = side.put(wi);
+        (!tilt.is_turned_away(wi)).then(|| side.put(tilt.turned(wi)))
     }
 
     /// True if the lobe shows something to the side that is seen.
@@ -155,12 +198,17 @@ impl<R: Real> Bsdf<R> {
 
     /// `f(wi, wo) |cos wo|` of everything but perfectly specular parts.
     pub fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
-        let wi = self.seen(wi);
-        self.lobes()
-            .filter(|(_, lobe)| self.shows(lobe))
-            .fold(Rgb::zero(), |sum, (weight, lobe)| {
-                sum + lobe.eval(wi, wo) * *weight
-            })
+        let parts = self.lobes().zip(self.tilts());
+        let parts = parts.filter(|((_, lobe), _)| self.shows(lobe));
+        parts.fold(Rgb::zero(), |sum, ((weight, lobe), tilt)| {
+            let Some(wi) = self.seen(wi, tilt) else {
+                return sum;
+            };
+            sum + match tilt {
+                None => lobe.eval(wi, wo) * *weight,
+                Some(tilt) => lobe.eval(wi, tilt.turned(wo)) * (*weight * tilt.shown(wo)),
+            }
+        })
     }
 
     /// Where a perfectly specular event sends `wi`, and how much radiance
@@ -174,8 +222,18 @@ impl<R: Real> Bsdf<R> {
         let (weight, lobe) = self.lobes[event.lobe]
             .as_ref()
             .expect("events come from lobes that are there");
-        let (wo, throughput) = lobe.specular(event, self.seen(wi));
-        (wo, throughput * *weight)
+        let tilt = self.tilts[event.lobe].as_deref();
+        let seen = self.seen(wi, tilt);
+        let seen = seen.expect("events come from lobes that are seen");
+        let (own, throughput) = lobe.specular(event, seen);
+        let wo = match (event.event, tilt) {
+            // Straight on, whatever the normals.
+            (Event::Pass, _) => -wi,
+            (_, Some(tilt)) => tilt.turned_back(own),
+            (_, None) => own,
+        };
+        let shown = tilt.map_or(R::constant(1.0), |tilt| tilt.shown(wo));
+        (wo, throughput * (*weight * shown))
     }
 
     /// The surface with `f` of each weight and number, in order.
@@ -185,9 +243,10 @@ impl<R: Real> Bsdf<R> {
             is_explored: self.is_explored,
             ..Bsdf::default()
         };
-        for (weight, lobe) in self.lobes() {
+        for ((weight, lobe), tilt) in self.lobes().zip(self.tilts()) {
             let weight = f(*weight);
-            mapped.push(weight, lobe.map(f));
+            let lobe = lobe.map(f);
+            mapped.push_tilted(weight, lobe, tilt.map(|tilt| tilt.map(f)));
         }
         mapped
     }
@@ -227,11 +286,20 @@ impl Bsdf {
         if total <= 0.0 {
             return 0.0;
         }
-        let wi = self.seen(wi);
-        let sum: f64 = self
-            .chances()
-            .filter(|(chance, _)| *chance > 0.0)
-            .map(|(chance, lobe)| chance * lobe.pdf(wi, wo))
+        let parts = self.chances().zip(self.tilts());
+        let sum: f64 = parts
+            .filter(|((chance, _), _)| *chance > 0.0)
+            .map(|((chance, lobe), tilt)| {
+                let Some(wi) = self.seen(wi, tilt) else {
+                    return 0.0;
+                };
+                chance
+                    * match tilt {
+                        None => lobe.pdf(wi, wo),
+                        Some(tilt) if tilt.is_on_one_side(wo) => lobe.pdf(wi, tilt.turned(wo)),
+                        Some(_) => 0.0,
+                    }
+            })
             .sum();
         sum / total
     }
@@ -255,8 +323,14 @@ impl Bsdf {
             left -= chance;
         }
         let (place, lobe, chance, choice) = chosen?;
-        match lobe.sample(self.seen(wi), choice, u)? {
+        let tilt = self.tilts[place].as_deref();
+        let is_shown = |wo| tilt.is_none_or(|tilt| tilt.is_on_one_side(wo));
+        match lobe.sample(self.seen(wi, tilt)?, choice, u)? {
             Drawn::Smooth(wo) => {
+                let wo = tilt.map_or(wo, |tilt| tilt.turned_back(wo));
+                if !is_shown(wo) {
+                    return None;
+                }
                 let pdf = self.pdf(wi, wo);
                 (pdf > 0.0).then_some(BsdfSample {
                     wo,
@@ -266,8 +340,9 @@ impl Bsdf {
             }
             Drawn::Specular(event, probability) => {
                 let specular = Specular { lobe: place, event };
-                Some(BsdfSample {
-                    wo: self.specular(specular, wi).0,
+                let wo = self.specular(specular, wi).0;
+                is_shown(wo).then_some(BsdfSample {
+                    wo,
                     pdf: probability * chance / total,
                     specular: Some(specular),
                 })

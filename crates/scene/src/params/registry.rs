@@ -353,7 +353,7 @@ impl From<Quantity> for ParameterKind {
             Quantity::Radiance => Self::Radiance,
             Quantity::Intensity => Self::Intensity,
             Quantity::Irradiance => Self::Irradiance,
-            Quantity::Factor => Self::Factor,
+            Quantity::Factor | Quantity::SignedFactor => Self::Factor,
             Quantity::Reflectance => Self::Reflectance,
             Quantity::Attribute => Self::Attribute,
             Quantity::Transmittance => Self::Transmittance,

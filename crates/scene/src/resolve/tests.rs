@@ -1,8 +1,9 @@
 use super::*;
-use crate::bsdf::{Material, Metal};
+use crate::bsdf::{Material, Metal, NormalLimits};
 use crate::lobe::Distribution;
-use crate::texture::Texture;
-use capwalk_math::Dual;
+use crate::shape::Shape;
+use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
+use capwalk_math::{Affine, Dual};
 
 /// Textures with the values that a function says.
 struct Values<F>(F);
@@ -10,6 +11,9 @@ struct Values<F>(F);
 impl<R: Real, F: Fn(TextureId) -> Rgb<R>> TexturesAt<R> for Values<F> {
     fn value(&mut self, id: TextureId) -> Rgb<R> {
         self.0(id)
+    }
+    fn gradient(&mut self, _: TextureId) -> [Rgb<R>; 2] {
+        [0.25, -0.5].map(|slope| Rgb::constant(Rgb::splat(slope)))
     }
     fn may_change(&self, _: TextureId) -> bool {
         false
@@ -184,27 +188,88 @@ fn derivatives_pass_through() {
     assert_eq!(diffuse.reflectance.tangent(0), Rgb::new(1.0, 10.0, 100.0));
 }
 
+const LIMITS: NormalLimits = NormalLimits {
+    flip_invalid: true,
+    shadowing: true,
+};
+
+impl Materials {
+    /// A map of one normal around a material.
+    fn normal_map(&mut self, nested: BsdfId) -> BsdfId {
+        let normals = self.texture(Texture::colour("n", Rgb::new(0.5, 0.75, 1.0)));
+        self.add(Bsdf::NormalMap {
+            normals,
+            nested,
+            limits: LIMITS,
+        })
+    }
+}
+
+/// Each part of a blend has its own normal; what passes has none, and goes
+/// straight on.
 #[test]
-fn normal_maps_say_where_the_normal_is() {
+fn maps_tilt_what_is_in_them() {
     let mut materials = Materials::new();
-    let normals = materials.texture(Texture::colour("n", Rgb::new(0.5, 0.75, 1.0)));
-    let limits = NormalLimits {
-        flip_invalid: true,
-        shadowing: false,
-    };
-    let map = materials.add(Bsdf::NormalMap {
-        normals,
+    let half = materials.number(0.5);
+    let map = materials.normal_map(BsdfId(0));
+    let nested = [map, BsdfId(1)];
+    let blend = materials.add(Bsdf::Blend {
+        weight: half,
+        nested,
+    });
+    let veil = materials.add(Bsdf::Mask {
+        opacity: half,
+        nested: blend,
+    });
+    let resolved = materials.resolve(veil, Side::Front);
+    let tilt = Tilt::new(Vec3::new(0.0, 0.5, 1.0), LIMITS);
+    let mut expected = lobe::Bsdf::default();
+    expected.push_tilted(0.25, diffuse(FIRST), Some(tilt));
+    expected.push(0.25, diffuse(SECOND));
+    expected.push(0.5, Lobe::Null(lobe::Null));
+    assert_eq!(resolved.bsdf, expected.clone().seen_from(Side::Front));
+    // The same the other way round: only what is opaque is tilted.
+    let veil = materials.add(Bsdf::Mask {
+        opacity: half,
+        nested: BsdfId(0),
+    });
+    let map = materials.normal_map(veil);
+    let resolved = materials.resolve(map, Side::Front);
+    let mut expected = lobe::Bsdf::default();
+    expected.push_tilted(0.5, diffuse(FIRST), Some(tilt));
+    expected.push(0.5, Lobe::Null(lobe::Null));
+    assert_eq!(resolved.bsdf, expected.seen_from(Side::Front));
+}
+
+/// A surface that rises along an axis is tilted against it.
+#[test]
+fn heights_tilt_against_their_slope() {
+    let mut materials = Materials::new();
+    let heights = materials.texture(Texture {
+        id: "h".into(),
+        channels: 3,
+        data: vec![0.0; 3],
+        pattern: Pattern::Bitmap(Bitmap {
+            width: 1,
+            height: 1,
+            filter: TexelFilter::Bilinear,
+            wrap: Wrap::Repeat,
+            to_uv: UvTransform::IDENTITY,
+        }),
+    });
+    let scale = materials.number(2.0);
+    let map = materials.add(Bsdf::BumpMap {
+        heights,
+        scale,
         nested: BsdfId(1),
-        limits,
+        limits: LIMITS,
     });
     let resolved = materials.resolve(map, Side::Front);
-    assert_eq!(weights(&resolved), [(1.0, diffuse(SECOND))]);
-    let perturbation = resolved.perturbation.expect("a map");
-    assert_eq!(perturbation.limits, limits);
-    let Turned::To(normal) = perturbation.source else {
-        panic!("{perturbation:?}");
-    };
-    assert_eq!(normal, Vec3::new(0.0, 0.5, 1.0));
+    let [x, y] = [0.25, -0.5].map(|slope| -2.0 * slope);
+    let mut expected = lobe::Bsdf::default();
+    let tilt = Tilt::new(Vec3::new(x, y, 1.0), LIMITS);
+    expected.push_tilted(1.0, diffuse(SECOND), Some(tilt));
+    assert_eq!(resolved.bsdf, expected.seen_from(Side::Front));
 }
 
 #[test]
@@ -241,21 +306,17 @@ fn rough_coats_have_their_table() {
 
 #[test]
 fn contradictions_are_refused() {
-    let limits = NormalLimits {
-        flip_invalid: true,
-        shadowing: true,
-    };
-    type Make = fn(&mut Materials, NormalLimits);
-    let cases: [(Make, &str); 6] = [
+    type Make = fn(&mut Materials);
+    let cases: [(Make, &str); 9] = [
         (
-            |m, _| {
+            |m| {
                 let (front, back) = (BsdfId(2), BsdfId(0));
                 m.add(Bsdf::TwoSided { front, back });
             },
             "made of clear ones",
         ),
         (
-            |m, _| {
+            |m| {
                 let (front, back) = (BsdfId(0), BsdfId(1));
                 let both = m.add(Bsdf::TwoSided { front, back });
                 let (front, back) = (BsdfId(0), both);
@@ -264,7 +325,7 @@ fn contradictions_are_refused() {
             "made of two-sided ones",
         ),
         (
-            |m, _| {
+            |m| {
                 let (front, back) = (BsdfId(0), BsdfId(1));
                 let both = m.add(Bsdf::TwoSided { front, back });
                 let weight = m.number(0.5);
@@ -274,7 +335,7 @@ fn contradictions_are_refused() {
             "a two-sided and a clear material",
         ),
         (
-            |m, _| {
+            |m| {
                 let weight = m.number(0.5);
                 let mut nested = BsdfId(0);
                 for _ in 0..4 {
@@ -288,21 +349,44 @@ fn contradictions_are_refused() {
             "too many materials",
         ),
         (
-            |m, limits| {
-                let mut nested = BsdfId(0);
-                for _ in 0..2 {
-                    let normals = m.number(0.5);
-                    nested = m.add(Bsdf::NormalMap {
-                        normals,
-                        nested,
-                        limits,
-                    });
-                }
+            |m| {
+                let nested = m.normal_map(BsdfId(0));
+                m.normal_map(nested);
             },
             "perturbed twice",
         ),
         (
-            |m, _| {
+            |m| {
+                m.normal_map(BsdfId(0));
+                m.0.textures.last_mut().expect("its normal").data = vec![0.5; 3];
+            },
+            "a normal in its map is 0",
+        ),
+        (
+            |m| {
+                let normals = m.number(0.7);
+                m.add(Bsdf::NormalMap {
+                    normals,
+                    nested: BsdfId(0),
+                    limits: LIMITS,
+                });
+            },
+            "three channels",
+        ),
+        (
+            |m| {
+                let [heights, scale] = [m.number(0.5), m.number(1.0)];
+                m.add(Bsdf::BumpMap {
+                    heights,
+                    scale,
+                    nested: BsdfId(0),
+                    limits: LIMITS,
+                });
+            },
+            "a bitmap with the filter bilinear",
+        ),
+        (
+            |m| {
                 // Each made of the next, so that the first is the deepest.
                 let opacity = m.number(1.0);
                 for next in 5..2000 {
@@ -317,9 +401,24 @@ fn contradictions_are_refused() {
     ];
     for (make, expected) in cases {
         let mut materials = Materials::new();
-        make(&mut materials, limits);
+        make(&mut materials);
         let problem = materials.problem();
         assert!(problem.contains(expected), "{problem}");
         assert!(problem.starts_with("the material \"m"), "{problem}");
     }
+}
+
+/// Maps turn normals in directions that texture coordinates give.
+#[test]
+fn maps_need_texture_coordinates() {
+    let mut materials = Materials::new();
+    let bsdf = materials.normal_map(BsdfId(0));
+    let mut scene = materials.0;
+    let (mesh, normals) = crate::primitive::rectangle(Affine::IDENTITY);
+    scene.shapes = vec![Shape::new("floor", mesh, normals, bsdf)];
+    let message = scene.check().expect_err("no coordinates").to_string();
+    assert!(message.contains("\"floor\" has none"), "{message}");
+    let uvs = crate::primitive::rectangle_uvs(Affine::IDENTITY);
+    scene.shapes[0].uvs = Some(uvs);
+    assert_eq!(scene.check(), Ok(()));
 }

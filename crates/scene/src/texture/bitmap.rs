@@ -88,6 +88,36 @@ impl Wrap {
 }
 
 impl Bitmap {
+    /// How the value changes with both texture coordinates. `texel` is asked for
+    /// texels counted row by row.
+    ///
+    /// The value counts as a quadratic B-spline of the texels: slopes of
+    /// [`TexelFilter::Bilinear`] jump at their centres. Halfway between two centres
+    /// of a row both have the same slope along it.
+    pub fn gradient<R: Real>(
+        &self,
+        uv: [R; 2],
+        mut texel: impl FnMut(usize) -> Rgb<R>,
+    ) -> [Rgb<R>; 2] {
+        let [u, v] = self.to_uv.apply(uv);
+        let sizes = [self.width, self.height];
+        let [x, y] = [(u, self.width), (v, self.height)].map(|(x, n)| spline(x, n));
+        let [mut along_x, mut along_y] = [Rgb::zero(); 2];
+        for (row, (weight_y, slope_y)) in (y.first..).zip(y.weights) {
+            let row = self.wrap.apply(row, self.height) * self.width as usize;
+            for (column, (weight_x, slope_x)) in (x.first..).zip(x.weights) {
+                let value = texel(row + self.wrap.apply(column, self.width));
+                along_x += value * (slope_x * weight_y);
+                along_y += value * (weight_x * slope_y);
+            }
+        }
+        let [width, height] = sizes.map(|n| R::constant(f64::from(n)));
+        let (along_x, along_y) = (along_x * width, along_y * height);
+        // The transpose of the transform of texture coordinates.
+        let [[a, b, _], [c, d, _]] = self.to_uv.rows.map(|row| row.map(R::constant));
+        [along_x * a + along_y * c, along_x * b + along_y * d]
+    }
+
     /// The value at texture coordinates `uv`. `texel` is asked for texels
     /// counted row by row.
     pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
@@ -118,5 +148,31 @@ impl Bitmap {
                 first + (second - first) * t
             }
         }
+    }
+}
+
+/// Three texels of a row or column, and what they weigh in a quadratic B-spline.
+struct Spline<R> {
+    /// The first of them.
+    first: i64,
+    /// The weight of each and its derivative by the place, in texels.
+    weights: [(R, R); 3],
+}
+
+/// The spline at the place `x` of the unit interval, which has `n` texels.
+fn spline<R: Real>(x: R, n: u32) -> Spline<R> {
+    let constant = R::constant;
+    // The texel whose centre is nearest, and the way from there.
+    let x = x * constant(f64::from(n)) - constant(0.5);
+    let nearest = (x.value() + 0.5).floor();
+    let t = x - constant(nearest);
+    let (before, behind) = (constant(0.5) - t, constant(0.5) + t);
+    Spline {
+        first: (nearest as i64).saturating_sub(1),
+        weights: [
+            (constant(0.5) * before.squared(), -before),
+            (constant(0.75) - t.squared(), constant(-2.0) * t),
+            (constant(0.5) * behind.squared(), behind),
+        ],
     }
 }

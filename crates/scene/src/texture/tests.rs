@@ -304,3 +304,56 @@ fn shapes_must_have_what_textures_ask_for() {
     assert!(message.starts_with("wood.data, texel 1 is ("), "{message}");
     assert!(message.ends_with("at least 0"), "{message}");
 }
+
+/// Slopes are those of one smooth function: `∂/∂v` of that by `u` is `∂/∂u` of
+/// that by `v`, through a transform of coordinates and at borders; they do not
+/// jump at the centres of texels, and are linear in texels.
+#[test]
+fn slopes_of_bitmaps() {
+    for wrap in [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp] {
+        let Pattern::Bitmap(mut bitmap) = bitmap(TexelFilter::Bilinear, wrap).pattern else {
+            panic!("a bitmap");
+        };
+        let texels = self::bitmap(TexelFilter::Bilinear, wrap);
+        bitmap.to_uv.rows = [[0.9, -0.3, 0.1], [0.2, 1.1, -0.4]];
+        let at = |uv: [f64; 2]| bitmap.gradient(uv, |i| texels.texel(i));
+        for [u, v] in PLACES {
+            let uv = [Dual::<2>::variable(u, 0), Dual::variable(v, 1)];
+            let [by_u, by_v] = bitmap.gradient(uv, |i| Rgb::constant(texels.texel(i)));
+            assert_eq!([by_u.value(), by_v.value()], at([u, v]));
+            let curl = by_u.tangent(1) - by_v.tangent(0);
+            assert!(curl.length() < 1e-12, "({u}, {v}): {curl:?}");
+            // Beyond the border of a clamped one nothing changes along it.
+            let is_flat = by_u.tangent(1).length() < 1e-3;
+            assert!(!is_flat || wrap == Wrap::Clamp, "({u}, {v})");
+        }
+        for step in 0..40 {
+            let u = 0.1 * f64::from(step) - 1.0;
+            let [before, behind] = [-1e-9, 1e-9].map(|d| at([u + d, 0.7 * u])[0]);
+            assert!((before - behind).length() < 1e-6, "jumps at {u}");
+        }
+    }
+}
+
+/// A ramp has the same slope everywhere, that of the function that its texels
+/// follow.
+#[test]
+fn slope_of_a_ramp() {
+    let bitmap = Bitmap {
+        width: 8,
+        height: 5,
+        filter: TexelFilter::Bilinear,
+        wrap: Wrap::Clamp,
+        to_uv: UvTransform::IDENTITY,
+    };
+    // 2 u - 3 v at the centres.
+    let height = |i: usize| {
+        let (x, y) = ((i % 8) as f64 + 0.5, (i / 8) as f64 + 0.5);
+        Rgb::splat(2.0 * x / 8.0 - 3.0 * y / 5.0)
+    };
+    for uv in [[0.3, 0.4], [0.5, 0.5], [0.71, 0.33]] {
+        let [by_u, by_v] = bitmap.gradient(uv, height);
+        assert!((by_u - Rgb::splat(2.0)).length() < 1e-13, "{by_u:?}");
+        assert!((by_v + Rgb::splat(3.0)).length() < 1e-13, "{by_v:?}");
+    }
+}

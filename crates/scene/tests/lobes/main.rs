@@ -10,4 +10,5 @@ mod known;
 mod means;
 mod sides;
 mod table;
+mod tilted;
 mod tools;

@@ -1,0 +1,124 @@
+//! Gradients against finite differences, one scene per phenomenon: maps of normals
+//! and bumps. What is demanded of each case, and how often it raises a false alarm,
+//! is said in `phenomena_shadows.rs`.
+
+mod common;
+
+use capwalk_scene::*;
+use common::agree::*;
+use common::materials::*;
+use common::stages::*;
+use common::*;
+
+/// A floor under a lamp, seen from near by, not at grazing angles alone.
+fn mapped_floor(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
+    let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 40.0, 36);
+    add_floor(&mut scene, 3.0);
+    unit_square(&mut scene, "floor");
+    make(&mut scene, "floor", material);
+    add_lamp(&mut scene, v(0.1, 0.4, 2.6), 1.0, 0.3, 10.0);
+    scene
+}
+
+fn normal_mapped() -> Scene {
+    mapped_floor(|n| {
+        let nested = n.glossy();
+        n.normal_map(nested)
+    })
+}
+
+fn bumpy() -> Scene {
+    mapped_floor(|n| {
+        let nested = n.glossy();
+        n.bump_map(0.3, nested)
+    })
+}
+
+fn case(spp: u32) -> Case {
+    Case {
+        step: 4e-3,
+        gradient_spp: spp,
+        reference_spp: 2 * spp,
+        ..Case::default()
+    }
+}
+
+/// All numbers of a texture change, each at its own velocity.
+fn texels_change(scene: &Scene, id: &str) -> Motion {
+    let index = scene.textures.iter().position(|t| t.id == id);
+    let index = index.expect("a texture");
+    let mut motion = Motion::zero(scene);
+    let count = scene.textures[index].data.len();
+    motion.textures[index] = Some((0..count).map(|i| (i % 5) as f64 - 1.5).collect());
+    motion
+}
+
+/// Gives every path one more segment, so that the floor is seen from everywhere.
+fn with_indirect_light(mut scene: Scene) -> Scene {
+    let thing = placed(
+        small_ball(),
+        capwalk_math::Affine::translate(v(0.2, 0.3, -0.4)),
+    );
+    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.6);
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(3),
+        rr_depth: 100,
+        hide_emitters: false,
+    };
+    scene
+}
+
+#[test]
+fn normals_of_a_map() {
+    let scene = with_indirect_light(normal_mapped());
+    let motion = texels_change(&scene, "floor.bsdf.normalmap");
+    agree("normals", scene, &motion, case(100));
+}
+
+#[test]
+fn heights_of_bumps_and_their_scale() {
+    let scene = with_indirect_light(bumpy());
+    let mut along = texels_change(&scene, "floor.bsdf.heights");
+    along.add(&motion(&scene, "0.5*floor.bsdf.scale"));
+    agree("heights", scene, &along, case(100));
+}
+
+/// The maps move with the plane.
+#[test]
+fn mapped_planes_move() {
+    for scene in [normal_mapped(), bumpy()] {
+        let along = motion(&scene, "floor.translate.x + 0.3*floor.rotate.z");
+        agree("turning", scene, &along, case(100));
+    }
+    // Slopes follow the size of the surface.
+    let scene = bumpy();
+    let along = motion(&scene, "floor.scale + 0.2*floor.rotate.x");
+    agree("growing", scene, &along, case(100));
+}
+
+/// The camera moves over bumps, past a thing and its shadow.
+#[test]
+fn camera_over_bumps() {
+    let scene = with_indirect_light(bumpy());
+    let along = motion(&scene, "sensor.translate.y + 0.2*sensor.rotate.z");
+    agree("camera over bumps", scene, &along, case(400));
+}
+
+/// A smooth ball with a map of normals moves: seen at its rim, normals of the map
+/// turn away.
+#[test]
+fn mapped_ball_moves() {
+    let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    make(&mut scene, "ball", |n| {
+        let nested = n.glossy();
+        n.normal_map(nested)
+    });
+    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
+    ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
+    let along = motion(&scene, "ball.translate.x + 0.5*ball.rotate.z");
+    let case = Case {
+        step: 8e-3,
+        ..case(300)
+    };
+    agree("mapped ball", scene, &along, case);
+}
