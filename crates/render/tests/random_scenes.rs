@@ -336,6 +336,7 @@ fn random_scene(seed: u64) -> Scene {
     let from = random.vector(1.0).normalized() * random.number(1.0, 5.0);
     let mut scene = empty(from, random.vector(0.5), random.number(20.0, 90.0), 5);
     scene.sensor.near_clip = 1e-3;
+    make_sensor(&mut scene.sensor, &mut Random(seed ^ 0x5e45));
     scene.film.filter = match random.below(3) {
         0 => Filter::Box,
         1 => Filter::Tent { radius: 1.0 },
@@ -372,6 +373,25 @@ fn random_scene(seed: u64) -> Scene {
     builder.scene
 }
 
+/// A pinhole, a lens, or parallel rays.
+fn make_sensor(sensor: &mut Sensor, random: &mut Random) {
+    match random.below(5) {
+        0 => sensor.model = SensorModel::Orthographic,
+        1 | 2 => {
+            sensor.model = SensorModel::ThinLens {
+                fov_x: random.number(0.3, 1.5),
+                aperture_radius: random.number(0.01, 0.5),
+                focus_distance: random.number(0.5, 6.0),
+            };
+        }
+        _ => {}
+    }
+    if random.chance(0.3) {
+        let scale = Affine::scale(random.vector(2.0));
+        sensor.world_from_camera = sensor.world_from_camera * scale;
+    }
+}
+
 /// Velocities of some numbers of a scene.
 fn random_motion(scene: &Scene, random: &mut Random) -> Motion {
     let mut motion = Motion::zero(scene);
@@ -394,6 +414,13 @@ fn random_motion(scene: &Scene, random: &mut Random) -> Motion {
     if random.chance(0.3) {
         motion.sensor.translation = random.vector(1.0);
         motion.sensor.rotation = random.vector(1.0);
+    }
+    for array in params::arrays(scene) {
+        let is_of_sensor = array.name.starts_with("sensor.");
+        if (is_of_sensor || array.name.ends_with(".to_world")) && random.chance(0.1) {
+            let velocities = (0..array.count()).map(|_| random.number(-1.0, 1.0));
+            motion.add(&array.motion(scene, &velocities.collect::<Vec<_>>()));
+        }
     }
     motion
 }

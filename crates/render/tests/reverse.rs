@@ -151,8 +151,19 @@ fn given_normals() {
 #[test]
 fn thin_lens() {
     for filter in [Filter::Box, Filter::Tent { radius: 1.0 }] {
-        let scene = through_lens(visible_ball(filter), 0.2, 3.0);
-        agree_in_both_modes("thin lens", scene, 3);
+        let mut scene = through_lens(visible_ball(filter), 0.2, 3.0);
+        agree_in_both_modes("thin lens", scene.clone(), 3);
+        small(&mut scene, 2);
+        // What is not wanted is constant in both modes.
+        for name in [
+            "sensor.translate.x",
+            "sensor.x_fov",
+            "sensor.aperture_radius",
+            "sensor.focus_distance",
+        ] {
+            let motion = params::motion(&scene, name).expect(name);
+            agree_along(name, &scene, &motion);
+        }
     }
 }
 

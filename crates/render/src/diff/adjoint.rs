@@ -4,8 +4,8 @@
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Tape, Vec3};
 use capwalk_scene::{
-    Motion, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion, TextureId, corner_normals,
-    normal_sums,
+    Motion, Optic, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion, TextureId,
+    corner_normals, normal_sums,
 };
 
 use crate::accel::Accel;
@@ -22,10 +22,14 @@ pub struct Wanted {
     pub normals: Vec<bool>,
     /// The data of each texture: the numbers of materials and emitters.
     pub textures: Vec<bool>,
-    /// The sensor's place: its rays.
-    pub sensor: bool,
-    /// The sensor's other numbers.
-    pub optics: bool,
+    /// The sensor's position.
+    pub sensor_origin: bool,
+    /// How the sensor is turned.
+    pub sensor_axes: bool,
+    /// The radius of the sensor's lens.
+    pub aperture: bool,
+    /// The sensor's other numbers, which move the film under the rays.
+    pub film: bool,
 }
 
 impl Wanted {
@@ -35,8 +39,10 @@ impl Wanted {
             shapes: vec![true; scene.shapes.len()],
             normals: vec![true; scene.shapes.len()],
             textures: vec![true; scene.textures.len()],
-            sensor: true,
-            optics: true,
+            sensor_origin: true,
+            sensor_axes: true,
+            aperture: true,
+            film: true,
         }
     }
 
@@ -45,12 +51,18 @@ impl Wanted {
         let moves = |shape: &ShapeMotion| shape.vertices.iter().any(|&v| v != Vec3::zero());
         let turns = |shape: &ShapeMotion| shape.normals.is_some();
         let shapes = motion.shapes.iter().map(Option::as_ref);
+        let sensor = &motion.sensor;
+        let [left, up, forward] = sensor.axes;
+        let turning = [sensor.rotation, left, up, forward];
+        let optic = |optic: Optic| sensor.optics[optic as usize] != 0.0;
         Self {
             shapes: shapes.clone().map(|s| s.is_some_and(moves)).collect(),
             normals: shapes.map(|s| s.is_some_and(turns)).collect(),
             textures: motion.textures.iter().map(Option::is_some).collect(),
-            sensor: motion.sensor.moves_rays(),
-            optics: motion.sensor.optics != Vec3::zero(),
+            sensor_origin: sensor.translation != Vec3::zero(),
+            sensor_axes: turning.into_iter().any(|v| v != Vec3::zero()),
+            aperture: optic(Optic::ApertureRadius),
+            film: optic(Optic::FovX) || optic(Optic::FocusDistance),
         }
     }
 
@@ -64,13 +76,16 @@ impl Wanted {
         add(&mut self.shapes, &other.shapes);
         add(&mut self.normals, &other.normals);
         add(&mut self.textures, &other.textures);
-        self.sensor |= other.sensor;
-        self.optics |= other.optics;
+        self.sensor_origin |= other.sensor_origin;
+        self.sensor_axes |= other.sensor_axes;
+        self.aperture |= other.aperture;
+        self.film |= other.film;
     }
 
     /// True if curves in the picture depend on something wanted.
     pub fn geometry(&self) -> bool {
-        self.sensor || self.shapes.contains(&true)
+        let rays_move = self.sensor_origin || self.sensor_axes || self.aperture;
+        rays_move || self.shapes.contains(&true)
     }
 
     /// For every point of the boundaries, whether it depends on a shape that is

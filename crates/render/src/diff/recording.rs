@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 
 use capwalk_math::tape::Adjoints;
-use capwalk_math::{Rgb, Tape, Var, Vec3};
+use capwalk_math::{Real, Rgb, Tape, Var, Vec3};
 use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{Scene, TextureId};
 use capwalk_walk::WalkSettings;
@@ -193,13 +193,23 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
             origin,
             optics,
         } = self.accel.scene.sensor.state();
-        let (pose, wanted) = (self.wanted.sensor, self.wanted.optics);
+        let wanted = self.wanted;
         let variables =
             |wanted, value, target| self.variables(wanted, value, Origin::Scene(target));
+        let turns = wanted.sensor_axes;
+        let optic = |value: Var<'t>, wanted| match wanted {
+            true => value,
+            false => Var::constant(value.value()),
+        };
+        let moving = variables(wanted.aperture || wanted.film, optics, Target::SensorOptics);
         SensorState {
-            axes: [0, 1, 2].map(|i| variables(pose, axes[i], Target::SensorAxis(i))),
-            origin: variables(pose, origin, Target::SensorOrigin),
-            optics: variables(wanted, optics, Target::SensorOptics),
+            axes: [0, 1, 2].map(|i| variables(turns, axes[i], Target::SensorAxis(i))),
+            origin: variables(wanted.sensor_origin, origin, Target::SensorOrigin),
+            optics: Vec3::new(
+                optic(moving.x, wanted.film),
+                optic(moving.y, wanted.aperture),
+                optic(moving.z, wanted.film),
+            ),
         }
     }
     fn carry(
