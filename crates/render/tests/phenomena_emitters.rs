@@ -127,13 +127,16 @@ fn under_a_spot() -> Scene {
     let mut scene = under_a_sky(visible_cube());
     scene.emitters.clear();
     let intensity = scene.add_texture(Texture::colour("spot.intensity", Vec3::splat(8.0)));
+    let mut angle = |name: &str, value| scene.add_texture(Texture::number(name, value));
+    let cutoff_angle = angle("spot.cutoff_angle", 23.0);
+    let beam_width = angle("spot.beam_width", 11.5);
     let place = Affine::look_at(v(0.9, -0.6, 2.6), v(0.1, 0.0, 0.0), v(0.0, 1.0, 0.0));
     scene.emitters.push(Emitter::Spot {
         id: "spot".into(),
         world_from_emitter: place.expect("not along the up vector"),
         intensity,
-        cutoff_angle: 0.4,
-        beam_width: 0.2,
+        cutoff_angle,
+        beam_width,
     });
     scene
 }
@@ -151,6 +154,19 @@ fn reflectance_under_a_spot() {
         ..visible(500)
     };
     agree("reflectance under a spot", scene, &motion, case);
+}
+
+/// Where light falls off moves, but jumps nowhere.
+#[test]
+fn angles_of_a_spot() {
+    let scene = under_a_spot();
+    let motion = motion(&scene, "spot.cutoff_angle - 0.5*spot.beam_width");
+    let case = Case {
+        step: 0.1,
+        min_pixels: 300,
+        ..visible(500)
+    };
+    agree("angles of a spot", scene, &motion, case);
 }
 
 /// Hard shadows that move are refused by name.

@@ -3,6 +3,7 @@
 
 pub mod agree;
 pub mod materials;
+pub mod random;
 pub mod stages;
 
 use capwalk_geometry::Mesh;
