@@ -7,7 +7,7 @@ use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
 
 use crate::lamp::Source;
-use crate::material::{FlatEvents, flat_events, needs_tangent};
+use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
 /// face indices of a shape follow those of the shapes before it.
@@ -28,6 +28,8 @@ pub struct Accel<'s> {
     pub needs_tangent: Vec<bool>,
     /// What the camera sees from the middle of its lens.
     pub view: View<f64>,
+    /// Whether it matters where on a face of each shape a ray meets it.
+    pub needs_place: Vec<bool>,
     /// What materials need besides their textures.
     pub resolver: Resolver,
     /// What specular events at each shape keep images in shape.
@@ -79,6 +81,7 @@ impl<'s> Accel<'s> {
                 .map(|s| needs_tangent(scene, s.bsdf))
                 .collect(),
             view: scene.sensor.view(&scene.film),
+            needs_place: scene.shapes.iter().map(|s| needs_place(scene, s)).collect(),
             resolver: Resolver::new(scene),
             has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
             flat_events,

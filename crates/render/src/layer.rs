@@ -25,7 +25,7 @@ pub fn layer_at<R: Real, W: World<R>>(
             let [u, v] = surface.point.uv;
             Rgb::new(u, v, R::constant(0.0))
         }
-        Layer::GeometricNormal => surface.geometric,
+        Layer::GeometricNormal => surface.geometric(),
         Layer::ShadingNormal => surface.outward,
         Layer::Albedo => {
             let Some(vertex) = vertex_at(world, accel, surface, direction) else {

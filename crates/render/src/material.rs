@@ -3,7 +3,9 @@
 use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Bsdf, Event};
 use capwalk_scene::resolve::TexturesAt;
-use capwalk_scene::{Bsdf as Plugin, BsdfId, Pattern, Scene, Shape, Texture, TextureId};
+use capwalk_scene::{
+    Bsdf as Plugin, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId,
+};
 
 use crate::accel::Accel;
 use crate::path::Vertex;
@@ -88,6 +90,15 @@ pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
     any_part(scene, id, |bsdf| {
         matches!(bsdf, Plugin::Principled(_)) || is_anisotropic(scene, bsdf)
     }) || scene.map_in(id).is_some()
+}
+
+/// True if it matters where on a face of a shape a ray meets it, besides the
+/// position: for interpolated normals, for textures, for layers of these.
+pub fn needs_place(scene: &Scene, shape: &Shape) -> bool {
+    let mut textures = textures_of(scene, shape).into_iter();
+    shape.normals.per_vertex().is_some()
+        || textures.any(|texture| !texture.is_constant())
+        || matches!(scene.settings.integrator, Integrator::Aov(_))
 }
 
 /// True if the value depends on how a material is turned about the normal.

@@ -121,8 +121,10 @@ pub struct Surface<R> {
     pub position: Vec3<R>,
     /// The same on the shape.
     pub point: SurfacePoint<R>,
-    /// Unit normal of the face on the outside.
-    pub geometric: Vec3<R>,
+    /// Normal of the face by its winding, twice as long as the face is large.
+    cross: Vec3<R>,
+    /// 1 if that is on the outside, else -1.
+    out: f64,
     /// Unit shading normal on the outside.
     pub outward: Vec3<R>,
     /// How the position changes with each texture coordinate, if the material asks
@@ -134,6 +136,13 @@ pub struct Surface<R> {
     pub side: Side,
     /// The shape's material.
     pub material: BsdfId,
+}
+
+impl<R: Real> Surface<R> {
+    /// Unit geometric normal on the outside.
+    pub fn geometric(&self) -> Vec3<R> {
+        self.cross.normalized() * R::constant(self.out)
+    }
 }
 
 /// The surface at a hit of the ray from `origin` along `direction`. Which
@@ -165,11 +174,16 @@ pub fn surface_at<R: Real, W: World<R>>(
     } else {
         1.0
     };
-    // Barycentric weights by the areas opposite to the corners.
-    let offset = position - a;
-    let scale = R::constant(1.0) / cross.length_squared();
-    let wb = offset.cross(edge2).dot(cross) * scale;
-    let wc = edge1.cross(offset).dot(cross) * scale;
+    let [wb, wc] = match W::MOVES && accel.needs_place[shape_id.0 as usize] {
+        true => {
+            // Barycentric weights by the areas opposite to the corners.
+            let offset = position - a;
+            let scale = R::constant(1.0) / cross.length_squared();
+            let twice_area = |a: Vec3<R>, b: Vec3<R>| a.cross(b).dot(cross) * scale;
+            [twice_area(offset, edge2), twice_area(edge1, offset)]
+        }
+        false => hit.barycentric.map(R::constant),
+    };
     let barycentric = [R::constant(1.0) - wb - wc, wb, wc];
     // Normals given with a mesh say which side of a face is out, even against
     // its winding; all three together, so that it is the same all over it.
@@ -192,7 +206,8 @@ pub fn surface_at<R: Real, W: World<R>>(
             barycentric,
             uv: shape.uv(face, barycentric),
         },
-        geometric: cross.normalized() * R::constant(out),
+        cross,
+        out,
         outward,
         tangents: match accel.needs_tangent[shape_id.0 as usize] {
             true => tangents_of_face(shape, face, [edge1, edge2]),

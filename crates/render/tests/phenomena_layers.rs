@@ -37,12 +37,6 @@ fn close_ball() -> Scene {
 }
 
 #[test]
-fn depth() {
-    let expression = "thing.translate.x + 0.5*sensor.translate.z - thing.rotate.y";
-    layer_case(Layer::Depth, visible_cube(), expression);
-}
-
-#[test]
 fn position() {
     let mut scene = visible_cube();
     scene.film.filter = Filter::Tent { radius: 1.0 };
@@ -82,15 +76,6 @@ fn albedo() {
         visible_cube(),
         "thing.translate.x + sensor.rotate.y",
     );
-}
-
-/// A silhouette, every pixel's derivative of which is at the outline.
-#[test]
-fn mask() {
-    let mut scene = close_ball();
-    scene.shapes.retain(|shape| shape.id == "ball");
-    scene.emitters.clear();
-    layer_case(Layer::Mask, scene, "ball.translate.x + 0.5*ball.scale");
 }
 
 /// The area of a mask grows as the area of the disk that is seen: a closed form

@@ -1,14 +1,13 @@
-//! Gradients against finite differences, one scene per phenomenon: materials.
+//! Gradients against finite differences: the numbers of materials, where they
+//! are at their limits and in textures; things that move are in `tests/scenes`.
 //! What is demanded of each case, and how often it raises a false alarm, is said
 //! in `phenomena_shadows.rs`.
 
 mod common;
 
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::Affine;
 use capwalk_render::check::{Verdict, compare};
-use capwalk_render::{
-    GradientImage, GradientOptions, Options, Refusal, Unwatched, WalkSettings, gradient,
-};
+use capwalk_render::{GradientOptions, Options, Unwatched, WalkSettings, gradient};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::rectangle;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
@@ -24,159 +23,6 @@ fn paths(scene: &mut Scene, segments: u32) {
         rr_depth: 100,
         hide_emitters: false,
     };
-}
-
-fn run(scene: &Scene, expression: &str) -> Result<GradientImage, Refusal> {
-    let settings = GradientOptions {
-        options: Options {
-            spp: 16,
-            seed: 1,
-            threads: None,
-        },
-        walk: WalkSettings::default(),
-    };
-    gradient(scene, &motion(scene, expression), &settings, &Unwatched)
-}
-
-/// A wall that reaches past the picture's borders, across the view along y.
-fn add_wall(scene: &mut Scene, id: &str, y: f64) {
-    let upright = Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2);
-    let (mesh, normals) =
-        rectangle(Affine::translate(v(0.0, y, 1.2)) * upright * Affine::scale(v(1.5, 1.2, 1.0)));
-    add(scene, id, mesh, normals, 0.5);
-}
-
-/// A floor with the shadow of a thing, which hangs higher than any ray to the
-/// floor gets. `eye` says from where along y it is seen.
-fn shadow_from_below(eye: Vec3, to: Vec3) -> Scene {
-    let mut scene = empty(eye, to, 24.0, 36);
-    scene.sensor.world_from_camera =
-        Affine::look_at(eye, to, v(0.0, 0.0, 1.0)).expect("not along the up vector");
-    add_floor(&mut scene, 4.0);
-    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
-    let high = placed(triangle(), Affine::translate(v(0.0, 0.0, 0.5)));
-    add(&mut scene, "thing", high, ShadingNormals::Face, 0.5);
-    paths(&mut scene, 3);
-    scene
-}
-
-/// The floor as a mirror behind the camera shows it.
-fn seen_in_a_mirror() -> Scene {
-    let mut scene = shadow_from_below(v(0.0, -1.0, 1.4), v(0.0, -4.1, 0.0));
-    add_wall(&mut scene, "mirror", -2.0);
-    scene
-}
-
-/// The floor behind a pane.
-fn seen_through_a_pane() -> Scene {
-    let mut scene = shadow_from_below(v(0.0, -3.0, 1.4), v(0.0, 0.1, 0.0));
-    add_wall(&mut scene, "pane", -2.0);
-    scene
-}
-
-/// A step that moves outlines by less than 0.2 pixels, for a smooth filter.
-fn visible(spp: u32) -> Case {
-    Case {
-        step: 8e-3,
-        gradient_spp: spp,
-        reference_spp: 2 * spp,
-        ..Case::default()
-    }
-}
-
-fn smooth() -> Filter {
-    Filter::Gaussian { stddev: 0.5 }
-}
-
-/// A ball moves over a glossy floor that reflects it.
-#[test]
-fn ball_over_a_glossy_floor() {
-    let mut scene = visible_ball(smooth());
-    make(&mut scene, "floor", |n| {
-        Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.1))
-    });
-    paths(&mut scene, 3);
-    let motion = motion(&scene, "ball.translate.x");
-    agree("glossy floor", scene, &motion, visible(400));
-}
-
-/// A moving shadow in a mirror that is a little rough.
-#[test]
-fn shadow_in_a_rough_mirror() {
-    let mut scene = seen_in_a_mirror();
-    make(&mut scene, "mirror", |n| {
-        Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Beckmann, 0.02))
-    });
-    let motion = motion(&scene, "thing.translate.x");
-    agree("rough mirror", scene, &motion, Case::default());
-}
-
-/// A moving shadow in a perfect mirror at rest, in which the thing is not seen.
-#[test]
-fn shadow_in_a_perfect_mirror() {
-    let mut scene = seen_in_a_mirror();
-    make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
-    let motion = motion(&scene, "thing.translate.x");
-    agree("perfect mirror", scene, &motion, Case::default());
-}
-
-/// A moving shadow behind a pane at rest, and behind the face of a glass body.
-#[test]
-fn shadow_behind_glass() {
-    let mut scene = seen_through_a_pane();
-    make(&mut scene, "pane", |n| Bsdf::ThinDielectric(n.glass()));
-    let along = motion(&scene, "thing.translate.x");
-    agree("pane", scene, &along, Case::default());
-
-    let mut scene = seen_through_a_pane();
-    make(&mut scene, "pane", |n| Bsdf::Dielectric(n.glass()));
-    let along = motion(&scene, "thing.translate.x");
-    let case = Case {
-        min_pixels: 600,
-        ..Case::default()
-    };
-    agree("glass", scene, &along, case);
-}
-
-/// A ball of rough plastic moves.
-#[test]
-fn moving_ball_of_rough_plastic() {
-    let mut scene = visible_ball(smooth());
-    make(&mut scene, "ball", |n| Bsdf::RoughPlastic {
-        coat: n.coat(true),
-        distribution: Distribution::Beckmann,
-        alpha: n.number("alpha", 0.2),
-    });
-    paths(&mut scene, 3);
-    let motion = motion(&scene, "ball.translate.x");
-    agree("rough plastic", scene, &motion, visible(400));
-}
-
-/// A ball of rough glass moves, light from all around it.
-#[test]
-fn moving_ball_of_rough_glass() {
-    let mut scene = visible_ball(smooth());
-    make(&mut scene, "ball", |n| {
-        Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Ggx, 0.3))
-    });
-    paths(&mut scene, 3);
-    let motion = motion(&scene, "ball.translate.x");
-    agree("rough glass", scene, &motion, visible(250));
-}
-
-/// A principled ball, partly glass, moves. It is anisotropic: without texture
-/// coordinates nobody knows in which directions, and that is refused.
-#[test]
-fn moving_principled_ball() {
-    let mut scene = visible_ball(smooth());
-    make(&mut scene, "ball", |n| Bsdf::Principled(n.principled(0.4)));
-    paths(&mut scene, 3);
-    let refusal = run(&scene, "ball.translate.x").expect_err("no directions");
-    assert!(refusal.reason.contains("texture coordinates"), "{refusal}");
-    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
-    ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
-    let motion = motion(&scene, "ball.translate.x");
-    agree("principled", scene, &motion, visible(300));
 }
 
 /// A floor of some material with a thing on it, under a lamp, and a lamp below.
@@ -209,7 +55,7 @@ fn numbers_change(name: &str, scene: Scene, expression: &str) {
 #[test]
 fn numbers_of_a_rough_metal() {
     let metal = |n: &mut Slots| Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.3));
-    for name in ["alpha", "eta", "k", "specular_reflectance"] {
+    for name in ["eta", "k", "specular_reflectance"] {
         let expression = format!("floor.bsdf.{name}.value");
         numbers_change(name, sample_of(metal), &expression);
     }
@@ -277,20 +123,6 @@ fn numbers_of_principled() {
         let along = motion(&scene, expression);
         agree(expression, scene, &along, case);
     }
-}
-
-/// How much of two materials there is, and how much of one.
-#[test]
-fn weights_of_blends_and_masks() {
-    let blend = |n: &mut Slots| Bsdf::Blend {
-        weight: n.number("weight", 0.3),
-        nested: [
-            n.diffuse("first", [0.8, 0.2, 0.1]),
-            n.diffuse("second", [0.1, 0.4, 0.7]),
-        ],
-    };
-    numbers_change("blend", sample_of(blend), "floor.bsdf.weight.value");
-    numbers_change("mask", masked_floor(0.6), "floor.bsdf.opacity.value");
 }
 
 fn masked_floor(opacity: f64) -> Scene {

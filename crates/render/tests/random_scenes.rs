@@ -10,7 +10,7 @@ mod common;
 use std::time::{Duration, Instant};
 
 use capwalk_geometry::Mesh;
-use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_math::{Affine, Rgb};
 use capwalk_render::{
     GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient, render,
 };

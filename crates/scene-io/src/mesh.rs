@@ -106,7 +106,12 @@ fn fan(corners: &[u32]) -> impl Iterator<Item = [u32; 3]> + '_ {
 /// areas, must still be numbers.
 pub(crate) const LARGEST_COORDINATE: f64 = 1e30;
 
-fn finite_position(p: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFileError> {
+/// A position, or what is wrong with it; `place` says where it stands.
+fn finite_position(
+    p: Vec3,
+    vertex: usize,
+    place: &dyn Fn() -> String,
+) -> Result<Vec3, MeshFileError> {
     let largest = p.x.abs().max(p.y.abs()).max(p.z.abs());
     let help = match p.is_finite() {
         true if largest <= LARGEST_COORDINATE => return Ok(p),
@@ -117,7 +122,7 @@ fn finite_position(p: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFi
         "vertex {vertex} has the position ({}, {}, {})",
         p.x, p.y, p.z
     );
-    Err(MeshFileError::new(place, message, help))
+    Err(MeshFileError::new(place(), message, help))
 }
 
 /// The unit vector in a direction, not finite if there is none. The square of the
@@ -128,12 +133,13 @@ pub(crate) fn direction(v: Vec3) -> Vec3 {
     (v * (-largest.log2().floor()).exp2()).normalized()
 }
 
-fn unit_normal(n: Vec3, vertex: usize, place: String) -> Result<Vec3, MeshFileError> {
+/// A normal of unit length, or what is wrong with it.
+fn unit_normal(n: Vec3, vertex: usize, place: &dyn Fn() -> String) -> Result<Vec3, MeshFileError> {
     let unit = direction(n);
     match unit.is_finite() {
         true => Ok(unit),
         false => Err(MeshFileError::new(
-            place,
+            place(),
             format!("normal {vertex} is ({}, {}, {})", n.x, n.y, n.z),
             "expected a finite vector that is not zero; face_normals does without normals",
         )),

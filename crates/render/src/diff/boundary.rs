@@ -306,7 +306,10 @@ impl<'a> Field<'a> {
         // without bound as the eye nears the edge.
         let horizon = eye
             .face_normal
-            .filter(|_| seen.is_direct)
+            .filter(|normal| {
+                let height = normal.dot(found.direction) * found.distance;
+                seen.is_direct && height.abs() <= self.horizon_distance
+            })
             .filter(|&normal| self.in_horizon(eye.position.value(), edge, normal));
         Site {
             points: edge.vertices,

@@ -96,12 +96,10 @@ impl<'a> Primitive<'a> {
                     let help = "expected the attribute POSITION; is the mesh compressed?";
                     self.item.error("the vertices have no positions", help)
                 })?;
-        let place = |item: &Item| item.error("", "").place;
-        let position_place = place(&position_item);
         let positions = vectors(&positions).enumerate().map(|(vertex, p)| {
-            let p = finite_position(p, vertex, position_place.clone())?;
+            let p = finite_position(p, vertex, &|| position_item.place())?;
             // A finite point may still be moved out of range.
-            finite_position(to_scene.point(p), vertex, position_place.clone())
+            finite_position(to_scene.point(p), vertex, &|| position_item.place())
         });
         let positions: Vec<Vec3> = positions.collect::<Result<_, _>>()?;
         let count = positions.len();
@@ -111,8 +109,8 @@ impl<'a> Primitive<'a> {
             && let Some((item, given)) = self.attribute("NORMAL", &["VEC3"], Some(count))?
         {
             let given = vectors(&given).enumerate().map(|(vertex, n)| {
-                unit_normal(n, vertex, place(&item))?;
-                unit_normal(to_scene.normal(n), vertex, place(&item))
+                unit_normal(n, vertex, &|| item.place())?;
+                unit_normal(to_scene.normal(n), vertex, &|| item.place())
             });
             normals = Some(given.collect::<Result<_, _>>()?);
         }

@@ -19,6 +19,11 @@ impl<'a> Item<'a> {
         Self { value, path }
     }
 
+    /// Where it stands, as messages say it.
+    pub fn place(&self) -> String {
+        self.path.clone()
+    }
+
     pub fn error(&self, message: impl Into<String>, help: &str) -> MeshFileError {
         MeshFileError::new(&self.path, message, help)
     }

@@ -84,13 +84,13 @@ impl Reader {
         match keyword {
             b"v" => {
                 let position = three_numbers(words, line, "a vertex")?;
-                let place = format!("line {line}");
+                let place = &|| format!("line {line}");
                 let position = finite_position(position, self.positions.len() + 1, place)?;
                 self.positions.push(position);
             }
             b"vn" if self.want_normals => {
                 let normal = three_numbers(words, line, "a normal")?;
-                let place = format!("line {line}");
+                let place = &|| format!("line {line}");
                 let normal = unit_normal(normal, self.normals.len() + 1, place)?;
                 self.normals.push(normal);
             }

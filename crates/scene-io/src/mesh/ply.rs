@@ -360,9 +360,9 @@ fn read_vertices(
             _ => format!("byte {place}"),
         };
         let vertex = index as usize;
-        positions.push(finite_position(vector(position_at), vertex, place())?);
+        positions.push(finite_position(vector(position_at), vertex, &place)?);
         if let (Some(normals), Some(at)) = (&mut normals, normal_at) {
-            normals.push(unit_normal(vector(at), vertex, place())?);
+            normals.push(unit_normal(vector(at), vertex, &place)?);
         }
         if let (Some(uvs), Some([u, v])) = (&mut uvs, uv_at) {
             let uv = [values[u], values[v]];

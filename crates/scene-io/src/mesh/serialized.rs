@@ -68,13 +68,13 @@ pub fn read_serialized(
     let mut vectors = |size: usize, what: &str| body.numbers(vertices * size, flags, what);
 
     let positions = vectors(3, "positions")?;
-    let positions = as_vectors(&positions).map(|(i, p)| finite_position(p, i, place.clone()));
+    let positions = as_vectors(&positions).map(|(i, p)| finite_position(p, i, &|| place.clone()));
     let positions = positions.collect::<Result<_, _>>()?;
     let mut normals = None;
     if has(NORMALS) {
         let given = vectors(3, "normals")?;
         if want_normals {
-            let given = as_vectors(&given).map(|(i, n)| unit_normal(n, i, place.clone()));
+            let given = as_vectors(&given).map(|(i, n)| unit_normal(n, i, &|| place.clone()));
             normals = Some(given.collect::<Result<_, _>>()?);
         }
     }

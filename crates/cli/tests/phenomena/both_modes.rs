@@ -1,0 +1,121 @@
+//! Forward and reverse mode with the same random numbers: the derivative of
+//! `Σ w · picture` for a fixed picture `w`, along a parameter.
+
+use std::path::Path;
+
+use capwalk_math::Vec3;
+use capwalk_render::{
+    GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
+};
+use capwalk_scene::{Image, params};
+use capwalk_scene_io::arrays;
+use capwalk_scene_io::image::{self, Picture, Preview};
+
+use crate::capwalk;
+use crate::folder::Folder;
+
+/// Few samples, all of them drawn from the same numbers.
+const SPP: u32 = 4;
+const SEED: u64 = 5;
+/// Sums in another order; multiplied by the largest part of the sum.
+const DOUBLE: f64 = 1e-10;
+/// Pictures in files have single precision.
+const SINGLE: f64 = 1e-4;
+
+/// Numbers between -1 and 1 that look random and are exact in single precision.
+fn weights(width: usize, height: usize) -> Image {
+    let number = |i: usize| f64::from(((12.9898 * i as f64).sin() * 437.585).sin() as f32);
+    let pixel = |i: usize| Vec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2));
+    Image {
+        width,
+        height,
+        pixels: (0..width * height).map(pixel).collect(),
+    }
+}
+
+fn dot(a: &Image, b: &Image) -> f64 {
+    let pairs = a.pixels.iter().zip(&b.pixels);
+    pairs.map(|(a, &b)| a.dot(b)).sum()
+}
+
+/// Demands that both modes agree, in memory and as written to files in `out`.
+pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
+    let name = format!("{}, {parameter}", folder.name);
+    let scene = folder.scene();
+    let motion = params::motion(&scene, parameter).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let settings = GradientOptions {
+        options: Options {
+            spp: SPP,
+            seed: SEED,
+            threads: None,
+        },
+        walk: WalkSettings::default(),
+    };
+    let forward = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    let weights = weights(width, height);
+    let forward = dot(&weights, &forward.gradient.mean);
+    let reverse = backward(
+        &scene,
+        &weights,
+        &Wanted::by(&motion),
+        &settings,
+        &Unwatched,
+    );
+    let (reverse, _) = reverse.expect("covered").along(&motion);
+    assert!(forward.abs() > 1e-9, "{name}: nothing to compare");
+    let relative = (forward - reverse).abs() / forward.abs();
+    assert!(
+        relative <= DOUBLE,
+        "{name}: {forward} forward, {reverse} in reverse"
+    );
+
+    let (written, gradient) = (out.join("weights.exr"), out.join("gradient.exr"));
+    let (npz, reversed) = (out.join("gradient.npz"), out.join("backward.npz"));
+    let mut picture = Picture::default();
+    picture.push("adjoint", weights.clone());
+    image::write(&written, &picture, &Preview::default()).expect("writable");
+    let (spp, seed) = (SPP.to_string(), SEED.to_string());
+    let file = folder.scene_file();
+    let path = |path: &Path| path.to_str().expect("plain letters").to_owned();
+    let sampling = ["--spp", &spp, "--seed", &seed];
+    let both = format!("{},{}", path(&gradient), path(&npz));
+    let done = capwalk(
+        &[
+            &["gradient", &file, "-p", parameter, "-o", &both],
+            &sampling[..],
+        ]
+        .concat(),
+    );
+    assert_eq!(done.status, 0, "{name}: {}", done.errors);
+    let (weights_file, reversed_file) = (path(&written), path(&reversed));
+    let reverse = [
+        "backward",
+        &file,
+        "--adjoint",
+        &weights_file,
+        "-o",
+        &reversed_file,
+    ];
+    let done = capwalk(&[&reverse[..], &["-p", parameter], &sampling[..]].concat());
+    assert_eq!(done.status, 0, "{name}: {}", done.errors);
+
+    // An array has a number for each channel or texel, which here change together.
+    let arrays = arrays::read(&reversed).expect("readable");
+    let reverse: f64 = arrays
+        .get(parameter)
+        .expect("asked for")
+        .numbers
+        .iter()
+        .sum();
+    for file in [&gradient, &npz] {
+        let picture = image::read(file).expect("readable");
+        let forward = dot(&weights, picture.layer("gradient").expect("written"));
+        let relative = (forward - reverse).abs() / reverse.abs();
+        assert!(
+            relative <= SINGLE,
+            "{name}, {}: {forward} forward, {reverse} in reverse",
+            file.display()
+        );
+    }
+}

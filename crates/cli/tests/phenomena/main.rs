@@ -1,0 +1,191 @@
+//! The phenomena: every folder of `tests/scenes` has a scene and the parameters
+//! by which its picture is differentiated. Each derivative meets finite
+//! differences, and forward mode meets reverse mode; or it is refused with the
+//! reason. `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
+
+mod both_modes;
+mod differences;
+mod folder;
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+use folder::{Demand, Folder};
+
+/// A test for each folder, and the list of them.
+macro_rules! phenomena {
+    ($($name:ident)*) => {
+        $(#[test] fn $name() { run(stringify!($name)) })*
+        const LISTED: &[&str] = &[$(stringify!($name)),*];
+    };
+}
+
+phenomena! {
+    albedo
+    brushed_metal_without_texture_coordinates
+    camera_moves_with_shadows
+    camera_moves_without_shadows
+    camera_over_a_texture
+    coarse_smooth_ball_turns
+    colours_of_faces
+    colours_of_vertices
+    depth_of_a_turning_cube
+    emitter_moves_in_view
+    emitter_on_black
+    environment_light_moving_occluder
+    environment_texel
+    glossy_floor_reflects_a_moving_ball
+    hard_shadow
+    index_of_refraction
+    indirect_shadow
+    interpenetrating_meshes
+    interreflection
+    lamp_cut_by_a_blade
+    lamp_moves
+    lamp_of_many_edges_moves
+    lamp_seen_by_reflection_moves
+    lamps_that_touch
+    mask_silhouette
+    mask_textured_leaf
+    mesh_with_seams
+    normal_map_texel
+    object_moves_in_a_curved_mirror
+    object_moves_in_a_planar_mirror
+    occluder_and_receiver_move_together
+    open_mesh_moves
+    outline_with_a_box_filter
+    outline_with_the_border_sampled
+    principled_ball_moves
+    radiance
+    reflector_moves
+    rough_glass_ball_moves
+    rough_plastic_ball_moves
+    roughness
+    screen_before_the_near_plane
+    seam_of_tangents
+    seam_of_texture_coordinates
+    self_shadowing_right_angle
+    shadow_in_a_perfect_mirror
+    shadow_in_a_rough_mirror
+    shadow_of_a_growing_occluder
+    shadow_of_a_moving_occluder
+    shadow_of_a_rotating_occluder
+    shadow_receiver_moves
+    shadow_through_a_glass_plate
+    shadow_through_a_pane
+    smooth_sphere_under_constant_light
+    sphere_emitter_grows
+    surface_cut_by_the_near_plane
+    texture_texel
+    texture_that_jumps
+    textured_emitter_moves
+    textured_plane_moves
+    two_occluders_cross
+    vertex_of_a_closed_mesh
+    vertex_of_an_open_mesh
+    weight_of_a_blend
+}
+
+#[test]
+fn every_folder_is_listed() {
+    let folders: Vec<String> = folder::all()
+        .into_iter()
+        .map(|folder| folder.name)
+        .collect();
+    assert_eq!(
+        LISTED, folders,
+        "`phenomena!` in this file, and the folders of tests/scenes"
+    );
+}
+
+/// The list of the readme has each folder with the sentence of its scene.
+#[test]
+fn the_readme_has_every_sentence() {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/scenes/README.md");
+    let readme = std::fs::read_to_string(readme).expect("a readme");
+    let mut rows: Vec<&str> = readme
+        .lines()
+        .filter(|line| line.starts_with("| ["))
+        .collect();
+    rows.sort_unstable();
+    let row = |folder: Folder| {
+        let name = &folder.name;
+        format!("| [{name}]({name}/scene.xml) | {} |", folder.sentence())
+    };
+    let expected: Vec<String> = folder::all().into_iter().map(row).collect();
+    assert_eq!(rows, expected);
+}
+
+/// Does what the folder demands.
+fn run(name: &str) {
+    let started = Instant::now();
+    let folder = Folder::new(name);
+    let out = empty_folder(name);
+    for check in folder.checks() {
+        let parameter = &check.parameter;
+        match &check.demand {
+            Demand::Agree(differences) => {
+                differences::agree(&folder, parameter, differences, &out);
+                both_modes::agree(&folder, parameter, &out);
+            }
+            Demand::Refuse(words) => refuse(&folder, parameter, words, &out),
+        }
+    }
+    println!("{name}: {:.1} s", started.elapsed().as_secs_f64());
+}
+
+/// Demands that both modes refuse, in a message that has the words.
+fn refuse(folder: &Folder, parameter: &str, words: &[String], out: &Path) {
+    let file = folder.scene_file();
+    let target = out
+        .join("target.exr")
+        .to_str()
+        .expect("plain letters")
+        .to_owned();
+    let picture = capwalk(&["render", &file, "--spp", "1", "-o", &target]);
+    let loss = ["--loss", "l2", "--target", &target];
+    let mut commands = vec![vec!["gradient", &file, "-p", parameter]];
+    // What cannot be rendered has no target.
+    if picture.status == 0 {
+        commands.push([&["backward", &file, "-p", parameter], &loss[..]].concat());
+    }
+    for command in commands {
+        let done = capwalk(&command);
+        assert_eq!(done.status, 3, "{command:?}: {}", done.output);
+        for word in words {
+            assert!(done.errors.contains(word), "{command:?}: {}", done.errors);
+        }
+    }
+}
+
+/// What a finished command left.
+struct Finished {
+    status: i32,
+    output: String,
+    errors: String,
+}
+
+/// Runs the built command.
+fn capwalk(arguments: &[&str]) -> Finished {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_capwalk"));
+    let done = command.args(arguments).output().expect("it starts");
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
+    Finished {
+        status: done.status.code().unwrap_or(-1),
+        output: text(done.stdout),
+        errors: text(done.stderr),
+    }
+}
+
+/// A folder for what commands write.
+fn empty_folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("phenomena")
+        .join(name);
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).expect("it is ours");
+    }
+    std::fs::create_dir_all(&folder).expect("the build folder is writable");
+    folder
+}
