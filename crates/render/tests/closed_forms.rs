@@ -7,20 +7,14 @@ use std::f64::consts::PI;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::quadrature::gauss_legendre;
-use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_math::{Affine, Vec3};
 use capwalk_render::diff::probe::irradiance;
-use capwalk_render::{
-    Estimate, GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
-};
-use capwalk_scene::primitive::{cube, disk, rectangle};
+use capwalk_render::{Unwatched, WalkSettings, Wanted, backward, gradient};
+use capwalk_scene::primitive::{disk, rectangle};
 use capwalk_scene::*;
 use common::agree::motion;
-use common::stages::placed;
+use common::exact::{means, meets, settings};
 use common::*;
-
-/// Standard errors beyond which a difference is no accident: 7 tests in a
-/// million are beyond, and there are some hundred here.
-const SIGNIFICANT: f64 = 4.5;
 
 /// A point that is lit, and its unit normal.
 type Lit = (Vec3, Vec3);
@@ -93,14 +87,6 @@ fn slope(scene: &Scene, motion: &Motion, of: impl Fn(&Scene) -> f64) -> f64 {
     const STEP: f64 = 1e-4;
     let [above, below] = [STEP, -STEP].map(|step| of(&scene.moved(motion, step)));
     (above - below) / (2.0 * STEP)
-}
-
-/// Demands that an estimate with an error meets the exact number, and that the
-/// error is small enough to say something.
-fn meets(name: &str, mean: f64, error: f64, exact: f64, largest_error: f64) {
-    println!("{name}: {mean:.5} ± {error:.5}, exactly {exact:.5}");
-    assert!((mean - exact).abs() <= SIGNIFICANT * error + 1e-9, "{name}");
-    assert!(error <= largest_error, "{name}: the error says nothing");
 }
 
 /// Estimates at points along motions against the closed form. Errors are at most
@@ -203,12 +189,8 @@ fn a_disk_lamp() {
     meet_exact(&scene, &points, &RIGID, 20_000, 0.03);
 }
 
-/// A triangle before the lamp: within its outline as seen from the first point,
-/// across an edge of it from the second, beside it from the third.
-#[test]
-fn a_triangle_before_a_lamp() {
-    let mut scene = nothing();
-    add_lamp(&mut scene, v(0.1, 0.0, 1.2), 0.9, 0.4, 1.0);
+fn add_lamp_behind_triangle(scene: &mut Scene) {
+    add_lamp(scene, v(0.1, 0.0, 1.2), 0.9, 0.4, 1.0);
     let triangle = Mesh {
         positions: vec![
             v(-0.05, -0.1, 0.6),
@@ -217,7 +199,15 @@ fn a_triangle_before_a_lamp() {
         ],
         faces: vec![[0, 1, 2]],
     };
-    add(&mut scene, "thing", triangle, ShadingNormals::Face, 0.5);
+    add(scene, "thing", triangle, ShadingNormals::Face, 0.5);
+}
+
+/// A triangle before the lamp: within its outline as seen from the first point,
+/// across an edge of it from the second, beside it from the third.
+#[test]
+fn a_triangle_before_a_lamp() {
+    let mut scene = nothing();
+    add_lamp_behind_triangle(&mut scene);
     let points = [
         (v(0.0, 0.05, 0.0), v(0.0, 0.0, 1.0)),
         (v(0.35, -0.1, 0.1), v(-0.2, 0.1, 1.0).normalized()),
@@ -240,6 +230,53 @@ fn a_triangle_before_a_lamp() {
         "thing.translate.x + lamp.rotate.z - lamp.translate.z",
     ];
     meet_exact(&scene, &points, &motions, 40_000, 0.04);
+}
+
+/// The same in a picture, so narrow that its four pixels see one point of a floor,
+/// forward and reverse.
+#[test]
+fn a_point_in_a_picture() {
+    let point = v(0.35, -0.1, 0.0);
+    let mut scene = empty(v(-3.0, -4.0, 1.0), point, 0.05, 2);
+    add_lamp_behind_triangle(&mut scene);
+    add_floor(&mut scene, 3.0);
+    scene.check().expect("a valid scene");
+    let at = |scene: &Scene, point: Vec3| 0.7 / PI * exact(scene, (point, v(0.0, 0.0, 1.0)));
+    let settings = settings(20_000);
+    let adjoint = Image {
+        width: 2,
+        height: 2,
+        pixels: vec![v(0.25, 0.0, 0.0); 4],
+    };
+    let wanted = Wanted::all(&scene);
+    let reverse = backward(&scene, &adjoint, &wanted, &settings, &Unwatched).expect("covered");
+    // Where the ray of the picture meets the floor moves with the eye and the
+    // floor.
+    let ray = point - scene.sensor.origin();
+    for (name, slides) in [
+        ("thing.translate.x", Vec3::zero()),
+        ("thing.rotate.x + thing.rotate.z", Vec3::zero()),
+        ("thing.scale - lamp.scale", Vec3::zero()),
+        ("lamp.translate.x - lamp.rotate.y", Vec3::zero()),
+        ("lamp.translate.z", Vec3::zero()),
+        ("floor.translate.z", ray / ray.z),
+        ("sensor.translate.x", v(1.0, 0.0, 0.0)),
+        ("0.2*sensor.rotate.z", v(0.0, 0.0, 0.2).cross(ray)),
+    ] {
+        let motion = motion(&scene, name);
+        let [above, below] = [1e-4, -1e-4].map(|step| {
+            let point = point + slides * step;
+            at(&scene.moved(&motion, step), point)
+        });
+        let exact = (above - below) / 2e-4;
+        let forward = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
+        let (mean, error) = means(&forward.value)[0];
+        meets("picture", mean, error, at(&scene, point), 0.01);
+        let (mean, error) = means(&forward.gradient)[0];
+        meets(&format!("forward, {name}"), mean, error, exact, 0.02);
+        let (mean, error) = reverse.along(&motion);
+        meets(&format!("reverse, {name}"), mean, error, exact, 0.02);
+    }
 }
 
 /// The form factor of two parallel rectangles whose sides are parallel: x from
@@ -322,187 +359,6 @@ fn form_factors_of_parallel_squares() {
             change_error,
             slope,
             8e-3,
-        );
-    }
-}
-
-/// A closed box of edge 2 that shines inwards, with a turned block in it, seen
-/// from inside: albedo and emission of both.
-fn furnace(of_box: [f64; 2], of_block: [f64; 2]) -> Scene {
-    let mut scene = empty(v(-0.7, -0.8, 0.6), v(0.2, 0.1, -0.1), 60.0, 12);
-    scene.settings.integrator = Integrator::Path {
-        max_depth: None,
-        rr_depth: 4,
-        hide_emitters: false,
-    };
-    let (mut mesh, _) = cube(Affine::IDENTITY);
-    mesh.faces.iter_mut().for_each(|face| face.swap(1, 2));
-    add(&mut scene, "box", mesh, ShadingNormals::Face, of_box[0]);
-    light_up(&mut scene, of_box[1]);
-    let (mesh, normals) = cube(Affine::scale(v(0.3, 0.25, 0.4)));
-    let turn = Affine::translate(v(0.2, 0.1, -0.2)) * Affine::rotate(v(0.3, 0.8, 0.5), 0.7);
-    add(
-        &mut scene,
-        "block",
-        placed(mesh, turn),
-        normals,
-        of_block[0],
-    );
-    if of_block[1] > 0.0 {
-        light_up(&mut scene, of_block[1]);
-    }
-    scene.check().expect("a valid scene");
-    scene
-}
-
-fn settings(spp: u32) -> GradientOptions {
-    GradientOptions {
-        options: Options {
-            spp,
-            seed: 5,
-            threads: None,
-        },
-        walk: WalkSettings::default(),
-    }
-}
-
-/// The mean of a picture, and of each of its quarters, with errors.
-fn means(picture: &Estimate) -> [(f64, f64); 5] {
-    let (width, height) = (picture.mean.width, picture.mean.height);
-    let mean = |is_in: &dyn Fn(usize, usize) -> bool| {
-        let (mut sum, mut variance, mut count) = (0.0, 0.0, 0.0);
-        for (i, pixel) in picture.mean.pixels.iter().enumerate() {
-            if is_in(i % width, i / width) {
-                sum += pixel.x;
-                variance += picture.standard_error.pixels[i].x.powi(2);
-                count += 1.0;
-            }
-        }
-        (sum / count, f64::sqrt(variance) / count)
-    };
-    let [half_x, half_y] = [width / 2, height / 2];
-    [
-        mean(&|_, _| true),
-        mean(&|x, y| x < half_x && y < half_y),
-        mean(&|x, y| x >= half_x && y < half_y),
-        mean(&|x, y| x < half_x && y >= half_y),
-        mean(&|x, y| x >= half_x && y >= half_y),
-    ]
-}
-
-/// Demands a picture of 1 and a derivative of 0 along a motion of the block. `dark`
-/// is the same with a block that is no part of the furnace: it shows how large
-/// the parts are that must cancel.
-fn nothing_moves(name: &str, scene: &Scene, dark: &Scene, expression: &str, spp: u32) {
-    let run = |scene: &Scene, spp: u32| {
-        scene.check().expect("a valid scene");
-        let motion = motion(scene, expression);
-        gradient(scene, &motion, &settings(spp), &Unwatched).expect("covered")
-    };
-    let seen = run(dark, 64).gradient.mean.pixels;
-    let size = seen.iter().map(|p| p.x.abs()).sum::<f64>() / seen.len() as f64;
-    let still = run(scene, spp);
-    for (mean, error) in means(&still.value) {
-        meets(name, mean, error, 1.0, 0.01);
-    }
-    for (mean, error) in means(&still.gradient) {
-        meets(&format!("{name}, moved"), mean, error, 0.0, 0.1 * size);
-    }
-}
-
-/// Where every surface reflects the share `a` of light and emits `1 - a`,
-/// radiance is 1 everywhere, wherever things are: what boundaries bring and what
-/// shading brings cancel.
-#[test]
-fn nothing_moves_in_a_furnace() {
-    let scene = furnace([0.4, 0.6], [0.3, 0.7]);
-    let dark = furnace([0.4, 0.6], [0.3, 0.0]);
-    let expression = "block.translate.x + 0.5*block.rotate.z";
-    nothing_moves("furnace", &scene, &dark, expression, 800);
-}
-
-/// The same without walls: white blocks under a white sky.
-#[test]
-fn nothing_moves_under_a_white_sky() {
-    let white_sky = |albedo: f64| {
-        let mut scene = furnace([1.0, 0.0], [albedo, 0.0]);
-        let low = &mut scene.shapes[0];
-        let (mesh, normals) = cube(Affine::scale(v(0.6, 0.5, 0.1)));
-        low.mesh = placed(mesh, Affine::translate(v(0.2, 0.1, -0.8)));
-        (low.normals, low.emitter) = (normals, None);
-        let white = Texture::colour("sky.radiance", Rgb::splat(1.0));
-        let radiance = scene.add_texture(white);
-        let id = "sky".into();
-        scene.emitters = vec![Emitter::Constant { id, radiance }];
-        scene
-    };
-    let expression = "block.translate.z + 0.5*block.rotate.x";
-    nothing_moves(
-        "white sky",
-        &white_sky(1.0),
-        &white_sky(0.0),
-        expression,
-        800,
-    );
-}
-
-/// With the same albedo `a` and emission `e` everywhere, `n` segments of a path see
-/// `e (1 + a + ... + aⁿ⁻¹)`.
-#[test]
-fn albedo_in_a_furnace() {
-    let (a, e) = (0.55_f64, 0.8);
-    for depth in [Some(3), Some(6), None] {
-        let mut scene = furnace([a, e], [a, e]);
-        scene.settings.integrator = Integrator::Path {
-            max_depth: depth,
-            rr_depth: 4,
-            hide_emitters: false,
-        };
-        let (light, slope) = match depth {
-            None => (e / (1.0 - a), e / (1.0 - a).powi(2)),
-            Some(depth) => (0..depth as i32).fold((0.0, 0.0), |(light, slope), k| {
-                let term = f64::from(k) * a.powi(k - 1);
-                (light + e * a.powi(k), slope + e * term)
-            }),
-        };
-        let motion = motion(
-            &scene,
-            "box.bsdf.reflectance.value + block.bsdf.reflectance.value",
-        );
-        let result = gradient(&scene, &motion, &settings(256), &Unwatched).expect("covered");
-        for (mean, error) in means(&result.value) {
-            meets(
-                &format!("albedo, {depth:?}"),
-                mean,
-                error,
-                light,
-                0.01 * light,
-            );
-        }
-        for (mean, error) in means(&result.gradient) {
-            meets(
-                &format!("albedo changed, {depth:?}"),
-                mean,
-                error,
-                slope,
-                0.02 * slope,
-            );
-        }
-        // The mean of the red channel, in reverse mode.
-        let adjoint = Image {
-            width: 12,
-            height: 12,
-            pixels: vec![v(1.0 / 144.0, 0.0, 0.0); 144],
-        };
-        let wanted = Wanted::by(&motion);
-        let reverse = backward(&scene, &adjoint, &wanted, &settings(256), &Unwatched);
-        let (mean, error) = reverse.expect("covered").along(&motion);
-        meets(
-            &format!("reverse, {depth:?}"),
-            mean,
-            error,
-            slope,
-            0.02 * slope,
         );
     }
 }

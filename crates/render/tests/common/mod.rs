@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test program uses some of it")]
 
 pub mod agree;
+pub mod exact;
 pub mod materials;
 pub mod random;
 pub mod stages;
