@@ -126,7 +126,7 @@ pub struct OutputArgs {
 pub struct MotionArgs {
     /// Parameter, or several that move together: 'lamp.translate.x -
     /// 0.5*floor.rotate.z'; numbers of arrays by their indices:
-    /// 'ball.positions[12,0]' (`capwalk info SCENE` lists them)
+    /// `ball.positions[12,0]` (`capwalk info SCENE` lists them)
     #[arg(short, long, value_name = "EXPRESSION", allow_hyphen_values = true)]
     pub param: Option<String>,
     /// Velocity of each vertex of a shape: .npy array (V, 3), or a text file

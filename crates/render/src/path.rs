@@ -610,7 +610,8 @@ impl<'a> Tracer<'a> {
                     return;
                 }
                 let emitter = self.accel.scene.emitter(sample.emitter);
-                if let Some(delta) = emitter.delta_light(vertex.position) {
+                if let Some(delta) = emitter.delta_light(vertex.position, |id| world.texel(id, 0).x)
+                {
                     let f = vertex.eval(delta.direction);
                     let irradiance = world.texel(emitter.radiance(), 0) * delta.factor;
                     light += f.hadamard(irradiance) * weight;

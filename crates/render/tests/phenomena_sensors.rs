@@ -5,11 +5,9 @@
 
 mod common;
 
-use capwalk_math::Rgb;
 use capwalk_scene::*;
 use common::agree::*;
 use common::stages::*;
-use common::*;
 
 /// The silhouette of a visible thing crosses pixels: short steps, so that the
 /// difference does not run over whole pixels.
@@ -104,24 +102,6 @@ fn zooming() {
         ..primary()
     };
     agree("field of view", scene, &motion, case);
-}
-
-/// Nothing moves against the rays: the edges of hard shadows need no field.
-#[test]
-fn zooming_on_hard_shadows() {
-    let mut scene = visible_ball(Filter::Box);
-    let intensity = scene.add_texture(Texture::colour("bulb.intensity", Rgb::splat(20.0)));
-    scene.emitters.push(Emitter::Point {
-        id: "bulb".into(),
-        position: v(-0.8, -0.6, 2.6),
-        intensity,
-    });
-    let motion = motion(&scene, "sensor.x_fov");
-    let case = Case {
-        step: 1.5e-2,
-        ..primary()
-    };
-    agree("field of view, hard shadow", scene, &motion, case);
 }
 
 /// Every entry of the matrix: the camera shears, scales, turns and moves.

@@ -10,7 +10,7 @@ mod common;
 use std::time::{Duration, Instant};
 
 use capwalk_geometry::Mesh;
-use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_math::{Affine, Rgb};
 use capwalk_render::{
     GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient, render,
 };
@@ -20,48 +20,8 @@ use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, disk, icosphere, rectangle};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
+use common::random::Random;
 use common::{empty, v};
-
-/// Numbers that look random.
-struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut x = self.0;
-        x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        x ^ (x >> 31)
-    }
-    /// Uniform between two numbers.
-    fn number(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn below(&mut self, count: usize) -> usize {
-        (self.bits() % count as u64) as usize
-    }
-    fn chance(&mut self, probability: f64) -> bool {
-        self.number(0.0, 1.0) < probability
-    }
-    fn vector(&mut self, size: f64) -> Vec3 {
-        v(
-            self.number(-size, size),
-            self.number(-size, size),
-            self.number(-size, size),
-        )
-    }
-    /// A number that is sometimes at the end of its range.
-    fn fraction(&mut self) -> f64 {
-        match self.below(6) {
-            0 => 0.0,
-            1 => 1.0,
-            _ => self.number(0.0, 1.0),
-        }
-    }
-    fn colour(&mut self) -> Rgb {
-        Rgb::new(self.fraction(), self.fraction(), self.fraction())
-    }
-}
 
 /// A scene that grows.
 struct Builder {
@@ -278,7 +238,7 @@ impl Builder {
         let id = format!("e{}", self.scene.emitters.len());
         let number = EmitterId(self.scene.emitters.len() as u32);
         let has_environment = self.scene.environment().is_some();
-        let emitter = match self.random.below(6) {
+        let emitter = match self.random.below(7) {
             0 if !has_environment => Emitter::Constant {
                 id,
                 radiance: self.colour_alone(),
@@ -311,6 +271,14 @@ impl Builder {
                 id,
                 direction: self.random.vector(1.0).normalized(),
                 irradiance: self.colour_alone(),
+            },
+            4 => Emitter::Spot {
+                id,
+                world_from_emitter: Affine::translate(self.random.vector(2.0))
+                    * Affine::rotate(self.random.vector(1.0), 2.0),
+                intensity: self.colour_alone(),
+                cutoff_angle: self.number(20.0, 90.0),
+                beam_width: self.number(0.0, 20.0),
             },
             _ => {
                 let shape = self.shape();

@@ -58,11 +58,11 @@ pub enum Emitter {
         world_from_emitter: Affine,
         /// Power per solid angle in the middle.
         intensity: TextureId,
-        /// Angle to the axis beyond which it is dark, radians.
-        cutoff_angle: f64,
+        /// Angle to the axis beyond which it is dark, degrees.
+        cutoff_angle: TextureId,
         /// Angle to the axis up to which it is as bright as in the middle,
-        /// radians; in between it falls linearly.
-        beam_width: f64,
+        /// degrees; in between it falls linearly.
+        beam_width: TextureId,
     },
     /// Parallel light.
     Directional {
@@ -115,9 +115,19 @@ impl Emitter {
                 slot("", *data, Quantity::Radiance),
                 slot("scale", *scale, Quantity::Factor),
             ],
-            Self::Point { intensity, .. } | Self::Spot { intensity, .. } => {
+            Self::Point { intensity, .. } => {
                 vec![slot("intensity", *intensity, Quantity::Intensity)]
             }
+            Self::Spot {
+                intensity,
+                cutoff_angle,
+                beam_width,
+                ..
+            } => vec![
+                slot("intensity", *intensity, Quantity::Intensity),
+                slot("cutoff_angle", *cutoff_angle, Quantity::Angle),
+                slot("beam_width", *beam_width, Quantity::Angle),
+            ],
             Self::Directional { irradiance, .. } => {
                 vec![slot("irradiance", *irradiance, Quantity::Irradiance)]
             }

@@ -41,7 +41,7 @@ pub struct SensorMotion {
     /// Velocities of the images of the camera's axes, the columns of
     /// `world_from_camera`, besides the rotation.
     pub axes: [Vec3; 3],
-    /// Change of its other numbers, by [`Optic`](crate::sensor::Optic).
+    /// Change of its other numbers, by [`Optic`].
     pub optics: Vec3,
 }
 

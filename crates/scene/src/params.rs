@@ -8,6 +8,7 @@
 //! | `<shape>.scale` | size times two (`d/ds` at `s = 1`), about the shape's centre |
 //! | `<shape>.emitter.radiance.value` (`.r`, `.g`, `.b`) | radiance by one, in all channels or in one |
 //! | `<emitter>.radiance.value` (…) | the same for the constant emitter |
+//! | `<spot>.cutoff_angle`, `<spot>.beam_width` | an angle of a spot light by one degree |
 //! | `<material>.reflectance.value` (…) | reflectance by one |
 //! | `<shape>.bsdf.reflectance.value` (…) | the same, of the shape's material |
 //! | `<material>.reflectance.data` (…) | all texels of a bitmap by one |
@@ -124,6 +125,8 @@ pub enum ParameterKind {
     Extinction,
     /// A number from 0 to 1: opacity, weight, metallic ...
     Fraction,
+    /// An angle of a light.
+    Angle,
     /// Normals from a texture.
     Normal,
     /// Heights from a texture.

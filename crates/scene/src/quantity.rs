@@ -30,6 +30,8 @@ pub enum Quantity {
     Extinction,
     /// A number from 0 to 1.
     Fraction,
+    /// An angle of a light.
+    Angle,
     /// Normals, `(n + 1) / 2`.
     Normal,
     /// Heights of a bumpy surface.
@@ -52,6 +54,7 @@ impl Quantity {
             Self::RefractiveIndex { .. } | Self::MetalIndex => "refractive index",
             Self::Extinction => "extinction",
             Self::Fraction => "fraction",
+            Self::Angle => "angle",
             Self::Normal => "normals",
             Self::Height => "heights",
             Self::Attribute => "attribute",
@@ -71,6 +74,7 @@ impl Quantity {
             Self::RefractiveIndex { .. } | Self::MetalIndex => "refractive index",
             Self::Extinction => "extinction",
             Self::Fraction => "fraction",
+            Self::Angle => "degrees",
             Self::Normal => "(n + 1) / 2",
             Self::Height => "world units before scaling",
             Self::Attribute => "as in the mesh",
@@ -91,6 +95,7 @@ impl Quantity {
             | Self::Extinction => "finite numbers of at least 0",
             Self::RefractiveIndex { .. } => "finite numbers above 0",
             Self::Fraction => "numbers from 0 to 1",
+            Self::Angle => "numbers from 0 to 180",
             Self::SignedFactor | Self::Normal | Self::Height | Self::Attribute => "finite numbers",
         }
     }
@@ -109,6 +114,7 @@ impl Quantity {
             | Self::Extinction => number >= 0.0,
             Self::RefractiveIndex { .. } => number > 0.0,
             Self::Fraction => (0.0..=1.0).contains(&number),
+            Self::Angle => (0.0..=180.0).contains(&number),
             Self::SignedFactor | Self::Normal | Self::Height | Self::Attribute => {
                 number.is_finite()
             }

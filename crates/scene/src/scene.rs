@@ -230,6 +230,17 @@ impl Scene {
             for slot in emitter.slots() {
                 self.check_range(slot.texture, slot.quantity)?;
             }
+            if let Emitter::Spot {
+                cutoff_angle,
+                beam_width,
+                ..
+            } = emitter
+            {
+                let beam = self.texture(*beam_width);
+                if beam.data[0] >= self.texture(*cutoff_angle).data[0] {
+                    return Err(beam.bad_number(beam.parts()[0], 0, "less than the cutoff_angle"));
+                }
+            }
         }
         for slot in self.materials.iter().flat_map(|m| m.bsdf.slots()) {
             self.check_range(slot.texture, slot.quantity)?;

@@ -4,6 +4,7 @@
 pub mod agree;
 pub mod exact;
 pub mod materials;
+pub mod random;
 pub mod stages;
 
 use capwalk_geometry::Mesh;

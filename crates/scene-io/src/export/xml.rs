@@ -194,15 +194,8 @@ impl Writer<'_> {
             }
             Emitter::Point { position, .. } => xml.vector("point", "position", *position),
             Emitter::Spot {
-                world_from_emitter,
-                cutoff_angle,
-                beam_width,
-                ..
-            } => {
-                xml.transform("to_world", world_from_emitter);
-                xml.property("float", "cutoff_angle", degrees(*cutoff_angle));
-                xml.property("float", "beam_width", degrees(*beam_width));
-            }
+                world_from_emitter, ..
+            } => xml.transform("to_world", world_from_emitter),
             Emitter::Directional { direction, .. } => {
                 xml.vector("vector", "direction", *direction);
             }

@@ -193,12 +193,16 @@ impl Lowering<'_> {
             let message = "projected textures of spot lights are not supported";
             return Err(Problem::new(texture.value_span, message).help("remove the texture"));
         }
+        let mut number = |name: &'static str, value| {
+            let texture = Texture::number(format!("{id}.{name}"), value);
+            self.add_texture(texture, fields.span_of(name))
+        };
         Ok(Emitter::Spot {
-            id,
             world_from_emitter,
             intensity,
-            cutoff_angle: cutoff.to_radians(),
-            beam_width: beam.to_radians(),
+            cutoff_angle: number("cutoff_angle", cutoff),
+            beam_width: number("beam_width", beam),
+            id,
         })
     }
 

@@ -83,8 +83,21 @@ fn points_and_spots() {
     assert_eq!(world_from_emitter.translation, Vec3::new(1.0, 2.0, 3.0));
     let axis = world_from_emitter.vector(Vec3::new(0.0, 0.0, 1.0));
     assert!((axis - Vec3::new(0.0, -1.0, 0.0)).length() < 1e-15);
-    assert_eq!(*cutoff_angle, 20_f64.to_radians());
-    assert_eq!(*beam_width, 15_f64.to_radians());
+    assert_eq!(scene.texture(*cutoff_angle).data, [20.0]);
+    assert_eq!(scene.texture(*beam_width).data, [15.0]);
+    let widening = params::motion(&scene, "spot.cutoff_angle").expect("listed");
+    let wide = scene
+        .moved(&widening, -5.0)
+        .check()
+        .expect_err("no room to fall off");
+    assert!(
+        wide.to_string().contains("less than the cutoff_angle"),
+        "{wide}"
+    );
+    assert_eq!(
+        widening,
+        params::motion(&scene, "spot.cutoff_angle.value").expect("listed")
+    );
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use capwalk_math::{Affine, Real, Vec3};
 
 use super::Emitter;
+use crate::texture::TextureId;
 
 /// What a surface point receives of a light without extent.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +20,12 @@ pub struct DeltaLight<R> {
 impl Emitter {
     /// How a point receives the light, or `None` if the light has an extent or
     /// does not shine there. Continuous in the point, but at the light itself.
-    pub fn delta_light<R: Real>(&self, point: Vec3<R>) -> Option<DeltaLight<R>> {
+    /// `number` knows the numbers of constant textures.
+    pub fn delta_light<R: Real>(
+        &self,
+        point: Vec3<R>,
+        number: impl Fn(TextureId) -> R,
+    ) -> Option<DeltaLight<R>> {
         match self {
             Self::Area { .. } | Self::Constant { .. } | Self::EnvironmentMap { .. } => None,
             Self::Directional { direction, .. } => Some(DeltaLight {
@@ -37,7 +43,8 @@ impl Emitter {
                 let light = from_point(point, world_from_emitter.translation)?;
                 let axis = spot_axis(world_from_emitter);
                 let cos = -light.direction.dot(Vec3::constant(axis));
-                let falloff = falloff(cos, *cutoff_angle, *beam_width)?;
+                let radians = |id| number(id) * R::constant(1.0_f64.to_radians());
+                let falloff = falloff(cos, radians(*cutoff_angle), radians(*beam_width))?;
                 let factor = light.factor * falloff;
                 Some(DeltaLight { factor, ..light })
             }
@@ -66,25 +73,30 @@ fn from_point<R: Real>(point: Vec3<R>, position: Vec3) -> Option<DeltaLight<R>> 
 }
 
 /// Part of the full intensity at an angle to the axis with this cosine.
-fn falloff<R: Real>(cos: R, cutoff_angle: f64, beam_width: f64) -> Option<R> {
+fn falloff<R: Real>(cos: R, cutoff_angle: R, beam_width: R) -> Option<R> {
     let angle = cos.value().clamp(-1.0, 1.0).acos();
-    if angle >= cutoff_angle {
+    if angle >= cutoff_angle.value() {
         return None;
     }
-    if angle <= beam_width {
+    if angle <= beam_width.value() {
         return Some(R::constant(1.0));
     }
     // d acos(x) = -dx / sin, and sin is not zero here: the angle is above
     // `beam_width` and below `cutoff_angle`.
     let slope = R::constant(-1.0 / angle.sin());
     let moving = R::constant(angle) + (cos - R::constant(cos.value())) * slope;
-    Some((R::constant(cutoff_angle) - moving) / R::constant(cutoff_angle - beam_width))
+    Some((cutoff_angle - moving) / (cutoff_angle - beam_width))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::texture::TextureId;
+    use capwalk_math::Dual;
+
+    /// The spot's angles, degrees.
+    fn angles(id: TextureId) -> f64 {
+        [0.0, 30.0, 12.0][id.0 as usize]
+    }
 
     fn spot() -> Emitter {
         let up = Vec3::new(0.0, 1.0, 0.0);
@@ -93,8 +105,8 @@ mod tests {
             id: "spot".into(),
             world_from_emitter: Affine::look_at(origin, target, up).expect("not along up"),
             intensity: TextureId(0),
-            cutoff_angle: 0.5,
-            beam_width: 0.2,
+            cutoff_angle: TextureId(1),
+            beam_width: TextureId(2),
         }
     }
 
@@ -107,17 +119,18 @@ mod tests {
         else {
             unreachable!()
         };
-        for (angle, expected) in [(0.0, 1.0), (0.19, 1.0), (0.35, 0.5), (0.49, 1.0 / 30.0)] {
+        for (degrees, expected) in [(0.0, 1.0), (11.9, 1.0), (21.0, 0.5), (29.4, 1.0 / 30.0)] {
+            let angle = f64::to_radians(degrees);
             let local = Vec3::new(0.0, f64::sin(angle), f64::cos(angle)) * 2.0;
-            let light = spot().delta_light(world_from_emitter.point(local));
+            let light = spot().delta_light(world_from_emitter.point(local), angles);
             let light = light.expect("within the cone");
             assert!((light.factor - expected / 4.0).abs() < 1e-12, "{angle}");
             assert!((light.distance - 2.0).abs() < 1e-12);
         }
-        for angle in [0.51, 1.0, 3.0] {
+        for angle in [0.53, 1.0, 3.0] {
             let local = Vec3::new(f64::sin(angle), 0.0, f64::cos(angle));
             let point = world_from_emitter.point(local);
-            assert!(spot().delta_light(point).is_none(), "{angle}");
+            assert!(spot().delta_light(point, angles).is_none(), "{angle}");
         }
     }
 
@@ -142,9 +155,15 @@ mod tests {
         for light in lights {
             for point in [Vec3::new(0.7, 0.2, 2.4), Vec3::new(1.3, 0.9, 2.2)] {
                 let velocity = Vec3::new(0.3, -1.0, 0.7);
-                let at = |t: f64| light.delta_light(point + velocity * t).expect("lit");
+                let at = |t: f64| {
+                    light
+                        .delta_light(point + velocity * t, angles)
+                        .expect("lit")
+                };
                 let dual = light
-                    .delta_light(point.with_tangent(velocity))
+                    .delta_light(point.with_tangent(velocity), |id| {
+                        Dual::constant(angles(id))
+                    })
                     .expect("lit");
                 let (above, below) = (at(h), at(-h));
                 let factor = (above.factor - below.factor) / (2.0 * h);

@@ -361,6 +361,7 @@ impl From<Quantity> for ParameterKind {
             Quantity::RefractiveIndex { .. } | Quantity::MetalIndex => Self::RefractiveIndex,
             Quantity::Extinction => Self::Extinction,
             Quantity::Fraction => Self::Fraction,
+            Quantity::Angle => Self::Angle,
             Quantity::Normal => Self::Normal,
             Quantity::Height => Self::Height,
         }
