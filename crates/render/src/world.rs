@@ -160,7 +160,8 @@ pub fn surface_at<R: Real, W: World<R>>(
     let shape_id = accel.shape_of(hit);
     let shape = scene.shape(shape_id);
     let corners = accel.mesh.faces[hit.face as usize];
-    let [a, b, c] = corners.map(|i| world.vertex(i));
+    let [i, j, k] = corners;
+    let (a, b, c) = (world.vertex(i), world.vertex(j), world.vertex(k));
     let (edge1, edge2) = (b - a, c - a);
     let cross = edge1.cross(edge2);
 
@@ -174,7 +175,8 @@ pub fn surface_at<R: Real, W: World<R>>(
     } else {
         1.0
     };
-    let [wb, wc] = match W::MOVES && accel.needs_place[shape_id.0 as usize] {
+    let needs_place = accel.needs_place[shape_id.0 as usize];
+    let [wb, wc] = match W::MOVES && needs_place {
         true => {
             // Barycentric weights by the areas opposite to the corners.
             let offset = position - a;
@@ -191,7 +193,8 @@ pub fn surface_at<R: Real, W: World<R>>(
         None => (cross.normalized(), 1.0),
         Some(_) => {
             let first = accel.first_vertex[shape_id.0 as usize];
-            let [na, nb, nc] = corners.map(|i| world.normal(shape_id.0 as usize, i - first));
+            let normal = |i: u32| world.normal(shape_id.0 as usize, i - first);
+            let (na, nb, nc) = (normal(i), normal(j), normal(k));
             let out = (na + nb + nc).value().dot(face_normal).signum();
             let normal = (na + (nb - na) * wb + (nc - na) * wc).normalized();
             (normal, out)
@@ -204,7 +207,10 @@ pub fn surface_at<R: Real, W: World<R>>(
             shape: shape_id,
             face,
             barycentric,
-            uv: shape.uv(face, barycentric),
+            uv: match needs_place {
+                true => shape.uv(face, barycentric),
+                false => [wb, wc], // nobody looks
+            },
         },
         cross,
         out,
