@@ -33,11 +33,12 @@ pub fn motion(scene: &Scene, args: &MotionArgs) -> Result<Motion> {
 
 /// True if nothing moves or changes.
 pub fn is_zero(motion: &Motion) -> bool {
-    let shapes = motion.shapes.iter().flatten();
+    let mut shapes = motion.shapes.iter().flatten();
     motion.sensor == SensorMotion::default()
-        && shapes
-            .flat_map(|shape| &shape.vertices)
-            .all(|&velocity| velocity == Vec3::zero())
+        && shapes.all(|shape| {
+            let mut velocities = shape.vertices.iter().chain(shape.normals.iter().flatten());
+            velocities.all(|&velocity| velocity == Vec3::zero())
+        })
         && motion
             .textures
             .iter()
@@ -59,8 +60,9 @@ pub fn describe(args: &MotionArgs) -> String {
 /// variance with its inverse.
 const STEP_FRACTION: f64 = 1.0 / 500.0;
 
-/// Change of a colour on each side of a finite difference. Pictures are linear
-/// in radiance and nearly so in reflectance: the bias stays small.
+/// Change of a colour, or of a unit normal, on each side of a finite difference.
+/// Pictures are linear in radiance and nearly so in reflectance: the bias stays
+/// small.
 const COLOUR_STEP: f64 = 0.01;
 
 /// The step of a finite difference along the motion, in units of its
@@ -73,6 +75,8 @@ pub fn default_step(scene: &Scene, motion: &Motion) -> f64 {
             let speeds = motion.vertices.iter().map(|v| v.length());
             let fastest = speeds.fold(0.0, f64::max);
             step = step.min(STEP_FRACTION * (high - low).length() / fastest);
+            let turning = motion.normals.iter().flatten().map(|v| v.length());
+            step = step.min(COLOUR_STEP / turning.fold(0.0, f64::max));
         }
     }
     let (low, high) = bounds(scene);
@@ -314,6 +318,18 @@ mod tests {
             (coarse / fine - 2.0).abs() < 1e-6,
             "{coarse} against {fine}"
         );
+    }
+
+    /// Normals that turn where nothing moves.
+    #[test]
+    fn normals_alone() {
+        let scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let motion = |text| params::motion(&scene, text).unwrap();
+        let turning = motion("ball.normals[7,2]");
+        assert!(!is_zero(&turning));
+        let step = default_step(&scene, &turning);
+        assert!((COLOUR_STEP..0.2).contains(&step), "{step}");
+        assert!(is_zero(&motion("0*ball.normals[7,2]")));
     }
 
     /// The fastest vertex moves by a fixed part of the shape, whatever the
