@@ -6,8 +6,9 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use capwalk_math::{Dual, Vec3};
+use capwalk_render::may_be_specular;
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{Filter, Motion, Scene, SensorMotion, params};
+use capwalk_scene::{Filter, Motion, Scene, SensorMotion, Shape, ShapeMotion, params};
 
 use crate::args::MotionArgs;
 
@@ -173,7 +174,41 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
             Vec3::zero(),
         )
     });
-    of_vertices.chain(of_corners).fold(0.0, f64::max)
+    let seen = of_vertices.chain(of_corners).fold(0.0, f64::max);
+    seen.max(mirrored_speed(scene, motion))
+}
+
+/// A bound of the speed on the film, near its middle, of what moves in a mirror or
+/// with one: an image is as far from the eye as the path to it is long, and a ray
+/// turns by twice as much as the mirror that it meets.
+fn mirrored_speed(scene: &Scene, motion: &Motion) -> f64 {
+    let is_specular = |shape: &Shape| may_be_specular(scene, shape.bsdf);
+    if !scene.shapes.iter().any(is_specular) {
+        return 0.0;
+    }
+    let view = scene.sensor.view(&scene.film);
+    let shapes = scene.shapes.iter().zip(&motion.shapes);
+    let rates = shapes.map(|(shape, motion)| {
+        let Some(ShapeMotion { vertices, .. }) = motion else {
+            return 0.0;
+        };
+        let positions = &shape.mesh.positions;
+        let angular = |(&p, v): (&Vec3, &Vec3)| v.length() / (p - view.eye).length();
+        let rates = positions.iter().zip(vertices).map(angular);
+        let fastest = rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
+        let turn = |[a, b, c]: &[u32; 3]| {
+            let along = |i: &u32, k: &u32| {
+                let (i, k) = (*i as usize, *k as usize);
+                (vertices[i] - vertices[k]).length() / (positions[i] - positions[k]).length()
+            };
+            along(a, b).max(along(b, c)).max(along(c, a))
+        };
+        match is_specular(shape) {
+            true => 2.0 * (fastest + shape.mesh.faces.iter().map(turn).fold(0.0, f64::max)),
+            false => fastest,
+        }
+    });
+    rates.fold(0.0, f64::max) / view.pixel_size()
 }
 
 /// Smallest and largest coordinates of all shapes.
@@ -241,7 +276,7 @@ fn text_numbers(bytes: &[u8]) -> Result<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use capwalk_scene::Optic;
+    use capwalk_scene::{Bsdf, Optic};
 
     #[test]
     fn rows_of_text() {
@@ -330,6 +365,22 @@ mod tests {
         let step = default_step(&scene, &turning);
         assert!((COLOUR_STEP..0.2).contains(&step), "{step}");
         assert!(is_zero(&motion("0*ball.normals[7,2]")));
+    }
+
+    /// What a mirror shows turns twice as fast as the mirror.
+    #[test]
+    fn steps_follow_what_mirrors_show() {
+        let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let step = |scene: &Scene| {
+            let motion = params::motion(scene, "floor.rotate.z").unwrap();
+            default_step(scene, &motion)
+        };
+        let dull = step(&scene);
+        let floor = scene.shapes.iter().find(|s| s.id == "floor").unwrap();
+        scene.materials[floor.bsdf.0 as usize].bsdf = Bsdf::Null; // specular, as mirrors are
+        let view = scene.sensor.view(&scene.film);
+        let turn = 2.0 * 0.03 * view.pixel_size();
+        assert!(dull > turn && step(&scene) < 0.5 * turn, "{dull} {turn}");
     }
 
     /// The fastest vertex moves by a fixed part of the shape, whatever the
