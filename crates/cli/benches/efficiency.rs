@@ -22,11 +22,10 @@ use capwalk_render::{
 use capwalk_scene::{Motion, Scene, params};
 use folder::{Demand, Folder};
 
-/// Samples per pixel: enough for what is done once, and for the measurement.
-const FEW: u32 = 2;
-const MANY: u32 = 50;
-/// Differences take as many times the samples: they are cheaper.
-const OF_DIFFERENCES: u32 = 4;
+/// Samples per pixel to begin with, and for what is done once.
+const FEW: u32 = 4;
+/// Seconds that must lie between few and many samples: many ticks of the clock.
+const LONG: f64 = 0.4;
 const ROUNDS: u64 = 3;
 
 fn main() {
@@ -78,14 +77,15 @@ fn measure(folder: &Folder, parameter: &str, step: f64) -> [f64; 3] {
         Way::Walk(Estimator::Literal),
         Way::Differences(step),
     ];
+    let many = ways.each_ref().map(|way| way.many(&scene, &motion));
     let (mut variances, mut seconds) = ([0.0; 3], [f64::INFINITY; 3]);
-    for round in 0..ROUNDS {
+    for round in 1..=ROUNDS {
         for (i, way) in ways.iter().enumerate() {
             let (few, _) = way.run(&scene, &motion, FEW, round);
-            let (all, picture) = way.run(&scene, &motion, MANY, round);
-            let samples = f64::from((MANY - FEW) * way.factor());
+            let (all, picture) = way.run(&scene, &motion, many[i], round);
             let pixels = picture.gradient.mean.pixels.len() as f64;
-            seconds[i] = seconds[i].min((all - few) / (samples * pixels));
+            let samples = f64::from(many[i] - FEW) * pixels;
+            seconds[i] = seconds[i].min((all - few) / samples);
             variances[i] += variance(&picture) / ROUNDS as f64;
         }
     }
@@ -99,17 +99,19 @@ enum Way {
 }
 
 impl Way {
-    fn factor(&self) -> u32 {
-        match self {
-            Self::Walk(_) => 1,
-            Self::Differences(_) => OF_DIFFERENCES,
+    /// Samples per pixel that take long.
+    fn many(&self, scene: &Scene, motion: &Motion) -> u32 {
+        let mut many = 8 * FEW;
+        while self.run(scene, motion, many, 0).0 < LONG {
+            many *= 2;
         }
+        many
     }
 
     /// The derivative, and the processor's time for it.
     fn run(&self, scene: &Scene, motion: &Motion, spp: u32, seed: u64) -> (f64, GradientImage) {
         let options = Options {
-            spp: spp * self.factor(),
+            spp,
             seed,
             threads: Some(1),
         };
@@ -178,8 +180,11 @@ fn processor_seconds() -> Option<f64> {
     Some((next()? + next()?) / TICKS)
 }
 
-/// Three digits that count.
+/// Three digits that count, and powers of ten where there were many.
 fn digits(x: f64) -> String {
-    let decimals = (2.0 - x.abs().log10().floor()).clamp(0.0, 9.0);
-    format!("{x:.*}", decimals as usize)
+    let magnitude = x.abs().log10().floor();
+    match magnitude < 4.0 {
+        true => format!("{x:.*}", (2.0 - magnitude).clamp(0.0, 9.0) as usize),
+        false => format!("{x:.1e}"),
+    }
 }

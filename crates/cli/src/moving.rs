@@ -6,8 +6,9 @@ use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
 use capwalk_math::{Dual, Vec3};
+use capwalk_render::may_be_specular;
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{Filter, Motion, Scene, SensorMotion, params};
+use capwalk_scene::{Filter, Motion, Scene, SensorMotion, Shape, ShapeMotion, params};
 
 use crate::args::MotionArgs;
 
@@ -33,11 +34,12 @@ pub fn motion(scene: &Scene, args: &MotionArgs) -> Result<Motion> {
 
 /// True if nothing moves or changes.
 pub fn is_zero(motion: &Motion) -> bool {
-    let shapes = motion.shapes.iter().flatten();
+    let mut shapes = motion.shapes.iter().flatten();
     motion.sensor == SensorMotion::default()
-        && shapes
-            .flat_map(|shape| &shape.vertices)
-            .all(|&velocity| velocity == Vec3::zero())
+        && shapes.all(|shape| {
+            let mut velocities = shape.vertices.iter().chain(shape.normals.iter().flatten());
+            velocities.all(|&velocity| velocity == Vec3::zero())
+        })
         && motion
             .textures
             .iter()
@@ -59,8 +61,9 @@ pub fn describe(args: &MotionArgs) -> String {
 /// variance with its inverse.
 const STEP_FRACTION: f64 = 1.0 / 500.0;
 
-/// Change of a colour on each side of a finite difference. Pictures are linear
-/// in radiance and nearly so in reflectance: the bias stays small.
+/// Change of a colour, or of a unit normal, on each side of a finite difference.
+/// Pictures are linear in radiance and nearly so in reflectance: the bias stays
+/// small.
 const COLOUR_STEP: f64 = 0.01;
 
 /// The step of a finite difference along the motion, in units of its
@@ -73,6 +76,8 @@ pub fn default_step(scene: &Scene, motion: &Motion) -> f64 {
             let speeds = motion.vertices.iter().map(|v| v.length());
             let fastest = speeds.fold(0.0, f64::max);
             step = step.min(STEP_FRACTION * (high - low).length() / fastest);
+            let turning = motion.normals.iter().flatten().map(|v| v.length());
+            step = step.min(COLOUR_STEP / turning.fold(0.0, f64::max));
         }
     }
     let (low, high) = bounds(scene);
@@ -169,7 +174,41 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
             Vec3::zero(),
         )
     });
-    of_vertices.chain(of_corners).fold(0.0, f64::max)
+    let seen = of_vertices.chain(of_corners).fold(0.0, f64::max);
+    seen.max(mirrored_speed(scene, motion))
+}
+
+/// A bound of the speed on the film, near its middle, of what moves in a mirror or
+/// with one: an image is as far from the eye as the path to it is long, and a ray
+/// turns by twice as much as the mirror that it meets.
+fn mirrored_speed(scene: &Scene, motion: &Motion) -> f64 {
+    let is_specular = |shape: &Shape| may_be_specular(scene, shape.bsdf);
+    if !scene.shapes.iter().any(is_specular) {
+        return 0.0;
+    }
+    let view = scene.sensor.view(&scene.film);
+    let shapes = scene.shapes.iter().zip(&motion.shapes);
+    let rates = shapes.map(|(shape, motion)| {
+        let Some(ShapeMotion { vertices, .. }) = motion else {
+            return 0.0;
+        };
+        let positions = &shape.mesh.positions;
+        let angular = |(&p, v): (&Vec3, &Vec3)| v.length() / (p - view.eye).length();
+        let rates = positions.iter().zip(vertices).map(angular);
+        let fastest = rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
+        let turn = |[a, b, c]: &[u32; 3]| {
+            let along = |i: &u32, k: &u32| {
+                let (i, k) = (*i as usize, *k as usize);
+                (vertices[i] - vertices[k]).length() / (positions[i] - positions[k]).length()
+            };
+            along(a, b).max(along(b, c)).max(along(c, a))
+        };
+        match is_specular(shape) {
+            true => 2.0 * (fastest + shape.mesh.faces.iter().map(turn).fold(0.0, f64::max)),
+            false => fastest,
+        }
+    });
+    rates.fold(0.0, f64::max) / view.pixel_size()
 }
 
 /// Smallest and largest coordinates of all shapes.
@@ -237,7 +276,7 @@ fn text_numbers(bytes: &[u8]) -> Result<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use capwalk_scene::Optic;
+    use capwalk_scene::{Bsdf, Optic};
 
     #[test]
     fn rows_of_text() {
@@ -314,6 +353,34 @@ mod tests {
             (coarse / fine - 2.0).abs() < 1e-6,
             "{coarse} against {fine}"
         );
+    }
+
+    /// Normals that turn where nothing moves.
+    #[test]
+    fn normals_alone() {
+        let scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let motion = |text| params::motion(&scene, text).unwrap();
+        let turning = motion("ball.normals[7,2]");
+        assert!(!is_zero(&turning));
+        let step = default_step(&scene, &turning);
+        assert!((COLOUR_STEP..0.2).contains(&step), "{step}");
+        assert!(is_zero(&motion("0*ball.normals[7,2]")));
+    }
+
+    /// What a mirror shows turns twice as fast as the mirror.
+    #[test]
+    fn steps_follow_what_mirrors_show() {
+        let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let step = |scene: &Scene| {
+            let motion = params::motion(scene, "floor.rotate.z").unwrap();
+            default_step(scene, &motion)
+        };
+        let dull = step(&scene);
+        let floor = scene.shapes.iter().find(|s| s.id == "floor").unwrap();
+        scene.materials[floor.bsdf.0 as usize].bsdf = Bsdf::Null; // specular, as mirrors are
+        let view = scene.sensor.view(&scene.film);
+        let turn = 2.0 * 0.03 * view.pixel_size();
+        assert!(dull > turn && step(&scene) < 0.5 * turn, "{dull} {turn}");
     }
 
     /// The fastest vertex moves by a fixed part of the shape, whatever the

@@ -33,4 +33,5 @@ pub use diff::refuse::refusal;
 pub use diff::reverse::{Backward, backward};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use integrator::render;
+pub use material::may_be_specular;
 pub use options::{GradientOptions, Options, Refusal, Unwatched, Watch};

@@ -4,7 +4,9 @@
 
 mod common;
 
-use capwalk_math::Affine;
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Vec3};
+use capwalk_render::{GradientOptions, Options, Unwatched, WalkSettings, gradient};
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
 use common::agree::*;
@@ -155,4 +157,46 @@ fn shadow_by_way_of_a_mirror() {
         ..Case::default()
     };
     moves("by way of a mirror", scene, "block.translate.y", case);
+}
+
+/// Halves of a mirror that rounding bends against each other by less than makes an
+/// edge are one mirror: what lies far behind the camera is seen across both.
+#[test]
+fn halves_of_a_mirror_are_one() {
+    let picture = |bend: f64| {
+        let mut scene = empty(v(0.05, 0.2, 0.3), v(0.05, 1.5, 0.3), 24.0, 12);
+        let mesh = Mesh {
+            positions: vec![
+                v(-1.2, 1.5, -1.0),
+                v(1.2, 1.5 + bend, -1.0),
+                v(1.2, 1.7, 1.4),
+                v(-1.2, 1.7, 1.4),
+            ],
+            faces: vec![[0, 1, 2], [0, 2, 3]],
+        };
+        add(&mut scene, "mirror", mesh, ShadingNormals::Face, 0.5);
+        make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+        let (block, normals) =
+            cube(Affine::translate(v(0.1, -5.0, 0.9)) * Affine::scale(Vec3::splat(0.8)));
+        add(&mut scene, "block", block, normals, 0.0);
+        light_up(&mut scene, 1.0);
+        paths(&mut scene, 2);
+        scene.check().expect("a valid scene");
+        let motion = motion(&scene, "block.translate.x");
+        let settings = GradientOptions {
+            options: Options {
+                spp: 32,
+                seed: 1,
+                threads: None,
+            },
+            walk: WalkSettings::default(),
+        };
+        let result = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
+        result.gradient.mean.pixels
+    };
+    let (flat, bent) = (picture(0.0), picture(1.5e-6));
+    let size = |pixels: &[Vec3]| pixels.iter().map(|p| p.x.abs()).sum::<f64>();
+    let differences: Vec<Vec3> = flat.iter().zip(&bent).map(|(&a, &b)| a - b).collect();
+    let (off, all) = (size(&differences), size(&flat));
+    assert!(all > 0.0 && off < 1e-4 * all, "{off} of {all}");
 }

@@ -4,6 +4,7 @@
 
 mod common;
 
+use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_render::{
     GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
@@ -220,4 +221,34 @@ fn maps_that_cut_light_off() {
             assert!(is_right, "{limits:?} {name}: {reason}");
         }
     }
+}
+
+/// A wall that the far plane cuts, seen only between posts.
+#[test]
+fn cuts_seen_between_posts_are_refused() {
+    let scene = |posts: &[f64]| {
+        let mut scene = empty(v(0.0, 0.0, 0.0), v(0.0, 1.0, 0.0), 40.0, 12);
+        scene.sensor.far_clip = 5.0;
+        let wall = Mesh {
+            positions: vec![v(-60.0, 4.0, -4.0), v(60.0, 4.0, -4.0), v(0.0, 8.0, 12.0)],
+            faces: vec![[0, 1, 2]],
+        };
+        add(&mut scene, "wall", wall, ShadingNormals::Face, 0.5);
+        for (i, &x) in posts.iter().enumerate() {
+            let place = Affine::translate(v(x, 2.0, 0.0))
+                * Affine::rotate(v(1.0, 0.0, 0.0), 1.57)
+                * Affine::scale(v(0.15, 3.0, 1.0));
+            let (post, normals) = rectangle(place);
+            add(&mut scene, &format!("post{i}"), post, normals, 0.5);
+        }
+        scene
+    };
+    let refused = |posts: &[f64]| {
+        let reasons = refusals(&scene(posts), &motion(&scene(posts), "wall.translate.x"));
+        reasons.map(|reason| reason.is_some_and(|reason| reason.contains("far_clip")))
+    };
+    assert_eq!(refused(&[-0.73, 0.0, 0.73]), [true; 2]);
+    // A fence without gaps.
+    let fence: Vec<f64> = (-10..=10).map(|i| 0.2 * f64::from(i)).collect();
+    assert_eq!(refused(&fence), [false; 2]);
 }

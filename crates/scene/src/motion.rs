@@ -26,8 +26,9 @@ pub struct Motion {
 pub struct ShapeMotion {
     /// One per vertex, world units.
     pub vertices: Vec<Vec3>,
-    /// One per vertex, for shapes with normals given with the mesh. Computed
-    /// normals follow the vertices, see [`Scene::normal_velocities`].
+    /// One per vertex, orthogonal to its normal, for shapes with normals given
+    /// with the mesh. Computed normals follow the vertices, see
+    /// [`Scene::normal_velocities`].
     pub normals: Option<Vec<Vec3>>,
 }
 

@@ -7,6 +7,7 @@
 //! mirrors are looked into is decided by the direction; images that are seen
 //! in other mirrors lie behind these mirrors' outlines, which are boundaries.
 
+use capwalk_geometry::topology::COPLANAR;
 use capwalk_geometry::{ConeQuery, Hit, Mesh, Plane, Ray, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::Event;
@@ -197,9 +198,10 @@ impl Sight {
     }
 }
 
-/// Fraction of its distance by which the image of a point may miss the point,
-/// seen in another face of the same mirror.
-const SAME_MIRROR: f64 = 1e-6;
+/// Fraction of its distance by which each mirror may make the image of a point miss
+/// the point, seen in another face of the same mirror: twice the angle between
+/// faces without an edge between them, and as much again for rounding.
+const SAME_MIRROR: f64 = 4.0 * COPLANAR;
 
 impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
     fn first_ray(&self, direction: Vec3) -> Sight {
@@ -291,7 +293,9 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
             trace = trace.after(accel, &hit, event);
         }
         let miss = trace.ray.at(left) - target;
-        let is_there = miss.length() < SAME_MIRROR * point.distance;
+        // Without mirrors it is there up to rounding.
+        let reflections = trace.mirrors.faces().len().max(1) as f64;
+        let is_there = miss.length() < SAME_MIRROR * reflections * point.distance;
         let sees = || accel.surface_sees(trace.ray.origin, trace.ray.direction, left);
         (is_there && sees()).then_some(trace.mirrors)
     }

@@ -319,8 +319,8 @@ impl ArrayParameter {
         }
     }
 
-    /// The motion in which its numbers change at these velocities. The last row of
-    /// a matrix stays as it is.
+    /// The motion in which its numbers change at these velocities. Normals turn and
+    /// stay unit; the last row of a matrix stays as it is.
     ///
     /// # Panics
     /// If there are not as many.
@@ -335,9 +335,11 @@ impl ArrayParameter {
                 });
             }
             Place::Normals(id) => {
+                let normals = scene.shape(id).normals.per_vertex().unwrap_or_default();
+                let turning = normals.iter().zip(vectors(velocities));
                 motion.shapes[id.0 as usize] = Some(ShapeMotion {
                     vertices: vec![Vec3::zero(); self.shape[0]],
-                    normals: Some(vectors(velocities)),
+                    normals: Some(turning.map(|(&n, v)| v.reject_from(n)).collect()),
                 });
             }
             Place::Texels(id, part) => {

@@ -57,8 +57,8 @@ fn random(count: usize, seed: u64) -> Vec<f64> {
     (0..count).map(|_| next()).collect()
 }
 
-/// Velocities that vertices at the same place share, and that keep normals
-/// unit and the last rows of matrices.
+/// Velocities that vertices at the same place share, and that keep the last rows
+/// of matrices.
 fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
     let mut velocities = random(array.count(), 21);
     match array.place {
@@ -69,11 +69,6 @@ fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
         Place::Positions(id) => {
             let positions = &scene.shape(id).mesh.positions;
             flat(&shared(positions, &vectors(&velocities)))
-        }
-        Place::Normals(id) => {
-            let normals = scene.shape(id).normals.per_vertex().expect("given");
-            let pairs = normals.iter().zip(vectors(&velocities));
-            flat(&pairs.map(|(&n, v)| v.reject_from(n)).collect::<Vec<_>>())
         }
         _ => velocities,
     }
