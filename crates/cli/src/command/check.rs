@@ -207,6 +207,9 @@ pub fn verdict(checked: &Checked) -> String {
     };
     let (spp, reference_spp) = (taken(&checked.gradient), taken(&checked.reference));
     match &checked.comparison.verdict {
+        Verdict::Right if checked.comparison.slope.is_nan() => {
+            "right: both are zero everywhere: nothing in the picture changes".into()
+        }
         Verdict::Right => {
             "right: they agree, and a factor wrong by 10 % would have been seen".into()
         }

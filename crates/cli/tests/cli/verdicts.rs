@@ -58,3 +58,13 @@ fn a_wrong_reference_is_found() {
     assert_eq!(finished.status, 1, "{}", finished.stdout);
     assert_has(&finished.stdout, &["wrong: ", "--step"]);
 }
+
+/// A lamp's own colour does nothing in direct light: no factor can be seen.
+#[test]
+fn nothing_changes() {
+    let capwalk = Capwalk::new("check_nothing");
+    let finished =
+        capwalk.run("check leaf -p lamp.bsdf.reflectance.value --size 12x9 --spp 4 -o c.png");
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(&finished.stdout, &["zero everywhere"]);
+}
