@@ -10,6 +10,7 @@ use capwalk_render::{
     GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
 };
 use capwalk_scene::bsdf::{Glass, Metal, Principled};
+use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::*;
 use common::agree::motion;
@@ -251,4 +252,37 @@ fn cuts_seen_between_posts_are_refused() {
     // A fence without gaps.
     let fence: Vec<f64> = (-10..=10).map(|i| 0.2 * f64::from(i)).collect();
     assert_eq!(refused(&fence), [false; 2]);
+}
+
+/// A smooth sheet of brushed metal: texture coordinates say how it is brushed if they
+/// span its faces.
+#[test]
+fn collapsed_texture_coordinates_say_nothing() {
+    let mut scene = empty(v(0.0, -4.0, 0.0), v(0.0, 0.0, 0.0), 24.0, 8);
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let sheet = Mesh {
+        positions: corners.map(|[x, z]| v(x, 0.0, z)).to_vec(),
+        faces: vec![[0, 1, 2], [0, 2, 3]],
+    };
+    let normals = corners.map(|[_, z]| v(0.5, -0.7, 0.5 * z).normalized());
+    let normals = ShadingNormals::Given(normals.to_vec());
+    add(&mut scene, "sheet", sheet, normals, 0.5);
+    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
+    make(&mut scene, "sheet", |n| {
+        let mut facets = n.facets(Distribution::Ggx, 0.05);
+        facets.alpha[1] = n.number("alpha_v", 0.5);
+        Bsdf::RoughConductor(n.copper(), facets)
+    });
+    let mut refused = |scale: f64| {
+        let uvs = [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|i| corners[i].map(|x| x * scale)));
+        scene.shapes[0].uvs = Some(uvs.to_vec());
+        ["sheet.translate.z", "sheet.normals[2,0]"].map(|name| {
+            let reasons = refusals(&scene, &motion(&scene, name));
+            reasons.map(|reason| reason.is_some_and(|reason| reason.contains("without extent")))
+        })
+    };
+    assert_eq!(
+        [refused(1.0), refused(0.0)],
+        [[[false; 2]; 2], [[true; 2]; 2]]
+    );
 }

@@ -12,7 +12,8 @@ use crate::tiles::{self, Sample};
 use super::boundary::{Counts, Draw, Field};
 use super::motion::InMotion;
 use super::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_uncovered, refuse_walk,
+    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_turned_without_uvs,
+    refuse_uncovered, refuse_walk,
 };
 use super::slope::refuse_infinite_slopes;
 
@@ -36,6 +37,8 @@ pub fn gradient(
     refuse_cut_normals(scene, turns || world.moves(), is_asked_for)?;
     if world.moves() {
         refuse_motion(&accel)?;
+    } else if turns {
+        refuse_turned_without_uvs(scene)?;
     }
     let tracer = Tracer::moving(&accel, &field, options.walk);
     let sample = |pixel: [u32; 2], stream: &Stream| {

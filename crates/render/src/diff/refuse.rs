@@ -5,7 +5,7 @@ use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::estimate::Statistics;
-use crate::material::{looks_turned, may_be_specular, textures_of};
+use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
 use crate::options::Refusal;
 
 use super::clip::refuse_clipped;
@@ -64,25 +64,48 @@ fn refuse_jumping_textures(scene: &Scene) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A refusal if a smooth surface reflects differently in different directions, and
-/// nothing says how it is turned: the frame that is then made up jumps.
-fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
-    let jumps = |shape: &&Shape| {
-        shape.uvs.is_none()
-            && shape.normals.per_vertex().is_some()
-            && looks_turned(scene, shape.bsdf)
-    };
-    match scene.shapes.iter().find(jumps) {
-        None => Ok(()),
-        Some(shape) => Err(Refusal {
+/// A refusal if a smooth surface looks different when it is turned, and nothing says
+/// how it is turned: the frame that is then made up jumps.
+pub(super) fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
+    for shape in &scene.shapes {
+        let Some(normals) = shape.normals.per_vertex() else {
+            continue;
+        };
+        let has_map = scene.map_in(shape.bsdf).is_some();
+        if !has_map && !looks_turned(scene, shape.bsdf) {
+            continue;
+        }
+        let is_made_up = |&face: &usize| {
+            let [a, b, c] = shape.mesh.corners(face);
+            tangents_of_face(shape, face, [b - a, c - a]).is_none()
+        };
+        let is_smooth = |&face: &usize| {
+            let [a, b, c] = shape.mesh.faces[face].map(|i| normals[i as usize]);
+            a != b || b != c
+        };
+        let mut faces = 0..shape.mesh.faces.len();
+        let Some(face) = faces.find(|face| is_smooth(face) && is_made_up(face)) else {
+            continue;
+        };
+        let has = match shape.uvs {
+            None => "no texture coordinates".into(),
+            Some(_) => format!("texture coordinates without extent in face {face} (from 0)"),
+        };
+        return Err(Refusal {
             reason: format!(
-                "the material of the shape \"{}\" is anisotropic, and its mesh has no texture \
-                 coordinates to say in which directions; these jump somewhere on smooth surfaces. \
-                 Add texture coordinates to the mesh",
-                shape.id
+                "the material of the shape \"{}\" {}, and its mesh has {has} to say in which \
+                 directions; these jump somewhere on smooth surfaces. Add texture coordinates to \
+                 the mesh that span every face",
+                shape.id,
+                if has_map {
+                    "has a map of normals"
+                } else {
+                    "is anisotropic"
+                },
             ),
-        }),
+        });
     }
+    Ok(())
 }
 
 /// A refusal if a map of normals cuts light off along curves inside faces, and

@@ -18,7 +18,8 @@ use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::recording::Recording;
 use super::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_uncovered, refuse_walk,
+    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_turned_without_uvs,
+    refuse_uncovered, refuse_walk,
 };
 use super::slope::refuse_infinite_slopes;
 
@@ -113,6 +114,8 @@ pub fn backward(
     let accel = Accel::new(scene);
     if wanted.geometry() {
         refuse_motion(&accel)?;
+    } else if turns {
+        refuse_turned_without_uvs(scene)?;
     }
     let field = Field::new(&accel);
     let pass = Pass {
