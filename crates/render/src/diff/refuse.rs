@@ -1,6 +1,6 @@
 //! What cannot be differentiated rightly, said before or while it is tried.
 
-use capwalk_scene::{Emitter, Scene, SensorModel, Shape, TextureId};
+use capwalk_scene::{Emitter, Scene, SensorModel, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
