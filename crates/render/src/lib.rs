@@ -21,8 +21,10 @@ mod material;
 pub mod options;
 mod path;
 mod pixel;
+mod plan;
 mod sampler;
 mod tiles;
+mod vertex;
 mod world;
 
 pub use capwalk_walk::{Estimator, WalkSettings};

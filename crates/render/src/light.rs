@@ -12,8 +12,8 @@ use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 
 use crate::accel::Accel;
 use crate::lamp::Source;
-use crate::path::Vertex;
 use crate::sampler::Stream;
+use crate::vertex::Vertex;
 
 /// An unoccluded direction towards an emitter.
 #[derive(Clone, Copy, Debug)]

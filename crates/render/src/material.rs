@@ -1,14 +1,14 @@
 //! What a surface does to light at a point: its material with its numbers.
 
 use capwalk_math::{Frame, Real, Rgb, Vec3};
-use capwalk_scene::lobe::{Bsdf, Event};
+use capwalk_scene::lobe::Event;
 use capwalk_scene::resolve::TexturesAt;
 use capwalk_scene::{
     Bsdf as Plugin, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId,
 };
 
 use crate::accel::Accel;
-use crate::path::Vertex;
+use crate::vertex::Vertex;
 use crate::world::{Surface, World};
 
 /// The vertex of a path at a surface that is seen along `direction`; `None` if
@@ -213,27 +213,6 @@ pub fn tangents_of_face<R: Real>(
     let tangents = [along(dv2, -dv1), along(-du2, du1)];
     let are_finite = tangents.iter().all(|tangent| tangent.value().is_finite());
     are_finite.then_some(tangents)
-}
-
-impl<R: Real> Vertex<R> {
-    /// A vertex with the given shading frame, seen from the unit direction `wi`.
-    pub fn new(
-        position: Vec3<R>,
-        face_normal: Vec3,
-        frame: Frame<R>,
-        wi: Vec3<R>,
-        bsdf: Bsdf<R>,
-    ) -> Self {
-        let transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
-        Self {
-            position,
-            face_normal,
-            wi: frame.to_local(wi),
-            frame,
-            transmits,
-            bsdf,
-        }
-    }
 }
 
 /// The textures that decide how a shape looks: those of its materials and of

@@ -10,7 +10,7 @@ use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::light::emitter_towards;
-use crate::path::Vertex;
+use crate::vertex::Vertex;
 use crate::world::{AtRest, World, emitted_at};
 
 use super::boundary::{Boundaries, Eye, Numbers};

@@ -11,8 +11,10 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::light::LightSampling;
 use crate::options::Refusal;
-use crate::path::{FIRST_VERTEX, Plan, Tracer, Unfolded, Vertex};
+use crate::path::{Tracer, Unfolded};
+use crate::plan::{FIRST_VERTEX, Plan};
 use crate::sampler::Sampler;
+use crate::vertex::Vertex;
 use crate::world::AtRest;
 
 use super::boundary::{Counts, Draw, Field};

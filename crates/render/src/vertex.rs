@@ -1,0 +1,76 @@
+//! A vertex of a path.
+
+use capwalk_math::{Frame, Real, Rgb, Vec3};
+use capwalk_scene::lobe::{Bsdf, Specular};
+
+/// A surface point that scatters light.
+#[derive(Clone, Debug)]
+pub struct Vertex<R> {
+    /// Where it is.
+    pub position: Vec3<R>,
+    /// Unit normal of the face on the viewer's side.
+    pub face_normal: Vec3,
+    /// The shading frame.
+    pub frame: Frame<R>,
+    /// Unit direction to the viewer in that frame.
+    pub wi: Vec3<R>,
+    /// What it does to light.
+    pub bsdf: Bsdf<R>,
+    /// True if light can come from both sides.
+    pub transmits: bool,
+}
+
+impl<R: Real> Vertex<R> {
+    /// A vertex with the given shading frame, seen from the unit direction `wi`.
+    pub fn new(
+        position: Vec3<R>,
+        face_normal: Vec3,
+        frame: Frame<R>,
+        wi: Vec3<R>,
+        bsdf: Bsdf<R>,
+    ) -> Self {
+        let transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
+        Self {
+            position,
+            face_normal,
+            wi: frame.to_local(wi),
+            frame,
+            transmits,
+            bsdf,
+        }
+    }
+
+    /// Scattered radiance per incident radiance and solid angle, the cosine
+    /// included; zero for what is perfectly specular.
+    #[inline]
+    pub fn eval(&self, direction: Vec3<R>) -> Rgb<R> {
+        self.bsdf.eval(self.wi, self.frame.to_local(direction))
+    }
+
+    /// The direction of a specular event, and the fraction of light that comes
+    /// from there.
+    pub fn specular(&self, event: Specular) -> (Vec3<R>, Rgb<R>) {
+        let (wo, throughput) = self.bsdf.specular(event, self.wi);
+        (self.frame.to_world(wo), throughput)
+    }
+
+    /// The vertex without its derivative.
+    pub fn value(&self) -> Vertex<f64> {
+        Vertex {
+            position: self.position.value(),
+            face_normal: self.face_normal,
+            frame: self.frame.value(),
+            wi: self.wi.value(),
+            bsdf: self.bsdf.value(),
+            transmits: self.transmits,
+        }
+    }
+}
+
+impl Vertex<f64> {
+    /// Density per solid angle with which the material draws a direction.
+    #[inline]
+    pub fn pdf(&self, direction: Vec3) -> f64 {
+        self.bsdf.pdf(self.wi, self.frame.to_local(direction))
+    }
+}
