@@ -120,19 +120,28 @@ fn is_anisotropic(scene: &Scene, bsdf: &Plugin) -> bool {
     }
 }
 
+/// True if a plugin reflects in one direction alone; what refracts so does, too.
+fn is_mirror(bsdf: &Plugin) -> bool {
+    matches!(
+        bsdf,
+        Plugin::Conductor(_)
+            | Plugin::Dielectric(_)
+            | Plugin::ThinDielectric(_)
+            | Plugin::Plastic(_)
+    )
+}
+
+/// True if a plugin lets light pass straight on.
+fn is_pane(bsdf: &Plugin) -> bool {
+    matches!(
+        bsdf,
+        Plugin::ThinDielectric(_) | Plugin::Mask { .. } | Plugin::Null
+    )
+}
+
 /// True if a material can reflect, refract or pass light in one direction alone.
 pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
-    any_part(scene, id, |bsdf| {
-        matches!(
-            bsdf,
-            Plugin::Conductor(_)
-                | Plugin::Dielectric(_)
-                | Plugin::ThinDielectric(_)
-                | Plugin::Plastic(_)
-                | Plugin::Mask { .. }
-                | Plugin::Null
-        )
-    })
+    any_part(scene, id, |bsdf| is_mirror(bsdf) || is_pane(bsdf))
 }
 
 /// Which perfectly specular events at a shape keep images in shape.
@@ -166,26 +175,11 @@ impl FlatEvents {
 /// Which perfectly specular events at a shape keep images in shape: mirrors must
 /// be flat, panes may be bent.
 pub fn flat_events(scene: &Scene, shape: &Shape) -> FlatEvents {
-    let any = |holds: fn(&Plugin) -> bool| any_part(scene, shape.bsdf, holds);
     let turns = scene.map_in(shape.bsdf).is_some();
-    let reflects = |bsdf: &Plugin| {
-        matches!(
-            bsdf,
-            Plugin::Conductor(_)
-                | Plugin::Dielectric(_)
-                | Plugin::ThinDielectric(_)
-                | Plugin::Plastic(_)
-        )
-    };
-    let passes = |bsdf: &Plugin| {
-        matches!(
-            bsdf,
-            Plugin::ThinDielectric(_) | Plugin::Mask { .. } | Plugin::Null
-        )
-    };
+    let is_flat = shape.normals.per_vertex().is_none() && !turns;
     FlatEvents {
-        reflects: any(reflects) && shape.normals.per_vertex().is_none() && !turns,
-        passes: any(passes),
+        reflects: is_flat && any_part(scene, shape.bsdf, is_mirror),
+        passes: any_part(scene, shape.bsdf, is_pane),
     }
 }
 

@@ -9,18 +9,6 @@ use capwalk_scene::*;
 use common::agree::*;
 use common::stages::*;
 
-/// The silhouette of a visible thing crosses pixels: short steps, so that the
-/// difference does not run over whole pixels.
-fn primary() -> Case {
-    Case {
-        size: 46,
-        step: 4e-3,
-        gradient_spp: 320,
-        reference_spp: 960,
-        ..Case::default()
-    }
-}
-
 /// A ball 4.3 away, seen through a lens: its outlines are three pixels wide.
 fn blurred_ball(filter: Filter) -> Scene {
     through_lens(visible_ball(filter), 0.12, 2.9)

@@ -13,18 +13,6 @@ use common::agree::*;
 use common::stages::*;
 use common::*;
 
-/// The silhouette of a visible thing crosses pixels: short steps, so that the
-/// difference does not run over whole pixels.
-fn primary() -> Case {
-    Case {
-        size: 46,
-        step: 4e-3,
-        gradient_spp: 320,
-        reference_spp: 960,
-        ..Case::default()
-    }
-}
-
 fn primary_case(name: &str, scene: Scene, expression: &str) {
     let motion = motion(&scene, expression);
     agree(name, scene, &motion, primary());

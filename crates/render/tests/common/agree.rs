@@ -38,6 +38,18 @@ impl Default for Case {
     }
 }
 
+/// For the silhouette of a visible thing, which crosses pixels: short steps, so
+/// that the difference does not run over whole pixels.
+pub fn primary() -> Case {
+    Case {
+        size: 46,
+        step: 4e-3,
+        gradient_spp: 320,
+        reference_spp: 960,
+        ..Case::default()
+    }
+}
+
 /// Runs both and demands agreement.
 pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
     scene.film.size = [case.size; 2];
