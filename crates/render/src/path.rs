@@ -68,26 +68,26 @@ pub struct Tracer<'a> {
 
 /// The specular events since a direction was carried along a field.
 #[derive(Clone, Copy, Debug)]
-pub struct Unfolded {
+pub struct SpecularChain {
     /// How many, if the field has the outlines that are seen behind them.
     count: Option<u32>,
     /// After which further ones at this place it has them, too.
-    events_here: FlatEvents,
+    here: FlatEvents,
 }
 
-impl Default for Unfolded {
+impl Default for SpecularChain {
     fn default() -> Self {
         Self {
             count: Some(0),
-            events_here: FlatEvents::default(),
+            here: FlatEvents::default(),
         }
     }
 }
 
-impl Unfolded {
+impl SpecularChain {
     /// Their number with one more, if the field has the outlines behind it.
     fn after(&self, event: Event) -> Option<u32> {
-        let count = self.count.filter(|_| self.events_here.contains(event))?;
+        let count = self.count.filter(|_| self.here.contains(event))?;
         (count < MAX_EVENTS).then_some(count + 1)
     }
 }
@@ -156,7 +156,7 @@ impl<'a> Tracer<'a> {
             light += emitted_at(world, accel, emitter, hit.as_ref(), origin, direction);
         }
         let mut throughput = Rgb::constant(Rgb::splat(1.0)); // over its density
-        let mut unfolded = Unfolded::default();
+        let mut chain = SpecularChain::default();
         for depth in 0.. {
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
                 break;
@@ -165,8 +165,8 @@ impl<'a> Tracer<'a> {
             let Some(vertex) = vertex_at(world, accel, &surface, direction) else {
                 break;
             };
-            unfolded.events_here = accel.flat_events(&found);
-            let (emitted, next) = self.emitted(world, &vertex, depth, unfolded, draw);
+            chain.here = accel.flat_events(&found);
+            let (emitted, next) = self.emitted(world, &vertex, depth, chain, draw);
             light += throughput.hadamard(emitted);
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
                 break;
@@ -181,13 +181,13 @@ impl<'a> Tracer<'a> {
                     let carried = world.carry(&eye, next.direction, walk, numbers);
                     let f = vertex.eval(carried.direction);
                     throughput = throughput.hadamard(f * (carried.stretch * over_density));
-                    unfolded = Unfolded::default();
+                    chain = SpecularChain::default();
                     carried.direction
                 }
                 Some(event) => {
                     let (wo, fraction) = vertex.specular(event);
                     throughput = throughput.hadamard(fraction * over_density);
-                    unfolded.count = unfolded.after(event.event);
+                    chain.count = chain.after(event.event);
                     wo
                 }
             };
@@ -238,7 +238,7 @@ impl<'a> Tracer<'a> {
         world: &W,
         vertex: &Vertex<R>,
         depth: u32,
-        unfolded: Unfolded,
+        chain: SpecularChain,
         draw: Draw,
     ) -> (Rgb<R>, Option<Continuation>) {
         let mut light = Rgb::zero();
@@ -282,7 +282,7 @@ impl<'a> Tracer<'a> {
                 light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
             |event, hit| {
-                if W::MOVES && unfolded.after(event.event).is_none() {
+                if W::MOVES && chain.after(event.event).is_none() {
                     let (direction, _) = vertex.specular(event);
                     self.count_uncovered(world, vertex.position, direction, hit, draw);
                 }

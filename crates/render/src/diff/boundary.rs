@@ -241,7 +241,8 @@ impl<'a> Field<'a> {
         }
     }
 
-    fn sphere<'e, R: Real>(
+    /// The directions around an eye, bounded by edges and their images.
+    pub(super) fn sphere<'e, R: Real>(
         &'e self,
         eye: &'e Eye<R>,
     ) -> Unfolded<'e, R, impl Fn(&SilhouettePoint) -> bool> {

@@ -11,7 +11,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::light::LightSampling;
 use crate::options::Refusal;
-use crate::path::{Tracer, Unfolded};
+use crate::path::{SpecularChain, Tracer};
 use crate::plan::{FIRST_VERTEX, Plan};
 use crate::sampler::Sampler;
 use crate::vertex::Vertex;
@@ -84,7 +84,7 @@ pub fn irradiance(
                 stream: &stream,
                 counts: &Counts::default(),
             };
-            let (light, _) = tracer.emitted(&world, &vertex, 0, Unfolded::default(), draw);
+            let (light, _) = tracer.emitted(&world, &vertex, 0, SpecularChain::default(), draw);
             irradiance.value.add(light.x.value);
             irradiance.gradient.add(light.x.tangent[0]);
         }
@@ -120,7 +120,7 @@ pub fn difference(
             let [above, below] = [0, 1].map(|i| {
                 let world = AtRest(&accels[i]);
                 tracers[i]
-                    .emitted(&world, &vertex, 0, Unfolded::default(), draw)
+                    .emitted(&world, &vertex, 0, SpecularChain::default(), draw)
                     .0
                     .x
             });

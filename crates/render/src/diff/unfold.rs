@@ -351,3 +351,78 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for Unfolded<'_, R, F> {
         self.direct.curvature(q)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diff::boundary::Field;
+    use capwalk_scene::bsdf::Metal;
+    use capwalk_scene::{Bsdf, Scene, ShadingNormals, Texture, builtin};
+
+    /// The ball and its lamp, flat-shaded, over a floor that is a mirror.
+    fn mirrored() -> Scene {
+        let mut scene = builtin::scene("ball").expect("built in");
+        let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+        let metal = Metal {
+            eta: number("eta", 0.0),
+            k: number("k", 1.0),
+            specular_reflectance: number("tint", 1.0),
+        };
+        let floor = scene.shapes[0].bsdf;
+        scene.materials[floor.0 as usize].bsdf = Bsdf::Conductor(metal);
+        for shape in &mut scene.shapes {
+            shape.normals = ShadingNormals::Face;
+            shape.uvs = None;
+        }
+        scene
+    }
+
+    /// The same world without the mirror, and behind it what it shows.
+    fn doubled() -> Scene {
+        let mut scene = mirrored();
+        let eye = scene.sensor.origin();
+        let floor = &mut scene.shapes[0].mesh;
+        // Out of sight, above the eye.
+        let away = |p: &Vec3| *p * 1e-3 + eye * 50.0;
+        floor.positions = floor.positions.iter().map(away).collect();
+        for shape in &mut scene.shapes[1..] {
+            let mut image = shape.mesh.clone();
+            image.positions.iter_mut().for_each(|p| p.y = -p.y);
+            shape.mesh.append(&image);
+        }
+        scene
+    }
+
+    /// Images are what one would see if the mirror were a window: the same closest
+    /// points, found without any mirror.
+    #[test]
+    fn images_are_seen_through_windows() {
+        let scenes = [mirrored(), doubled()];
+        assert_eq!(scenes[0].shapes[0].id, "floor");
+        let [with, without] = [Accel::new(&scenes[0]), Accel::new(&scenes[1])];
+        let fields = [Field::new(&with), Field::new(&without)];
+        let origin = scenes[0].sensor.origin();
+        let eye: Eye<f64> = Eye::camera(origin, 1);
+        let [mirror, window] = fields.each_ref().map(|field| field.sphere(&eye));
+        let view = scenes[0].sensor.view(&scenes[0].film);
+        let [width, height] = scenes[0].film.size.map(f64::from);
+        let mut images = 0;
+        for i in 0..2000 {
+            // A lattice that fills the film evenly.
+            let at = [0.754_877_666, 0.569_840_291].map(|a| (f64::from(i) * a).fract());
+            let q = view.direction([width * at[0], height * at[1]]);
+            let [seen, expected] = [mirror.closest(q, 0.1), window.closest(q, 0.1)];
+            let distances = [&seen, &expected].map(|it| it.map_or(0.1, |it| it.distance));
+            assert!(
+                (distances[0] - distances[1]).abs() < 1e-9,
+                "{q:?}: {distances:?}"
+            );
+            let Some((seen, expected)) = seen.zip(expected) else {
+                continue;
+            };
+            assert!((seen.point - expected.point).length() < 1e-7, "{q:?}");
+            images += usize::from(!seen.site.is_direct);
+        }
+        assert!(images > 100, "{images} images");
+    }
+}
