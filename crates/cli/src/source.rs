@@ -80,7 +80,6 @@ pub fn options(args: &SamplingArgs, scene: &Scene) -> Options {
 pub fn gradient_options(options: Options, args: &WalkArgs) -> GradientOptions {
     let default = WalkSettings::default();
     GradientOptions {
-        options,
         walk: WalkSettings {
             steps: args.walk_steps,
             max_radius: args.max_angle.map_or(default.max_radius, f64::to_radians),
@@ -90,5 +89,6 @@ pub fn gradient_options(options: Options, args: &WalkArgs) -> GradientOptions {
             },
             antithetic: args.antithetic,
         },
+        ..GradientOptions::new(options)
     }
 }

@@ -5,6 +5,7 @@ pub(crate) mod boundary;
 mod clip;
 mod crossing;
 pub mod finite;
+pub(crate) mod flow;
 pub(crate) mod flux;
 pub mod forward;
 mod lamp_edge;

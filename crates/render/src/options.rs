@@ -18,8 +18,30 @@ pub struct Options {
 pub struct GradientOptions {
     /// How much to sample.
     pub options: Options,
-    /// The walk that builds the velocity field.
+    /// What makes up for the jumps of the integrand.
+    pub method: Method,
+    /// The walk that builds the velocity field, for methods that walk.
     pub walk: WalkSettings,
+}
+
+impl GradientOptions {
+    /// The default method and walk.
+    pub fn new(options: Options) -> Self {
+        Self {
+            options,
+            method: Method::default(),
+            walk: WalkSettings::default(),
+        }
+    }
+}
+
+/// How the derivative of an integrand that jumps is estimated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Method {
+    /// A velocity field by walks on spherical caps, around every point that
+    /// light arrives at. Unbiased.
+    #[default]
+    Walk,
 }
 
 /// Follows the work and may stop it. Called from worker threads.

@@ -6,9 +6,7 @@ mod common;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_render::{
-    GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
-};
+use capwalk_render::{GradientOptions, Options, Unwatched, Wanted, backward, gradient};
 use capwalk_scene::bsdf::{Glass, Metal, Principled};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
@@ -59,14 +57,11 @@ fn is_refused(scene: &Scene, name: &str) -> bool {
 
 /// Why forward and reverse mode refuse, if they do.
 fn refusals(scene: &Scene, motion: &Motion) -> [Option<String>; 2] {
-    let settings = GradientOptions {
-        options: Options {
-            spp: 64,
-            seed: 1,
-            threads: None,
-        },
-        walk: WalkSettings::default(),
-    };
+    let settings = GradientOptions::new(Options {
+        spp: 64,
+        seed: 1,
+        threads: None,
+    });
     let forward = gradient(scene, motion, &settings, &Unwatched);
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let adjoint = Image {

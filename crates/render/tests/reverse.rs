@@ -7,9 +7,7 @@
 mod common;
 
 use capwalk_math::{Affine, Vec3};
-use capwalk_render::{
-    Backward, GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
-};
+use capwalk_render::{Backward, GradientOptions, Options, Unwatched, Wanted, backward, gradient};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
@@ -73,14 +71,11 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
 }
 
 fn settings(spp: u32, threads: Option<usize>) -> GradientOptions {
-    GradientOptions {
-        options: Options {
-            spp,
-            seed: 5,
-            threads,
-        },
-        walk: WalkSettings::default(),
-    }
+    GradientOptions::new(Options {
+        spp,
+        seed: 5,
+        threads,
+    })
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> Backward {

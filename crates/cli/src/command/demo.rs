@@ -155,11 +155,11 @@ fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
         threads: sampling.threads,
     };
     let settings = |estimator, spp| GradientOptions {
-        options: options(spp),
         walk: WalkSettings {
             estimator,
             ..WalkSettings::default()
         },
+        ..GradientOptions::new(options(spp))
     };
     let spp = sampling.spp.unwrap_or(SPP);
 

@@ -14,9 +14,11 @@ use capwalk_scene::Emitter;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
+use crate::options::Method;
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
+use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::unfold::{Mirrors, Seen, Unfolded};
@@ -189,6 +191,8 @@ pub struct Field<'a> {
     pub accel: &'a Accel<'a>,
     /// The edges.
     pub boundaries: Boundaries,
+    /// What the fields are made by.
+    pub method: Method,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     horizon_distance: f64,
@@ -233,9 +237,10 @@ pub type Sites = FieldSample<Site, Vec3>;
 
 impl<'a> Field<'a> {
     /// The fields of a scene.
-    pub fn new(accel: &'a Accel<'a>) -> Self {
+    pub fn new(accel: &'a Accel<'a>, method: Method) -> Self {
         Self {
             accel,
+            method,
             boundaries: Boundaries::new(accel),
             horizon_distance: accel.horizon_distance(),
         }
@@ -283,6 +288,14 @@ impl<'a> Field<'a> {
         let sample = sample_field(&sphere, q, walk, |i| random.number(i));
         random.draw.count_queries(sphere.direct.queries.get());
         sample.map(|site| self.site(eye, site))
+    }
+
+    /// A sample of the field and its divergence in the direction `q`, as a map from
+    /// velocities; `None` if the method's fields are [`Sites`].
+    pub fn flow<R: Real>(&self, _eye: &Eye<R>, _q: Vec3, _random: Numbers) -> Option<Flow> {
+        match self.method {
+            Method::Walk => None,
+        }
     }
 
     /// A sample of the field alone; `None` for velocity zero.

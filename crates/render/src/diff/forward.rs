@@ -31,7 +31,7 @@ pub fn gradient(
     let is_asked_for = |id: TextureId| motion.textures[id.0 as usize].is_some();
     refuse_infinite_slopes(scene, is_asked_for)?;
     let accel = Accel::new(scene);
-    let field = Field::new(&accel);
+    let field = Field::new(&accel, options.method);
     let world = InMotion::new(&accel, &field, motion);
     let turns = motion.shapes.iter().any(Option::is_some);
     refuse_cut_normals(scene, turns || world.moves(), is_asked_for)?;

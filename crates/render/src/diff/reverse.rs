@@ -117,7 +117,7 @@ pub fn backward(
     } else if turns {
         refuse_turned_without_uvs(scene)?;
     }
-    let field = Field::new(&accel);
+    let field = Field::new(&accel, options.method);
     let pass = Pass {
         scene,
         adjoint,
