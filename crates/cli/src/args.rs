@@ -62,6 +62,10 @@ pub enum Command {
     ///
     /// Takes about a minute on two cores. Exit status as for check.
     Demo(Demo),
+    /// Draw the figures of the paper and test its claims, from measured data
+    ///
+    /// Writes pictures, CSV files and report.html, one page with everything.
+    Figures(Figures),
 }
 
 /// Which scene, and changes to it.
@@ -314,6 +318,51 @@ pub struct Demo {
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Args, Debug)]
+pub struct Figures {
+    /// Which figures: their names, or "all"
+    #[arg(value_name = "FIGURE", default_value = "all", value_parser = parse_figure)]
+    pub names: Vec<String>,
+    /// Folder for the report
+    #[arg(short, long, value_name = "FOLDER", default_value = "figures")]
+    pub out: PathBuf,
+    /// How much work each figure is worth
+    #[arg(long, default_value = "draft")]
+    pub quality: QualityName,
+    /// Mesh (.ply, .obj) that takes the place of the Voronoi bunny
+    #[arg(long, value_name = "FILE")]
+    pub mesh: Option<PathBuf>,
+    /// Seed of all random numbers
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    pub seed: u64,
+    /// Worker threads; changes times only [default: all cores]
+    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
+    pub threads: Option<usize>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Qualities by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum QualityName {
+    /// Seconds: everything runs, little is decided
+    Smoke,
+    /// Minutes: most claims are decided
+    Draft,
+    /// An hour and more
+    Full,
+}
+
+fn parse_figure(text: &str) -> Result<String, String> {
+    let mut names: Vec<&str> = capwalk_figures::ALL.iter().map(|f| f.name).collect();
+    names.push("all");
+    match names.contains(&text) {
+        true => Ok(text.into()),
+        false => Err(format!("there are {}", names.join(", "))),
+    }
 }
 
 fn parse_define(text: &str) -> Result<(String, String), String> {

@@ -47,6 +47,7 @@ fn main() -> ExitCode {
         Command::Compare(args) => command::compare::run(args),
         Command::Scenes(args) => command::scenes::run(args),
         Command::Demo(args) => command::demo::run(args),
+        Command::Figures(args) => command::figures::run(args),
     });
     finish(result)
 }
