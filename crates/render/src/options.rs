@@ -42,6 +42,11 @@ pub enum Method {
     /// light arrives at. Unbiased.
     #[default]
     Walk,
+    /// The same on the triangle that each direction meets, around which nothing is
+    /// carried: the paper to the letter. The triangles' borders limit the walks,
+    /// in the place of `max_radius`, which is left for what lies beside them.
+    /// Unbiased; images in mirrors are not covered.
+    TriangleWalk,
 }
 
 /// Follows the work and may stop it. Called from worker threads.

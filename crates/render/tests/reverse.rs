@@ -7,7 +7,9 @@
 mod common;
 
 use capwalk_math::{Affine, Vec3};
-use capwalk_render::{Backward, GradientOptions, Options, Unwatched, Wanted, backward, gradient};
+use capwalk_render::{
+    Backward, GradientOptions, Method, Options, Unwatched, Wanted, backward, gradient,
+};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
@@ -79,14 +81,22 @@ fn settings(spp: u32, threads: Option<usize>) -> GradientOptions {
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> Backward {
+    reverse_with(scene, wanted, &settings(spp, threads))
+}
+
+fn reverse_with(scene: &Scene, wanted: &Wanted, options: &GradientOptions) -> Backward {
     let adjoint = adjoint(scene, 3);
-    let result = backward(scene, &adjoint, wanted, &settings(spp, threads), &Unwatched);
+    let result = backward(scene, &adjoint, wanted, options, &Unwatched);
     result.expect("covered")
 }
 
 /// `⟨δ, J θ̇⟩` in forward mode.
 fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
-    let result = gradient(scene, motion, &settings(spp, None), &Unwatched).expect("covered");
+    forward_with(scene, motion, &settings(spp, None))
+}
+
+fn forward_with(scene: &Scene, motion: &Motion, options: &GradientOptions) -> f64 {
+    let result = gradient(scene, motion, options, &Unwatched).expect("covered");
     let pixels = result.gradient.mean.pixels.iter();
     let adjoint = adjoint(scene, 3);
     pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
@@ -111,8 +121,12 @@ fn small(scene: &mut Scene, depth: u32) {
 }
 
 fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
-    let forward = forward(scene, motion, 32);
-    let (reverse, error) = reverse(scene, &Wanted::by(motion), 32, None).along(motion);
+    agree_with(name, scene, motion, &settings(32, None));
+}
+
+fn agree_with(name: &str, scene: &Scene, motion: &Motion, options: &GradientOptions) {
+    let forward = forward_with(scene, motion, options);
+    let (reverse, error) = reverse_with(scene, &Wanted::by(motion), options).along(motion);
     println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
     let difference = (forward - reverse).abs();
     assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
@@ -183,6 +197,28 @@ fn constant_light() {
         radiance,
     });
     agree_in_both_modes("constant light", scene, 4);
+}
+
+/// Fields on triangles, with surfaces that cross, directions that meet nothing, and
+/// pixels that end abruptly.
+#[test]
+fn fields_on_triangles() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    for steps in [1, 2] {
+        let mut options = settings(32, None);
+        options.method = Method::TriangleWalk;
+        options.walk.steps = steps;
+        agree_with(&format!("M = {steps}"), &scene, &motion, &options);
+    }
 }
 
 /// Materials of microfacets, blended and coated; glass where there was none.

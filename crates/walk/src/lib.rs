@@ -9,7 +9,8 @@
 //! sums them up; whoever wants the adjoint scatters them.
 //!
 //! The algorithm is written once over a [`Domain`]: [`Sphere`] walks on caps
-//! (Algorithms 6 and 7), [`Interval`] is the toy of Section 3.3.
+//! (Algorithms 6 and 7), [`Triangle`] on the part of it that shows a triangle,
+//! [`Interval`] is the toy of Section 3.3.
 //!
 //! Nothing here knows about light.
 
@@ -18,9 +19,11 @@ pub mod field;
 pub mod fixed_step;
 pub mod interval;
 pub mod sphere;
+pub mod triangle;
 
 pub use domain::{Domain, Nearest, Vector};
 pub use field::{FieldSample, Term};
 pub use fixed_step::{Estimator, WalkSettings, sample_field, sample_value};
 pub use interval::Interval;
 pub use sphere::Sphere;
+pub use triangle::{Outline, Triangle};

@@ -6,7 +6,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::estimate::Statistics;
 use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
-use crate::options::Refusal;
+use crate::options::{Method, Refusal};
 
 use super::clip::refuse_clipped;
 use super::unfold::MAX_EVENTS;
@@ -150,11 +150,22 @@ pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
 }
 
 /// A refusal if something moved in a curved mirror or behind refracting glass.
-pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
+pub(super) fn refuse_uncovered(statistics: &Statistics, method: Method) -> Result<(), Refusal> {
     if statistics.uncovered == 0 {
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
+    if !method.covers_images() {
+        return Err(Refusal {
+            reason: format!(
+                "things move that are seen in mirrors or through what lets light pass (about {:.2} \
+                 specular events in 100 samples), and the motion of their outlines there is not \
+                 available with fields on triangles. Use `domain` sphere, the default, which has it \
+                 for flat mirrors and panes",
+                100.0 * share
+            ),
+        });
+    }
     Err(Refusal {
         reason: format!(
             "things move that are seen in curved mirrors, through refracting glass, or after more \
