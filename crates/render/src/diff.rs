@@ -17,3 +17,4 @@ pub mod refuse;
 pub mod reverse;
 mod slope;
 pub(crate) mod unfold;
+mod was;
