@@ -281,3 +281,31 @@ fn collapsed_texture_coordinates_say_nothing() {
         [[[false; 2]; 2], [[true; 2]; 2]]
     );
 }
+
+/// No steps make a field that jumps (paper, Section 5.1), no angle makes none.
+#[test]
+fn walks_without_steps_or_reach() {
+    let scene = mirror_floor();
+    let motion = motion(&scene, "lamp.translate.x");
+    let mut wanted = GradientOptions {
+        options: Options {
+            spp: 2,
+            seed: 1,
+            threads: None,
+        },
+        walk: WalkSettings::default(),
+    };
+    for (steps, max_radius, expected) in [
+        (
+            0,
+            0.2,
+            "a walk of 0 steps gives a field that is not continuous",
+        ),
+        (1, 0.0, "the largest angle of a walk is 0"),
+    ] {
+        wanted.walk.steps = steps;
+        wanted.walk.max_radius = max_radius;
+        let refusal = gradient(&scene, &motion, &wanted, &Unwatched).expect_err("it is refused");
+        assert!(refusal.reason.starts_with(expected), "{refusal}");
+    }
+}
