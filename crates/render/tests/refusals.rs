@@ -6,7 +6,9 @@ mod common;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_render::{GradientOptions, Options, Unwatched, Wanted, backward, gradient};
+use capwalk_render::{
+    GradientOptions, Method, Options, Unwatched, Wanted, WasSettings, backward, gradient,
+};
 use capwalk_scene::bsdf::{Glass, Metal, Principled};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
@@ -287,14 +289,11 @@ fn collapsed_texture_coordinates_say_nothing() {
 fn walks_without_steps_or_reach() {
     let scene = mirror_floor();
     let motion = motion(&scene, "lamp.translate.x");
-    let mut wanted = GradientOptions {
-        options: Options {
-            spp: 2,
-            seed: 1,
-            threads: None,
-        },
-        walk: WalkSettings::default(),
-    };
+    let mut wanted = GradientOptions::new(Options {
+        spp: 2,
+        seed: 1,
+        threads: None,
+    });
     for (steps, max_radius, expected) in [
         (
             0,
@@ -307,5 +306,15 @@ fn walks_without_steps_or_reach() {
         wanted.walk.max_radius = max_radius;
         let refusal = gradient(&scene, &motion, &wanted, &Unwatched).expect_err("it is refused");
         assert!(refusal.reason.starts_with(expected), "{refusal}");
+    }
+    for (rays, kappa) in [(0, 1e5), (8, 0.0), (8, f64::NAN)] {
+        wanted.method = Method::Was(WasSettings {
+            rays,
+            kappa,
+            ..WasSettings::default()
+        });
+        let refusal = gradient(&scene, &motion, &wanted, &Unwatched).expect_err("it is refused");
+        let expected = format!("warped-area sampling with {rays} auxiliary rays");
+        assert!(refusal.reason.starts_with(&expected), "{refusal}");
     }
 }

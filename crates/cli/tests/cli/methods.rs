@@ -14,15 +14,15 @@ fn options_of_other_methods_are_errors() {
     };
     refused(
         "gradient --was-rays 16",
-        &["--was-rays", "the method walk", "--method was"],
+        &["--was-rays", "the method is walk", "--method was"],
     );
     refused(
         "check --method was --walk-steps 2",
-        &["--walk-steps", "the method was", "--method walk"],
+        &["--walk-steps", "the method is was", "--method walk"],
     );
     refused(
         "gradient --method fd --was-debias",
-        &["--was-debias", "the method fd"],
+        &["--was-debias", "the method is fd"],
     );
     refused("gradient --step 0.1", &["--step", "--method fd"]);
     refused("check --method fd", &["nothing to check", "compare"]);
