@@ -19,3 +19,4 @@ pub mod reverse;
 mod slope;
 mod triangle;
 pub(crate) mod unfold;
+mod was;

@@ -43,7 +43,8 @@ fn few_pixels() -> Case {
         size: 14,
         gradient_spp: 2000,
         reference_spp: 3000,
-        min_pixels: 150,
+        min_pixels: 120,
+        patience: 4.0,
         ..Case::default()
     }
 }

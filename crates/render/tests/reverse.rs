@@ -8,7 +8,8 @@ mod common;
 
 use capwalk_math::{Affine, Vec3};
 use capwalk_render::{
-    Backward, GradientOptions, Method, Options, Unwatched, Wanted, backward, gradient,
+    Backward, GradientOptions, Method, Options, Unwatched, Wanted, WasBoundary, WasSettings,
+    backward, gradient,
 };
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
@@ -81,22 +82,18 @@ fn settings(spp: u32, threads: Option<usize>) -> GradientOptions {
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> Backward {
-    reverse_with(scene, wanted, &settings(spp, threads))
-}
-
-fn reverse_with(scene: &Scene, wanted: &Wanted, options: &GradientOptions) -> Backward {
     let adjoint = adjoint(scene, 3);
-    let result = backward(scene, &adjoint, wanted, options, &Unwatched);
+    let result = backward(scene, &adjoint, wanted, &settings(spp, threads), &Unwatched);
     result.expect("covered")
 }
 
 /// `⟨δ, J θ̇⟩` in forward mode.
 fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
-    forward_with(scene, motion, &settings(spp, None))
+    forward_by(scene, motion, &settings(spp, None))
 }
 
-fn forward_with(scene: &Scene, motion: &Motion, options: &GradientOptions) -> f64 {
-    let result = gradient(scene, motion, options, &Unwatched).expect("covered");
+fn forward_by(scene: &Scene, motion: &Motion, settings: &GradientOptions) -> f64 {
+    let result = gradient(scene, motion, settings, &Unwatched).expect("covered");
     let pixels = result.gradient.mean.pixels.iter();
     let adjoint = adjoint(scene, 3);
     pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
@@ -121,12 +118,14 @@ fn small(scene: &mut Scene, depth: u32) {
 }
 
 fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
-    agree_with(name, scene, motion, &settings(32, None));
+    agree_by(name, scene, motion, &settings(32, None));
 }
 
-fn agree_with(name: &str, scene: &Scene, motion: &Motion, options: &GradientOptions) {
-    let forward = forward_with(scene, motion, options);
-    let (reverse, error) = reverse_with(scene, &Wanted::by(motion), options).along(motion);
+fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptions) {
+    let forward = forward_by(scene, motion, settings);
+    let wanted = Wanted::by(motion);
+    let reverse = backward(scene, &adjoint(scene, 3), &wanted, settings, &Unwatched);
+    let (reverse, error) = reverse.expect("covered").along(motion);
     println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
     let difference = (forward - reverse).abs();
     assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
@@ -176,6 +175,29 @@ fn thin_lens() {
     }
 }
 
+/// A field of another kind, also across the borders of a box filter and before a
+/// mirror, where it is biased in both modes alike.
+#[test]
+fn warped_area_sampling() {
+    let mut scene = visible_ball(Filter::Box);
+    make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    let debiased = WasSettings {
+        boundary: WasBoundary::Normals,
+        rays: 3,
+        debias: true,
+        ..WasSettings::default()
+    };
+    for was in [WasSettings::default(), debiased] {
+        let settings = GradientOptions {
+            method: Method::Was(was),
+            ..settings(16, None)
+        };
+        agree_by("warped areas", &scene, &motion, &settings);
+    }
+}
+
 /// Two cubes that pass through each other.
 #[test]
 fn crossing_surfaces() {
@@ -217,7 +239,7 @@ fn fields_on_triangles() {
         let mut options = settings(32, None);
         options.method = Method::TriangleWalk;
         options.walk.steps = steps;
-        agree_with(&format!("M = {steps}"), &scene, &motion, &options);
+        agree_by(&format!("M = {steps}"), &scene, &motion, &options);
     }
 }
 

@@ -22,6 +22,7 @@ use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::unfold::{Mirrors, Seen, Unfolded};
+use super::was;
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -304,9 +305,12 @@ impl<'a> Field<'a> {
         walk: &WalkSettings,
         random: Numbers,
     ) -> Option<Flow> {
-        match self.method {
+        match &self.method {
             Method::Walk => None,
             Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
+            Method::Was(settings) => {
+                Some(was::flow(self.accel, eye, q, settings, &random.branch()))
+            }
         }
     }
 
@@ -400,6 +404,11 @@ pub struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
+    /// Any number of them, for what does not walk.
+    fn branch(&self) -> Stream {
+        self.draw.stream.branch(self.dimension)
+    }
+
     pub(super) fn number(&self, i: u32) -> f64 {
         self.draw.stream.number(self.dimension + i)
     }

@@ -120,9 +120,9 @@ impl Receiver {
     /// Eq. 38), for the slope of its weight on the sphere of directions.
     pub fn divergence(&self, slope: Vec3) -> Vec3 {
         let Frame { s, t, .. } = Frame::from_normal(self.cross.normalized());
-        [s, t].into_iter().fold(Vec3::zero(), |sum, d| {
-            sum + d * slope.dot(self.project(d))
-        })
+        [s, t]
+            .into_iter()
+            .fold(Vec3::zero(), |sum, d| sum + d * slope.dot(self.project(d)))
     }
 
     /// How the direction moves with the material alone.
@@ -314,16 +314,14 @@ mod tests {
             mirrors: Mirrors::default(),
         };
         let found = receiver.projected(&site, seen);
-        let found = found
-            .iter()
-            .fold(Vec3::zero(), |sum, (source, [x, y, z])| {
-                let v = match *source {
-                    Source::Point(i) if i >= 3 => end_velocities[i as usize - 3],
-                    Source::Point(i) => example.velocities[i as usize],
-                    Source::Eye => example.eye_velocity,
-                };
-                sum + *x * v.x + *y * v.y + *z * v.z
-            });
+        let found = found.iter().fold(Vec3::zero(), |sum, (source, [x, y, z])| {
+            let v = match *source {
+                Source::Point(i) if i >= 3 => end_velocities[i as usize - 3],
+                Source::Point(i) => example.velocities[i as usize],
+                Source::Eye => example.eye_velocity,
+            };
+            sum + *x * v.x + *y * v.y + *z * v.z
+        });
         let weights = |h: f64| {
             let mut moved = Example::new();
             for i in 0..3 {

@@ -99,7 +99,8 @@ impl Field<'_> {
         let mut flow = receiver.material();
         for term in sample.terms() {
             if let Outline::Silhouette(point) = &term.site {
-                let velocity = receiver.projected(&self.site(eye, &directly(point)), point.direction);
+                let velocity =
+                    receiver.projected(&self.site(eye, &directly(point)), point.direction);
                 let divergence = receiver.divergence(term.slope);
                 receiver.add(&mut flow, &velocity, term.weight, divergence);
             }
