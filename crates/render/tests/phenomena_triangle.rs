@@ -20,7 +20,7 @@ fn under_a_triangle(thing: Mesh) -> Scene {
     scene.sensor.near_clip = 5.6;
     add_floor(&mut scene, 3.0);
     let lamp = Mesh {
-        positions: vec![v(4.5, -2.5, 3.0), v(-4.5, -2.7, 3.2), v(0.3, 5.0, 2.8)],
+        positions: vec![v(2.2, -1.2, 1.9), v(-2.2, -1.3, 2.0), v(0.1, 2.4, 1.85)],
         faces: vec![[0, 1, 2]],
     };
     add(&mut scene, "lamp", lamp, ShadingNormals::Face, 0.0);
@@ -41,8 +41,8 @@ fn on_triangles(name: &str, scene: Scene, expression: &str, case: Case) {
 fn few_pixels() -> Case {
     Case {
         size: 14,
-        gradient_spp: 2000,
-        reference_spp: 3000,
+        gradient_spp: 2500,
+        reference_spp: 2500,
         min_pixels: 120,
         patience: 4.0,
         ..Case::default()

@@ -84,7 +84,7 @@ impl Receiver {
     }
 
     /// A velocity's part in the plane, what is missing taken along a direction.
-    fn into_plane(&self, velocity: Vec3, along: Vec3) -> Vec3 {
+    fn in_plane(&self, velocity: Vec3, along: Vec3) -> Vec3 {
         velocity - along * (self.cross.dot(velocity) / self.cross.dot(along))
     }
 
@@ -95,8 +95,8 @@ impl Receiver {
         let r = self.distance_along(seen);
         // The direction turns with the boundary point, the ray is cut by the plane,
         // and the material under it moves on.
-        let turned = |velocity: Vec3| self.into_plane(site.angular(velocity) * r, seen);
-        let plane = |velocity: Vec3| self.into_plane(velocity, seen);
+        let turned = |velocity: Vec3| self.in_plane(site.angular(velocity) * r, seen);
+        let plane = |velocity: Vec3| self.in_plane(velocity, seen);
         let [a, b] = site.points;
         let mut terms = vec![
             (Source::Point(a), columns(|v| turned(v) * (1.0 - site.t))),
@@ -132,14 +132,14 @@ impl Receiver {
         let offset = self.direction * self.distance;
         let weights = self.weights(self.eye + offset);
         let scale = 1.0 / self.cross.dot(offset);
-        for i in 0..3 {
+        for (i, weight) in weights.into_iter().enumerate() {
             let opposite = self.corners[(i + 1) % 3] - self.corners[(i + 2) % 3];
             // The area's growth and the turning of the normal, together.
             let tilt = opposite.cross(offset) * scale;
             flow.add(
                 Source::Point(self.vertices[i]),
-                columns(|v| v * (weights[i] / self.distance)),
-                w * weights[i] + tilt,
+                columns(|v| v * (weight / self.distance)),
+                w * weight + tilt,
             );
         }
         flow.add(Source::Eye, columns(|v| -v / self.distance), -w);
