@@ -115,7 +115,7 @@ impl World<D> for InMotion<'_> {
         if self.is_at_rest(eye) {
             return Carried::at_rest(q);
         }
-        if let Some(flow) = self.field.flow(eye, q, numbers) {
+        if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
             let (mean, divergence) = flow.evaluate(|source| match source {
                 Source::Point(i) => self.points[i as usize],
                 Source::Eye => eye.position.tangent(0),
@@ -137,6 +137,9 @@ impl World<D> for InMotion<'_> {
     fn carry_value(&self, eye: &Eye<D>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Vec3<D> {
         if self.is_at_rest(eye) {
             return Vec3::constant(q);
+        }
+        if self.field.has_flow() {
+            return self.carry(eye, q, walk, numbers).direction;
         }
         let velocity = match self.field.sample_value(eye, q, walk, numbers) {
             None => Vec3::zero(),

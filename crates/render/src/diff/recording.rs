@@ -240,7 +240,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         if !self.wanted.geometry() {
             return Carried::at_rest(q);
         }
-        if let Some(flow) = self.field.flow(eye, q, numbers) {
+        if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
             let moves = |source| match source {
                 Source::Point(i) => self.points[i as usize],
                 Source::Eye => !eye.position.is_constant(),
@@ -285,6 +285,9 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
     ) -> Vec3<Var<'t>> {
         if !self.wanted.geometry() {
             return Vec3::constant(q);
+        }
+        if self.field.has_flow() {
+            return self.carry(eye, q, walk, numbers).direction;
         }
         match self.field.sample_value(eye, q, walk, numbers) {
             Some(site) if self.moves(eye, &site) => {
