@@ -17,7 +17,11 @@ mod claim;
 mod curves;
 mod fig03;
 mod fig08;
+mod fig09;
+mod fig10;
 mod figure;
+mod gradients;
+mod lattice;
 mod output;
 mod queries;
 mod random;
@@ -41,7 +45,7 @@ pub struct Entry {
 }
 
 /// All figures, in the order of the report.
-pub const ALL: [Entry; 4] = [
+pub const ALL: [Entry; 6] = [
     Entry {
         name: "fig03",
         title: "Figure 3: the toy in one dimension",
@@ -51,6 +55,16 @@ pub const ALL: [Entry; 4] = [
         name: "fig08",
         title: "Figure 8: derivatives of fields, flat and spherical",
         draw: fig08::draw,
+    },
+    Entry {
+        name: "fig09",
+        title: "Figure 9: a box in a room",
+        draw: fig09::draw,
+    },
+    Entry {
+        name: "fig10",
+        title: "Figure 10: how many steps, at equal time",
+        draw: fig10::draw,
     },
     Entry {
         name: "queries",

@@ -5,11 +5,11 @@ use std::time::Instant;
 
 use capwalk_geometry::{ConeQuery, EdgeSelection, Mesh, Ray, RayTree, SilhouetteTree, topology};
 use capwalk_math::Vec3;
-use capwalk_scene::builtin;
 use capwalk_scene::primitive::icosphere;
 
 use crate::claim::{Claim, Measured, Verdict, digits};
 use crate::figure::{Figure, Table};
+use crate::lattice;
 use crate::random::random;
 use crate::settings::{Failure, Settings};
 
@@ -124,10 +124,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let detail = settings.quality.choose(8, 71, 71);
     let watch = (settings.stages)("queries");
     let smooth = icosphere(detail);
-    let lattice = match &settings.mesh {
-        Some(mesh) => mesh.clone(),
-        None => lattice()?,
-    };
+    let lattice = lattice::mesh(settings)?;
     let subjects = [
         Subject::new("smooth sphere", smooth, settings),
         Subject::new("lattice", lattice, settings),
@@ -207,14 +204,6 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         claims,
         ..Figure::default()
     })
-}
-
-/// The mesh of the built-in scene `lattice-shadow`.
-fn lattice() -> Result<Mesh, Failure> {
-    let missing = || Failure::Unusable("the built-in scene lattice-shadow has no lattice".into());
-    let scene = builtin::scene("lattice-shadow").ok_or_else(missing)?;
-    let shape = scene.shapes.into_iter().find(|shape| shape.id == "lattice");
-    shape.map(|shape| shape.mesh).ok_or_else(missing)
 }
 
 /// That a number is about another: within a factor of two.

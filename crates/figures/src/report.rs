@@ -30,7 +30,7 @@ pub fn html(figures: &[Figure]) -> Result<String, ImageError> {
     let mut page = String::new();
     page += "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n";
     page += "<title>capwalk: figures and claims</title>\n";
-    let _ = write!(page, "<style>{STYLE}</style></head><body>\n");
+    let _ = writeln!(page, "<style>{STYLE}</style></head><body>");
     page += "<h1>Figures and claims, measured</h1>\n";
     page += "<p>The figures of <em>Unbiased Differential Visibility Using Fixed-Step \
              Walk-on-Spherical-Caps And Closest Silhouettes</em> (Wu et al. 2025), drawn anew by \

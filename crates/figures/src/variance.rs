@@ -73,8 +73,8 @@ fn measure(
     // The nearer half: far away the boundary's other parts come in.
     let near = distances.len() / 2;
     let mut slopes = Moments::default();
-    for k in 0..REPLICATES as usize {
-        let rise = (all[near][k] / all[0][k]).ln();
+    for (nearer, nearest) in all[near].iter().zip(&all[0]) {
+        let rise = (nearer / nearest).ln();
         slopes.add(rise / (distances[near] / distances[0]).ln());
     }
     Found {

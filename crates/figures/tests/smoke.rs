@@ -21,8 +21,8 @@ fn check_page(page: &str, figures: &[Figure]) {
     assert!(!page.contains("<script"), "the page needs no script");
     assert!(page.ends_with("</html>\n"));
     for tag in ["table", "section", "figure", "div", "svg", "a"] {
-        let opened = page.matches(&format!("<{tag}>")).count()
-            + page.matches(&format!("<{tag} ")).count();
+        let opened =
+            page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
         let closed = page.matches(&format!("</{tag}>")).count();
         assert_eq!(opened, closed, "<{tag}>");
     }
@@ -33,7 +33,9 @@ fn check_page(page: &str, figures: &[Figure]) {
             Row::Pictures(shown) => shown.len(),
             Row::Plots(plots) => {
                 plots.iter().for_each(|plot| {
-                    assert!(!plot.curves.is_empty() && plot.curves.iter().all(|c| c.points.len() > 1));
+                    assert!(
+                        !plot.curves.is_empty() && plot.curves.iter().all(|c| c.points.len() > 1)
+                    );
                 });
                 0
             }
@@ -51,7 +53,10 @@ fn check_page(page: &str, figures: &[Figure]) {
             .expect("a PNG file");
         let mut pixels = vec![0; reader.output_buffer_size().expect("it fits")];
         reader.next_frame(&mut pixels).expect("all of its pixels");
-        assert!(pixels.iter().any(|&p| p != pixels[0]), "a picture of one colour");
+        assert!(
+            pixels.iter().any(|&p| p != pixels[0]),
+            "a picture of one colour"
+        );
     }
     for figure in figures {
         assert!(page.contains(&format!("<section id=\"{}\">", figure.name)));
@@ -69,14 +74,19 @@ fn every_figure_is_drawn() {
     let settings = Settings::new(Quality::Smoke);
     let drawn: Vec<Figure> = ALL
         .iter()
-        .map(|entry| draw(entry.name, &settings).unwrap_or_else(|error| panic!("{}: {error}", entry.name)))
+        .map(|entry| {
+            draw(entry.name, &settings).unwrap_or_else(|error| panic!("{}: {error}", entry.name))
+        })
         .collect();
     let folder = folder("every_figure");
     let written = write(&drawn, &folder).expect("a folder for tests can be written to");
     let names: BTreeSet<&PathBuf> = written.iter().collect();
     assert_eq!(names.len(), written.len(), "a file is written twice");
     for path in &written {
-        assert!(fs::metadata(path).expect("it was written").len() > 20, "{path:?}");
+        assert!(
+            fs::metadata(path).expect("it was written").len() > 20,
+            "{path:?}"
+        );
     }
     let report = folder.join("report.html");
     let page = fs::read_to_string(&report).expect("it was written");
@@ -86,7 +96,12 @@ fn every_figure_is_drawn() {
 
 /// The page in a real browser, where there is one: no picture is missing.
 fn open_in_browser(folder: &Path, page: &str) {
-    let names = ["chromium", "chromium-browser", "google-chrome", "chrome-headless-shell"];
+    let names = [
+        "chromium",
+        "chromium-browser",
+        "google-chrome",
+        "chrome-headless-shell",
+    ];
     let given = std::env::var("CAPWALK_BROWSER").ok();
     let candidates = given.iter().map(String::as_str).chain(names);
     let found = candidates.into_iter().find(|name| {
@@ -94,7 +109,10 @@ fn open_in_browser(folder: &Path, page: &str) {
         answer.is_ok_and(|answer| answer.status.success())
     });
     let Some(browser) = found else {
-        println!("SKIPPED: no browser ({}), and CAPWALK_BROWSER is not set", names.join(", "));
+        println!(
+            "SKIPPED: no browser ({}), and CAPWALK_BROWSER is not set",
+            names.join(", ")
+        );
         return;
     };
     // The page itself has no script: a copy counts what the browser shows.
@@ -107,7 +125,12 @@ fn open_in_browser(folder: &Path, page: &str) {
     let copy = folder.join("counting.html");
     fs::write(&copy, page.replace("</body>", counting)).expect("it can be written");
     let answer = Command::new(browser)
-        .args(["--headless", "--disable-gpu", "--no-sandbox", "--virtual-time-budget=20000"])
+        .args([
+            "--headless",
+            "--disable-gpu",
+            "--no-sandbox",
+            "--virtual-time-budget=20000",
+        ])
         .arg("--dump-dom")
         .arg(format!("file://{}", copy.display()))
         .output()
@@ -115,7 +138,12 @@ fn open_in_browser(folder: &Path, page: &str) {
     let dom = String::from_utf8_lossy(&answer.stdout);
     let [images, plots] = [page.matches("<img ").count(), page.matches("<svg ").count()];
     let expected = format!("<title>shown {images} of {images}, drawn {plots}, wider false</title>");
-    let title = dom.split("<title>").nth(1).unwrap_or("").split("</title>").next();
+    let title = dom
+        .split("<title>")
+        .nth(1)
+        .unwrap_or("")
+        .split("</title>")
+        .next();
     assert!(dom.contains(&expected), "{expected}, found {title:?}");
 }
 
@@ -123,7 +151,12 @@ fn open_in_browser(folder: &Path, page: &str) {
 fn unknown_figures_and_stopped_ones_are_errors() {
     let settings = Settings::new(Quality::Smoke);
     let failure = draw("fig99", &settings).expect_err("there is none");
-    assert_eq!(failure, Failure::Unknown { name: "fig99".into() });
+    assert_eq!(
+        failure,
+        Failure::Unknown {
+            name: "fig99".into()
+        }
+    );
     assert!(failure.to_string().contains("fig03"), "{failure}");
 
     struct Impatient;
