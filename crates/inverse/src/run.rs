@@ -3,7 +3,8 @@
 use std::fmt;
 
 use capwalk_render::{
-    GradientOptions, Options, Refusal, Statistics, Unwatched, WalkSettings, Watch, backward, render,
+    GradientOptions, Method, Options, Refusal, Statistics, Unwatched, WalkSettings, Watch,
+    backward, render,
 };
 use capwalk_scene::{Film, Image, Scene, Sensor};
 
@@ -43,6 +44,8 @@ pub struct Problem {
     pub spp: u32,
     /// Samples per pixel of gradients.
     pub spp_grad: u32,
+    /// How gradients are estimated, and the walk of methods that walk.
+    pub method: Method,
     /// The walk that builds the velocity field.
     pub walk: WalkSettings,
     /// Worker threads; `None` takes all cores. Changes no bit.
@@ -241,6 +244,14 @@ impl Problem {
         }
     }
 
+    fn gradient_options(&self, options: Options) -> GradientOptions {
+        GradientOptions {
+            options,
+            method: self.method,
+            walk: self.walk,
+        }
+    }
+
     /// Renders all views and compares them with their targets.
     fn look(&self, scene: &Scene, iteration: u32, watch: &dyn Watch) -> Result<Seen, Stop> {
         let (mut pictures, mut measured) = (Vec::new(), Vec::new());
@@ -304,10 +315,7 @@ impl Problem {
             };
             let iteration = u64::from(row.iteration);
             let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
-            let options = GradientOptions {
-                options: self.options(self.spp_grad, seed),
-                walk: self.walk,
-            };
+            let options = self.gradient_options(self.options(self.spp_grad, seed));
             let seen_scene = view.scene(scene);
             let result =
                 backward(&seen_scene, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
@@ -331,10 +339,7 @@ impl Problem {
     /// tried alone.
     pub fn refused_variable(&self, state: &State) -> Option<usize> {
         let scene = self.scene(state).ok()?;
-        let options = GradientOptions {
-            options: self.options(1, self.seed),
-            walk: self.walk,
-        };
+        let options = self.gradient_options(self.options(1, self.seed));
         let is_refused = |variable: &usize| {
             let wanted = self.variables.wanted_by(&self.scene, *variable);
             let mut seen = self.views.iter().map(|view| view.scene(&scene));

@@ -104,9 +104,9 @@ mod tests {
         for i in 0..nodes {
             for k in i + 1..nodes {
                 let factor = matrix[k][i] / matrix[i][i];
-                for c in i..nodes {
-                    matrix[k][c] -= factor * matrix[i][c];
-                }
+                let row = matrix[i].clone();
+                let pairs = matrix[k].iter_mut().zip(&row);
+                pairs.for_each(|(entry, above)| *entry -= factor * above);
                 right[k] -= factor * right[i];
             }
         }

@@ -8,7 +8,8 @@ mod common;
 
 use capwalk_math::{Affine, Vec3};
 use capwalk_render::{
-    Backward, GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
+    Backward, GradientOptions, Method, Options, Unwatched, Wanted, WasBoundary, WasSettings,
+    backward, gradient,
 };
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
@@ -73,14 +74,11 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
 }
 
 fn settings(spp: u32, threads: Option<usize>) -> GradientOptions {
-    GradientOptions {
-        options: Options {
-            spp,
-            seed: 5,
-            threads,
-        },
-        walk: WalkSettings::default(),
-    }
+    GradientOptions::new(Options {
+        spp,
+        seed: 5,
+        threads,
+    })
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> Backward {
@@ -91,7 +89,11 @@ fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> 
 
 /// `⟨δ, J θ̇⟩` in forward mode.
 fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
-    let result = gradient(scene, motion, &settings(spp, None), &Unwatched).expect("covered");
+    forward_by(scene, motion, &settings(spp, None))
+}
+
+fn forward_by(scene: &Scene, motion: &Motion, settings: &GradientOptions) -> f64 {
+    let result = gradient(scene, motion, settings, &Unwatched).expect("covered");
     let pixels = result.gradient.mean.pixels.iter();
     let adjoint = adjoint(scene, 3);
     pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
@@ -116,8 +118,14 @@ fn small(scene: &mut Scene, depth: u32) {
 }
 
 fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
-    let forward = forward(scene, motion, 32);
-    let (reverse, error) = reverse(scene, &Wanted::by(motion), 32, None).along(motion);
+    agree_by(name, scene, motion, &settings(32, None));
+}
+
+fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptions) {
+    let forward = forward_by(scene, motion, settings);
+    let wanted = Wanted::by(motion);
+    let reverse = backward(scene, &adjoint(scene, 3), &wanted, settings, &Unwatched);
+    let (reverse, error) = reverse.expect("covered").along(motion);
     println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
     let difference = (forward - reverse).abs();
     assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
@@ -167,6 +175,29 @@ fn thin_lens() {
     }
 }
 
+/// A field of another kind, also across the borders of a box filter and before a
+/// mirror, where it is biased in both modes alike.
+#[test]
+fn warped_area_sampling() {
+    let mut scene = visible_ball(Filter::Box);
+    make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    let debiased = WasSettings {
+        boundary: WasBoundary::Normals,
+        rays: 3,
+        debias: true,
+        ..WasSettings::default()
+    };
+    for was in [WasSettings::default(), debiased] {
+        let settings = GradientOptions {
+            method: Method::Was(was),
+            ..settings(16, None)
+        };
+        agree_by("warped areas", &scene, &motion, &settings);
+    }
+}
+
 /// Two cubes that pass through each other.
 #[test]
 fn crossing_surfaces() {
@@ -188,6 +219,28 @@ fn constant_light() {
         radiance,
     });
     agree_in_both_modes("constant light", scene, 4);
+}
+
+/// Fields on triangles, with surfaces that cross, directions that meet nothing, and
+/// pixels that end abruptly.
+#[test]
+fn fields_on_triangles() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    for steps in [1, 2] {
+        let mut options = settings(32, None);
+        options.method = Method::TriangleWalk;
+        options.walk.steps = steps;
+        agree_by(&format!("M = {steps}"), &scene, &motion, &options);
+    }
 }
 
 /// Materials of microfacets, blended and coated; glass where there was none.

@@ -66,9 +66,9 @@ fn side([a, b, c]: [Vec3; 3], p: Vec3) -> f64 {
 
 /// True if a segment passes through the inside of a triangle.
 fn passes([p, q]: [Vec3; 2], triangle: [Vec3; 3]) -> bool {
-    let sides = [p, q].map(|end| side(triangle, end));
+    let [from, to] = [p, q].map(|end| side(triangle, end));
     // Signs, not their product: it may underflow.
-    if !(sides[0] > 0.0 && sides[1] < 0.0) && !(sides[0] < 0.0 && sides[1] > 0.0) {
+    if from == 0.0 || to == 0.0 || (from > 0.0) == (to > 0.0) {
         return false;
     }
     let [a, b, c] = triangle;

@@ -357,7 +357,7 @@ fn rim_of_a_disk_in_its_plane() {
         directions: Some(plane),
         ..wish("leaf.positions")
     };
-    let variables = variables(&scene, &[wish.clone()]);
+    let variables = variables(&scene, std::slice::from_ref(&wish));
     assert_eq!(variables.count(), 50);
     let indices = Wish {
         vertices: Some(Selection::Indices((1..26).collect())),

@@ -128,11 +128,9 @@ impl Vertices {
     pub fn push(&self, scene: &Scene, numbers: &[f64]) -> Motion {
         let displacement = |node: u32| {
             let first = node as usize * self.dims;
-            let mut sum = Vec3::zero();
-            for k in first..first + self.dims {
-                sum += self.basis[k] * numbers[k];
-            }
-            sum
+            let own = first..first + self.dims;
+            let terms = self.basis[own.clone()].iter().zip(&numbers[own]);
+            terms.fold(Vec3::zero(), |sum, (&d, &x)| sum + d * x)
         };
         let moves_with = self.moves_with.iter();
         let vertices = moves_with.map(|node| node.map_or(Vec3::zero(), displacement));

@@ -14,12 +14,15 @@ use capwalk_scene::Emitter;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
+use crate::options::Method;
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
+use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::unfold::{Mirrors, Seen, Unfolded};
+use super::was;
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -34,7 +37,7 @@ const FEW_EDGES: usize = 64;
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
     edges: Vec<Edge>,
-    tree: SilhouetteTree,
+    pub(super) tree: SilhouetteTree,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
     /// The curves where faces cross, in the order of their ends' positions.
@@ -189,6 +192,8 @@ pub struct Field<'a> {
     pub accel: &'a Accel<'a>,
     /// The edges.
     pub boundaries: Boundaries,
+    /// What the fields are made by.
+    pub method: Method,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     horizon_distance: f64,
@@ -204,9 +209,9 @@ pub struct Site {
     pub t: f64,
     /// Velocities along this unit vector are kept if `is_horizon`, else
     /// rejected.
-    direction: Vec3,
-    is_horizon: bool,
-    distance: f64,
+    pub(super) direction: Vec3,
+    pub(super) is_horizon: bool,
+    pub(super) distance: f64,
     /// The mirrors in which the eye sees the point.
     pub mirrors: Mirrors,
 }
@@ -233,9 +238,10 @@ pub type Sites = FieldSample<Site, Vec3>;
 
 impl<'a> Field<'a> {
     /// The fields of a scene.
-    pub fn new(accel: &'a Accel<'a>) -> Self {
+    pub fn new(accel: &'a Accel<'a>, method: Method) -> Self {
         Self {
             accel,
+            method,
             boundaries: Boundaries::new(accel),
             horizon_distance: accel.horizon_distance(),
         }
@@ -256,12 +262,17 @@ impl<'a> Field<'a> {
                 .accel
                 .surface_sees(position, site.direction, site.distance),
         };
+        let (edges, groups) = match self.method {
+            // Beside triangles, in directions that meet nothing.
+            Method::TriangleWalk => (EdgeSelection::Silhouettes, SEEN),
+            _ => (eye.selection, eye.group),
+        };
         Unfolded {
             direct: Sphere {
                 tree: &self.boundaries.tree,
                 eye: position,
-                edges: eye.selection,
-                groups: eye.group,
+                edges,
+                groups,
                 in_front_of: None,
                 counts: (eye.visibility != Visibility::All).then_some(is_seen),
                 queries: Cell::new(0),
@@ -285,6 +296,29 @@ impl<'a> Field<'a> {
         sample.map(|site| self.site(eye, site))
     }
 
+    /// A sample of the field and its divergence in the direction `q`, as a map from
+    /// velocities; `None` if the method's fields are [`Sites`] there.
+    pub fn flow<R: Real>(
+        &self,
+        eye: &Eye<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Flow> {
+        match &self.method {
+            Method::Walk => None,
+            Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
+            Method::Was(settings) => {
+                Some(was::flow(self.accel, eye, q, settings, &random.branch()))
+            }
+        }
+    }
+
+    /// True if there is a [`Field::flow`].
+    pub fn has_flow(&self) -> bool {
+        !matches!(self.method, Method::Walk)
+    }
+
     /// A sample of the field alone; `None` for velocity zero.
     pub fn sample_value<R: Real>(
         &self,
@@ -299,7 +333,7 @@ impl<'a> Field<'a> {
         Some(self.site(eye, &site?))
     }
 
-    fn site<R: Real>(&self, eye: &Eye<R>, seen: &Seen) -> Site {
+    pub(super) fn site<R: Real>(&self, eye: &Eye<R>, seen: &Seen) -> Site {
         let found = &seen.point;
         let edge = &self.boundaries.edges[found.edge as usize];
         // Around the face that the eye slides on, its edges are the horizon.
@@ -355,7 +389,7 @@ pub struct Counts {
 }
 
 impl Draw<'_> {
-    fn count_queries(&self, count: u64) {
+    pub(super) fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);
     }
 }
@@ -370,7 +404,12 @@ pub struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
-    fn number(&self, i: u32) -> f64 {
+    /// Any number of them, for what does not walk.
+    fn branch(&self) -> Stream {
+        self.draw.stream.branch(self.dimension)
+    }
+
+    pub(super) fn number(&self, i: u32) -> f64 {
         self.draw.stream.number(self.dimension + i)
     }
 }

@@ -1,5 +1,6 @@
 //! What a job file says, before anything that it names is opened.
 
+mod method;
 mod parameter;
 
 use std::path::{Path, PathBuf};
@@ -11,7 +12,7 @@ use capwalk_inverse::loss::{Distance, Loss};
 use capwalk_inverse::run::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_inverse::variable::select::Wish;
-use capwalk_render::WalkSettings;
+use capwalk_render::{Method, WalkSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::{Document, Place, Table, Value};
 
@@ -35,6 +36,7 @@ pub struct Job {
     pub loss: Loss,
     pub guards: Guards,
     pub limits: Limits,
+    pub method: Method,
     pub walk: WalkSettings,
     pub views: Vec<ViewKeys>,
     pub parameters: Vec<(Wish, Place)>,
@@ -107,6 +109,7 @@ pub fn read(document: &Document, path: &Path) -> Result<Job, LoadError> {
         None => None,
     };
     let (lr, adam, uniform) = optimizer(&root)?;
+    let (method, walk) = method::read(&root)?;
     let job = Job {
         scene,
         defines,
@@ -123,7 +126,8 @@ pub fn read(document: &Document, path: &Path) -> Result<Job, LoadError> {
         loss: loss(&root)?,
         guards: guards(&root)?,
         limits: limits(&root, iterations)?,
-        walk: walk(&root)?,
+        method,
+        walk,
         views: views(document, &root)?,
         parameters: parameters(&root, uniform)?,
     };
@@ -324,21 +328,6 @@ fn limits(root: &Table, iterations: u32) -> Result<Limits, LoadError> {
     Ok(limits)
 }
 
-fn walk(root: &Table) -> Result<WalkSettings, LoadError> {
-    let mut walk = WalkSettings::default();
-    if let Some(table) = root.table("walk")? {
-        if let Some(steps) = integer(&table, "steps", 1..=64)? {
-            walk.steps = steps as u32;
-        }
-        let expected = "an angle above 0 and up to 180 degrees";
-        let angle = number(&table, "max_angle", expected, |x| x > 0.0 && x <= 180.0)?;
-        walk.max_radius = angle.map_or(walk.max_radius, f64::to_radians);
-        walk.antithetic = truth(&table, "antithetic")?.unwrap_or(walk.antithetic);
-        table.finish()?;
-    }
-    Ok(walk)
-}
-
 /// The views, or one from where the scene's sensor is.
 fn views(document: &Document, root: &Table) -> Result<Vec<ViewKeys>, LoadError> {
     let common = root.table("target")?;
@@ -432,6 +421,3 @@ fn parameters(root: &Table, uniform: bool) -> Result<Vec<(Wish, Place)>, LoadErr
     let parameters = tables.iter().map(|table| parameter::read(table, uniform));
     parameters.collect()
 }
-
-#[cfg(test)]
-mod tests;

@@ -99,6 +99,7 @@ pub fn problem(document: &Document, job: &Job, args: &Optimize) -> Result<Option
         seed: job.seed,
         spp,
         spp_grad: job.spp_grad.unwrap_or(spp),
+        method: job.method,
         walk: job.walk,
         threads: args.threads,
         scene,
@@ -291,7 +292,8 @@ fn fingerprint(job: &Job, problem: &Problem) -> Vec<(String, String)> {
     }
     note("[loss]".into(), format!("{:?}", problem.loss));
     note("[guards]".into(), format!("{:?}", problem.guards));
-    note("[walk]".into(), format!("{:?}", problem.walk));
+    let method = format!("{:?}, {:?}", problem.method, problem.walk);
+    note("[method]".into(), method);
     let names = job.parameters.iter().map(|(wish, _)| wish.name.clone());
     note(
         "names of parameters".into(),
