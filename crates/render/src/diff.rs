@@ -10,6 +10,7 @@ pub mod forward;
 mod lamp_edge;
 mod look;
 mod motion;
+mod parallel;
 pub mod probe;
 mod recording;
 pub mod refuse;

@@ -61,10 +61,13 @@ pub fn gradient(
             spp: options.options.spp.min(PILOT_SPP),
             ..options.options
         };
-        refuse_uncovered(&tiles::average(scene, &pilot, &Silent(watch), sample).statistics)?;
+        refuse_uncovered(
+            scene,
+            &tiles::average(scene, &pilot, &Silent(watch), sample).statistics,
+        )?;
     }
     let averages = tiles::average(scene, &options.options, watch, sample);
-    refuse_uncovered(&averages.statistics)?;
+    refuse_uncovered(scene, &averages.statistics)?;
     Ok(GradientImage {
         value: averages.estimate(scene, 0),
         gradient: averages.estimate(scene, 3),

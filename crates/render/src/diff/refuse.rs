@@ -33,19 +33,6 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
     }
 }
 
-/// A refusal if the camera's rays are parallel: no field is around them.
-fn refuse_parallel_rays(scene: &Scene) -> Result<(), Refusal> {
-    match scene.sensor.model {
-        SensorModel::Orthographic => Err(Refusal {
-            reason: "the motion of what an orthographic sensor sees is not available, derivatives \
-                     by colours, textures and light are. Use a perspective sensor far away with a \
-                     small fov, or finite differences"
-                .into(),
-        }),
-        SensorModel::Perspective { .. } | SensorModel::ThinLens { .. } => Ok(()),
-    }
-}
-
 /// A refusal if a texture jumps inside faces: its motion against the rays would be
 /// missed (METHOD 7).
 fn refuse_jumping_textures(scene: &Scene) -> Result<(), Refusal> {
@@ -150,18 +137,27 @@ pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
 }
 
 /// A refusal if something moved in a curved mirror or behind refracting glass.
-pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
+pub(super) fn refuse_uncovered(scene: &Scene, statistics: &Statistics) -> Result<(), Refusal> {
     if statistics.uncovered == 0 {
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
+    let (sees, covered) = match scene.sensor.model {
+        SensorModel::Orthographic => (
+            "in mirrors by an orthographic sensor",
+            "before a perspective sensor in flat mirrors",
+        ),
+        SensorModel::Perspective { .. } | SensorModel::ThinLens { .. } => {
+            ("in curved mirrors", "in flat mirrors")
+        }
+    };
     Err(Refusal {
         reason: format!(
-            "things move that are seen in curved mirrors, through refracting glass, or after more \
-             than {MAX_EVENTS} reflections (about {:.2} specular events in 100 samples), and the \
-             motion of their outlines there is not available. It is in flat mirrors (without vertex \
-             normals) and panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use \
-             one of these, a rough material (alpha of 0.01 or more), or finite differences",
+            "things move that are seen {sees}, through refracting glass, or after more than \
+             {MAX_EVENTS} reflections (about {:.2} specular events in 100 samples), and the motion \
+             of their outlines there is not available. It is {covered} (without vertex normals) and \
+             through panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use one \
+             of these, a rough material (alpha of 0.01 or more), or finite differences",
             100.0 * share
         ),
     })
@@ -176,7 +172,6 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
 
 /// A refusal if the scene has what cannot be differentiated by what moves edges.
 pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
-    refuse_parallel_rays(accel.scene)?;
     refuse_hard_shadows(accel.scene)?;
     refuse_jumping_textures(accel.scene)?;
     refuse_turned_without_uvs(accel.scene)?;

@@ -171,7 +171,7 @@ pub fn backward(
             gradients.push((gradient, batch.taken.max(1)));
         }
     }
-    refuse_uncovered(&statistics)?;
+    refuse_uncovered(scene, &statistics)?;
     let samples: u32 = gradients.iter().map(|(_, n)| n).sum();
     let mut mean = gradients[0].0.scaled(0.0);
     for (batch, n) in &gradients {
@@ -255,7 +255,7 @@ impl Pass<'_> {
                 break;
             }
         }
-        refuse_uncovered(&statistics)
+        refuse_uncovered(self.scene, &statistics)
     }
 
     fn batch(&self, numbers: std::ops::Range<u32>) -> Batch {
