@@ -125,7 +125,10 @@ impl Way {
                 gradient(
                     scene,
                     motion,
-                    &GradientOptions { options, walk },
+                    &GradientOptions {
+                        walk,
+                        ..GradientOptions::new(options)
+                    },
                     &Unwatched,
                 )
             }

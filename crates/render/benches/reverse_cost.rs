@@ -17,8 +17,7 @@ use std::time::Instant;
 
 use capwalk_math::Vec3;
 use capwalk_render::{
-    GradientOptions, Options, Statistics, Unwatched, WalkSettings, Wanted, backward, gradient,
-    render,
+    GradientOptions, Options, Statistics, Unwatched, Wanted, backward, gradient, render,
 };
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::{Image, Motion, Scene, ShadingNormals, params};
@@ -160,14 +159,11 @@ impl Bench {
 }
 
 fn options(spp: u32) -> GradientOptions {
-    GradientOptions {
-        options: Options {
-            spp,
-            seed: 1,
-            threads: Some(1),
-        },
-        walk: WalkSettings::default(),
-    }
+    GradientOptions::new(Options {
+        spp,
+        seed: 1,
+        threads: Some(1),
+    })
 }
 
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {

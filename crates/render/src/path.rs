@@ -290,7 +290,7 @@ impl<'a> Tracer<'a> {
                 light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
             |event, hit| {
-                if W::MOVES && chain.after(event.event).is_none() {
+                if W::MOVES && (chain.after(event.event).is_none() || self.misses_mirrors()) {
                     let (direction, _) = vertex.specular(event);
                     self.count_uncovered(world, vertex.position, direction, hit, draw);
                 }
@@ -300,6 +300,7 @@ impl<'a> Tracer<'a> {
             && self.plan.sampling.dimensions() > 0
             && at_rest.bsdf.has_smooth()
             && let Some((field, _)) = self.moving
+            && !field.has_flow()
         {
             // What the field carries over the edges of lamps.
             let u = draw.stream.number(self.flux_number(depth));
@@ -311,6 +312,11 @@ impl<'a> Tracer<'a> {
             light += flux;
         }
         (light, next)
+    }
+
+    /// True if the field knows nothing of what mirrors show.
+    fn misses_mirrors(&self) -> bool {
+        self.moving.is_some_and(|(field, _)| field.has_flow())
     }
 
     fn walks(&self) -> &Walks {

@@ -4,7 +4,7 @@
 mod common;
 
 use capwalk_math::Affine;
-use capwalk_render::{GradientOptions, Options, Unwatched, WalkSettings, gradient};
+use capwalk_render::{GradientOptions, Options, Unwatched, gradient};
 use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::*;
 use common::stages::*;
@@ -65,10 +65,7 @@ fn colours_of_a_black_sky() {
         seed: 1,
         threads: None,
     };
-    let settings = GradientOptions {
-        options,
-        walk: WalkSettings::default(),
-    };
+    let settings = GradientOptions::new(options);
     let sum = |estimate: &capwalk_render::Estimate| -> f64 {
         estimate.mean.pixels.iter().map(|p| p.x).sum()
     };

@@ -88,14 +88,11 @@ fn black_reflector() {
         }
     }
     let change = motion(&scene, "ceiling.bsdf.reflectance.value");
-    let settings = capwalk_render::GradientOptions {
-        options: capwalk_render::Options {
-            spp: 256,
-            seed: 1,
-            threads: None,
-        },
-        walk: Default::default(),
-    };
+    let settings = capwalk_render::GradientOptions::new(capwalk_render::Options {
+        spp: 256,
+        seed: 1,
+        threads: None,
+    });
     let nobody = &capwalk_render::Unwatched;
     let ours = capwalk_render::gradient(&scene, &change, &settings, nobody).expect("covered");
     // Linear in the reflectance of a surface that is met once.

@@ -92,14 +92,11 @@ fn area_of_a_disk() {
     let squared = d * d - r * r;
     // d/ds of π focal² r² / (d² - r²), r = 0.5 s
     let expected = std::f64::consts::PI * focal * focal * 2.0 * r * r * d * d / (squared * squared);
-    let settings = capwalk_render::GradientOptions {
-        options: capwalk_render::Options {
-            spp: 256,
-            seed: 2,
-            threads: None,
-        },
-        walk: Default::default(),
-    };
+    let settings = capwalk_render::GradientOptions::new(capwalk_render::Options {
+        spp: 256,
+        seed: 2,
+        threads: None,
+    });
     let motion = motion(&scene, "ball.scale");
     let nobody = &capwalk_render::Unwatched;
     let result = capwalk_render::gradient(&scene, &motion, &settings, nobody).expect("covered");

@@ -7,7 +7,7 @@ mod common;
 
 use capwalk_math::Affine;
 use capwalk_render::check::{Verdict, compare};
-use capwalk_render::{GradientOptions, Options, Unwatched, WalkSettings, gradient};
+use capwalk_render::{GradientOptions, Options, Unwatched, gradient};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::rectangle;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
@@ -138,14 +138,11 @@ fn masked_floor(opacity: f64) -> Scene {
 #[test]
 fn weights_at_their_limits() {
     let derivative = |scene: &Scene, name: &str, seed: u64| {
-        let settings = GradientOptions {
-            options: Options {
-                spp: 200,
-                seed,
-                threads: None,
-            },
-            walk: WalkSettings::default(),
-        };
+        let settings = GradientOptions::new(Options {
+            spp: 200,
+            seed,
+            threads: None,
+        });
         let result = gradient(scene, &motion(scene, name), &settings, &Unwatched);
         result.expect("covered").gradient
     };

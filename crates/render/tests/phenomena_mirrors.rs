@@ -6,7 +6,7 @@ mod common;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
-use capwalk_render::{GradientOptions, Options, Unwatched, WalkSettings, gradient};
+use capwalk_render::{GradientOptions, Options, Unwatched, gradient};
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
 use common::agree::*;
@@ -183,14 +183,11 @@ fn halves_of_a_mirror_are_one() {
         paths(&mut scene, 2);
         scene.check().expect("a valid scene");
         let motion = motion(&scene, "block.translate.x");
-        let settings = GradientOptions {
-            options: Options {
-                spp: 32,
-                seed: 1,
-                threads: None,
-            },
-            walk: WalkSettings::default(),
-        };
+        let settings = GradientOptions::new(Options {
+            spp: 32,
+            seed: 1,
+            threads: None,
+        });
         let result = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
         result.gradient.mean.pixels
     };

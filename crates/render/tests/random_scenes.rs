@@ -11,9 +11,7 @@ use std::time::{Duration, Instant};
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb};
-use capwalk_render::{
-    GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient, render,
-};
+use capwalk_render::{GradientOptions, Options, Unwatched, Wanted, backward, gradient, render};
 use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
 use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::lobe::Distribution;
@@ -426,10 +424,7 @@ fn run(seed: u64, tally: &mut Tally) {
     tally.non_finite += picture.statistics.non_finite;
 
     let motion = random_motion(&scene, &mut Random(seed ^ 0xabcdef));
-    let settings = GradientOptions {
-        options,
-        walk: WalkSettings::default(),
-    };
+    let settings = GradientOptions::new(options);
     let Ok(forward) = gradient(&scene, &motion, &settings, &Unwatched) else {
         tally.refused += 1;
         return;

@@ -7,7 +7,7 @@ mod common;
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_render::{
-    GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
+    GradientOptions, Method, Options, Unwatched, Wanted, WasSettings, backward, gradient,
 };
 use capwalk_scene::bsdf::{Glass, Metal, Principled};
 use capwalk_scene::lobe::Distribution;
@@ -59,14 +59,11 @@ fn is_refused(scene: &Scene, name: &str) -> bool {
 
 /// Why forward and reverse mode refuse, if they do.
 fn refusals(scene: &Scene, motion: &Motion) -> [Option<String>; 2] {
-    let settings = GradientOptions {
-        options: Options {
-            spp: 64,
-            seed: 1,
-            threads: None,
-        },
-        walk: WalkSettings::default(),
-    };
+    let settings = GradientOptions::new(Options {
+        spp: 64,
+        seed: 1,
+        threads: None,
+    });
     let forward = gradient(scene, motion, &settings, &Unwatched);
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let adjoint = Image {
@@ -157,6 +154,20 @@ fn mirrors_under_parallel_rays() {
         );
     }
     assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
+}
+
+/// Warped-area sampling has no rays around a point where all of them are parallel.
+#[test]
+fn warped_areas_under_parallel_rays() {
+    let mut scene = visible_cube();
+    scene.sensor.model = SensorModel::Orthographic;
+    let settings = GradientOptions {
+        method: Method::Was(WasSettings::default()),
+        ..exact::settings(2)
+    };
+    let moves = motion(&scene, "thing.translate.x");
+    let refusal = gradient(&scene, &moves, &settings, &Unwatched).expect_err("refused");
+    assert!(refusal.reason.contains("orthographic"), "{refusal}");
 }
 
 /// The plane in which the film of an orthographic sensor lies cuts what it passes
@@ -306,4 +317,39 @@ fn collapsed_texture_coordinates_say_nothing() {
         [refused(1.0), refused(0.0)],
         [[[false; 2]; 2], [[true; 2]; 2]]
     );
+}
+
+/// No steps make a field that jumps (paper, Section 5.1), no angle makes none.
+#[test]
+fn walks_without_steps_or_reach() {
+    let scene = mirror_floor();
+    let motion = motion(&scene, "lamp.translate.x");
+    let mut wanted = GradientOptions::new(Options {
+        spp: 2,
+        seed: 1,
+        threads: None,
+    });
+    for (steps, max_radius, expected) in [
+        (
+            0,
+            0.2,
+            "a walk of 0 steps gives a field that is not continuous",
+        ),
+        (1, 0.0, "the largest angle of a walk is 0"),
+    ] {
+        wanted.walk.steps = steps;
+        wanted.walk.max_radius = max_radius;
+        let refusal = gradient(&scene, &motion, &wanted, &Unwatched).expect_err("it is refused");
+        assert!(refusal.reason.starts_with(expected), "{refusal}");
+    }
+    for (rays, kappa) in [(0, 1e5), (8, 0.0), (8, f64::NAN)] {
+        wanted.method = Method::Was(WasSettings {
+            rays,
+            kappa,
+            ..WasSettings::default()
+        });
+        let refusal = gradient(&scene, &motion, &wanted, &Unwatched).expect_err("it is refused");
+        let expected = format!("warped-area sampling with {rays} auxiliary rays");
+        assert!(refusal.reason.starts_with(&expected), "{refusal}");
+    }
 }

@@ -4,9 +4,7 @@
 use std::path::Path;
 
 use capwalk_math::Vec3;
-use capwalk_render::{
-    GradientOptions, Options, Unwatched, WalkSettings, Wanted, backward, gradient,
-};
+use capwalk_render::{GradientOptions, Options, Unwatched, Wanted, backward, gradient};
 use capwalk_scene::{Image, params};
 use capwalk_scene_io::arrays;
 use capwalk_scene_io::image::{self, Picture, Preview};
@@ -43,14 +41,11 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
     let motion = params::motion(&scene, parameter).unwrap_or_else(|e| panic!("{name}: {e}"));
-    let settings = GradientOptions {
-        options: Options {
-            spp: SPP,
-            seed: SEED,
-            threads: None,
-        },
-        walk: WalkSettings::default(),
-    };
+    let settings = GradientOptions::new(Options {
+        spp: SPP,
+        seed: SEED,
+        threads: None,
+    });
     let forward = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let weights = weights(width, height);

@@ -15,13 +15,16 @@ use capwalk_scene::sensor::view::View;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
+use crate::options::Method;
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
+use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::parallel::picture_tree;
 use super::unfold::{Mirrors, Seen, Unfolded};
+use super::was;
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -213,6 +216,8 @@ pub struct Field<'a> {
     pub accel: &'a Accel<'a>,
     /// The edges.
     pub boundaries: Boundaries,
+    /// What the fields are made by.
+    pub method: Method,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     horizon_distance: f64,
@@ -263,9 +268,10 @@ pub type Sites = FieldSample<Site, Vec3>;
 
 impl<'a> Field<'a> {
     /// The fields of a scene.
-    pub fn new(accel: &'a Accel<'a>) -> Self {
+    pub fn new(accel: &'a Accel<'a>, method: Method) -> Self {
         Self {
             accel,
+            method,
             boundaries: Boundaries::new(accel),
             horizon_distance: accel.horizon_distance(),
         }
@@ -319,6 +325,22 @@ impl<'a> Field<'a> {
         let sample = sample_field(&sphere, q, walk, |i| random.number(i));
         random.draw.count_queries(sphere.direct.queries.get());
         sample.map(|site| self.site(eye, site))
+    }
+
+    /// A sample of the field and its divergence in the direction `q`, as a map from
+    /// velocities; `None` if the method's fields are [`Sites`].
+    pub fn flow<R: Real>(&self, eye: &Eye<R>, q: Vec3, random: Numbers) -> Option<Flow> {
+        match &self.method {
+            Method::Walk => None,
+            Method::Was(settings) => {
+                Some(was::flow(self.accel, eye, q, settings, &random.branch()))
+            }
+        }
+    }
+
+    /// True if there is a [`Field::flow`].
+    pub fn has_flow(&self) -> bool {
+        !matches!(self.method, Method::Walk)
     }
 
     /// A sample of the field alone; `None` for velocity zero.
@@ -409,6 +431,11 @@ pub struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
+    /// Any number of them, for what does not walk.
+    fn branch(&self) -> Stream {
+        self.draw.stream.branch(self.dimension)
+    }
+
     fn number(&self, i: u32) -> f64 {
         self.draw.stream.number(self.dimension + i)
     }

@@ -9,6 +9,7 @@ use crate::accel::Accel;
 use crate::world::{Carried, World, vertex_normal};
 
 use super::boundary::{Eye, Field, Numbers, Site};
+use super::flow::Source;
 
 /// A number and its derivative by the parameter.
 pub type D = Dual<1>;
@@ -118,6 +119,17 @@ impl World<D> for InMotion<'_> {
         if self.is_at_rest(eye) {
             return Carried::at_rest(q);
         }
+        if let Some(flow) = self.field.flow(eye, q, numbers) {
+            let (mean, divergence) = flow.evaluate(|source| match source {
+                Source::Point(i) => self.points[i as usize],
+                Source::Eye => eye.position.tangent(0),
+            });
+            return Carried {
+                direction: q.with_tangent(mean.reject_from(q)),
+                stretch: Dual::new(1.0, [divergence]),
+                near_boundary: true,
+            };
+        }
         let sites = self.field.sample(eye, q, walk, numbers);
         let (mean, divergence) = sites.evaluate(|site| self.angular(eye, site));
         Carried {
@@ -129,6 +141,9 @@ impl World<D> for InMotion<'_> {
     fn carry_value(&self, eye: &Eye<D>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Vec3<D> {
         if self.is_at_rest(eye) {
             return Vec3::constant(q);
+        }
+        if self.field.has_flow() {
+            return self.carry(eye, q, walk, numbers).direction;
         }
         let velocity = match self.field.sample_value(eye, q, walk, numbers) {
             None => Vec3::zero(),

@@ -10,7 +10,7 @@ use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::light::LightSampling;
-use crate::options::Refusal;
+use crate::options::{Method, Refusal};
 use crate::path::{SpecularChain, Tracer};
 use crate::plan::{FIRST_VERTEX, Plan};
 use crate::sampler::Sampler;
@@ -71,7 +71,7 @@ pub fn irradiance(
 ) -> Result<Vec<Irradiance>, Refusal> {
     refuse_walk(&walk)?;
     let accel = Accel::new(scene);
-    let field = Field::new(&accel);
+    let field = Field::new(&accel, Method::Walk);
     let world = InMotion::new(&accel, &field, motion);
     let tracer = Tracer::moving(&accel, &field, walk).with_plan(EMITTERS_ALONE);
     let sampler = Sampler::new(&scene.settings, seed, 1);

@@ -13,6 +13,7 @@ use crate::world::{Carried, World, vertex_normal};
 
 use super::adjoint::{Target, Wanted};
 use super::boundary::{Eye, Field, Numbers, Site, Sites};
+use super::flow::{Flow, Source};
 
 /// A scene whose numbers are recorded on a tape, for one sample.
 pub struct Recording<'a, 't> {
@@ -41,6 +42,12 @@ enum Origin<'t> {
         q: Vec3,
         eye: Eye<Var<'t>>,
         sites: Box<Sites>,
+    },
+    /// The same by a map from velocities.
+    Flow {
+        q: Vec3,
+        eye: Vec3<Var<'t>>,
+        flow: Flow,
     },
     /// A direction that a boundary point carries.
     Value {
@@ -126,6 +133,17 @@ impl<'a, 't> Recording<'a, 't> {
                             covectors,
                         );
                     }
+                }
+                Origin::Flow { q, eye, flow } => {
+                    let stretch = adjoints.at(mark.place + 3);
+                    flow.pull(
+                        covector.reject_from(q),
+                        stretch,
+                        |source, covector| match source {
+                            Source::Point(i) => covectors.push((Target::Point(i), covector)),
+                            Source::Eye => adjoints.add_vector(eye, covector),
+                        },
+                    );
                 }
                 Origin::Value { q, eye, site } => {
                     let covector = covector.reject_from(q);
@@ -224,6 +242,24 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         if !self.wanted.geometry() {
             return Carried::at_rest(q);
         }
+        if let Some(flow) = self.field.flow(eye, q, numbers) {
+            let moves = |source| match source {
+                Source::Point(i) => self.points[i as usize],
+                Source::Eye => !eye.position.is_constant(),
+            };
+            if !flow.sources().any(moves) {
+                return Carried {
+                    near_boundary: true,
+                    ..Carried::at_rest(q)
+                };
+            }
+            let eye = eye.position;
+            return Carried {
+                direction: self.variables(true, q, Origin::Flow { q, eye, flow }),
+                stretch: self.tape.variable(1.0),
+                near_boundary: true,
+            };
+        }
         let sites = self.field.sample(eye, q, walk, numbers);
         if !sites.terms().any(|term| self.moves(eye, &term.site)) {
             return Carried {
@@ -251,6 +287,9 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
     ) -> Vec3<Var<'t>> {
         if !self.wanted.geometry() {
             return Vec3::constant(q);
+        }
+        if self.field.has_flow() {
+            return self.carry(eye, q, walk, numbers).direction;
         }
         match self.field.sample_value(eye, q, walk, numbers) {
             Some(site) if self.moves(eye, &site) => {

@@ -6,7 +6,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::estimate::Statistics;
 use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
-use crate::options::Refusal;
+use crate::options::{GradientOptions, Method, Refusal};
 
 use super::clip::refuse_clipped;
 use super::unfold::MAX_EVENTS;
@@ -30,6 +30,22 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
                 emitter.plugin()
             ),
         }),
+    }
+}
+
+/// A refusal if the camera's rays are parallel and the method has a field around
+/// points only.
+fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
+    match (scene.sensor.model, method) {
+        (SensorModel::Orthographic, Method::Was(_)) => Err(Refusal {
+            reason: format!(
+                "the method `{}` has no field for the parallel rays of an orthographic sensor. Use \
+                 `{}`, or a perspective sensor far away with a small fov",
+                method.name(),
+                Method::Walk.name()
+            ),
+        }),
+        _ => Ok(()),
     }
 }
 
@@ -136,9 +152,14 @@ pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
     shapes.any(|shape| may_be_specular(scene, shape.bsdf))
 }
 
-/// A refusal if something moved in a curved mirror or behind refracting glass.
-pub(super) fn refuse_uncovered(scene: &Scene, statistics: &Statistics) -> Result<(), Refusal> {
-    if statistics.uncovered == 0 {
+/// A refusal if something moved in a curved mirror or behind refracting glass, and
+/// the method promises the truth.
+pub(super) fn refuse_uncovered(
+    scene: &Scene,
+    statistics: &Statistics,
+    method: &Method,
+) -> Result<(), Refusal> {
+    if statistics.uncovered == 0 || !method.is_unbiased() {
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
@@ -167,15 +188,35 @@ pub(super) fn refuse_uncovered(scene: &Scene, statistics: &Statistics) -> Result
 /// if they are.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
     let found = refuse_cut_normals(scene, true, |_| false);
-    found.and_then(|()| refuse_motion(&Accel::new(scene))).err()
+    found
+        .and_then(|()| refuse_motion(&Accel::new(scene), &Method::default()))
+        .err()
 }
 
 /// A refusal if the scene has what cannot be differentiated by what moves edges.
-pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
+pub(super) fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
+    refuse_parallel_rays(accel.scene, method)?;
     refuse_hard_shadows(accel.scene)?;
     refuse_jumping_textures(accel.scene)?;
     refuse_turned_without_uvs(accel.scene)?;
     refuse_clipped(accel)
+}
+
+/// A refusal if the settings of a method do not give a field.
+pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> {
+    match &options.method {
+        Method::Walk => refuse_walk(&options.walk),
+        Method::Was(was) if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) => {
+            Err(Refusal {
+                reason: format!(
+                    "warped-area sampling with {} auxiliary rays of concentration {}; expected \
+                     at least one ray and a finite concentration above 0",
+                    was.rays, was.kappa
+                ),
+            })
+        }
+        Method::Was(_) => Ok(()),
+    }
 }
 
 /// A refusal if a walk does not give a continuous field.

@@ -367,6 +367,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for Unfolded<'_, R, F> {
 mod tests {
     use super::*;
     use crate::diff::boundary::Field;
+    use crate::options::Method;
     use capwalk_scene::bsdf::Metal;
     use capwalk_scene::{Bsdf, Scene, ShadingNormals, Texture, builtin};
 
@@ -411,7 +412,10 @@ mod tests {
         let scenes = [mirrored(), doubled()];
         assert_eq!(scenes[0].shapes[0].id, "floor");
         let [with, without] = [Accel::new(&scenes[0]), Accel::new(&scenes[1])];
-        let fields = [Field::new(&with), Field::new(&without)];
+        let fields = [
+            Field::new(&with, Method::Walk),
+            Field::new(&without, Method::Walk),
+        ];
         let eye: Eye<f64> = Eye::camera(&with.view, 1);
         let [mirror, window] = fields.each_ref().map(|field| field.sphere(&eye));
         let view = scenes[0].sensor.view(&scenes[0].film);

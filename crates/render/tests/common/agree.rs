@@ -61,8 +61,8 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
         threads: None,
     };
     let settings = GradientOptions {
-        options: options(case.gradient_spp, 1),
         walk: case.walk,
+        ..GradientOptions::new(options(case.gradient_spp, 1))
     };
     let ours = gradient(&scene, motion, &settings, &Unwatched).expect("covered");
     let middle = match case.one_sided {

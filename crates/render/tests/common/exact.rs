@@ -1,6 +1,6 @@
 //! Estimates against exact numbers.
 
-use capwalk_render::{Estimate, GradientOptions, Options, WalkSettings};
+use capwalk_render::{Estimate, GradientOptions, Options};
 
 /// Standard errors beyond which a difference is no accident: 7 tests in a
 /// million are beyond, and there are some hundred of them.
@@ -16,14 +16,11 @@ pub fn meets(name: &str, mean: f64, error: f64, exact: f64, largest_error: f64) 
 
 /// So many samples per pixel.
 pub fn settings(spp: u32) -> GradientOptions {
-    GradientOptions {
-        options: Options {
-            spp,
-            seed: 5,
-            threads: None,
-        },
-        walk: WalkSettings::default(),
-    }
+    GradientOptions::new(Options {
+        spp,
+        seed: 5,
+        threads: None,
+    })
 }
 
 /// The mean of a picture, and of each of its quarters, with errors.
