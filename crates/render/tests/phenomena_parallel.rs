@@ -82,7 +82,6 @@ fn area(polygon: &[[f64; 2]]) -> f64 {
 fn triangle_against_its_area() {
     const STEP: f64 = 1e-4;
     for name in [
-        "thing.translate.x",
         "thing.translate.y + 0.5*thing.rotate.z",
         "0.7*thing.to_world[0,0] + thing.to_world[2,1]",
         "sensor.translate.x",
@@ -94,7 +93,7 @@ fn triangle_against_its_area() {
         let scene = triangle_under_sky(Filter::Box);
         scene.check().expect("a valid scene");
         let motion = motion(&scene, name);
-        let result = gradient(&scene, &motion, &settings(16000), &Unwatched).expect("covered");
+        let result = gradient(&scene, &motion, &settings(10000), &Unwatched).expect("covered");
         let [above, below] = [STEP, -STEP].map(|step| sky_seen(&scene.moved(&motion, step)));
         let [value, slope] = [&result.value, &result.gradient].map(means);
         for (i, exact) in sky_seen(&scene).into_iter().enumerate() {

@@ -39,7 +39,7 @@ const FEW_EDGES: usize = 64;
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
     pub(super) edges: Vec<Edge>,
-    tree: SilhouetteTree,
+    pub(super) tree: SilhouetteTree,
     /// The same edges in picture space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of [`View::towards`].
     picture: Option<SilhouetteTree>,
@@ -233,9 +233,9 @@ pub struct Site {
     pub t: f64,
     /// Velocities along this unit vector are kept if `is_horizon`, else
     /// rejected.
-    direction: Vec3,
-    is_horizon: bool,
-    distance: f64,
+    pub(super) direction: Vec3,
+    pub(super) is_horizon: bool,
+    pub(super) distance: f64,
     /// Where it is in camera space, if the eye's rays are parallel.
     pub(super) place: Option<Vec3>,
     /// The mirrors in which the eye sees the point.
@@ -249,9 +249,10 @@ impl Site {
         [1.0, x, y, z]
     }
 
-    /// `P_x̂ v / |x - o|`, a symmetric map: its own transpose.
+    /// `P_x̂ v / |x - o|` of a velocity relative to the eye, in the space of its
+    /// directions. A symmetric map: its own transpose.
     #[inline]
-    pub(super) fn turning(&self, relative: Vec3) -> Vec3 {
+    pub fn angular(&self, relative: Vec3) -> Vec3 {
         let along = self.direction * self.direction.dot(relative);
         let kept = if self.is_horizon {
             along
@@ -298,12 +299,17 @@ impl<'a> Field<'a> {
                 false => self.accel.surface_sees(position, site.direction, distance),
             }
         };
+        let (edges, groups) = match self.method {
+            // Beside triangles, in directions that meet nothing.
+            Method::TriangleWalk => (EdgeSelection::Silhouettes, SEEN),
+            _ => (eye.selection, eye.group),
+        };
         Unfolded {
             direct: Sphere {
                 tree,
                 eye: apex,
-                edges: eye.selection,
-                groups: eye.group,
+                edges,
+                groups,
                 in_front_of: None,
                 counts: (eye.visibility != Visibility::All).then_some(is_seen),
                 queries: Cell::new(0),
@@ -328,10 +334,17 @@ impl<'a> Field<'a> {
     }
 
     /// A sample of the field and its divergence in the direction `q`, as a map from
-    /// velocities; `None` if the method's fields are [`Sites`].
-    pub fn flow<R: Real>(&self, eye: &Eye<R>, q: Vec3, random: Numbers) -> Option<Flow> {
+    /// velocities; `None` if the method's fields are [`Sites`] there.
+    pub fn flow<R: Real>(
+        &self,
+        eye: &Eye<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Flow> {
         match &self.method {
             Method::Walk => None,
+            Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
             Method::Was(settings) => {
                 Some(was::flow(self.accel, eye, q, settings, &random.branch()))
             }
@@ -357,7 +370,7 @@ impl<'a> Field<'a> {
         Some(self.site(eye, &site?))
     }
 
-    fn site<R: Real>(&self, eye: &Eye<R>, seen: &Seen) -> Site {
+    pub(super) fn site<R: Real>(&self, eye: &Eye<R>, seen: &Seen) -> Site {
         let found = &seen.point;
         let edge = &self.boundaries.edges[found.edge as usize];
         // Around the face that the eye slides on, its edges are the horizon.
@@ -416,7 +429,7 @@ pub struct Counts {
 }
 
 impl Draw<'_> {
-    fn count_queries(&self, count: u64) {
+    pub(super) fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);
     }
 }
@@ -436,7 +449,7 @@ impl Numbers<'_> {
         self.draw.stream.branch(self.dimension)
     }
 
-    fn number(&self, i: u32) -> f64 {
+    pub(super) fn number(&self, i: u32) -> f64 {
         self.draw.stream.number(self.dimension + i)
     }
 }

@@ -78,7 +78,7 @@ impl<'a> InMotion<'a> {
         for (vector, share) in eye.vectors().iter().zip(site.shares()) {
             velocity += vector.tangent(0) * -share;
         }
-        self.field.angular(site, velocity)
+        self.field.seen_velocity(site, velocity)
     }
 }
 
@@ -119,7 +119,7 @@ impl World<D> for InMotion<'_> {
         if self.is_at_rest(eye) {
             return Carried::at_rest(q);
         }
-        if let Some(flow) = self.field.flow(eye, q, numbers) {
+        if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
             let (mean, divergence) = flow.evaluate(|source| match source {
                 Source::Point(i) => self.points[i as usize],
                 Source::Eye => eye.position.tangent(0),

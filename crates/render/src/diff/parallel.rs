@@ -33,17 +33,17 @@ impl Field<'_> {
     /// velocity `ẋ - ȯ` relative to the eye, `P_x̂ (ẋ - ȯ) / |x - o|`; if the eye's
     /// rays are parallel, that of its direction in picture space.
     #[inline]
-    pub fn angular(&self, site: &Site, relative: Vec3) -> Vec3 {
+    pub fn seen_velocity(&self, site: &Site, relative: Vec3) -> Vec3 {
         match site.place {
-            None => site.turning(relative),
-            Some(_) => site.turning(self.accel.view.picture_velocity(relative)),
+            None => site.angular(relative),
+            Some(_) => site.angular(self.accel.view.picture_velocity(relative)),
         }
     }
 
-    /// The transpose of [`Field::angular`].
+    /// The transpose of [`Field::seen_velocity`].
     #[inline]
-    pub fn pull_angular(&self, site: &Site, covector: Vec3) -> Vec3 {
-        let on_velocity = site.turning(covector);
+    pub fn pull_seen_velocity(&self, site: &Site, covector: Vec3) -> Vec3 {
+        let on_velocity = site.angular(covector);
         match site.place {
             None => on_velocity,
             Some(_) => self.accel.view.pull_picture_velocity(on_velocity),

@@ -164,7 +164,7 @@ fn pull_site(
     adjoints: &mut Adjoints,
     covectors: &mut Vec<(Target, Vec3)>,
 ) {
-    let mut on_point = field.pull_angular(site, covector);
+    let mut on_point = field.pull_seen_velocity(site, covector);
     for (vector, share) in eye.vectors().into_iter().zip(site.shares()) {
         adjoints.add_vector(vector, on_point * -share);
     }
@@ -242,7 +242,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         if !self.wanted.geometry() {
             return Carried::at_rest(q);
         }
-        if let Some(flow) = self.field.flow(eye, q, numbers) {
+        if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
             let moves = |source| match source {
                 Source::Point(i) => self.points[i as usize],
                 Source::Eye => !eye.position.is_constant(),

@@ -37,12 +37,11 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
 /// points only.
 fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
     match (scene.sensor.model, method) {
-        (SensorModel::Orthographic, Method::Was(_)) => Err(Refusal {
+        (SensorModel::Orthographic, Method::Was(_) | Method::TriangleWalk) => Err(Refusal {
             reason: format!(
                 "the method `{}` has no field for the parallel rays of an orthographic sensor. Use \
-                 `{}`, or a perspective sensor far away with a small fov",
-                method.name(),
-                Method::Walk.name()
+                 the default method, or a perspective sensor far away with a small fov",
+                method.name()
             ),
         }),
         _ => Ok(()),
@@ -163,6 +162,17 @@ pub(super) fn refuse_uncovered(
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
+    if *method == Method::TriangleWalk {
+        return Err(Refusal {
+            reason: format!(
+                "things move that are seen in mirrors or through what lets light pass (about {:.2} \
+                 specular events in 100 samples), and the motion of their outlines there is not \
+                 available with fields on triangles. Use `domain` sphere, the default, which has it \
+                 for flat mirrors and panes",
+                100.0 * share
+            ),
+        });
+    }
     let (sees, covered) = match scene.sensor.model {
         SensorModel::Orthographic => (
             "in mirrors by an orthographic sensor",
@@ -205,7 +215,7 @@ pub(super) fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusa
 /// A refusal if the settings of a method do not give a field.
 pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> {
     match &options.method {
-        Method::Walk => refuse_walk(&options.walk),
+        Method::Walk | Method::TriangleWalk => refuse_walk(&options.walk),
         Method::Was(was) if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) => {
             Err(Refusal {
                 reason: format!(
