@@ -85,7 +85,7 @@ fn triangle_against_its_area() {
         "thing.translate.y + 0.5*thing.rotate.z",
         "0.7*thing.to_world[0,0] + thing.to_world[2,1]",
         "sensor.translate.x",
-        "0.3*sensor.rotate.x",
+        "0.2*sensor.rotate.x",
         "0.3*sensor.rotate.y - 0.2*sensor.rotate.z",
         "sensor.to_world[0,0] + 0.3*sensor.to_world[1,1]",
         "0.3*sensor.to_world[1,2] - 0.3*sensor.to_world[2,2]",
