@@ -8,5 +8,6 @@ pub mod demo;
 pub mod figures;
 pub mod gradient;
 pub mod info;
+pub mod optimize;
 pub mod render;
 pub mod scenes;

@@ -11,6 +11,7 @@ pub mod forward;
 mod lamp_edge;
 mod look;
 mod motion;
+mod parallel;
 pub mod probe;
 mod receiver;
 mod recording;
