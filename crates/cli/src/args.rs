@@ -1,9 +1,15 @@
 //! What was typed.
 
+mod demo;
+mod figures;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+
+pub use demo::Demo;
+pub use figures::{Figures, QualityName};
 
 /// Unbiased derivatives of rendered images.
 #[derive(Parser, Debug)]
@@ -372,29 +378,6 @@ pub struct Scenes {
 }
 
 #[derive(Args, Debug)]
-#[command(
-    mut_arg("spp", |arg| arg.help("Samples per pixel [default: 96]")),
-    mut_arg("seed", |arg| arg.help("Seed of all random numbers [default: 1]")),
-    mut_arg("time_limit", |arg| arg.help(
-        "Stop after this time (30, 30s, 5m, 1h), shared among picture, gradients and reference, \
-         and keep what is done"
-    )),
-)]
-pub struct Demo {
-    /// Folder for the pictures
-    #[arg(short, long, value_name = "FOLDER", default_value = "demo")]
-    pub output: PathBuf,
-    /// Width and height of the pictures [default: 128x96]
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
-    pub size: Option<[u32; 2]>,
-    #[command(flatten)]
-    pub sampling: SamplingArgs,
-    /// Print one JSON object instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(Args, Debug)]
 pub struct Optimize {
     /// TOML file that says what to look for, and how
     pub job: PathBuf,
@@ -415,51 +398,6 @@ pub struct Optimize {
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,
-}
-
-#[derive(Args, Debug)]
-pub struct Figures {
-    /// Which figures: their names, or "all"
-    #[arg(value_name = "FIGURE", default_value = "all", value_parser = parse_figure)]
-    pub names: Vec<String>,
-    /// Folder for the report
-    #[arg(short, long, value_name = "FOLDER", default_value = "figures")]
-    pub out: PathBuf,
-    /// How much work each figure is worth
-    #[arg(long, default_value = "draft")]
-    pub quality: QualityName,
-    /// Mesh (.ply, .obj) that takes the place of the Voronoi bunny
-    #[arg(long, value_name = "FILE")]
-    pub mesh: Option<PathBuf>,
-    /// Seed of all random numbers
-    #[arg(long, value_name = "N", default_value_t = 1)]
-    pub seed: u64,
-    /// Worker threads; changes times only [default: all cores]
-    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
-    pub threads: Option<usize>,
-    /// Print one JSON object instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Qualities by name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum QualityName {
-    /// Seconds: everything runs, little is decided
-    Smoke,
-    /// Minutes: most claims are decided
-    Draft,
-    /// An hour and more
-    Full,
-}
-
-fn parse_figure(text: &str) -> Result<String, String> {
-    let mut names: Vec<&str> = capwalk_figures::ALL.iter().map(|f| f.name).collect();
-    names.push("all");
-    match names.contains(&text) {
-        true => Ok(text.into()),
-        false => Err(format!("there are {}", names.join(", "))),
-    }
 }
 
 fn parse_define(text: &str) -> Result<(String, String), String> {
