@@ -42,6 +42,10 @@ pub enum Method {
     /// light arrives at. Unbiased.
     #[default]
     Walk,
+    /// Directions towards lamps, and those of a camera that sees through no flat
+    /// mirror or pane, stay at rest, and points are drawn on all edges that move
+    /// across them; elsewhere like [`Method::Walk`]. Unbiased.
+    Edges,
 }
 
 /// Follows the work and may stop it. Called from worker threads.

@@ -7,7 +7,9 @@
 mod common;
 
 use capwalk_math::{Affine, Vec3};
-use capwalk_render::{Backward, GradientOptions, Options, Unwatched, Wanted, backward, gradient};
+use capwalk_render::{
+    Backward, GradientOptions, Method, Options, Unwatched, Wanted, backward, gradient,
+};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
@@ -79,14 +81,21 @@ fn settings(spp: u32, threads: Option<usize>) -> GradientOptions {
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> Backward {
+    reverse_by(&settings(spp, threads), scene, wanted)
+}
+
+fn reverse_by(settings: &GradientOptions, scene: &Scene, wanted: &Wanted) -> Backward {
     let adjoint = adjoint(scene, 3);
-    let result = backward(scene, &adjoint, wanted, &settings(spp, threads), &Unwatched);
-    result.expect("covered")
+    backward(scene, &adjoint, wanted, settings, &Unwatched).expect("covered")
 }
 
 /// `⟨δ, J θ̇⟩` in forward mode.
 fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
-    let result = gradient(scene, motion, &settings(spp, None), &Unwatched).expect("covered");
+    forward_by(&settings(spp, None), scene, motion)
+}
+
+fn forward_by(settings: &GradientOptions, scene: &Scene, motion: &Motion) -> f64 {
+    let result = gradient(scene, motion, settings, &Unwatched).expect("covered");
     let pixels = result.gradient.mean.pixels.iter();
     let adjoint = adjoint(scene, 3);
     pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
@@ -111,15 +120,21 @@ fn small(scene: &mut Scene, depth: u32) {
 }
 
 fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
-    let forward = forward(scene, motion, 32);
-    let (reverse, error) = reverse(scene, &Wanted::by(motion), 32, None).along(motion);
-    println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
-    let difference = (forward - reverse).abs();
-    assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
-    assert!(
-        difference <= 1e-10 * forward.abs(),
-        "{name}: {difference:e}"
-    );
+    for method in [Method::Walk, Method::Edges] {
+        let settings = GradientOptions {
+            method,
+            ..settings(32, None)
+        };
+        let forward = forward_by(&settings, scene, motion);
+        let (reverse, error) = reverse_by(&settings, scene, &Wanted::by(motion)).along(motion);
+        println!("{name}, {method:?}: forward {forward}, reverse {reverse} ± {error:.2e}");
+        let difference = (forward - reverse).abs();
+        assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
+        assert!(
+            difference <= 1e-10 * forward.abs(),
+            "{name}, {method:?}: {difference:e}"
+        );
+    }
 }
 
 /// Smooth computed normals, a Gaussian filter, shadows.

@@ -8,7 +8,9 @@
 
 use std::cell::Cell;
 
-use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_geometry::{
+    Edge, EdgeSelection, Mesh, Sides, SilhouettePoint, SilhouetteTree, topology,
+};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::Emitter;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
@@ -22,6 +24,7 @@ use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::unfold::{Mirrors, Seen, Unfolded};
+use super::window::Lamp;
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -36,6 +39,8 @@ const FEW_EDGES: usize = 64;
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
     edges: Vec<Edge>,
+    /// How much light may jump at each edge that is no silhouette.
+    contrasts: Vec<f32>,
     tree: SilhouetteTree,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
@@ -50,7 +55,7 @@ impl Boundaries {
     /// may move against each other.
     pub fn new(accel: &Accel) -> Self {
         let scene = accel.scene;
-        let mut edges = Vec::new();
+        let (mut edges, mut contrasts) = (Vec::new(), Vec::new());
         let mut ends_on_lamps = Vec::new();
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
@@ -59,6 +64,10 @@ impl Boundaries {
             let is_lamp = shape.emitter.is_some_and(|id| {
                 matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
             });
+            contrasts.extend(own.iter().map(|edge| match edge.sides {
+                Sides::Open => 1.0,
+                Sides::Between { faces, flipped } => look.contrast(faces, flipped) as f32,
+            }));
             for edge in &mut own {
                 shift(edge, first_vertex, first_face);
                 edge.groups = if is_lamp { SEEN } else { SEEN | EMITTED };
@@ -88,10 +97,12 @@ impl Boundaries {
                 // A lamp that something cuts through ends there.
                 groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
             });
+            contrasts.push(1.0);
         }
         Self {
             tree: SilhouetteTree::build(&mesh, &edges),
             edges,
+            contrasts,
             positions: mesh.positions,
             crossings,
             lamp_edges: lamp_edges(&ends_on_lamps, &accel.mesh.positions),
@@ -102,6 +113,36 @@ impl Boundaries {
     /// mesh, then the ends of crossings.
     pub fn point_count(&self) -> usize {
         self.positions.len()
+    }
+
+    /// An edge, by its number.
+    pub fn edge(&self, edge: u32) -> &Edge {
+        &self.edges[edge as usize]
+    }
+
+    /// How much light may jump at an edge, from above 0 to 1: 1 where it is a
+    /// silhouette, seen from the eye, or where its faces look different.
+    pub fn contrast(&self, edge: u32, mesh: &Mesh, eye: Vec3) -> f64 {
+        match self.edge(edge).is_silhouette(mesh, eye) {
+            true => 1.0,
+            false => f64::from(self.contrasts[edge as usize]),
+        }
+    }
+
+    /// Where the ends of an edge are.
+    pub fn ends(&self, edge: u32) -> [Vec3; 2] {
+        let vertices = self.edge(edge).vertices;
+        vertices.map(|i| self.position(i))
+    }
+
+    /// Where a point of the boundaries is.
+    pub fn position(&self, point: u32) -> Vec3 {
+        self.positions[point as usize]
+    }
+
+    /// The edges in a tree.
+    pub fn tree(&self) -> &SilhouetteTree {
+        &self.tree
     }
 }
 
@@ -193,6 +234,8 @@ pub struct Field<'a> {
     pub boundaries: Boundaries,
     /// What the fields are made by.
     pub method: Method,
+    /// The lamps before which edges are gathered, if that is the method.
+    pub lamps: Vec<Lamp>,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     horizon_distance: f64,
@@ -241,6 +284,10 @@ impl<'a> Field<'a> {
         Self {
             accel,
             method,
+            lamps: match method {
+                Method::Edges => Lamp::all(accel.scene),
+                _ => Vec::new(),
+            },
             boundaries: Boundaries::new(accel),
             horizon_distance: accel.horizon_distance(),
         }
@@ -294,7 +341,7 @@ impl<'a> Field<'a> {
     /// velocities; `None` if the method's fields are [`Sites`].
     pub fn flow<R: Real>(&self, _eye: &Eye<R>, _q: Vec3, _random: Numbers) -> Option<Flow> {
         match self.method {
-            Method::Walk => None,
+            Method::Walk | Method::Edges => None,
         }
     }
 
@@ -368,7 +415,8 @@ pub struct Counts {
 }
 
 impl Draw<'_> {
-    fn count_queries(&self, count: u64) {
+    /// Counts queries for silhouettes.
+    pub fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);
     }
 }
