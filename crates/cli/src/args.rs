@@ -135,15 +135,41 @@ pub struct MotionArgs {
     pub motion: Vec<(String, PathBuf)>,
 }
 
-/// How the velocity field is estimated.
+/// How derivatives are estimated.
+#[derive(Args, Debug)]
+pub struct MethodArgs {
+    /// What makes up for jumps at edges; all but `walk` and `edges` are baselines
+    /// to compare with
+    #[arg(long, default_value = "walk")]
+    pub method: MethodName,
+    #[command(flatten)]
+    pub walk: WalkArgs,
+    #[command(flatten)]
+    pub was: WasArgs,
+}
+
+/// Methods by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MethodName {
+    /// Walks on spherical caps: unbiased
+    Walk,
+    /// Points on all edges before lamps and the camera, walks elsewhere: unbiased
+    Edges,
+    /// Warped-area sampling (Bangaru et al. 2020): biased
+    Was,
+    /// Central finite differences, for `gradient`
+    Fd,
+}
+
+/// How the velocity field is estimated with `--method walk`, and where `edges` walks.
 #[derive(Args, Debug)]
 pub struct WalkArgs {
-    /// Steps of the walk on spherical caps
-    #[arg(long, value_name = "M", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=64))]
-    pub walk_steps: u32,
-    /// Estimator of the field's divergence
-    #[arg(long, default_value = "anchored")]
-    pub estimator: EstimatorName,
+    /// Steps of the walk on spherical caps [default: 1]
+    #[arg(long, value_name = "M", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub walk_steps: Option<u32>,
+    /// Estimator of the field's divergence [default: anchored]
+    #[arg(long)]
+    pub estimator: Option<EstimatorName>,
     /// Ignore silhouettes farther than this angle, degrees; right for every
     /// value, smaller is faster and larger is smoother
     #[arg(long, value_name = "DEGREES", value_parser = parse_angle, allow_negative_numbers = true)]
@@ -151,6 +177,37 @@ pub struct WalkArgs {
     /// Average each rim sample with the one on the other side of the cap
     #[arg(long)]
     pub antithetic: bool,
+}
+
+/// How it is with `--method was`.
+#[derive(Args, Debug)]
+pub struct WasArgs {
+    /// was: concentration of auxiliary rays; they reach about K^(-1/2) radians
+    /// far [default: 100000]
+    #[arg(long, value_name = "K", value_parser = parse_concentration)]
+    pub was_kappa: Option<f64>,
+    /// was: auxiliary rays per direction; more of them, less bias [default: 8]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub was_rays: Option<u32>,
+    /// was: how to tell that a silhouette is near [default: edges]
+    #[arg(long)]
+    pub was_boundary: Option<WasBoundaryName>,
+    /// was: opposite pairs of auxiliary rays [default: true]
+    #[arg(long, value_name = "BOOL", num_args = 0..=1, default_missing_value = "true")]
+    pub was_antithetic: Option<bool>,
+    /// was: random numbers of auxiliary rays (Russian roulette) without that bias,
+    /// slower and noisier
+    #[arg(long)]
+    pub was_debias: bool,
+}
+
+/// Boundary tests of warped-area sampling by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum WasBoundaryName {
+    /// Normals across the view: misses the outlines of flat faces
+    Normals,
+    /// Edges of triangles: right for all meshes, noisier
+    Edges,
 }
 
 /// Estimators by name.
@@ -179,7 +236,12 @@ pub struct Gradient {
     #[command(flatten)]
     pub motion: MotionArgs,
     #[command(flatten)]
-    pub walk: WalkArgs,
+    pub method: MethodArgs,
+    /// Step of the finite differences, in units of the parameter [default:
+    /// moves the fastest vertex by 1/500 of the size of the shape it belongs
+    /// to (of the scene, where the sensor moves); for colours, 0.01]
+    #[arg(long, value_name = "H", value_parser = parse_step, allow_negative_numbers = true)]
+    pub step: Option<f64>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
     #[command(flatten)]
@@ -232,7 +294,7 @@ pub struct Backward {
     #[arg(long)]
     pub errors: bool,
     #[command(flatten)]
-    pub walk: WalkArgs,
+    pub method: MethodArgs,
     #[command(flatten)]
     pub sampling: SamplingArgs,
     /// Output file (.npz)
@@ -251,11 +313,6 @@ pub struct Check {
     /// [default: 4 times --spp]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub reference_spp: Option<u32>,
-    /// Step of the finite differences, in units of the parameter [default:
-    /// moves the fastest vertex by 1/500 of the size of the shape it belongs
-    /// to (of the scene, where the sensor moves); for colours, 0.01]
-    #[arg(long, value_name = "H", value_parser = parse_step, allow_negative_numbers = true)]
-    pub step: Option<f64>,
 }
 
 #[derive(Args, Debug)]
@@ -351,6 +408,13 @@ fn parse_angle(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
         _ => Err("expected an angle above 0 and up to 180 degrees".into()),
+    }
+}
+
+fn parse_concentration(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(kappa) if kappa > 0.0 && kappa.is_finite() => Ok(kappa),
+        _ => Err("expected a number above 0".into()),
     }
 }
 

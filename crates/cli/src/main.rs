@@ -8,6 +8,7 @@ mod args;
 mod command;
 mod console;
 mod diagnostics;
+mod method;
 mod moving;
 mod output;
 mod progress;

@@ -135,6 +135,13 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
             "warning: the {what} is partial: {least} to {most} samples per pixel were taken\n"
         );
     }
+    if statistics.uncovered > 0 {
+        text += &format!(
+            "warning: {} specular events of the {what} show things that may move, and the motion \
+             of outlines there is missing: this method is biased there\n",
+            count(statistics.uncovered)
+        );
+    }
     if statistics.non_finite > 0 {
         text += &format!(
             "{}: {} of {} samples of the {what} were infinite or NaN; they count as zero{}\n",
@@ -199,6 +206,7 @@ pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
         "fewest_samples_per_pixel": taken.iter().min(),
         "most_samples_per_pixel": taken.iter().max(),
         "non_finite": statistics.non_finite,
+        "uncovered": statistics.uncovered,
         "cone_queries": statistics.cone_queries,
         "seconds": elapsed,
     })

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
-use capwalk_render::{Estimator, GradientOptions, Options, WalkSettings};
+use capwalk_render::Options;
 use capwalk_scene::{Filter, Scene, builtin};
 
-use crate::args::{EstimatorName, FilterName, SamplingArgs, SceneArgs, WalkArgs};
+use crate::args::{FilterName, SamplingArgs, SceneArgs};
 
 /// The scene, from a file or built in, checked.
 pub fn load(args: &SceneArgs) -> Result<Scene> {
@@ -73,22 +73,5 @@ pub fn options(args: &SamplingArgs, scene: &Scene) -> Options {
         spp: args.spp.unwrap_or(scene.settings.spp),
         seed: args.seed.unwrap_or(scene.settings.seed),
         threads: args.threads,
-    }
-}
-
-/// How to estimate a gradient.
-pub fn gradient_options(options: Options, args: &WalkArgs) -> GradientOptions {
-    let default = WalkSettings::default();
-    GradientOptions {
-        walk: WalkSettings {
-            steps: args.walk_steps,
-            max_radius: args.max_angle.map_or(default.max_radius, f64::to_radians),
-            estimator: match args.estimator {
-                EstimatorName::Anchored => Estimator::Anchored,
-                EstimatorName::Literal => Estimator::Literal,
-            },
-            antithetic: args.antithetic,
-        },
-        ..GradientOptions::new(options)
     }
 }

@@ -20,6 +20,7 @@ pub mod special;
 pub mod sphere;
 pub mod stats;
 pub mod tape;
+pub mod vec2;
 pub mod vec3;
 
 pub use affine::Affine;
@@ -28,4 +29,5 @@ pub use frame::Frame;
 pub use real::Real;
 pub use stats::Moments;
 pub use tape::{Tape, Var};
+pub use vec2::Vec2;
 pub use vec3::{Rgb, Vec3};

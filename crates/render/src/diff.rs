@@ -19,4 +19,5 @@ pub mod refuse;
 pub mod reverse;
 mod slope;
 pub(crate) mod unfold;
+mod was;
 pub(crate) mod window;

@@ -36,4 +36,6 @@ pub use diff::reverse::{Backward, backward};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use integrator::render;
 pub use material::may_be_specular;
-pub use options::{GradientOptions, Method, Options, Refusal, Unwatched, Watch};
+pub use options::{
+    GradientOptions, Method, Options, Refusal, Unwatched, WasBoundary, WasSettings, Watch,
+};

@@ -46,6 +46,68 @@ pub enum Method {
     /// mirror or pane, stay at rest, and points are drawn on all edges that move
     /// across them; elsewhere like [`Method::Walk`]. Unbiased.
     Edges,
+    /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
+    /// more auxiliary rays; what is seen in mirrors is not covered.
+    Was(WasSettings),
+}
+
+impl Method {
+    /// Its name in files and on the command line.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Walk => "walk",
+            Self::Edges => "edges",
+            Self::Was(_) => "was",
+        }
+    }
+
+    /// True if the method promises the truth: what it does not cover is refused.
+    pub fn is_unbiased(&self) -> bool {
+        match self {
+            Self::Walk | Self::Edges => true,
+            Self::Was(_) => false,
+        }
+    }
+}
+
+/// How warped-area sampling makes its field.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WasSettings {
+    /// `κ`, concentration of the auxiliary rays: they are about `1/√κ` radians
+    /// away, and so is the field's reach.
+    pub kappa: f64,
+    /// Auxiliary rays per direction.
+    pub rays: u32,
+    /// Which places count as near silhouettes.
+    pub boundary: WasBoundary,
+    /// Every second auxiliary ray is opposite to the one before it.
+    pub antithetic: bool,
+    /// Random numbers of auxiliary rays, without bias: about three times as many,
+    /// and noisier.
+    pub debias: bool,
+}
+
+impl Default for WasSettings {
+    fn default() -> Self {
+        Self {
+            kappa: 1e5,
+            rays: 8,
+            boundary: WasBoundary::Edges,
+            antithetic: true,
+            debias: false,
+        }
+    }
+}
+
+/// Boundary tests of warped-area sampling.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WasBoundary {
+    /// Normals across the view: for smooth surfaces. Flat faces end without it,
+    /// and their outlines are missed.
+    Normals,
+    /// The nearest edge of the triangle: right for all meshes, noisy at every
+    /// edge.
+    Edges,
 }
 
 /// Follows the work and may stop it. Called from worker threads.

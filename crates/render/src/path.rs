@@ -300,7 +300,7 @@ impl<'a> Tracer<'a> {
                 light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
             |event, hit| {
-                if W::MOVES && chain.after(event.event).is_none() {
+                if W::MOVES && (chain.after(event.event).is_none() || self.misses_mirrors()) {
                     let (direction, _) = vertex.specular(event);
                     self.count_uncovered(world, vertex.position, direction, hit, draw);
                 }
@@ -310,6 +310,7 @@ impl<'a> Tracer<'a> {
             && self.plan.sampling.dimensions() > 0
             && at_rest.bsdf.has_smooth()
             && let Some((field, _)) = self.moving
+            && !field.has_flow()
         {
             let scene = self.accel.scene;
             if field.method != Method::Edges || scene.environment().is_some() {
@@ -333,6 +334,11 @@ impl<'a> Tracer<'a> {
         let method = self.moving.map(|(field, _)| field.method);
         let emitter = || self.accel.scene.emitter(emitter);
         method == Some(Method::Edges) && matches!(emitter(), Emitter::Area { .. })
+    }
+
+    /// True if the field knows nothing of what mirrors show.
+    fn misses_mirrors(&self) -> bool {
+        self.moving.is_some_and(|(field, _)| field.has_flow())
     }
 
     fn walks(&self) -> &Walks {

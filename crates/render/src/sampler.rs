@@ -84,6 +84,18 @@ impl Stream {
         }
     }
 
+    /// Independent numbers without end, for what takes a random number of them in
+    /// the place of one dimension.
+    pub fn branch(&self, dimension: u32) -> Self {
+        let key = self
+            .key
+            .wrapping_add(u64::from(dimension + 1).wrapping_mul(GOLDEN));
+        Self {
+            key: mix(mix(key) ^ BRANCH),
+            sobol: None,
+        }
+    }
+
     /// The numbers of a dimension and the next.
     #[inline]
     pub fn pair(&self, dimension: u32) -> [f64; 2] {
@@ -93,6 +105,9 @@ impl Stream {
 
 /// 2^64 over the golden ratio: consecutive multiples are well spread.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// Makes branches differ from the numbers that they grow from; π.
+const BRANCH: u64 = 0x243f_6a88_85a3_08d3;
 
 /// A bijection of 64 bits that looks random (the finaliser of SplitMix64,
 /// Steele et al. 2014).

@@ -158,12 +158,117 @@ fn lamp_before_a_sky() {
     shadow_case("lamp before a sky", scene, expression);
 }
 
+fn camera_case(name: &str, scene: Scene, expression: &str, case: Case) {
+    let motion = motion(&scene, expression);
+    agree(name, scene, &motion, edges(case));
+}
+
+/// An outline and a shadow.
+#[test]
+fn outlines() {
+    for filter in [
+        Filter::Box,
+        Filter::Tent { radius: 1.0 },
+        Filter::Gaussian { stddev: 0.5 },
+    ] {
+        let case = Case {
+            step: 3e-3,
+            gradient_spp: 128,
+            min_pixels: 700,
+            ..primary()
+        };
+        let name = format!("outline, {filter:?}");
+        camera_case(&name, visible_ball(filter), "ball.translate.x", case);
+    }
+}
+
+/// Edges between faces of which both are seen.
+#[test]
+fn creases() {
+    let case = Case {
+        step: 2e-3,
+        gradient_spp: 128,
+        min_pixels: 600,
+        ..primary()
+    };
+    camera_case(
+        "creases",
+        visible_cube(),
+        "thing.rotate.z + 0.3*thing.translate.z",
+        case,
+    );
+}
+
+/// Every edge moves, and the picture between them.
+#[test]
+fn camera() {
+    let case = Case {
+        step: 1e-3,
+        gradient_spp: 128,
+        reference_spp: 1200,
+        ..primary()
+    };
+    let expression = "sensor.translate.x + 0.3*sensor.rotate.z + 0.2*sensor.x_fov";
+    camera_case("camera", visible_cube(), expression, case);
+}
+
+/// Each point of the lens has its own outlines.
+#[test]
+fn lens() {
+    let scene = through_lens(visible_ball(Filter::Gaussian { stddev: 0.5 }), 0.12, 2.9);
+    let expression = "ball.translate.x + 0.3*sensor.translate.x + 0.2*sensor.aperture_radius";
+    let case = Case {
+        step: 3e-3,
+        gradient_spp: 128,
+        ..primary()
+    };
+    camera_case("lens", scene, expression, case);
+}
+
+/// Curves where surfaces cross belong to no mesh.
+#[test]
+fn crossing() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = capwalk_scene::primitive::cube(Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    let case = Case {
+        step: 2e-3,
+        gradient_spp: 128,
+        ..primary()
+    };
+    camera_case(
+        "crossing",
+        scene,
+        "thing.translate.x - blade.translate.z",
+        case,
+    );
+}
+
+/// The mirror's own edges are walked to, shadows in it are not.
+#[test]
+fn mirror() {
+    let mut scene = visible_cube();
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(3),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    let case = Case {
+        step: 2e-3,
+        gradient_spp: 200,
+        min_pixels: 300,
+        ..primary()
+    };
+    camera_case("mirror", scene, "thing.translate.x", case);
+}
+
 fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> GradientImage {
     let options = GradientOptions {
         method,
         ..GradientOptions::new(Options {
             spp,
-            seed: method as u64,
+            seed: u64::from(method == Method::Walk),
             threads: None,
         })
     };

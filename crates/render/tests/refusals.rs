@@ -6,7 +6,9 @@ mod common;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_render::{GradientOptions, Options, Unwatched, Wanted, backward, gradient};
+use capwalk_render::{
+    GradientOptions, Method, Options, Unwatched, Wanted, WasSettings, backward, gradient,
+};
 use capwalk_scene::bsdf::{Glass, Metal, Principled};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
@@ -280,4 +282,39 @@ fn collapsed_texture_coordinates_say_nothing() {
         [refused(1.0), refused(0.0)],
         [[[false; 2]; 2], [[true; 2]; 2]]
     );
+}
+
+/// No steps make a field that jumps (paper, Section 5.1), no angle makes none.
+#[test]
+fn walks_without_steps_or_reach() {
+    let scene = mirror_floor();
+    let motion = motion(&scene, "lamp.translate.x");
+    let mut wanted = GradientOptions::new(Options {
+        spp: 2,
+        seed: 1,
+        threads: None,
+    });
+    for (steps, max_radius, expected) in [
+        (
+            0,
+            0.2,
+            "a walk of 0 steps gives a field that is not continuous",
+        ),
+        (1, 0.0, "the largest angle of a walk is 0"),
+    ] {
+        wanted.walk.steps = steps;
+        wanted.walk.max_radius = max_radius;
+        let refusal = gradient(&scene, &motion, &wanted, &Unwatched).expect_err("it is refused");
+        assert!(refusal.reason.starts_with(expected), "{refusal}");
+    }
+    for (rays, kappa) in [(0, 1e5), (8, 0.0), (8, f64::NAN)] {
+        wanted.method = Method::Was(WasSettings {
+            rays,
+            kappa,
+            ..WasSettings::default()
+        });
+        let refusal = gradient(&scene, &motion, &wanted, &Unwatched).expect_err("it is refused");
+        let expected = format!("warped-area sampling with {rays} auxiliary rays");
+        assert!(refusal.reason.starts_with(&expected), "{refusal}");
+    }
 }

@@ -8,7 +8,8 @@ mod common;
 
 use capwalk_math::{Affine, Vec3};
 use capwalk_render::{
-    Backward, GradientOptions, Method, Options, Unwatched, Wanted, backward, gradient,
+    Backward, GradientOptions, Method, Options, Unwatched, Wanted, WasBoundary, WasSettings,
+    backward, gradient,
 };
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
@@ -81,20 +82,17 @@ fn settings(spp: u32, threads: Option<usize>) -> GradientOptions {
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32, threads: Option<usize>) -> Backward {
-    reverse_by(&settings(spp, threads), scene, wanted)
-}
-
-fn reverse_by(settings: &GradientOptions, scene: &Scene, wanted: &Wanted) -> Backward {
     let adjoint = adjoint(scene, 3);
-    backward(scene, &adjoint, wanted, settings, &Unwatched).expect("covered")
+    let result = backward(scene, &adjoint, wanted, &settings(spp, threads), &Unwatched);
+    result.expect("covered")
 }
 
 /// `⟨δ, J θ̇⟩` in forward mode.
 fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
-    forward_by(&settings(spp, None), scene, motion)
+    forward_by(scene, motion, &settings(spp, None))
 }
 
-fn forward_by(settings: &GradientOptions, scene: &Scene, motion: &Motion) -> f64 {
+fn forward_by(scene: &Scene, motion: &Motion, settings: &GradientOptions) -> f64 {
     let result = gradient(scene, motion, settings, &Unwatched).expect("covered");
     let pixels = result.gradient.mean.pixels.iter();
     let adjoint = adjoint(scene, 3);
@@ -125,16 +123,22 @@ fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
             method,
             ..settings(32, None)
         };
-        let forward = forward_by(&settings, scene, motion);
-        let (reverse, error) = reverse_by(&settings, scene, &Wanted::by(motion)).along(motion);
-        println!("{name}, {method:?}: forward {forward}, reverse {reverse} ± {error:.2e}");
-        let difference = (forward - reverse).abs();
-        assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
-        assert!(
-            difference <= 1e-10 * forward.abs(),
-            "{name}, {method:?}: {difference:e}"
-        );
+        agree_by(&format!("{name}, {method:?}"), scene, motion, &settings);
     }
+}
+
+fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptions) {
+    let forward = forward_by(scene, motion, settings);
+    let wanted = Wanted::by(motion);
+    let reverse = backward(scene, &adjoint(scene, 3), &wanted, settings, &Unwatched);
+    let (reverse, error) = reverse.expect("covered").along(motion);
+    println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
+    let difference = (forward - reverse).abs();
+    assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
+    assert!(
+        difference <= 1e-10 * forward.abs(),
+        "{name}: {difference:e}"
+    );
 }
 
 /// Smooth computed normals, a Gaussian filter, shadows.
@@ -174,6 +178,29 @@ fn thin_lens() {
             let motion = params::motion(&scene, name).expect(name);
             agree_along(name, &scene, &motion);
         }
+    }
+}
+
+/// A field of another kind, also across the borders of a box filter and before a
+/// mirror, where it is biased in both modes alike.
+#[test]
+fn warped_area_sampling() {
+    let mut scene = visible_ball(Filter::Box);
+    make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    let debiased = WasSettings {
+        boundary: WasBoundary::Normals,
+        rays: 3,
+        debias: true,
+        ..WasSettings::default()
+    };
+    for was in [WasSettings::default(), debiased] {
+        let settings = GradientOptions {
+            method: Method::Was(was),
+            ..settings(16, None)
+        };
+        agree_by("warped areas", &scene, &motion, &settings);
     }
 }
 

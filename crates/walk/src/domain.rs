@@ -2,7 +2,7 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use capwalk_math::Vec3;
+use capwalk_math::{Vec2, Vec3};
 
 /// Ambient vectors of a domain: numbers, or vectors of the space around it.
 pub trait Vector:
@@ -23,6 +23,14 @@ impl Vector for f64 {
     const ZERO: Self = 0.0;
     fn dot(self, other: Self) -> f64 {
         self * other
+    }
+}
+
+impl Vector for Vec2 {
+    const ZERO: Self = Vec2::new(0.0, 0.0);
+    #[inline]
+    fn dot(self, other: Self) -> f64 {
+        Vec2::dot(self, other)
     }
 }
 

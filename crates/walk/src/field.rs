@@ -95,6 +95,15 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
         (value, divergence)
     }
 
+    /// Value and gradient of the field of a scalar given on the boundary.
+    #[inline]
+    pub fn scalar(&self, value: impl Fn(&S) -> f64) -> (f64, V) {
+        self.terms().fold((0.0, V::ZERO), |(sum, slope), term| {
+            let u = value(&term.site);
+            (sum + u * term.weight, slope + term.slope * u)
+        })
+    }
+
     /// The derivative of the field (not projected) along a tangent `d` of any
     /// length, for the given boundary velocities, Eqs. (27) and (34).
     pub fn directional_derivative(&self, d: V, velocity: impl Fn(&S) -> V) -> V {

@@ -9,7 +9,10 @@
 //! sums them up; whoever wants the adjoint scatters them.
 //!
 //! The algorithm is written once over a [`Domain`]: [`Sphere`] walks on caps
-//! (Algorithms 6 and 7), [`Interval`] is the toy of Section 3.3.
+//! (Algorithms 6 and 7), [`Plane`] on disks (Algorithms 2 to 4), [`Interval`]
+//! is the toy of Section 3.3. Beside the fixed-step walk stand what it replaces:
+//! the walk of random length ([`random_step`]) and, for the toy, the weighted
+//! average of earlier work ([`weighted_average`]).
 //!
 //! Nothing here knows about light.
 
@@ -17,10 +20,16 @@ pub mod domain;
 pub mod field;
 pub mod fixed_step;
 pub mod interval;
+pub mod plane;
+pub mod random_step;
 pub mod sphere;
+pub mod weighted_average;
 
 pub use domain::{Domain, Nearest, Vector};
 pub use field::{FieldSample, Term};
 pub use fixed_step::{Estimator, WalkSettings, sample_field, sample_value};
 pub use interval::Interval;
+pub use plane::Plane;
+pub use random_step::{Arrival, ShellSettings, sample_harmonic};
 pub use sphere::Sphere;
+pub use weighted_average::WeightedAverage;

@@ -4,50 +4,10 @@
 
 use capwalk_geometry::{Edge, EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Frame, Moments, Vec3, sphere};
-use capwalk_walk::interval::End;
-use capwalk_walk::{Estimator, Interval, Sphere, WalkSettings, sample_field, sample_value};
+use capwalk_walk::{Domain, Estimator, Sphere, WalkSettings, sample_field, sample_value};
 
-/// A number that looks random, from its index.
-fn random(index: u64) -> f64 {
-    let mut x = index.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    ((x ^ (x >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-}
-
-/// Section 3.3: the right end moves, the length grows by one.
-#[test]
-fn toy_integral_has_derivative_one() {
-    let velocity = |end: &End| if *end == End::Right { 1.0 } else { 0.0 };
-    for steps in 1..=4 {
-        for antithetic in [false, true] {
-            let settings = WalkSettings {
-                steps,
-                max_radius: 1.0,
-                estimator: Estimator::Anchored,
-                antithetic,
-            };
-            let mut moments = Moments::default();
-            for i in 0..40_000 {
-                let x = random(100 * i + 99);
-                let number = |d: u32| random(100 * i + u64::from(d));
-                moments.add(
-                    sample_field(&Interval, x, &settings, number)
-                        .evaluate(velocity)
-                        .1,
-                );
-            }
-            // Eight cases, two-sided: 4 σ fails one run in 2000.
-            let error = (moments.mean - 1.0).abs();
-            assert!(
-                error < 4.0 * moments.standard_error() + 1e-12,
-                "M = {steps}: {} ± {}",
-                moments.mean,
-                moments.standard_error()
-            );
-        }
-    }
-}
+mod common;
+use common::{assert_mean, number, random};
 
 /// One triangle over a shading point, its corners moving differently.
 struct Moving {
@@ -303,5 +263,59 @@ fn directional_derivative_is_that_of_the_mean() {
         let error = (found - expected).length();
         assert!(error < 0.05, "at {q:?}: {found:?} against {expected:?}");
         assert!(expected.length() > 0.2, "nothing to see at {q:?}");
+    }
+}
+
+/// The mean of the derivative along a great circle is the difference of the
+/// field at its ends, for every number of steps (figure 8, bottom row).
+#[test]
+fn derivatives_are_differences_of_the_field() {
+    let scene = Moving::example();
+    let domain = scene.domain();
+    let a = Vec3::new(0.02, -0.03, 1.0).normalized();
+    // Away from the closest edge, whose velocity has a large part along `onto`.
+    let e = domain.towards(a, Vec3::new(-0.05, 0.15, 1.0).normalized());
+    let (angle, onto) = (0.1, Vec3::new(1.0, 0.2, -0.1));
+    let velocity = |site: &SilhouettePoint| scene.velocity(site);
+    for (steps, max_radius, estimator) in [
+        (1, 3.2, Estimator::Anchored),
+        (1, 0.25, Estimator::Literal),
+        (2, 3.2, Estimator::Anchored),
+        (3, 3.2, Estimator::Anchored),
+    ] {
+        let settings = WalkSettings {
+            steps,
+            max_radius,
+            estimator,
+            antithetic: false,
+        };
+        let mut slope = Moments::default();
+        for i in 0..100_000 {
+            let random = |d| number(7, i, d);
+            let at = angle * random(99);
+            let q = sphere::walk_along(a, e, at);
+            // The direction of travel at q, of length `angle`.
+            let along = (e * at.cos() - a * at.sin()) * angle;
+            let field = sample_field(&domain, q, &settings, random);
+            slope.add(field.directional_derivative(along, velocity).dot(onto));
+        }
+        let end = |q: Vec3, set: u64| {
+            let mut moments = Moments::default();
+            for i in 0..100_000 {
+                let site = sample_value(&domain, q, &settings, |d| number(set, i, d));
+                moments.add(site.map_or(0.0, |site| velocity(&site).dot(onto)));
+            }
+            moments
+        };
+        let (ahead, behind) = (end(sphere::walk_along(a, e, angle), 8), end(a, 9));
+        let error = ahead.standard_error().hypot(behind.standard_error());
+        let expected = ahead.mean - behind.mean;
+        let what = format!("M = {steps}, A ≤ {max_radius}, {estimator:?}");
+        assert_mean(&slope, expected, 4.0 * error, &what);
+        let noise = slope.standard_error().hypot(error);
+        assert!(
+            expected.abs() > 15.0 * noise,
+            "{what}: {expected} ± {noise}"
+        );
     }
 }

@@ -15,7 +15,7 @@ use serde_json::{Value, json};
 use crate::args::Backward;
 use crate::diagnostics::Outcome;
 use crate::progress::{self, Progress};
-use crate::{console, moving, output, report, source};
+use crate::{console, method, moving, output, report, source};
 use objective::{Loss, Objective};
 
 pub fn run(args: &Backward) -> Result<Outcome> {
@@ -23,7 +23,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     let parameters = parameters(&scene, &args.param)?;
     check_names(&parameters, args.errors)?;
     let options = source::options(&args.sampling, &scene);
-    let settings = source::gradient_options(options, &args.walk);
+    let settings = method::gradient_options(options, &args.method)?;
     let file = output_file(args)?;
     let read = objective::read(args, &scene)?;
 
@@ -59,6 +59,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         console::remark(&report::warnings("picture", &loss.statistics));
         pieces.push(&loss.statistics);
     }
+    console::remark(method::remark(&args.method));
     console::remark(&report::warnings("gradient", statistics));
     if args.json {
         let document = json!({
@@ -66,6 +67,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
+            "method": settings.method.name(),
             "loss": loss.as_ref().map(Loss::to_json),
             "parameters": gradients.iter().map(Gradient::to_json).collect::<Vec<_>>(),
             "statistics": report::statistics_json(statistics, elapsed),
@@ -297,6 +299,7 @@ fn contents(
     let mut metadata = output::origin("backward", &args.scene.scene, &settings.options);
     let mut note = |key: &str, value: String| metadata.push((key.to_owned(), value));
     let path = |path: &Path| path.display().to_string();
+    note("method", settings.method.name().into());
     if let Some(file) = &args.objective.adjoint {
         note("adjoint", path(file));
     }

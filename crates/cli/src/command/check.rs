@@ -4,17 +4,17 @@ pub mod picture;
 
 use std::time::{Duration, Instant};
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use capwalk_render::check::{Comparison, Verdict, compare};
 use capwalk_render::{GradientImage, GradientOptions, Options};
 use capwalk_scene::{Motion, Scene};
 use serde_json::{Value, json};
 
-use crate::args::Check;
+use crate::args::{Check, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::Files;
 use crate::progress::Progress;
-use crate::{console, moving, report, source};
+use crate::{console, method, moving, report, source};
 
 /// Samples of the reference for each one of the gradient, if nothing is said:
 /// differences are cheaper, and noisier.
@@ -33,6 +33,8 @@ pub struct Checked {
     pub comparison: Comparison,
     /// How the gradient was sampled.
     pub options: Options,
+    /// The name of its method.
+    pub method: &'static str,
     /// How the reference was made.
     pub differences: Reference,
     /// Seconds for the gradient and for the reference.
@@ -67,14 +69,19 @@ pub fn run(args: &Check) -> Result<Outcome> {
     let stem = format!("{}-check", source::stem(&typed.scene));
     let files = Files::new(&typed.output.output, &stem, &["png"])?;
     let reference = Reference {
-        step: args
+        step: typed
             .step
             .unwrap_or_else(|| moving::default_step(&scene, &motion)),
         spp: args
             .reference_spp
             .unwrap_or(options.spp.saturating_mul(REFERENCE_FACTOR)),
     };
-    let settings = source::gradient_options(options, &typed.walk);
+    ensure!(
+        typed.method.method != MethodName::Fd,
+        "check compares with finite differences: with --method fd there is nothing to check. Use \
+         another method, or `compare` for pictures of `gradient` with different steps"
+    );
+    let settings = method::gradient_options(options, &typed.method)?;
     let limit = typed.sampling.time_limit;
     let checked = check(&scene, &motion, &settings, &reference, limit)?;
     let comparison = &checked.comparison;
@@ -82,6 +89,7 @@ pub fn run(args: &Check) -> Result<Outcome> {
 
     let parameter = moving::describe(&typed.motion);
     let written = picture::write(&files, &typed.scene.scene, &parameter, &checked)?;
+    console::remark(method::remark(&typed.method));
     console::remark(&report::warnings("gradient", gradient));
     console::remark(&report::warnings("reference", differences));
     if typed.output.json {
@@ -91,6 +99,7 @@ pub fn run(args: &Check) -> Result<Outcome> {
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
+            "method": checked.method,
             "reference_spp": reference.spp,
             "step": reference.step,
             "comparison": comparison_json(comparison),
@@ -143,6 +152,7 @@ pub fn check(
         gradient,
         reference: differences,
         options: settings.options,
+        method: settings.method.name(),
         differences: *reference,
         seconds: [gradient_seconds, reference_seconds],
     })

@@ -75,7 +75,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     output::push_statistics(&mut picture, &[&rendering.statistics]);
     output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
     let mut written = picture_files.write(&picture, &[])?;
-    let picture = gradient::picture(SCENE, parameter, options, gradient);
+    let picture = gradient::picture(SCENE, parameter, checked.method, options, gradient);
     written.extend(gradient_files.write(&picture, &[])?);
     let of_check = check::picture::write(&check_files, SCENE, parameter, checked)?;
     written.extend(of_check);

@@ -1,15 +1,15 @@
 //! `capwalk gradient`: the derivative of a picture for one parameter.
 
-use anyhow::Result;
-use capwalk_render::{GradientImage, Options};
+use anyhow::{Result, ensure};
+use capwalk_render::{GradientImage, GradientOptions, Options};
 use capwalk_scene_io::image::Picture;
 use serde_json::json;
 
-use crate::args::Gradient;
+use crate::args::{Gradient, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{console, moving, report, source};
+use crate::{console, method, moving, report, source};
 
 pub fn run(args: &Gradient) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
@@ -18,17 +18,26 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
+    let way = Way::new(args, options, || moving::default_step(&scene, &motion))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
-    let settings = source::gradient_options(options, &args.walk);
-    let result = capwalk_render::gradient(&scene, &motion, &settings, &progress);
+    let result = match &way {
+        Way::Samples(settings) => capwalk_render::gradient(&scene, &motion, settings, &progress),
+        Way::Differences { step } => {
+            capwalk_render::finite_difference(&scene, &motion, *step, &options, &progress)
+        }
+    };
     let elapsed = progress.finish().as_secs_f64();
     let result = result?;
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
     let parameter = moving::describe(&args.motion);
     let name = &args.scene.scene;
-    let picture = picture(name, &parameter, &options, &result);
+    let mut picture = picture(name, &parameter, way.name(), &options, &result);
+    if let Some(step) = way.step() {
+        output::note(&mut picture, "step", step);
+    }
     let written = files.write(&picture, &[])?;
+    console::remark(method::remark(&args.method));
     console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
     if args.output.json {
@@ -38,6 +47,8 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
+            "method": way.name(),
+            "step": way.step(),
             "mean": report::mean_colour(&value.mean),
             "mean_gradient": report::mean_colour(&gradient.mean),
             "variance_per_sample": variance,
@@ -56,9 +67,61 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     Ok(report::outcome(&[statistics]))
 }
 
-/// What the files of a gradient hold.
-pub fn picture(scene: &str, parameter: &str, options: &Options, result: &GradientImage) -> Picture {
+/// How the gradient is made.
+enum Way {
+    /// Samples are differentiated.
+    Samples(GradientOptions),
+    /// Pictures on both sides are subtracted.
+    Differences {
+        /// In units of the parameter.
+        step: f64,
+    },
+}
+
+impl Way {
+    fn new(args: &Gradient, options: Options, default_step: impl Fn() -> f64) -> Result<Self> {
+        if args.method.method == MethodName::Fd {
+            method::refuse_options_of_others(&args.method)?;
+            let step = args.step.unwrap_or_else(default_step);
+            return Ok(Self::Differences { step });
+        }
+        ensure!(
+            args.step.is_none(),
+            "--step is that of finite differences, and the method is {}. Leave it out, or say \
+             --method fd",
+            method::name(args.method.method)
+        );
+        Ok(Self::Samples(method::gradient_options(
+            options,
+            &args.method,
+        )?))
+    }
+
+    fn name(&self) -> &'static str {
+        match self {
+            Self::Samples(settings) => settings.method.name(),
+            Self::Differences { .. } => "fd",
+        }
+    }
+
+    fn step(&self) -> Option<f64> {
+        match self {
+            Self::Samples(_) => None,
+            Self::Differences { step } => Some(*step),
+        }
+    }
+}
+
+/// What the files of a gradient hold that was made by the method of this name.
+pub fn picture(
+    scene: &str,
+    parameter: &str,
+    method: &str,
+    options: &Options,
+    result: &GradientImage,
+) -> Picture {
     let mut picture = output::picture("gradient", scene, Some(parameter), options);
+    output::note(&mut picture, "method", method);
     output::push_statistics(&mut picture, &[&result.statistics]);
     output::push_estimate(&mut picture, "value", "value_stderr", &result.value);
     output::push_estimate(&mut picture, "gradient", "stderr", &result.gradient);

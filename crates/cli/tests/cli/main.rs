@@ -5,6 +5,7 @@ mod bad_input;
 mod compare;
 mod demo;
 mod help;
+mod methods;
 mod pictures;
 mod scenes;
 mod stopping;

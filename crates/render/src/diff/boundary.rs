@@ -24,6 +24,7 @@ use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::unfold::{Mirrors, Seen, Unfolded};
+use super::was;
 use super::window::Lamp;
 
 /// Edges that are boundaries for all light that is seen.
@@ -339,10 +340,18 @@ impl<'a> Field<'a> {
 
     /// A sample of the field and its divergence in the direction `q`, as a map from
     /// velocities; `None` if the method's fields are [`Sites`].
-    pub fn flow<R: Real>(&self, _eye: &Eye<R>, _q: Vec3, _random: Numbers) -> Option<Flow> {
-        match self.method {
+    pub fn flow<R: Real>(&self, eye: &Eye<R>, q: Vec3, random: Numbers) -> Option<Flow> {
+        match &self.method {
             Method::Walk | Method::Edges => None,
+            Method::Was(settings) => {
+                Some(was::flow(self.accel, eye, q, settings, &random.branch()))
+            }
         }
+    }
+
+    /// True if there is a [`Field::flow`].
+    pub fn has_flow(&self) -> bool {
+        !matches!(self.method, Method::Walk | Method::Edges)
     }
 
     /// A sample of the field alone; `None` for velocity zero.
@@ -431,6 +440,11 @@ pub struct Numbers<'a> {
 }
 
 impl Numbers<'_> {
+    /// Any number of them, for what does not walk.
+    fn branch(&self) -> Stream {
+        self.draw.stream.branch(self.dimension)
+    }
+
     fn number(&self, i: u32) -> f64 {
         self.draw.stream.number(self.dimension + i)
     }

@@ -13,8 +13,8 @@ use crate::world::World;
 use super::boundary::{Counts, Draw, Field};
 use super::motion::InMotion;
 use super::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_turned_without_uvs,
-    refuse_uncovered, refuse_walk,
+    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_settings,
+    refuse_turned_without_uvs, refuse_uncovered,
 };
 use super::slope::refuse_infinite_slopes;
 
@@ -28,7 +28,7 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    refuse_walk(&options.walk)?;
+    refuse_settings(options)?;
     let is_asked_for = |id: TextureId| motion.textures[id.0 as usize].is_some();
     refuse_infinite_slopes(scene, is_asked_for)?;
     let accel = Accel::new(scene);
@@ -57,15 +57,16 @@ pub fn gradient(
         }
     };
     // What cannot be covered is found by looking, before the work is done.
-    if is_specular_somewhere(scene) {
+    if options.method.is_unbiased() && is_specular_somewhere(scene) {
         let pilot = Options {
             spp: options.options.spp.min(PILOT_SPP),
             ..options.options
         };
-        refuse_uncovered(&tiles::average(scene, &pilot, &Silent(watch), sample).statistics)?;
+        let statistics = tiles::average(scene, &pilot, &Silent(watch), sample).statistics;
+        refuse_uncovered(&statistics, &options.method)?;
     }
     let averages = tiles::average(scene, &options.options, watch, sample);
-    refuse_uncovered(&averages.statistics)?;
+    refuse_uncovered(&averages.statistics, &options.method)?;
     Ok(GradientImage {
         value: averages.estimate(scene, 0),
         gradient: averages.estimate(scene, 3),

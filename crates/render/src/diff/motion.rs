@@ -141,6 +141,9 @@ impl World<D> for InMotion<'_> {
         if self.is_still(eye) {
             return Vec3::constant(q);
         }
+        if self.field.has_flow() {
+            return self.carry(eye, q, walk, numbers).direction;
+        }
         let velocity = match self.field.sample_value(eye, q, walk, numbers) {
             None => Vec3::zero(),
             Some(site) => self.angular(eye, &site).reject_from(q),

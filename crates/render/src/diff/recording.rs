@@ -300,6 +300,9 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         if self.is_still(eye) {
             return Vec3::constant(q);
         }
+        if self.field.has_flow() {
+            return self.carry(eye, q, walk, numbers).direction;
+        }
         match self.field.sample_value(eye, q, walk, numbers) {
             Some(site) if self.moves(eye, &site) => {
                 let eye = eye.position;

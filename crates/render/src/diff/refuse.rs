@@ -6,7 +6,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::estimate::Statistics;
 use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
-use crate::options::Refusal;
+use crate::options::{GradientOptions, Method, Refusal};
 
 use super::clip::refuse_clipped;
 use super::unfold::MAX_EVENTS;
@@ -149,9 +149,10 @@ pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
     shapes.any(|shape| may_be_specular(scene, shape.bsdf))
 }
 
-/// A refusal if something moved in a curved mirror or behind refracting glass.
-pub(super) fn refuse_uncovered(statistics: &Statistics) -> Result<(), Refusal> {
-    if statistics.uncovered == 0 {
+/// A refusal if something moved in a curved mirror or behind refracting glass, and
+/// the method promises the truth.
+pub(super) fn refuse_uncovered(statistics: &Statistics, method: &Method) -> Result<(), Refusal> {
+    if statistics.uncovered == 0 || !method.is_unbiased() {
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
@@ -181,6 +182,23 @@ pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
     refuse_jumping_textures(accel.scene)?;
     refuse_turned_without_uvs(accel.scene)?;
     refuse_clipped(accel)
+}
+
+/// A refusal if the settings of a method do not give a field.
+pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> {
+    match &options.method {
+        Method::Walk | Method::Edges => refuse_walk(&options.walk),
+        Method::Was(was) if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) => {
+            Err(Refusal {
+                reason: format!(
+                    "warped-area sampling with {} auxiliary rays of concentration {}; expected \
+                     at least one ray and a finite concentration above 0",
+                    was.rays, was.kappa
+                ),
+            })
+        }
+        Method::Was(_) => Ok(()),
+    }
 }
 
 /// A refusal if a walk does not give a continuous field.

@@ -18,8 +18,8 @@ use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::recording::Recording;
 use super::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_turned_without_uvs,
-    refuse_uncovered, refuse_walk,
+    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_settings,
+    refuse_turned_without_uvs, refuse_uncovered,
 };
 use super::slope::refuse_infinite_slopes;
 
@@ -96,7 +96,7 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Backward, Refusal> {
-    refuse_walk(&options.walk)?;
+    refuse_settings(options)?;
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     if [adjoint.width, adjoint.height] != [width, height] {
         return Err(Refusal {
@@ -171,7 +171,7 @@ pub fn backward(
             gradients.push((gradient, batch.taken.max(1)));
         }
     }
-    refuse_uncovered(&statistics)?;
+    refuse_uncovered(&statistics, &options.method)?;
     let samples: u32 = gradients.iter().map(|(_, n)| n).sum();
     let mut mean = gradients[0].0.scaled(0.0);
     for (batch, n) in &gradients {
@@ -229,7 +229,7 @@ struct Batch {
 impl Pass<'_> {
     /// A first look: one sample of each pixel.
     fn refuse_uncovered_soon(&self) -> Result<(), Refusal> {
-        if !is_specular_somewhere(self.scene) {
+        if !self.field.method.is_unbiased() || !is_specular_somewhere(self.scene) {
             return Ok(());
         }
         let mut statistics = Statistics::default();
@@ -255,7 +255,7 @@ impl Pass<'_> {
                 break;
             }
         }
-        refuse_uncovered(&statistics)
+        refuse_uncovered(&statistics, &self.field.method)
     }
 
     fn batch(&self, numbers: std::ops::Range<u32>) -> Batch {

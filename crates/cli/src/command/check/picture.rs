@@ -32,6 +32,7 @@ fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
     let (gradient, reference) = (&checked.gradient, &checked.reference);
     let mut picture = output::picture("check", scene, Some(parameter), &checked.options);
     let made = &checked.differences;
+    output::note(&mut picture, "method", checked.method);
     output::note(&mut picture, "step", made.step);
     output::note(&mut picture, "reference_spp", made.spp);
     let seed = made.options(&checked.options).seed;
@@ -141,6 +142,7 @@ mod tests {
                     seed: 5,
                     threads: None,
                 },
+                method: "walk",
                 differences: Reference { step: 0.5, spp: 8 },
                 seconds: [1.0, 1.0],
             };

@@ -1,0 +1,117 @@
+//! The method that the command line names, and options that only some methods
+//! have.
+
+use anyhow::{Result, bail};
+use capwalk_render::{
+    Estimator, GradientOptions, Method, Options, WalkSettings, WasBoundary, WasSettings,
+};
+use clap::ValueEnum;
+
+use crate::args::{EstimatorName, MethodArgs, MethodName, WalkArgs, WasArgs, WasBoundaryName};
+
+/// How to estimate a gradient, by a method that differentiates samples.
+pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientOptions> {
+    refuse_options_of_others(args)?;
+    let method = match args.method {
+        MethodName::Walk => Method::Walk,
+        MethodName::Edges => Method::Edges,
+        MethodName::Was => Method::Was(was(&args.was)),
+        MethodName::Fd => bail!(
+            "finite differences give the derivative of a picture by one parameter. Use `capwalk \
+             gradient --method fd -p NAME` for each parameter"
+        ),
+    };
+    Ok(GradientOptions {
+        method,
+        walk: walk(&args.walk),
+        ..GradientOptions::new(options)
+    })
+}
+
+/// An error if an option is there that the method has no use for.
+pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
+    let (walk, was) = (&args.walk, &args.was);
+    let options = [
+        (MethodName::Walk, "walk-steps", walk.walk_steps.is_some()),
+        (MethodName::Walk, "estimator", walk.estimator.is_some()),
+        (MethodName::Walk, "max-angle", walk.max_angle.is_some()),
+        (MethodName::Walk, "antithetic", walk.antithetic),
+        (MethodName::Was, "was-kappa", was.was_kappa.is_some()),
+        (MethodName::Was, "was-rays", was.was_rays.is_some()),
+        (MethodName::Was, "was-boundary", was.was_boundary.is_some()),
+        (
+            MethodName::Was,
+            "was-antithetic",
+            was.was_antithetic.is_some(),
+        ),
+        (MethodName::Was, "was-debias", was.was_debias),
+    ];
+    for (owner, option, is_given) in options {
+        // Where no edges are gathered, it walks.
+        let walks = owner == MethodName::Walk && args.method == MethodName::Edges;
+        if is_given && owner != args.method && !walks {
+            bail!(
+                "--{option} belongs to the method {}, and the method is {}. Leave it out, or say \
+                 --method {}",
+                name(owner),
+                name(args.method),
+                name(owner)
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The name as it is typed.
+pub fn name(method: MethodName) -> String {
+    let value = method.to_possible_value();
+    value.map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+/// What is to be said about results of a method that is no more than a baseline.
+pub fn remark(args: &MethodArgs) -> &'static str {
+    match args.method {
+        MethodName::Walk | MethodName::Edges => "",
+        MethodName::Was if args.was.was_debias => {
+            "was is a baseline: its standard errors can be too small near edges, and what moves in \
+             mirrors is missing. `capwalk check` measures how wrong it is\n"
+        }
+        MethodName::Was => {
+            "was is a baseline and biased: its standard errors do not bound its errors, and what \
+             moves in mirrors is missing. `capwalk check` measures how wrong it is\n"
+        }
+        MethodName::Fd => {
+            "fd is a baseline: its standard errors leave out its bias, of the order of the step \
+             squared\n"
+        }
+    }
+}
+
+fn walk(args: &WalkArgs) -> WalkSettings {
+    let default = WalkSettings::default();
+    WalkSettings {
+        steps: args.walk_steps.unwrap_or(default.steps),
+        max_radius: args.max_angle.map_or(default.max_radius, f64::to_radians),
+        estimator: match args.estimator {
+            None => default.estimator,
+            Some(EstimatorName::Anchored) => Estimator::Anchored,
+            Some(EstimatorName::Literal) => Estimator::Literal,
+        },
+        antithetic: args.antithetic,
+    }
+}
+
+fn was(args: &WasArgs) -> WasSettings {
+    let default = WasSettings::default();
+    WasSettings {
+        kappa: args.was_kappa.unwrap_or(default.kappa),
+        rays: args.was_rays.unwrap_or(default.rays),
+        boundary: match args.was_boundary {
+            None => default.boundary,
+            Some(WasBoundaryName::Normals) => WasBoundary::Normals,
+            Some(WasBoundaryName::Edges) => WasBoundary::Edges,
+        },
+        antithetic: args.was_antithetic.unwrap_or(default.antithetic),
+        debias: args.was_debias,
+    }
+}

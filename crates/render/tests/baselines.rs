@@ -1,0 +1,119 @@
+//! Warped-area sampling keeps its promises, and breaks those that it is known to
+//! break: derivatives of areas in the picture, which have closed forms.
+
+mod common;
+
+use capwalk_math::{Affine, Vec3};
+use capwalk_render::{
+    GradientOptions, Method, Options, Unwatched, WasBoundary, WasSettings, gradient,
+};
+use capwalk_scene::primitive::{rectangle, sphere};
+use capwalk_scene::*;
+use common::agree::*;
+use common::*;
+
+/// Standard errors beyond which a difference is no accident.
+const Z: f64 = 4.5;
+
+/// One thing before nothing, as a mask; its angles are a few times the reach of
+/// the field, so that most samples tell something.
+fn mask(mesh: capwalk_geometry::Mesh, normals: ShadingNormals) -> Scene {
+    let mut scene = empty(v(0.0, 0.0, 4.0), Vec3::zero(), 3.0, 8);
+    scene.film.filter = Filter::Gaussian { stddev: 0.5 };
+    add(&mut scene, "thing", mesh, normals, 0.5);
+    scene.settings.integrator = Integrator::Aov(Layer::Mask);
+    scene
+}
+
+/// Half of the picture's width in the plane through the origin.
+fn half_width() -> f64 {
+    4.0 * 1.5_f64.to_radians().tan()
+}
+
+/// Half as wide as the picture, so that its area is 16 pixels.
+fn card() -> Scene {
+    let half = 0.5 * half_width();
+    let (mesh, normals) = rectangle(Affine::scale(v(half, half, 1.0)));
+    mask(mesh, normals)
+}
+
+/// The change of the area with the logarithm of the size, divided by what it is:
+/// with its standard error.
+fn relative_growth(scene: &Scene, exact: f64, was: WasSettings, spp: u32) -> (f64, f64) {
+    let options = Options {
+        spp,
+        seed: 1,
+        threads: None,
+    };
+    let settings = GradientOptions {
+        method: Method::Was(was),
+        ..GradientOptions::new(options)
+    };
+    let growth = motion(scene, "thing.scale");
+    let result = gradient(scene, &growth, &settings, &Unwatched).expect("covered");
+    assert_eq!(result.statistics.non_finite, 0);
+    let pixels = result.gradient.mean.pixels.iter();
+    let errors = result.gradient.standard_error.pixels.iter();
+    let sum: f64 = pixels.map(|p| p.x).sum();
+    let error = errors.map(|p| p.x * p.x).sum::<f64>().sqrt();
+    let (growth, error) = (sum / exact, error / exact);
+    println!("{was:?}: {growth:.4} ± {error:.4}");
+    (growth, error)
+}
+
+/// The bias falls with the number of auxiliary rays; with few of them it is there.
+#[test]
+fn more_rays_less_bias() {
+    let scene = card();
+    let bias = |rays: u32, antithetic: bool, spp: u32| {
+        let was = WasSettings {
+            rays,
+            antithetic,
+            ..WasSettings::default()
+        };
+        let (growth, error) = relative_growth(&scene, 32.0, was, spp);
+        (growth - 1.0, error)
+    };
+    let [few, more, many] = [(8, 2000), (32, 2000), (128, 600)].map(|(n, spp)| bias(n, false, spp));
+    assert!(few.0 < -0.2 && -few.0 > 10.0 * few.1, "{few:?}");
+    assert!(
+        more.0.abs() < 0.5 * few.0.abs() && -more.0 > Z * more.1,
+        "{more:?}"
+    );
+    assert!(many.0.abs() < 0.5 * more.0.abs() + many.1, "{many:?}");
+    assert!(many.0.abs() < Z * many.1 && many.1 < 0.03, "{many:?}");
+    // Opposite pairs have a bias of their own.
+    let [few, many] = [(8, 2000), (128, 600)].map(|(n, spp)| bias(n, true, spp));
+    assert!(few.0 > 0.05 && few.0 > Z * few.1, "{few:?}");
+    assert!(many.0.abs() < Z * many.1 && many.1 < 0.03, "{many:?}");
+}
+
+/// Roulette takes the bias away that is -28 % without.
+#[test]
+fn roulette_removes_the_bias() {
+    let was = WasSettings {
+        antithetic: false,
+        debias: true,
+        ..WasSettings::default()
+    };
+    let (growth, error) = relative_growth(&card(), 32.0, was, 4000);
+    assert!((growth - 1.0).abs() < Z * error && error < 0.03);
+}
+
+/// Normals tell where smooth surfaces end, and not where flat ones do, however
+/// many rays there are.
+#[test]
+fn normals_are_for_smooth_surfaces() {
+    let was = WasSettings {
+        rays: 128,
+        boundary: WasBoundary::Normals,
+        ..WasSettings::default()
+    };
+    let (growth, error) = relative_growth(&card(), 32.0, was, 600);
+    assert!(1.0 - growth > 0.4 && error < 0.03);
+    // The disk of a ball: of area 16, too, far away.
+    let radius = half_width() * (16.0 / std::f64::consts::PI).sqrt() / 4.0;
+    let (mesh, normals) = sphere(Affine::IDENTITY, Vec3::zero(), radius);
+    let (growth, error) = relative_growth(&mask(mesh, normals), 32.0, was, 600);
+    assert!((growth - 1.0).abs() < Z * error + 0.02 && error < 0.03);
+}
