@@ -7,13 +7,18 @@ use capwalk_render::{
 };
 use clap::ValueEnum;
 
-use crate::args::{EstimatorName, MethodArgs, MethodName, WalkArgs, WasArgs, WasBoundaryName};
+use crate::args::{
+    DomainName, EstimatorName, MethodArgs, MethodName, WalkArgs, WasArgs, WasBoundaryName,
+};
 
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientOptions> {
     refuse_options_of_others(args)?;
     let method = match args.method {
-        MethodName::Walk => Method::Walk,
+        MethodName::Walk => match args.walk.domain {
+            None | Some(DomainName::Sphere) => Method::Walk,
+            Some(DomainName::Triangle) => Method::TriangleWalk,
+        },
         MethodName::Edges => Method::Edges,
         MethodName::Was => Method::Was(was(&args.was)),
         MethodName::Fd => bail!(
@@ -32,6 +37,7 @@ pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientO
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
     let (walk, was) = (&args.walk, &args.was);
     let options = [
+        (MethodName::Walk, "domain", walk.domain.is_some()),
         (MethodName::Walk, "walk-steps", walk.walk_steps.is_some()),
         (MethodName::Walk, "estimator", walk.estimator.is_some()),
         (MethodName::Walk, "max-angle", walk.max_angle.is_some()),
@@ -48,7 +54,8 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
     ];
     for (owner, option, is_given) in options {
         // Where no edges are gathered, it walks.
-        let walks = owner == MethodName::Walk && args.method == MethodName::Edges;
+        let walks =
+            owner == MethodName::Walk && args.method == MethodName::Edges && option != "domain";
         if is_given && owner != args.method && !walks {
             bail!(
                 "--{option} belongs to the method {}, and the method is {}. Leave it out, or say \

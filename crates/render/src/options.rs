@@ -42,6 +42,11 @@ pub enum Method {
     /// light arrives at. Unbiased.
     #[default]
     Walk,
+    /// The same on the triangle that each direction meets, where the field is
+    /// relative to the material: the paper to the letter. Borders of triangles
+    /// limit its walks, in the place of `max_radius`, which is left for directions
+    /// that meet nothing. Unbiased; images in mirrors are not covered.
+    TriangleWalk,
     /// Directions towards lamps, and those of a camera that sees through no flat
     /// mirror or pane, stay at rest, and points are drawn on all edges that move
     /// across them; elsewhere like [`Method::Walk`]. Unbiased.
@@ -56,6 +61,7 @@ impl Method {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Walk => "walk",
+            Self::TriangleWalk => "walk, domain triangle",
             Self::Edges => "edges",
             Self::Was(_) => "was",
         }
@@ -64,7 +70,7 @@ impl Method {
     /// True if the method promises the truth: what it does not cover is refused.
     pub fn is_unbiased(&self) -> bool {
         match self {
-            Self::Walk | Self::Edges => true,
+            Self::Walk | Self::Edges | Self::TriangleWalk => true,
             Self::Was(_) => false,
         }
     }

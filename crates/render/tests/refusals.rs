@@ -59,11 +59,18 @@ fn is_refused(scene: &Scene, name: &str) -> bool {
 
 /// Why forward and reverse mode refuse, if they do.
 fn refusals(scene: &Scene, motion: &Motion) -> [Option<String>; 2] {
-    let settings = GradientOptions::new(Options {
-        spp: 64,
-        seed: 1,
-        threads: None,
-    });
+    refusals_with(scene, motion, Method::default())
+}
+
+fn refusals_with(scene: &Scene, motion: &Motion, method: Method) -> [Option<String>; 2] {
+    let settings = GradientOptions {
+        method,
+        ..GradientOptions::new(Options {
+            spp: 64,
+            seed: 1,
+            threads: None,
+        })
+    };
     let forward = gradient(scene, motion, &settings, &Unwatched);
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let adjoint = Image {
@@ -85,6 +92,20 @@ fn a_lamp_that_moves_in_a_mirror() {
     assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
     scene.shapes[0].normals = ShadingNormals::Face;
     assert!(!is_refused(&scene, "lamp.translate.x"));
+}
+
+/// Fields on triangles have no images, flat or not; who is told so is told what has.
+#[test]
+fn a_lamp_that_moves_in_a_flat_mirror() {
+    let mut scene = mirror_floor();
+    scene.shapes[0].normals = ShadingNormals::Face;
+    for name in ["lamp.translate.x", "sensor.translate.x", "floor.rotate.x"] {
+        let motion = motion(&scene, name);
+        for reason in refusals_with(&scene, &motion, Method::TriangleWalk) {
+            let reason = reason.expect("refused");
+            assert!(reason.contains("`domain` sphere"), "{name}: {reason}");
+        }
+    }
 }
 
 /// A black ball hides the sky's reflection: it is met by the last segment, which

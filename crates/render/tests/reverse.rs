@@ -227,6 +227,28 @@ fn constant_light() {
     agree_in_both_modes("constant light", scene, 4);
 }
 
+/// Fields on triangles, with surfaces that cross, directions that meet nothing, and
+/// pixels that end abruptly.
+#[test]
+fn fields_on_triangles() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    for steps in [1, 2] {
+        let mut options = settings(32, None);
+        options.method = Method::TriangleWalk;
+        options.walk.steps = steps;
+        agree_by(&format!("M = {steps}"), &scene, &motion, &options);
+    }
+}
+
 /// Materials of microfacets, blended and coated; glass where there was none.
 #[test]
 fn rough_materials() {

@@ -42,7 +42,7 @@ pub struct Boundaries {
     edges: Vec<Edge>,
     /// How much light may jump at each edge that is no silhouette.
     contrasts: Vec<f32>,
-    tree: SilhouetteTree,
+    pub(super) tree: SilhouetteTree,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
     /// The curves where faces cross, in the order of their ends' positions.
@@ -252,9 +252,9 @@ pub struct Site {
     pub t: f64,
     /// Velocities along this unit vector are kept if `is_horizon`, else
     /// rejected.
-    direction: Vec3,
-    is_horizon: bool,
-    distance: f64,
+    pub(super) direction: Vec3,
+    pub(super) is_horizon: bool,
+    pub(super) distance: f64,
     /// The mirrors in which the eye sees the point.
     pub mirrors: Mirrors,
 }
@@ -309,12 +309,17 @@ impl<'a> Field<'a> {
                 .accel
                 .surface_sees(position, site.direction, site.distance),
         };
+        let (edges, groups) = match self.method {
+            // Beside triangles, in directions that meet nothing.
+            Method::TriangleWalk => (EdgeSelection::Silhouettes, SEEN),
+            _ => (eye.selection, eye.group),
+        };
         Unfolded {
             direct: Sphere {
                 tree: &self.boundaries.tree,
                 eye: position,
-                edges: eye.selection,
-                groups: eye.group,
+                edges,
+                groups,
                 in_front_of: None,
                 counts: (eye.visibility != Visibility::All).then_some(is_seen),
                 queries: Cell::new(0),
@@ -339,10 +344,17 @@ impl<'a> Field<'a> {
     }
 
     /// A sample of the field and its divergence in the direction `q`, as a map from
-    /// velocities; `None` if the method's fields are [`Sites`].
-    pub fn flow<R: Real>(&self, eye: &Eye<R>, q: Vec3, random: Numbers) -> Option<Flow> {
+    /// velocities; `None` if the method's fields are [`Sites`] there.
+    pub fn flow<R: Real>(
+        &self,
+        eye: &Eye<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Flow> {
         match &self.method {
             Method::Walk | Method::Edges => None,
+            Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
             Method::Was(settings) => {
                 Some(was::flow(self.accel, eye, q, settings, &random.branch()))
             }
@@ -368,7 +380,7 @@ impl<'a> Field<'a> {
         Some(self.site(eye, &site?))
     }
 
-    fn site<R: Real>(&self, eye: &Eye<R>, seen: &Seen) -> Site {
+    pub(super) fn site<R: Real>(&self, eye: &Eye<R>, seen: &Seen) -> Site {
         let found = &seen.point;
         let edge = &self.boundaries.edges[found.edge as usize];
         // Around the face that the eye slides on, its edges are the horizon.
@@ -445,7 +457,7 @@ impl Numbers<'_> {
         self.draw.stream.branch(self.dimension)
     }
 
-    fn number(&self, i: u32) -> f64 {
+    pub(super) fn number(&self, i: u32) -> f64 {
         self.draw.stream.number(self.dimension + i)
     }
 }

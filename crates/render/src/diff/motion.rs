@@ -118,7 +118,7 @@ impl World<D> for InMotion<'_> {
         if self.is_still(eye) {
             return Carried::at_rest(q);
         }
-        if let Some(flow) = self.field.flow(eye, q, numbers) {
+        if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
             let (mean, divergence) = flow.evaluate(|source| match source {
                 Source::Point(i) => self.points[i as usize],
                 Source::Eye => eye.position.tangent(0),

@@ -254,7 +254,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         if self.is_still(eye) {
             return Carried::at_rest(q);
         }
-        if let Some(flow) = self.field.flow(eye, q, numbers) {
+        if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
             let moves = |source| match source {
                 Source::Point(i) => self.points[i as usize],
                 Source::Eye => !eye.position.is_constant(),

@@ -156,6 +156,17 @@ pub(super) fn refuse_uncovered(statistics: &Statistics, method: &Method) -> Resu
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
+    if *method == Method::TriangleWalk {
+        return Err(Refusal {
+            reason: format!(
+                "things move that are seen in mirrors or through what lets light pass (about {:.2} \
+                 specular events in 100 samples), and the motion of their outlines there is not \
+                 available with fields on triangles. Use `domain` sphere, the default, which has it \
+                 for flat mirrors and panes",
+                100.0 * share
+            ),
+        });
+    }
     Err(Refusal {
         reason: format!(
             "things move that are seen in curved mirrors, through refracting glass, or after more \
@@ -187,7 +198,7 @@ pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
 /// A refusal if the settings of a method do not give a field.
 pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> {
     match &options.method {
-        Method::Walk | Method::Edges => refuse_walk(&options.walk),
+        Method::Walk | Method::Edges | Method::TriangleWalk => refuse_walk(&options.walk),
         Method::Was(was) if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) => {
             Err(Refusal {
                 reason: format!(
