@@ -13,6 +13,7 @@ mod lamp_edge;
 mod look;
 mod motion;
 pub(crate) mod outline;
+mod parallel;
 pub mod probe;
 mod receiver;
 mod recording;

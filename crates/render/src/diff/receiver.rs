@@ -311,6 +311,7 @@ mod tests {
             direction: seen,
             is_horizon: false,
             distance: offset.length(),
+            place: None,
             mirrors: Mirrors::default(),
         };
         let found = receiver.projected(&site, seen);
