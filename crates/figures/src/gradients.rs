@@ -120,3 +120,13 @@ pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
     });
     shown.collect()
 }
+
+/// Mean absolute value over pixels and channels.
+pub fn mean_size(gradient: &Estimate) -> Measured {
+    let mut moments = Moments::default();
+    for pixel in &gradient.mean.pixels {
+        let sizes = pixel.to_array().map(f64::abs);
+        moments.add(sizes.iter().sum::<f64>() / 3.0);
+    }
+    moments.into()
+}

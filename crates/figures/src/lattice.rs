@@ -1,33 +1,64 @@
-//! The shadow of the Voronoi lattice, or of the user's mesh in its place.
+//! The shadow of the Voronoi bunny, or of the user's mesh in its place; and that
+//! of the Voronoi sphere in a mirror.
 
 use capwalk_geometry::Mesh;
-use capwalk_scene::{Scene, ShadingNormals, builtin};
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::bsdf::{Bsdf, Material, Metal};
+use capwalk_scene::{
+    BsdfId, Integrator, Scene, SensorModel, ShadingNormals, Shape, Texture, builtin, primitive,
+};
 
 use crate::gradients::Subject;
-use crate::settings::{Failure, Settings};
+use crate::settings::{Failure, Quality, Settings};
 
-/// The built-in scene, the shape in it, and the parameter that moves it.
-const SCENE: &str = "lattice-shadow";
-const SHAPE: &str = "lattice";
+/// A built-in scene, and the shape in it that casts the shadow.
+struct Caster {
+    scene: &'static str,
+    shape: &'static str,
+}
+
+const BUNNY: Caster = Caster {
+    scene: "voronoi-bunny-shadow",
+    shape: "bunny",
+};
+const SPHERE: Caster = Caster {
+    scene: "lattice-shadow",
+    shape: "lattice",
+};
 
 /// Half the distance of differences, world units: small against the half-shadows.
 const STEP: f64 = 4e-3;
 
+/// The bunny takes long to make: tests do with the sphere.
+fn caster(settings: &Settings) -> Caster {
+    match settings.quality {
+        Quality::Smoke => SPHERE,
+        Quality::Draft | Quality::Full => BUNNY,
+    }
+}
+
 /// What casts the shadow, in words.
 pub fn name(settings: &Settings) -> &'static str {
-    match settings.mesh {
-        Some(_) => "the shadow of the given mesh",
-        None => "the shadow of a Voronoi lattice",
+    match (&settings.mesh, settings.quality) {
+        (Some(_), _) => "the shadow of the given mesh",
+        (None, Quality::Smoke) => "the shadow of the Voronoi sphere",
+        (None, _) => "the shadow of the Voronoi bunny",
     }
+}
+
+/// The shape that casts the shadow.
+pub fn shape(settings: &Settings) -> &'static str {
+    caster(settings).shape
 }
 
 /// The scene in so many pixels.
 pub fn shadow(settings: &Settings, size: [u32; 2]) -> Result<Subject, Failure> {
-    let mut scene = scene()?;
+    let caster = caster(settings);
+    let mut scene = caster.scene()?;
     if let Some(mesh) = &settings.mesh {
-        replace(&mut scene, mesh)?;
+        replace(caster.shape(&mut scene)?, mesh)?;
     }
-    let parameter = builtin::default_parameter(SCENE).expect("it is built in");
+    let parameter = builtin::default_parameter(caster.scene).expect("it is built in");
     Subject::new(scene, parameter, size, STEP)
 }
 
@@ -36,26 +67,73 @@ pub fn mesh(settings: &Settings) -> Result<Mesh, Failure> {
     match &settings.mesh {
         Some(mesh) => Ok(mesh.clone()),
         None => {
-            let scene = scene()?;
-            let shape = scene.shapes.into_iter().find(|shape| shape.id == SHAPE);
-            Ok(shape.ok_or_else(missing)?.mesh)
+            let caster = caster(settings);
+            let mut scene = caster.scene()?;
+            Ok(caster.shape(&mut scene)?.mesh.clone())
         }
     }
 }
 
-fn scene() -> Result<Scene, Failure> {
-    builtin::scene(SCENE).ok_or_else(missing)
+/// The shadow of the Voronoi sphere in a mirror behind it, which is all that the
+/// camera sees.
+pub fn in_mirror([width, height]: [u32; 2]) -> Result<Subject, Failure> {
+    let mut scene = SPHERE.scene()?;
+    scene.sensor.world_from_camera = Affine::look_at(
+        Vec3::new(0.25, 4.05, 4.0),
+        Vec3::new(0.05, 0.0, -5.85),
+        Vec3::new(0.0, 1.0, 0.0),
+    )
+    .expect("it does not look straight up");
+    scene.sensor.model = SensorModel::Perspective {
+        fov_x: 22_f64.to_radians(),
+        principal_point_offset: [0.0, 0.0],
+    };
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(3),
+        rr_depth: 8,
+        hide_emitters: false,
+    };
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    // Eta of 0 reflects all light.
+    let metal = Bsdf::Conductor(Metal {
+        eta: number("mirror.bsdf.eta", 0.0),
+        k: number("mirror.bsdf.k", 1.0),
+        specular_reflectance: number("mirror.bsdf.specular_reflectance", 0.95),
+    });
+    scene.materials.push(Material {
+        id: "mirror.bsdf".into(),
+        bsdf: metal,
+    });
+    let material = BsdfId(scene.materials.len() as u32 - 1);
+    // It stands on the floor, turned a little, and faces the camera.
+    let place = Affine::translate(Vec3::new(0.0, 1.4, -3.0))
+        * Affine::rotate(Vec3::new(0.0, 1.0, 0.0), 0.01)
+        * Affine::scale(Vec3::new(3.5, 1.4, 1.0));
+    let (mesh, normals) = primitive::rectangle(place);
+    scene.shapes.push(Shape::new("mirror", mesh, normals, material));
+    Subject::new(scene, "lattice.translate.x", [width, height], STEP)
 }
 
-fn missing() -> Failure {
-    Failure::Unusable(format!("the built-in scene {SCENE} has no {SHAPE}"))
+impl Caster {
+    fn scene(&self) -> Result<Scene, Failure> {
+        builtin::scene(self.scene).ok_or_else(|| self.missing())
+    }
+
+    fn shape<'a>(&self, scene: &'a mut Scene) -> Result<&'a mut Shape, Failure> {
+        let mut shapes = scene.shapes.iter_mut();
+        shapes
+            .find(|shape| shape.id == self.shape)
+            .ok_or_else(|| self.missing())
+    }
+
+    fn missing(&self) -> Failure {
+        Failure::Unusable(format!("there is no built-in scene {} with {}", self.scene, self.shape))
+    }
 }
 
-/// Puts a mesh in the place of the lattice, of the same size and with the same
+/// Puts a mesh in the place of a shape's, of the same size and with the same
 /// middle.
-fn replace(scene: &mut Scene, mesh: &Mesh) -> Result<(), Failure> {
-    let shape = scene.shapes.iter_mut().find(|shape| shape.id == SHAPE);
-    let shape = shape.ok_or_else(missing)?;
+fn replace(shape: &mut Shape, mesh: &Mesh) -> Result<(), Failure> {
     let [(low, high), (new_low, new_high)] = [shape.mesh.bounds(), mesh.bounds()];
     let length = (new_high - new_low).length();
     if !(length.is_finite() && length > 0.0) {

@@ -15,14 +15,19 @@
 
 mod claim;
 mod curves;
+mod equal;
+mod fig01;
 mod fig03;
 mod fig08;
 mod fig09;
 mod fig10;
+mod fig11;
+mod fig12;
 mod figure;
 mod gradients;
 mod lattice;
 mod output;
+mod projective;
 mod queries;
 mod random;
 mod report;
@@ -45,7 +50,12 @@ pub struct Entry {
 }
 
 /// All figures, in the order of the report.
-pub const ALL: [Entry; 6] = [
+pub const ALL: [Entry; 9] = [
+    Entry {
+        name: "fig01",
+        title: "Figure 1: the shadow of the Voronoi bunny",
+        draw: fig01::draw,
+    },
     Entry {
         name: "fig03",
         title: "Figure 3: the toy in one dimension",
@@ -65,6 +75,16 @@ pub const ALL: [Entry; 6] = [
         name: "fig10",
         title: "Figure 10: how many steps, at equal time",
         draw: fig10::draw,
+    },
+    Entry {
+        name: "fig11",
+        title: "Figure 11: converged derivatives, plain and through a mirror",
+        draw: fig11::draw,
+    },
+    Entry {
+        name: "fig12",
+        title: "Figure 12: a shape from its shadow",
+        draw: fig12::draw,
     },
     Entry {
         name: "queries",

@@ -127,7 +127,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let lattice = lattice::mesh(settings)?;
     let subjects = [
         Subject::new("smooth sphere", smooth, settings),
-        Subject::new("lattice", lattice, settings),
+        Subject::new("Voronoi bunny", lattice, settings),
     ];
     let mut table = Table {
         title: "Queries of one thread, and building".into(),

@@ -1,0 +1,170 @@
+//! Methods at equal samples: what figures 1 and 9 have in common.
+
+use capwalk_render::{Method, WalkSettings, WasSettings, check};
+use capwalk_scene_io::image::{Style, robust_limit};
+
+use crate::claim::{self, Claim, Measured};
+use crate::figure::{Figure, Row, Shown, Table};
+use crate::gradients::{Run, Subject, mean_l1, shown};
+use crate::settings::{Failure, Settings};
+
+/// What is compared, and what the paper says about it.
+pub struct Comparison<'a> {
+    pub subject: &'a Subject,
+    /// "Figure 9".
+    pub place: &'static str,
+    /// What the paper says of the agreement with finite differences.
+    pub agreement: &'static str,
+    /// The paper's mean L1 errors of ours, WAS and PSDR-WAS, if it has any.
+    pub errors: &'a [f64],
+    /// Samples per pixel: of each method, of the reference, of differences.
+    pub spp: [u32; 3],
+    /// How the reference is computed.
+    pub reference: Method,
+}
+
+/// Ours first, as in the paper; at the end what the paper does not have.
+fn methods() -> Vec<(&'static str, Method)> {
+    vec![
+        ("ours", Method::Walk),
+        ("WAS", Method::Was(WasSettings::default())),
+        ("edges (beyond the paper)", Method::Edges),
+    ]
+}
+
+/// A method at equal samples, and its distance from the truth.
+struct Compared {
+    name: &'static str,
+    run: Run,
+    /// Mean L1 error against the reference.
+    error: Measured,
+    /// Against finite differences: how much is missing or too much.
+    factor: Measured,
+}
+
+/// The figure but for its caption.
+pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Failure> {
+    let Comparison { subject, spp, .. } = comparison;
+    let walk = WalkSettings::default();
+    let converged = subject.gradient(Method::Walk, walk, spp[1], 1, settings)?;
+    let reference = match comparison.reference {
+        Method::Walk => None,
+        method => Some(subject.gradient(method, walk, spp[1], 9, settings)?),
+    };
+    let reference = reference.as_ref().unwrap_or(&converged);
+    let difference = subject.difference(spp[2], 2, settings)?;
+    let mut compared = Vec::new();
+    for (i, (name, method)) in methods().into_iter().enumerate() {
+        let run = subject.gradient(method, walk, spp[0], 3 + i as u64, settings)?;
+        let against = check::compare(run.gradient(), difference.gradient());
+        compared.push(Compared {
+            name,
+            error: mean_l1(run.gradient(), reference.gradient()),
+            factor: Measured {
+                value: against.slope,
+                error: against.slope_error,
+            },
+            run,
+        });
+    }
+
+    let limit = robust_limit([&reference.gradient().mean]);
+    let picture = Shown {
+        title: "picture".into(),
+        image: converged.image.value.mean.clone(),
+        style: Style::Photographic { exposure: 0.0 },
+    };
+    let above = [
+        ("finite differences".into(), difference.gradient()),
+        (format!("ours, {} samples", converged.spp), converged.gradient()),
+    ];
+    let below = compared.iter().map(|compared| {
+        let error = claim::digits(compared.error.value);
+        let title = format!("{}, {} samples, L1 {error}", compared.name, compared.run.spp);
+        (title, compared.run.gradient())
+    });
+    let below: Vec<_> = below.collect();
+    Ok(Figure {
+        rows: vec![
+            Row::Pictures([vec![picture], shown(&above, limit)].concat()),
+            Row::Pictures(shown(&below, limit)),
+        ],
+        tables: vec![table(&compared)],
+        claims: claims(comparison, &compared, [&converged, reference, &difference]),
+        ..Figure::default()
+    })
+}
+
+/// Ours agrees with differences, and has the least error at equal samples.
+fn claims(
+    comparison: &Comparison,
+    compared: &[Compared],
+    [converged, reference, difference]: [&Run; 3],
+) -> Vec<Claim> {
+    let place = comparison.place;
+    let agreement = |statement: String, run: &Run| {
+        let found = check::compare(run.gradient(), difference.gradient());
+        Claim {
+            statement,
+            paper: comparison.agreement.into(),
+            ours: claim::in_words(&found),
+            verdict: claim::of_check(&found),
+        }
+    };
+    let mut claims = vec![agreement(
+        format!("{place}: our derivative matches finite differences"),
+        converged,
+    )];
+    if !std::ptr::eq(reference, converged) {
+        let statement = format!("{place}: so does the reference of the errors below");
+        claims.push(agreement(statement, reference));
+    }
+    let (ours, others) = compared.split_first().expect("there is our method");
+    for (i, other) in others.iter().enumerate() {
+        if !other.name.contains("WAS") {
+            continue;
+        }
+        claims.push(Claim {
+            statement: format!("{place}: at equal samples our error is below that of {}", other.name),
+            paper: match (comparison.errors.first(), comparison.errors.get(i + 1)) {
+                (Some(ours), Some(theirs)) => format!(
+                    "mean L1 {ours} against {theirs} ({:.2} times)",
+                    theirs / ours
+                ),
+                _ => "by eye".into(),
+            },
+            ours: format!(
+                "mean L1 {} against {} ({} times)",
+                ours.error,
+                other.error,
+                other.error.over(ours.error)
+            ),
+            verdict: claim::below(ours.error, other.error),
+        });
+    }
+    claims
+}
+
+/// All methods at equal samples.
+fn table(compared: &[Compared]) -> Table {
+    let rows = compared.iter().map(|compared| {
+        vec![
+            compared.name.to_owned(),
+            compared.run.spp.to_string(),
+            claim::digits(compared.run.seconds),
+            compared.error.to_string(),
+            compared.factor.to_string(),
+        ]
+    });
+    Table {
+        title: "Equal samples".into(),
+        columns: vec![
+            "method",
+            "samples per pixel",
+            "seconds",
+            "mean L1 error",
+            "best factor to differences",
+        ],
+        rows: rows.collect(),
+    }
+}

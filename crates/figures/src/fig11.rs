@@ -1,0 +1,188 @@
+//! Figure 11: converged derivatives of shadows, seen plainly and in a mirror,
+//! beside explicit boundaries and Mitsuba's projective sampling.
+
+use capwalk_render::{Estimate, Method, WalkSettings, check};
+use capwalk_scene_io::image::robust_limit;
+
+use crate::claim::{self, Claim, Measured, Verdict, digits};
+use crate::figure::{Figure, Row, Table};
+use crate::gradients::{Run, Subject, mean_size, shown};
+use crate::projective::{self, Projective};
+use crate::lattice;
+use crate::settings::{Failure, Settings};
+
+/// A row of the figure.
+struct Case {
+    name: &'static str,
+    subject: Subject,
+    /// The shape that moves, and along which axis.
+    moves: (&'static str, usize),
+    spp: u32,
+    difference_spp: u32,
+}
+
+pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
+    let quality = settings.quality;
+    let [size, wide] = quality.choose(
+        [[12, 9], [12, 5]],
+        [[80, 60], [96, 40]],
+        [[256, 192], [384, 160]],
+    );
+    let (spp, difference_spp) = quality.choose((16, 32), (256, 1024), (4096, 32_768));
+    let cases = [
+        Case {
+            name: "plain",
+            subject: lattice::shadow(settings, size)?,
+            moves: (lattice::shape(settings), 1),
+            spp,
+            difference_spp,
+        },
+        Case {
+            name: "through a mirror",
+            subject: lattice::in_mirror(wide)?,
+            moves: ("lattice", 0),
+            spp,
+            difference_spp,
+        },
+    ];
+    let mut figure = Figure {
+        caption: format!(
+            "Converged derivatives: {} by its y-translation, and the shadow of the Voronoi sphere \
+             seen in a mirror by its x-translation. Finite differences ({difference_spp} samples per \
+             pixel on each side), ours and the method `edges` ({spp} samples), and, where Python has \
+             the package mitsuba, its projective sampling with its default guiding ({} times {} \
+             samples).",
+            lattice::name(settings),
+            projective::SEEDS,
+            projective::spp(settings)
+        ),
+        ..Figure::default()
+    };
+    let mut table = Table {
+        title: "Against finite differences".into(),
+        columns: vec!["view", "method", "agreement", "verdict", "seconds"],
+        rows: Vec::new(),
+    };
+    for (i, case) in cases.iter().enumerate() {
+        draw_case(case, 20 * (i as u64 + 1), settings, &mut figure, &mut table)?;
+    }
+    figure.tables.push(table);
+    Ok(figure)
+}
+
+fn draw_case(
+    case: &Case,
+    set: u64,
+    settings: &Settings,
+    figure: &mut Figure,
+    table: &mut Table,
+) -> Result<(), Failure> {
+    let walk = WalkSettings::default();
+    let subject = &case.subject;
+    let difference = subject.difference(case.difference_spp, set, settings)?;
+    let ours = subject.gradient(Method::Walk, walk, case.spp, set + 1, settings)?;
+    let edges = match subject.gradient(Method::Edges, walk, case.spp, set + 2, settings) {
+        Ok(run) => Ok(run),
+        Err(Failure::Refused(refusal)) => Err(refusal.reason),
+        Err(other) => return Err(other),
+    };
+    let projective = projective::run(subject, case.moves, settings)?;
+
+    let mut line = |method: &str, estimate: &Estimate, seconds: f64| {
+        let found = check::compare(estimate, difference.gradient());
+        let verdict = claim::of_check(&found);
+        table.rows.push(vec![
+            case.name.into(),
+            method.into(),
+            claim::in_words(&found),
+            verdict.to_string(),
+            digits(seconds),
+        ]);
+        (found, verdict)
+    };
+    let (found, verdict) = line("ours", ours.gradient(), ours.seconds);
+    figure.claims.push(Claim {
+        statement: format!("Figure 11, {}: our derivative matches finite differences", case.name),
+        paper: "“closely matches”".into(),
+        ours: claim::in_words(&found),
+        verdict,
+    });
+    let mut pictures = vec![
+        ("finite differences".to_owned(), difference.gradient()),
+        ("ours".to_owned(), ours.gradient()),
+    ];
+    match &edges {
+        Ok(run) => {
+            line("edges", run.gradient(), run.seconds);
+            pictures.push(("edges".to_owned(), run.gradient()));
+        }
+        Err(reason) => table.rows.push(vec![
+            case.name.into(),
+            "edges".into(),
+            "refused".into(),
+            reason.clone(),
+            String::new(),
+        ]),
+    }
+    match &projective {
+        Projective::Done { gradient, seconds } => {
+            let (found, _) = line("projective sampling", gradient, *seconds);
+            pictures.push(("projective sampling (Mitsuba)".to_owned(), gradient));
+            figure.claims.push(projective_claim(case, gradient, &ours, &found));
+        }
+        Projective::NotThere(reason) => figure.claims.push(Claim {
+            statement: statement(case),
+            paper: "figure 11, by eye".into(),
+            ours: "not run".into(),
+            verdict: Verdict::CouldNotTell(reason.clone()),
+        }),
+    }
+    let limit = robust_limit([&ours.gradient().mean]);
+    figure.rows.push(Row::Pictures(shown(&pictures, limit)));
+    Ok(())
+}
+
+fn statement(case: &Case) -> String {
+    match case.name {
+        "plain" => "Figure 11, plain: projective sampling deviates from finite differences".into(),
+        _ => "Figure 11, through a mirror: projective sampling misses the shadow's motion".into(),
+    }
+}
+
+/// What the other method misses: everything in the mirror, something without.
+fn projective_claim(
+    case: &Case,
+    gradient: &Estimate,
+    ours: &Run,
+    found: &check::Comparison,
+) -> Claim {
+    let share = mean_size(gradient).over(mean_size(ours.gradient()));
+    let (text, verdict) = match case.name {
+        "plain" => (
+            claim::in_words(found),
+            match &found.verdict {
+                check::Verdict::Wrong { .. } => Verdict::Holds,
+                check::Verdict::Right => Verdict::DoesNotHold("it agrees here".into()),
+                check::Verdict::CouldNotTell { .. } => {
+                    Verdict::CouldNotTell("its noise is too large".into())
+                }
+            },
+        ),
+        _ => {
+            let nearly_nothing = Measured {
+                value: 0.1,
+                error: 0.0,
+            };
+            (
+                format!("its mean size is {share} of ours"),
+                claim::below(share, nearly_nothing),
+            )
+        }
+    };
+    Claim {
+        statement: statement(case),
+        paper: "figure 11, by eye".into(),
+        ours: text,
+        verdict,
+    }
+}
