@@ -162,6 +162,9 @@ pub enum MethodName {
 /// How the velocity field is estimated with `--method walk`.
 #[derive(Args, Debug)]
 pub struct WalkArgs {
+    /// Where the velocity field lives [default: sphere]
+    #[arg(long)]
+    pub domain: Option<DomainName>,
     /// Steps of the walk on spherical caps [default: 1]
     #[arg(long, value_name = "M", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub walk_steps: Option<u32>,
@@ -206,6 +209,15 @@ pub enum WasBoundaryName {
     Normals,
     /// Edges of triangles: right for all meshes, noisier
     Edges,
+}
+
+/// Domains of walks by name.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum DomainName {
+    /// On all directions around a point
+    Sphere,
+    /// On the triangle that a direction meets, as in the paper: noisier
+    Triangle,
 }
 
 /// Estimators by name.

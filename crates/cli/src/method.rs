@@ -7,13 +7,18 @@ use capwalk_render::{
 };
 use clap::ValueEnum;
 
-use crate::args::{EstimatorName, MethodArgs, MethodName, WalkArgs, WasArgs, WasBoundaryName};
+use crate::args::{
+    DomainName, EstimatorName, MethodArgs, MethodName, WalkArgs, WasArgs, WasBoundaryName,
+};
 
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientOptions> {
     refuse_options_of_others(args)?;
     let method = match args.method {
-        MethodName::Walk => Method::Walk,
+        MethodName::Walk => match args.walk.domain {
+            None | Some(DomainName::Sphere) => Method::Walk,
+            Some(DomainName::Triangle) => Method::TriangleWalk,
+        },
         MethodName::Was => Method::Was(was(&args.was)),
         MethodName::Fd => bail!(
             "finite differences give the derivative of a picture by one parameter. Use `capwalk \
@@ -31,6 +36,7 @@ pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientO
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
     let (walk, was) = (&args.walk, &args.was);
     let options = [
+        (MethodName::Walk, "domain", walk.domain.is_some()),
         (MethodName::Walk, "walk-steps", walk.walk_steps.is_some()),
         (MethodName::Walk, "estimator", walk.estimator.is_some()),
         (MethodName::Walk, "max-angle", walk.max_angle.is_some()),

@@ -42,6 +42,11 @@ pub enum Method {
     /// light arrives at. Unbiased.
     #[default]
     Walk,
+    /// The same on the triangle that each direction meets, where the field is
+    /// relative to the material: the paper to the letter. Borders of triangles
+    /// limit its walks, in the place of `max_radius`, which is left for directions
+    /// that meet nothing. Unbiased; images in mirrors are not covered.
+    TriangleWalk,
     /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
     /// more auxiliary rays; what is seen in mirrors is not covered.
     Was(WasSettings),
@@ -52,6 +57,7 @@ impl Method {
     pub fn name(&self) -> &'static str {
         match self {
             Self::Walk => "walk",
+            Self::TriangleWalk => "walk, domain triangle",
             Self::Was(_) => "was",
         }
     }
@@ -59,7 +65,7 @@ impl Method {
     /// True if the method promises the truth: what it does not cover is refused.
     pub fn is_unbiased(&self) -> bool {
         match self {
-            Self::Walk => true,
+            Self::Walk | Self::TriangleWalk => true,
             Self::Was(_) => false,
         }
     }

@@ -175,6 +175,25 @@ fn thin_lens() {
     }
 }
 
+/// Parallel rays: everything moves, and single numbers of the sensor.
+#[test]
+fn parallel_rays() {
+    for filter in [Filter::Box, Filter::Tent { radius: 1.0 }] {
+        let mut scene = with_parallel_rays(visible_ball(filter), 0.85);
+        agree_in_both_modes("parallel rays", scene.clone(), 3);
+        small(&mut scene, 2);
+        for name in [
+            "ball.translate.x",
+            "sensor.translate.y - sensor.translate.x",
+            "sensor.rotate.x",
+            "sensor.to_world[0,2] - 0.4*sensor.to_world[1,1]",
+        ] {
+            let motion = params::motion(&scene, name).expect(name);
+            agree_along(name, &scene, &motion);
+        }
+    }
+}
+
 /// A field of another kind, also across the borders of a box filter and before a
 /// mirror, where it is biased in both modes alike.
 #[test]
@@ -219,6 +238,28 @@ fn constant_light() {
         radiance,
     });
     agree_in_both_modes("constant light", scene, 4);
+}
+
+/// Fields on triangles, with surfaces that cross, directions that meet nothing, and
+/// pixels that end abruptly.
+#[test]
+fn fields_on_triangles() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    for steps in [1, 2] {
+        let mut options = settings(32, None);
+        options.method = Method::TriangleWalk;
+        options.walk.steps = steps;
+        agree_by(&format!("M = {steps}"), &scene, &motion, &options);
+    }
 }
 
 /// Materials of microfacets, blended and coated; glass where there was none.

@@ -9,10 +9,11 @@
 //! sums them up; whoever wants the adjoint scatters them.
 //!
 //! The algorithm is written once over a [`Domain`]: [`Sphere`] walks on caps
-//! (Algorithms 6 and 7), [`Plane`] on disks (Algorithms 2 to 4), [`Interval`]
-//! is the toy of Section 3.3. Beside the fixed-step walk stand what it replaces:
-//! the walk of random length ([`random_step`]) and, for the toy, the weighted
-//! average of earlier work ([`weighted_average`]).
+//! (Algorithms 6 and 7), [`Triangle`] on the part of it that shows a triangle,
+//! [`Plane`] on disks (Algorithms 2 to 4), [`Interval`] is the toy of Section
+//! 3.3. Beside the fixed-step walk stand what it replaces: the walk of random
+//! length ([`random_step`]) and, for the toy, the weighted average of earlier
+//! work ([`weighted_average`]).
 //!
 //! Nothing here knows about light.
 
@@ -23,6 +24,7 @@ pub mod interval;
 pub mod plane;
 pub mod random_step;
 pub mod sphere;
+pub mod triangle;
 pub mod weighted_average;
 
 pub use domain::{Domain, Nearest, Vector};
@@ -32,4 +34,5 @@ pub use interval::Interval;
 pub use plane::Plane;
 pub use random_step::{Arrival, ShellSettings, sample_harmonic};
 pub use sphere::Sphere;
+pub use triangle::{Outline, Triangle};
 pub use weighted_average::WeightedAverage;

@@ -21,6 +21,10 @@ fn options_of_other_methods_are_errors() {
         &["--walk-steps", "the method is was", "--method walk"],
     );
     refused(
+        "gradient --method was --domain triangle",
+        &["--domain", "the method is was"],
+    );
+    refused(
         "gradient --method fd --was-debias",
         &["--was-debias", "the method is fd"],
     );
@@ -72,6 +76,8 @@ fn methods_say_what_they_are() {
     let (stderr, method, step) = run("");
     assert!(!stderr.contains("baseline"), "{stderr}");
     assert_eq!((method.as_deref(), step), (Some("walk"), None));
+    let (_, method, _) = run("--domain triangle");
+    assert_eq!(method.as_deref(), Some("walk, domain triangle"));
     let (stderr, method, step) = run("--method was");
     assert_eq!(stderr.matches("baseline").count(), 1, "{stderr}");
     assert_eq!((method.as_deref(), step), (Some("was"), None));

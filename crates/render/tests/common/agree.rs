@@ -2,7 +2,7 @@
 
 use capwalk_render::check::{Verdict, compare};
 use capwalk_render::{
-    GradientOptions, Options, Unwatched, WalkSettings, finite_difference, gradient,
+    GradientOptions, Method, Options, Unwatched, WalkSettings, finite_difference, gradient,
 };
 use capwalk_scene::*;
 
@@ -15,6 +15,7 @@ pub struct Case {
     /// Differences between the scene and two steps on, where steps back are not
     /// allowed.
     pub one_sided: bool,
+    pub method: Method,
     pub walk: WalkSettings,
     /// Pixels that must have noise.
     pub min_pixels: usize,
@@ -31,6 +32,7 @@ impl Default for Case {
             reference_spp: 1024,
             step: 3e-2,
             one_sided: false,
+            method: Method::default(),
             walk: WalkSettings::default(),
             min_pixels: 1000,
             patience: 1.0,
@@ -61,6 +63,7 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
         threads: None,
     };
     let settings = GradientOptions {
+        method: case.method,
         walk: case.walk,
         ..GradientOptions::new(options(case.gradient_spp, 1))
     };

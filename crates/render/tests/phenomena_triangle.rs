@@ -1,0 +1,92 @@
+//! Gradients against finite differences: fields on triangles instead of on the
+//! sphere (`domain = triangle`, METHOD 1), for every kind of segment.
+//!
+//! Where a silhouette runs over the border of a triangle the field is singular
+//! and noisy. So most of these scenes have few triangles, and shadows that stay
+//! inside one.
+
+mod common;
+
+use capwalk_geometry::Mesh;
+use capwalk_render::{Method, WalkSettings};
+use capwalk_scene::*;
+use common::agree::*;
+use common::stages::*;
+use common::*;
+
+/// A floor below a lamp of one large triangle, before which outlines pass.
+fn under_a_triangle(thing: Mesh) -> Scene {
+    let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 12.0, 40);
+    scene.sensor.near_clip = 5.6;
+    add_floor(&mut scene, 3.0);
+    let lamp = Mesh {
+        positions: vec![v(2.2, -1.2, 1.9), v(-2.2, -1.3, 2.0), v(0.1, 2.4, 1.85)],
+        faces: vec![[0, 1, 2]],
+    };
+    add(&mut scene, "lamp", lamp, ShadingNormals::Face, 0.0);
+    light_up(&mut scene, 3.0);
+    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
+    scene
+}
+
+fn on_triangles(name: &str, scene: Scene, expression: &str, case: Case) {
+    let motion = motion(&scene, expression);
+    let case = Case {
+        method: Method::TriangleWalk,
+        ..case
+    };
+    agree(name, scene, &motion, case);
+}
+
+fn few_pixels() -> Case {
+    Case {
+        size: 14,
+        gradient_spp: 2500,
+        reference_spp: 2500,
+        min_pixels: 120,
+        patience: 4.0,
+        ..Case::default()
+    }
+}
+
+/// Occluder, receiver and lamp move at once, for one step and for two.
+#[test]
+fn everything_moves_under_one_triangle() {
+    let expression = "thing.translate.x + 0.4*floor.rotate.y + 0.5*lamp.rotate.z";
+    for steps in [1, 2] {
+        let walk = WalkSettings {
+            steps,
+            ..WalkSettings::default()
+        };
+        let case = Case {
+            walk,
+            ..few_pixels()
+        };
+        let scene = under_a_triangle(triangle());
+        on_triangles(&format!("M = {steps}"), scene, expression, case);
+    }
+}
+
+/// The shadow's outline crosses the lamp's border and its diagonal.
+#[test]
+fn outlines_cross_borders() {
+    let case = Case {
+        patience: 20.0,
+        ..few_pixels()
+    };
+    let scene = with(small_ball());
+    on_triangles("crossing", scene, "thing.translate.x", case);
+}
+
+/// Outlines in the picture, and their interiors.
+#[test]
+fn picture_of_a_moving_thing() {
+    let case = Case {
+        step: 2e-3,
+        patience: 10.0,
+        ..few_pixels()
+    };
+    let scene = visible_cube();
+    let expression = "thing.translate.x + 0.5*thing.rotate.z";
+    on_triangles("picture", scene, expression, case);
+}
