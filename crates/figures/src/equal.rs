@@ -76,11 +76,17 @@ pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Fail
     };
     let above = [
         ("finite differences".into(), difference.gradient()),
-        (format!("ours, {} samples", converged.spp), converged.gradient()),
+        (
+            format!("ours, {} samples", converged.spp),
+            converged.gradient(),
+        ),
     ];
     let below = compared.iter().map(|compared| {
         let error = claim::digits(compared.error.value);
-        let title = format!("{}, {} samples, L1 {error}", compared.name, compared.run.spp);
+        let title = format!(
+            "{}, {} samples, L1 {error}",
+            compared.name, compared.run.spp
+        );
         (title, compared.run.gradient())
     });
     let below: Vec<_> = below.collect();
@@ -125,7 +131,10 @@ fn claims(
             continue;
         }
         claims.push(Claim {
-            statement: format!("{place}: at equal samples our error is below that of {}", other.name),
+            statement: format!(
+                "{place}: at equal samples our error is below that of {}",
+                other.name
+            ),
             paper: match (comparison.errors.first(), comparison.errors.get(i + 1)) {
                 (Some(ours), Some(theirs)) => format!(
                     "mean L1 {ours} against {theirs} ({:.2} times)",

@@ -7,8 +7,8 @@ use capwalk_scene_io::image::robust_limit;
 use crate::claim::{self, Claim, Measured, Verdict, digits};
 use crate::figure::{Figure, Row, Table};
 use crate::gradients::{Run, Subject, mean_size, shown};
-use crate::projective::{self, Projective};
 use crate::lattice;
+use crate::projective::{self, Projective};
 use crate::settings::{Failure, Settings};
 
 /// A row of the figure.
@@ -88,10 +88,11 @@ fn draw_case(
     };
     let projective = projective::run(subject, case.moves, settings)?;
 
-    let mut line = |method: &str, estimate: &Estimate, seconds: f64| {
+    let rows = &mut table.rows;
+    let line = |rows: &mut Vec<Vec<String>>, method: &str, estimate: &Estimate, seconds: f64| {
         let found = check::compare(estimate, difference.gradient());
         let verdict = claim::of_check(&found);
-        table.rows.push(vec![
+        rows.push(vec![
             case.name.into(),
             method.into(),
             claim::in_words(&found),
@@ -100,9 +101,12 @@ fn draw_case(
         ]);
         (found, verdict)
     };
-    let (found, verdict) = line("ours", ours.gradient(), ours.seconds);
+    let (found, verdict) = line(rows, "ours", ours.gradient(), ours.seconds);
     figure.claims.push(Claim {
-        statement: format!("Figure 11, {}: our derivative matches finite differences", case.name),
+        statement: format!(
+            "Figure 11, {}: our derivative matches finite differences",
+            case.name
+        ),
         paper: "“closely matches”".into(),
         ours: claim::in_words(&found),
         verdict,
@@ -113,10 +117,10 @@ fn draw_case(
     ];
     match &edges {
         Ok(run) => {
-            line("edges", run.gradient(), run.seconds);
+            line(rows, "edges", run.gradient(), run.seconds);
             pictures.push(("edges".to_owned(), run.gradient()));
         }
-        Err(reason) => table.rows.push(vec![
+        Err(reason) => rows.push(vec![
             case.name.into(),
             "edges".into(),
             "refused".into(),
@@ -126,9 +130,11 @@ fn draw_case(
     }
     match &projective {
         Projective::Done { gradient, seconds } => {
-            let (found, _) = line("projective sampling", gradient, *seconds);
+            let (found, _) = line(rows, "projective sampling", gradient, *seconds);
             pictures.push(("projective sampling (Mitsuba)".to_owned(), gradient));
-            figure.claims.push(projective_claim(case, gradient, &ours, &found));
+            figure
+                .claims
+                .push(projective_claim(case, gradient, &ours, &found));
         }
         Projective::NotThere(reason) => figure.claims.push(Claim {
             statement: statement(case),

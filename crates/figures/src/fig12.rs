@@ -8,8 +8,9 @@ use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
 use capwalk_inverse::run::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
-use capwalk_inverse::variable::{Variables, Wish, variable};
-use capwalk_inverse::vertices::{Directions, Selection};
+use capwalk_inverse::variable::select::Wish;
+use capwalk_inverse::variable::vertices::{Directions, Selection};
+use capwalk_inverse::variable::{Variables, variable};
 use capwalk_inverse::{Problem, State, Stop, View};
 use capwalk_math::{Moments, Vec3};
 use capwalk_render::{Method, WalkSettings, WasSettings, render};
@@ -83,7 +84,14 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     complete(&disk.statistics)?;
 
     let searches = [
-        search("ours", Method::Walk, &target.value.mean, iterations, spp, settings)?,
+        search(
+            "ours",
+            Method::Walk,
+            &target.value.mean,
+            iterations,
+            spp,
+            settings,
+        )?,
         search(
             "WAS",
             Method::Was(WasSettings::default()),
@@ -118,7 +126,10 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         ]),
         Row::Plots(vec![Plot {
             title: "(d) loss".into(),
-            axes: ["iteration".into(), "mean squared difference".into()],
+            axes: [
+                "iteration".into(),
+                "mean squared difference of a pyramid".into(),
+            ],
             logarithmic: true,
             curves: curves.collect(),
         }]),
@@ -154,7 +165,13 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                 "the rim ends at {:.1} % of the disk's distance (converged: below 20 %)",
                 100.0 * distance.value
             ),
-            verdict: claim::below(distance, Measured { value: 0.2, error: 0.0 }),
+            verdict: claim::below(
+                distance,
+                Measured {
+                    value: 0.2,
+                    error: 0.0,
+                },
+            ),
         },
         Claim {
             statement: "Figure 12: WAS does not converge to the optimum; its loss ends above ours"
@@ -168,7 +185,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         caption: format!(
             "The rim of a disk with {RIM} vertices, {} unknowns, looked for by {iterations} steps of \
              Adam from the picture of its shadow, {} × {} pixels, {spp} samples each for picture and \
-             gradient. Losses are mean squared differences without what the picture's noise adds.",
+             gradient. Losses are mean squared differences, averaged over three sizes of the pictures, without what the picture's noise adds.",
             2 * RIM,
             size[0],
             size[1]
@@ -197,6 +214,7 @@ fn search(
             Vec3::new(1.0, 0.0, 0.0),
             Vec3::new(0.0, 0.0, 1.0),
         ])),
+        uniform: true,
         ..Wish::default()
     };
     let unusable = |error: String| Failure::Unusable(format!("figure 12: {error}"));
@@ -214,10 +232,10 @@ fn search(
         }],
         loss: Loss {
             distance: Distance::L2,
-            levels: 1,
+            levels: 3,
         },
         adam: Adam::default(),
-        lr: 0.008,
+        lr: 0.02,
         schedule: Schedule {
             warmup: 0,
             decay: Decay::Cosine { end: 0.1 },
@@ -242,11 +260,13 @@ fn search(
     let mut losses = Vec::new();
     loop {
         let watch = (settings.stages)(name);
-        let iteration = problem.iterate(&state, &*watch).map_err(|stop| match stop {
-            Stop::Interrupted => Failure::Stopped,
-            Stop::Refused(refusal) => Failure::Refused(refusal),
-            other => unusable(other.to_string()),
-        })?;
+        let iteration = problem
+            .iterate(&state, &*watch)
+            .map_err(|stop| match stop {
+                Stop::Interrupted => Failure::Stopped,
+                Stop::Refused(refusal) => Failure::Refused(refusal),
+                other => unusable(other.to_string()),
+            })?;
         losses.push(Measured {
             value: iteration.row.loss,
             error: iteration.row.loss_error,

@@ -110,7 +110,9 @@ pub fn in_mirror([width, height]: [u32; 2]) -> Result<Subject, Failure> {
         * Affine::rotate(Vec3::new(0.0, 1.0, 0.0), 0.01)
         * Affine::scale(Vec3::new(3.5, 1.4, 1.0));
     let (mesh, normals) = primitive::rectangle(place);
-    scene.shapes.push(Shape::new("mirror", mesh, normals, material));
+    scene
+        .shapes
+        .push(Shape::new("mirror", mesh, normals, material));
     Subject::new(scene, "lattice.translate.x", [width, height], STEP)
 }
 
@@ -127,7 +129,10 @@ impl Caster {
     }
 
     fn missing(&self) -> Failure {
-        Failure::Unusable(format!("there is no built-in scene {} with {}", self.scene, self.shape))
+        Failure::Unusable(format!(
+            "there is no built-in scene {} with {}",
+            self.scene, self.shape
+        ))
     }
 }
 

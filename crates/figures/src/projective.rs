@@ -48,7 +48,9 @@ pub fn run(
         return Ok(Projective::NotThere("not run for quality smoke".into()));
     }
     let python = std::env::var("CAPWALK_PYTHON").unwrap_or_else(|_| "python3".into());
-    let found = Command::new(&python).args(["-c", "import mitsuba"]).output();
+    let found = Command::new(&python)
+        .args(["-c", "import mitsuba"])
+        .output();
     if !found.is_ok_and(|output| output.status.success()) {
         return Ok(Projective::NotThere(format!(
             "{python} has no package mitsuba (`pip install mitsuba`; CAPWALK_PYTHON names another \
@@ -95,13 +97,20 @@ fn in_folder(
         // Its failure is a result about it, not about us.
         let text = String::from_utf8_lossy(&output.stderr);
         let last = text.lines().rev().find(|line| !line.trim().is_empty());
-        return Ok(Projective::NotThere(format!("it failed: {}", last.unwrap_or(""))));
+        return Ok(Projective::NotThere(format!(
+            "it failed: {}",
+            last.unwrap_or("")
+        )));
     }
     let seconds = started.elapsed().as_secs_f64();
     let bytes = fs::read(&numbers).map_err(|error| unusable(error.to_string()))?;
     let [width, height] = subject.scene.film.crop_size.map(|n| n as usize);
-    let gradient = estimate(&bytes, width, height)
-        .ok_or_else(|| unusable(format!("{} bytes for {width} × {height} pixels", bytes.len())))?;
+    let gradient = estimate(&bytes, width, height).ok_or_else(|| {
+        unusable(format!(
+            "{} bytes for {width} × {height} pixels",
+            bytes.len()
+        ))
+    })?;
     Ok(Projective::Done { gradient, seconds })
 }
 

@@ -116,7 +116,7 @@ impl Lattice<'_> {
         let mut cross = Vec3::zero();
         for [a, b, c] in &faces {
             let [a, b, c] = [a, b, c].map(|&i| mesh.positions[i as usize]);
-            cross = cross + (b - a).cross(c - a);
+            cross += (b - a).cross(c - a);
         }
         if cross.dot(outward) < 0.0 {
             faces.iter_mut().for_each(|f| f.swap(1, 2));
@@ -151,21 +151,25 @@ fn tetrahedra(cube: Point, axis: usize) -> [[Point; 4]; 4] {
     std::array::from_fn(|i| [cube, next, corner(i), corner(i + 1)])
 }
 
-/// Moves vertices to the middle of their neighbours and back to the surface,
-/// some rounds: triangles become regular.
+/// Moves vertices towards the middle of their neighbours and back to the surface,
+/// some rounds: triangles become regular. After the last two they are not moved
+/// back, which opens folds where tubes meet at sharp angles.
 pub fn relax(mesh: &mut Mesh, function: &dyn Fn(Vec3) -> f64, rounds: usize, step: f64) {
-    for _ in 0..rounds {
+    for round in 1..=rounds {
         let mut sums = vec![(Vec3::zero(), 0.0); mesh.positions.len()];
         for f in &mesh.faces {
             for k in 0..3 {
                 let sum = &mut sums[f[k] as usize];
-                sum.0 = sum.0 + mesh.positions[f[(k + 1) % 3] as usize];
+                sum.0 += mesh.positions[f[(k + 1) % 3] as usize];
                 sum.1 += 1.0;
             }
         }
         for (p, (sum, count)) in mesh.positions.iter_mut().zip(sums) {
             let middle = *p + (sum / count - *p) * 0.5;
-            *p = to_surface(middle, function, step);
+            *p = match round + 1 < rounds {
+                true => to_surface(middle, function, step),
+                false => middle,
+            };
         }
     }
 }
