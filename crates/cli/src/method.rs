@@ -19,6 +19,7 @@ pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientO
             None | Some(DomainName::Sphere) => Method::Walk,
             Some(DomainName::Triangle) => Method::TriangleWalk,
         },
+        MethodName::Edges => Method::Edges,
         MethodName::Was => Method::Was(was(&args.was)),
         MethodName::Fd => bail!(
             "finite differences give the derivative of a picture by one parameter. Use `capwalk \
@@ -52,7 +53,10 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         (MethodName::Was, "was-debias", was.was_debias),
     ];
     for (owner, option, is_given) in options {
-        if is_given && owner != args.method {
+        // Where no edges are gathered, it walks.
+        let walks =
+            owner == MethodName::Walk && args.method == MethodName::Edges && option != "domain";
+        if is_given && owner != args.method && !walks {
             bail!(
                 "--{option} belongs to the method {}, and the method is {}. Leave it out, or say \
                  --method {}",
@@ -74,7 +78,7 @@ pub fn name(method: MethodName) -> String {
 /// What is to be said about results of a method that is no more than a baseline.
 pub fn remark(args: &MethodArgs) -> &'static str {
     match args.method {
-        MethodName::Walk => "",
+        MethodName::Walk | MethodName::Edges => "",
         MethodName::Was if args.was.was_debias => {
             "was is a baseline: its standard errors can be too small near edges, and what moves in \
              mirrors is missing. `capwalk check` measures how wrong it is\n"

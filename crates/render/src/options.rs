@@ -47,6 +47,11 @@ pub enum Method {
     /// limit its walks, in the place of `max_radius`, which is left for directions
     /// that meet nothing. Unbiased; images in mirrors are not covered.
     TriangleWalk,
+    /// Directions towards lamps, and those of a camera that sees through no flat
+    /// mirror or pane and whose rays are not parallel, stay at rest, and points are
+    /// drawn on all edges that move across them; elsewhere like [`Method::Walk`].
+    /// Unbiased.
+    Edges,
     /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
     /// more auxiliary rays; what is seen in mirrors is not covered.
     Was(WasSettings),
@@ -58,6 +63,7 @@ impl Method {
         match self {
             Self::Walk => "walk",
             Self::TriangleWalk => "walk, domain triangle",
+            Self::Edges => "edges",
             Self::Was(_) => "was",
         }
     }
@@ -65,7 +71,7 @@ impl Method {
     /// True if the method promises the truth: what it does not cover is refused.
     pub fn is_unbiased(&self) -> bool {
         match self {
-            Self::Walk | Self::TriangleWalk => true,
+            Self::Walk | Self::Edges | Self::TriangleWalk => true,
             Self::Was(_) => false,
         }
     }

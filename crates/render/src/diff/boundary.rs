@@ -8,10 +8,11 @@
 
 use std::cell::Cell;
 
-use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_geometry::{
+    Edge, EdgeSelection, Mesh, Sides, SilhouettePoint, SilhouetteTree, topology,
+};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::Emitter;
-use capwalk_scene::sensor::view::View;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
@@ -19,12 +20,14 @@ use crate::options::Method;
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
+pub use super::eye::{Eye, Visibility};
 use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::parallel::picture_tree;
 use super::unfold::{Mirrors, Seen, Unfolded};
 use super::was;
+use super::window::Lamp;
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -39,6 +42,8 @@ const FEW_EDGES: usize = 64;
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
     pub(super) edges: Vec<Edge>,
+    /// How much light may jump at each edge that is no silhouette.
+    contrasts: Vec<f32>,
     pub(super) tree: SilhouetteTree,
     /// The same edges in picture space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of [`View::towards`].
@@ -56,7 +61,7 @@ impl Boundaries {
     /// may move against each other.
     pub fn new(accel: &Accel) -> Self {
         let scene = accel.scene;
-        let mut edges = Vec::new();
+        let (mut edges, mut contrasts) = (Vec::new(), Vec::new());
         let mut ends_on_lamps = Vec::new();
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
@@ -65,6 +70,10 @@ impl Boundaries {
             let is_lamp = shape.emitter.is_some_and(|id| {
                 matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
             });
+            contrasts.extend(own.iter().map(|edge| match edge.sides {
+                Sides::Open => 1.0,
+                Sides::Between { faces, flipped } => look.contrast(faces, flipped) as f32,
+            }));
             for edge in &mut own {
                 shift(edge, first_vertex, first_face);
                 edge.groups = if is_lamp { SEEN } else { SEEN | EMITTED };
@@ -94,11 +103,13 @@ impl Boundaries {
                 // A lamp that something cuts through ends there.
                 groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
             });
+            contrasts.push(1.0);
         }
         Self {
             tree: SilhouetteTree::build(&mesh, &edges),
             picture: picture_tree(&accel.view, &mesh, &edges),
             edges,
+            contrasts,
             positions: mesh.positions,
             crossings,
             lamp_edges: lamp_edges(&ends_on_lamps, &accel.mesh.positions),
@@ -109,6 +120,36 @@ impl Boundaries {
     /// mesh, then the ends of crossings.
     pub fn point_count(&self) -> usize {
         self.positions.len()
+    }
+
+    /// An edge, by its number.
+    pub fn edge(&self, edge: u32) -> &Edge {
+        &self.edges[edge as usize]
+    }
+
+    /// How much light may jump at an edge, from above 0 to 1: 1 where it is a
+    /// silhouette, seen from the eye, or where its faces look different.
+    pub fn contrast(&self, edge: u32, mesh: &Mesh, eye: Vec3) -> f64 {
+        match self.edge(edge).is_silhouette(mesh, eye) {
+            true => 1.0,
+            false => f64::from(self.contrasts[edge as usize]),
+        }
+    }
+
+    /// Where the ends of an edge are.
+    pub fn ends(&self, edge: u32) -> [Vec3; 2] {
+        let vertices = self.edge(edge).vertices;
+        vertices.map(|i| self.position(i))
+    }
+
+    /// Where a point of the boundaries is.
+    pub fn position(&self, point: u32) -> Vec3 {
+        self.positions[point as usize]
+    }
+
+    /// The edges in a tree.
+    pub fn tree(&self) -> &SilhouetteTree {
+        &self.tree
     }
 
     /// Where a point of an edge is.
@@ -126,90 +167,6 @@ fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
     }
 }
 
-/// A point that looks at the boundaries around it.
-#[derive(Clone, Copy, Debug)]
-pub struct Eye<R> {
-    /// The shading point or the camera.
-    pub position: Vec3<R>,
-    /// The axes of a camera with parallel rays, around which directions are those of
-    /// picture space ([`View`]).
-    pub axes: Option<[Vec3<R>; 3]>,
-    /// Unit normal of the face it lies on, if it lies on one.
-    pub face_normal: Option<Vec3>,
-    /// Which edges count.
-    pub selection: EdgeSelection,
-    /// The group of edges that counts.
-    pub group: u8,
-    /// Whether hidden edges count.
-    pub visibility: Visibility,
-    /// Most flat specular events behind which edges count.
-    pub events: u32,
-}
-
-/// Which boundary points count. If the closest point of an edge is hidden, what
-/// hides it has an outline between that point and the rest of the edge: leaving
-/// out the edge leaves out no visible point that would be the closest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Visibility {
-    /// All of them: right, too, and enough where nothing is hidden.
-    All,
-    /// Those that a point on a surface sees.
-    Surface,
-    /// Those that the camera sees, between its clip planes.
-    Camera,
-}
-
-impl<R: Real> Eye<R> {
-    /// The camera, whose paths can take so many specular events.
-    pub fn camera(view: &View<R>, events: u32) -> Self {
-        Self {
-            position: view.eye,
-            axes: view.is_parallel().then(|| view.axes()),
-            face_normal: None,
-            // Shading jumps at every crease, seen from either side.
-            selection: EdgeSelection::All,
-            group: SEEN,
-            visibility: Visibility::Camera,
-            events,
-        }
-    }
-
-    /// A surface point that looks for emitted light.
-    pub fn towards_emitters(position: Vec3<R>, face_normal: Vec3) -> Self {
-        Self {
-            position,
-            axes: None,
-            face_normal: Some(face_normal),
-            selection: EdgeSelection::Silhouettes,
-            group: EMITTED,
-            // Around a direction that reaches light nothing is hidden: what
-            // hides an edge would have an outline nearer than the edge.
-            visibility: Visibility::All,
-            events: 0,
-        }
-    }
-
-    /// A surface point that looks at other surfaces, along paths that can take so
-    /// many specular events.
-    pub fn towards_surfaces(position: Vec3<R>, face_normal: Vec3, events: u32) -> Self {
-        Self {
-            position,
-            axes: None,
-            face_normal: Some(face_normal),
-            selection: EdgeSelection::All,
-            group: SEEN,
-            visibility: Visibility::Surface,
-            events,
-        }
-    }
-
-    /// The vectors that move what is fixed to the eye, by [`Site::shares`].
-    pub fn vectors(&self) -> [Vec3<R>; 4] {
-        let [a, b, c] = self.axes.unwrap_or([Vec3::zero(); 3]);
-        [self.position, a, b, c]
-    }
-}
-
 /// The fields around all points of a scene at rest.
 pub struct Field<'a> {
     /// The scene.
@@ -218,6 +175,8 @@ pub struct Field<'a> {
     pub boundaries: Boundaries,
     /// What the fields are made by.
     pub method: Method,
+    /// The lamps before which edges are gathered, if that is the method.
+    pub lamps: Vec<Lamp>,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     horizon_distance: f64,
@@ -273,6 +232,10 @@ impl<'a> Field<'a> {
         Self {
             accel,
             method,
+            lamps: match method {
+                Method::Edges => Lamp::all(accel.scene),
+                _ => Vec::new(),
+            },
             boundaries: Boundaries::new(accel),
             horizon_distance: accel.horizon_distance(),
         }
@@ -343,7 +306,7 @@ impl<'a> Field<'a> {
         random: Numbers,
     ) -> Option<Flow> {
         match &self.method {
-            Method::Walk => None,
+            Method::Walk | Method::Edges => None,
             Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
             Method::Was(settings) => {
                 Some(was::flow(self.accel, eye, q, settings, &random.branch()))
@@ -353,7 +316,7 @@ impl<'a> Field<'a> {
 
     /// True if there is a [`Field::flow`].
     pub fn has_flow(&self) -> bool {
-        !matches!(self.method, Method::Walk)
+        !matches!(self.method, Method::Walk | Method::Edges)
     }
 
     /// A sample of the field alone; `None` for velocity zero.
@@ -429,7 +392,8 @@ pub struct Counts {
 }
 
 impl Draw<'_> {
-    pub(super) fn count_queries(&self, count: u64) {
+    /// Counts queries for silhouettes.
+    pub fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);
     }
 }

@@ -215,7 +215,7 @@ pub(super) fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusa
 /// A refusal if the settings of a method do not give a field.
 pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> {
     match &options.method {
-        Method::Walk | Method::TriangleWalk => refuse_walk(&options.walk),
+        Method::Walk | Method::Edges | Method::TriangleWalk => refuse_walk(&options.walk),
         Method::Was(was) if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) => {
             Err(Refusal {
                 reason: format!(
