@@ -18,8 +18,10 @@ pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientO
         MethodName::Walk => match args.walk.domain {
             None | Some(DomainName::Sphere) => Method::Walk,
             Some(DomainName::Triangle) => Method::TriangleWalk,
+            Some(DomainName::Explicit) => Method::ExplicitWalk,
         },
         MethodName::Was => Method::Was(was(&args.was)),
+        MethodName::PsdrWas => Method::PsdrWas(was(&args.was)),
         MethodName::Fd => bail!(
             "finite differences give the derivative of a picture by one parameter. Use `capwalk \
              gradient --method fd -p NAME` for each parameter"
@@ -52,7 +54,11 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         (MethodName::Was, "was-debias", was.was_debias),
     ];
     for (owner, option, is_given) in options {
-        if is_given && owner != args.method {
+        let is_own = match args.method {
+            MethodName::PsdrWas => owner == MethodName::Was,
+            method => owner == method,
+        };
+        if is_given && !is_own {
             bail!(
                 "--{option} belongs to the method {}, and the method is {}. Leave it out, or say \
                  --method {}",
@@ -72,21 +78,21 @@ pub fn name(method: MethodName) -> String {
 }
 
 /// What is to be said about results of a method that is no more than a baseline.
-pub fn remark(args: &MethodArgs) -> &'static str {
+pub fn remark(args: &MethodArgs) -> String {
+    let method = name(args.method);
     match args.method {
-        MethodName::Walk => "",
-        MethodName::Was if args.was.was_debias => {
-            "was is a baseline: its standard errors can be too small near edges, and what moves in \
-             mirrors is missing. `capwalk check` measures how wrong it is\n"
-        }
-        MethodName::Was => {
-            "was is a baseline and biased: its standard errors do not bound its errors, and what \
+        MethodName::Walk => String::new(),
+        MethodName::Was | MethodName::PsdrWas if args.was.was_debias => format!(
+            "{method} is a baseline: its standard errors can be too small near edges, and what \
              moves in mirrors is missing. `capwalk check` measures how wrong it is\n"
-        }
-        MethodName::Fd => {
-            "fd is a baseline: its standard errors leave out its bias, of the order of the step \
-             squared\n"
-        }
+        ),
+        MethodName::Was | MethodName::PsdrWas => format!(
+            "{method} is a baseline and biased: its standard errors do not bound its errors, and \
+             what moves in mirrors is missing. `capwalk check` measures how wrong it is\n"
+        ),
+        MethodName::Fd => "fd is a baseline: its standard errors leave out its bias, of the order \
+                           of the step squared\n"
+            .into(),
     }
 }
 
