@@ -23,10 +23,12 @@ A SCENE is a Mitsuba XML file or the name of a built-in scene (see `capwalk scen
 
 Exit status:
   0  done, also within a --time-limit; for check: the gradient is right
-  1  check: the gradient is wrong; compare: the pictures differ beyond their errors
+  1  check: the gradient is wrong; compare: the pictures differ beyond their errors;
+     optimize: a guard stopped it (what was found before is written)
   2  check, compare: the noise is too large to tell
   3  bad input, a derivative that is refused, or results that cannot be written
-  4  more than 1 in 10^6 samples was infinite or NaN (the pictures are written)
+  4  more than 1 in 10^6 samples was infinite or NaN (the pictures are written);
+     optimize: the loss or its gradient was
   5  stopped by Ctrl-C (what was done is written, marked as partial)";
 
 #[derive(Subcommand, Debug)]
@@ -58,6 +60,11 @@ pub enum Command {
     Compare(Compare),
     /// List the built-in scenes, or export them as files
     Scenes(Scenes),
+    /// Find the numbers of a scene that make its pictures look like given ones
+    ///
+    /// A JOB is a TOML file, see docs/optimize.md. Every iteration is kept: a
+    /// run that was killed goes on with --resume, and ends in the same bits.
+    Optimize(Optimize),
     /// Render, differentiate and check the scene lattice-shadow
     ///
     /// Takes about a minute on two cores. Exit status as for check.
@@ -387,6 +394,29 @@ pub struct Demo {
     pub json: bool,
 }
 
+#[derive(Args, Debug)]
+pub struct Optimize {
+    /// TOML file that says what to look for, and how
+    pub job: PathBuf,
+    /// Go on with the run in the output folder, if there is one
+    #[arg(long)]
+    pub resume: bool,
+    /// Output folder [default: the job's `output`, or its path with the ending
+    /// .out]
+    #[arg(short, long, value_name = "FOLDER")]
+    pub output: Option<PathBuf>,
+    /// Worker threads; changes no bit of the result [default: all cores]
+    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
+    pub threads: Option<usize>,
+    /// Stop after this time (30, 30s, 5m, 1h) and keep what is done [default:
+    /// the job's]
+    #[arg(long, value_name = "TIME", value_parser = parse_duration)]
+    pub time_limit: Option<Duration>,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
+}
+
 fn parse_define(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((name, value)) if !name.is_empty() => Ok((name.into(), value.into())),
@@ -439,7 +469,7 @@ fn parse_step(text: &str) -> Result<f64, String> {
     }
 }
 
-fn parse_duration(text: &str) -> Result<Duration, String> {
+pub fn parse_duration(text: &str) -> Result<Duration, String> {
     let (number, unit) = match text.trim_end_matches(['s', 'm', 'h']) {
         number if text.ends_with('m') => (number, 60.0),
         number if text.ends_with('h') => (number, 3600.0),

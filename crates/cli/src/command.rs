@@ -7,5 +7,6 @@ pub mod compare;
 pub mod demo;
 pub mod gradient;
 pub mod info;
+pub mod optimize;
 pub mod render;
 pub mod scenes;

@@ -12,6 +12,8 @@ pub enum Outcome {
     Done,
     /// The gradient is wrong.
     Wrong,
+    /// A guard stopped an optimisation.
+    Stopped,
     /// The noise hides whether the gradient is right.
     CouldNotTell,
     /// Too many samples were infinite or NaN.
@@ -28,7 +30,7 @@ impl From<Outcome> for ExitCode {
     fn from(outcome: Outcome) -> Self {
         Self::from(match outcome {
             Outcome::Done => 0,
-            Outcome::Wrong => 1,
+            Outcome::Wrong | Outcome::Stopped => 1,
             Outcome::CouldNotTell => 2,
             Outcome::NonFinite => 4,
             Outcome::Interrupted => 5,

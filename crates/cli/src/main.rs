@@ -47,6 +47,7 @@ fn main() -> ExitCode {
         Command::Info(args) => command::info::run(args),
         Command::Compare(args) => command::compare::run(args),
         Command::Scenes(args) => command::scenes::run(args),
+        Command::Optimize(args) => command::optimize::run(args),
         Command::Demo(args) => command::demo::run(args),
     });
     finish(result)

@@ -4,7 +4,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail, ensure};
+use capwalk_math::Rgb;
 use capwalk_render::{Estimate, Options, Statistics};
 use capwalk_scene::Image;
 use capwalk_scene_io::image::{self, Panel, Picture, Preview};
@@ -129,6 +130,50 @@ pub fn layer<'a>(picture: &'a Picture, name: &str) -> Result<&'a Image> {
 pub fn layer_names(picture: &Picture) -> String {
     let names: Vec<&str> = picture.layers.iter().map(|l| l.name.as_str()).collect();
     names.join(", ")
+}
+
+/// The layer that was asked for, or the first default that is there.
+/// It must have this size, and its pixels finite numbers.
+pub fn read_layer(
+    file: &Path,
+    asked: Option<&str>,
+    defaults: &[&str],
+    size: [u32; 2],
+) -> Result<Image> {
+    let picture = image::read(file)?;
+    let found = match asked {
+        Some(name) => layer(&picture, name),
+        None => {
+            let mut layers = defaults.iter().filter_map(|name| picture.layer(name));
+            layers.next().with_context(|| {
+                format!(
+                    "there is no layer \"{}\"; choose one with --layer: there are {}",
+                    defaults.join("\" or \""),
+                    layer_names(&picture)
+                )
+            })
+        }
+    };
+    let image = found.with_context(|| format!("cannot use {}", file.display()))?;
+    let [width, height] = size.map(|n| n as usize);
+    ensure!(
+        [image.width, image.height] == [width, height],
+        "{} has {} x {} pixels; expected {width} x {height}, as the picture of the scene has",
+        file.display(),
+        image.width,
+        image.height
+    );
+    if let Some(index) = image.pixels.iter().position(|pixel| !pixel.is_finite()) {
+        let Rgb { x: r, y: g, z: b } = image.pixels[index];
+        bail!(
+            "{} is ({r}, {g}, {b}) in column {}, row {}, counted from 0 at the upper left; \
+             expected finite numbers",
+            file.display(),
+            index % width,
+            index / width
+        );
+    }
+    Ok(image.clone())
 }
 
 /// An estimate from a layer and that with its standard errors, if both are

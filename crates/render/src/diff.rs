@@ -12,6 +12,7 @@ pub mod forward;
 mod lamp_edge;
 mod look;
 mod motion;
+mod parallel;
 pub mod probe;
 mod psdr_was;
 mod receiver;

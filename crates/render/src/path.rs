@@ -73,6 +73,8 @@ pub struct SpecularChain {
     count: Option<u32>,
     /// After which further ones at this place it has them, too.
     here: FlatEvents,
+    /// True for fields in picture space, which have no images in mirrors.
+    is_parallel: bool,
 }
 
 impl Default for SpecularChain {
@@ -80,6 +82,7 @@ impl Default for SpecularChain {
         Self {
             count: Some(0),
             here: FlatEvents::default(),
+            is_parallel: false,
         }
     }
 }
@@ -87,7 +90,9 @@ impl Default for SpecularChain {
 impl SpecularChain {
     /// Their number with one more, if the field has the outlines behind it.
     fn after(&self, event: Event) -> Option<u32> {
-        let count = self.count.filter(|_| self.here.contains(event))?;
+        let is_missed = self.is_parallel && event == Event::Reflect;
+        let has = self.here.contains(event) && !is_missed;
+        let count = self.count.filter(|_| has)?;
         (count < MAX_EVENTS).then_some(count + 1)
     }
 }
@@ -156,7 +161,10 @@ impl<'a> Tracer<'a> {
             light += emitted_at(world, accel, emitter, hit.as_ref(), origin, direction);
         }
         let mut throughput = Rgb::constant(Rgb::splat(1.0)); // over its density
-        let mut chain = SpecularChain::default();
+        let mut chain = SpecularChain {
+            is_parallel: accel.view.is_parallel(),
+            ..SpecularChain::default()
+        };
         for depth in 0.. {
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
                 break;

@@ -180,18 +180,53 @@ fn a_blocker_that_moves_in_glass() {
     }
 }
 
-/// What an orthographic sensor sees move is refused; its colours are not.
+/// What moves in a mirror, seen under parallel rays, is refused; what moves beside the
+/// mirror is not, nor are reflections at rest.
 #[test]
-fn motion_under_parallel_rays() {
+fn mirrors_under_parallel_rays() {
+    let mut scene = mirror_floor();
+    scene.shapes[0].normals = ShadingNormals::Face;
+    assert!(!is_refused(&scene, "lamp.translate.x"));
+    scene.sensor.model = SensorModel::Orthographic;
+    for reason in refusals(&scene, &motion(&scene, "lamp.translate.x")) {
+        let reason = reason.expect("refused");
+        assert!(
+            reason.contains("mirrors by an orthographic sensor"),
+            "{reason}"
+        );
+    }
+    assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
+}
+
+/// Warped-area sampling has no rays around a point where all of them are parallel.
+#[test]
+fn warped_areas_under_parallel_rays() {
     let mut scene = visible_cube();
     scene.sensor.model = SensorModel::Orthographic;
-    let run = |name| refusals(&scene, &motion(&scene, name));
-    for name in ["thing.translate.x", "sensor.rotate.y"] {
-        for reason in run(name) {
-            assert!(reason.expect(name).contains("orthographic"), "{name}");
-        }
+    let settings = GradientOptions {
+        method: Method::Was(WasSettings::default()),
+        ..exact::settings(2)
+    };
+    let moves = motion(&scene, "thing.translate.x");
+    let refusal = gradient(&scene, &moves, &settings, &Unwatched).expect_err("refused");
+    assert!(refusal.reason.contains("orthographic"), "{refusal}");
+}
+
+/// The plane in which the film of an orthographic sensor lies cuts what it passes
+/// through, too.
+#[test]
+fn surface_cut_by_the_film() {
+    let mut scene = visible_cube();
+    let run = |scene: &Scene| refusals(scene, &motion(scene, "thing.translate.x"));
+    scene.sensor.model = SensorModel::Orthographic;
+    assert_eq!(run(&scene), [None, None]);
+    let [.., forward] = scene.sensor.state().axes;
+    scene.sensor.world_from_camera.translation += forward * 4.2;
+    scene.sensor.near_clip = 0.0;
+    for reason in run(&scene) {
+        let reason = reason.expect("refused");
+        assert!(reason.contains("near_clip of 0 cuts"), "{reason}");
     }
-    assert_eq!(run("thing.bsdf.reflectance.value"), [None, None]);
 }
 
 /// Square roots and hues of what is black have no derivative by it.

@@ -175,6 +175,25 @@ fn thin_lens() {
     }
 }
 
+/// Parallel rays: everything moves, and single numbers of the sensor.
+#[test]
+fn parallel_rays() {
+    for filter in [Filter::Box, Filter::Tent { radius: 1.0 }] {
+        let mut scene = with_parallel_rays(visible_ball(filter), 0.85);
+        agree_in_both_modes("parallel rays", scene.clone(), 3);
+        small(&mut scene, 2);
+        for name in [
+            "ball.translate.x",
+            "sensor.translate.y - sensor.translate.x",
+            "sensor.rotate.x",
+            "sensor.to_world[0,2] - 0.4*sensor.to_world[1,1]",
+        ] {
+            let motion = params::motion(&scene, name).expect(name);
+            agree_along(name, &scene, &motion);
+        }
+    }
+}
+
 /// A field of another kind, also across the borders of a box filter and before a
 /// mirror, where it is biased in both modes alike.
 #[test]

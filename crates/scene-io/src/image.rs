@@ -28,7 +28,7 @@ pub use panel::{Panel, Style, write_panels};
 
 pub(crate) use exr::decode as decode_exr;
 pub(crate) use exr::encode as encode_exr;
-pub use tone::robust_limit;
+pub use tone::{photographic, robust_limit};
 
 use crate::atomic;
 

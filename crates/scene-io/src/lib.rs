@@ -1,7 +1,8 @@
 //! Files to scenes, pictures and arrays to files.
 //!
 //! Scenes are read from Mitsuba 3's XML format; `docs/scene-files.md` says which
-//! part of it. [`export`] writes scenes, [`image`] writes and reads pictures,
+//! part of it. [`toml`] reads jobs strictly, with the place of every mistake.
+//! [`export`] writes scenes, [`image`] writes and reads pictures,
 //! [`arrays`] numbers. The stages of reading, each in its file:
 //!
 //! ```text
@@ -33,6 +34,7 @@ mod node;
 mod resolve;
 mod source;
 mod suggest;
+pub mod toml;
 mod upgrade;
 mod value;
 mod xml;

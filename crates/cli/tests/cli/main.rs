@@ -6,6 +6,7 @@ mod compare;
 mod demo;
 mod help;
 mod methods;
+mod optimize;
 mod pictures;
 mod scenes;
 mod stopping;

@@ -50,10 +50,12 @@ phenomena! {
     mask_textured_leaf
     mesh_with_seams
     normal_map_texel
+    object_moves_before_orthographic_sensor
     object_moves_in_a_curved_mirror
     object_moves_in_a_planar_mirror
     occluder_and_receiver_move_together
     open_mesh_moves
+    orthographic_sensor_turns
     outline_with_a_box_filter
     outline_with_the_border_sampled
     principled_ball_moves

@@ -11,6 +11,7 @@ use std::cell::Cell;
 use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::Emitter;
+use capwalk_scene::sensor::view::View;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
@@ -21,6 +22,7 @@ use super::crossing::{Crossing, crossings};
 use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
+use super::parallel::picture_tree;
 use super::unfold::{Mirrors, Seen, Unfolded};
 use super::was;
 
@@ -36,8 +38,11 @@ const FEW_EDGES: usize = 64;
 
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
-    edges: Vec<Edge>,
+    pub(super) edges: Vec<Edge>,
     pub(super) tree: SilhouetteTree,
+    /// The same edges in picture space, if the sensor's rays are parallel: seen from
+    /// its origin they lie in the directions of [`View::towards`].
+    picture: Option<SilhouetteTree>,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
     /// The curves where faces cross, in the order of their ends' positions.
@@ -92,6 +97,7 @@ impl Boundaries {
         }
         Self {
             tree: SilhouetteTree::build(&mesh, &edges),
+            picture: picture_tree(&accel.view, &mesh, &edges),
             edges,
             positions: mesh.positions,
             crossings,
@@ -114,6 +120,12 @@ impl Boundaries {
     pub fn point_count(&self) -> usize {
         self.positions.len()
     }
+
+    /// Where a point of an edge is.
+    pub(super) fn point(&self, vertices: [u32; 2], t: f64) -> Vec3 {
+        let [a, b] = vertices.map(|i| self.positions[i as usize]);
+        a + (b - a) * t
+    }
 }
 
 /// Makes an edge of a shape one of the joined mesh.
@@ -129,6 +141,9 @@ fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
 pub struct Eye<R> {
     /// The shading point or the camera.
     pub position: Vec3<R>,
+    /// The axes of a camera with parallel rays, around which directions are those of
+    /// picture space ([`View`]).
+    pub axes: Option<[Vec3<R>; 3]>,
     /// Unit normal of the face it lies on, if it lies on one.
     pub face_normal: Option<Vec3>,
     /// Which edges count.
@@ -156,9 +171,10 @@ pub enum Visibility {
 
 impl<R: Real> Eye<R> {
     /// The camera, whose paths can take so many specular events.
-    pub fn camera(position: Vec3<R>, events: u32) -> Self {
+    pub fn camera(view: &View<R>, events: u32) -> Self {
         Self {
-            position,
+            position: view.eye,
+            axes: view.is_parallel().then(|| view.axes()),
             face_normal: None,
             // Shading jumps at every crease, seen from either side.
             selection: EdgeSelection::All,
@@ -172,6 +188,7 @@ impl<R: Real> Eye<R> {
     pub fn towards_emitters(position: Vec3<R>, face_normal: Vec3) -> Self {
         Self {
             position,
+            axes: None,
             face_normal: Some(face_normal),
             selection: EdgeSelection::Silhouettes,
             group: EMITTED,
@@ -187,12 +204,19 @@ impl<R: Real> Eye<R> {
     pub fn towards_surfaces(position: Vec3<R>, face_normal: Vec3, events: u32) -> Self {
         Self {
             position,
+            axes: None,
             face_normal: Some(face_normal),
             selection: EdgeSelection::All,
             group: SEEN,
             visibility: Visibility::Surface,
             events,
         }
+    }
+
+    /// The vectors that move what is fixed to the eye, by [`Site::shares`].
+    pub fn vectors(&self) -> [Vec3<R>; 4] {
+        let [a, b, c] = self.axes.unwrap_or([Vec3::zero(); 3]);
+        [self.position, a, b, c]
     }
 }
 
@@ -222,14 +246,21 @@ pub struct Site {
     pub(super) direction: Vec3,
     pub(super) is_horizon: bool,
     pub(super) distance: f64,
+    /// Where it is in camera space, if the eye's rays are parallel.
+    pub(super) place: Option<Vec3>,
     /// The mirrors in which the eye sees the point.
     pub mirrors: Mirrors,
 }
 
 impl Site {
-    /// The angular velocity of the point, or its image in mirrors, for a velocity
-    /// `ẋ - ȯ` relative to the eye, `P_x̂ (ẋ - ȯ) / |x - o|`. A symmetric map: its
-    /// own transpose.
+    /// How much each of [`Eye::vectors`] moves what is fixed to the eye here.
+    pub fn shares(&self) -> [f64; 4] {
+        let Vec3 { x, y, z } = self.place.unwrap_or(Vec3::zero());
+        [1.0, x, y, z]
+    }
+
+    /// `P_x̂ v / |x - o|` of a velocity relative to the eye, in the space of its
+    /// directions. A symmetric map: its own transpose.
     #[inline]
     pub fn angular(&self, relative: Vec3) -> Vec3 {
         let along = self.direction * self.direction.dot(relative);
@@ -263,14 +294,20 @@ impl<'a> Field<'a> {
         eye: &'e Eye<R>,
     ) -> Unfolded<'e, R, impl Fn(&SilhouettePoint) -> bool> {
         let position = eye.position.value();
+        let (tree, apex) = match eye.axes {
+            None => (&self.boundaries.tree, position),
+            Some(_) => {
+                let tree = self.boundaries.picture.as_ref();
+                (tree.expect("the sensor's rays are parallel"), Vec3::zero())
+            }
+        };
         let is_camera = eye.visibility == Visibility::Camera;
-        let is_seen = move |site: &SilhouettePoint| match is_camera {
-            true => self
-                .accel
-                .camera_sees(position, site.direction, site.distance),
-            false => self
-                .accel
-                .surface_sees(position, site.direction, site.distance),
+        let is_seen = move |site: &SilhouettePoint| {
+            let (_, distance) = self.located(eye, apex, site);
+            match is_camera {
+                true => self.accel.camera_sees(position, site.direction, distance),
+                false => self.accel.surface_sees(position, site.direction, distance),
+            }
         };
         let (edges, groups) = match self.method {
             // Beside triangles, in directions that meet nothing.
@@ -279,15 +316,15 @@ impl<'a> Field<'a> {
         };
         Unfolded {
             direct: Sphere {
-                tree: &self.boundaries.tree,
-                eye: position,
+                tree,
+                eye: apex,
                 edges,
                 groups,
                 in_front_of: None,
                 counts: (eye.visibility != Visibility::All).then_some(is_seen),
                 queries: Cell::new(0),
             },
-            accel: self.accel,
+            field: self,
             eye,
         }
     }
@@ -366,14 +403,17 @@ impl<'a> Field<'a> {
             direction: horizon.unwrap_or(found.direction),
             is_horizon: horizon.is_some(),
             distance: found.distance,
+            place: eye.axes.map(|_| {
+                let point = self.boundaries.point(edge.vertices, found.t);
+                self.accel.view.place(point)
+            }),
             mirrors: seen.mirrors,
         }
     }
 
     /// Where a boundary point is.
     pub fn position(&self, site: &Site) -> Vec3 {
-        let [a, b] = site.points.map(|i| self.boundaries.positions[i as usize]);
-        a + (b - a) * site.t
+        self.boundaries.point(site.points, site.t)
     }
 
     fn in_horizon(&self, eye: Vec3, edge: &Edge, normal: Vec3) -> bool {

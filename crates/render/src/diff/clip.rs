@@ -19,7 +19,7 @@ pub fn refuse_clipped(accel: &Accel) -> Result<(), Refusal> {
             let Some(cut) = cut_at_depth(&accel.view, corners, depth) else {
                 continue;
             };
-            if depth > 0.0 && is_in_view(accel, cut, depth) {
+            if (depth > 0.0 || accel.view.is_parallel()) && is_in_view(accel, cut, depth) {
                 let shape = &accel.scene.shape(accel.shape_of_face[face]).id;
                 return Err(Refusal {
                     reason: format!(

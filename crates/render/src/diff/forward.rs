@@ -37,7 +37,7 @@ pub fn gradient(
     let turns = motion.shapes.iter().any(Option::is_some);
     refuse_cut_normals(scene, turns || world.moves(), is_asked_for)?;
     if world.moves() {
-        refuse_motion(&accel)?;
+        refuse_motion(&accel, &options.method)?;
     } else if turns {
         refuse_turned_without_uvs(scene)?;
     }
@@ -63,10 +63,10 @@ pub fn gradient(
             ..options.options
         };
         let statistics = tiles::average(scene, &pilot, &Silent(watch), sample).statistics;
-        refuse_uncovered(&statistics, &options.method)?;
+        refuse_uncovered(scene, &statistics, &options.method)?;
     }
     let averages = tiles::average(scene, &options.options, watch, sample);
-    refuse_uncovered(&averages.statistics, &options.method)?;
+    refuse_uncovered(scene, &averages.statistics, &options.method)?;
     Ok(GradientImage {
         value: averages.estimate(scene, 0),
         gradient: averages.estimate(scene, 3),

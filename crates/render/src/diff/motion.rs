@@ -62,7 +62,8 @@ impl<'a> InMotion<'a> {
 
     /// True if no boundary moves relative to the eye.
     fn is_at_rest(&self, eye: &Eye<D>) -> bool {
-        !self.boundaries_move && eye.position.tangent(0) == Vec3::zero()
+        let moves = |v: &Vec3<D>| v.tangent(0) != Vec3::zero();
+        !self.boundaries_move && !eye.vectors().iter().any(moves)
     }
 
     /// Angular velocity of a boundary point seen from the eye.
@@ -74,7 +75,10 @@ impl<'a> InMotion<'a> {
             let (mesh, point) = (&self.accel.mesh, self.field.position(site));
             velocity = site.mirrors.velocity(mesh, point, velocity, corner);
         }
-        site.angular(velocity - eye.position.tangent(0))
+        for (vector, share) in eye.vectors().iter().zip(site.shares()) {
+            velocity += vector.tangent(0) * -share;
+        }
+        self.field.seen_velocity(site, velocity)
     }
 }
 

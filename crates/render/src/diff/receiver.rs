@@ -335,6 +335,7 @@ mod tests {
             direction: seen,
             is_horizon: false,
             distance: offset.length(),
+            place: None,
             mirrors: Mirrors::default(),
         };
         let found = receiver.boundary(&site, seen);

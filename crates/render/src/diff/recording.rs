@@ -40,7 +40,7 @@ enum Origin<'t> {
     /// A carried direction, three numbers, and its stretch.
     Carried {
         q: Vec3,
-        eye: Vec3<Var<'t>>,
+        eye: Eye<Var<'t>>,
         sites: Box<Sites>,
     },
     /// The same by a map from velocities.
@@ -52,7 +52,7 @@ enum Origin<'t> {
     /// A direction that a boundary point carries.
     Value {
         q: Vec3,
-        eye: Vec3<Var<'t>>,
+        eye: Eye<Var<'t>>,
         site: Site,
     },
 }
@@ -90,7 +90,7 @@ impl<'a, 't> Recording<'a, 't> {
     fn moves(&self, eye: &Eye<Var<'t>>, site: &Site) -> bool {
         let moves = |i: &u32| self.points[*i as usize];
         let faces = site.mirrors.faces().iter();
-        !eye.position.is_constant()
+        !eye.vectors().iter().all(|vector| vector.is_constant())
             || site.points.iter().any(moves)
             || faces
                 .flat_map(|&face| &self.accel.mesh.faces[face as usize])
@@ -128,7 +128,7 @@ impl<'a, 't> Recording<'a, 't> {
                             self.field,
                             &term.site,
                             on_velocity,
-                            eye,
+                            &eye,
                             adjoints,
                             covectors,
                         );
@@ -147,7 +147,7 @@ impl<'a, 't> Recording<'a, 't> {
                 }
                 Origin::Value { q, eye, site } => {
                     let covector = covector.reject_from(q);
-                    pull_site(self.field, &site, covector, eye, adjoints, covectors);
+                    pull_site(self.field, &site, covector, &eye, adjoints, covectors);
                 }
             }
         }
@@ -160,12 +160,14 @@ fn pull_site(
     field: &Field,
     site: &Site,
     covector: Vec3,
-    eye: Vec3<Var>,
+    eye: &Eye<Var>,
     adjoints: &mut Adjoints,
     covectors: &mut Vec<(Target, Vec3)>,
 ) {
-    let mut on_point = site.angular(covector);
-    adjoints.add_vector(eye, -on_point);
+    let mut on_point = field.pull_seen_velocity(site, covector);
+    for (vector, share) in eye.vectors().into_iter().zip(site.shares()) {
+        adjoints.add_vector(vector, on_point * -share);
+    }
     if !site.mirrors.is_empty() {
         let corner = |i, covector| covectors.push((Target::Point(i), covector));
         let (mesh, point) = (&field.accel.mesh, field.position(site));
@@ -267,7 +269,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         }
         let origin = Origin::Carried {
             q,
-            eye: eye.position,
+            eye: *eye,
             sites: Box::new(sites),
         };
         Carried {
@@ -291,7 +293,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         }
         match self.field.sample_value(eye, q, walk, numbers) {
             Some(site) if self.moves(eye, &site) => {
-                let eye = eye.position;
+                let eye = *eye;
                 self.variables(true, q, Origin::Value { q, eye, site })
             }
             _ => Vec3::constant(q),

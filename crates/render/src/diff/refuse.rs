@@ -35,16 +35,18 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
     }
 }
 
-/// A refusal if the camera's rays are parallel: no field is around them.
-fn refuse_parallel_rays(scene: &Scene) -> Result<(), Refusal> {
-    match scene.sensor.model {
-        SensorModel::Orthographic => Err(Refusal {
-            reason: "the motion of what an orthographic sensor sees is not available, derivatives \
-                     by colours, textures and light are. Use a perspective sensor far away with a \
-                     small fov, or finite differences"
-                .into(),
+/// A refusal if the camera's rays are parallel and the method has a field around
+/// points only.
+fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
+    match (scene.sensor.model, method) {
+        (SensorModel::Orthographic, Method::Was(_) | Method::TriangleWalk) => Err(Refusal {
+            reason: format!(
+                "the method `{}` has no field for the parallel rays of an orthographic sensor. Use \
+                 the default method, or a perspective sensor far away with a small fov",
+                method.name()
+            ),
         }),
-        SensorModel::Perspective { .. } | SensorModel::ThinLens { .. } => Ok(()),
+        _ => Ok(()),
     }
 }
 
@@ -153,7 +155,11 @@ pub(super) fn is_specular_somewhere(scene: &Scene) -> bool {
 
 /// A refusal if something moved in a curved mirror or behind refracting glass, and
 /// the method promises the truth.
-pub(super) fn refuse_uncovered(statistics: &Statistics, method: &Method) -> Result<(), Refusal> {
+pub(super) fn refuse_uncovered(
+    scene: &Scene,
+    statistics: &Statistics,
+    method: &Method,
+) -> Result<(), Refusal> {
     if statistics.uncovered == 0 || !method.is_unbiased() {
         return Ok(());
     }
@@ -169,13 +175,22 @@ pub(super) fn refuse_uncovered(statistics: &Statistics, method: &Method) -> Resu
             ),
         });
     }
+    let (sees, covered) = match scene.sensor.model {
+        SensorModel::Orthographic => (
+            "in mirrors by an orthographic sensor",
+            "before a perspective sensor in flat mirrors",
+        ),
+        SensorModel::Perspective { .. } | SensorModel::ThinLens { .. } => {
+            ("in curved mirrors", "in flat mirrors")
+        }
+    };
     Err(Refusal {
         reason: format!(
-            "things move that are seen in curved mirrors, through refracting glass, or after more \
-             than {MAX_EVENTS} reflections (about {:.2} specular events in 100 samples), and the \
-             motion of their outlines there is not available. It is in flat mirrors (without vertex \
-             normals) and panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use \
-             one of these, a rough material (alpha of 0.01 or more), or finite differences",
+            "things move that are seen {sees}, through refracting glass, or after more than \
+             {MAX_EVENTS} reflections (about {:.2} specular events in 100 samples), and the motion \
+             of their outlines there is not available. It is {covered} (without vertex normals) and \
+             through panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use one \
+             of these, a rough material (alpha of 0.01 or more), or finite differences",
             100.0 * share
         ),
     })
@@ -185,12 +200,14 @@ pub(super) fn refuse_uncovered(statistics: &Statistics, method: &Method) -> Resu
 /// if they are.
 pub fn refusal(scene: &Scene) -> Option<Refusal> {
     let found = refuse_cut_normals(scene, true, |_| false);
-    found.and_then(|()| refuse_motion(&Accel::new(scene))).err()
+    found
+        .and_then(|()| refuse_motion(&Accel::new(scene), &Method::default()))
+        .err()
 }
 
 /// A refusal if the scene has what cannot be differentiated by what moves edges.
-pub(super) fn refuse_motion(accel: &Accel) -> Result<(), Refusal> {
-    refuse_parallel_rays(accel.scene)?;
+pub(super) fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
+    refuse_parallel_rays(accel.scene, method)?;
     refuse_hard_shadows(accel.scene)?;
     refuse_jumping_textures(accel.scene)?;
     refuse_turned_without_uvs(accel.scene)?;

@@ -113,7 +113,7 @@ pub fn backward(
     refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
     let accel = Accel::new(scene);
     if wanted.geometry() {
-        refuse_motion(&accel)?;
+        refuse_motion(&accel, &options.method)?;
     } else if turns {
         refuse_turned_without_uvs(scene)?;
     }
@@ -172,7 +172,7 @@ pub fn backward(
             gradients.push((gradient, batch.taken.max(1)));
         }
     }
-    refuse_uncovered(&statistics, &options.method)?;
+    refuse_uncovered(scene, &statistics, &options.method)?;
     let samples: u32 = gradients.iter().map(|(_, n)| n).sum();
     let mut mean = gradients[0].0.scaled(0.0);
     for (batch, n) in &gradients {
@@ -256,7 +256,7 @@ impl Pass<'_> {
                 break;
             }
         }
-        refuse_uncovered(&statistics, &self.field.method)
+        refuse_uncovered(self.scene, &statistics, &self.field.method)
     }
 
     fn batch(&self, numbers: std::ops::Range<u32>) -> Batch {

@@ -142,7 +142,7 @@ mod tests {
         let scene = builtin::scene("ball").expect("built in");
         let accel = Accel::new(&scene);
         let field = Field::new(&accel, Method::TriangleWalk);
-        let eye: Eye<f64> = Eye::camera(scene.sensor.origin(), 0);
+        let eye: Eye<f64> = Eye::camera(&accel.view, 0);
         let sampler = Sampler::new(&scene.settings, 3, 1);
         let [width, height] = scene.film.size.map(f64::from);
         let estimate = |q: Vec3, steps: u32, estimator: Estimator| {

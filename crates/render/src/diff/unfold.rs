@@ -15,7 +15,7 @@ use capwalk_walk::{Domain, Nearest, Sphere};
 
 use crate::accel::Accel;
 
-use super::boundary::{Eye, Visibility};
+use super::boundary::{Eye, Field, Visibility};
 
 /// Most specular events between an eye and an edge that is seen.
 pub const MAX_EVENTS: u32 = 6;
@@ -159,8 +159,8 @@ pub struct Seen {
 pub struct Unfolded<'a, R, F> {
     /// The edges that are seen without mirrors.
     pub direct: Sphere<'a, F>,
-    /// The scene.
-    pub accel: &'a Accel<'a>,
+    /// The edges.
+    pub field: &'a Field<'a>,
     /// The eye.
     pub eye: &'a Eye<R>,
 }
@@ -169,8 +169,10 @@ pub struct Unfolded<'a, R, F> {
 #[derive(Clone, Copy)]
 struct Sight {
     ray: Ray,
-    /// The image of the eye from where the ray seems to come.
+    /// The image of the eye from where the ray seems to come, and in which direction
+    /// of the edges' space.
     eye: Vec3,
+    axis: Vec3,
     events: [Event; MAX_EVENTS as usize],
     mirrors: Mirrors,
     count: u32,
@@ -190,6 +192,7 @@ impl Sight {
         if event == Event::Reflect {
             let mirror = Mirror::new(&accel.mesh, hit.face);
             direction = mirror.direction(direction);
+            next.axis = direction;
             next.eye = mirror.point(self.eye);
             next.mirrors.push(hit.face);
         }
@@ -208,10 +211,13 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
         let eye = self.eye.position.value();
         Sight {
             ray: match self.eye.visibility {
-                Visibility::Camera => self.accel.camera_ray(eye, direction),
-                Visibility::Surface | Visibility::All => self.accel.surface_ray(eye, direction),
+                Visibility::Camera => self.field.accel.camera_ray(eye, direction),
+                Visibility::Surface | Visibility::All => {
+                    self.field.accel.surface_ray(eye, direction)
+                }
             },
-            eye,
+            eye: self.direct.eye,
+            axis: direction,
             events: [Event::Pass; MAX_EVENTS as usize],
             mirrors: Mirrors::default(),
             count: 0,
@@ -221,21 +227,26 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
     /// Looks for images closer to a direction than the best point so far, behind
     /// what a ray hits.
     fn look_behind(&self, sight: &Sight, limit: f64, best: &mut Option<Nearest<Seen, Vec3>>) {
-        let Some(hit) = self.accel.first_hit_within(&sight.ray) else {
+        let accel = self.field.accel;
+        let Some(hit) = accel.first_hit_within(&sight.ray) else {
             return;
         };
-        for event in self.accel.flat_events(&hit).iter() {
-            let behind = sight.after(self.accel, &hit, event);
+        for event in accel.flat_events(&hit).iter() {
+            let is_parallel = self.eye.axes.is_some();
+            if is_parallel && event == Event::Reflect {
+                continue; // What moves there is refused.
+            }
+            let behind = sight.after(accel, &hit, event);
             // Only what lies before a mirror is seen in it.
-            let normal = self.accel.mesh.face_cross(hit.face as usize);
+            let normal = accel.mesh.face_cross(hit.face as usize);
             let side = normal.dot(behind.ray.direction).signum();
             let query = ConeQuery {
                 eye: behind.eye,
-                axis: behind.ray.direction,
+                axis: behind.axis,
                 max_angle: best.map_or(limit, |nearest| nearest.distance),
                 edges: self.direct.edges,
                 groups: self.direct.groups,
-                in_front_of: Some(Plane {
+                in_front_of: (!is_parallel).then_some(Plane {
                     point: behind.ray.origin,
                     normal: normal * side,
                 }),
@@ -265,14 +276,14 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
     fn unfolded(&self, sight: &Sight, direction: Vec3) -> Vec3 {
         let faces = sight.mirrors.faces().iter().rev();
         faces.fold(direction, |direction, &face| {
-            Mirror::new(&self.accel.mesh, face).direction(direction)
+            Mirror::new(&self.field.accel.mesh, face).direction(direction)
         })
     }
 
     /// The mirrors in which a point found from the eye's image is seen by the eye:
     /// faces of the planes that were looked into. `None` if it is hidden.
     fn mirrors_before(&self, sight: &Sight, point: &SilhouettePoint) -> Option<Mirrors> {
-        let accel = self.accel;
+        let accel = self.field.accel;
         let direction = self.unfolded(sight, point.direction);
         // What lies in the plane of the eye's own face is seen edge-on: nothing jumps,
         // and whether a ray along the plane meets something is a matter of rounding.
@@ -281,9 +292,9 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
         if horizon.is_some_and(|height| height <= accel.horizon_distance()) {
             return None;
         }
-        let target = sight.eye + point.direction * point.distance;
+        let (target, distance) = self.field.located(self.eye, sight.eye, point);
         let mut trace = self.first_ray(direction);
-        let mut left = point.distance;
+        let mut left = distance;
         for &event in sight.events() {
             let hit = accel.first_hit_within(&trace.ray)?;
             if hit.t >= left || !accel.flat_events(&hit).contains(event) {
@@ -295,7 +306,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Unfolded<'_, R, F> {
         let miss = trace.ray.at(left) - target;
         // Without mirrors it is there up to rounding.
         let reflections = trace.mirrors.faces().len().max(1) as f64;
-        let is_there = miss.length() < SAME_MIRROR * reflections * point.distance;
+        let is_there = miss.length() < SAME_MIRROR * reflections * distance;
         let sees = || accel.surface_sees(trace.ray.origin, trace.ray.direction, left);
         (is_there && sees()).then_some(trace.mirrors)
     }
@@ -405,8 +416,7 @@ mod tests {
             Field::new(&with, Method::Walk),
             Field::new(&without, Method::Walk),
         ];
-        let origin = scenes[0].sensor.origin();
-        let eye: Eye<f64> = Eye::camera(origin, 1);
+        let eye: Eye<f64> = Eye::camera(&with.view, 1);
         let [mirror, window] = fields.each_ref().map(|field| field.sphere(&eye));
         let view = scenes[0].sensor.view(&scenes[0].film);
         let [width, height] = scenes[0].film.size.map(f64::from);

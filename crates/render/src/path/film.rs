@@ -194,7 +194,7 @@ impl Tracer<'_> {
     }
 
     fn camera_eye<R: Real>(&self, view: &View<R>) -> Eye<R> {
-        Eye::camera(view.eye, self.events_behind(0))
+        Eye::camera(view, self.events_behind(0))
     }
 
     /// Two numbers for a place on the border of a pixel; behind them those of

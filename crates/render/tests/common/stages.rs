@@ -80,6 +80,18 @@ pub fn through_lens(mut scene: Scene, aperture_radius: f64, focus_distance: f64)
     scene
 }
 
+/// The scene under parallel rays, on a film of the given half width whose pixels are
+/// not square in the world, seen by a sensor whose axes are neither of unit length nor
+/// orthogonal.
+pub fn with_parallel_rays(mut scene: Scene, half_width: f64) -> Scene {
+    scene.sensor.model = SensorModel::Orthographic;
+    let mut shape = Affine::scale(v(half_width, 0.9 * half_width, 1.3));
+    shape.rows[0].z = 0.1;
+    let camera = &mut scene.sensor.world_from_camera;
+    *camera = *camera * shape;
+    scene
+}
+
 /// Texture coordinates from corner to corner of a horizontal rectangle.
 pub fn unit_square(scene: &mut Scene, shape: &str) {
     let shape = scene

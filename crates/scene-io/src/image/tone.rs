@@ -7,8 +7,8 @@ use capwalk_scene::Image;
 pub(super) const NON_FINITE: [u8; 3] = [255, 0, 255];
 
 /// A linear colour as sRGB (IEC 61966-2-1), times `scale` and clamped to
-/// `[0, 1]` before.
-pub(super) fn photographic(colour: Rgb, scale: f64) -> [u8; 3] {
+/// `[0, 1]` before; magenta if it is infinite or NaN.
+pub fn photographic(colour: Rgb, scale: f64) -> [u8; 3] {
     if !colour.is_finite() {
         return NON_FINITE;
     }

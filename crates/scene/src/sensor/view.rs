@@ -16,7 +16,8 @@
 //! Parallel rays have no point that all of them start from. There, "directions"
 //! are those of picture space, in which the film point `(x, y)` lies in the
 //! direction above with `f = w / 2`: the camera-space point `(X, Y, Z)` is seen
-//! along `(X, Y, 1)`.
+//! along `(X, Y, 1)`. Mapped so, straight edges stay straight, points divide them
+//! as before, and all rays meet in the origin of picture space; depths are lost.
 
 use capwalk_math::{Real, Vec3};
 
@@ -121,6 +122,11 @@ impl<R: Real> View<R> {
         self.is_parallel
     }
 
+    /// World-space images of the camera's axes.
+    pub fn axes(&self) -> [Vec3<R>; 3] {
+        self.axes
+    }
+
     fn camera_from_world(&self, v: Vec3<R>) -> Vec3<R> {
         let [a, b, c] = self.rows;
         Vec3::new(a.dot(v), b.dot(v), c.dot(v))
@@ -198,6 +204,23 @@ impl View<f64> {
     /// The view from another point of the lens, for rays; the film stays.
     pub fn from(&self, eye: Vec3) -> Self {
         Self { eye, ..*self }
+    }
+
+    /// A world-space point in camera space.
+    pub fn place(&self, point: Vec3) -> Vec3 {
+        self.camera_from_world(point - self.eye)
+    }
+
+    /// With parallel rays, the velocity of [`View::towards`] for that of a point
+    /// against the camera.
+    pub fn picture_velocity(&self, relative: Vec3) -> Vec3 {
+        let Vec3 { x, y, .. } = self.camera_from_world(relative);
+        Vec3::new(x, y, 0.0)
+    }
+
+    /// The transpose of [`View::picture_velocity`].
+    pub fn pull_picture_velocity(&self, covector: Vec3) -> Vec3 {
+        self.rows[0] * covector.x + self.rows[1] * covector.y
     }
 
     /// Depth of a world-space point, to be compared with [`View::clip`].

@@ -1,14 +1,12 @@
 //! What is differentiated: a loss by its derivative by every pixel, from a file
 //! or from the distance to a target.
 
-use std::path::Path;
 use std::time::Duration;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Result, bail};
 use capwalk_math::Rgb;
 use capwalk_render::{Estimate, Options, Statistics};
 use capwalk_scene::{Image, Scene};
-use capwalk_scene_io::image;
 use serde_json::{Value, json};
 
 use crate::args::{Backward, LossName};
@@ -38,9 +36,10 @@ pub struct Loss {
 
 /// Reads files, and checks that they fit the scene.
 pub fn read(args: &Backward, scene: &Scene) -> Result<Image> {
+    let (layer, size) = (args.layer.as_deref(), scene.film.crop_size);
     match (&args.objective.adjoint, &args.target) {
-        (Some(file), _) => read_layer(file, args.layer.as_deref(), &["adjoint", "value"], scene),
-        (None, Some(file)) => read_layer(file, args.layer.as_deref(), &["value"], scene),
+        (Some(file), _) => output::read_layer(file, layer, &["adjoint", "value"], size),
+        (None, Some(file)) => output::read_layer(file, layer, &["value"], size),
         (None, None) => bail!("neither --adjoint nor --target was given"),
     }
 }
@@ -90,44 +89,6 @@ pub fn objective(
 /// One of so many parts of a time limit is for the picture: samples of its
 /// gradient take several times as long.
 const PICTURE_SHARE: u32 = 4;
-
-/// The layer that was asked for, or the first default that is there.
-fn read_layer(file: &Path, asked: Option<&str>, defaults: &[&str], scene: &Scene) -> Result<Image> {
-    let picture = image::read(file)?;
-    let found = match asked {
-        Some(name) => output::layer(&picture, name),
-        None => {
-            let mut layers = defaults.iter().filter_map(|name| picture.layer(name));
-            layers.next().with_context(|| {
-                format!(
-                    "there is no layer \"{}\"; choose one with --layer: there are {}",
-                    defaults.join("\" or \""),
-                    output::layer_names(&picture)
-                )
-            })
-        }
-    };
-    let image = found.with_context(|| format!("cannot use {}", file.display()))?;
-    let [width, height] = scene.film.crop_size.map(|n| n as usize);
-    ensure!(
-        [image.width, image.height] == [width, height],
-        "{} has {} x {} pixels; expected {width} x {height}, as the picture of the scene has",
-        file.display(),
-        image.width,
-        image.height
-    );
-    if let Some(index) = image.pixels.iter().position(|pixel| !pixel.is_finite()) {
-        let Rgb { x: r, y: g, z: b } = image.pixels[index];
-        bail!(
-            "{} is ({r}, {g}, {b}) in column {}, row {}, counted from 0 at the upper left; \
-             expected finite numbers",
-            file.display(),
-            index % width,
-            index / width
-        );
-    }
-    Ok(image.clone())
-}
 
 impl LossName {
     /// Of one difference.

@@ -1,0 +1,271 @@
+//! The folder of a run: what a killed run leaves is enough to go on, and a resumed
+//! run ends in the same files, but for `timing.csv`.
+//!
+//! Every iteration first appends its row to `record.csv`, then replaces
+//! `checkpoint.npz`. So the record has at least the rows of the checkpoint; the
+//! others are cut off when the run is resumed, and written again.
+
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail, ensure};
+use capwalk_inverse::{Problem, State, record};
+use capwalk_scene::Image;
+use capwalk_scene_io::arrays::{self, Array, Arrays};
+use capwalk_scene_io::export;
+use capwalk_scene_io::image::{Panel, Style, robust_limit, write_panels};
+
+/// What a run needs to go on.
+const CHECKPOINT: &str = "checkpoint.npz";
+/// A row for every iteration.
+const RECORD: &str = "record.csv";
+/// How long each took: the one file that differs from run to run.
+const TIMING: &str = "timing.csv";
+const TIMING_HEADER: &str = "iteration,seconds\n";
+/// The result: the numbers that were looked for, by their names.
+const PARAMETERS: &str = "parameters.npz";
+
+/// The folder of a run that goes on in it.
+pub struct Folder {
+    path: PathBuf,
+    fingerprint: Vec<(String, String)>,
+    record: File,
+    timing: File,
+    /// Held until the end, also that of a killed process.
+    _lock: File,
+}
+
+/// The folder of a run that has not begun: nobody else writes there.
+pub struct Claimed {
+    path: PathBuf,
+    lock: File,
+}
+
+/// Makes sure that a run can go into this folder: it can be written to, no other
+/// run is in it, and without `resume` there is none to go on with.
+pub fn claim(path: &Path, resume: bool) -> Result<Claimed> {
+    let cannot = || format!("cannot write into the folder {}", path.display());
+    fs::create_dir_all(path.join("pictures")).with_context(cannot)?;
+    if !resume && path.join(CHECKPOINT).exists() {
+        bail!(
+            "there is a run in {} already; go on with it (--resume), or choose another folder (-o)",
+            path.display()
+        );
+    }
+    let lock = File::create(path.join(".lock")).with_context(cannot)?;
+    match lock.try_lock() {
+        Ok(()) => {}
+        Err(TryLockError::WouldBlock) => {
+            bail!(
+                "another run is writing into {}; wait for its end",
+                path.display()
+            )
+        }
+        Err(TryLockError::Error(error)) => return Err(error).with_context(cannot),
+    }
+    for folder in [path.to_owned(), path.join("pictures")] {
+        remove_leftovers(&folder).with_context(cannot)?;
+    }
+    Ok(Claimed {
+        path: path.to_owned(),
+        lock,
+    })
+}
+
+/// Removes what a killed process was just writing.
+fn remove_leftovers(folder: &Path) -> std::io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        if name.starts_with('.') && name.ends_with(".tmp") {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
+impl Claimed {
+    /// The folder with the state to go on from: that of the checkpoint if there is
+    /// one, the first otherwise.
+    pub fn begin(
+        self,
+        problem: &Problem,
+        fingerprint: Vec<(String, String)>,
+    ) -> Result<(Folder, State)> {
+        let Self { path, lock } = self;
+        let checkpoint = path.join(CHECKPOINT);
+        let state = match checkpoint.exists() {
+            true => Some(read_state(&checkpoint, problem, &fingerprint)?),
+            false => None,
+        };
+        let header = record::header(problem);
+        let kept = match &state {
+            None => header.clone(),
+            Some(state) => {
+                let file = path.join(RECORD);
+                let table = fs::read_to_string(&file)
+                    .with_context(|| format!("cannot read {}", file.display()))?;
+                let kept = record::kept(&table, &header, state.iteration);
+                let kept = kept.with_context(|| {
+                    format!(
+                        "{} does not have the rows of the {} iterations that the checkpoint \
+                         knows; restore it, or begin anew in another folder",
+                        file.display(),
+                        state.iteration
+                    )
+                })?;
+                kept.to_owned()
+            }
+        };
+        let iterations = state.as_ref().map_or(0, |state| state.iteration);
+        let timing = fs::read_to_string(path.join(TIMING)).unwrap_or_default();
+        // What is lost of it is only of interest.
+        let timing = record::kept(&timing, TIMING_HEADER, iterations).unwrap_or(TIMING_HEADER);
+        let folder = Folder {
+            record: cut(&path.join(RECORD), &kept)?,
+            timing: cut(&path.join(TIMING), timing)?,
+            path,
+            fingerprint,
+            _lock: lock,
+        };
+        let state = match state {
+            Some(state) => state,
+            None => {
+                let state = State::new(problem);
+                folder.keep(&state)?;
+                state
+            }
+        };
+        Ok((folder, state))
+    }
+}
+
+/// The state in a checkpoint, if it is one of this problem.
+fn read_state(file: &Path, problem: &Problem, fingerprint: &[(String, String)]) -> Result<State> {
+    let checkpoint = arrays::read(file)?;
+    let was = |name: &str| {
+        let found = checkpoint.metadata.iter().find(|(key, _)| key == name);
+        found.map_or("nothing", |(_, what)| what)
+    };
+    let changed: Vec<String> = fingerprint
+        .iter()
+        .filter(|(name, what)| was(name) != what)
+        .map(|(name, what)| format!("{name} was {}, is {what}", was(name)))
+        .collect();
+    ensure!(
+        changed.is_empty(),
+        "the run in {} was of another job, and cannot go on with this one: {}. Undo the change, or \
+         begin anew in another folder (-o)",
+        file.parent().unwrap_or(file).display(),
+        changed.join("; ")
+    );
+    let find = |name: &str| checkpoint.get(name).map(|array| &array.numbers[..]);
+    State::from_numbers(problem.variables.count(), find)
+        .map_err(|why| anyhow::anyhow!("{} is no checkpoint of this job: {why}", file.display()))
+}
+
+/// A file with this text, to be appended to. What it has already is not touched.
+fn cut(path: &Path, text: &str) -> Result<File> {
+    let cannot = || format!("cannot write {}", path.display());
+    let old = fs::read_to_string(path).unwrap_or_default();
+    let mut file = OpenOptions::new()
+        .create(true)
+        .append(true)
+        .open(path)
+        .with_context(cannot)?;
+    if old.starts_with(text) {
+        file.set_len(text.len() as u64).with_context(cannot)?;
+    } else {
+        file.set_len(0).with_context(cannot)?;
+        file.write_all(text.as_bytes()).with_context(cannot)?;
+    }
+    file.sync_data().with_context(cannot)?;
+    Ok(file)
+}
+
+impl Folder {
+    /// Adds the row of an iteration, and how long it took.
+    pub fn append(&mut self, row: &str, iteration: u32, seconds: f64) -> Result<()> {
+        let written = self.record.write_all(row.as_bytes());
+        // It must be there before the checkpoint that relies on it.
+        let written = written.and_then(|()| self.record.sync_data());
+        written.with_context(|| format!("cannot write {}", self.path.join(RECORD).display()))?;
+        let timing = format!("{iteration},{seconds:.6}\n");
+        let written = self.timing.write_all(timing.as_bytes());
+        written.with_context(|| format!("cannot write {}", self.path.join(TIMING).display()))
+    }
+
+    /// Keeps a state, to be resumed from.
+    pub fn keep(&self, state: &State) -> Result<()> {
+        let arrays = state.to_numbers().into_iter().map(|(name, numbers)| Array {
+            name: name.into(),
+            shape: vec![numbers.len()],
+            numbers,
+        });
+        let checkpoint = Arrays {
+            arrays: arrays.collect(),
+            metadata: self.fingerprint.clone(),
+        };
+        Ok(arrays::write(&self.path.join(CHECKPOINT), &checkpoint)?)
+    }
+
+    /// Writes the pictures of an iteration beside their targets, one file for each
+    /// view.
+    pub fn draw(&self, problem: &Problem, name: &str, pictures: &[Image]) -> Result<()> {
+        for (i, (picture, view)) in pictures.iter().zip(&problem.views).enumerate() {
+            let file = match pictures.len() {
+                1 => format!("{name}.png"),
+                _ => format!("{name}-view{}.png", i + 1),
+            };
+            let pairs = picture.pixels.iter().zip(&view.target.pixels);
+            let difference = Image {
+                pixels: pairs.map(|(&a, &b)| a - b).collect(),
+                ..*picture
+            };
+            let limit = robust_limit([&difference]);
+            let photographic = Style::Photographic { exposure: 0.0 };
+            let panel = |title, image, style| Panel {
+                title,
+                image,
+                style,
+            };
+            let panels = [
+                panel("picture", picture, photographic),
+                panel("target", &view.target, photographic),
+                panel("difference", &difference, Style::Diverging { limit }),
+            ];
+            write_panels(&self.path.join("pictures").join(file), &panels, &[])?;
+        }
+        Ok(())
+    }
+
+    /// Writes the result: the parameters, and the scene with them. The names of
+    /// the files.
+    pub fn finish(&self, problem: &Problem, state: &State, stopped: &str) -> Result<Vec<String>> {
+        let (values, scene) = (problem.values(state), problem.scene(state)?);
+        let count = problem.variables.iter().count();
+        let results = (0..count).map(|i| problem.variables.result(i, &scene, &values));
+        let arrays = results.map(|result| Array {
+            name: result.name,
+            shape: result.shape,
+            numbers: result.numbers,
+        });
+        let note = |key: &str, value: String| (key.to_owned(), value);
+        let result = Arrays {
+            arrays: arrays.collect(),
+            metadata: vec![
+                note("command", "optimize".into()),
+                note("iterations", state.iteration.to_string()),
+                note("stopped", stopped.into()),
+                note("version", env!("CARGO_PKG_VERSION").into()),
+            ],
+        };
+        let parameters = self.path.join(PARAMETERS);
+        arrays::write(&parameters, &result)?;
+        let scene = export::write_scene(&scene, &self.path.join("scene.xml"))?;
+        let files = [parameters, scene, self.path.join(RECORD)];
+        Ok(files.map(|file| file.display().to_string()).to_vec())
+    }
+}

@@ -1,0 +1,29 @@
+//! Inverse rendering: which numbers of a scene make its pictures look like given
+//! ones?
+//!
+//! A [`Problem`] has a scene, [`variable::Variables`] that say which of its numbers
+//! are unknown and what changes them, views with targets, and a [`loss::Loss`].
+//! [`Problem::iterate`] takes a [`State`] and returns the next one: pictures, the
+//! loss with its standard error, its gradient (`capwalk_render::backward`), a step
+//! of [`adam::Adam`], and the check that the step tore or folded nothing
+//! ([`guard`]).
+//!
+//! An iteration is a function of the problem and the state alone: equal states give
+//! equal ones, to the bit, whatever the number of threads. So a run that is stopped
+//! anywhere and resumed from the last state ends in the same numbers.
+//!
+//! Nothing here opens a file, prints, or reads the clock.
+
+pub mod adam;
+pub mod guard;
+pub mod loss;
+pub mod record;
+pub mod run;
+pub mod schedule;
+pub mod seed;
+pub mod smooth;
+pub mod state;
+pub mod variable;
+
+pub use run::{Iteration, Problem, Stop, View};
+pub use state::State;

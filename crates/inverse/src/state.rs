@@ -1,0 +1,107 @@
+//! All that an optimisation remembers, as plain numbers.
+
+use crate::run::Problem;
+
+/// Where an optimisation is. The next state is a function of it and of the
+/// problem: there are no random numbers in it, these have addresses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct State {
+    /// Steps taken.
+    pub iteration: u32,
+    /// What is looked for.
+    pub unknowns: Vec<f64>,
+    /// Running means of the gradient.
+    pub first: Vec<f64>,
+    /// Running means of its square.
+    pub second: Vec<f64>,
+    /// The smallest loss so far; infinite before the first.
+    pub best_loss: f64,
+    /// The iteration in which it was.
+    pub best_iteration: u32,
+}
+
+/// An array of a checkpoint: its name and its numbers.
+pub type Numbers = (&'static str, Vec<f64>);
+
+impl State {
+    /// Before the first step.
+    pub fn new(problem: &Problem) -> Self {
+        let unknowns = problem.variables.initial();
+        Self {
+            iteration: 0,
+            first: vec![0.0; unknowns.len()],
+            second: vec![0.0; unknowns.len()],
+            unknowns,
+            best_loss: f64::INFINITY,
+            best_iteration: 0,
+        }
+    }
+
+    /// The state as named arrays, to the bit.
+    pub fn to_numbers(&self) -> Vec<Numbers> {
+        let counts = [self.iteration, self.best_iteration].map(f64::from);
+        vec![
+            ("unknowns", self.unknowns.clone()),
+            ("adam.first", self.first.clone()),
+            ("adam.second", self.second.clone()),
+            ("iterations", counts.to_vec()),
+            ("best_loss", vec![self.best_loss]),
+        ]
+    }
+
+    /// The state in such arrays, for as many unknowns; an error says which array
+    /// is not as it should be.
+    pub fn from_numbers<'a>(
+        unknowns: usize,
+        find: impl Fn(&str) -> Option<&'a [f64]>,
+    ) -> Result<Self, String> {
+        let array = |name: &str, count: usize| match find(name) {
+            None => Err(format!("there is no array \"{name}\"")),
+            Some(found) if found.len() != count => {
+                let found = found.len();
+                Err(format!("\"{name}\" has {found} numbers; expected {count}"))
+            }
+            Some(found) => Ok(found.to_vec()),
+        };
+        let counts = array("iterations", 2)?;
+        let count = |x: f64| match x.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&x) {
+            true => Ok(x as u32),
+            false => Err(format!("\"iterations\" has {x}; expected whole numbers")),
+        };
+        Ok(Self {
+            iteration: count(counts[0])?,
+            unknowns: array("unknowns", unknowns)?,
+            first: array("adam.first", unknowns)?,
+            second: array("adam.second", unknowns)?,
+            best_loss: array("best_loss", 1)?[0],
+            best_iteration: count(counts[1])?,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_the_state() {
+        let state = State {
+            iteration: 17,
+            unknowns: vec![0.1, -3e-300],
+            first: vec![1.0 / 3.0, 0.0],
+            second: vec![2.0, 5e-324],
+            best_loss: f64::INFINITY,
+            best_iteration: 4_000_000_000,
+        };
+        let numbers = state.to_numbers();
+        let find = |name: &str| {
+            let found = numbers.iter().find(|(own, _)| *own == name);
+            found.map(|(_, numbers)| &numbers[..])
+        };
+        assert_eq!(State::from_numbers(2, find), Ok(state));
+        let error = State::from_numbers(3, find).expect_err("too few");
+        assert!(error.contains("\"unknowns\" has 2 numbers; expected 3"));
+        let none = State::from_numbers(2, |_| None).expect_err("nothing");
+        assert!(none.contains("no array \"iterations\""));
+    }
+}

@@ -1,0 +1,79 @@
+//! Which numbers of a scene a variable changes, and which variables get in each
+//! other's way.
+
+use capwalk_math::Vec3;
+use capwalk_scene::{Motion, Scene, ShapeMotion};
+
+use super::pose::Pose;
+use super::{Map, Variable, VariableError, turn};
+
+/// A motion that is not zero where the variable changes something.
+pub(super) fn support(scene: &Scene, variable: &Variable) -> Motion {
+    let ones = vec![1.0; variable.initial.len()];
+    match &variable.map {
+        Map::Array(array) => array.motion(scene, &ones),
+        Map::Line { motion, .. } => (**motion).clone(),
+        Map::Vertices(vertices) => vertices.push(scene, &ones),
+        Map::Pose { shape, part } => {
+            let mut motion = Motion::zero(scene);
+            let of_shape = Pose::default().push(&scene.shapes[*shape], *part, 1.0);
+            motion.shapes[*shape] = Some(of_shape);
+            motion
+        }
+        Map::Turn { axes } => turn(scene, axes, &ones),
+    }
+}
+
+/// An error if two variables change the same numbers, and the changes are not
+/// simply added.
+pub(super) fn refuse(scene: &Scene, variables: &[Variable]) -> Result<(), VariableError> {
+    let supports: Vec<Motion> = variables.iter().map(|v| support(scene, v)).collect();
+    for (i, first) in variables.iter().enumerate() {
+        for (k, second) in variables.iter().enumerate().skip(i + 1) {
+            let same = first.name == second.name;
+            let meet = !add_up(first, second) && overlap(&supports[i], &supports[k]);
+            if same || meet {
+                return Err(VariableError {
+                    message: match same {
+                        true => format!("\"{}\" is asked for twice", first.name),
+                        false => format!(
+                            "\"{}\" and \"{}\" change the same numbers of the scene",
+                            first.name, second.name
+                        ),
+                    },
+                    help: Some("keep one of them".into()),
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// True if both may change the same number.
+fn add_up(first: &Variable, second: &Variable) -> bool {
+    let adds = |map: &Map| matches!(map, Map::Line { .. } | Map::Vertices(_));
+    match (&first.map, &second.map) {
+        (Map::Pose { shape: a, part: p }, Map::Pose { shape: b, part: q }) => a == b && p != q,
+        (Map::Turn { axes: a }, Map::Turn { axes: b }) => a.end <= b.start || b.end <= a.start,
+        (first, second) => adds(first) && adds(second),
+    }
+}
+
+fn overlap(a: &Motion, b: &Motion) -> bool {
+    let moves = |shape: &ShapeMotion| shape.vertices.iter().any(|&v| v != Vec3::zero());
+    let turns = |shape: &ShapeMotion| shape.normals.is_some();
+    let shapes = a.shapes.iter().zip(&b.shapes);
+    let mut shapes = shapes.filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)));
+    let textures = a.textures.iter().zip(&b.textures);
+    let mut textures = textures.filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)));
+    let places = |motion: &Motion| {
+        let sensor = &motion.sensor;
+        let turning = sensor.axes.iter().any(|&v| v != Vec3::zero());
+        let turning = turning || sensor.rotation != Vec3::zero();
+        let [t, o] = [sensor.translation, sensor.optics].map(|v| v.to_array().map(|x| x != 0.0));
+        [t[0], t[1], t[2], turning, o[0], o[1], o[2]]
+    };
+    shapes.any(|(a, b)| (moves(a) && moves(b)) || (turns(a) && turns(b)))
+        || textures.any(|(a, b)| a.iter().zip(b).any(|(&a, &b)| a != 0.0 && b != 0.0))
+        || places(a).iter().zip(places(b)).any(|(&a, b)| a && b)
+}

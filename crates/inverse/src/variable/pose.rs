@@ -1,0 +1,169 @@
+//! Where a shape is: turned and scaled about its centre, then moved,
+//! `p = c + t + s R(r) (p₀ - c)`. `R(r)` turns about the vector `r` by its length
+//! in radians, so that a single number of it is a turn about a world axis.
+
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::{ShadingNormals, Shape, ShapeMotion, vertex_normals};
+
+/// A number of a pose; axes are 0, 1, 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// Of `t`.
+    Translate(usize),
+    /// Of `r`.
+    Rotate(usize),
+    /// `s`.
+    Scale,
+}
+
+/// A pose.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Pose {
+    translation: Vec3,
+    rotation: Vec3,
+    scale: f64,
+}
+
+impl Default for Pose {
+    fn default() -> Self {
+        Self {
+            translation: Vec3::zero(),
+            rotation: Vec3::zero(),
+            scale: 1.0,
+        }
+    }
+}
+
+impl Pose {
+    /// Replaces one number.
+    pub fn set(&mut self, part: Part, value: f64) {
+        let with = |v: Vec3, axis: usize| {
+            let mut numbers = v.to_array();
+            numbers[axis] = value;
+            Vec3::from(numbers)
+        };
+        match part {
+            Part::Translate(axis) => self.translation = with(self.translation, axis),
+            Part::Rotate(axis) => self.rotation = with(self.rotation, axis),
+            Part::Scale => self.scale = value,
+        }
+    }
+
+    fn turned(&self) -> Affine {
+        match self.rotation.length() {
+            0.0 => Affine::IDENTITY,
+            angle => Affine::rotate(self.rotation, angle),
+        }
+    }
+
+    /// Puts a shape where it belongs. `base` is the shape at rest.
+    pub fn apply(&self, base: &Shape, shape: &mut Shape) {
+        let (centre, turned) = (base.centre(), self.turned());
+        for (p, &rest) in shape.mesh.positions.iter_mut().zip(&base.mesh.positions) {
+            let arm = turned.vector(rest - centre);
+            *p = centre + self.translation + arm * self.scale;
+        }
+        match &mut shape.normals {
+            ShadingNormals::Face => {}
+            ShadingNormals::Given(normals) => {
+                let rest = base.normals.per_vertex().unwrap_or_default();
+                for (n, &rest) in normals.iter_mut().zip(rest) {
+                    *n = turned.vector(rest).normalized();
+                }
+            }
+            ShadingNormals::Computed(normals) => {
+                *normals = vertex_normals(&shape.mesh.positions, &shape.mesh.faces);
+            }
+        }
+    }
+
+    /// How the shape moves when one number changes at this velocity.
+    pub fn push(&self, base: &Shape, part: Part, velocity: f64) -> ShapeMotion {
+        let turning = match part {
+            Part::Rotate(axis) => left_jacobian(self.rotation, unit(axis) * velocity),
+            Part::Translate(_) | Part::Scale => Vec3::zero(),
+        };
+        let (centre, turned) = (base.centre(), self.turned());
+        let moving = |&rest: &Vec3| {
+            let arm = turned.vector(rest - centre);
+            match part {
+                Part::Translate(axis) => unit(axis) * velocity,
+                Part::Rotate(_) => turning.cross(arm * self.scale),
+                Part::Scale => arm * velocity,
+            }
+        };
+        let given = match &base.normals {
+            ShadingNormals::Given(normals) if matches!(part, Part::Rotate(_)) => Some(normals),
+            _ => None,
+        };
+        let turned_by = |&n: &Vec3| turning.cross(turned.vector(n));
+        ShapeMotion {
+            vertices: base.mesh.positions.iter().map(moving).collect(),
+            normals: given.map(|normals| normals.iter().map(turned_by).collect()),
+        }
+    }
+
+    /// The derivative by one number, the transpose of [`Pose::push`].
+    pub fn pull(&self, base: &Shape, part: Part, gradient: &ShapeMotion) -> f64 {
+        let moving = self.push(base, part, 1.0);
+        let dot = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, &b)| a.dot(b)).sum::<f64>();
+        let normals = moving.normals.as_ref().zip(gradient.normals.as_ref());
+        dot(&moving.vertices, &gradient.vertices) + normals.map_or(0.0, |(a, b)| dot(a, b))
+    }
+}
+
+fn unit(axis: usize) -> Vec3 {
+    Vec3::from([0, 1, 2].map(|i| if i == axis { 1.0 } else { 0.0 }))
+}
+
+/// Below this angle (radians) the coefficients are their series, whose next terms
+/// are below rounding.
+const SMALL_ANGLE: f64 = 1e-4;
+
+/// The angular velocity, in world axes, of `R(r)` when the vector changes at the
+/// velocity `change`: the left Jacobian of rotations,
+/// `J(r) = 1 + (1 - cos θ)/θ² [r]× + (θ - sin θ)/θ³ [r]×²`.
+pub(crate) fn left_jacobian(r: Vec3, change: Vec3) -> Vec3 {
+    let angle = r.length();
+    let (a, b) = if angle < SMALL_ANGLE {
+        (
+            0.5 - angle * angle / 24.0,
+            1.0 / 6.0 - angle * angle / 120.0,
+        )
+    } else {
+        let half = (0.5 * angle).sin();
+        (
+            2.0 * (half / angle).powi(2), // 1 - cos θ = 2 sin² (θ/2)
+            (angle - angle.sin()) / angle.powi(3),
+        )
+    };
+    let once = r.cross(change);
+    change + once * a + r.cross(once) * b
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `R(r + h v) R(r)⁻¹` turns by `h J v`.
+    #[test]
+    fn jacobian_is_the_angular_velocity() {
+        let rotate = |r: Vec3| Pose {
+            rotation: r,
+            ..Pose::default()
+        };
+        let v = Vec3::new(0.3, -0.8, 0.5);
+        let p = Vec3::new(0.7, 0.2, -1.1);
+        for r in [
+            Vec3::new(0.4, -0.2, 0.9),
+            Vec3::new(-2.0, 1.5, 0.3),
+            Vec3::new(3e-5, 5e-5, -2e-5),
+            Vec3::zero(),
+        ] {
+            let at = |h: f64| rotate(r + v * h).turned().vector(p);
+            let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
+            let expected = left_jacobian(r, v).cross(at(0.0));
+            assert!((difference - expected).length() < 1e-9, "{r:?}");
+        }
+    }
+}

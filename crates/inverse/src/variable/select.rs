@@ -1,0 +1,256 @@
+//! From a name and what a user wants of it to a variable.
+
+use std::fmt;
+
+use capwalk_scene::params::{self, ArrayParameter, ParameterKind, Request};
+use capwalk_scene::{Motion, Scene, SensorMotion};
+
+use super::pose::Part;
+use super::vertices::{Directions, Selection, Vertices};
+use super::{Change, Map, Variable};
+use crate::smooth::Smoother;
+
+/// What a user wants to be found.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Wish {
+    /// An array, a parameter, or a sum of parameters.
+    pub name: String,
+    /// Where to begin instead of where the scene is: one number for all, or one
+    /// for each.
+    pub start: Option<Vec<f64>>,
+    /// Lowest and highest value.
+    pub bounds: Option<[f64; 2]>,
+    /// A curve between unknowns and values.
+    pub curve: Option<Curve>,
+    /// Its own learning rate.
+    pub lr: Option<f64>,
+    /// True if all its unknowns take steps by the same rate.
+    pub uniform: bool,
+    /// Of positions, which vertices move.
+    pub vertices: Option<Selection>,
+    /// Of positions, where to.
+    pub directions: Option<Directions>,
+    /// Of positions, how much they are smoothed.
+    pub lambda: Option<f64>,
+}
+
+/// Curves between unknowns and values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Curve {
+    /// Between the bounds, or 0 and 1.
+    Sigmoid,
+    /// Above 0.
+    Log,
+}
+
+/// Why a wish cannot be granted.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VariableError {
+    /// What is wrong.
+    pub message: String,
+    /// What to do.
+    pub help: Option<String>,
+}
+
+impl VariableError {
+    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
+        Self {
+            message: message.into(),
+            help: Some(help.into()),
+        }
+    }
+}
+
+impl fmt::Display for VariableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message)?;
+        match &self.help {
+            Some(help) => write!(f, "; {help}"),
+            None => Ok(()),
+        }
+    }
+}
+
+impl std::error::Error for VariableError {}
+
+/// The variable that is wished for.
+pub fn variable(scene: &Scene, wish: &Wish) -> Result<Variable, VariableError> {
+    let request = params::request(scene, &wish.name).map_err(|error| VariableError {
+        message: error.to_string(),
+        help: None,
+    })?;
+    let (map, rest) = match request {
+        Request::Array(array) => array_map(scene, wish, array)?,
+        Request::Motion(motion) => scalar_map(scene, &wish.name, motion)?,
+    };
+    if !matches!(map, Map::Vertices(_)) {
+        let only = [
+            ("vertices", wish.vertices.is_some()),
+            ("plane` and `along", wish.directions.is_some()),
+            ("lambda", wish.lambda.is_some()),
+        ];
+        if let Some((key, _)) = only.into_iter().find(|&(_, given)| given) {
+            return Err(VariableError::new(
+                format!("`{key}` means nothing for \"{}\"", wish.name),
+                "it is for vertices: `<shape>.positions`",
+            ));
+        }
+    }
+    let change = change(scene, wish, &map)?;
+    let initial = start(wish, rest)?;
+    if let Some((value, expected)) = change.refused(&initial) {
+        return Err(VariableError::new(
+            format!("\"{}\" starts at {value}", wish.name),
+            format!("expected {expected}; change `start`, or the bounds"),
+        ));
+    }
+    Ok(Variable {
+        name: wish.name.clone(),
+        initial,
+        change,
+        lr: wish.lr,
+        uniform: wish.uniform,
+        map,
+    })
+}
+
+/// Of an array, and its values in the scene.
+fn array_map(
+    scene: &Scene,
+    wish: &Wish,
+    array: ArrayParameter,
+) -> Result<(Map, Vec<f64>), VariableError> {
+    match array.kind {
+        ParameterKind::Positions => {
+            let all_ones = array.motion(scene, &vec![1.0; array.count()]);
+            let shape = all_ones.shapes.iter().position(Option::is_some);
+            let shape = shape.expect("positions are those of a shape");
+            let selection = wish.vertices.clone().unwrap_or(Selection::All);
+            let directions = wish.directions.unwrap_or(Directions::Free);
+            let vertices =
+                Vertices::new(scene, shape, &selection, directions).map_err(|message| {
+                    VariableError {
+                        message,
+                        help: None,
+                    }
+                })?;
+            let rest = vec![0.0; vertices.count()];
+            Ok((Map::Vertices(vertices), rest))
+        }
+        ParameterKind::SensorRotation => Ok((Map::Turn { axes: 0..3 }, vec![0.0; 3])),
+        _ => {
+            let rest = array.get(scene);
+            Ok((Map::Array(array), rest))
+        }
+    }
+}
+
+/// Of a single number, and its value in the scene.
+fn scalar_map(scene: &Scene, name: &str, motion: Motion) -> Result<(Map, Vec<f64>), VariableError> {
+    let name = name.trim();
+    let listed = params::list(scene).into_iter().find(|p| p.name == name);
+    let axis = ["x", "y", "z"]
+        .iter()
+        .position(|a| name.ends_with(&format!(".{a}")));
+    let shape = motion.shapes.iter().position(Option::is_some);
+    let pose = |part: Part| shape.map(|shape| Map::Pose { shape, part });
+    let (map, value) = match (&listed, axis) {
+        (Some(listed), Some(axis)) if listed.kind == ParameterKind::Translation => {
+            (pose(Part::Translate(axis)), 0.0)
+        }
+        (Some(listed), Some(axis)) if listed.kind == ParameterKind::Rotation => {
+            (pose(Part::Rotate(axis)), 0.0)
+        }
+        (Some(listed), _) if listed.kind == ParameterKind::Scale => (pose(Part::Scale), 1.0),
+        (Some(listed), Some(axis)) if listed.kind == ParameterKind::SensorRotation => {
+            let axes = axis..axis + 1;
+            (Some(Map::Turn { axes }), 0.0)
+        }
+        // Everything else goes along a straight line. Where that is no single
+        // number of the scene, its value is how far it has gone.
+        (listed, _) => {
+            let value = listed.as_ref().map(|listed| &listed.value[..]);
+            let from = match value {
+                Some(&[value]) => value,
+                _ => 0.0,
+            };
+            let turns = motion.shapes.iter().flatten().any(|s| s.normals.is_some());
+            if turns || motion.sensor.rotation != SensorMotion::default().rotation {
+                return Err(VariableError::new(
+                    format!("\"{name}\" has a rotation in a sum, which would not stay one"),
+                    "make it a parameter of its own, such as `<shape>.rotate.x`",
+                ));
+            }
+            let motion = Box::new(motion);
+            (Some(Map::Line { motion, from }), from)
+        }
+    };
+    let map = map.expect("a pose is that of a shape");
+    Ok((map, vec![value]))
+}
+
+fn change(scene: &Scene, wish: &Wish, map: &Map) -> Result<Change, VariableError> {
+    if let Some([low, high]) = wish.bounds
+        && !(low.is_finite() && high.is_finite() && low < high)
+    {
+        return Err(VariableError::new(
+            format!("the bounds of \"{}\" are {low} and {high}", wish.name),
+            "expected two finite numbers, the lower one first",
+        ));
+    }
+    let smooths = wish.lambda.is_some_and(|lambda| lambda != 0.0);
+    if smooths && (wish.bounds.is_some() || wish.curve.is_some()) {
+        return Err(VariableError::new(
+            format!(
+                "\"{}\" has both `lambda` and bounds or a `reparam`",
+                wish.name
+            ),
+            "a smoothed unknown has no bounds of its own; leave one of them out",
+        ));
+    }
+    Ok(match (wish.curve, wish.bounds, wish.lambda, map) {
+        (_, _, Some(lambda), Map::Vertices(vertices)) if smooths => {
+            if !(lambda > 0.0 && lambda.is_finite()) {
+                return Err(VariableError::new(
+                    format!("the `lambda` of \"{}\" is {lambda}", wish.name),
+                    "expected a finite number of at least 0; 10 to 50 is usual",
+                ));
+            }
+            let edges = vertices.edges(&scene.shapes[vertices.shape].mesh);
+            let smoother = Smoother::new(vertices.nodes(), &edges, lambda);
+            let smoother = smoother.ok_or_else(|| {
+                VariableError::new(
+                    format!(
+                        "the matrix that smooths \"{}\" cannot be factored",
+                        wish.name
+                    ),
+                    "leave out `lambda`, or take fewer vertices",
+                )
+            })?;
+            let dims = vertices.dims;
+            Change::Smooth { smoother, dims }
+        }
+        (Some(Curve::Sigmoid), bounds, ..) => Change::Sigmoid(bounds.unwrap_or([0.0, 1.0])),
+        (Some(Curve::Log), Some(_), ..) => {
+            return Err(VariableError::new(
+                format!("\"{}\" has both bounds and `reparam = \"log\"`", wish.name),
+                "leave one of them out, or take `reparam = \"sigmoid\"`",
+            ));
+        }
+        (Some(Curve::Log), None, ..) => Change::Log,
+        (None, Some(bounds), ..) => Change::Clamp(bounds),
+        (None, None, ..) => Change::None,
+    })
+}
+
+fn start(wish: &Wish, rest: Vec<f64>) -> Result<Vec<f64>, VariableError> {
+    match wish.start.as_deref() {
+        None => Ok(rest),
+        Some(&[all]) => Ok(vec![all; rest.len()]),
+        Some(each) if each.len() == rest.len() => Ok(each.to_vec()),
+        Some(each) => Err(VariableError::new(
+            format!("{} numbers were given for \"{}\"", each.len(), wish.name),
+            format!("expected {}, or one for all of them", rest.len()),
+        )),
+    }
+}

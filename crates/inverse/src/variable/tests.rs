@@ -1,0 +1,445 @@
+use super::vertices::{Directions, Selection};
+use std::f64::consts::{PI, TAU};
+
+use super::*;
+use crate::variable::select::{Curve, Wish};
+use capwalk_scene::{ShadingNormals, builtin};
+
+fn wish(name: &str) -> Wish {
+    Wish {
+        name: name.into(),
+        ..Wish::default()
+    }
+}
+
+/// The scene `ball` with a ball of 82 vertices.
+pub(crate) fn ball() -> Scene {
+    const RINGS: u32 = 8;
+    const SECTORS: u32 = 10;
+    let mut scene = builtin::scene("ball").expect("built in");
+    let ball = scene
+        .shapes
+        .iter_mut()
+        .find(|shape| shape.id == "ball")
+        .expect("a ball");
+    let centre = ball.centre();
+    let mut normals = vec![Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, -1.0, 0.0)];
+    for ring in 1..=RINGS {
+        let (height, width) = (f64::from(ring) * PI / f64::from(RINGS + 1)).sin_cos();
+        for sector in 0..SECTORS {
+            let (sin, cos) = (f64::from(sector) * TAU / f64::from(SECTORS)).sin_cos();
+            normals.push(Vec3::new(height * cos, width, -height * sin));
+        }
+    }
+    let at = |ring: u32, sector: u32| 2 + ring * SECTORS + sector % SECTORS;
+    let mesh = &mut ball.mesh;
+    mesh.faces.clear();
+    for s in 0..SECTORS {
+        mesh.faces.push([0, at(0, s), at(0, s + 1)]);
+        mesh.faces.push([1, at(RINGS - 1, s + 1), at(RINGS - 1, s)]);
+        for r in 1..RINGS {
+            mesh.faces.push([at(r - 1, s), at(r, s), at(r, s + 1)]);
+            mesh.faces
+                .push([at(r - 1, s), at(r, s + 1), at(r - 1, s + 1)]);
+        }
+    }
+    mesh.positions = normals.iter().map(|&n| centre + n * 0.5).collect();
+    ball.normals = ShadingNormals::Given(normals);
+    scene
+}
+
+fn variables(scene: &Scene, wishes: &[Wish]) -> Variables {
+    let made = wishes
+        .iter()
+        .map(|wish| variable(scene, wish).expect("fine"));
+    Variables::new(scene, made.collect()).expect("they fit")
+}
+
+/// Numbers that look random, in [-1, 1).
+fn random(count: usize, seed: u64) -> Vec<f64> {
+    let mut state = seed;
+    let mut number = || {
+        state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Picture);
+        2.0 * (state >> 11) as f64 / (1u64 << 53) as f64 - 1.0
+    };
+    (0..count).map(|_| number()).collect()
+}
+
+/// Groups of wishes that can stand together, of every kind.
+fn cases() -> Vec<Vec<Wish>> {
+    let vertices = |directions, vertices, lambda| Wish {
+        directions: Some(directions),
+        vertices: Some(vertices),
+        lambda,
+        ..wish("ball.positions")
+    };
+    let x = Vec3::new(1.0, 0.0, 0.0);
+    let z = Vec3::new(0.0, 0.0, 1.0);
+    let some = Selection::Indices((3..40).collect());
+    vec![
+        vec![
+            wish("ball.translate.x"),
+            wish("ball.translate.z"),
+            wish("ball.rotate.x"),
+            wish("ball.rotate.y"),
+            wish("ball.rotate.z"),
+            wish("ball.scale"),
+            wish("sensor.rotate.x"),
+            wish("sensor.rotate.z"),
+            wish("lamp.emitter.radiance.value.g"),
+        ],
+        vec![
+            wish("sensor.rotate"),
+            wish("sensor.translate"),
+            wish("sensor.x_fov"),
+            wish("floor.bsdf.reflectance.value"),
+            wish("lamp.translate.x - 2*floor.translate.y"),
+        ],
+        vec![wish("ball.positions"), wish("ball.normals")],
+        vec![wish("ball.to_world"), wish("sensor.to_world")],
+        vec![vertices(Directions::Plane([x, z]), some.clone(), None)],
+        vec![
+            vertices(Directions::Normals, Selection::All, Some(9.0)),
+            wish("ball.translate.y - ball.translate.x"),
+        ],
+        vec![vertices(Directions::Radial(None), some.clone(), Some(2.0))],
+        vec![vertices(Directions::Radial(Some(x)), some.clone(), None)],
+        vec![vertices(Directions::Along(x + z * 0.5), some, None)],
+        vec![
+            Wish {
+                curve: Some(Curve::Log),
+                ..wish("lamp.emitter.radiance.value")
+            },
+            Wish {
+                curve: Some(Curve::Sigmoid),
+                bounds: Some([-0.5, 2.0]),
+                ..wish("floor.bsdf.reflectance.value")
+            },
+        ],
+    ]
+}
+
+/// All numbers of a scene that a motion moves, in the same order as those of the
+/// motion.
+fn difference(a: &Scene, b: &Scene, step: f64) -> Motion {
+    let mut motion = Motion::zero(a);
+    for (i, (a, b)) in a.shapes.iter().zip(&b.shapes).enumerate() {
+        let rate = |a: &[Vec3], b: &[Vec3]| -> Vec<Vec3> {
+            a.iter().zip(b).map(|(&a, &b)| (b - a) / step).collect()
+        };
+        let normals = match (&a.normals, &b.normals) {
+            (ShadingNormals::Given(a), ShadingNormals::Given(b)) => Some(rate(a, b)),
+            _ => None,
+        };
+        motion.shapes[i] = Some(capwalk_scene::ShapeMotion {
+            vertices: rate(&a.mesh.positions, &b.mesh.positions),
+            normals,
+        });
+    }
+    for (i, (a, b)) in a.textures.iter().zip(&b.textures).enumerate() {
+        let rates = a.data.iter().zip(&b.data).map(|(a, b)| (b - a) / step);
+        motion.textures[i] = Some(rates.collect());
+    }
+    motion
+}
+
+/// The motion of a sensor as that of its state.
+fn sensor_velocities(scene: &Scene, motion: &Motion) -> Vec<Vec3> {
+    let state = scene.sensor.moving_state(&motion.sensor);
+    let mut all = state.axes.map(|axis| axis.tangent(0)).to_vec();
+    all.extend([state.origin.tangent(0), state.optics.tangent(0)]);
+    all
+}
+
+/// `push` is the derivative of `apply` by central differences, away from rest.
+#[test]
+fn pushes_are_derivatives() {
+    let base = ball();
+    for wishes in cases() {
+        let variables = variables(&base, &wishes);
+        let count = variables.count();
+        let nudge = random(count, 1);
+        let unknowns: Vec<f64> = variables
+            .initial()
+            .iter()
+            .zip(&nudge)
+            .map(|(u, n)| u + 0.1 * n)
+            .collect();
+        let values = variables.values(&unknowns);
+        let mut velocities = random(count, 2);
+        // The last row of a matrix stays.
+        for (variable, range) in variables.iter() {
+            if variable.name.ends_with("to_world") {
+                velocities[range.start + 12..range.end].fill(0.0);
+            }
+        }
+        let mut values = values;
+        for (variable, range) in variables.iter() {
+            if variable.name.ends_with("to_world") {
+                values[range.start + 12..range.end].copy_from_slice(&[0.0, 0.0, 0.0, 1.0]);
+            }
+        }
+        let h = 1e-5;
+        let at = |h: f64| {
+            let moved: Vec<f64> = values
+                .iter()
+                .zip(&velocities)
+                .map(|(x, v)| x + h * v)
+                .collect();
+            variables.apply(&base, &moved).expect("a scene")
+        };
+        let scene = at(0.0);
+        let (low, high) = (at(-h), at(h));
+        let mut error = variables.push(&base, &scene, &values, &velocities);
+        // Normals that were nudged are made unit: only their direction is compared.
+        let differences = difference(&low, &high, 2.0 * h);
+        let moving: f64 = error.dot(&error);
+        assert!(moving > 1e-3, "{wishes:?}");
+        let expected = sensor_velocities(&scene, &error);
+        let sensor = [&low, &high].map(|scene| {
+            let state = scene.sensor.state();
+            [&state.axes[..], &[state.origin, state.optics]].concat()
+        });
+        for (i, expected) in expected.iter().enumerate() {
+            let found = (sensor[1][i] - sensor[0][i]) / (2.0 * h);
+            assert!((found - *expected).length() < 1e-7, "{wishes:?} sensor {i}");
+        }
+        error.sensor = SensorMotion::default();
+        error.add(&differences.scaled(-1.0));
+        let worst = error.dot(&error).sqrt();
+        let scale = 1.0 + differences.dot(&differences).sqrt();
+        let normals_nudged = wishes.iter().any(|wish| wish.name == "ball.normals");
+        let tolerance = if normals_nudged { 0.2 } else { 1e-6 };
+        assert!(worst < tolerance * scale, "{wishes:?}: {worst} of {scale}");
+    }
+}
+
+/// `<J x, y> = <x, Jᵀ y>` for values and for unknowns, away from rest.
+#[test]
+fn pulls_are_transposes() {
+    let base = ball();
+    for wishes in cases() {
+        let variables = variables(&base, &wishes);
+        let count = variables.count();
+        let nudge = random(count, 3);
+        let mut unknowns: Vec<f64> = variables
+            .initial()
+            .iter()
+            .zip(&nudge)
+            .map(|(u, n)| u + 0.1 * n)
+            .collect();
+        for (variable, range) in variables.iter() {
+            if variable.name.ends_with("to_world") {
+                unknowns[range.start + 12..range.end].copy_from_slice(&[0.0, 0.0, 0.0, 1.0]);
+            }
+        }
+        let values = variables.values(&unknowns);
+        let scene = variables.apply(&base, &values).expect("a scene");
+        let velocities = random(count, 4);
+        let motion = variables.push(&base, &scene, &values, &velocities);
+        // Any covector on everything.
+        let mut seed = 10;
+        let mut vectors = |count: usize| -> Vec<Vec3> {
+            seed += 1;
+            let numbers = random(3 * count, seed);
+            numbers
+                .chunks_exact(3)
+                .map(|v| Vec3::new(v[0], v[1], v[2]))
+                .collect()
+        };
+        let mut covector = Motion::zero(&scene);
+        for (i, shape) in scene.shapes.iter().enumerate() {
+            covector.shapes[i] = Some(capwalk_scene::ShapeMotion {
+                vertices: vectors(shape.mesh.positions.len()),
+                normals: shape.normals.per_vertex().map(|n| vectors(n.len())),
+            });
+        }
+        for (i, texture) in scene.textures.iter().enumerate() {
+            covector.textures[i] = Some(random(texture.data.len(), 100 + i as u64));
+        }
+        let all = vectors(3);
+        covector.sensor.translation = all[0];
+        covector.sensor.rotation = all[1];
+        covector.sensor.optics = all[2];
+        let shape_matrix = wishes.iter().any(|wish| wish.name == "ball.to_world");
+        if shape_matrix {
+            // Turns of the sensor are not those of its axes: no inner product.
+            covector.sensor = SensorMotion::default();
+        }
+        let pulled = variables.pull(&base, &scene, &values, &covector);
+        let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let (left, right) = (motion.dot(&covector), dot(&velocities, &pulled));
+        let left = match shape_matrix {
+            // The last rows have no derivative.
+            true => Motion {
+                sensor: SensorMotion::default(),
+                ..motion
+            }
+            .dot(&covector),
+            false => left,
+        };
+        assert!(left.abs() > 1e-3, "{wishes:?}: nothing to compare");
+        assert!(
+            (left - right).abs() < 1e-9 * left.abs().max(1.0),
+            "{wishes:?}: {left} {right}"
+        );
+
+        // The same through the changes, whose derivative is by differences.
+        let by_unknowns = variables.pull_changes(&unknowns, &pulled);
+        let at = |h: f64| {
+            let moved: Vec<f64> = unknowns
+                .iter()
+                .zip(&velocities)
+                .map(|(u, v)| u + h * v)
+                .collect();
+            dot(&variables.values(&moved), &pulled)
+        };
+        let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
+        let slope = dot(&by_unknowns, &velocities);
+        assert!(
+            (difference - slope).abs() < 1e-6 * slope.abs().max(1.0),
+            "{wishes:?}: {difference} {slope}"
+        );
+    }
+}
+
+/// Copies of a vertex move together and are one unknown.
+#[test]
+fn seams_are_one_unknown() {
+    let mut scene = ball();
+    let index = scene
+        .shapes
+        .iter()
+        .position(|s| s.id == "ball")
+        .expect("a ball");
+    let mesh = &mut scene.shapes[index].mesh;
+    let count = mesh.positions.len();
+    let copy = mesh.positions[5];
+    mesh.positions.push(copy);
+    let with_it = mesh
+        .faces
+        .iter()
+        .position(|face| face.contains(&5))
+        .expect("it is used");
+    mesh.faces[with_it] = mesh.faces[with_it].map(|i| if i == 5 { count as u32 } else { i });
+    scene.shapes[index].normals = ShadingNormals::Face;
+    let variables = variables(&scene, &[wish("ball.positions")]);
+    assert_eq!(variables.count(), 3 * count);
+    let mut values = vec![0.0; 3 * count];
+    values[3 * 5 + 1] = 0.25;
+    let moved = variables.apply(&scene, &values).expect("nothing tears");
+    let positions = &moved.shapes[index].mesh.positions;
+    assert_eq!(positions[5], copy + Vec3::new(0.0, 0.25, 0.0));
+    assert_eq!(positions[count], positions[5]);
+}
+
+/// The rim of a disk of 25 vertices in a plane: the fifty unknowns of figure 12.
+#[test]
+fn rim_of_a_disk_in_its_plane() {
+    let mut scene = builtin::scene("leaf").expect("built in");
+    let index = scene
+        .shapes
+        .iter()
+        .position(|s| s.id == "leaf")
+        .expect("a leaf");
+    let rim = (0..25).map(|i| {
+        let (sin, cos) = (f64::from(i) / 25.0 * std::f64::consts::TAU).sin_cos();
+        Vec3::new(cos, 1.5, sin)
+    });
+    let mesh = &mut scene.shapes[index].mesh;
+    mesh.positions = std::iter::once(Vec3::new(0.0, 1.5, 0.0))
+        .chain(rim)
+        .collect();
+    mesh.faces = (0..25).map(|i| [0, 1 + i, 1 + (i + 1) % 25]).collect();
+    let plane = Directions::Plane([Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0)]);
+    let wish = Wish {
+        vertices: Some(Selection::Border),
+        directions: Some(plane),
+        ..wish("leaf.positions")
+    };
+    let variables = variables(&scene, std::slice::from_ref(&wish));
+    assert_eq!(variables.count(), 50);
+    let indices = Wish {
+        vertices: Some(Selection::Indices((1..26).collect())),
+        ..wish
+    };
+    let same = super::variable(&scene, &indices).expect("fine");
+    assert_eq!(same.initial.len(), 50);
+    let moved = variables.apply(&scene, &random(50, 9)).expect("a scene");
+    let heights = moved.shapes[index].mesh.positions.iter().map(|p| p.y);
+    assert!(heights.into_iter().all(|y| y == 1.5));
+}
+
+#[test]
+fn names_and_values_are_those_of_the_scene() {
+    let scene = ball();
+    let initial = |name: &str| variable(&scene, &wish(name)).expect("fine").initial;
+    assert_eq!(initial("ball.scale"), [1.0]);
+    assert_eq!(initial("ball.rotate.y"), [0.0]);
+    assert_eq!(initial("lamp.emitter.radiance.value"), [34.0; 3]);
+    assert_eq!(initial("lamp.emitter.radiance.value.r"), [34.0]);
+    assert_eq!(initial("1*lamp.emitter.radiance.value"), [0.0]);
+    assert_eq!(initial("sensor.x_fov").len(), 1);
+    // A value of 40 is a radiance of 40.
+    let variables = variables(&scene, &[wish("lamp.emitter.radiance.value.r")]);
+    let bright = variables.apply(&scene, &[40.0]).expect("a scene");
+    let radiance = bright
+        .textures
+        .iter()
+        .find(|t| t.id == "lamp.emitter.radiance");
+    assert_eq!(radiance.expect("it is there").data, [40.0, 34.0, 34.0]);
+    let dark = variables.apply(&scene, &[-1.0]).expect_err("dark");
+    assert!(dark.to_string().contains("at least 0"), "{dark}");
+}
+
+#[track_caller]
+fn refused(wishes: &[Wish], part: &str) {
+    let scene = ball();
+    let made: Result<Vec<_>, _> = wishes.iter().map(|wish| variable(&scene, wish)).collect();
+    let error = made
+        .and_then(|made| Variables::new(&scene, made))
+        .expect_err(part);
+    assert!(error.to_string().contains(part), "{error}");
+}
+
+#[test]
+fn what_does_not_fit_is_refused() {
+    refused(&[wish("ball.translat.x")], "ball.translate.x");
+    let one = wish("ball.translate.x");
+    refused(&[one.clone(), one.clone()], "twice");
+    refused(&[wish("ball.positions"), one.clone()], "the same numbers");
+    refused(&[wish("ball.to_world"), one.clone()], "the same numbers");
+    refused(
+        &[wish("sensor.rotate"), wish("sensor.to_world")],
+        "the same numbers",
+    );
+    refused(
+        &[wish("ball.rotate.x + ball.rotate.y")],
+        "a rotation in a sum",
+    );
+    let with = |change: &dyn Fn(&mut Wish)| {
+        let mut wish = one.clone();
+        change(&mut wish);
+        wish
+    };
+    refused(&[with(&|w| w.lambda = Some(3.0))], "`lambda` means nothing");
+    refused(
+        &[with(&|w| w.bounds = Some([1.0, 0.0]))],
+        "the lower one first",
+    );
+    refused(&[with(&|w| w.bounds = Some([0.5, 1.0]))], "starts at 0");
+    refused(&[with(&|w| w.curve = Some(Curve::Log))], "above 0");
+    refused(&[with(&|w| w.start = Some(vec![1.0, 2.0]))], "2 numbers");
+    let positions = |selection| Wish {
+        vertices: Some(selection),
+        ..wish("ball.positions")
+    };
+    refused(&[positions(Selection::Border)], "no vertex is selected");
+    refused(&[positions(Selection::Indices(vec![999]))], "no vertex 999");
+    let both = Wish {
+        lambda: Some(3.0),
+        bounds: Some([-1.0, 1.0]),
+        ..wish("ball.positions")
+    };
+    refused(&[both], "both `lambda` and bounds");
+}
