@@ -145,8 +145,8 @@ pub struct MotionArgs {
 /// How derivatives are estimated.
 #[derive(Args, Debug)]
 pub struct MethodArgs {
-    /// What makes up for jumps at edges; all but `walk` are baselines to compare
-    /// with
+    /// What makes up for jumps at edges; all but `walk` and `edges` are baselines
+    /// to compare with
     #[arg(long, default_value = "walk")]
     pub method: MethodName,
     #[command(flatten)]
@@ -160,6 +160,8 @@ pub struct MethodArgs {
 pub enum MethodName {
     /// Walks on spherical caps: unbiased
     Walk,
+    /// Points on all edges before lamps and the camera, walks elsewhere: unbiased
+    Edges,
     /// Warped-area sampling (Bangaru et al. 2020): biased
     Was,
     /// The same in path space (Xu et al. 2023): biased
@@ -168,7 +170,7 @@ pub enum MethodName {
     Fd,
 }
 
-/// How the velocity field is estimated with `--method walk`.
+/// How the velocity field is estimated with `--method walk`, and where `edges` walks.
 #[derive(Args, Debug)]
 pub struct WalkArgs {
     /// Where the velocity field lives [default: sphere]

@@ -20,6 +20,7 @@ pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientO
             Some(DomainName::Triangle) => Method::TriangleWalk,
             Some(DomainName::Explicit) => Method::ExplicitWalk,
         },
+        MethodName::Edges => Method::Edges,
         MethodName::Was => Method::Was(was(&args.was)),
         MethodName::PsdrWas => Method::PsdrWas(was(&args.was)),
         MethodName::Fd => bail!(
@@ -56,6 +57,8 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
     for (owner, option, is_given) in options {
         let is_own = match args.method {
             MethodName::PsdrWas => owner == MethodName::Was,
+            // Where no edges are gathered, it walks.
+            MethodName::Edges => owner == MethodName::Walk && option != "domain",
             method => owner == method,
         };
         if is_given && !is_own {
@@ -81,7 +84,7 @@ pub fn name(method: MethodName) -> String {
 pub fn remark(args: &MethodArgs) -> String {
     let method = name(args.method);
     match args.method {
-        MethodName::Walk => String::new(),
+        MethodName::Walk | MethodName::Edges => String::new(),
         MethodName::Was | MethodName::PsdrWas if args.was.was_debias => format!(
             "{method} is a baseline: its standard errors can be too small near edges, and what \
              moves in mirrors is missing. `capwalk check` measures how wrong it is\n"

@@ -42,6 +42,24 @@ pub fn closest_silhouette_where(
     query: &ConeQuery,
     accept: impl Fn(&SilhouettePoint) -> bool,
 ) -> Option<SilhouettePoint> {
+    closest_points(mesh, edges, query)
+        .filter(accept)
+        .min_by(|a, b| a.angle.total_cmp(&b.angle))
+}
+
+/// The numbers of all boundary edges that meet the cone, in ascending order.
+pub fn gather(mesh: &Mesh, edges: &[Edge], query: &ConeQuery) -> Vec<u32> {
+    closest_points(mesh, edges, query)
+        .map(|point| point.edge)
+        .collect()
+}
+
+/// The closest point of each boundary edge that meets the cone.
+fn closest_points(
+    mesh: &Mesh,
+    edges: &[Edge],
+    query: &ConeQuery,
+) -> impl Iterator<Item = SilhouettePoint> {
     let counts = |edge: &Edge| {
         let [a, b] = edge.vertices.map(|i| mesh.positions[i as usize]);
         edge.groups & query.groups != 0
@@ -51,7 +69,7 @@ pub fn closest_silhouette_where(
     edges
         .iter()
         .enumerate()
-        .filter(|(_, edge)| counts(edge))
+        .filter(move |(_, edge)| counts(edge))
         .filter_map(|(id, edge)| {
             let [a, b] = edge
                 .vertices
@@ -65,6 +83,4 @@ pub fn closest_silhouette_where(
                 angle: closest.angle,
             })
         })
-        .filter(accept)
-        .min_by(|a, b| a.angle.total_cmp(&b.angle))
 }

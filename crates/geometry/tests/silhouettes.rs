@@ -73,6 +73,18 @@ impl View {
     }
 }
 
+/// What the tree gathers, in its order.
+fn gathered(tree: &SilhouetteTree, query: &ConeQuery) -> Vec<u32> {
+    let mut found = Vec::new();
+    tree.gather(query, |edge, _| found.push(edge));
+    found
+}
+
+fn sorted(mut numbers: Vec<u32>) -> Vec<u32> {
+    numbers.sort_unstable();
+    numbers
+}
+
 fn check(
     tree: &SilhouetteTree,
     mesh: &Mesh,
@@ -89,6 +101,10 @@ fn check(
         let accept = |point: &SilhouettePoint| point.edge % 3 == 1;
         let expected = oracle::closest_silhouette_where(mesh, edges, query, accept);
         prop_assert_eq!(tree.closest_where(query, accept), expected, "{:?}", query);
+        let expected = oracle::gather(mesh, edges, query);
+        let found = gathered(tree, query);
+        prop_assert_eq!(&gathered(&scalar, query), &found, "scalar, {:?}", query);
+        prop_assert_eq!(sorted(found), expected, "{:?}", query);
     }
     Ok(())
 }
@@ -149,6 +165,16 @@ fn deep_trees_are_brute_force() {
         assert_eq!(tree.closest(&wide), found);
         // Aimed past the silhouette by a little.
         let point = found.expect("a closed surface has a silhouette");
+        for (selection, angle) in [(EdgeSelection::Silhouettes, 0.4), (EdgeSelection::All, 0.1)] {
+            let query = ConeQuery {
+                edges: selection,
+                max_angle: angle,
+                axis: point.direction,
+                ..wide
+            };
+            let found = gathered(&tree, &query);
+            assert_eq!(sorted(found), oracle::gather(&mesh, &edges, &query));
+        }
         for digits in [3, 6, 9] {
             let aside = Vec3::new(0.3, -0.8, 0.5) * 10_f64.powi(-digits);
             let axis = (point.direction + aside).normalized();
@@ -192,12 +218,15 @@ fn nothing_is_found() {
     assert!(tree.closest(&query(eye, axis, 4.0)).is_some());
     for max_angle in [0.0, -1.0, f64::NAN] {
         assert_eq!(tree.closest(&query(eye, axis, max_angle)), None);
+        assert!(gathered(&tree, &query(eye, axis, max_angle)).is_empty());
     }
     let no_groups = ConeQuery {
         groups: 0,
         ..query(eye, axis, 4.0)
     };
     assert_eq!(tree.closest(&no_groups), None);
+    assert!(gathered(&tree, &no_groups).is_empty());
+    assert!(gathered(&empty, &query(eye, axis, 4.0)).is_empty());
 }
 
 /// A tree does not pass for another mesh's, nor for other groups.

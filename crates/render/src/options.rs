@@ -50,6 +50,10 @@ pub enum Method {
     /// The same with a walk on disks in the triangle's plane, among all silhouettes
     /// projected on it: unbiased, and so slow that scenes of many edges are refused.
     ExplicitWalk,
+    /// Directions towards lamps, and those of a camera that sees through no flat
+    /// mirror or pane, stay at rest, and points are drawn on all edges that move
+    /// across them; elsewhere like [`Method::Walk`]. Unbiased.
+    Edges,
     /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
     /// more auxiliary rays; what is seen in mirrors is not covered.
     Was(WasSettings),
@@ -65,6 +69,7 @@ impl Method {
             Self::Walk => "walk",
             Self::TriangleWalk => "walk, domain triangle",
             Self::ExplicitWalk => "walk, domain explicit",
+            Self::Edges => "edges",
             Self::Was(_) => "was",
             Self::PsdrWas(_) => "psdr-was",
         }
@@ -73,7 +78,7 @@ impl Method {
     /// True if the method promises the truth: what it does not cover is refused.
     pub fn is_unbiased(&self) -> bool {
         match self {
-            Self::Walk | Self::TriangleWalk | Self::ExplicitWalk => true,
+            Self::Walk | Self::Edges | Self::TriangleWalk | Self::ExplicitWalk => true,
             Self::Was(_) | Self::PsdrWas(_) => false,
         }
     }

@@ -20,32 +20,41 @@
 //! Sampling, weights and roulette see the scene at rest.
 
 mod film;
+mod outline;
 
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::ViewRay;
+use capwalk_scene::{Emitter, EmitterId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::diff::boundary::{Draw, Eye, Field, Numbers};
+use crate::diff::edge_flux::{self, lamp_outline_flux};
 use crate::diff::flux::lamp_edge_flux;
 use crate::diff::unfold::MAX_EVENTS;
 use crate::layer::layer_at;
 use crate::light::{Continuation, emitter_towards, sample_lights};
 use crate::material::{FlatEvents, vertex_at};
+use crate::options::Method;
 use crate::pixel::Supports;
 use crate::plan::Plan;
 use crate::vertex::Vertex;
-use crate::world::{World, emitted_at, surface_at};
+use crate::world::{Carried, World, emitted_at, surface_at};
 
 use film::camera_angle;
+use outline::Outlines;
 
 /// Largest probability that a path survives roulette.
 const RR_MAX: f64 = 0.95;
 /// Smallest one for derivatives: a path that carries no light may carry a
 /// derivative, such as that of a black material's reflectance.
 const RR_MIN: f64 = 0.05;
+
+/// The numbers of gathered edges start here, behind all others: those of the
+/// camera, then of each vertex.
+const EDGE_NUMBERS: u32 = 1 << 30;
 
 /// How directions are carried.
 #[derive(Clone, Copy, Debug)]
@@ -64,6 +73,8 @@ pub struct Tracer<'a> {
     plan: Plan,
     /// The boundaries, and how directions move among them; not needed at rest.
     pub moving: Option<(&'a Field<'a>, Walks)>,
+    /// The edges in each pixel, where the camera's rays all start from one point.
+    outlines: Outlines,
 }
 
 /// The specular events since a direction was carried along a field.
@@ -105,6 +116,7 @@ impl<'a> Tracer<'a> {
             supports: Supports::new(&accel.scene.film),
             plan: Plan::new(accel.scene),
             moving: None,
+            outlines: Outlines::default(),
         }
     }
 
@@ -116,6 +128,7 @@ impl<'a> Tracer<'a> {
         };
         Self {
             moving: Some((field, Walks { camera, surface })),
+            outlines: Outlines::of(accel.scene),
             ..Self::at_rest(accel)
         }
     }
@@ -284,8 +297,13 @@ impl<'a> Tracer<'a> {
                     light += f.hadamard(irradiance) * weight;
                     return;
                 }
-                let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
-                let carried = world.carry(&eye, sample.direction, walk, numbers);
+                let carried = match self.gathers(sample.emitter) {
+                    true => Carried::at_rest(sample.direction),
+                    false => {
+                        let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
+                        world.carry(&eye, sample.direction, walk, numbers)
+                    }
+                };
                 let f = vertex.eval(carried.direction);
                 light += f.hadamard(radiance(carried.direction)) * (carried.stretch * weight);
             },
@@ -302,16 +320,28 @@ impl<'a> Tracer<'a> {
             && let Some((field, _)) = self.moving
             && !field.has_flow()
         {
-            // What the field carries over the edges of lamps.
-            let u = draw.stream.number(self.flux_number(depth));
-            let (walk, numbers) = self.vertex_walk(depth, 0, draw);
-            let boundaries = &field.boundaries;
-            let flux = lamp_edge_flux(
-                self.accel, boundaries, world, &eye, &at_rest, u, walk, numbers,
-            );
-            light += flux;
+            let scene = self.accel.scene;
+            if field.method != Method::Edges || scene.environment().is_some() {
+                // What the field carries over the edges of lamps.
+                let u = draw.stream.number(self.flux_number(depth));
+                let (walk, numbers) = self.vertex_walk(depth, 0, draw);
+                let (boundaries, walks) = (&field.boundaries, |id| !self.gathers(id));
+                light += lamp_edge_flux(
+                    self.accel, boundaries, world, &eye, &at_rest, u, walk, numbers, walks,
+                );
+            }
+            // What moves across directions that stay.
+            let dimension = EDGE_NUMBERS + edge_flux::NUMBERS * (depth + 1);
+            light += lamp_outline_flux(field, world, &eye, &at_rest, draw, dimension);
         }
         (light, next)
+    }
+
+    /// True if directions towards an emitter stay, and edges before it are gathered.
+    fn gathers(&self, emitter: EmitterId) -> bool {
+        let method = self.moving.map(|(field, _)| field.method);
+        let emitter = || self.accel.scene.emitter(emitter);
+        method == Some(Method::Edges) && matches!(emitter(), Emitter::Area { .. })
     }
 
     /// True if the field knows nothing of what mirrors show.

@@ -30,6 +30,12 @@ pub trait World<R: Real> {
     fn is_asked_for(&self, id: TextureId) -> bool;
     /// The sensor's numbers.
     fn sensor(&self) -> SensorState<R>;
+    /// Where a point of the boundaries is; asked only of worlds that move.
+    fn boundary_point(&self, index: u32) -> Vec3<R>;
+    /// True if no boundary moves against the eye.
+    fn is_still(&self, eye: &Eye<R>) -> bool;
+    /// True if curves in the picture can move against the rays.
+    fn moves(&self) -> bool;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.
     fn carry(&self, eye: &Eye<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Carried<R>;
@@ -97,6 +103,18 @@ impl World<f64> for AtRest<'_> {
     #[inline]
     fn sensor(&self) -> SensorState<f64> {
         self.0.scene.sensor.state()
+    }
+    #[inline]
+    fn boundary_point(&self, index: u32) -> Vec3 {
+        self.vertex(index)
+    }
+    #[inline]
+    fn is_still(&self, _: &Eye<f64>) -> bool {
+        true
+    }
+    #[inline]
+    fn moves(&self) -> bool {
+        false
     }
     #[inline]
     fn carry(&self, _: &Eye<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Carried<f64> {

@@ -118,7 +118,13 @@ fn small(scene: &mut Scene, depth: u32) {
 }
 
 fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
-    agree_by(name, scene, motion, &settings(32, None));
+    for method in [Method::Walk, Method::Edges] {
+        let settings = GradientOptions {
+            method,
+            ..settings(32, None)
+        };
+        agree_by(&format!("{name}, {method:?}"), scene, motion, &settings);
+    }
 }
 
 fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptions) {

@@ -6,6 +6,7 @@ mod cone_kernel;
 mod cone_node;
 mod edge_block;
 mod edge_kernel;
+mod gather;
 mod lanes;
 mod local_cone;
 mod oriented_box;

@@ -1,4 +1,4 @@
-//! Closest silhouettes, Algorithm 5.
+//! The tree of silhouettes: the closest one, Algorithm 5, and all in a cone.
 
 use capwalk_math::Vec3;
 use rayon::prelude::*;
@@ -8,6 +8,7 @@ use super::closest::Closest;
 use super::cone_node::ConeNode;
 use super::edge_block::{EdgeBlock, LocalEdge};
 use super::edge_kernel;
+use super::gather::Gather;
 use super::tree_edge::TreeEdge;
 use crate::aabb::{Aabb, LocalFrame};
 use crate::bvh::validate::{self, TreeError};
@@ -203,6 +204,17 @@ impl SilhouetteTree {
             rejected: closest,
             counts,
         })
+    }
+
+    /// Calls `visit` with every boundary edge that meets the cone and its ends, in
+    /// an order that depends on the tree alone (METHOD 8).
+    #[inline]
+    pub fn gather(&self, query: &ConeQuery, visit: impl FnMut(u32, [Vec3; 2])) {
+        self.instructions.run(Gather {
+            tree: self,
+            query,
+            visit,
+        });
     }
 
     /// Checks the tree against the mesh and edges it should represent.

@@ -16,7 +16,8 @@ pub(super) struct TreeEdge {
     pub(super) ends: [Vec3; 2],
     /// `Mesh::face_cross` of its two faces; zero if it is open.
     crosses: [Vec3; 2],
-    id: u32,
+    /// Its number.
+    pub(super) id: u32,
     kind: EdgeKind,
 }
 

@@ -8,7 +8,9 @@
 
 use std::cell::Cell;
 
-use capwalk_geometry::{Edge, EdgeSelection, Sides, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_geometry::{
+    Edge, EdgeSelection, Mesh, Sides, SilhouettePoint, SilhouetteTree, topology,
+};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::Emitter;
 use capwalk_scene::sensor::view::View;
@@ -25,6 +27,7 @@ use super::look::Look;
 use super::parallel::picture_tree;
 use super::unfold::{Mirrors, Seen, Unfolded};
 use super::was;
+use super::window::Lamp;
 
 /// Edges that are boundaries for all light that is seen.
 pub const SEEN: u8 = 1;
@@ -39,6 +42,8 @@ const FEW_EDGES: usize = 64;
 /// The edges of a scene that can be boundaries.
 pub struct Boundaries {
     pub(super) edges: Vec<Edge>,
+    /// How much light may jump at each edge that is no silhouette.
+    contrasts: Vec<f32>,
     pub(super) tree: SilhouetteTree,
     /// The same edges in picture space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of [`View::towards`].
@@ -56,7 +61,7 @@ impl Boundaries {
     /// may move against each other.
     pub fn new(accel: &Accel) -> Self {
         let scene = accel.scene;
-        let mut edges = Vec::new();
+        let (mut edges, mut contrasts) = (Vec::new(), Vec::new());
         let mut ends_on_lamps = Vec::new();
         let mut first_face = 0;
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
@@ -65,6 +70,10 @@ impl Boundaries {
             let is_lamp = shape.emitter.is_some_and(|id| {
                 matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
             });
+            contrasts.extend(own.iter().map(|edge| match edge.sides {
+                Sides::Open => 1.0,
+                Sides::Between { faces, flipped } => look.contrast(faces, flipped) as f32,
+            }));
             for edge in &mut own {
                 shift(edge, first_vertex, first_face);
                 edge.groups = if is_lamp { SEEN } else { SEEN | EMITTED };
@@ -94,11 +103,13 @@ impl Boundaries {
                 // A lamp that something cuts through ends there.
                 groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
             });
+            contrasts.push(1.0);
         }
         Self {
             tree: SilhouetteTree::build(&mesh, &edges),
             picture: picture_tree(&accel.view, &mesh, &edges),
             edges,
+            contrasts,
             positions: mesh.positions,
             crossings,
             lamp_edges: lamp_edges(&ends_on_lamps, &accel.mesh.positions),
@@ -119,6 +130,36 @@ impl Boundaries {
     /// mesh, then the ends of crossings.
     pub fn point_count(&self) -> usize {
         self.positions.len()
+    }
+
+    /// An edge, by its number.
+    pub fn edge(&self, edge: u32) -> &Edge {
+        &self.edges[edge as usize]
+    }
+
+    /// How much light may jump at an edge, from above 0 to 1: 1 where it is a
+    /// silhouette, seen from the eye, or where its faces look different.
+    pub fn contrast(&self, edge: u32, mesh: &Mesh, eye: Vec3) -> f64 {
+        match self.edge(edge).is_silhouette(mesh, eye) {
+            true => 1.0,
+            false => f64::from(self.contrasts[edge as usize]),
+        }
+    }
+
+    /// Where the ends of an edge are.
+    pub fn ends(&self, edge: u32) -> [Vec3; 2] {
+        let vertices = self.edge(edge).vertices;
+        vertices.map(|i| self.position(i))
+    }
+
+    /// Where a point of the boundaries is.
+    pub fn position(&self, point: u32) -> Vec3 {
+        self.positions[point as usize]
+    }
+
+    /// The edges in a tree.
+    pub fn tree(&self) -> &SilhouetteTree {
+        &self.tree
     }
 
     /// Where a point of an edge is.
@@ -228,6 +269,8 @@ pub struct Field<'a> {
     pub boundaries: Boundaries,
     /// What the fields are made by.
     pub method: Method,
+    /// The lamps before which edges are gathered, if that is the method.
+    pub lamps: Vec<Lamp>,
     /// Edges whose ends lie this close (world units) to the plane of the face
     /// that the eye is on lie in its horizon.
     horizon_distance: f64,
@@ -283,6 +326,10 @@ impl<'a> Field<'a> {
         Self {
             accel,
             method,
+            lamps: match method {
+                Method::Edges => Lamp::all(accel.scene),
+                _ => Vec::new(),
+            },
             boundaries: Boundaries::new(accel),
             horizon_distance: accel.horizon_distance(),
         }
@@ -353,7 +400,7 @@ impl<'a> Field<'a> {
         random: Numbers,
     ) -> Option<Flow> {
         match &self.method {
-            Method::Walk => None,
+            Method::Walk | Method::Edges => None,
             Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
             Method::ExplicitWalk => self.explicit_flow(eye, q, walk, random),
             Method::Was(settings) => {
@@ -367,7 +414,7 @@ impl<'a> Field<'a> {
 
     /// True if there is a [`Field::flow`].
     pub fn has_flow(&self) -> bool {
-        !matches!(self.method, Method::Walk)
+        !matches!(self.method, Method::Walk | Method::Edges)
     }
 
     /// A sample of the field alone; `None` for velocity zero.
@@ -443,7 +490,8 @@ pub struct Counts {
 }
 
 impl Draw<'_> {
-    pub(super) fn count_queries(&self, count: u64) {
+    /// Counts queries for silhouettes.
+    pub fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);
     }
 }

@@ -6,6 +6,7 @@
 //! variance would diverge.
 
 use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -28,9 +29,9 @@ const BESIDE_EDGE: f64 = 1e-7;
 /// ```
 ///
 /// along the lamps' edges on the sphere of directions, from one point drawn on
-/// them by length with the number `u`. `f` is all emitted light that arrives, so
-/// that it does not matter what lies behind the lamp, nor what hides it. `vertex`
-/// is the surface at rest, `eye` the same point in motion.
+/// them by length with the number `u`. `f` is the light of all emitters that
+/// `counts` accepts, so that it does not matter what lies behind the lamp, nor what
+/// hides it. `vertex` is the surface at rest, `eye` the same point in motion.
 #[allow(clippy::too_many_arguments, reason = "a formula with many symbols")]
 pub fn lamp_edge_flux<R: Real, W: World<R>>(
     accel: &Accel,
@@ -41,6 +42,7 @@ pub fn lamp_edge_flux<R: Real, W: World<R>>(
     u: f64,
     walk: &WalkSettings,
     numbers: Numbers,
+    counts: impl Fn(EmitterId) -> bool,
 ) -> Rgb<R> {
     let edges = &boundaries.lamp_edges;
     let Some(total) = edges.last().map(|edge| edge.cumulative) else {
@@ -74,7 +76,8 @@ pub fn lamp_edge_flux<R: Real, W: World<R>>(
     let arriving = |side: f64| {
         let direction = (q + normal * (side * BESIDE_EDGE)).normalized();
         let hit = accel.first_hit(vertex.position, direction);
-        let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction) else {
+        let emitter = emitter_towards(accel, hit.as_ref(), direction);
+        let Some(emitter) = emitter.filter(|&emitter| counts(emitter)) else {
             return Rgb::zero();
         };
         let world = AtRest(accel);

@@ -8,6 +8,7 @@ use crate::options::{GradientOptions, Options, Refusal, Watch};
 use crate::path::Tracer;
 use crate::sampler::Stream;
 use crate::tiles::{self, Sample};
+use crate::world::World;
 
 use super::boundary::{Counts, Draw, Field};
 use super::motion::InMotion;

@@ -15,6 +15,11 @@ const SAME_TANGENT: f64 = 1e-6;
 /// Texture coordinates that differ by less than this are the same.
 const SAME_UV: f64 = 1e-6;
 
+/// Part of the contrast of flat faces that is left where normals are interpolated.
+const SMOOTH: f64 = 0.1;
+/// Smallest contrast.
+const LEAST_CONTRAST: f64 = 1e-3;
+
 /// What decides how the faces of a shape look.
 pub struct Look<'s> {
     shape: &'s Shape,
@@ -23,6 +28,8 @@ pub struct Look<'s> {
     shows_uvs: bool,
     /// It matters how the material is turned about the normal.
     has_tangent: bool,
+    /// The picture shows what is there, not light.
+    is_layer: bool,
 }
 
 impl<'s> Look<'s> {
@@ -33,6 +40,7 @@ impl<'s> Look<'s> {
             textures: textures_of(scene, shape),
             shows_uvs: scene.settings.integrator == Integrator::Aov(Layer::Uv),
             has_tangent: needs_tangent(scene, shape.bsdf),
+            is_layer: matches!(scene.settings.integrator, Integrator::Aov(_)),
         }
     }
 
@@ -42,6 +50,25 @@ impl<'s> Look<'s> {
         self.normals_differ(faces)
             || self.textures_differ(faces)
             || self.has_tangent && self.tangents_differ(faces)
+    }
+
+    /// How much light may jump between two neighbouring faces that are seen from the
+    /// same side, from above 0 to 1: a guess.
+    pub fn contrast(&self, faces: [u32; 2], flipped: bool) -> f64 {
+        if self.textures_differ(faces) || self.has_tangent && self.tangents_differ(faces) {
+            return 1.0;
+        }
+        let mesh = &self.shape.mesh;
+        let [first, second] = faces.map(|face| mesh.face_cross(face as usize).normalized());
+        let turn = (first - second * if flipped { -1.0 } else { 1.0 }).length();
+        // Between normals of vertices only the shadow of a face on itself jumps.
+        let is_smooth = self.shape.normals.per_vertex().is_some() && !self.normals_differ(faces);
+        let share = if is_smooth && !self.is_layer {
+            SMOOTH
+        } else {
+            1.0
+        };
+        (turn * share).clamp(LEAST_CONTRAST, 1.0)
     }
 
     /// True if a texture of the shape can differ between two neighbouring faces

@@ -55,17 +55,6 @@ impl<'a> InMotion<'a> {
         }
     }
 
-    /// True if curves in the picture can move against the rays.
-    pub fn moves(&self) -> bool {
-        self.boundaries_move || self.motion.sensor.moves_rays()
-    }
-
-    /// True if no boundary moves relative to the eye.
-    fn is_at_rest(&self, eye: &Eye<D>) -> bool {
-        let moves = |v: &Vec3<D>| v.tangent(0) != Vec3::zero();
-        !self.boundaries_move && !eye.vectors().iter().any(moves)
-    }
-
     /// Angular velocity of a boundary point seen from the eye.
     fn angular(&self, eye: &Eye<D>, site: &Site) -> Vec3 {
         let [a, b] = site.points.map(|i| self.points[i as usize]);
@@ -115,8 +104,22 @@ impl World<D> for InMotion<'_> {
     fn sensor(&self) -> SensorState<D> {
         self.accel.scene.sensor.moving_state(&self.motion.sensor)
     }
+    #[inline]
+    fn boundary_point(&self, index: u32) -> Vec3<D> {
+        let position = self.field.boundaries.position(index);
+        position.with_tangent(self.points[index as usize])
+    }
+    #[inline]
+    fn is_still(&self, eye: &Eye<D>) -> bool {
+        let moves = |v: &Vec3<D>| v.tangent(0) != Vec3::zero();
+        !self.boundaries_move && !eye.vectors().iter().any(moves)
+    }
+    #[inline]
+    fn moves(&self) -> bool {
+        self.boundaries_move || self.motion.sensor.moves_rays()
+    }
     fn carry(&self, eye: &Eye<D>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Carried<D> {
-        if self.is_at_rest(eye) {
+        if self.is_still(eye) {
             return Carried::at_rest(q);
         }
         if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
@@ -139,7 +142,7 @@ impl World<D> for InMotion<'_> {
         }
     }
     fn carry_value(&self, eye: &Eye<D>, q: Vec3, walk: &WalkSettings, numbers: Numbers) -> Vec3<D> {
-        if self.is_at_rest(eye) {
+        if self.is_still(eye) {
             return Vec3::constant(q);
         }
         if self.field.has_flow() {

@@ -232,6 +232,20 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
             ),
         }
     }
+    #[inline]
+    fn boundary_point(&self, index: u32) -> Vec3<Var<'t>> {
+        let value = self.field.boundaries.position(index);
+        let wanted = self.points[index as usize];
+        self.variables(wanted, value, Origin::Scene(Target::Point(index)))
+    }
+    #[inline]
+    fn is_still(&self, _: &Eye<Var<'t>>) -> bool {
+        !self.wanted.geometry()
+    }
+    #[inline]
+    fn moves(&self) -> bool {
+        self.wanted.geometry()
+    }
     fn carry(
         &self,
         eye: &Eye<Var<'t>>,
@@ -239,7 +253,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         walk: &WalkSettings,
         numbers: Numbers,
     ) -> Carried<Var<'t>> {
-        if !self.wanted.geometry() {
+        if self.is_still(eye) {
             return Carried::at_rest(q);
         }
         if let Some(flow) = self.field.flow(eye, q, walk, numbers) {
@@ -285,7 +299,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
         walk: &WalkSettings,
         numbers: Numbers,
     ) -> Vec3<Var<'t>> {
-        if !self.wanted.geometry() {
+        if self.is_still(eye) {
             return Vec3::constant(q);
         }
         if self.field.has_flow() {

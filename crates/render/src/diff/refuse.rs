@@ -38,8 +38,9 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
 /// A refusal if the camera's rays are parallel and the method has a field around
 /// points only.
 fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
-    match (scene.sensor.model, method) {
-        (SensorModel::Orthographic, Method::Was(_) | Method::TriangleWalk) => Err(Refusal {
+    let walks = matches!(method, Method::Walk | Method::Edges);
+    match scene.sensor.model {
+        SensorModel::Orthographic if !walks => Err(Refusal {
             reason: format!(
                 "the method `{}` has no field for the parallel rays of an orthographic sensor. Use \
                  the default method, or a perspective sensor far away with a small fov",
@@ -164,7 +165,7 @@ pub(super) fn refuse_uncovered(
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
-    if *method != Method::Walk {
+    if matches!(method, Method::TriangleWalk | Method::ExplicitWalk) {
         return Err(Refusal {
             reason: format!(
                 "things move that are seen in mirrors or through what lets light pass (about {:.2} \
@@ -232,7 +233,9 @@ pub(super) fn refuse_many_edges(field: &Field) -> Result<(), Refusal> {
 /// A refusal if the settings of a method do not give a field.
 pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> {
     match &options.method {
-        Method::Walk | Method::TriangleWalk | Method::ExplicitWalk => refuse_walk(&options.walk),
+        Method::Walk | Method::Edges | Method::TriangleWalk | Method::ExplicitWalk => {
+            refuse_walk(&options.walk)
+        }
         Method::Was(was) | Method::PsdrWas(was)
             if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) =>
         {

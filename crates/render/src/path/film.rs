@@ -25,9 +25,9 @@ const FILM_CHOICE: u32 = 2;
 const UNIFORM: f64 = 0.5;
 
 /// The camera of a sample, seen from one point of its lens.
-struct Camera<R> {
-    at_rest: View<f64>,
-    moving: View<R>,
+pub(super) struct Camera<R> {
+    pub(super) at_rest: View<f64>,
+    pub(super) moving: View<R>,
 }
 
 /// A film point that moves with the field around the camera.
@@ -53,6 +53,11 @@ impl Tracer<'_> {
     pub fn pixel<R: Real, W: World<R>>(&self, world: &W, pixel: [u32; 2], draw: Draw) -> Rgb<R> {
         let support = self.supports.pixel(pixel);
         let camera = self.camera(world, draw);
+        if W::MOVES && self.gathers_for_camera() && world.moves() {
+            // Film points stay, also at the border of the pixel.
+            return self.interior_at_rest(world, &camera, &support, draw)
+                + self.outline_flux(world, &camera, pixel, &support, draw);
+        }
         let light = self.interior(world, &camera, &support, draw);
         match W::MOVES && support.jumps() {
             true => light + self.border_flux(world, &camera, &support, draw),
@@ -72,6 +77,22 @@ impl Tracer<'_> {
             at_rest: moving.value(),
             moving,
         }
+    }
+
+    /// The integral at film points that stay, drawn as for the picture.
+    fn interior_at_rest<R: Real, W: World<R>>(
+        &self,
+        world: &W,
+        camera: &Camera<R>,
+        support: &Support,
+        draw: Draw,
+    ) -> Rgb<R> {
+        let stream = draw.stream;
+        let s = support.sample(0.0, stream.number(FILM_CHOICE), stream.pair(FILM));
+        let view = &camera.moving;
+        let ray = view.ray(view.direction(s.map(R::constant)));
+        let weight = support.weight(s) / support.pdf(0.0, s);
+        self.radiance(world, ray, draw) * R::constant(weight)
     }
 
     fn interior<R: Real, W: World<R>>(

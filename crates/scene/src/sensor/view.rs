@@ -170,6 +170,16 @@ impl<R: Real> View<R> {
         }
     }
 
+    /// The unit direction in which a film point looks.
+    pub fn direction(&self, [x, y]: [R; 2]) -> Vec3<R> {
+        let [cx, cy] = self.centre;
+        let (x, y) = ((cx - x) / self.focal, (cy - y) / self.focal);
+        match self.is_parallel {
+            true => Vec3::new(x, y, R::constant(1.0)).normalized(),
+            false => (self.axes[0] * x + self.axes[1] * y + self.axes[2]).normalized(),
+        }
+    }
+
     /// The ray in a unit direction.
     pub fn ray(&self, direction: Vec3<R>) -> ViewRay<R> {
         if self.is_parallel {
@@ -191,16 +201,6 @@ impl<R: Real> View<R> {
 }
 
 impl View<f64> {
-    /// The unit direction in which a film point looks.
-    pub fn direction(&self, [x, y]: [f64; 2]) -> Vec3 {
-        let [cx, cy] = self.centre;
-        let (x, y) = ((cx - x) / self.focal, (cy - y) / self.focal);
-        match self.is_parallel {
-            true => Vec3::new(x, y, 1.0).normalized(),
-            false => (self.axes[0] * x + self.axes[1] * y + self.axes[2]).normalized(),
-        }
-    }
-
     /// The view from another point of the lens, for rays; the film stays.
     pub fn from(&self, eye: Vec3) -> Self {
         Self { eye, ..*self }

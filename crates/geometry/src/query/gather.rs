@@ -1,0 +1,76 @@
+//! All boundaries in a cone: the silhouette tree's second question, METHOD 8.
+
+use capwalk_math::Vec3;
+
+use super::edge_kernel::LANES;
+use super::local_cone::LocalCone;
+use super::pseudo_angle::Limit;
+use super::silhouette_tree::{ConeQuery, SilhouetteTree};
+use crate::bvh::{Child, ChildKind, MAX_DEPTH, WIDTH};
+use crate::simd::{Job, Simd};
+
+/// Depth first: nothing that is found limits the search.
+pub(super) struct Gather<'a, F> {
+    /// The tree.
+    pub tree: &'a SilhouetteTree,
+    /// The cone.
+    pub query: &'a ConeQuery,
+    /// Gets each edge and its ends.
+    pub visit: F,
+}
+
+/// A node on the way down leaves at most `WIDTH - 1` siblings behind; the last
+/// one pushes all its children.
+const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + WIDTH;
+
+/// Fraction of a pseudo-angle by which an edge must be nearer than the limit to be
+/// taken without the exact test: more than the rounding of the limit itself.
+const CERTAINLY_WITHIN: f32 = 1.0 - 8.0 * f32::EPSILON;
+
+impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(mut self, simd: S) {
+        let Self { tree, query, .. } = self;
+        // Not for NaN.
+        let is_open = query.max_angle > 0.0;
+        if tree.nodes.is_empty() || !is_open {
+            return;
+        }
+        let cone = LocalCone::new(simd, &tree.frame, query);
+        let limit = Limit::of_angle(query.max_angle);
+        let certainly = limit.pseudo * CERTAINLY_WITHIN;
+        let mut stack = [Child::node(0); STACK_SIZE];
+        let mut len = 1;
+        while len > 0 {
+            len -= 1;
+            match stack[len].kind() {
+                Some(ChildKind::Node(node)) => {
+                    let node = &tree.nodes[node];
+                    let (mask, _) = cone.children(simd, node, &limit);
+                    // The first child is visited first.
+                    for i in (0..WIDTH).rev().filter(|i| mask >> i & 1 != 0) {
+                        stack[len] = node.children[i];
+                        len += 1;
+                    }
+                }
+                Some(ChildKind::Leaf(leaf)) => {
+                    let block = &tree.leaves[leaf];
+                    let bounds = cone.edges(simd, block, limit.pseudo);
+                    let mut mask = bounds.mask;
+                    while mask != 0 {
+                        let lane = mask.trailing_zeros() as usize % LANES;
+                        mask &= mask - 1;
+                        let edge = &tree.edges[block.start as usize + lane];
+                        let is_certain =
+                            bounds.certain >> lane & 1 != 0 && bounds.most[lane] < certainly;
+                        if is_certain || edge.closest(query, None).is_some() {
+                            (self.visit)(edge.id, edge.ends);
+                        }
+                    }
+                }
+                None => {}
+            }
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! The flux through edges before lamps, METHOD 8: directions towards lamps stay,
+//! and what moves across them is sampled on the edges themselves.
+
+use capwalk_math::{Real, Rgb, Vec3};
+
+use crate::light::emitter_towards;
+use crate::vertex::Vertex;
+use crate::world::{AtRest, World, emitted_at};
+
+use super::boundary::{Draw, Eye, Field};
+use super::outline::{EdgePoint, Outline, clip};
+use super::window::{Lamp, Window};
+
+/// Points drawn on the edges around each lamp that is looked at.
+const POINTS: u32 = 2;
+/// Random numbers that [`lamp_outline_flux`] takes.
+pub const NUMBERS: u32 = 2;
+
+/// Distance by which the planes of a window are moved outward, in distances of the
+/// edge: more than rounding.
+const IN_PLANE: f64 = 1e-9;
+
+/// Weight of an edge before what reflects no light from its middle, in those of
+/// the mean of all edges: there may be light beside the middle.
+const LEAST_WEIGHT: f64 = 0.1;
+/// And where there is none at all.
+const TINY: f64 = 1e-30;
+
+/// Zero, with the derivative of the light of lamps reflected at a surface by the
+/// motion of all edges against directions at rest,
+///
+/// ```text
+/// Σ ∮ [f(inside) - f(outside)] u_edge·n dl
+/// ```
+///
+/// along all edges before a lamp and its own, on the sphere of directions, from
+/// points drawn on them. `f` is the light of one lamp, drawn uniformly with the
+/// first of the [`NUMBERS`] from `dimension` on. `vertex` is the surface at
+/// rest, `eye` the same point in motion.
+pub fn lamp_outline_flux<R: Real, W: World<R>>(
+    field: &Field,
+    world: &W,
+    eye: &Eye<R>,
+    vertex: &Vertex<f64>,
+    draw: Draw,
+    dimension: u32,
+) -> Rgb<R> {
+    let lamps = &field.lamps;
+    if lamps.is_empty() || world.is_still(eye) {
+        return Rgb::zero();
+    }
+    let [choice, place] = draw.stream.pair(dimension);
+    let lamp = &lamps[((choice * lamps.len() as f64) as usize).min(lamps.len() - 1)];
+    let Some(window) = lamp.window(vertex.position) else {
+        return Rgb::zero();
+    };
+    draw.count_queries(1);
+    let outline = outline(field, vertex, &window);
+    let mut light = Rgb::zero();
+    for i in 0..POINTS {
+        let u = (f64::from(i) + place) / f64::from(POINTS);
+        let Some(point) = outline.draw(&field.boundaries, vertex.position, u) else {
+            continue;
+        };
+        let carried = Vec3::constant(point.direction);
+        let flow = point.flow(world, eye.position, carried);
+        // Not a number where the surface touches the edge: it goes on, to be counted.
+        if !flow.is_constant() {
+            let share = lamps.len() as f64 / f64::from(POINTS);
+            light += Rgb::constant(jump(field, lamp, vertex, &point) * share) * flow;
+        }
+    }
+    light
+}
+
+/// The edges before a lamp, by their angles and what the surface reflects of light
+/// from their middles.
+fn outline(field: &Field, vertex: &Vertex<f64>, window: &Window) -> Outline {
+    let mut found: Vec<(u32, [f64; 2], f64, f64)> = Vec::new();
+    let mut sum = 0.0;
+    field.boundaries.tree().gather(&window.cone, |edge, ends| {
+        let [a, b] = ends.map(|p| p - vertex.position);
+        // What lies in a plane of the window, as the lamp's own edges do, is inside.
+        let margin = IN_PLANE * a.length().max(b.length());
+        let Some(range) = clip(&window.planes, margin, [a, b]) else {
+            return;
+        };
+        let [from, to] = range.map(|t| (a + (b - a) * t).normalized());
+        let chord = (to - from).length();
+        let reflected = vertex.eval((from + to).normalized()).max_component();
+        // What is seen end-on has no middle.
+        if chord > 0.0 && reflected.is_finite() {
+            sum += reflected;
+            found.push((edge, range, chord, reflected));
+        }
+    });
+    let least = LEAST_WEIGHT * sum / found.len() as f64 + TINY;
+    let mut outline = Outline::default();
+    for (edge, range, chord, reflected) in found {
+        outline.push(edge, range, chord * (reflected + least));
+    }
+    outline
+}
+
+/// The light of a lamp that arrives from behind an edge, less that from before it,
+/// as reflected at the surface.
+fn jump(field: &Field, lamp: &Lamp, vertex: &Vertex<f64>, point: &EdgePoint) -> Rgb {
+    let accel = field.accel;
+    let [behind, before] = point.sides();
+    let arriving = |direction: Vec3| {
+        let hit = accel.first_hit(vertex.position, direction);
+        let emitter = emitter_towards(accel, hit.as_ref(), direction);
+        match emitter.filter(|&emitter| emitter == lamp.emitter) {
+            None => Rgb::zero(),
+            Some(emitter) => {
+                let (world, origin) = (AtRest(accel), vertex.position);
+                let radiance = emitted_at(&world, accel, emitter, hit.as_ref(), origin, direction);
+                vertex.eval(direction).hadamard(radiance)
+            }
+        }
+    };
+    // Hidden edges look the same on both sides.
+    arriving(behind) - arriving(before)
+}
