@@ -6,6 +6,7 @@ mod clip;
 mod crossing;
 pub(crate) mod edge_flux;
 mod explicit;
+mod eye;
 pub mod finite;
 pub(crate) mod flow;
 pub(crate) mod flux;
