@@ -55,7 +55,7 @@ fn relative_growth(
     was: WasSettings,
     spp: u32,
 ) -> (Estimate, (f64, f64)) {
-    relative_change(scene, "thing.scale", exact, was, spp)
+    relative_change(scene, "thing.scale", exact, Method::Was(was), spp)
 }
 
 /// The derivative of the picture, and that of the area divided by what it is, with
@@ -64,11 +64,11 @@ fn relative_change(
     scene: &Scene,
     what: &str,
     exact: f64,
-    was: WasSettings,
+    method: Method,
     spp: u32,
 ) -> (Estimate, (f64, f64)) {
     let settings = GradientOptions {
-        method: Method::Was(was),
+        method,
         ..GradientOptions::new(options(spp, 1))
     };
     let growth = motion(scene, what);
@@ -79,7 +79,7 @@ fn relative_change(
     let sum: f64 = pixels.map(|p| p.x).sum();
     let error = errors.map(|p| p.x * p.x).sum::<f64>().sqrt();
     let (growth, error) = (sum / exact, error / exact.abs());
-    println!("{was:?}: {growth:.4} ± {error:.4}");
+    println!("{method:?}: {growth:.4} ± {error:.4}");
     (result.gradient, (growth, error))
 }
 
@@ -117,7 +117,7 @@ fn verdict(what: &str, exact: f64, was: WasSettings, spp: u32) -> (Verdict, f64)
     let change = motion(&scene, what);
     let reference = finite_difference(&scene, &change, 0.01, &options(60_000, 2), &Unwatched);
     let reference = reference.expect("covered").gradient;
-    let (ours, (size, error)) = relative_change(&scene, what, exact, was, spp);
+    let (ours, (size, error)) = relative_change(&scene, what, exact, Method::Was(was), spp);
     let result = compare(&ours, &reference);
     let (z, slope) = (result.mean_z_squared, result.slope);
     println!(
@@ -227,4 +227,53 @@ fn normals_are_for_smooth_surfaces() {
     let (mesh, normals) = sphere(Affine::IDENTITY, Vec3::zero(), radius);
     let (_, (growth, error)) = relative_growth(&mask(mesh, normals), 32.0, was, 600);
     assert!((growth - 1.0).abs() < Z * error + 0.02 && error < 0.03);
+}
+
+/// A black card before a white triangle that fills the picture: what is seen of the
+/// triangle shrinks when the card grows.
+fn card_before_a_wall() -> Scene {
+    let mut scene = card();
+    let wall = capwalk_geometry::Mesh {
+        positions: vec![v(-1.7, -1.3, -1.0), v(1.9, -1.1, -0.7), v(0.1, 1.8, -1.2)],
+        faces: vec![[0, 1, 2]],
+    };
+    add(&mut scene, "wall", wall, ShadingNormals::Face, 1.0);
+    let black = scene
+        .textures
+        .iter_mut()
+        .find(|texture| texture.id == "thing.bsdf.reflectance");
+    black.expect("a reflectance").data.fill(0.0);
+    scene.settings.integrator = Integrator::Aov(Layer::Albedo);
+    scene.check().expect("a valid scene");
+    scene
+}
+
+/// In path space, too, the bias falls with the number of auxiliary rays, and roulette
+/// removes it. A thing's own border is at rest in its material: before nothing, there
+/// is no bias, and no noise but that of the picture.
+#[test]
+fn more_rays_less_bias_in_path_space() {
+    let scene = card_before_a_wall();
+    let bias = |rays: u32, debias: bool, spp: u32| {
+        let was = WasSettings {
+            rays,
+            debias,
+            antithetic: false,
+            ..WasSettings::default()
+        };
+        let method = Method::PsdrWas(was);
+        let (_, (growth, error)) = relative_change(&scene, "thing.scale", -32.0, method, spp);
+        (growth - 1.0, error)
+    };
+    let [few, more, many] = [(8, 2000), (32, 2000), (128, 600)].map(|(n, spp)| bias(n, false, spp));
+    assert!(few.0.abs() > Z * few.1, "{few:?}");
+    assert!(more.0.abs() < 0.5 * few.0.abs(), "{few:?} {more:?}");
+    assert!(many.0.abs() < Z * many.1 && many.1 < 0.03, "{many:?}");
+    // Roulette is noisier here, but tells.
+    let debiased = bias(8, true, 4000);
+    assert!(debiased.0.abs() < 3.0 * debiased.1 && debiased.1 < 0.1);
+
+    let own = Method::PsdrWas(WasSettings::default());
+    let (_, (growth, error)) = relative_change(&card(), "thing.scale", 32.0, own, 800);
+    assert!((growth - 1.0).abs() < Z * error && error < 0.02);
 }
