@@ -23,7 +23,9 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     Ok(Figure {
         caption: format!(
             "Derivative of {} by its y-translation, {} × {} pixels. Above, central differences over \
-             ±{:.2e} with {} samples per pixel on each side, and ours; below, equal samples. Mean L1 \
+             ±{:.2e} with {} samples per pixel on each side, and ours; below, equal samples: our \
+             field around the point (reaching 0.2 rad), and on the triangle that is met, as in the \
+             paper. Mean L1 \
              errors are against the method `edges` with {} samples, whose agreement with differences \
              is tested, too: it has the least noise here. The scene's brightness is not the paper's, \
              so ratios can be compared, errors cannot.",

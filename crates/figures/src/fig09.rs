@@ -29,7 +29,9 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         caption: format!(
             "Derivative by the x-translation of the box, {} × {} pixels with a box filter, direct \
              light. Above, central differences over ±{:.2e} with {} samples per pixel on each side, \
-             and ours; below, equal samples. Mean L1 errors are against our picture above, whose \
+             and ours; below, equal samples: our \
+             field around the point (reaching 0.2 rad), and on the triangle that is met, as in the \
+             paper. Mean L1 errors are against our picture above, whose \
              agreement with differences is tested first; baselines have 8 auxiliary rays for every \
              direction.",
             size[0], size[1], subject.step, spp[2]

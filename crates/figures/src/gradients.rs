@@ -121,6 +121,18 @@ pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
     shown.collect()
 }
 
+/// What [`mean_l1`] would be from Gaussian noise of the stated size alone: the
+/// rest is bias.
+pub fn mean_l1_of_noise(gradient: &Estimate, reference: &Estimate) -> f64 {
+    let errors = [gradient, reference].map(|estimate| &estimate.standard_error.pixels);
+    let mut sum = 0.0;
+    for (a, b) in errors[0].iter().zip(errors[1]) {
+        let both = a.to_array().into_iter().zip(b.to_array());
+        sum += both.map(|(a, b)| a.hypot(b)).sum::<f64>() / 3.0;
+    }
+    (2.0 / std::f64::consts::PI).sqrt() * sum / errors[0].len() as f64
+}
+
 /// Mean absolute value over pixels and channels.
 pub fn mean_size(gradient: &Estimate) -> Measured {
     let mut moments = Moments::default();

@@ -4,12 +4,14 @@
 
 use capwalk_geometry::{EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
+use capwalk_render::Method;
 use capwalk_walk::plane::CurvePoint;
 use capwalk_walk::{Domain, Estimator, Plane, Sphere, WalkSettings, sample_field};
 use rayon::prelude::*;
 
 use crate::claim::{Claim, Measured, Verdict};
-use crate::figure::{Curve, Figure, Plot, Row};
+use crate::figure::{Curve, Figure, Plot, Row, Table};
+use crate::gradients::Subject;
 use crate::random::random;
 use crate::settings::{Failure, Settings};
 
@@ -176,8 +178,51 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                   docs/method.md 2)."
             .into(),
         rows: vec![Row::Plots(plots)],
+        tables: vec![in_pictures(settings)?],
         claims,
         ..Figure::default()
+    })
+}
+
+/// The variance of a sample of a derivative picture, by domain of the field and
+/// estimator: that of the printed estimator is infinite, and what is measured
+/// grows with the number of samples.
+fn in_pictures(settings: &Settings) -> Result<Table, Failure> {
+    let size = settings.quality.choose([8, 6], [32, 24], [64, 48]);
+    let spp = settings.quality.choose(8, 128, 1024);
+    let subject = Subject::builtin("leaf", size, 1e-3)?;
+    let mut rows = Vec::new();
+    for (domain, method) in [
+        ("all directions", Method::Walk),
+        ("the triangle that is met", Method::TriangleWalk),
+    ] {
+        for estimator in [Estimator::Literal, Estimator::Anchored] {
+            let walk = WalkSettings {
+                estimator,
+                ..WalkSettings::default()
+            };
+            let run = subject.gradient(method, walk, spp, 1, settings)?;
+            let mut variance = Moments::default();
+            for error in &run.gradient().standard_error.pixels {
+                variance.add(f64::from(spp) * error.length_squared() / 3.0);
+            }
+            rows.push(vec![
+                domain.into(),
+                name(estimator).into(),
+                spp.to_string(),
+                Measured::from(variance).to_string(),
+            ]);
+        }
+    }
+    Ok(Table {
+        title: "Shadow of one triangle".into(),
+        columns: vec![
+            "domain of the field",
+            "estimator",
+            "samples per pixel",
+            "mean variance of a sample",
+        ],
+        rows,
     })
 }
 

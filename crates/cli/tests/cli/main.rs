@@ -4,6 +4,7 @@ mod backward;
 mod bad_input;
 mod compare;
 mod demo;
+mod figures;
 mod help;
 mod methods;
 mod optimize;
