@@ -1,9 +1,15 @@
 //! What was typed.
 
+mod demo;
+mod figures;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+
+pub use demo::Demo;
+pub use figures::{Figures, QualityName};
 
 /// Unbiased derivatives of rendered images.
 #[derive(Parser, Debug)]
@@ -69,6 +75,10 @@ pub enum Command {
     ///
     /// Takes about a minute on two cores. Exit status as for check.
     Demo(Demo),
+    /// Draw the figures of the paper and test its claims, from measured data
+    ///
+    /// Writes pictures, CSV files and report.html, one page with everything.
+    Figures(Figures),
 }
 
 /// Which scene, and changes to it.
@@ -364,29 +374,6 @@ pub struct Scenes {
     pub export: Option<PathBuf>,
     /// Only these scenes
     pub names: Vec<String>,
-    /// Print one JSON object instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(Args, Debug)]
-#[command(
-    mut_arg("spp", |arg| arg.help("Samples per pixel [default: 96]")),
-    mut_arg("seed", |arg| arg.help("Seed of all random numbers [default: 1]")),
-    mut_arg("time_limit", |arg| arg.help(
-        "Stop after this time (30, 30s, 5m, 1h), shared among picture, gradients and reference, \
-         and keep what is done"
-    )),
-)]
-pub struct Demo {
-    /// Folder for the pictures
-    #[arg(short, long, value_name = "FOLDER", default_value = "demo")]
-    pub output: PathBuf,
-    /// Width and height of the pictures [default: 128x96]
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
-    pub size: Option<[u32; 2]>,
-    #[command(flatten)]
-    pub sampling: SamplingArgs,
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,

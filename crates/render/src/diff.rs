@@ -5,6 +5,7 @@ pub(crate) mod boundary;
 mod clip;
 mod crossing;
 pub(crate) mod edge_flux;
+mod eye;
 pub mod finite;
 pub(crate) mod flow;
 pub(crate) mod flux;

@@ -48,8 +48,9 @@ pub enum Method {
     /// that meet nothing. Unbiased; images in mirrors are not covered.
     TriangleWalk,
     /// Directions towards lamps, and those of a camera that sees through no flat
-    /// mirror or pane, stay at rest, and points are drawn on all edges that move
-    /// across them; elsewhere like [`Method::Walk`]. Unbiased.
+    /// mirror or pane and whose rays are not parallel, stay at rest, and points are
+    /// drawn on all edges that move across them; elsewhere like [`Method::Walk`].
+    /// Unbiased.
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
     /// more auxiliary rays; what is seen in mirrors is not covered.

@@ -188,6 +188,12 @@ fn parallel_rays() {
         let mut scene = with_parallel_rays(visible_ball(filter), 0.85);
         agree_in_both_modes("parallel rays", scene.clone(), 3);
         small(&mut scene, 2);
+        let gathered = GradientOptions {
+            method: Method::Edges,
+            ..settings(16, None)
+        };
+        let motion = everything(&scene, 11);
+        agree_by("parallel rays, edges", &scene, &motion, &gathered);
         for name in [
             "ball.translate.x",
             "sensor.translate.y - sensor.translate.x",
