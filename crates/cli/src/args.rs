@@ -174,6 +174,8 @@ pub enum MethodName {
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020): biased
     Was,
+    /// The same in path space (Xu et al. 2023): biased
+    PsdrWas,
     /// Central finite differences, for `gradient`
     Fd,
 }
@@ -199,23 +201,23 @@ pub struct WalkArgs {
     pub antithetic: bool,
 }
 
-/// How it is with `--method was`.
+/// How it is with `--method was` and `psdr-was`.
 #[derive(Args, Debug)]
 pub struct WasArgs {
-    /// was: concentration of auxiliary rays; they reach about K^(-1/2) radians
+    /// was, psdr-was: concentration of auxiliary rays; they reach about K^(-1/2) radians
     /// far [default: 100000]
     #[arg(long, value_name = "K", value_parser = parse_concentration)]
     pub was_kappa: Option<f64>,
-    /// was: auxiliary rays per direction; more of them, less bias [default: 8]
+    /// was, psdr-was: auxiliary rays per direction; more of them, less bias [default: 8]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub was_rays: Option<u32>,
-    /// was: how to tell that a silhouette is near [default: edges]
+    /// was, psdr-was: how to tell that a silhouette is near [default: edges]
     #[arg(long)]
     pub was_boundary: Option<WasBoundaryName>,
-    /// was: opposite pairs of auxiliary rays [default: true]
+    /// was, psdr-was: opposite pairs of auxiliary rays [default: true]
     #[arg(long, value_name = "BOOL", num_args = 0..=1, default_missing_value = "true")]
     pub was_antithetic: Option<bool>,
-    /// was: random numbers of auxiliary rays (Russian roulette) without that bias,
+    /// was, psdr-was: random numbers of auxiliary rays (Russian roulette) without that bias,
     /// slower and noisier
     #[arg(long)]
     pub was_debias: bool,
@@ -237,6 +239,8 @@ pub enum DomainName {
     Sphere,
     /// On the triangle that a direction meets, as in the paper: noisier
     Triangle,
+    /// The same by walks on disks among all silhouettes, for small scenes
+    Explicit,
 }
 
 /// Estimators by name.

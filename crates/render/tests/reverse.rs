@@ -221,11 +221,13 @@ fn warped_area_sampling() {
         ..WasSettings::default()
     };
     for was in [WasSettings::default(), debiased] {
-        let settings = GradientOptions {
-            method: Method::Was(was),
-            ..settings(16, None)
-        };
-        agree_by("warped areas", &scene, &motion, &settings);
+        for method in [Method::Was(was), Method::PsdrWas(was)] {
+            let settings = GradientOptions {
+                method,
+                ..settings(16, None)
+            };
+            agree_by(method.name(), &scene, &motion, &settings);
+        }
     }
 }
 
@@ -266,11 +268,16 @@ fn fields_on_triangles() {
     });
     small(&mut scene, 4);
     let motion = everything(&scene, 11);
-    for steps in [1, 2] {
+    for (method, steps) in [
+        (Method::TriangleWalk, 1),
+        (Method::TriangleWalk, 2),
+        (Method::ExplicitWalk, 1),
+    ] {
         let mut options = settings(32, None);
-        options.method = Method::TriangleWalk;
+        options.method = method;
         options.walk.steps = steps;
-        agree_by(&format!("M = {steps}"), &scene, &motion, &options);
+        let name = format!("{}, M = {steps}", method.name());
+        agree_by(&name, &scene, &motion, &options);
     }
 }
 

@@ -116,6 +116,16 @@ impl Boundaries {
         }
     }
 
+    /// The edges.
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// Positions of the joined mesh's vertices, then of the ends of crossings.
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
     /// How many points the boundaries are made of: the vertices of the joined
     /// mesh, then the ends of crossings.
     pub fn point_count(&self) -> usize {
@@ -264,7 +274,7 @@ impl<'a> Field<'a> {
         };
         let (edges, groups) = match self.method {
             // Beside triangles, in directions that meet nothing.
-            Method::TriangleWalk => (EdgeSelection::Silhouettes, SEEN),
+            Method::TriangleWalk | Method::ExplicitWalk => (EdgeSelection::Silhouettes, SEEN),
             _ => (eye.selection, eye.group),
         };
         Unfolded {
@@ -308,8 +318,12 @@ impl<'a> Field<'a> {
         match &self.method {
             Method::Walk | Method::Edges => None,
             Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
+            Method::ExplicitWalk => self.explicit_flow(eye, q, walk, random),
             Method::Was(settings) => {
                 Some(was::flow(self.accel, eye, q, settings, &random.branch()))
+            }
+            Method::PsdrWas(settings) => {
+                Some(self.psdr_was_flow(eye, q, settings, &random.branch()))
             }
         }
     }
