@@ -263,6 +263,27 @@ fn mirror() {
     camera_case("mirror", scene, "thing.translate.x", case);
 }
 
+/// Lists that are kept change no bit.
+#[test]
+fn threads_change_nothing() {
+    let scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    let motion = motion(&scene, "ball.translate.x + sensor.translate.z");
+    let run = |threads| {
+        let options = Options {
+            spp: 5,
+            seed: 2,
+            threads: Some(threads),
+        };
+        let settings = GradientOptions {
+            method: Method::Edges,
+            ..GradientOptions::new(options)
+        };
+        let result = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
+        result.gradient.mean.pixels
+    };
+    assert_eq!(run(1), run(3));
+}
+
 fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> GradientImage {
     let options = GradientOptions {
         method,
