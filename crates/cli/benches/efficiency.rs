@@ -12,8 +12,7 @@
 #[allow(dead_code, reason = "a bench has no refusals")]
 #[path = "../tests/phenomena/folder.rs"]
 mod folder;
-
-use std::time::Instant;
+mod measure;
 
 use capwalk_render::{
     Estimator, GradientImage, GradientOptions, Options, Unwatched, WalkSettings, finite_difference,
@@ -21,6 +20,7 @@ use capwalk_render::{
 };
 use capwalk_scene::{Motion, Scene, params};
 use folder::{Demand, Folder};
+use measure::{Clock, digits, variance};
 
 /// Samples per pixel to begin with, and for what is done once.
 const FEW: u32 = 4;
@@ -135,59 +135,5 @@ impl Way {
             Self::Differences(step) => finite_difference(scene, motion, step, &options, &Unwatched),
         };
         (started.seconds(), picture.expect("covered"))
-    }
-}
-
-/// Of a sample, averaged over pixels and channels.
-fn variance(picture: &GradientImage) -> f64 {
-    let errors = picture.gradient.standard_error.pixels.iter();
-    let samples = picture.statistics.samples_per_pixel.iter();
-    let pixels = errors.zip(samples);
-    let sum: f64 = pixels.map(|(&e, &n)| e.dot(e) / 3.0 * f64::from(n)).sum();
-    sum / picture.gradient.mean.pixels.len() as f64
-}
-
-/// Time of the processor where the system says it, which other programs disturb
-/// less; else time on the wall.
-struct Clock {
-    processor: Option<f64>,
-    wall: Instant,
-}
-
-impl Clock {
-    fn start() -> Self {
-        Self {
-            processor: processor_seconds(),
-            wall: Instant::now(),
-        }
-    }
-
-    fn seconds(&self) -> f64 {
-        match (self.processor, processor_seconds()) {
-            (Some(start), Some(end)) => end - start,
-            _ => self.wall.elapsed().as_secs_f64(),
-        }
-    }
-}
-
-/// Ticks of `/proc/self/stat` in a second.
-const TICKS: f64 = 100.0;
-
-/// Seconds that the processor has worked for this process, all threads.
-fn processor_seconds() -> Option<f64> {
-    let stat = std::fs::read_to_string("/proc/self/stat").ok()?;
-    // The second field is the name in parentheses, which may contain anything.
-    let (_, fields) = stat.rsplit_once(')')?;
-    let mut ticks = fields.split_whitespace().skip(11);
-    let mut next = || ticks.next()?.parse::<f64>().ok();
-    Some((next()? + next()?) / TICKS)
-}
-
-/// Three digits that count, and powers of ten where there were many.
-fn digits(x: f64) -> String {
-    let magnitude = x.abs().log10().floor();
-    match magnitude < 4.0 {
-        true => format!("{x:.*}", (2.0 - magnitude).clamp(0.0, 9.0) as usize),
-        false => format!("{x:.1e}"),
     }
 }

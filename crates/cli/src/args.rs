@@ -1,9 +1,15 @@
 //! What was typed.
 
+mod demo;
+mod figures;
+
 use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+
+pub use demo::Demo;
+pub use figures::{Figures, QualityName};
 
 /// Unbiased derivatives of rendered images.
 #[derive(Parser, Debug)]
@@ -69,6 +75,10 @@ pub enum Command {
     ///
     /// Takes about a minute on two cores. Exit status as for check.
     Demo(Demo),
+    /// Draw the figures of the paper and test its claims, from measured data
+    ///
+    /// Writes pictures, CSV files and report.html, one page with everything.
+    Figures(Figures),
 }
 
 /// Which scene, and changes to it.
@@ -164,6 +174,8 @@ pub enum MethodName {
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020): biased
     Was,
+    /// The same in path space (Xu et al. 2023): biased
+    PsdrWas,
     /// Central finite differences, for `gradient`
     Fd,
 }
@@ -189,23 +201,23 @@ pub struct WalkArgs {
     pub antithetic: bool,
 }
 
-/// How it is with `--method was`.
+/// How it is with `--method was` and `psdr-was`.
 #[derive(Args, Debug)]
 pub struct WasArgs {
-    /// was: concentration of auxiliary rays; they reach about K^(-1/2) radians
+    /// was, psdr-was: concentration of auxiliary rays; they reach about K^(-1/2) radians
     /// far [default: 100000]
     #[arg(long, value_name = "K", value_parser = parse_concentration)]
     pub was_kappa: Option<f64>,
-    /// was: auxiliary rays per direction; more of them, less bias [default: 8]
+    /// was, psdr-was: auxiliary rays per direction; more of them, less bias [default: 8]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub was_rays: Option<u32>,
-    /// was: how to tell that a silhouette is near [default: edges]
+    /// was, psdr-was: how to tell that a silhouette is near [default: edges]
     #[arg(long)]
     pub was_boundary: Option<WasBoundaryName>,
-    /// was: opposite pairs of auxiliary rays [default: true]
+    /// was, psdr-was: opposite pairs of auxiliary rays [default: true]
     #[arg(long, value_name = "BOOL", num_args = 0..=1, default_missing_value = "true")]
     pub was_antithetic: Option<bool>,
-    /// was: random numbers of auxiliary rays (Russian roulette) without that bias,
+    /// was, psdr-was: random numbers of auxiliary rays (Russian roulette) without that bias,
     /// slower and noisier
     #[arg(long)]
     pub was_debias: bool,
@@ -227,6 +239,8 @@ pub enum DomainName {
     Sphere,
     /// On the triangle that a direction meets, as in the paper: noisier
     Triangle,
+    /// The same by walks on disks among all silhouettes, for small scenes
+    Explicit,
 }
 
 /// Estimators by name.
@@ -364,29 +378,6 @@ pub struct Scenes {
     pub export: Option<PathBuf>,
     /// Only these scenes
     pub names: Vec<String>,
-    /// Print one JSON object instead of text
-    #[arg(long)]
-    pub json: bool,
-}
-
-#[derive(Args, Debug)]
-#[command(
-    mut_arg("spp", |arg| arg.help("Samples per pixel [default: 96]")),
-    mut_arg("seed", |arg| arg.help("Seed of all random numbers [default: 1]")),
-    mut_arg("time_limit", |arg| arg.help(
-        "Stop after this time (30, 30s, 5m, 1h), shared among picture, gradients and reference, \
-         and keep what is done"
-    )),
-)]
-pub struct Demo {
-    /// Folder for the pictures
-    #[arg(short, long, value_name = "FOLDER", default_value = "demo")]
-    pub output: PathBuf,
-    /// Width and height of the pictures [default: 128x96]
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
-    pub size: Option<[u32; 2]>,
-    #[command(flatten)]
-    pub sampling: SamplingArgs,
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,

@@ -49,6 +49,7 @@ fn main() -> ExitCode {
         Command::Scenes(args) => command::scenes::run(args),
         Command::Optimize(args) => command::optimize::run(args),
         Command::Demo(args) => command::demo::run(args),
+        Command::Figures(args) => command::figures::run(args),
     });
     finish(result)
 }

@@ -18,9 +18,11 @@ pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientO
         MethodName::Walk => match args.walk.domain {
             None | Some(DomainName::Sphere) => Method::Walk,
             Some(DomainName::Triangle) => Method::TriangleWalk,
+            Some(DomainName::Explicit) => Method::ExplicitWalk,
         },
         MethodName::Edges => Method::Edges,
         MethodName::Was => Method::Was(was(&args.was)),
+        MethodName::PsdrWas => Method::PsdrWas(was(&args.was)),
         MethodName::Fd => bail!(
             "finite differences give the derivative of a picture by one parameter. Use `capwalk \
              gradient --method fd -p NAME` for each parameter"
@@ -53,10 +55,13 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         (MethodName::Was, "was-debias", was.was_debias),
     ];
     for (owner, option, is_given) in options {
-        // Where no edges are gathered, it walks.
-        let walks =
-            owner == MethodName::Walk && args.method == MethodName::Edges && option != "domain";
-        if is_given && owner != args.method && !walks {
+        let is_own = match args.method {
+            MethodName::PsdrWas => owner == MethodName::Was,
+            // Where no edges are gathered, it walks.
+            MethodName::Edges => owner == MethodName::Walk && option != "domain",
+            method => owner == method,
+        };
+        if is_given && !is_own {
             bail!(
                 "--{option} belongs to the method {}, and the method is {}. Leave it out, or say \
                  --method {}",
@@ -76,21 +81,21 @@ pub fn name(method: MethodName) -> String {
 }
 
 /// What is to be said about results of a method that is no more than a baseline.
-pub fn remark(args: &MethodArgs) -> &'static str {
+pub fn remark(args: &MethodArgs) -> String {
+    let method = name(args.method);
     match args.method {
-        MethodName::Walk | MethodName::Edges => "",
-        MethodName::Was if args.was.was_debias => {
-            "was is a baseline: its standard errors can be too small near edges, and what moves in \
-             mirrors is missing. `capwalk check` measures how wrong it is\n"
-        }
-        MethodName::Was => {
-            "was is a baseline and biased: its standard errors do not bound its errors, and what \
+        MethodName::Walk | MethodName::Edges => String::new(),
+        MethodName::Was | MethodName::PsdrWas if args.was.was_debias => format!(
+            "{method} is a baseline: its standard errors can be too small near edges, and what \
              moves in mirrors is missing. `capwalk check` measures how wrong it is\n"
-        }
-        MethodName::Fd => {
-            "fd is a baseline: its standard errors leave out its bias, of the order of the step \
-             squared\n"
-        }
+        ),
+        MethodName::Was | MethodName::PsdrWas => format!(
+            "{method} is a baseline and biased: its standard errors do not bound its errors, and \
+             what moves in mirrors is missing. `capwalk check` measures how wrong it is\n"
+        ),
+        MethodName::Fd => "fd is a baseline: its standard errors leave out its bias, of the order \
+                           of the step squared\n"
+            .into(),
     }
 }
 

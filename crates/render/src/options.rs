@@ -47,13 +47,20 @@ pub enum Method {
     /// limit its walks, in the place of `max_radius`, which is left for directions
     /// that meet nothing. Unbiased; images in mirrors are not covered.
     TriangleWalk,
+    /// The same with a walk on disks in the triangle's plane, among all silhouettes
+    /// projected on it: unbiased, and so slow that scenes of many edges are refused.
+    ExplicitWalk,
     /// Directions towards lamps, and those of a camera that sees through no flat
-    /// mirror or pane, stay at rest, and points are drawn on all edges that move
-    /// across them; elsewhere like [`Method::Walk`]. Unbiased.
+    /// mirror or pane and whose rays are not parallel, stay at rest, and points are
+    /// drawn on all edges that move across them; elsewhere like [`Method::Walk`].
+    /// Unbiased.
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
     /// more auxiliary rays; what is seen in mirrors is not covered.
     Was(WasSettings),
+    /// The same on the triangle that each direction meets, relative to its material
+    /// (Xu et al. 2023).
+    PsdrWas(WasSettings),
 }
 
 impl Method {
@@ -62,16 +69,18 @@ impl Method {
         match self {
             Self::Walk => "walk",
             Self::TriangleWalk => "walk, domain triangle",
+            Self::ExplicitWalk => "walk, domain explicit",
             Self::Edges => "edges",
             Self::Was(_) => "was",
+            Self::PsdrWas(_) => "psdr-was",
         }
     }
 
     /// True if the method promises the truth: what it does not cover is refused.
     pub fn is_unbiased(&self) -> bool {
         match self {
-            Self::Walk | Self::Edges | Self::TriangleWalk => true,
-            Self::Was(_) => false,
+            Self::Walk | Self::Edges | Self::TriangleWalk | Self::ExplicitWalk => true,
+            Self::Was(_) | Self::PsdrWas(_) => false,
         }
     }
 }

@@ -8,7 +8,8 @@
 mod common;
 
 use capwalk_geometry::Mesh;
-use capwalk_render::{Method, WalkSettings};
+use capwalk_render::check::{Verdict, compare};
+use capwalk_render::{GradientOptions, Method, Options, Unwatched, WalkSettings, gradient};
 use capwalk_scene::*;
 use common::agree::*;
 use common::stages::*;
@@ -30,12 +31,12 @@ fn under_a_triangle(thing: Mesh) -> Scene {
 }
 
 fn on_triangles(name: &str, scene: Scene, expression: &str, case: Case) {
+    with_method(Method::TriangleWalk, name, scene, expression, case);
+}
+
+fn with_method(method: Method, name: &str, scene: Scene, expression: &str, case: Case) {
     let motion = motion(&scene, expression);
-    let case = Case {
-        method: Method::TriangleWalk,
-        ..case
-    };
-    agree(name, scene, &motion, case);
+    agree(name, scene, &motion, Case { method, ..case });
 }
 
 fn few_pixels() -> Case {
@@ -89,4 +90,52 @@ fn picture_of_a_moving_thing() {
     let scene = visible_cube();
     let expression = "thing.translate.x + 0.5*thing.rotate.z";
     on_triangles("picture", scene, expression, case);
+}
+
+/// Another field, on disks among all projected silhouettes, has the same derivative.
+#[test]
+fn walks_among_explicit_boundaries() {
+    let expression = "thing.translate.x + 0.4*floor.rotate.y + 0.5*lamp.rotate.z";
+    let scene = under_a_triangle(triangle());
+    with_method(
+        Method::ExplicitWalk,
+        "explicit",
+        scene,
+        expression,
+        few_pixels(),
+    );
+}
+
+/// Both meet each other as they meet differences: light and outlines together, from
+/// the camera and from surfaces.
+#[test]
+fn explicit_and_practical_walks_agree() {
+    let mut scene = visible_cube();
+    scene.film.size = [10; 2];
+    scene.film.crop_size = [10; 2];
+    let motion = motion(&scene, "thing.rotate.z + 0.3*sensor.translate.x");
+    let [practical, explicit] =
+        [(Method::TriangleWalk, 1), (Method::ExplicitWalk, 2)].map(|(method, seed)| {
+            let options = Options {
+                spp: 1500,
+                seed,
+                threads: None,
+            };
+            let options = GradientOptions {
+                method,
+                ..GradientOptions::new(options)
+            };
+            gradient(&scene, &motion, &options, &Unwatched)
+                .expect("covered")
+                .gradient
+        });
+    let result = compare(&practical, &explicit);
+    println!("slope {} ± {}", result.slope, result.slope_error);
+    assert!(result.pixels > 60, "{result:?}");
+    assert!((0.7..1.4).contains(&result.mean_z_squared), "{result:?}");
+    assert!(result.sign.abs() < 4.0, "{result:?}");
+    assert!(
+        !matches!(result.verdict, Verdict::Wrong { .. }),
+        "{result:?}"
+    );
 }

@@ -108,6 +108,27 @@ fn a_lamp_that_moves_in_a_flat_mirror() {
     }
 }
 
+/// Explicit walks are for small scenes.
+#[test]
+fn too_many_edges_for_explicit_walks() {
+    let mut scene = visible_cube();
+    let method = Method::ExplicitWalk;
+    let translation = motion(&scene, "thing.translate.x");
+    scene.film.crop_size = [2, 2];
+    let reasons = refusals_with(&scene, &translation, method);
+    assert_eq!(reasons, [None, None]);
+    add(&mut scene, "ball", icosphere(12), ShadingNormals::Face, 0.5);
+    let translation = motion(&scene, "thing.translate.x");
+    for reason in refusals_with(&scene, &translation, method) {
+        let reason = reason.expect("refused");
+        assert!(
+            reason.contains("edges, and walks among explicit"),
+            "{reason}"
+        );
+        assert!(reason.contains("`domain` triangle"), "{reason}");
+    }
+}
+
 /// A black ball hides the sky's reflection: it is met by the last segment, which
 /// carries no light.
 #[test]

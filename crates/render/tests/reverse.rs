@@ -188,6 +188,12 @@ fn parallel_rays() {
         let mut scene = with_parallel_rays(visible_ball(filter), 0.85);
         agree_in_both_modes("parallel rays", scene.clone(), 3);
         small(&mut scene, 2);
+        let gathered = GradientOptions {
+            method: Method::Edges,
+            ..settings(16, None)
+        };
+        let motion = everything(&scene, 11);
+        agree_by("parallel rays, edges", &scene, &motion, &gathered);
         for name in [
             "ball.translate.x",
             "sensor.translate.y - sensor.translate.x",
@@ -215,11 +221,13 @@ fn warped_area_sampling() {
         ..WasSettings::default()
     };
     for was in [WasSettings::default(), debiased] {
-        let settings = GradientOptions {
-            method: Method::Was(was),
-            ..settings(16, None)
-        };
-        agree_by("warped areas", &scene, &motion, &settings);
+        for method in [Method::Was(was), Method::PsdrWas(was)] {
+            let settings = GradientOptions {
+                method,
+                ..settings(16, None)
+            };
+            agree_by(method.name(), &scene, &motion, &settings);
+        }
     }
 }
 
@@ -260,11 +268,16 @@ fn fields_on_triangles() {
     });
     small(&mut scene, 4);
     let motion = everything(&scene, 11);
-    for steps in [1, 2] {
+    for (method, steps) in [
+        (Method::TriangleWalk, 1),
+        (Method::TriangleWalk, 2),
+        (Method::ExplicitWalk, 1),
+    ] {
         let mut options = settings(32, None);
-        options.method = Method::TriangleWalk;
+        options.method = method;
         options.walk.steps = steps;
-        agree_by(&format!("M = {steps}"), &scene, &motion, &options);
+        let name = format!("{}, M = {steps}", method.name());
+        agree_by(&name, &scene, &motion, &options);
     }
 }
 

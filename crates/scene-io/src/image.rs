@@ -24,7 +24,7 @@ use std::path::{Path, PathBuf};
 
 use capwalk_scene::Image;
 
-pub use panel::{Panel, Style, write_panels};
+pub use panel::{Panel, Style, colour_bar_as_png, pixels_as_png, write_panels};
 
 pub(crate) use exr::decode as decode_exr;
 pub(crate) use exr::encode as encode_exr;

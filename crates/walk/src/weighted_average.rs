@@ -41,6 +41,25 @@ impl WeightedAverage {
         (field.value, field.tangent[0])
     }
 
+    /// The ratio estimate of the field and its derivative at `x` from some points
+    /// of `[0, 2]`, uniformly distributed: what programs use. Biased, because the
+    /// mean of a ratio is not the ratio of the means (Section 3.2).
+    pub fn estimate(&self, x: f64, points: impl IntoIterator<Item = f64>) -> (f64, f64) {
+        let x = Dual::<1>::variable(x, 0);
+        let mut all = Dual::constant(0.0);
+        let mut moving = Dual::constant(0.0);
+        for q in points {
+            let end = if q < 1.0 { 0.0 } else { 1.0 };
+            let weight = self.weight_of(x, q, q - end);
+            all = all + weight;
+            if q >= 1.0 {
+                moving = moving + weight;
+            }
+        }
+        let field = moving / all;
+        (field.value, field.tangent[0])
+    }
+
     /// The integral of the weights of the points of an interval, which belong
     /// to the part that begins at `end`.
     fn weight(&self, x: Dual<1>, [from, to]: [f64; 2], end: f64) -> Dual<1> {
@@ -71,6 +90,25 @@ impl WeightedAverage {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// From many points it is the field, from eight it is not.
+    #[test]
+    fn the_ratio_is_consistent_but_biased() {
+        let field = WeightedAverage::default();
+        let exact = field.value_and_slope(0.9).0;
+        let evenly = |n: u32| (0..n).map(move |i| 2.0 * (f64::from(i) + 0.5) / f64::from(n));
+        let many = field.estimate(0.9, evenly(2_000_000)).0;
+        assert!((many - exact).abs() < 1e-4, "{many} {exact}");
+        // The mean over all shifts of eight even points.
+        let shifts = 1000;
+        let shifted = (0..shifts).map(|k| {
+            let shift = (f64::from(k) + 0.5) / f64::from(shifts) * 0.25;
+            let points = (0..8).map(move |i| 0.25 * f64::from(i) + shift);
+            field.estimate(0.9, points).0 / f64::from(shifts)
+        });
+        let few = shifted.sum::<f64>();
+        assert!((few - exact).abs() > 0.05, "{few} {exact}");
+    }
 
     #[test]
     fn slope_is_that_of_the_value() {

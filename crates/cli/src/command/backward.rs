@@ -59,7 +59,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         console::remark(&report::warnings("picture", &loss.statistics));
         pieces.push(&loss.statistics);
     }
-    console::remark(method::remark(&args.method));
+    console::remark(&method::remark(&args.method));
     console::remark(&report::warnings("gradient", statistics));
     if args.json {
         let document = json!({

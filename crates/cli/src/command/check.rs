@@ -89,7 +89,7 @@ pub fn run(args: &Check) -> Result<Outcome> {
 
     let parameter = moving::describe(&typed.motion);
     let written = picture::write(&files, &typed.scene.scene, &parameter, &checked)?;
-    console::remark(method::remark(&typed.method));
+    console::remark(&method::remark(&typed.method));
     console::remark(&report::warnings("gradient", gradient));
     console::remark(&report::warnings("reference", differences));
     if typed.output.json {

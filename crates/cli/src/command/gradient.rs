@@ -37,7 +37,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
         output::note(&mut picture, "step", step);
     }
     let written = files.write(&picture, &[])?;
-    console::remark(method::remark(&args.method));
+    console::remark(&method::remark(&args.method));
     console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
     if args.output.json {

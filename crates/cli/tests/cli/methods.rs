@@ -78,6 +78,9 @@ fn methods_say_what_they_are() {
     assert_eq!((method.as_deref(), step), (Some("walk"), None));
     let (_, method, _) = run("--domain triangle");
     assert_eq!(method.as_deref(), Some("walk, domain triangle"));
+    let (stderr, method, _) = run("--method psdr-was --was-rays 4");
+    assert_has(&stderr, &["psdr-was is a baseline and biased"]);
+    assert_eq!(method.as_deref(), Some("psdr-was"));
     let (stderr, method, step) = run("--method was");
     assert_eq!(stderr.matches("baseline").count(), 1, "{stderr}");
     assert_eq!((method.as_deref(), step), (Some("was"), None));

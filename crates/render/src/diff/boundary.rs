@@ -13,7 +13,6 @@ use capwalk_geometry::{
 };
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::Emitter;
-use capwalk_scene::sensor::view::View;
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::accel::Accel;
@@ -21,6 +20,7 @@ use crate::options::Method;
 use crate::sampler::Stream;
 
 use super::crossing::{Crossing, crossings};
+pub use super::eye::{Eye, Visibility};
 use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
@@ -116,6 +116,16 @@ impl Boundaries {
         }
     }
 
+    /// The edges.
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// Positions of the joined mesh's vertices, then of the ends of crossings.
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
     /// How many points the boundaries are made of: the vertices of the joined
     /// mesh, then the ends of crossings.
     pub fn point_count(&self) -> usize {
@@ -164,90 +174,6 @@ fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
     edge.vertices = edge.vertices.map(|i| i + first_vertex);
     if let Sides::Between { faces, .. } = &mut edge.sides {
         *faces = faces.map(|i| i + first_face);
-    }
-}
-
-/// A point that looks at the boundaries around it.
-#[derive(Clone, Copy, Debug)]
-pub struct Eye<R> {
-    /// The shading point or the camera.
-    pub position: Vec3<R>,
-    /// The axes of a camera with parallel rays, around which directions are those of
-    /// picture space ([`View`]).
-    pub axes: Option<[Vec3<R>; 3]>,
-    /// Unit normal of the face it lies on, if it lies on one.
-    pub face_normal: Option<Vec3>,
-    /// Which edges count.
-    pub selection: EdgeSelection,
-    /// The group of edges that counts.
-    pub group: u8,
-    /// Whether hidden edges count.
-    pub visibility: Visibility,
-    /// Most flat specular events behind which edges count.
-    pub events: u32,
-}
-
-/// Which boundary points count. If the closest point of an edge is hidden, what
-/// hides it has an outline between that point and the rest of the edge: leaving
-/// out the edge leaves out no visible point that would be the closest.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Visibility {
-    /// All of them: right, too, and enough where nothing is hidden.
-    All,
-    /// Those that a point on a surface sees.
-    Surface,
-    /// Those that the camera sees, between its clip planes.
-    Camera,
-}
-
-impl<R: Real> Eye<R> {
-    /// The camera, whose paths can take so many specular events.
-    pub fn camera(view: &View<R>, events: u32) -> Self {
-        Self {
-            position: view.eye,
-            axes: view.is_parallel().then(|| view.axes()),
-            face_normal: None,
-            // Shading jumps at every crease, seen from either side.
-            selection: EdgeSelection::All,
-            group: SEEN,
-            visibility: Visibility::Camera,
-            events,
-        }
-    }
-
-    /// A surface point that looks for emitted light.
-    pub fn towards_emitters(position: Vec3<R>, face_normal: Vec3) -> Self {
-        Self {
-            position,
-            axes: None,
-            face_normal: Some(face_normal),
-            selection: EdgeSelection::Silhouettes,
-            group: EMITTED,
-            // Around a direction that reaches light nothing is hidden: what
-            // hides an edge would have an outline nearer than the edge.
-            visibility: Visibility::All,
-            events: 0,
-        }
-    }
-
-    /// A surface point that looks at other surfaces, along paths that can take so
-    /// many specular events.
-    pub fn towards_surfaces(position: Vec3<R>, face_normal: Vec3, events: u32) -> Self {
-        Self {
-            position,
-            axes: None,
-            face_normal: Some(face_normal),
-            selection: EdgeSelection::All,
-            group: SEEN,
-            visibility: Visibility::Surface,
-            events,
-        }
-    }
-
-    /// The vectors that move what is fixed to the eye, by [`Site::shares`].
-    pub fn vectors(&self) -> [Vec3<R>; 4] {
-        let [a, b, c] = self.axes.unwrap_or([Vec3::zero(); 3]);
-        [self.position, a, b, c]
     }
 }
 
@@ -348,7 +274,7 @@ impl<'a> Field<'a> {
         };
         let (edges, groups) = match self.method {
             // Beside triangles, in directions that meet nothing.
-            Method::TriangleWalk => (EdgeSelection::Silhouettes, SEEN),
+            Method::TriangleWalk | Method::ExplicitWalk => (EdgeSelection::Silhouettes, SEEN),
             _ => (eye.selection, eye.group),
         };
         Unfolded {
@@ -392,8 +318,12 @@ impl<'a> Field<'a> {
         match &self.method {
             Method::Walk | Method::Edges => None,
             Method::TriangleWalk => self.triangle_flow(eye, q, walk, random),
+            Method::ExplicitWalk => self.explicit_flow(eye, q, walk, random),
             Method::Was(settings) => {
                 Some(was::flow(self.accel, eye, q, settings, &random.branch()))
+            }
+            Method::PsdrWas(settings) => {
+                Some(self.psdr_was_flow(eye, q, settings, &random.branch()))
             }
         }
     }

@@ -13,7 +13,7 @@ use crate::world::World;
 use super::boundary::{Counts, Draw, Field};
 use super::motion::InMotion;
 use super::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_settings,
+    is_specular_somewhere, refuse_cut_normals, refuse_many_edges, refuse_motion, refuse_settings,
     refuse_turned_without_uvs, refuse_uncovered,
 };
 use super::slope::refuse_infinite_slopes;
@@ -33,6 +33,7 @@ pub fn gradient(
     refuse_infinite_slopes(scene, is_asked_for)?;
     let accel = Accel::new(scene);
     let field = Field::new(&accel, options.method);
+    refuse_many_edges(&field)?;
     let world = InMotion::new(&accel, &field, motion);
     let turns = motion.shapes.iter().any(Option::is_some);
     refuse_cut_normals(scene, turns || world.moves(), is_asked_for)?;

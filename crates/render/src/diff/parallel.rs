@@ -61,7 +61,7 @@ impl Field<'_> {
         match eye.axes {
             None => (apex + found.direction * found.distance, found.distance),
             Some(_) => {
-                let edge = &self.boundaries.edges[found.edge as usize];
+                let edge = self.boundaries.edge(found.edge);
                 let point = self.boundaries.point(edge.vertices, found.t);
                 (point, self.accel.view.depth(point))
             }

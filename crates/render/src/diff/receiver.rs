@@ -32,6 +32,8 @@ pub struct Receiver {
     pub distance: f64,
     /// Corners.
     pub corners: [Vec3; 3],
+    /// The face.
+    pub face: u32,
     vertices: [u32; 3],
     /// Normal, twice as long as the triangle is large.
     cross: Vec3,
@@ -49,9 +51,20 @@ impl Receiver {
             direction,
             distance: hit.t,
             corners: mesh.corners(hit.face as usize),
+            face: hit.face,
             vertices: mesh.faces[hit.face as usize],
             cross: mesh.face_cross(hit.face as usize),
         }
+    }
+
+    /// The hit point.
+    pub fn point(&self) -> Vec3 {
+        self.eye + self.direction * self.distance
+    }
+
+    /// The unit normal.
+    pub fn normal(&self) -> Vec3 {
+        self.cross.normalized()
     }
 
     /// The corners as seen from the eye.
@@ -76,7 +89,7 @@ impl Receiver {
     }
 
     /// Weights of the corners at a point of the plane, by areas.
-    fn weights(&self, point: Vec3) -> [f64; 3] {
+    pub fn weights(&self, point: Vec3) -> [f64; 3] {
         let [a, b, c] = self.corners;
         let scale = 1.0 / self.cross.length_squared();
         let area = |a: Vec3, b: Vec3| (a - point).cross(b - point).dot(self.cross) * scale;
@@ -91,18 +104,29 @@ impl Receiver {
     /// The velocity `v^∂`, relative to the material, of the projection of a boundary
     /// point through the eye on the triangle's plane, Eqs. (6) and (28). `seen` is
     /// the unit direction of the point.
-    pub fn projected(&self, site: &Site, seen: Vec3) -> PlaneVelocity {
-        let r = self.distance_along(seen);
-        // The direction turns with the boundary point, the ray is cut by the plane,
-        // and the material under it moves on.
-        let turned = |velocity: Vec3| self.in_plane(site.angular(velocity) * r, seen);
-        let plane = |velocity: Vec3| self.in_plane(velocity, seen);
+    pub fn boundary(&self, site: &Site, seen: Vec3) -> PlaneVelocity {
         let [a, b] = site.points;
-        let mut terms = vec![
-            (Source::Point(a), columns(|v| turned(v) * (1.0 - site.t))),
-            (Source::Point(b), columns(|v| turned(v) * site.t)),
-            (Source::Eye, columns(|v| plane(v) - turned(v))),
-        ];
+        let parts = [(a, 1.0 - site.t), (b, site.t)];
+        self.projected(&parts, |velocity| site.angular(velocity), seen)
+    }
+
+    /// The same of any point seen in a direction: a sum of others with weights, and
+    /// the map from its velocity relative to the eye to that of its direction.
+    pub fn projected(
+        &self,
+        parts: &[(u32, f64)],
+        angular: impl Fn(Vec3) -> Vec3,
+        seen: Vec3,
+    ) -> PlaneVelocity {
+        let r = self.distance_along(seen);
+        // The direction turns with the point, the ray is cut by the plane, and the
+        // material under it moves on.
+        let turned = |velocity: Vec3| self.in_plane(angular(velocity) * r, seen);
+        let plane = |velocity: Vec3| self.in_plane(velocity, seen);
+        let mut terms = vec![(Source::Eye, columns(|v| plane(v) - turned(v)))];
+        for &(point, weight) in parts {
+            terms.push((Source::Point(point), columns(|v| turned(v) * weight)));
+        }
         let weights = self.weights(self.eye + seen * r);
         for (i, weight) in self.vertices.into_iter().zip(weights) {
             terms.push((Source::Point(i), columns(|v| plane(v) * -weight)));
@@ -314,7 +338,7 @@ mod tests {
             place: None,
             mirrors: Mirrors::default(),
         };
-        let found = receiver.projected(&site, seen);
+        let found = receiver.boundary(&site, seen);
         let found = found.iter().fold(Vec3::zero(), |sum, (source, [x, y, z])| {
             let v = match *source {
                 Source::Point(i) if i >= 3 => end_velocities[i as usize - 3],

@@ -8,7 +8,9 @@ use crate::estimate::Statistics;
 use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
 use crate::options::{GradientOptions, Method, Refusal};
 
+use super::boundary::Field;
 use super::clip::refuse_clipped;
+use super::explicit::MOST_EDGES;
 use super::unfold::MAX_EVENTS;
 
 /// A refusal if there are lights without extent: the edges of their shadows lie on
@@ -36,8 +38,9 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
 /// A refusal if the camera's rays are parallel and the method has a field around
 /// points only.
 fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
-    match (scene.sensor.model, method) {
-        (SensorModel::Orthographic, Method::Was(_) | Method::TriangleWalk) => Err(Refusal {
+    let walks = matches!(method, Method::Walk | Method::Edges);
+    match scene.sensor.model {
+        SensorModel::Orthographic if !walks => Err(Refusal {
             reason: format!(
                 "the method `{}` has no field for the parallel rays of an orthographic sensor. Use \
                  the default method, or a perspective sensor far away with a small fov",
@@ -162,7 +165,7 @@ pub(super) fn refuse_uncovered(
         return Ok(());
     }
     let share = statistics.uncovered as f64 / statistics.samples as f64;
-    if *method == Method::TriangleWalk {
+    if matches!(method, Method::TriangleWalk | Method::ExplicitWalk) {
         return Err(Refusal {
             reason: format!(
                 "things move that are seen in mirrors or through what lets light pass (about {:.2} \
@@ -212,11 +215,30 @@ pub(super) fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusa
     refuse_clipped(accel)
 }
 
+/// A refusal if a method would look at too many edges.
+pub(super) fn refuse_many_edges(field: &Field) -> Result<(), Refusal> {
+    let count = field.boundaries.edges().len();
+    if field.method != Method::ExplicitWalk || count <= MOST_EDGES {
+        return Ok(());
+    }
+    Err(Refusal {
+        reason: format!(
+            "the scene has {count} edges, and walks among explicit boundaries look at all of them \
+             for every direction; expected at most {MOST_EDGES}. Use `domain` triangle, which asks \
+             a tree for the closest ones, or sphere"
+        ),
+    })
+}
+
 /// A refusal if the settings of a method do not give a field.
 pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> {
     match &options.method {
-        Method::Walk | Method::Edges | Method::TriangleWalk => refuse_walk(&options.walk),
-        Method::Was(was) if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) => {
+        Method::Walk | Method::Edges | Method::TriangleWalk | Method::ExplicitWalk => {
+            refuse_walk(&options.walk)
+        }
+        Method::Was(was) | Method::PsdrWas(was)
+            if was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()) =>
+        {
             Err(Refusal {
                 reason: format!(
                     "warped-area sampling with {} auxiliary rays of concentration {}; expected \
@@ -225,7 +247,7 @@ pub(super) fn refuse_settings(options: &GradientOptions) -> Result<(), Refusal> 
                 ),
             })
         }
-        Method::Was(_) => Ok(()),
+        Method::Was(_) | Method::PsdrWas(_) => Ok(()),
     }
 }
 

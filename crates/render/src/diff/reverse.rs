@@ -18,7 +18,7 @@ use super::adjoint::{Adjoint, Wanted};
 use super::boundary::{Counts, Draw, Field};
 use super::recording::Recording;
 use super::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_motion, refuse_settings,
+    is_specular_somewhere, refuse_cut_normals, refuse_many_edges, refuse_motion, refuse_settings,
     refuse_turned_without_uvs, refuse_uncovered,
 };
 use super::slope::refuse_infinite_slopes;
@@ -118,6 +118,7 @@ pub fn backward(
         refuse_turned_without_uvs(scene)?;
     }
     let field = Field::new(&accel, options.method);
+    refuse_many_edges(&field)?;
     let pass = Pass {
         scene,
         adjoint,

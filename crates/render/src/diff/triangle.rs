@@ -18,7 +18,7 @@ use capwalk_walk::{Outline, Sphere, Triangle, WalkSettings, sample_field};
 
 use super::boundary::{Eye, Field, Numbers, SEEN, Visibility};
 use super::flow::Flow;
-use super::receiver::Receiver;
+use super::receiver::{PlaneVelocity, Receiver};
 use super::unfold::{Mirrors, Seen};
 
 /// The triangle's border limits every cone; nothing else does.
@@ -29,19 +29,10 @@ fn unlimited(walk: &WalkSettings) -> WalkSettings {
     }
 }
 
-/// A boundary point that is seen without mirrors.
-fn directly(point: &SilhouettePoint) -> Seen {
-    Seen {
-        point: *point,
-        mirrors: Mirrors::default(),
-        is_direct: true,
-    }
-}
-
 /// Silhouettes lie before a triangle's plane if they are not farther behind than
 /// this fraction of the triangle's distance: where surfaces pass through it they
 /// lie in it.
-const IN_PLANE: f64 = 1e-6;
+pub(super) const IN_PLANE: f64 = 1e-6;
 
 impl Field<'_> {
     /// The triangle that a direction meets.
@@ -53,6 +44,21 @@ impl Field<'_> {
         };
         let hit = self.accel.first_hit_within(&ray)?;
         Some(Receiver::new(&self.accel.mesh, &hit, position, q))
+    }
+
+    /// The velocity of a silhouette's projection on the receiver.
+    pub(super) fn projected<R: Real>(
+        &self,
+        eye: &Eye<R>,
+        receiver: &Receiver,
+        point: &SilhouettePoint,
+    ) -> PlaneVelocity {
+        let seen = Seen {
+            point: *point,
+            mirrors: Mirrors::default(),
+            is_direct: true,
+        };
+        receiver.boundary(&self.site(eye, &seen), point.direction)
     }
 
     /// The directions in which the receiver is seen, and what bounds them.
@@ -99,8 +105,7 @@ impl Field<'_> {
         let mut flow = receiver.material();
         for term in sample.terms() {
             if let Outline::Silhouette(point) = &term.site {
-                let velocity =
-                    receiver.projected(&self.site(eye, &directly(point)), point.direction);
+                let velocity = self.projected(eye, &receiver, point);
                 let divergence = receiver.divergence(term.slope);
                 receiver.add(&mut flow, &velocity, term.weight, divergence);
             }

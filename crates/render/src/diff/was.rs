@@ -27,20 +27,7 @@ use crate::sampler::Stream;
 
 use super::boundary::{Eye, Visibility};
 use super::flow::{Flow, Source};
-
-/// `γ`, how fast weights fall off.
-const EXPONENT: i32 = 3;
-/// Rays are drawn where the density is above this part of its maximum.
-const LEAST_DENSITY: f64 = 1e-6;
-/// `D + B` below this counts as this: zero only if a ray is drawn in the very
-/// direction of an edge, and the cube of its inverse is finite.
-const LEAST_DENOMINATOR: f64 = 1e-12;
-/// Probability of another doubling in the debiased estimator: between 1/4, where
-/// its variance would be infinite for bounded weights, and 1/2, where its cost
-/// would be.
-const DOUBLING: f64 = 0.4;
-/// Most doublings. The bias of so many rays, 2^12 times as many, is left.
-const MAX_DOUBLINGS: u32 = 12;
+use super::weighted_mean::{self, Share, edge_test, ray_numbers, relative_density};
 
 /// An auxiliary ray.
 struct Auxiliary {
@@ -54,24 +41,6 @@ struct Auxiliary {
     hit: Option<Hit>,
 }
 
-/// What the velocity of one ray's hit does to the mean.
-#[derive(Clone, Copy)]
-struct Share {
-    /// Its weight in the velocity.
-    weight: f64,
-    /// The covector on it in the divergence.
-    divergence: Vec3,
-}
-
-impl Share {
-    fn none() -> Self {
-        Self {
-            weight: 0.0,
-            divergence: Vec3::zero(),
-        }
-    }
-}
-
 /// The velocity of the direction `q` and the divergence there, as a map from the
 /// velocities of the vertices around what auxiliary rays hit, Eq. (7).
 pub fn flow<R: Real>(
@@ -81,41 +50,15 @@ pub fn flow<R: Real>(
     settings: &WasSettings,
     numbers: &Stream,
 ) -> Flow {
-    let count = settings.rays as usize;
-    let mut rays = Vec::with_capacity(count);
-    let mut drawn = 0;
-    let mut draw = |rays: &mut Vec<Auxiliary>| {
-        batch(accel, eye, q, settings, numbers, drawn, rays);
-        drawn += 1;
-    };
-    draw(&mut rays);
-    let mut shares = vec![Share::none(); count];
-    let kappa = settings.kappa;
-    add_ratio(&rays, q, kappa, 1.0, &mut shares);
-    if settings.debias {
-        // A telescoping sum over estimates with twice as many rays each (McLeish
-        // 2011), cut by roulette. What is added is compared with the mean of
-        // both halves, which makes it small (Blanchet and Glynn 2015).
-        let mut probability = 1.0;
-        for level in 0..MAX_DOUBLINGS {
-            if numbers.number(level) >= DOUBLING {
-                break;
-            }
-            probability *= DOUBLING;
-            let half = rays.len();
-            while rays.len() < 2 * half {
-                draw(&mut rays);
-            }
-            shares.resize(rays.len(), Share::none());
-            let factor = 1.0 / probability;
-            add_ratio(&rays, q, kappa, factor, &mut shares);
-            for part in [0..half, half..2 * half] {
-                let halves = &mut shares[part.clone()];
-                add_ratio(&rays[part], q, kappa, -0.5 * factor, halves);
-            }
-        }
-    }
+    let draw = |index, rays: &mut Vec<_>| batch(accel, eye, q, settings, numbers, index, rays);
+    let weight = |ray: &Auxiliary| weight(ray, q, settings.kappa);
+    let (rays, shares) = weighted_mean::shares(settings, numbers, draw, weight, curvature(q));
     flow_of(accel, &rays, &shares)
+}
+
+/// The covector on the mean in the divergence of its tangent part.
+fn curvature(q: Vec3) -> Vec3 {
+    q * -2.0
 }
 
 /// Draws as many auxiliary rays as the settings say, the `index`-th batch.
@@ -129,10 +72,7 @@ fn batch<R: Real>(
     rays: &mut Vec<Auxiliary>,
 ) {
     let frame = Frame::from_normal(q);
-    let first = MAX_DOUBLINGS + 2 * index * settings.rays;
-    for i in 0..settings.rays {
-        let mirrored = settings.antithetic && i % 2 == 1;
-        let u = numbers.pair(first + 2 * (i - u32::from(mirrored)));
+    for (u, mirrored) in ray_numbers(settings, numbers, index) {
         let (local, inverse_density) = sample_direction(settings.kappa, u);
         let local = match mirrored {
             true => Vec3::new(-local.x, -local.y, local.z),
@@ -153,10 +93,10 @@ fn batch<R: Real>(
 }
 
 /// A direction around `+z` with a density proportional to `e^{κ (cos θ - 1)}`
-/// (von Mises and Fisher) where that is not below [`LEAST_DENSITY`]; and the
-/// inverse of this number.
+/// (von Mises and Fisher) where that is not tiny; and the inverse of this
+/// number.
 fn sample_direction(kappa: f64, u: [f64; 2]) -> (Vec3, f64) {
-    let s = (1.0 - u[1]).max(LEAST_DENSITY);
+    let s = relative_density(u[1]);
     let density = s + (1.0 - s) * (-2.0 * kappa).exp();
     let height = -density.ln() / kappa; // 1 - cos θ
     let sin_theta = (height * (2.0 - height)).max(0.0).sqrt();
@@ -166,7 +106,7 @@ fn sample_direction(kappa: f64, u: [f64; 2]) -> (Vec3, f64) {
 }
 
 /// What the eye sees in a direction.
-fn cast<R: Real>(accel: &Accel, eye: &Eye<R>, direction: Vec3) -> Option<Hit> {
+pub(super) fn cast<R: Real>(accel: &Accel, eye: &Eye<R>, direction: Vec3) -> Option<Hit> {
     let position = eye.position.value();
     match eye.visibility {
         Visibility::Camera => accel.first_hit_within(&accel.camera_ray(position, direction)),
@@ -175,12 +115,10 @@ fn cast<R: Real>(accel: &Accel, eye: &Eye<R>, direction: Vec3) -> Option<Hit> {
 }
 
 /// `B`: zero at silhouettes, at most about one.
-fn boundary_test(accel: &Accel, test: WasBoundary, hit: &Hit, direction: Vec3) -> f64 {
+pub(super) fn boundary_test(accel: &Accel, test: WasBoundary, hit: &Hit, direction: Vec3) -> f64 {
     let weights = corner_weights(hit);
     match test {
-        // The distance to the next edge of the triangle as if it were
-        // equilateral, one in its middle (Mitsuba 3.4).
-        WasBoundary::Edges => 3.0 * weights.into_iter().fold(1.0, f64::min),
+        WasBoundary::Edges => edge_test(weights),
         // Normals turn away from the eye at outlines of smooth surfaces. The
         // mean is not normalised (Falcor).
         WasBoundary::Normals => {
@@ -200,7 +138,7 @@ fn boundary_test(accel: &Accel, test: WasBoundary, hit: &Hit, direction: Vec3) -
     }
 }
 
-fn corner_weights(hit: &Hit) -> [f64; 3] {
+pub(super) fn corner_weights(hit: &Hit) -> [f64; 3] {
     let [b, c] = hit.barycentric;
     [1.0 - b - c, b, c]
 }
@@ -211,32 +149,11 @@ fn distance(q: Vec3, z: Vec3, kappa: f64) -> f64 {
 }
 
 /// `w(z; q)` over the density of `z`, Eq. (8), and its gradient by `q` on the
-/// tangent plane. The density is not differentiated, nor is `B(z)`, which does
-/// not depend on `q`.
+/// tangent plane.
 fn weight(ray: &Auxiliary, q: Vec3, kappa: f64) -> (f64, Vec3) {
     let distance = distance(q, ray.direction, kappa);
-    let denominator = (distance + ray.boundary).max(LEAST_DENOMINATOR);
-    let weight = ray.inverse_density / denominator.powi(EXPONENT);
-    let slope = f64::from(EXPONENT) * kappa * (distance + 1.0) * weight / denominator;
-    (weight, ray.direction.reject_from(q) * slope)
-}
-
-/// Adds `factor` times the ratio estimate of Eq. (7) from these rays. With
-/// `W = Σ w_i` the divergence of the tangent part of the mean is
-///
-/// ```text
-/// Σ_i V_i · [ ∇w_i - (w_i / W) Σ_j ∇w_j ] / W  -  2 q·v
-/// ```
-fn add_ratio(rays: &[Auxiliary], q: Vec3, kappa: f64, factor: f64, shares: &mut [Share]) {
-    let weights: Vec<_> = rays.iter().map(|ray| weight(ray, q, kappa)).collect();
-    let start = (0.0, Vec3::zero());
-    let (sum, slope_sum) = weights.iter().fold(start, |a, b| (a.0 + b.0, a.1 + b.1));
-    let mean_slope = slope_sum / sum;
-    for ((weight, slope), share) in weights.into_iter().zip(shares) {
-        let part = weight / sum * factor;
-        share.weight += part;
-        share.divergence += slope * (factor / sum) - (mean_slope + q * 2.0) * part;
-    }
+    let slope = ray.direction.reject_from(q) * (-kappa * (distance + 1.0));
+    weighted_mean::weight(ray.inverse_density, (distance, slope), ray.boundary)
 }
 
 /// The same as a map from the velocities of vertices: a hit keeps its place on the

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
 use super::canvas::{Canvas, text_width};
@@ -60,6 +61,45 @@ pub fn write_panels(
     save_canvas(path, &draw(panels), metadata)?;
     let images = panels.iter().map(|panel| panel.image);
     Ok(images.map(tone::non_finite_pixels).sum())
+}
+
+/// A picture as a PNG file in memory, its pixels as they are: no title, no bar.
+pub fn pixels_as_png(image: &Image, style: Style) -> Result<Vec<u8>, ImageError> {
+    let path = Path::new("picture in memory");
+    if let Style::Diverging { limit } = style {
+        check_limit(path, limit)?;
+    }
+    let pixels = image.pixels.iter().map(|&pixel| style.colour(pixel));
+    let canvas = Canvas {
+        width: image.width,
+        height: image.height,
+        pixels: pixels.collect(),
+    };
+    png::encode(&canvas, &[]).map_err(|reason| write_error(path, reason))
+}
+
+/// The colours of [`Style::Diverging`] from its negative limit, at the left, to
+/// the positive one, as a PNG file in memory.
+pub fn colour_bar_as_png() -> Result<Vec<u8>, ImageError> {
+    const STEPS: usize = 121;
+    let last = (STEPS - 1) as f64;
+    let values = (0..STEPS).map(|i| Rgb::splat(2.0 * i as f64 / last - 1.0));
+    let bar = Image {
+        width: STEPS,
+        height: 1,
+        pixels: values.collect(),
+    };
+    pixels_as_png(&bar, Style::Diverging { limit: 1.0 })
+}
+
+impl Style {
+    /// The colour of a pixel on a screen.
+    fn colour(self, pixel: Rgb) -> [u8; 3] {
+        match self {
+            Self::Photographic { exposure } => tone::photographic(pixel, exposure.exp2()),
+            Self::Diverging { limit } => tone::diverging(tone::mean(pixel), limit),
+        }
+    }
 }
 
 /// Writes the preview of a picture: its gradient, or else its value, or else
@@ -197,12 +237,8 @@ fn draw_pixels(canvas: &mut Canvas, panel: &Panel, layout: &Layout, top: usize) 
     for y in 0..panel.image.height {
         for x in 0..panel.image.width {
             let pixel = panel.image.at(x, y);
-            let colour = match panel.style {
-                Style::Photographic { exposure } => tone::photographic(pixel, exposure.exp2()),
-                Style::Diverging { limit } => tone::diverging(tone::mean(pixel), limit),
-            };
             let corner = [layout.left + x * layout.zoom, top + y * layout.zoom];
-            canvas.fill(corner, [layout.zoom; 2], colour);
+            canvas.fill(corner, [layout.zoom; 2], panel.style.colour(pixel));
         }
     }
 }

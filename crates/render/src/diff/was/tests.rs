@@ -21,6 +21,12 @@ fn rays(q: Vec3, count: usize) -> Vec<Auxiliary> {
     (0..count).map(ray).collect()
 }
 
+/// Adds `factor` times the ratio estimate.
+fn add_ratio(rays: &[Auxiliary], q: Vec3, kappa: f64, factor: f64, shares: &mut [Share]) {
+    let weights: Vec<_> = rays.iter().map(|ray| weight(ray, q, kappa)).collect();
+    weighted_mean::add_ratio(&weights, curvature(q), factor, shares);
+}
+
 /// What is drawn in a cap, over its density, is the area of the cap.
 #[test]
 fn directions_have_their_density() {

@@ -1,0 +1,221 @@
+//! Claims and what follows about them from measured numbers.
+
+use std::fmt;
+
+use capwalk_math::Moments;
+use capwalk_render::check;
+
+/// A claim of the paper beside what was measured here.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Claim {
+    /// What is claimed.
+    pub statement: String,
+    /// The paper's number or figure.
+    pub paper: String,
+    /// Ours, with its uncertainty.
+    pub ours: String,
+    /// What follows.
+    pub verdict: Verdict,
+}
+
+/// What follows about a claim.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// It is so here, beyond the uncertainty.
+    Holds,
+    /// It is not so here, beyond the uncertainty.
+    DoesNotHold(String),
+    /// The uncertainty is too large.
+    CouldNotTell(String),
+    /// The number depends on what differs between the paper and here.
+    NotComparable(String),
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Holds => write!(f, "holds"),
+            Self::DoesNotHold(reason) => write!(f, "does not hold: {reason}"),
+            Self::CouldNotTell(reason) => write!(f, "could not tell: {reason}"),
+            Self::NotComparable(reason) => write!(f, "not comparable: {reason}"),
+        }
+    }
+}
+
+/// Standard errors beyond which something is not an accident: one false verdict
+/// in 740 for a single test.
+const SIGNIFICANT: f64 = 3.0;
+
+/// A number and its standard error.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// The number.
+    pub value: f64,
+    /// Its standard error; 0 for numbers without noise.
+    pub error: f64,
+}
+
+impl From<Moments> for Measured {
+    fn from(moments: Moments) -> Self {
+        Self {
+            value: moments.mean,
+            error: moments.standard_error(),
+        }
+    }
+}
+
+impl Measured {
+    /// `self / other`, errors to first order.
+    pub fn over(self, other: Self) -> Self {
+        let value = self.value / other.value;
+        let error = value.abs() * (self.error / self.value).hypot(other.error / other.value);
+        Self { value, error }
+    }
+
+    /// Difference from a number in standard errors.
+    pub fn z(self, expected: f64) -> f64 {
+        let difference = self.value - expected;
+        match difference == 0.0 {
+            true => 0.0,
+            false => difference / self.error,
+        }
+    }
+}
+
+impl fmt::Display for Measured {
+    /// The error in two digits, the value to the same place.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.error > 0.0 && self.error.is_finite() {
+            let place = (1.0 - self.error.log10().floor()).max(0.0) as usize;
+            if place <= 6 {
+                return write!(f, "{:.place$} ± {:.place$}", self.value, self.error);
+            }
+        }
+        write!(f, "{} ± {}", digits(self.value), digits(self.error))
+    }
+}
+
+/// A number in about three digits.
+pub fn digits(x: f64) -> String {
+    let size = x.abs();
+    if size != 0.0 && !(1e-3..1e6).contains(&size) {
+        return format!("{x:.2e}");
+    }
+    let decimals = match size == 0.0 {
+        true => 0,
+        false => (2.0 - size.log10().floor()).clamp(0.0, 6.0) as usize,
+    };
+    format!("{x:.decimals$}")
+}
+
+/// That every number is what it should be. Too noisy to say so if an error
+/// exceeds the `tolerance`, the deviation that matters.
+pub fn all_equal(numbers: &[Measured], expected: f64, tolerance: f64) -> Verdict {
+    // The more numbers, the more of them are far off by accident (Bonferroni).
+    let allowed = SIGNIFICANT + 0.5 * (numbers.len() as f64).ln();
+    let worst = numbers
+        .iter()
+        .max_by(|a, b| a.z(expected).abs().total_cmp(&b.z(expected).abs()))
+        .expect("there are numbers to compare");
+    if worst.z(expected).abs() > allowed {
+        let z = worst.z(expected);
+        return Verdict::DoesNotHold(format!("{worst} is {z:.1} standard errors from {expected}"));
+    }
+    match numbers.iter().find(|n| n.error > tolerance) {
+        Some(noisy) => Verdict::CouldNotTell(format!("{noisy} is too noisy")),
+        None => Verdict::Holds,
+    }
+}
+
+/// That a number is below another.
+pub fn below(smaller: Measured, larger: Measured) -> Verdict {
+    let error = smaller.error.hypot(larger.error);
+    let z = (larger.value - smaller.value) / error;
+    if z > SIGNIFICANT {
+        Verdict::Holds
+    } else if z < -SIGNIFICANT {
+        Verdict::DoesNotHold(format!("{smaller} is above {larger}"))
+    } else {
+        Verdict::CouldNotTell(format!("{smaller} against {larger}"))
+    }
+}
+
+/// That all of several claims hold.
+pub fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
+    let mut verdict = Verdict::Holds;
+    for other in verdicts {
+        match (&verdict, &other) {
+            (Verdict::DoesNotHold(_), _) | (_, Verdict::Holds) => {}
+            (Verdict::Holds, _) | (_, Verdict::DoesNotHold(_)) => verdict = other,
+            _ => {}
+        }
+    }
+    verdict
+}
+
+/// That a derivative picture is that of its reference.
+pub fn of_check(comparison: &check::Comparison) -> Verdict {
+    match &comparison.verdict {
+        check::Verdict::Right => Verdict::Holds,
+        check::Verdict::Wrong { reason } => Verdict::DoesNotHold(reason.clone()),
+        check::Verdict::CouldNotTell { samples_factor } => Verdict::CouldNotTell(format!(
+            "needs {} times the samples",
+            digits(*samples_factor)
+        )),
+    }
+}
+
+/// What a comparison of pictures found, in one line.
+pub fn in_words(comparison: &check::Comparison) -> String {
+    let slope = Measured {
+        value: comparison.slope,
+        error: comparison.slope_error,
+    };
+    let z_squared = Measured {
+        value: comparison.mean_z_squared,
+        error: comparison.mean_z_squared_error,
+    };
+    format!("best factor {slope}, mean z² {z_squared}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn measured(value: f64, error: f64) -> Measured {
+        Measured { value, error }
+    }
+
+    #[test]
+    fn verdicts_follow_from_numbers() {
+        let is = |verdict: Verdict| match verdict {
+            Verdict::Holds => 1,
+            Verdict::DoesNotHold(_) => -1,
+            Verdict::CouldNotTell(_) => 0,
+            Verdict::NotComparable(_) => 2,
+        };
+        assert_eq!(is(below(measured(1.0, 0.1), measured(2.0, 0.1))), 1);
+        assert_eq!(is(below(measured(2.0, 0.1), measured(1.0, 0.1))), -1);
+        assert_eq!(is(below(measured(1.0, 0.1), measured(1.2, 0.1))), 0);
+        let close = [measured(1.01, 0.01), measured(1.0, 0.0)];
+        assert_eq!(is(all_equal(&close, 1.0, 0.05)), 1);
+        assert_eq!(is(all_equal(&close, 1.0, 0.005)), 0);
+        assert_eq!(is(all_equal(&[measured(1.1, 0.01)], 1.0, 0.05)), -1);
+        assert_eq!(is(all_equal(&[measured(1.1, 0.0)], 1.0, 0.05)), -1);
+        let unsure = || Verdict::CouldNotTell(String::new());
+        let wrong = || Verdict::DoesNotHold(String::new());
+        assert_eq!(is(all([Verdict::Holds, unsure(), wrong()])), -1);
+        assert_eq!(is(all([wrong(), unsure()])), -1);
+        assert_eq!(is(all([unsure(), Verdict::Holds])), 0);
+        assert_eq!(is(all([Verdict::Holds, Verdict::Holds])), 1);
+    }
+
+    #[test]
+    fn numbers_are_as_long_as_their_errors() {
+        assert_eq!(measured(0.032146, 0.00123).to_string(), "0.0321 ± 0.0012");
+        assert_eq!(measured(1234.6, 12.3).to_string(), "1235 ± 12");
+        assert_eq!(measured(1.0, 0.0).to_string(), "1.00 ± 0");
+        assert_eq!(digits(0.000_012_34), "1.23e-5");
+        assert_eq!(digits(123.4), "123");
+    }
+}

@@ -1,0 +1,167 @@
+//! Curves as SVG.
+
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::ValueFormatter;
+use plotters::prelude::*;
+
+use crate::claim::digits;
+use crate::figure::{Curve, Plot};
+
+/// Size of a plot, CSS pixels.
+const SIZE: (u32, u32) = (460, 320);
+
+/// ColorBrewer's `Dark2` (Harrower and Brewer 2003).
+const COLOURS: [RGBColor; 6] = [
+    RGBColor(27, 158, 119),
+    RGBColor(217, 95, 2),
+    RGBColor(117, 112, 179),
+    RGBColor(231, 41, 138),
+    RGBColor(102, 166, 30),
+    RGBColor(166, 118, 29),
+];
+
+/// The plot as an SVG element.
+pub fn svg(plot: &Plot) -> String {
+    let mut text = String::new();
+    {
+        let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        draw(plot, &area).expect("a string can always be written to");
+    }
+    text
+}
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Drawing = Result<(), Box<dyn std::error::Error>>;
+
+fn draw(plot: &Plot, area: &Area) -> Drawing {
+    area.fill(&WHITE)?;
+    let [across, up] = [0, 1].map(|axis| extent(plot, axis));
+    let mut builder = ChartBuilder::on(area);
+    builder
+        .caption(&plot.title, ("sans-serif", 15))
+        .margin(8)
+        .x_label_area_size(36)
+        .y_label_area_size(58);
+    if plot.logarithmic {
+        let mut chart = builder
+            .build_cartesian_2d((across.0..across.1).log_scale(), (up.0..up.1).log_scale())?;
+        fill(plot, &mut chart)
+    } else {
+        let mut chart = builder.build_cartesian_2d(across.0..across.1, up.0..up.1)?;
+        fill(plot, &mut chart)
+    }
+}
+
+/// Axes, curves with bands of two standard errors, names.
+fn fill<'a, 'b: 'a, X, Y>(plot: &Plot, chart: &mut Chart<'a, 'b, X, Y>) -> Drawing
+where
+    X: Ranged<ValueType = f64> + ValueFormatter<f64>,
+    Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
+{
+    let label = |x: &f64| digits_short(*x);
+    chart
+        .configure_mesh()
+        .light_line_style(WHITE)
+        .bold_line_style(RGBColor(225, 225, 225))
+        .x_desc(&plot.axes[0])
+        .y_desc(&plot.axes[1])
+        .x_labels(6)
+        .y_labels(6)
+        .x_label_formatter(&label)
+        .y_label_formatter(&label)
+        .draw()?;
+    for (i, curve) in plot.curves.iter().enumerate() {
+        let colour = COLOURS[i % COLOURS.len()];
+        let bars = curve.points.iter().filter(|[_, _, error]| *error > 0.0);
+        let bars = bars.map(|&[x, y, error]| {
+            let least = match plot.logarithmic {
+                true => 0.1 * y,
+                false => f64::NEG_INFINITY,
+            };
+            let ends = vec![(x, (y - 2.0 * error).max(least)), (x, y + 2.0 * error)];
+            PathElement::new(ends, colour.mix(0.35))
+        });
+        chart.draw_series(bars)?;
+        let line = curve.points.iter().map(|&[x, y, _]| (x, y));
+        chart
+            .draw_series(LineSeries::new(line, colour.stroke_width(2)))?
+            .label(curve.name.clone())
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 16, y)], colour.stroke_width(2)));
+    }
+    if plot.curves.len() > 1 {
+        chart
+            .configure_series_labels()
+            .position(match plot.logarithmic {
+                true => SeriesLabelPosition::UpperRight,
+                false => SeriesLabelPosition::UpperLeft,
+            })
+            .background_style(WHITE.mix(0.8))
+            .border_style(RGBColor(200, 200, 200))
+            .draw()?;
+    }
+    Ok(())
+}
+
+type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
+
+/// The range of an axis, with some room.
+fn extent(plot: &Plot, axis: usize) -> (f64, f64) {
+    let points = plot.curves.iter().flat_map(|curve: &Curve| &curve.points);
+    let mut range = (f64::INFINITY, f64::NEG_INFINITY);
+    for point in points.filter(|p| p[axis].is_finite()) {
+        range = (range.0.min(point[axis]), range.1.max(point[axis]));
+    }
+    if range.0 > range.1 {
+        return (1.0, 2.0);
+    }
+    match plot.logarithmic {
+        true => (range.0 / 1.3, range.1 * 1.3),
+        false => {
+            let room = 0.04 * (range.1 - range.0).max(1e-9);
+            (range.0 - room, range.1 + room)
+        }
+    }
+}
+
+/// A number beside an axis.
+fn digits_short(x: f64) -> String {
+    if x.abs() < 1e-12 {
+        return "0".into();
+    }
+    let text = digits(x);
+    match text.contains('.') && !text.contains('e') {
+        true => text.trim_end_matches('0').trim_end_matches('.').into(),
+        false => text.replace(".00e", "e"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_become_lines_with_names() {
+        let plot = |logarithmic| Plot {
+            title: "a & b".into(),
+            axes: ["x".into(), "y".into()],
+            logarithmic,
+            curves: vec![
+                Curve {
+                    name: "first".into(),
+                    points: vec![[1.0, 2.0, 0.1], [2.0, 3.0, 0.0]],
+                },
+                Curve {
+                    name: "second".into(),
+                    points: vec![[1.0, 1.0, 0.0], [2.0, 1.5, 0.0]],
+                },
+            ],
+        };
+        for logarithmic in [false, true] {
+            let svg = svg(&plot(logarithmic));
+            assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
+            for part in ["first", "second", "a &amp; b", "<polyline"] {
+                assert!(svg.contains(part), "{part} in {svg}");
+            }
+        }
+    }
+}

@@ -1,0 +1,122 @@
+//! Derivative pictures by several methods, their times, and how far they are
+//! from a reference.
+
+use std::time::Instant;
+
+use capwalk_math::Moments;
+use capwalk_render::{
+    Estimate, GradientImage, GradientOptions, Method, WalkSettings, finite_difference, gradient,
+};
+use capwalk_scene::{Film, Filter, Motion, Scene, builtin, params};
+use capwalk_scene_io::image::Style;
+
+use crate::claim::Measured;
+use crate::figure::Shown;
+use crate::settings::{Failure, Settings, complete};
+
+/// A scene and what moves in it.
+pub struct Subject {
+    pub scene: Scene,
+    pub motion: Motion,
+    /// Half the distance of finite differences.
+    pub step: f64,
+}
+
+impl Subject {
+    /// A built-in scene with its parameter, in so many pixels with a box filter.
+    pub fn builtin(name: &str, [width, height]: [u32; 2], step: f64) -> Result<Self, Failure> {
+        let unusable = |reason: String| Failure::Unusable(format!("scene {name}: {reason}"));
+        let scene = builtin::scene(name).ok_or_else(|| unusable("it is not built in".into()))?;
+        let parameter = builtin::default_parameter(name).expect("it is built in");
+        Self::new(scene, parameter, [width, height], step)
+    }
+
+    /// A scene with one of its parameters.
+    pub fn new(
+        mut scene: Scene,
+        parameter: &str,
+        [width, height]: [u32; 2],
+        step: f64,
+    ) -> Result<Self, Failure> {
+        scene.film = Film::new(width, height, Filter::Box);
+        let motion = params::motion(&scene, parameter);
+        Ok(Self {
+            motion: motion.map_err(|error| Failure::Unusable(error.to_string()))?,
+            scene,
+            step,
+        })
+    }
+
+    /// The derivative by a method, with seconds.
+    pub fn gradient(
+        &self,
+        method: Method,
+        walk: WalkSettings,
+        spp: u32,
+        set: u64,
+        settings: &Settings,
+    ) -> Result<Run, Failure> {
+        let watch = (settings.stages)(method.name());
+        let wanted = GradientOptions {
+            method,
+            walk,
+            ..GradientOptions::new(settings.options(spp, set))
+        };
+        let started = Instant::now();
+        let image = gradient(&self.scene, &self.motion, &wanted, &*watch)?;
+        complete(&image.statistics)?;
+        Ok(Run {
+            image,
+            spp,
+            seconds: started.elapsed().as_secs_f64(),
+        })
+    }
+
+    /// The derivative by finite differences, with seconds.
+    pub fn difference(&self, spp: u32, set: u64, settings: &Settings) -> Result<Run, Failure> {
+        let watch = (settings.stages)("differences");
+        let options = settings.options(spp, set);
+        let started = Instant::now();
+        let image = finite_difference(&self.scene, &self.motion, self.step, &options, &*watch)?;
+        complete(&image.statistics)?;
+        Ok(Run {
+            image,
+            spp,
+            seconds: started.elapsed().as_secs_f64(),
+        })
+    }
+}
+
+/// A derivative picture and what it cost.
+pub struct Run {
+    pub image: GradientImage,
+    pub spp: u32,
+    pub seconds: f64,
+}
+
+impl Run {
+    pub fn gradient(&self) -> &Estimate {
+        &self.image.gradient
+    }
+}
+
+/// Mean absolute difference over pixels and channels. Pixels are sampled
+/// independently of each other, so their spread is its error.
+pub fn mean_l1(gradient: &Estimate, reference: &Estimate) -> Measured {
+    let mut moments = Moments::default();
+    for (a, b) in gradient.mean.pixels.iter().zip(&reference.mean.pixels) {
+        let difference = (*a - *b).to_array().map(f64::abs);
+        moments.add(difference.iter().sum::<f64>() / 3.0);
+    }
+    moments.into()
+}
+
+/// Derivatives side by side, colours within a limit.
+pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
+    let shown = pictures.iter().map(|(title, estimate)| Shown {
+        title: title.clone(),
+        image: estimate.mean.clone(),
+        style: Style::Diverging { limit },
+    });
+    shown.collect()
+}

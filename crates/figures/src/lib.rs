@@ -1,0 +1,92 @@
+//! The figures of the paper and its claims, from measured data.
+//!
+//! A [`Figure`] is what a function returns that renders, walks or searches:
+//! pictures, curves, tables, and for each of the paper's claims the paper's
+//! number, ours, and what follows by a test ([`Claim`]). [`write`] puts figures
+//! into a folder: PNG, EXR and CSV files, and one HTML page that needs no other
+//! file.
+//!
+//! ```no_run
+//! use capwalk_figures::{Quality, Settings, draw, write};
+//! let figure = draw("fig03", &Settings::new(Quality::Draft))?;
+//! write(&[figure], "report".as_ref())?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod claim;
+mod curves;
+mod fig03;
+mod fig08;
+mod fig09;
+mod fig10;
+mod figure;
+mod gradients;
+mod lattice;
+mod output;
+mod queries;
+mod random;
+mod report;
+mod settings;
+mod variance;
+
+pub use claim::{Claim, Measured, Verdict};
+pub use figure::{Figure, Plot, Row, Shown, Table};
+pub use output::{WriteError, write};
+pub use settings::{Failure, Quality, Settings, Stages};
+
+/// A figure that can be drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// Its name on the command line and in file names.
+    pub name: &'static str,
+    /// What it shows, in one line.
+    pub title: &'static str,
+    draw: fn(&Settings) -> Result<Figure, Failure>,
+}
+
+/// All figures, in the order of the report.
+pub const ALL: [Entry; 6] = [
+    Entry {
+        name: "fig03",
+        title: "Figure 3: the toy in one dimension",
+        draw: fig03::draw,
+    },
+    Entry {
+        name: "fig08",
+        title: "Figure 8: derivatives of fields, flat and spherical",
+        draw: fig08::draw,
+    },
+    Entry {
+        name: "fig09",
+        title: "Figure 9: a box in a room",
+        draw: fig09::draw,
+    },
+    Entry {
+        name: "fig10",
+        title: "Figure 10: how many steps, at equal time",
+        draw: fig10::draw,
+    },
+    Entry {
+        name: "queries",
+        title: "Section 7.2: cone queries and rays",
+        draw: queries::draw,
+    },
+    Entry {
+        name: "variance",
+        title: "Beyond the paper: the printed estimator and the anchored one",
+        draw: variance::draw,
+    },
+];
+
+/// Draws the figure of this name. `Err` for a name that is not in [`ALL`].
+pub fn draw(name: &str, settings: &Settings) -> Result<Figure, Failure> {
+    let entry = ALL.iter().find(|entry| entry.name == name);
+    let entry = entry.ok_or_else(|| Failure::Unknown { name: name.into() })?;
+    let started = std::time::Instant::now();
+    let mut figure = (entry.draw)(settings)?;
+    figure.name = entry.name;
+    figure.title = entry.title;
+    figure.quality = settings.quality;
+    figure.seconds = started.elapsed().as_secs_f64();
+    Ok(figure)
+}

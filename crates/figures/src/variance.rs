@@ -1,0 +1,201 @@
+//! Beyond the paper: the variance of the printed estimator and of the anchored
+//! one by the distance to the boundary (METHOD 2), in the plane and on the
+//! sphere.
+
+use capwalk_geometry::{EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_math::{Moments, Vec2, Vec3, sphere};
+use capwalk_walk::plane::CurvePoint;
+use capwalk_walk::{Domain, Estimator, Plane, Sphere, WalkSettings, sample_field};
+use rayon::prelude::*;
+
+use crate::claim::{Claim, Measured, Verdict};
+use crate::figure::{Curve, Figure, Plot, Row};
+use crate::random::random;
+use crate::settings::{Failure, Settings};
+
+/// Variances of the divergence at a point, one for each of the replicates.
+fn variances<D: Domain>(
+    domain: &D,
+    x: D::Vector,
+    velocity: impl Fn(&D::Site) -> D::Vector,
+    estimator: Estimator,
+    settings: &Settings,
+) -> Vec<f64> {
+    let samples = settings.quality.choose(50, 4_000, 40_000);
+    let walk = WalkSettings {
+        max_radius: 1.0,
+        estimator,
+        ..WalkSettings::default()
+    };
+    let replicate = |k: u64| {
+        let mut moments = Moments::default();
+        for i in 0..samples {
+            let number = |d: u32| random([settings.seed, k, i, u64::from(d)]);
+            moments.add(sample_field(domain, x, &walk, number).evaluate(&velocity).1);
+        }
+        moments.variance()
+    };
+    (0..REPLICATES).map(replicate).collect()
+}
+
+const REPLICATES: u64 = 8;
+
+/// Distances to the boundary, from near to far.
+fn distances(settings: &Settings) -> Vec<f64> {
+    let count = settings.quality.choose(4, 17, 33);
+    let exponent = |i: usize| -4.0 + 3.2 * i as f64 / (count - 1) as f64;
+    (0..count).map(|i| 10_f64.powf(exponent(i))).collect()
+}
+
+/// The curve of the variance, and its slope between the nearest and the
+/// farthest distance on logarithmic axes.
+struct Found {
+    curve: Curve,
+    slope: Measured,
+}
+
+fn measure(
+    name: &str,
+    settings: &Settings,
+    variances_at: impl Fn(f64) -> Vec<f64> + Sync,
+) -> Found {
+    let distances = distances(settings);
+    let all: Vec<Vec<f64>> = distances.par_iter().map(|&d| variances_at(d)).collect();
+    let mean = |values: &[f64]| {
+        let mut moments = Moments::default();
+        values.iter().for_each(|&x| moments.add(x));
+        moments
+    };
+    let points = distances.iter().zip(&all).map(|(&d, values)| {
+        let moments = mean(values);
+        [d, moments.mean, moments.standard_error()]
+    });
+    // The nearer half: far away the boundary's other parts come in.
+    let near = distances.len() / 2;
+    let mut slopes = Moments::default();
+    for (nearer, nearest) in all[near].iter().zip(&all[0]) {
+        let rise = (nearer / nearest).ln();
+        slopes.add(rise / (distances[near] / distances[0]).ln());
+    }
+    Found {
+        curve: Curve {
+            name: name.into(),
+            points: points.collect(),
+        },
+        slope: slopes.into(),
+    }
+}
+
+pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
+    let watch = (settings.stages)("variance");
+    let flat = Plane::polygon(
+        &[[-1.0, -0.8], [1.0, -1.0], [0.9, 0.8], [-0.8, 0.9]].map(|[x, y]| Vec2::new(x, y)),
+    );
+    let in_plane = |estimator: Estimator| {
+        let name = name(estimator);
+        measure(name, settings, |distance| {
+            // Straight in from the middle of the lowest side.
+            let x = Vec2::new(0.0, -0.9) + Vec2::new(0.1, 1.0).normalized() * distance;
+            let velocity = |site: &CurvePoint| {
+                let Vec2 { x, y } = site.point;
+                Vec2::new(1.0 + (2.0 * x).sin(), 0.5 + x * y)
+            };
+            variances(&flat, x, velocity, estimator, settings)
+        })
+    };
+    let mesh = Mesh {
+        positions: [[-0.6, -0.5, 1.0], [0.7, -0.4, 1.0], [0.05, 0.7, 1.0]]
+            .map(|[x, y, z]| Vec3::new(x, y, z))
+            .to_vec(),
+        faces: vec![[0, 1, 2]],
+    };
+    let tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
+    let on_sphere = |estimator: Estimator| {
+        let name = name(estimator);
+        measure(name, settings, |distance| {
+            let domain: Sphere = Sphere {
+                tree: &tree,
+                eye: Vec3::zero(),
+                edges: EdgeSelection::Silhouettes,
+                groups: u8::MAX,
+                in_front_of: None,
+                counts: None,
+                queries: Default::default(),
+            };
+            let foot = (mesh.positions[0] + mesh.positions[1]).normalized();
+            let inward = mesh.positions[0].cross(mesh.positions[1]).normalized();
+            let q = sphere::walk_along(foot, inward, distance);
+            // The triangle turns and shrinks.
+            let velocity = |site: &SilhouettePoint| {
+                let q = site.direction;
+                (Vec3::new(0.3, 1.0, 0.2).cross(q) + q * q.x).reject_from(q)
+            };
+            variances(&domain, q, velocity, estimator, settings)
+        })
+    };
+    let estimators = [Estimator::Literal, Estimator::Anchored];
+    let mut plots = Vec::new();
+    let mut claims = Vec::new();
+    for (domain, found) in [
+        ("plane", estimators.map(in_plane)),
+        ("sphere", estimators.map(on_sphere)),
+    ] {
+        if watch.should_stop() {
+            return Err(Failure::Stopped);
+        }
+        let [literal, anchored] = &found;
+        claims.push(Claim {
+            statement: format!(
+                "In the {domain}, the variance of the printed estimator grows like 1/A² towards \
+                 the boundary, so that over all points it is infinite"
+            ),
+            paper: "not mentioned".into(),
+            ours: format!("variance ∝ A^({})", literal.slope),
+            verdict: between(literal.slope, -2.3, -1.7),
+        });
+        claims.push(Claim {
+            statement: format!("In the {domain}, that of the anchored estimator stays bounded"),
+            paper: "not ours to compare".into(),
+            ours: format!("variance ∝ A^({})", anchored.slope),
+            verdict: between(anchored.slope, -0.3, f64::INFINITY),
+        });
+        plots.push(Plot {
+            title: format!("variance, {domain}"),
+            axes: [
+                "distance A to the boundary".into(),
+                "variance of the divergence".into(),
+            ],
+            logarithmic: true,
+            curves: found.map(|found| found.curve).into(),
+        });
+    }
+    Ok(Figure {
+        caption: "Variance of a single sample of the field's divergence (M = 1) at points closer \
+                  and closer to a moving boundary, by the estimator as printed (Eqs. 27 and 34, \
+                  independent samples) and anchored at the closest boundary point (the same mean, \
+                  docs/method.md 2)."
+            .into(),
+        rows: vec![Row::Plots(plots)],
+        claims,
+        ..Figure::default()
+    })
+}
+
+fn name(estimator: Estimator) -> &'static str {
+    match estimator {
+        Estimator::Literal => "as printed",
+        Estimator::Anchored => "anchored",
+    }
+}
+
+/// That a number lies between two others.
+fn between(number: Measured, low: f64, high: f64) -> Verdict {
+    let [least, most] = [-3.0, 3.0].map(|z| number.value + z * number.error);
+    if least > low && most < high {
+        Verdict::Holds
+    } else if most < low || least > high {
+        Verdict::DoesNotHold(format!("the exponent is {number}"))
+    } else {
+        Verdict::CouldNotTell(format!("the exponent is {number}"))
+    }
+}

@@ -1,0 +1,177 @@
+//! Every figure is drawn, small, and the report is opened.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use capwalk_figures::{ALL, Failure, Figure, Quality, Row, Settings, draw, write};
+
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // What an earlier run left.
+    let _ = fs::remove_dir_all(&folder);
+    folder
+}
+
+/// Everything there is in the report: a section, every claim, every picture.
+fn check_page(page: &str, figures: &[Figure]) {
+    assert!(!page.contains("<script"), "the page needs no script");
+    assert!(page.ends_with("</html>\n"));
+    for tag in ["table", "section", "figure", "div", "svg", "a"] {
+        let opened =
+            page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
+        let closed = page.matches(&format!("</{tag}>")).count();
+        assert_eq!(opened, closed, "<{tag}>");
+    }
+    let pictures: usize = figures
+        .iter()
+        .flat_map(|figure| &figure.rows)
+        .map(|row| match row {
+            Row::Pictures(shown) => shown.len(),
+            Row::Plots(plots) => {
+                plots.iter().for_each(|plot| {
+                    assert!(
+                        !plot.curves.is_empty() && plot.curves.iter().all(|c| c.points.len() > 1)
+                    );
+                });
+                0
+            }
+        })
+        .sum();
+    assert_eq!(page.matches("class=\"picture\"").count(), pictures);
+    // Nothing is loaded from elsewhere, and every picture can be decoded.
+    for source in page.split(" src=\"").skip(1) {
+        let source = source.split('"').next().unwrap_or("");
+        let data = source.strip_prefix("data:image/png;base64,");
+        let bytes = STANDARD.decode(data.expect("a picture inside the page"));
+        let bytes = bytes.expect("base64");
+        let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
+            .read_info()
+            .expect("a PNG file");
+        let mut pixels = vec![0; reader.output_buffer_size().expect("it fits")];
+        reader.next_frame(&mut pixels).expect("all of its pixels");
+        assert!(
+            pixels.iter().any(|&p| p != pixels[0]),
+            "a picture of one colour"
+        );
+    }
+    for figure in figures {
+        assert!(page.contains(&format!("<section id=\"{}\">", figure.name)));
+        assert!(!figure.claims.is_empty() && !figure.caption.is_empty());
+        for claim in &figure.claims {
+            // Once in the table of all claims, once in its section.
+            let text = claim.statement.replace('&', "&amp;").replace('<', "&lt;");
+            assert_eq!(page.matches(&text).count(), 2, "{text}");
+        }
+    }
+}
+
+#[test]
+fn every_figure_is_drawn() {
+    let settings = Settings::new(Quality::Smoke);
+    let drawn: Vec<Figure> = ALL
+        .iter()
+        .map(|entry| {
+            draw(entry.name, &settings).unwrap_or_else(|error| panic!("{}: {error}", entry.name))
+        })
+        .collect();
+    let folder = folder("every_figure");
+    let written = write(&drawn, &folder).expect("a folder for tests can be written to");
+    let names: BTreeSet<&PathBuf> = written.iter().collect();
+    assert_eq!(names.len(), written.len(), "a file is written twice");
+    for path in &written {
+        assert!(
+            fs::metadata(path).expect("it was written").len() > 20,
+            "{path:?}"
+        );
+    }
+    let report = folder.join("report.html");
+    let page = fs::read_to_string(&report).expect("it was written");
+    check_page(&page, &drawn);
+    open_in_browser(&folder, &page);
+}
+
+/// The page in a real browser, where there is one: no picture is missing.
+fn open_in_browser(folder: &Path, page: &str) {
+    let names = [
+        "chromium",
+        "chromium-browser",
+        "google-chrome",
+        "chrome-headless-shell",
+    ];
+    let given = std::env::var("CAPWALK_BROWSER").ok();
+    let candidates = given.iter().map(String::as_str).chain(names);
+    let found = candidates.into_iter().find(|name| {
+        let answer = Command::new(name).arg("--version").output();
+        answer.is_ok_and(|answer| answer.status.success())
+    });
+    let Some(browser) = found else {
+        println!(
+            "SKIPPED: no browser ({}), and CAPWALK_BROWSER is not set",
+            names.join(", ")
+        );
+        return;
+    };
+    // The page itself has no script: a copy counts what the browser shows.
+    let counting = "<script>addEventListener('load', () => { \
+        const all = [...document.images]; \
+        const shown = all.filter(i => i.complete && i.naturalWidth > 0 && i.getBoundingClientRect().width > 0); \
+        const drawn = [...document.querySelectorAll('svg')].filter(s => s.getBBox().width > 0); \
+        document.title = `shown ${shown.length} of ${all.length}, drawn ${drawn.length}, \
+            wider ${document.documentElement.scrollWidth > innerWidth}`; });</script></body>";
+    let copy = folder.join("counting.html");
+    fs::write(&copy, page.replace("</body>", counting)).expect("it can be written");
+    let answer = Command::new(browser)
+        .args([
+            "--headless",
+            "--disable-gpu",
+            "--no-sandbox",
+            "--virtual-time-budget=20000",
+        ])
+        .arg("--dump-dom")
+        .arg(format!("file://{}", copy.display()))
+        .output()
+        .expect("it said its version");
+    let dom = String::from_utf8_lossy(&answer.stdout);
+    let [images, plots] = [page.matches("<img ").count(), page.matches("<svg ").count()];
+    let expected = format!("<title>shown {images} of {images}, drawn {plots}, wider false</title>");
+    let title = dom
+        .split("<title>")
+        .nth(1)
+        .unwrap_or("")
+        .split("</title>")
+        .next();
+    assert!(dom.contains(&expected), "{expected}, found {title:?}");
+}
+
+#[test]
+fn unknown_figures_and_stopped_ones_are_errors() {
+    let settings = Settings::new(Quality::Smoke);
+    let failure = draw("fig99", &settings).expect_err("there is none");
+    assert_eq!(
+        failure,
+        Failure::Unknown {
+            name: "fig99".into()
+        }
+    );
+    assert!(failure.to_string().contains("fig03"), "{failure}");
+
+    struct Impatient;
+    impl capwalk_render::Watch for Impatient {
+        fn progress(&self, _: u64, _: u64) {}
+        fn should_stop(&self) -> bool {
+            true
+        }
+    }
+    let settings = Settings {
+        stages: &|_| Box::new(Impatient),
+        ..Settings::new(Quality::Smoke)
+    };
+    for entry in &ALL {
+        let failure = draw(entry.name, &settings).expect_err("it was stopped");
+        assert_eq!(failure, Failure::Stopped, "{}", entry.name);
+    }
+}
