@@ -98,6 +98,28 @@ fn picture_of_a_moving_thing() {
     on_triangles("picture", scene, expression, case);
 }
 
+/// Light from everywhere, past the borders of all triangles, and from other surfaces.
+#[test]
+fn indirect_light_of_an_environment() {
+    let mut scene = visible_cube();
+    scene.shapes.retain(|shape| shape.emitter.is_none());
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    scene.emitters = vec![Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    }];
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(3),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    let case = Case {
+        step: 2e-3,
+        ..few_pixels()
+    };
+    on_triangles("environment", scene, "thing.translate.x", case);
+}
+
 /// Another field, on disks among all projected silhouettes, has the same derivative.
 #[test]
 fn walks_among_explicit_boundaries() {
