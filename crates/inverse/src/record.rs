@@ -151,7 +151,11 @@ mod tests {
             Some("iteration,loss\n0,1.5\n1,1.0\n")
         );
         assert_eq!(kept(table, header, 3), None, "the row is torn");
-        assert_eq!(kept(table, header, 4), None);
+        assert_eq!(
+            kept(&table[..table.len() - 4], header, 3),
+            None,
+            "it is missing"
+        );
         assert_eq!(kept(table, "iteration\n", 1), None);
         assert_eq!(kept("iteration,loss\n7,1.5\n", header, 1), None);
     }

@@ -64,6 +64,10 @@ impl Live {
         bar.set_style(style.expect("the template is constant and valid"));
         bar.set_position(u64::from(done));
         bar.reset_eta();
+        if is_shown {
+            // Time passes during long iterations, too.
+            bar.enable_steady_tick(Duration::from_secs(1));
+        }
         Self {
             bar,
             losses: Vec::new(),

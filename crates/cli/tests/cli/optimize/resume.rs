@@ -1,0 +1,185 @@
+//! A run that is killed, torn or cut off at any moment ends in the same bits.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use super::{SMALL, arrays_of};
+use crate::{Capwalk, assert_has};
+
+/// All files below a folder that two equal runs share, with their bytes.
+fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut found = Vec::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).expect("a folder") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if !path.ends_with("timing.csv") {
+                let name = path.strip_prefix(folder).expect("it is below").to_owned();
+                found.push((name, fs::read(path).expect("readable")));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+#[track_caller]
+fn assert_same_files(a: &Path, b: &Path) {
+    let (a, b) = (files(a), files(b));
+    let names = |files: &[(PathBuf, Vec<u8>)]| -> Vec<PathBuf> {
+        files.iter().map(|(name, _)| name.clone()).collect()
+    };
+    assert_eq!(names(&a), names(&b));
+    for ((name, a), (_, b)) in a.iter().zip(&b) {
+        assert!(a == b, "{} differs", name.display());
+    }
+}
+
+/// How many iterations a run has kept.
+fn kept(folder: &Path) -> f64 {
+    let checkpoint = folder.join("checkpoint.npz");
+    match checkpoint.exists() {
+        true => {
+            arrays_of(&checkpoint)
+                .get("iterations")
+                .expect("counts")
+                .numbers[0]
+        }
+        false => -1.0,
+    }
+}
+
+/// The kills must hit runs at work, and there must be twenty of them. Three of four
+/// come up to 20 milliseconds after a run has kept a few more iterations, at places
+/// spread over the first two thirds, so that they hit something else each time on
+/// slow and fast machines; the others come while a run begins. The moments follow
+/// from a fixed sequence.
+#[test]
+fn a_run_killed_twenty_times_ends_in_the_same_bits() {
+    const KILLS: u32 = 20;
+    const ITERATIONS: u32 = 300;
+    let capwalk = Capwalk::new("optimize_killed");
+    let job = SMALL.replace("iterations = 40", &format!("iterations = {ITERATIONS}"));
+    capwalk.write("job.toml", &job);
+    let whole = capwalk.run("optimize job.toml -o whole -t 1");
+    assert_eq!(whole.status, 0, "{}", whole.stderr);
+    let killed = capwalk.path("killed");
+    let mut state = 12345_u64;
+    // A number in [0, 1) that looks random.
+    let mut random = || {
+        state = state
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (state >> 33) as f64 / (1_u64 << 31) as f64
+    };
+    for kill in 0..KILLS {
+        let mut command = capwalk.command("optimize job.toml -o killed --resume -t 2");
+        let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
+        let mut child = child.expect("it starts");
+        let mut ended = || child.try_wait().expect("it can be asked").is_some();
+        let started = Instant::now();
+        if kill % 4 == 0 {
+            std::thread::sleep(Duration::from_secs_f64(0.1 * random()));
+        } else {
+            let enough = f64::from(ITERATIONS * (kill + 1)) / (1.5 * f64::from(KILLS));
+            while kept(&killed) < enough && !ended() {
+                assert!(started.elapsed() < Duration::from_secs(120), "{kill}");
+                std::thread::sleep(Duration::from_millis(1));
+            }
+            std::thread::sleep(Duration::from_secs_f64(0.02 * random()));
+        }
+        if ended() {
+            let finished = crate::Finished::from(child.wait_with_output().expect("it ended"));
+            panic!("it ended before kill {kill}: {}", finished.stderr);
+        }
+        child.kill().expect("it can be killed"); // SIGKILL
+        child.wait().expect("it ends");
+    }
+    let done = kept(&killed);
+    assert!(
+        (0.6..1.0).contains(&(done / f64::from(ITERATIONS))),
+        "{done}"
+    );
+    let last = capwalk.run("optimize job.toml -o killed --resume");
+    assert_eq!(last.status, 0, "{}", last.stderr);
+    assert_same_files(&capwalk.path("whole"), &killed);
+    // Once more, when all is done.
+    let again = capwalk.run("optimize job.toml -o killed --resume");
+    assert_eq!(again.status, 0, "{}", again.stderr);
+    assert_same_files(&capwalk.path("whole"), &killed);
+}
+
+/// What is left when a run is cut off between any two things that it writes.
+#[test]
+fn every_order_of_writing_can_be_resumed() {
+    let capwalk = Capwalk::new("optimize_torn");
+    capwalk.write("job.toml", SMALL);
+    assert_eq!(capwalk.run("optimize job.toml -o whole").status, 0);
+    let whole = String::from_utf8(capwalk.bytes("whole/record.csv")).expect("text");
+    let short = SMALL.replace("iterations = 40", "iterations = 12");
+    for (case, rows) in [("torn_row", 12), ("more_rows", 20), ("exact", 12)] {
+        capwalk.write("short.toml", &short);
+        assert_eq!(
+            capwalk
+                .run(&format!("optimize short.toml -o {case}"))
+                .status,
+            0
+        );
+        // As if the run had been cut off after `rows` rows and 12 checkpoints.
+        let mut text: String = whole.split_inclusive('\n').take(1 + rows).collect();
+        if case == "torn_row" {
+            text += "12,0.03";
+        }
+        capwalk.write(&format!("{case}/record.csv"), &text);
+        capwalk.write(&format!("{case}/.parameters.npz.99.tmp"), "half");
+        let resumed = capwalk.run(&format!("optimize job.toml -o {case} --resume"));
+        assert_eq!(resumed.status, 0, "{case}: {}", resumed.stderr);
+        assert_has(&resumed.stderr, &["going on after iteration 12"]);
+        // The short run drew its last picture, which the whole one did not.
+        fs::remove_file(capwalk.path(&format!("{case}/pictures/000012.png"))).expect("there");
+        assert_same_files(&capwalk.path("whole"), &capwalk.path(case));
+    }
+    // Fewer rows than the checkpoint knows cannot be made up.
+    let text: String = whole.split_inclusive('\n').take(6).collect();
+    capwalk.write("exact/record.csv", &text);
+    let error = capwalk.error("optimize job.toml -o exact --resume");
+    assert_has(&error, &["record.csv", "does not have the rows of the 40"]);
+}
+
+/// A run goes on only with the job that it began with; how long, and when it
+/// stops, may change.
+#[test]
+fn another_job_cannot_go_on() {
+    let capwalk = Capwalk::new("optimize_other");
+    let short = SMALL.replace("iterations = 40", "iterations = 2");
+    capwalk.write("job.toml", &short);
+    assert_eq!(capwalk.run("optimize job.toml").status, 0);
+    assert_has(
+        &capwalk.error("optimize job.toml"),
+        &["already", "--resume", "-o"],
+    );
+    for (old, new, message) in [
+        ("spp = 4", "spp = 8", "spp was 4, is 8"),
+        ("seed = 5", "seed = 6", "seed was 5, is 6"),
+        ("lr = 0.02", "lr = 0.03", "lr was"),
+        ("size = [8, 6]", "size = [6, 8]", "scene was"),
+        ("= 0.2", "= 0.25", "view 1 was"),
+        ("[-1, 1]", "[-1, 2]", "parameter leaf.translate.x was"),
+    ] {
+        let changed = short.replacen(old, new, 1);
+        assert_ne!(changed, short, "{old}");
+        capwalk.write("job.toml", &changed);
+        let error = capwalk.error("optimize job.toml --resume");
+        let message = message.replace("lr was", "[optimizer] was lr 0.02");
+        assert_has(&error, &[&message, "cannot go on"]);
+    }
+    capwalk.write(
+        "job.toml",
+        &SMALL.replace("iterations = 40", "iterations = 4\ntime_limit = \"1h\""),
+    );
+    assert_eq!(capwalk.run("optimize job.toml --resume").status, 0);
+}

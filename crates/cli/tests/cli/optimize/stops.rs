@@ -1,0 +1,134 @@
+//! Why a run ends before its last iteration.
+
+use std::fs;
+use std::process::Stdio;
+use std::time::{Duration, Instant};
+
+use super::{SMALL, examples};
+use crate::{Capwalk, assert_has};
+
+#[test]
+fn runs_stop_for_a_reason() {
+    let capwalk = Capwalk::new("optimize_stops");
+    let stop = |name: &str, job: &str, status: i32, parts: &[&str]| {
+        capwalk.write(&format!("{name}.toml"), job);
+        let finished = capwalk.run(&format!("optimize {name}.toml -o {name}"));
+        assert_eq!(finished.status, status, "{name}: {}", finished.stderr);
+        assert_has(&finished.stdout, parts);
+        capwalk.bytes(&format!("{name}/parameters.npz"));
+    };
+    let with = |text: &str| format!("{SMALL}{text}");
+    stop(
+        "below",
+        &with("[stop]\nloss_below = 1e9"),
+        0,
+        &["0 iterations", "at most 1000000000"],
+    );
+    let patient = "[stop]\npatience = 3";
+    let still = with(patient).replace("lr = 0.02", "lr = 1e-300");
+    stop(
+        "patience",
+        &still,
+        0,
+        &["not become smaller for 3 iterations"],
+    );
+    // A floor that reflects less than nothing.
+    let outside = SMALL.replace("reparam = \"sigmoid\"", "lr = 10").replace(
+        "\"leaf.translate.x\" = 0.2",
+        "\"floor.bsdf.reflectance.value\" = 0.01",
+    );
+    stop(
+        "outside",
+        &outside,
+        1,
+        &["leaves what can be rendered", "`bounds`"],
+    );
+    // A leaf whose corners pass each other.
+    let torn = SMALL.replace(
+        "name = \"leaf.translate.x\"\nbounds = [-1, 1]",
+        "name = \"leaf.positions\"\nvertices = [0]\nalong = [1, 0, 0.7]\nlr = 5",
+    );
+    stop(
+        "torn",
+        &torn,
+        1,
+        &["in the next step face 0 of \"leaf\" turned over"],
+    );
+
+    capwalk.write(
+        "limit.toml",
+        &SMALL.replace("iterations = 40", "iterations = 100000000"),
+    );
+    let limited = capwalk.run("optimize limit.toml --time-limit 2s");
+    assert_eq!(limited.status, 0, "{}", limited.stderr);
+    assert_has(&limited.stdout, &["the time limit is over"]);
+}
+
+/// A sheet that crosses itself is refused before the first step, unless the guard is
+/// off.
+#[test]
+fn meshes_that_cross_themselves_are_refused() {
+    let capwalk = Capwalk::new("optimize_crossing");
+    let scene = fs::read(examples().join("flower/scene.xml")).expect("the example");
+    fs::write(capwalk.path("scene.xml"), scene).expect("writable");
+    let crossing = "v -0.5 1.5 0\nv 0.5 1.5 0\nv 0 1.5 0.5\nv 0 1.2 0.2\nv 0 1.8 0.2\n\
+                    v 0.1 1.5 -1\nf 1 2 3\nf 4 5 6\n";
+    capwalk.write("crossing.obj", crossing);
+    let job = r#"
+scene = "scene.xml"
+defines = { occluder = "crossing.obj" }
+size = [8, 6]
+iterations = 1
+spp = 4
+target = { set = { "sheet.translate.x" = 0.1 } }
+parameter = [{ name = "sheet.positions", along = "normals" }]
+optimizer = { lr = 1e-3 }
+"#;
+    capwalk.write("job.toml", job);
+    let error = capwalk.error("optimize job.toml");
+    let parts = [
+        "job.toml:8:",
+        "before the first step",
+        "faces 0 and 1 of \"sheet\" cross",
+    ];
+    assert_has(&error, &parts);
+    capwalk.write(
+        "job.toml",
+        &format!("{job}guards = {{ self_intersection = false }}\n"),
+    );
+    let json = capwalk.json("optimize job.toml --json");
+    assert_eq!(json["unknowns"], 6);
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_writes_what_is_done() {
+    let capwalk = Capwalk::new("optimize_ctrl_c");
+    capwalk.write(
+        "job.toml",
+        &SMALL.replace("iterations = 40", "iterations = 100000000"),
+    );
+    let mut command = capwalk.command("optimize job.toml --json");
+    let child = command
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn();
+    let child = child.expect("it starts");
+    let checkpoint = capwalk.path("out/checkpoint.npz");
+    let started = Instant::now();
+    while !checkpoint.exists() && started.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    // Nobody else may write there meanwhile.
+    let second = capwalk.error("optimize job.toml --resume");
+    assert_has(&second, &["another run is writing"]);
+    let interrupt = std::process::Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(interrupt.expect("kill exists").success());
+    let finished = crate::Finished::from(child.wait_with_output().expect("it ends"));
+    assert_eq!(finished.status, 5, "{}", finished.stderr);
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    assert_eq!(json["stopped"], "interrupted");
+    capwalk.bytes("out/parameters.npz");
+}
