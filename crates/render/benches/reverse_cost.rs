@@ -7,6 +7,8 @@
 //! several rounds. The difference of the two over the samples between them is the
 //! time of a sample; what is left is fixed: trees, and for reverse mode the sums
 //! over batches and the maps after the samples. Both are medians over the rounds.
+//! Derivatives by colours ask what the picture asks: their ratio to the picture is
+//! what recording and sweeping cost, with the queries of moving geometry left out.
 //! Memory is the process's peak after a way first ran, and can only grow from row
 //! to row.
 
@@ -69,13 +71,19 @@ fn main() {
 /// A way to use samples; what it did.
 type Way = fn(&Bench, u32) -> Statistics;
 
-const WAYS: [(&str, Way); 5] = [
+const WAYS: [(&str, Way); 6] = [
     ("picture", |bench, spp| {
         render(&bench.scene, &options(spp).options, &Unwatched).statistics
     }),
     ("forward, one translation of the mesh", |bench, spp| {
         let result = gradient(&bench.scene, &bench.motion, &options(spp), &Unwatched);
         result.expect("covered").statistics
+    }),
+    ("reverse, colours: same queries", |bench, spp| {
+        let colour = |name| params::motion(&bench.scene, name).expect("a colour");
+        let mut colours = colour("ball.bsdf.reflectance.value");
+        colours.add(&colour("floor.bsdf.reflectance.value"));
+        bench.backward(&Wanted::by(&colours), spp)
     }),
     ("reverse, the lamp's 4 vertices", |bench, spp| {
         let lamp = params::motion(&bench.scene, "lamp.translate.x").expect("a shape");

@@ -1,41 +1,71 @@
 //! Nearest first, down one branch of a tree after the other.
 
-use super::{Child, MAX_DEPTH, WIDTH};
+use super::{Child, WIDTH};
 
-/// A node on the way down leaves at most `WIDTH - 1` siblings behind; the last
-/// one pushes all its children.
-const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + WIDTH;
+/// Entries at the top of a stack: more than nearly every ray needs, and so few
+/// that making them costs nothing beside a node.
+const TOP: usize = 48;
 
 /// Children still to visit, each with a lower bound (a non-negative number) of
 /// what it can contribute.
 pub struct Stack {
     /// Bound and child in one number, so that numbers compare like bounds: the
     /// bits of non-negative floats do.
-    entries: [u64; STACK_SIZE],
+    top: [u64; TOP],
     len: usize,
+    /// What finds no room there, below it.
+    below: Vec<u64>,
 }
 
 impl Stack {
     /// A stack that holds the root.
     #[inline(always)]
     pub fn with_root() -> Self {
-        let mut entries = [0; STACK_SIZE];
-        entries[0] = pack(0.0, Child::node(0));
-        Self { entries, len: 1 }
+        let mut top = [0; TOP];
+        top[0] = pack(0.0, Child::node(0));
+        Self {
+            top,
+            len: 1,
+            below: Vec::new(),
+        }
     }
 
     /// The nearest child of the node opened last, and its bound.
     #[inline(always)]
     pub fn pop(&mut self) -> Option<(f32, Child)> {
+        if self.len == 0 {
+            self.raise();
+        }
         self.len = self.len.checked_sub(1)?;
-        let entry = self.entries[self.len];
+        let entry = self.top[self.len];
         let bound = f32::from_bits((entry >> 32) as u32);
         Some((bound, Child::from_bits(entry as u32)))
+    }
+
+    /// Moves all entries below.
+    #[cold]
+    fn sink(&mut self) {
+        self.below.extend_from_slice(&self.top[..self.len]);
+        self.len = 0;
+    }
+
+    /// Takes entries from below, if there are any.
+    #[cold]
+    fn raise(&mut self) {
+        let first = self.below.len().saturating_sub(TOP / 2);
+        let raised = self.below.drain(first..);
+        self.len = raised.len();
+        for (slot, entry) in self.top.iter_mut().zip(raised) {
+            *slot = entry;
+        }
     }
 
     /// Pushes the children whose bit is set, the farthest first.
     #[inline(always)]
     pub fn push_sorted(&mut self, mut mask: u32, bounds: &[f32; WIDTH], children: &[Child; WIDTH]) {
+        if self.len + WIDTH > TOP {
+            self.sink();
+        }
         let first = self.len;
         while mask != 0 {
             let i = mask.trailing_zeros() as usize % WIDTH;
@@ -43,11 +73,11 @@ impl Stack {
             let entry = pack(bounds[i], children[i]);
             // Insertion sort: there are two or three as a rule.
             let mut slot = self.len;
-            while slot > first && self.entries[slot - 1] < entry {
-                self.entries[slot] = self.entries[slot - 1];
+            while slot > first && self.top[slot - 1] < entry {
+                self.top[slot] = self.top[slot - 1];
                 slot -= 1;
             }
-            self.entries[slot] = entry;
+            self.top[slot] = entry;
             self.len += 1;
         }
     }
@@ -76,4 +106,35 @@ pub fn for_each_sorted(mut mask: u32, bounds: &[f32; WIDTH], mut visit: impl FnM
 fn pack(bound: f32, child: Child) -> u64 {
     debug_assert!(bound.is_sign_positive(), "bound {bound}");
     u64::from(bound.to_bits()) << 32 | u64::from(child.bits())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// However many are on it, the last node's nearest child comes first.
+    #[test]
+    fn deep_stacks_keep_their_order() {
+        let mut stack = Stack::with_root();
+        let mut expected = vec![0];
+        let mut next = 1;
+        let bounds: [f32; WIDTH] = std::array::from_fn(|i| 10.0 - i as f32);
+        for round in 0..2000 {
+            // Grows to several times the top, then shrinks to nothing.
+            if round % 20 < 3 || round > 1000 {
+                let popped = stack.pop().map(|(_, child)| child);
+                assert_eq!(popped, expected.pop().map(Child::node), "round {round}");
+            } else {
+                let mask = 0b1011 << (round % 4);
+                let children = std::array::from_fn(|i| Child::node(next + i));
+                stack.push_sorted(mask, &bounds, &children);
+                // The bounds fall: the last child is the nearest.
+                expected.extend((0..WIDTH).filter(|i| mask >> i & 1 != 0).map(|i| next + i));
+                next += WIDTH;
+            }
+        }
+        let rest = std::iter::from_fn(|| stack.pop()).map(|(_, child)| child);
+        let expected = expected.into_iter().rev().map(Child::node);
+        assert!(rest.eq(expected));
+    }
 }

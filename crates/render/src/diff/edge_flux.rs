@@ -20,6 +20,10 @@ pub const NUMBERS: u32 = 2;
 /// edge: more than rounding.
 const IN_PLANE: f64 = 1e-9;
 
+/// Longest piece of an edge that a weight is given to, radians: lobes are narrow.
+const PIECE: f64 = 0.05;
+const MOST_PIECES: f64 = 32.0;
+
 /// Weight of an edge before what reflects no light from its middle, in those of
 /// the mean of all edges: there may be light beside the middle.
 const LEAST_WEIGHT: f64 = 0.1;
@@ -85,13 +89,25 @@ fn outline(field: &Field, vertex: &Vertex<f64>, window: &Window) -> Outline {
         let Some(range) = clip(&window.planes, margin, [a, b]) else {
             return;
         };
-        let [from, to] = range.map(|t| (a + (b - a) * t).normalized());
-        let chord = (to - from).length();
-        let reflected = vertex.eval((from + to).normalized()).max_component();
-        // What is seen end-on has no middle.
-        if chord > 0.0 && reflected.is_finite() {
-            sum += reflected;
-            found.push((edge, range, chord, reflected));
+        let ends = range.map(|t| a + (b - a) * t);
+        let [near, far] = ends.map(Vec3::length);
+        let [from, to] = [ends[0] / near, ends[1] / far];
+        // Equal steps on the chord between the directions.
+        let chord = to - from;
+        let count = (chord.length() / PIECE).ceil().clamp(1.0, MOST_PIECES);
+        let place = |part: f64| {
+            range[0] + (range[1] - range[0]) * part * near / (part * near + (1.0 - part) * far)
+        };
+        for i in 0..count as u32 {
+            let part = |k: f64| (f64::from(i) + k) / count;
+            let middle = from + chord * part(0.5);
+            let reflected = vertex.eval(middle.normalized()).max_component();
+            // What is seen end-on has no middle.
+            if reflected.is_finite() {
+                sum += reflected;
+                let range = [place(part(0.0)), place(part(1.0))];
+                found.push((edge, range, chord.length() / count, reflected));
+            }
         }
     });
     let least = LEAST_WEIGHT * sum / found.len() as f64 + TINY;

@@ -68,7 +68,9 @@ impl<'s> Look<'s> {
         } else {
             1.0
         };
-        (turn * share).clamp(LEAST_CONTRAST, 1.0)
+        // Paths that go on from both sides in the same way miss each other, in what
+        // is bright and small, as often as their directions differ.
+        (turn.sqrt() * share).clamp(LEAST_CONTRAST, 1.0)
     }
 
     /// True if a texture of the shape can differ between two neighbouring faces

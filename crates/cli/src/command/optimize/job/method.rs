@@ -4,6 +4,8 @@ use capwalk_render::{Estimator, Method, WalkSettings, WasBoundary, WasSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
 
+use crate::args::MethodName;
+
 use super::{integer, number, positive, truth};
 
 /// The method, and its walk if it walks.
@@ -12,20 +14,29 @@ pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
     let Some(table) = root.table("method")? else {
         return Ok((Method::default(), walk));
     };
-    let types = [("walk", false), ("was", true)];
-    let is_was = match table.get("type") {
+    let types = [
+        ("walk", MethodName::Walk),
+        ("edges", MethodName::Edges),
+        ("was", MethodName::Was),
+    ];
+    let name = match table.get("type") {
         Some(value) => value.choice(&types)?,
-        None => false,
+        None => MethodName::Walk,
     };
-    let method = match is_was {
-        true => was(&table)?,
-        false => walking(&table, &mut walk)?,
+    let method = match name {
+        MethodName::Was => was(&table)?,
+        MethodName::Edges => {
+            steps(&table, &mut walk)?;
+            Method::Edges
+        }
+        _ => walking(&table, &mut walk)?,
     };
     table.finish()?;
     Ok((method, walk))
 }
 
-fn walking(table: &Table, walk: &mut WalkSettings) -> Result<Method, LoadError> {
+/// The walk of a method that walks, if not everywhere.
+fn steps(table: &Table, walk: &mut WalkSettings) -> Result<(), LoadError> {
     if let Some(steps) = integer(table, "steps", 1..=64)? {
         walk.steps = steps as u32;
     }
@@ -40,6 +51,11 @@ fn walking(table: &Table, walk: &mut WalkSettings) -> Result<Method, LoadError> 
         ];
         walk.estimator = estimator.choice(&estimators)?;
     }
+    Ok(())
+}
+
+fn walking(table: &Table, walk: &mut WalkSettings) -> Result<Method, LoadError> {
+    steps(table, walk)?;
     let domains = [("sphere", Method::Walk), ("triangle", Method::TriangleWalk)];
     match table.get("domain") {
         Some(domain) => domain.choice(&domains),
