@@ -145,7 +145,22 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         logarithmic: false,
         curves: curves.iter().map(|pair| pair[k].clone()).collect(),
     };
+    let step = Curve {
+        name: "y".into(),
+        points: vec![
+            [0.0, 1.0, 0.0],
+            [1.0, 1.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.6, 0.0, 0.0],
+        ],
+    };
     let rows = vec![
+        Row::Plots(vec![Plot {
+            title: "(a) the step function, its end at θ = 1 moves".into(),
+            axes: ["x".into(), "y".into()],
+            logarithmic: false,
+            curves: vec![step],
+        }]),
         Row::Plots(vec![
             plot("(b) velocity, earlier and harmonic", &before_curves, 0),
             plot("(c) velocity, fixed steps", &our_curves, 0),

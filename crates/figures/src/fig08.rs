@@ -11,7 +11,7 @@ use capwalk_walk::{Domain, Plane, Sphere, WalkSettings, sample_field, sample_val
 use rayon::prelude::*;
 
 use crate::claim::{self, Claim};
-use crate::figure::{Figure, Row, Shown, Table};
+use crate::figure::{Figure, Row, Shown};
 use crate::random::random;
 use crate::settings::{Failure, Settings};
 
@@ -209,11 +209,6 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         ),
         ..Figure::default()
     };
-    let mut table = Table {
-        title: "Derivatives against differences".into(),
-        columns: vec!["domain", "steps", "agreement", "verdict"],
-        rows: Vec::new(),
-    };
     let spherical = Spherical::new();
     for steps in 1..=3 {
         let flat = stage(settings, "plane", || pictures(&Flat, steps, settings))?;
@@ -224,12 +219,6 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             let comparison = check::compare(&pictures.derivative, &pictures.difference);
             let verdict = claim::of_check(&comparison);
             let words = claim::in_words(&comparison);
-            table.rows.push(vec![
-                name.into(),
-                steps.to_string(),
-                words.clone(),
-                verdict.to_string(),
-            ]);
             figure.claims.push(Claim {
                 statement: format!(
                     "Derivatives by Eq. {equation} match finite differences ({name}, M = {steps})"
@@ -246,7 +235,6 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             }
         }
     }
-    figure.tables.push(table);
     Ok(figure)
 }
 

@@ -139,8 +139,8 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let mut plots = Vec::new();
     let mut claims = Vec::new();
     for (domain, found) in [
-        ("plane", estimators.map(in_plane)),
-        ("sphere", estimators.map(on_sphere)),
+        ("In the plane", estimators.map(in_plane)),
+        ("On the sphere", estimators.map(on_sphere)),
     ] {
         if watch.should_stop() {
             return Err(Failure::Stopped);
@@ -148,7 +148,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         let [literal, anchored] = &found;
         claims.push(Claim {
             statement: format!(
-                "In the {domain}, the variance of the printed estimator grows like 1/A² towards \
+                "{domain}: the variance of the printed estimator grows like 1/A² towards \
                  the boundary, so that over all points it is infinite"
             ),
             paper: "not mentioned".into(),
@@ -156,13 +156,13 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             verdict: between(literal.slope, -2.3, -1.7),
         });
         claims.push(Claim {
-            statement: format!("In the {domain}, that of the anchored estimator stays bounded"),
+            statement: format!("{domain}: that of the anchored estimator stays bounded"),
             paper: "not ours to compare".into(),
             ours: format!("variance ∝ A^({})", anchored.slope),
             verdict: between(anchored.slope, -0.3, f64::INFINITY),
         });
         plots.push(Plot {
-            title: format!("variance, {domain}"),
+            title: format!("Variance: {domain}"),
             axes: [
                 "distance A to the boundary".into(),
                 "variance of the divergence".into(),
