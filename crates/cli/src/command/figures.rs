@@ -153,8 +153,5 @@ fn mesh(path: &Path) -> Result<Mesh> {
     };
     let bytes = fs::read(path).with_context(|| format!("cannot read {shown}"))?;
     let file = read(&bytes, false).with_context(|| format!("cannot read {shown}"))?;
-    match file.mesh.faces.is_empty() {
-        true => bail!("{shown} has no triangles"),
-        false => Ok(file.mesh),
-    }
+    Ok(file.mesh)
 }

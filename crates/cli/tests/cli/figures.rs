@@ -37,7 +37,7 @@ fn unknown_figures_and_meshes_are_errors() {
     capwalk.write("empty.obj", "v 0 0 0\n");
     assert_has(
         &capwalk.error(&format!("{draw} empty.obj")),
-        &["empty.obj", "no triangles"],
+        &["empty.obj", "no faces"],
     );
     capwalk.write("tetrahedron.obj", TETRAHEDRON);
     let finished = capwalk.run(&format!("{draw} tetrahedron.obj"));
