@@ -2,7 +2,7 @@
 //!
 //! A [`Figure`] is what a function returns that renders, walks or searches:
 //! pictures, curves, tables, and for each of the paper's claims the paper's
-//! number, ours, and what follows by a test ([`Claim`]). [`write`] puts figures
+//! number, ours, and what follows by a test ([`Claim`]). [`write()`] puts figures
 //! into a folder: PNG, EXR and CSV files, and one HTML page that needs no other
 //! file.
 //!
