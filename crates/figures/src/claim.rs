@@ -68,7 +68,7 @@ impl Measured {
     /// `self / other`, errors to first order.
     pub fn over(self, other: Self) -> Self {
         let value = self.value / other.value;
-        let error = value.abs() * (self.error / self.value).hypot(other.error / other.value);
+        let error = self.error.hypot(value * other.error) / other.value.abs();
         Self { value, error }
     }
 
@@ -208,6 +208,15 @@ mod tests {
         assert_eq!(is(all([wrong(), unsure()])), -1);
         assert_eq!(is(all([unsure(), Verdict::Holds])), 0);
         assert_eq!(is(all([Verdict::Holds, Verdict::Holds])), 1);
+    }
+
+    #[test]
+    fn ratios_have_errors_at_zero_too() {
+        let ratio = measured(3.0, 0.3).over(measured(2.0, 0.2));
+        assert!((ratio.error / 1.5 - 0.02_f64.sqrt()).abs() < 1e-12);
+        let nothing = measured(0.0, 0.0).over(measured(2.0, 0.2));
+        assert_eq!(nothing, measured(0.0, 0.0));
+        assert_eq!(below(nothing, measured(0.1, 0.0)), Verdict::Holds);
     }
 
     #[test]
