@@ -49,7 +49,7 @@ pub struct Measured {
     pub value: f64,
     /// Its standard error, to first order, from the standard errors of the
     /// picture; channels of a pixel count as if their errors were the same, which
-    /// is never too small. NaN where those are unknown.
+    /// is not too small from 4 samples per pixel on. NaN where those are unknown.
     pub standard_error: f64,
     /// What noise added and was subtracted; `None` where that is not known.
     pub noise: Option<f64>,

@@ -68,6 +68,13 @@ pub(crate) enum Map {
 pub enum ApplyError {
     /// An array does not take them.
     Array(ParameterError),
+    /// A shape would have no size, or be inside out.
+    Scale {
+        /// What the user called the scale.
+        name: String,
+        /// What it would be.
+        value: f64,
+    },
     /// The scene that they make cannot be rendered.
     Scene(SceneError),
 }
@@ -76,6 +83,11 @@ impl fmt::Display for ApplyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Array(error) => error.fmt(f),
+            Self::Scale { name, value } => write!(
+                f,
+                "\"{name}\" would be {value}; expected a scale above 0, which `reparam = \
+                 \"log\"` keeps it"
+            ),
             Self::Scene(error) => error.fmt(f),
         }
     }
@@ -148,7 +160,13 @@ impl Variables {
                 }
                 Map::Vertices(vertices) => line.add(&vertices.push(base, &values[range])),
                 Map::Turn { axes } => line.add(&turn(base, axes, &values[range])),
-                Map::Array(_) | Map::Pose { .. } => {}
+                Map::Pose { part, .. } => {
+                    if let Some(value) = part.refused(values[range.start]) {
+                        let name = variable.name.clone();
+                        return Err(ApplyError::Scale { name, value });
+                    }
+                }
+                Map::Array(_) => {}
             }
         }
         let mut scene = base.moved(&line, 1.0);

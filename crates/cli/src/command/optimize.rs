@@ -8,7 +8,7 @@ mod problem;
 
 use std::time::Instant;
 
-use anyhow::Result;
+use anyhow::{Result, ensure};
 use capwalk_inverse::record::Row;
 use capwalk_inverse::{Problem, State, Stop};
 use capwalk_scene_io::LoadError;
@@ -27,8 +27,16 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
     let job = job::read(&document, &args.job)?;
     let clock = Clock::new(args.time_limit.or(job.time_limit));
     let output = args.output.as_ref().unwrap_or(&job.output);
-    let claimed = folder::claim(output, args.resume)?;
-    let Some(made) = problem::problem(&document, &job, args)? else {
+    let files = job.scenes().chain(job.input_pictures());
+    let files = files.map(|named| document.path(&named.text));
+    let inputs: Vec<_> = std::iter::once(args.job.clone()).chain(files).collect();
+    let claimed = folder::claim(output, args.resume, &inputs)?;
+    let Some(made) = problem::problem(&document, &job, args, &clock)? else {
+        ensure!(
+            progress::interrupted(),
+            "the time limit is over before the targets were rendered, and nothing was written; \
+             give more time, or the targets fewer samples (`spp` of [target])"
+        );
         console::remark("stopped before the targets were rendered; nothing was written\n");
         return Ok(Outcome::Interrupted);
     };

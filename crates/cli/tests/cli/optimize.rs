@@ -270,6 +270,40 @@ fn bad_jobs_name_the_place() {
         &["job.toml:16:8", "`<shape>.positions`"],
     );
     bad("iterations = 40", "iterations = ", &["job.toml:5:14"]);
+    bad(
+        "lr = 0.02",
+        "lr = 0.02\neps = 0",
+        &["job.toml:29:7", "above 0"],
+    );
+    // A built-in scene has no `$name`, and one sensor.
+    bad(
+        "[target]",
+        "[defines]\nwidth = 3\n[target]",
+        &["job.toml:11:1", "\"leaf\" is built in", "no `$name`"],
+    );
+    bad(
+        "[target.set]",
+        "defines = { width = 3 }\n[target.set]",
+        &["job.toml:12:13", "no `$name`"],
+    );
+    bad(
+        "[optimizer]",
+        "[[view]]\nsensor = 1\n[optimizer]",
+        &["job.toml:28:10", "one sensor"],
+    );
+    let none = SMALL.find("[[parameter]]").expect("there");
+    let end = SMALL.find("[optimizer]").expect("there");
+    bad(
+        &SMALL[none..end],
+        "",
+        &["`parameter` is missing", "[[parameter]]"],
+    );
+    let empty = SMALL.replace(&SMALL[none..end], "");
+    capwalk.write("empty.toml", &format!("parameter = []\n{empty}"));
+    assert_has(
+        &capwalk.error("optimize empty.toml"),
+        &["empty.toml:1:13", "one or more [[parameter]]"],
+    );
     assert_has(
         &capwalk.error("optimize none.toml"),
         &["none.toml", "cannot read"],

@@ -16,6 +16,14 @@ pub enum Part {
     Scale,
 }
 
+impl Part {
+    /// The value, if it makes no pose: a scale of 0 flattens a shape to a point,
+    /// and one below turns it inside out.
+    pub fn refused(self, value: f64) -> Option<f64> {
+        (matches!(self, Self::Scale) && value <= 0.0).then_some(value)
+    }
+}
+
 /// A pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pose {

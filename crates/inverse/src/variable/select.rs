@@ -73,6 +73,10 @@ impl fmt::Display for VariableError {
 
 impl std::error::Error for VariableError {}
 
+/// Largest `lambda`: above it, `I + λL` differs from `λL`, which has no inverse, by
+/// less than a few thousand roundings.
+const MAX_LAMBDA: f64 = 1e12;
+
 /// The variable that is wished for.
 pub fn variable(scene: &Scene, wish: &Wish) -> Result<Variable, VariableError> {
     let request = params::request(scene, &wish.name).map_err(|error| VariableError {
@@ -81,7 +85,7 @@ pub fn variable(scene: &Scene, wish: &Wish) -> Result<Variable, VariableError> {
     })?;
     let (map, rest) = match request {
         Request::Array(array) => array_map(scene, wish, array)?,
-        Request::Motion(motion) => scalar_map(scene, &wish.name, motion)?,
+        Request::Motion(motion) => scalar_map(scene, wish, motion)?,
     };
     if !matches!(map, Map::Vertices(_)) {
         let only = [
@@ -102,6 +106,14 @@ pub fn variable(scene: &Scene, wish: &Wish) -> Result<Variable, VariableError> {
         return Err(VariableError::new(
             format!("\"{}\" starts at {value}", wish.name),
             format!("expected {expected}; change `start`, or the bounds"),
+        ));
+    }
+    if let Map::Pose { part, .. } = map
+        && let Some(value) = part.refused(initial[0])
+    {
+        return Err(VariableError::new(
+            format!("\"{}\" starts at {value}", wish.name),
+            "expected a scale above 0; change `start`",
         ));
     }
     Ok(Variable {
@@ -146,8 +158,12 @@ fn array_map(
 }
 
 /// Of a single number, and its value in the scene.
-fn scalar_map(scene: &Scene, name: &str, motion: Motion) -> Result<(Map, Vec<f64>), VariableError> {
-    let name = name.trim();
+fn scalar_map(
+    scene: &Scene,
+    wish: &Wish,
+    motion: Motion,
+) -> Result<(Map, Vec<f64>), VariableError> {
+    let name = wish.name.trim();
     let listed = params::list(scene).into_iter().find(|p| p.name == name);
     let axis = ["x", "y", "z"]
         .iter()
@@ -169,10 +185,9 @@ fn scalar_map(scene: &Scene, name: &str, motion: Motion) -> Result<(Map, Vec<f64
         // Everything else goes along a straight line. Where that is no single
         // number of the scene, its value is how far it has gone.
         (listed, _) => {
-            let value = listed.as_ref().map(|listed| &listed.value[..]);
-            let from = match value {
-                Some(&[value]) => value,
-                _ => 0.0,
+            let value = match listed.as_ref().map(|listed| &listed.value[..]) {
+                Some(&[value]) => Some(value),
+                _ => element(scene, name),
             };
             let turns = motion.shapes.iter().flatten().any(|s| s.normals.is_some());
             if turns || motion.sensor.rotation != SensorMotion::default().rotation {
@@ -181,12 +196,64 @@ fn scalar_map(scene: &Scene, name: &str, motion: Motion) -> Result<(Map, Vec<f64
                     "make it a parameter of its own, such as `<shape>.rotate.x`",
                 ));
             }
-            let motion = Box::new(motion);
+            if value.is_none() {
+                refuse_offset(wish, &motion)?;
+            }
+            let (motion, from) = (Box::new(motion), value.unwrap_or(0.0));
             (Some(Map::Line { motion, from }), from)
         }
     };
     let map = map.expect("a pose is that of a shape");
     Ok((map, vec![value]))
+}
+
+/// What the number is now that a name such as `ball.positions[12,0]` means; `None`
+/// if it is something else, or several numbers.
+fn element(scene: &Scene, name: &str) -> Option<f64> {
+    let (array, indices) = params::arrays(scene)
+        .into_iter()
+        .filter_map(|array| {
+            let inside = name.strip_prefix(array.name.as_str())?;
+            let inside = inside.strip_prefix('[')?.strip_suffix(']')?;
+            let indices = inside.split(',').map(|index| index.trim().parse().ok());
+            let indices: Vec<usize> = indices.collect::<Option<_>>()?;
+            Some((array, indices))
+        })
+        .max_by_key(|(array, _)| array.name.len())?;
+    if array.shape[indices.len().min(array.shape.len())..]
+        .iter()
+        .any(|&side| side != 1)
+    {
+        return None;
+    }
+    let pairs = indices.iter().zip(&array.shape);
+    let number = pairs.fold(0, |number, (index, side)| number * side + index);
+    array.get(scene).get(number).copied()
+}
+
+/// An error if values are asked for where the scene's numbers have values of their
+/// own, but this is only how far they have gone: a user would mean the former.
+fn refuse_offset(wish: &Wish, motion: &Motion) -> Result<(), VariableError> {
+    let has_values = wish.name.contains('[')
+        || motion.textures.iter().any(Option::is_some)
+        || motion.sensor.optics != SensorMotion::default().optics;
+    let asked = [
+        ("its value", wish.start.is_some()),
+        ("`bounds`", wish.bounds.is_some()),
+        ("`reparam`", wish.curve.is_some()),
+    ];
+    match asked.into_iter().find(|&(_, given)| given && has_values) {
+        None => Ok(()),
+        Some((what, _)) => Err(VariableError::new(
+            format!(
+                "\"{}\" is no single number of the scene: {what} would be how far its numbers \
+                 have gone from where they are, not what they are",
+                wish.name
+            ),
+            "name an array such as `<material>.reflectance.value`, or one number of it, without \
+             a factor",
+        )),
+    }
 }
 
 fn change(scene: &Scene, wish: &Wish, map: &Map) -> Result<Change, VariableError> {
@@ -210,10 +277,13 @@ fn change(scene: &Scene, wish: &Wish, map: &Map) -> Result<Change, VariableError
     }
     Ok(match (wish.curve, wish.bounds, wish.lambda, map) {
         (_, _, Some(lambda), Map::Vertices(vertices)) if smooths => {
-            if !(lambda > 0.0 && lambda.is_finite()) {
+            if !(lambda > 0.0 && lambda <= MAX_LAMBDA) {
                 return Err(VariableError::new(
                     format!("the `lambda` of \"{}\" is {lambda}", wish.name),
-                    "expected a finite number of at least 0; 10 to 50 is usual",
+                    format!(
+                        "expected a number from 0 to {MAX_LAMBDA:e}, above which rounding \
+                         swallows the unknowns; 10 to 50 is usual"
+                    ),
                 ));
             }
             let edges = vertices.edges(&scene.shapes[vertices.shape].mesh);

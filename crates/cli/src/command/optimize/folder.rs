@@ -25,6 +25,13 @@ const TIMING: &str = "timing.csv";
 const TIMING_HEADER: &str = "iteration,seconds\n";
 /// The result: the numbers that were looked for, by their names.
 const PARAMETERS: &str = "parameters.npz";
+/// The scene with them.
+const SCENE: &str = "scene.xml";
+/// The folders that [`export::write_scene`] puts beside it.
+const MESHES: &str = "scene_meshes";
+const TEXTURES: &str = "scene_textures";
+/// The folder of pictures.
+const PICTURES: &str = "pictures";
 
 /// The folder of a run that goes on in it.
 pub struct Folder {
@@ -43,10 +50,12 @@ pub struct Claimed {
 }
 
 /// Makes sure that a run can go into this folder: it can be written to, no other
-/// run is in it, and without `resume` there is none to go on with.
-pub fn claim(path: &Path, resume: bool) -> Result<Claimed> {
+/// run is in it, and without `resume` there is none to go on with. Nothing is lost:
+/// neither `inputs`, files that the run reads, nor results of something else.
+pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed> {
+    refuse_losses(path, inputs)?;
     let cannot = || format!("cannot write into the folder {}", path.display());
-    fs::create_dir_all(path.join("pictures")).with_context(cannot)?;
+    fs::create_dir_all(path.join(PICTURES)).with_context(cannot)?;
     if !resume && path.join(CHECKPOINT).exists() {
         bail!(
             "there is a run in {} already; go on with it (--resume), or choose another folder (-o)",
@@ -64,13 +73,60 @@ pub fn claim(path: &Path, resume: bool) -> Result<Claimed> {
         }
         Err(TryLockError::Error(error)) => return Err(error).with_context(cannot),
     }
-    for folder in [path.to_owned(), path.join("pictures")] {
+    for folder in [path.to_owned(), path.join(PICTURES)] {
         remove_leftovers(&folder).with_context(cannot)?;
     }
     Ok(Claimed {
         path: path.to_owned(),
         lock,
     })
+}
+
+/// An error if a run in this folder would write over what it did not write.
+fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<()> {
+    // What is not there cannot be lost.
+    let Ok(folder) = path.canonicalize() else {
+        return Ok(());
+    };
+    let written = [
+        CHECKPOINT, RECORD, TIMING, PARAMETERS, SCENE, MESHES, TEXTURES, PICTURES,
+    ];
+    for input in inputs {
+        let is_written = |name: &&str| {
+            let outputs = [folder.join(name).canonicalize(), Ok(folder.join(name))];
+            let input = input.canonicalize();
+            let mut outputs = outputs.into_iter().flatten();
+            input.is_ok_and(|input| outputs.any(|output| input.starts_with(output)))
+        };
+        if let Some(name) = written.into_iter().find(is_written) {
+            bail!(
+                "the run reads {}, but would write over {}; choose another folder (-o)",
+                input.display(),
+                path.join(name).display()
+            );
+        }
+    }
+    if path.join(CHECKPOINT).exists() {
+        return Ok(());
+    }
+    let results = [PARAMETERS, SCENE, MESHES, TEXTURES];
+    let found = results.into_iter().find(|name| path.join(name).exists());
+    // A run that was killed before its first checkpoint leaves a header.
+    let table = || fs::read(path.join(RECORD)).is_ok_and(|table| has_rows(&table));
+    match found.or_else(|| table().then_some(RECORD)) {
+        None => Ok(()),
+        Some(name) => bail!(
+            "{} is there already, and no checkpoint says that a run wrote it; choose another \
+             folder (-o)",
+            path.join(name).display()
+        ),
+    }
+}
+
+/// True if there is something after the first line.
+fn has_rows(table: &[u8]) -> bool {
+    let end = table.iter().position(|&byte| byte == b'\n');
+    end.is_some_and(|end| end + 1 < table.len())
 }
 
 /// Removes what a killed process was just writing.
@@ -236,7 +292,7 @@ impl Folder {
                 panel("target", &view.target, photographic),
                 panel("difference", &difference, Style::Diverging { limit }),
             ];
-            write_panels(&self.path.join("pictures").join(file), &panels, &[])?;
+            write_panels(&self.path.join(PICTURES).join(file), &panels, &[])?;
         }
         Ok(())
     }
@@ -264,7 +320,7 @@ impl Folder {
         };
         let parameters = self.path.join(PARAMETERS);
         arrays::write(&parameters, &result)?;
-        let scene = export::write_scene(&scene, &self.path.join("scene.xml"))?;
+        let scene = export::write_scene(&scene, &self.path.join(SCENE))?;
         let files = [parameters, scene, self.path.join(RECORD)];
         Ok(files.map(|file| file.display().to_string()).to_vec())
     }

@@ -21,7 +21,7 @@ use crate::args::parse_duration;
 /// A job, as it is written.
 pub struct Job {
     pub scene: Named,
-    pub defines: Vec<(String, String)>,
+    pub defines: Vec<Define>,
     pub size: Option<[u32; 2]>,
     pub output: PathBuf,
     pub seed: u64,
@@ -49,14 +49,22 @@ pub struct Named {
     pub place: Place,
 }
 
+/// A value of `$name` in scene files, and where it stands.
+#[derive(Clone)]
+pub struct Define {
+    pub name: String,
+    pub value: String,
+    pub place: Place,
+}
+
 /// From where to look, and at what.
 pub struct ViewKeys {
     pub place: Place,
     pub weight: f64,
     /// Another scene file, for its sensor.
     pub scene: Option<Named>,
-    /// Which of a scene's sensors.
-    pub sensor: usize,
+    /// Which of a scene's sensors, if the view says so, and where it does.
+    pub sensor: Option<(usize, Place)>,
     pub to_world: Option<([f64; 16], Place)>,
     pub x_fov: Option<(f64, Place)>,
     pub mask: Option<Named>,
@@ -72,7 +80,7 @@ pub enum TargetKeys {
     Rendered {
         scene: Option<Named>,
         /// Values of `$name` in its file, before those of the job.
-        defines: Vec<(String, String)>,
+        defines: Vec<Define>,
         set: Vec<(Wish, Place)>,
         spp: u32,
     },
@@ -95,7 +103,7 @@ pub fn read(document: &Document, path: &Path) -> Result<Job, LoadError> {
     };
     let output = match root.get("output") {
         Some(value) => document.path(value.text()?),
-        None => path.with_extension("").with_extension("out"),
+        None => path.with_extension("out"),
     };
     let iterations = root.require("iterations", "how many steps to take")?;
     let iterations = iterations.integer(0..=MOST)? as u32;
@@ -133,6 +141,26 @@ pub fn read(document: &Document, path: &Path) -> Result<Job, LoadError> {
     };
     root.finish()?;
     Ok(job)
+}
+
+impl Job {
+    /// The scenes that it names.
+    pub fn scenes(&self) -> impl Iterator<Item = &Named> {
+        let of_views = self.views.iter().flat_map(|view| match &view.target {
+            TargetKeys::Picture { .. } => [view.scene.as_ref(), None],
+            TargetKeys::Rendered { scene, .. } => [view.scene.as_ref(), scene.as_ref()],
+        });
+        std::iter::once(&self.scene).chain(of_views.flatten())
+    }
+
+    /// The pictures that it names: targets and masks.
+    pub fn input_pictures(&self) -> impl Iterator<Item = &Named> {
+        let of_views = self.views.iter().flat_map(|view| match &view.target {
+            TargetKeys::Picture { file, .. } => [view.mask.as_ref(), Some(file)],
+            TargetKeys::Rendered { .. } => [view.mask.as_ref(), None],
+        });
+        of_views.flatten()
+    }
 }
 
 fn named(value: &Value) -> Result<Named, LoadError> {
@@ -173,13 +201,19 @@ fn truth(table: &Table, key: &'static str) -> Result<Option<bool>, LoadError> {
     table.get(key).map(|value| value.truth()).transpose()
 }
 
-fn defines(table: &Table) -> Result<Vec<(String, String)>, LoadError> {
+fn defines(table: &Table) -> Result<Vec<Define>, LoadError> {
     let Some(table) = table.table("defines")? else {
         return Ok(Vec::new());
     };
     let entries = table.entries();
     entries
-        .map(|(name, _, value)| Ok((name.to_owned(), value.written()?)))
+        .map(|(name, place, value)| {
+            Ok(Define {
+                name: name.to_owned(),
+                value: value.written()?,
+                place,
+            })
+        })
         .collect()
 }
 
@@ -220,7 +254,8 @@ fn optimizer(root: &Table) -> Result<(f64, Adam, bool), LoadError> {
             return Err(betas.wrong(expected));
         }
     }
-    if let Some(eps) = number(&table, "eps", "a number of at least 0", |x| x >= 0.0)? {
+    // Adam divides by it where there is no gradient.
+    if let Some(eps) = positive(&table, "eps")? {
         adam.eps = eps;
     }
     let uniform = truth(&table, "uniform")?.unwrap_or(false);
@@ -346,7 +381,7 @@ fn views(document: &Document, root: &Table) -> Result<Vec<ViewKeys>, LoadError> 
             place: root.place(),
             weight: 1.0,
             scene: None,
-            sensor: 0,
+            sensor: None,
             to_world: None,
             x_fov: None,
             mask,
@@ -360,7 +395,13 @@ fn views(document: &Document, root: &Table) -> Result<Vec<ViewKeys>, LoadError> 
             place,
             weight: positive(&table, "weight")?.unwrap_or(1.0),
             scene: maybe_named(&table, "scene")?,
-            sensor: integer(&table, "sensor", 0..=1_000_000)?.unwrap_or(0) as usize,
+            sensor: match table.get("sensor") {
+                Some(value) => {
+                    let number = value.integer(0..=1_000_000)? as usize;
+                    Some((number, value.place()))
+                }
+                None => None,
+            },
             to_world: match table.get("to_world") {
                 Some(value) => {
                     let matrix = value.array("a matrix of 4 rows of 4 numbers")?;
@@ -416,8 +457,11 @@ fn target(table: &Table) -> Result<TargetKeys, LoadError> {
 
 fn parameters(root: &Table, uniform: bool) -> Result<Vec<(Wish, Place)>, LoadError> {
     let expected = "one or more [[parameter]] tables with a `name`";
-    root.require("parameter", expected)?;
+    let value = root.require("parameter", expected)?;
     let tables = root.tables("parameter")?;
+    if tables.is_empty() {
+        return Err(value.wrong(expected));
+    }
     let parameters = tables.iter().map(|table| parameter::read(table, uniform));
     parameters.collect()
 }

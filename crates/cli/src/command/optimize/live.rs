@@ -39,6 +39,12 @@ impl Clock {
             deadline: limit.and_then(|limit| now.checked_add(limit)),
         }
     }
+
+    /// How long until it rings; `None` if it never does.
+    pub fn remaining(&self) -> Option<Duration> {
+        let now = Instant::now();
+        self.deadline.map(|at| at.saturating_duration_since(now))
+    }
 }
 
 impl Watch for Clock {

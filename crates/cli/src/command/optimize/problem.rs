@@ -11,7 +11,8 @@ use capwalk_scene::{Film, Image, Scene, Sensor, builtin, params};
 use capwalk_scene_io::toml::{Document, Place};
 use capwalk_scene_io::{LoadError, LoadOptions, image, load_scene_with};
 
-use super::job::{Job, Named, TargetKeys, ViewKeys};
+use super::job::{Define, Job, Named, TargetKeys, ViewKeys};
+use super::live::Clock;
 use crate::args::Optimize;
 use crate::output;
 use crate::progress::Progress;
@@ -24,7 +25,13 @@ pub struct Made {
 }
 
 /// The problem of a job; `None` if it was stopped before all targets were there.
-pub fn problem(document: &Document, job: &Job, args: &Optimize) -> Result<Option<Made>> {
+pub fn problem(
+    document: &Document,
+    job: &Job,
+    args: &Optimize,
+    clock: &Clock,
+) -> Result<Option<Made>> {
+    refuse_unused_defines(document, job)?;
     let scene = load(document, job, &job.scene, &[], 0)?;
     let variables = variables(document, &scene, &job.parameters)?;
     let spp = job.spp.unwrap_or(scene.settings.spp.max(2));
@@ -62,7 +69,8 @@ pub fn problem(document: &Document, job: &Job, args: &Optimize) -> Result<Option
             } => {
                 let is_other = other.is_some() || !defines.is_empty();
                 let named = other.as_ref().unwrap_or(&job.scene);
-                let other = is_other.then(|| load(document, job, named, defines, keys.sensor));
+                let which = keys.sensor.map_or(0, |(which, _)| which);
+                let other = is_other.then(|| load(document, job, named, defines, which));
                 let other = other.transpose()?;
                 let set = changed(document, other.as_ref().unwrap_or(&scene), set)?;
                 let options = Options {
@@ -79,7 +87,7 @@ pub fn problem(document: &Document, job: &Job, args: &Optimize) -> Result<Option
                     seen.film.crop_size == size,
                     document.error(keys.place, "the target has another size than the picture")
                 );
-                match rendered(&seen, &options) {
+                match rendered(&seen, &options, clock) {
                     Some(target) => target,
                     None => return Ok(None),
                 }
@@ -117,19 +125,23 @@ fn load(
     document: &Document,
     job: &Job,
     named: &Named,
-    defines: &[(String, String)],
+    defines: &[Define],
     sensor: usize,
 ) -> Result<Scene> {
     let path = document.path(&named.text);
     let mut scene = match (path.exists(), builtin::scene(&named.text)) {
         (true, _) => {
-            let own = |name: &String| defines.iter().any(|(other, _)| other == name);
-            let of_job = job.defines.iter().filter(|(name, _)| !own(name));
+            let own = |define: &&Define| defines.iter().any(|own| own.name == define.name);
+            let of_job = job.defines.iter().filter(|define| !own(define));
+            let all = of_job.chain(defines);
             let options = LoadOptions {
-                defines: of_job.chain(defines).cloned().collect(),
+                defines: all.map(|d| (d.name.clone(), d.value.clone())).collect(),
                 sensor,
             };
             load_scene_with(&path, &options)?
+        }
+        (false, Some(_)) if !defines.is_empty() => {
+            return Err(built_in(document, defines[0].place, &named.text, "no `$name`").into());
         }
         (false, Some(scene)) => scene,
         (false, None) => {
@@ -151,6 +163,30 @@ fn load(
     checked
         .map_err(|error| document.error(named.place, format!("it cannot be rendered: {error}")))?;
     Ok(scene)
+}
+
+/// An error about something that a built-in scene does not have.
+fn built_in(document: &Document, place: Place, scene: &str, has: &str) -> LoadError {
+    let message = format!("the scene \"{scene}\" is built in and has {has}");
+    let help = "leave it out, or make a file of the scene with `capwalk scenes --export`";
+    document.error_with_help(place, message, help)
+}
+
+/// An error if there are values of `$name`, but no scene file.
+fn refuse_unused_defines(document: &Document, job: &Job) -> Result<(), LoadError> {
+    let is_file = |named: &Named| {
+        let path = document.path(&named.text);
+        path.exists() || builtin::scene(&named.text).is_none()
+    };
+    match job.defines.first().filter(|_| !job.scenes().any(is_file)) {
+        None => Ok(()),
+        Some(define) => Err(built_in(
+            document,
+            define.place,
+            &job.scene.text,
+            "no `$name`",
+        )),
+    }
 }
 
 fn variables(
@@ -190,10 +226,18 @@ fn sensor(
     keys: &ViewKeys,
 ) -> Result<Option<(Sensor, Film)>> {
     let mut own = match (&keys.scene, keys.sensor) {
-        (None, 0) => scene.clone(),
+        (None, None | Some((0, _))) => scene.clone(),
         (named, sensor) => {
             let named = named.as_ref().unwrap_or(&job.scene);
-            load(document, job, named, &[], sensor)?
+            let number = sensor.map_or(0, |(number, _)| number);
+            let own = load(document, job, named, &[], number)?;
+            if let Some((_, place)) = sensor.filter(|_| number > 0)
+                && !document.path(&named.text).exists()
+            {
+                let has = "one sensor, number 0";
+                return Err(built_in(document, place, &named.text, has).into());
+            }
+            own
         }
     };
     let set = |own: &mut Scene, name: &str, numbers: &[f64], place: Place| {
@@ -265,14 +309,15 @@ fn read_mask(document: &Document, file: &Named, size: [u32; 2]) -> Result<Image,
 }
 
 /// The picture of a target; `None` if it was stopped.
-fn rendered(scene: &Scene, options: &Options) -> Option<Image> {
-    let progress = Progress::new("target", None);
+fn rendered(scene: &Scene, options: &Options, clock: &Clock) -> Option<Image> {
+    let progress = Progress::new("target", clock.remaining());
     let picture = render(scene, options, &progress);
     progress.finish();
     picture.statistics.complete.then_some(picture.value.mean)
 }
 
-/// What decides which numbers come out, by names that a message can show.
+/// What decides which numbers come out, by names that a message can show. Guards do
+/// not: they only stop.
 fn fingerprint(job: &Job, problem: &Problem) -> Vec<(String, String)> {
     let mut parts = vec![(
         "version of capwalk".to_owned(),
@@ -291,7 +336,6 @@ fn fingerprint(job: &Job, problem: &Problem) -> Vec<(String, String)> {
         note("iterations (the schedule needs them)".into(), iterations);
     }
     note("[loss]".into(), format!("{:?}", problem.loss));
-    note("[guards]".into(), format!("{:?}", problem.guards));
     let method = format!("{:?}, {:?}", problem.method, problem.walk);
     note("[method]".into(), method);
     let names = job.parameters.iter().map(|(wish, _)| wish.name.clone());

@@ -179,7 +179,61 @@ fn another_job_cannot_go_on() {
     }
     capwalk.write(
         "job.toml",
-        &SMALL.replace("iterations = 40", "iterations = 4\ntime_limit = \"1h\""),
+        &format!(
+            "{}[guards]\ninversion = false\n",
+            SMALL.replace("iterations = 40", "iterations = 4\ntime_limit = \"1h\"")
+        ),
     );
     assert_eq!(capwalk.run("optimize job.toml --resume").status, 0);
+}
+
+/// A run writes over nothing but another run's files, and says so before it touches
+/// anything.
+#[test]
+fn files_of_others_are_not_written_over() {
+    let capwalk = Capwalk::new("optimize_others");
+    assert_eq!(capwalk.run("scenes --export . leaf").status, 0);
+    fs::rename(capwalk.path("leaf.xml"), capwalk.path("scene.xml")).expect("renamed");
+    let of_file = SMALL.replace("\"leaf\"", "\"scene.xml\"");
+    capwalk.write("job.toml", &of_file);
+    let before = files(&capwalk.path("."));
+    let error = capwalk.error("optimize job.toml -o .");
+    assert_has(&error, &["scene.xml", "would write over", "-o"]);
+    assert!(files(&capwalk.path(".")) == before);
+    // With --resume too, and where it is no input.
+    assert_has(
+        &capwalk.error("optimize job.toml -o . --resume"),
+        &["would write over"],
+    );
+    capwalk.write("job.toml", SMALL);
+    assert_has(
+        &capwalk.error("optimize job.toml -o ."),
+        &["scene.xml is there already", "-o"],
+    );
+    for (folder, file, text) in [
+        ("record", "record.csv", "mine\n1\n"),
+        ("result", "parameters.npz", "mine"),
+    ] {
+        fs::create_dir(capwalk.path(folder)).expect("made");
+        capwalk.write(&format!("{folder}/{file}"), text);
+        let error = capwalk.error(&format!("optimize job.toml -o {folder}"));
+        assert_has(&error, &[file, "is there already"]);
+        assert_eq!(files(&capwalk.path(folder)).len(), 1);
+    }
+    // What a run leaves that was killed before its first checkpoint.
+    fs::create_dir(capwalk.path("begun")).expect("made");
+    capwalk.write("begun/record.csv", "iteration,loss\n");
+    let short = SMALL.replace("iterations = 40", "iterations = 1");
+    capwalk.write("job.toml", &short);
+    assert_eq!(capwalk.run("optimize job.toml -o begun").status, 0);
+}
+
+/// The folder is named as the job, up to its last dot.
+#[test]
+fn the_folder_is_named_after_the_job() {
+    let capwalk = Capwalk::new("optimize_named");
+    let short = SMALL.replace("iterations = 40", "iterations = 1");
+    capwalk.write("job.v2.toml", &short.replace("output = \"out\"\n", ""));
+    assert_eq!(capwalk.run("optimize job.v2.toml").status, 0);
+    capwalk.bytes("job.v2.out/parameters.npz");
 }

@@ -55,6 +55,25 @@ fn runs_stop_for_a_reason() {
         &["in the next step face 0 of \"leaf\" turned over"],
     );
 
+    // A leaf that shrinks to nothing and beyond.
+    let shrunk = SMALL.replace(
+        "name = \"leaf.translate.x\"\nbounds = [-1, 1]",
+        "name = \"leaf.scale\"\nlr = 5",
+    );
+    let shrunk = shrunk.replace("\"leaf.translate.x\" = 0.2", "\"leaf.scale\" = 0.5");
+    stop(
+        "shrunk",
+        &shrunk,
+        1,
+        &["\"leaf.scale\" would be -", "reparam = \"log\""],
+    );
+
+    // Targets take time, too.
+    let long = SMALL.replace("spp = 64", "spp = 4000000000");
+    capwalk.write("targets.toml", &long);
+    let error = capwalk.error("optimize targets.toml --time-limit 1s");
+    assert_has(&error, &["over before the targets were rendered"]);
+
     capwalk.write(
         "limit.toml",
         &SMALL.replace("iterations = 40", "iterations = 100000000"),
