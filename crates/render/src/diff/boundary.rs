@@ -46,7 +46,7 @@ pub struct Boundaries {
     contrasts: Vec<f32>,
     pub(super) tree: SilhouetteTree,
     /// The same edges in picture space, if the sensor's rays are parallel: seen from
-    /// its origin they lie in the directions of [`View::towards`].
+    /// its origin they lie in the directions of the sensor's view.
     picture: Option<SilhouetteTree>,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,

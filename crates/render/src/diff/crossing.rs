@@ -75,8 +75,11 @@ impl End {
 }
 
 /// Fraction of an edge at its ends that may touch another face without
-/// crossing it: things that stand on each other do not cross.
-const TOUCHING: f64 = 1e-7;
+/// crossing it: things that stand on each other do not cross. Far less than the
+/// fraction by which a hidden point is taken for a visible one, and than the
+/// single precision of mesh files, which sinks what should stand: no edge is
+/// left out as hidden where no crossing takes its place.
+const TOUCHING: f64 = 1e-11;
 /// Faces whose unit normals differ by less than this sine lie in each other
 /// rather than cross.
 const COPLANAR: f64 = 1e-6;

@@ -19,7 +19,7 @@ use super::boundary::{Boundaries, Eye, Numbers};
 /// Radians by which a ray passes a lamp's edge on either side of it. The
 /// integrand is taken this far from where it jumps, which changes the flux by
 /// a fraction of this size.
-const BESIDE_EDGE: f64 = 1e-7;
+const BESIDE_EDGE: f64 = 1e-10;
 
 /// Zero, with the derivative of the light reflected at a surface by the motion
 /// of lamp edges against the field,

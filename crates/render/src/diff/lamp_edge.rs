@@ -45,7 +45,7 @@ pub fn lamp_edges(ends: &[[u32; 2]], positions: &[Vec3]) -> Vec<LampEdge> {
 
 /// Fraction of its length by which an edge may lie beside another one and still
 /// lie on it.
-const ON_EDGE: f64 = 1e-6;
+const ON_EDGE: f64 = 1e-10;
 
 /// Where the second of two edges lies on the first one, if it does.
 fn overlap([a, b]: [Vec3; 2], other: [Vec3; 2]) -> Option<[f64; 2]> {

@@ -40,24 +40,18 @@ pub struct EdgePoint {
     pub distance: f64,
     /// Unit normal of the plane through the eye and the edge.
     normal: Vec3,
-    /// Angle between directions on either side of the edge and this one.
-    beside: f64,
     /// One over the density per radian along the edge, shared among edges that lie
     /// on each other.
     weight: f64,
 }
 
-/// The integrand is taken this part of the angle of an edge beside it, and at most
-/// [`BESIDE`] radians, where whatever else bounds the two faces is farther away
-/// but near the edge's ends; so the flux is wrong by a fraction of this size.
-const BESIDE_OF_EDGE: f64 = 1e-5;
-const BESIDE: f64 = 1e-7;
-/// And at least this many radians, a thousand times the rounding of directions.
-const LEAST_BESIDE: f64 = 1e-12;
-
-/// Fraction of its length by which an edge may lie beside another one and still
-/// lie on it: edges of shapes that touch.
-const ON_EDGE: f64 = 1e-6;
+/// Radians by which the integrand is taken beside an edge: a million times the
+/// rounding of directions, and far less than what the single precision of mesh
+/// files sets edges apart. Edges seen closer to each other lie on each other: what
+/// jumps there is the sum of what jumps at each, seen from either side of all.
+const BESIDE: f64 = 1e-10;
+/// Largest sine between edges that lie on each other.
+const PARALLEL: f64 = 1e-6;
 
 /// The part of a segment, seen from the origin, on the inner sides of planes
 /// through the origin with these unit normals, moved outward by a distance.
@@ -123,37 +117,36 @@ impl Outline {
         let t = t.clamp(piece.range[0], piece.range[1]);
         let offset = a + along * t;
         let distance = offset.length();
-        let whole = sphere::angle_between(a.normalized(), b.normalized());
         Some(EdgePoint {
             points: boundaries.edge(piece.edge).vertices,
             t,
             direction: offset / distance,
             distance,
             normal,
-            beside: (BESIDE_OF_EDGE * whole).clamp(LEAST_BESIDE, BESIDE),
-            weight: angle * self.total / (own * self.multiplicity(boundaries, piece.edge, ends, t)),
+            weight: angle * self.total / (own * self.multiplicity(boundaries, eye, piece.edge, q)),
         })
         .filter(|point| point.weight.is_finite())
     }
 
-    /// How many edges lie at a place on an edge, itself among them: each takes its
-    /// share of what jumps there.
-    fn multiplicity(&self, boundaries: &Boundaries, edge: u32, ends: [Vec3; 2], t: f64) -> f64 {
-        let along = ends[1] - ends[0];
-        let point = ends[0] + along * t;
+    /// How many edges lie where an edge is seen in the direction `q`, itself among
+    /// them: each takes its share of what jumps there.
+    fn multiplicity(&self, boundaries: &Boundaries, eye: Vec3, edge: u32, q: Vec3) -> f64 {
+        let [a, b] = boundaries.ends(edge).map(|p| p - eye);
+        let normal = a.cross(b).normalized();
+        let along = normal.cross(q);
         let is_there = |other: &&Piece| {
             if other.edge == edge {
                 return false;
             }
-            let [a, b] = boundaries.ends(other.edge);
+            let [a, b] = boundaries.ends(other.edge).map(|p| p - eye);
             let direction = b - a;
-            let squared = direction.length_squared();
-            let tolerance = ON_EDGE * ON_EDGE * squared;
-            let offset = point - a;
-            let place = offset.dot(direction) / squared;
+            // Where it meets the plane through the eye across the first edge.
+            let place = -a.dot(along) / direction.dot(along);
+            let point = a + direction * place;
             (other.range[0]..=other.range[1]).contains(&place)
-                && (offset - direction * place).length_squared() <= tolerance
-                && along.cross(direction).length_squared() <= tolerance * along.length_squared()
+                && point.dot(q) > 0.0
+                && normal.dot(point).abs() <= BESIDE * point.length()
+                && normal.dot(a.cross(direction).normalized()).abs() > 1.0 - PARALLEL
         };
         1.0 + self.pieces.iter().filter(is_there).count() as f64
     }
@@ -163,7 +156,7 @@ impl EdgePoint {
     /// Unit directions beside the edge: on the side that [`EdgePoint::flow`] counts
     /// as behind, and on the other.
     pub fn sides(&self) -> [Vec3; 2] {
-        [-1.0, 1.0].map(|side| (self.direction + self.normal * (side * self.beside)).normalized())
+        [-1.0, 1.0].map(|side| (self.direction + self.normal * (side * BESIDE)).normalized())
     }
 
     /// Zero, with the velocity of the edge across itself against that of a carried

@@ -87,7 +87,8 @@ impl Lamp {
                 if normal.dot(offsets[0]) >= 0.0 {
                     return None;
                 }
-                let size = (hull[1] - hull[0]).length();
+                let size = |p: &Vec3| (*p - hull[0]).length();
+                let size = hull.iter().map(size).fold(0.0, f64::max);
                 in_front_of = Some(Plane {
                     point: hull[0] - *normal * (MARGIN * size),
                     normal: *normal,

@@ -112,10 +112,9 @@ impl Tracer<'_> {
             .as_ref()
             .expect("only worlds that move have flux");
         let view = &camera.at_rest;
-        let make = || {
-            draw.count_queries(1);
-            outline(field, view, support)
-        };
+        // Whether the list is kept does not show in what is counted.
+        draw.count_queries(1);
+        let make = || outline(field, view, support);
         let u = draw.stream.number(EDGE_NUMBERS);
         let point = self.outlines.with(pixel, make, |outline| {
             outline.draw(&field.boundaries, view.eye, u)
