@@ -324,3 +324,79 @@ fn start(wish: &Wish, rest: Vec<f64>) -> Result<Vec<f64>, VariableError> {
         )),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::variable::ApplyError;
+    use crate::variable::tests::{ball, refused, variables, wish};
+
+    /// `x.value[0]` and `x.value.r` are the same number: what it is, its bounds, and
+    /// what a value makes of the scene.
+    #[test]
+    fn one_number_of_an_array_is_what_it_is() {
+        let scene = ball();
+        let with = |name: &str, start: Option<f64>| Wish {
+            start: start.map(|start| vec![start]),
+            bounds: Some([1.0, 50.0]),
+            ..wish(name)
+        };
+        let (short, long) = (
+            "lamp.emitter.radiance.value.r",
+            " lamp.emitter.radiance.value[0]",
+        );
+        for start in [None, Some(40.0)] {
+            let [a, b] = [short, long].map(|name| variables(&scene, &[with(name, start)]));
+            assert_eq!(a.initial(), [start.unwrap_or(34.0)]);
+            assert_eq!(a.initial(), b.initial());
+            for values in [a.initial(), vec![12.0]] {
+                let made = [&a, &b].map(|v| v.apply(&scene, &values).expect("a scene").textures);
+                assert_eq!(made[0], made[1]);
+            }
+        }
+        let initial = |name: &str| variable(&scene, &wish(name)).expect("fine").initial;
+        let vertex = scene.shapes.iter().find(|shape| shape.id == "ball");
+        let vertex = vertex.expect("a ball").mesh.positions[12];
+        assert_eq!(initial("ball.positions[12, 1]"), [vertex.y]);
+        let row = [
+            initial("ball.positions[12]"),
+            initial("2*lamp.emitter.radiance.value[0]"),
+        ];
+        assert_eq!(row, [[0.0], [0.0]], "how far it has gone");
+        // Where a value is only how far, none can be meant.
+        for name in [
+            "ball.positions[12]",
+            "2*lamp.emitter.radiance.value[0]",
+            "1*lamp.emitter.radiance.value",
+            "ball.positions[12,0] + ball.positions[13,0]",
+        ] {
+            refused(&[with(name, None)], "`bounds` would be how far");
+            refused(&[with(name, Some(0.5))], "its value would be how far");
+        }
+        let sum = with("lamp.translate.x - 2*floor.translate.y", Some(2.0));
+        assert_eq!(variables(&scene, &[sum]).initial(), [2.0]);
+    }
+
+    /// A shape does not pass through its centre.
+    #[test]
+    fn scales_stay_above_0() {
+        let scale = |start| Wish {
+            start: Some(vec![start]),
+            ..wish("ball.scale")
+        };
+        for start in [0.0, -1.0] {
+            refused(&[scale(start)], "expected a scale above 0");
+        }
+        let scene = ball();
+        let variables = variables(&scene, &[scale(0.5)]);
+        assert!(variables.apply(&scene, &[0.1]).is_ok());
+        for value in [0.0, -0.1] {
+            let error = variables.apply(&scene, &[value]).expect_err("no size");
+            let expected = ApplyError::Scale {
+                name: "ball.scale".into(),
+                value,
+            };
+            assert_eq!(error, expected);
+        }
+    }
+}
