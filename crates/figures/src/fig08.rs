@@ -1,7 +1,7 @@
 //! Figure 8: directional derivatives of fields against finite differences, in
 //! the plane (Eq. 27) and on the sphere (Eq. 34).
 
-use capwalk_geometry::{EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Rgb, Vec2, Vec3, sphere};
 use capwalk_render::{Estimate, check};
 use capwalk_scene::Image;
@@ -96,15 +96,7 @@ impl<'a> Problem for &'a Spherical {
     type Domain = Sphere<'a>;
 
     fn domain(&self) -> Sphere<'a> {
-        Sphere {
-            tree: &self.tree,
-            eye: Vec3::zero(),
-            edges: EdgeSelection::Silhouettes,
-            groups: u8::MAX,
-            in_front_of: None,
-            counts: None,
-            queries: Default::default(),
-        }
+        Sphere::of_silhouettes(&self.tree, Vec3::zero())
     }
 
     fn value(site: &SilhouettePoint) -> f64 {

@@ -2,7 +2,7 @@
 //! one by the distance to the boundary (METHOD 2), in the plane and on the
 //! sphere.
 
-use capwalk_geometry::{EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
 use capwalk_render::Method;
 use capwalk_walk::plane::CurvePoint;
@@ -115,15 +115,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let on_sphere = |estimator: Estimator| {
         let name = name(estimator);
         measure(name, settings, |distance| {
-            let domain: Sphere = Sphere {
-                tree: &tree,
-                eye: Vec3::zero(),
-                edges: EdgeSelection::Silhouettes,
-                groups: u8::MAX,
-                in_front_of: None,
-                counts: None,
-                queries: Default::default(),
-            };
+            let domain = Sphere::of_silhouettes(&tree, Vec3::zero());
             let foot = (mesh.positions[0] + mesh.positions[1]).normalized();
             let inward = mesh.positions[0].cross(mesh.positions[1]).normalized();
             let q = sphere::walk_along(foot, inward, distance);

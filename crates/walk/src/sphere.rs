@@ -26,6 +26,21 @@ pub struct Sphere<'a, F = fn(&SilhouettePoint) -> bool> {
     pub queries: Cell<u64>,
 }
 
+impl<'a> Sphere<'a> {
+    /// The sphere around an eye, bounded by all silhouettes that are seen from it.
+    pub fn of_silhouettes(tree: &'a SilhouetteTree, eye: Vec3) -> Self {
+        Self {
+            tree,
+            eye,
+            edges: EdgeSelection::Silhouettes,
+            groups: u8::MAX,
+            in_front_of: None,
+            counts: None,
+            queries: Cell::new(0),
+        }
+    }
+}
+
 impl<F: Fn(&SilhouettePoint) -> bool> Domain for Sphere<'_, F> {
     type Vector = Vec3;
     type Site = SilhouettePoint;

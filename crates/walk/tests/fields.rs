@@ -2,7 +2,7 @@
 //! window is known by quadrature, and must equal the area integral of the
 //! window over the field (the divergence theorem, Eq. 3).
 
-use capwalk_geometry::{Edge, EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_geometry::{Edge, Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Frame, Moments, Vec3, sphere};
 use capwalk_walk::{Domain, Estimator, Sphere, WalkSettings, sample_field, sample_value};
 
@@ -45,15 +45,7 @@ impl Moving {
     }
 
     fn domain(&self) -> Sphere<'_> {
-        Sphere {
-            tree: &self.tree,
-            eye: self.eye,
-            edges: EdgeSelection::Silhouettes,
-            groups: u8::MAX,
-            in_front_of: None,
-            counts: None,
-            queries: Default::default(),
-        }
+        Sphere::of_silhouettes(&self.tree, self.eye)
     }
 
     /// Angular velocity of the direction to a point, METHOD 2.

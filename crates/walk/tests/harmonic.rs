@@ -1,7 +1,7 @@
 //! The walk of random length (Eqs. 12 to 17) against harmonic functions in
 //! closed form, on polygons, disks and the sphere.
 
-use capwalk_geometry::{EdgeSelection, Mesh, SilhouettePoint, SilhouetteTree, topology};
+use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
 use capwalk_walk::plane::CurvePoint;
 use capwalk_walk::{
@@ -192,15 +192,8 @@ fn harmonic_functions_on_the_sphere() {
         positions: corners.map(|[x, y, z]| Vec3::new(x, y, z)).to_vec(),
         faces: vec![[0, 1, 2]],
     };
-    let domain: Sphere<'_> = Sphere {
-        tree: &SilhouetteTree::build(&mesh, &topology::edges(&mesh)),
-        eye: Vec3::zero(),
-        edges: EdgeSelection::Silhouettes,
-        groups: u8::MAX,
-        in_front_of: None,
-        counts: None,
-        queries: Default::default(),
-    };
+    let tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
+    let domain = Sphere::of_silhouettes(&tree, Vec3::zero());
     let exact = |q: Vec3| {
         let (x, y) = (q.x / (1.0 + q.z), q.y / (1.0 + q.z));
         x * x - y * y + x

@@ -3,13 +3,13 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use crate::light::emitter_towards;
 use crate::vertex::Vertex;
-use crate::world::{AtRest, World, emitted_at};
+use crate::world::World;
 
 use super::boundary::{Draw, Eye, Field};
-use super::outline::{EdgePoint, Outline, clip};
-use super::window::{Lamp, Window};
+use super::flux::emitted_and_reflected;
+use super::outline::{Outline, clip, place};
+use super::window::Window;
 
 /// Points drawn on the edges around each lamp that is looked at.
 const POINTS: u32 = 2;
@@ -70,8 +70,13 @@ pub fn lamp_outline_flux<R: Real, W: World<R>>(
         let flow = point.flow(world, eye.position, carried);
         // Not a number where the surface touches the edge: it goes on, to be counted.
         if !flow.is_constant() {
+            let is_lamp = |emitter| emitter == lamp.emitter;
+            let [behind, before] = point
+                .sides()
+                .map(|side| emitted_and_reflected(field.accel, vertex, side, is_lamp));
+            // Hidden edges look the same on both sides.
             let share = lamps.len() as f64 / f64::from(POINTS);
-            light += Rgb::constant(jump(field, lamp, vertex, &point) * share) * flow;
+            light += Rgb::constant((behind - before) * share) * flow;
         }
     }
     light
@@ -95,9 +100,7 @@ fn outline(field: &Field, vertex: &Vertex<f64>, window: &Window) -> Outline {
         // Equal steps on the chord between the directions.
         let chord = to - from;
         let count = (chord.length() / PIECE).ceil().clamp(1.0, MOST_PIECES);
-        let place = |part: f64| {
-            range[0] + (range[1] - range[0]) * part * near / (part * near + (1.0 - part) * far)
-        };
+        let place = |part| place(range, [near, far], part);
         for i in 0..count as u32 {
             let part = |k: f64| (f64::from(i) + k) / count;
             let middle = from + chord * part(0.5);
@@ -116,25 +119,4 @@ fn outline(field: &Field, vertex: &Vertex<f64>, window: &Window) -> Outline {
         outline.push(edge, range, chord * (reflected + least));
     }
     outline
-}
-
-/// The light of a lamp that arrives from behind an edge, less that from before it,
-/// as reflected at the surface.
-fn jump(field: &Field, lamp: &Lamp, vertex: &Vertex<f64>, point: &EdgePoint) -> Rgb {
-    let accel = field.accel;
-    let [behind, before] = point.sides();
-    let arriving = |direction: Vec3| {
-        let hit = accel.first_hit(vertex.position, direction);
-        let emitter = emitter_towards(accel, hit.as_ref(), direction);
-        match emitter.filter(|&emitter| emitter == lamp.emitter) {
-            None => Rgb::zero(),
-            Some(emitter) => {
-                let (world, origin) = (AtRest(accel), vertex.position);
-                let radiance = emitted_at(&world, accel, emitter, hit.as_ref(), origin, direction);
-                vertex.eval(direction).hadamard(radiance)
-            }
-        }
-    };
-    // Hidden edges look the same on both sides.
-    arriving(behind) - arriving(before)
 }

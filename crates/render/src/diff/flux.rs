@@ -16,10 +16,11 @@ use crate::world::{AtRest, World, emitted_at};
 
 use super::boundary::{Boundaries, Eye, Numbers};
 
-/// Radians by which a ray passes a lamp's edge on either side of it. The
-/// integrand is taken this far from where it jumps, which changes the flux by
-/// a fraction of this size.
-const BESIDE_EDGE: f64 = 1e-10;
+/// Radians by which a ray passes an edge on either side of it: a million times the
+/// rounding of directions, and far less than what the single precision of mesh
+/// files sets edges apart. The integrand is taken this far from where it jumps,
+/// which changes the flux by a fraction of this size.
+pub const BESIDE: f64 = 1e-10;
 
 /// Zero, with the derivative of the light reflected at a surface by the motion
 /// of lamp edges against the field,
@@ -73,18 +74,33 @@ pub fn lamp_edge_flux<R: Real, W: World<R>>(
         return Rgb::zero();
     }
     let normal = across.normalized();
-    let arriving = |side: f64| {
-        let direction = (q + normal * (side * BESIDE_EDGE)).normalized();
-        let hit = accel.first_hit(vertex.position, direction);
-        let emitter = emitter_towards(accel, hit.as_ref(), direction);
-        let Some(emitter) = emitter.filter(|&emitter| counts(emitter)) else {
-            return Rgb::zero();
-        };
-        let world = AtRest(accel);
-        let (hit, origin) = (hit.as_ref(), vertex.position);
-        let radiance = emitted_at(&world, accel, emitter, hit, origin, direction);
-        vertex.eval(direction).hadamard(radiance)
+    // The normal points from the first side to the second.
+    let [behind, before] =
+        sides(q, normal).map(|direction| emitted_and_reflected(accel, vertex, direction, &counts));
+    Rgb::constant(behind - before) * flow
+}
+
+/// Unit directions on either side of an edge that is seen in the direction `q`:
+/// against the normal of the plane through the eye and the edge, and along it.
+pub fn sides(q: Vec3, normal: Vec3) -> [Vec3; 2] {
+    [-1.0, 1.0].map(|side| (q + normal * (side * BESIDE)).normalized())
+}
+
+/// The light of those emitters that `counts` accepts that arrives at a surface from a
+/// direction, as reflected there.
+pub fn emitted_and_reflected(
+    accel: &Accel,
+    vertex: &Vertex<f64>,
+    direction: Vec3,
+    counts: impl Fn(EmitterId) -> bool,
+) -> Rgb {
+    let origin = vertex.position;
+    let hit = accel.first_hit(origin, direction);
+    let emitter = emitter_towards(accel, hit.as_ref(), direction);
+    let Some(emitter) = emitter.filter(|&emitter| counts(emitter)) else {
+        return Rgb::zero();
     };
-    // The normal points from the side of -1 to that of +1.
-    Rgb::constant(arriving(-1.0) - arriving(1.0)) * flow
+    let world = AtRest(accel);
+    let radiance = emitted_at(&world, accel, emitter, hit.as_ref(), origin, direction);
+    vertex.eval(direction).hadamard(radiance)
 }

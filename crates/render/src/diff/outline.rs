@@ -9,6 +9,7 @@ use capwalk_math::{Real, Vec3, sphere};
 use crate::world::World;
 
 use super::boundary::Boundaries;
+use super::flux::{BESIDE, sides};
 
 /// A piece of an edge.
 #[derive(Clone, Copy, Debug)]
@@ -45,11 +46,9 @@ pub struct EdgePoint {
     weight: f64,
 }
 
-/// Radians by which the integrand is taken beside an edge: a million times the
-/// rounding of directions, and far less than what the single precision of mesh
-/// files sets edges apart. Edges seen closer to each other lie on each other: what
-/// jumps there is the sum of what jumps at each, seen from either side of all.
-const BESIDE: f64 = 1e-10;
+// Edges seen closer to each other than [`BESIDE`] lie on each other: what jumps
+// there is the sum of what jumps at each, seen from either side of all.
+
 /// Largest sine between edges that lie on each other.
 const PARALLEL: f64 = 1e-6;
 
@@ -70,6 +69,13 @@ pub fn clip(planes: &[Vec3], margin: f64, [a, b]: [Vec3; 2]) -> Option<[f64; 2]>
         }
     }
     (from < to).then_some([from, to])
+}
+
+/// Where on the part of an edge in a range a place on its picture is, in a plane or
+/// on the chord between directions: there, what is far is short. `depths` are those
+/// of the part's ends, in any unit.
+pub fn place([from, to]: [f64; 2], [near, far]: [f64; 2], part: f64) -> f64 {
+    from + (to - from) * part * near / (part * near + (1.0 - part) * far)
 }
 
 impl Outline {
@@ -125,7 +131,6 @@ impl Outline {
             normal,
             weight: angle * self.total / (own * self.multiplicity(boundaries, eye, piece.edge, q)),
         })
-        .filter(|point| point.weight.is_finite())
     }
 
     /// How many edges lie where an edge is seen in the direction `q`, itself among
@@ -156,7 +161,7 @@ impl EdgePoint {
     /// Unit directions beside the edge: on the side that [`EdgePoint::flow`] counts
     /// as behind, and on the other.
     pub fn sides(&self) -> [Vec3; 2] {
-        [-1.0, 1.0].map(|side| (self.direction + self.normal * (side * BESIDE)).normalized())
+        sides(self.direction, self.normal)
     }
 
     /// Zero, with the velocity of the edge across itself against that of a carried

@@ -19,7 +19,7 @@ use capwalk_scene::Scene;
 use capwalk_scene::sensor::view::View;
 
 use crate::diff::boundary::{Draw, Field, SEEN};
-use crate::diff::outline::{Outline, clip};
+use crate::diff::outline::{Outline, clip, place};
 use crate::options::Method;
 use crate::pixel::Support;
 use crate::world::{AtRest, World};
@@ -175,8 +175,7 @@ fn outline(field: &Field, view: &View<f64>, support: &Support) -> Outline {
         let contrast = boundaries.contrast(edge, mesh, view.eye);
         // Equal steps on the film, where depths shorten what is far.
         let [near, far] = [first, last].map(|p| view.depth(view.eye + p));
-        let place =
-            |part: f64| from + (to - from) * part * near / (part * near + (1.0 - part) * far);
+        let place = |part| place([from, to], [near, far], part);
         let count = (length / PIECE).ceil().clamp(1.0, 1e3);
         for i in 0..count as u32 {
             let part = |k: f64| (f64::from(i) + k) / count;
