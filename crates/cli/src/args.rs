@@ -181,7 +181,7 @@ pub enum MethodName {
 }
 
 /// How the velocity field is estimated with `--method walk`, and where `edges` walks.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub struct WalkArgs {
     /// Where the velocity field lives [default: sphere]
     #[arg(long)]
@@ -202,7 +202,7 @@ pub struct WalkArgs {
 }
 
 /// How it is with `--method was` and `psdr-was`.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub struct WasArgs {
     /// was, psdr-was: concentration of auxiliary rays; they reach about K^(-1/2) radians
     /// far [default: 100000]

@@ -13,6 +13,16 @@ use crate::args::{
 
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientOptions> {
+    let (method, walk) = method_and_walk(args)?;
+    Ok(GradientOptions {
+        options,
+        method,
+        walk,
+    })
+}
+
+/// The method, if it is one that differentiates samples, and its walk.
+pub fn method_and_walk(args: &MethodArgs) -> Result<(Method, WalkSettings)> {
     refuse_options_of_others(args)?;
     let method = match args.method {
         MethodName::Walk => match args.walk.domain {
@@ -28,11 +38,7 @@ pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientO
              gradient --method fd -p NAME` for each parameter"
         ),
     };
-    Ok(GradientOptions {
-        method,
-        walk: walk(&args.walk),
-        ..GradientOptions::new(options)
-    })
+    Ok((method, walk(&args.walk)))
 }
 
 /// An error if an option is there that the method has no use for.
@@ -65,9 +71,9 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
             bail!(
                 "--{option} belongs to the method {}, and the method is {}. Leave it out, or say \
                  --method {}",
-                name(owner),
-                name(args.method),
-                name(owner)
+                name(&owner),
+                name(&args.method),
+                name(&owner)
             );
         }
     }
@@ -75,14 +81,14 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
 }
 
 /// The name as it is typed.
-pub fn name(method: MethodName) -> String {
-    let value = method.to_possible_value();
+pub fn name(value: &impl ValueEnum) -> String {
+    let value = value.to_possible_value();
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
 /// What is to be said about results of a method that is no more than a baseline.
 pub fn remark(args: &MethodArgs) -> String {
-    let method = name(args.method);
+    let method = name(&args.method);
     match args.method {
         MethodName::Walk | MethodName::Edges => String::new(),
         MethodName::Was | MethodName::PsdrWas if args.was.was_debias => format!(

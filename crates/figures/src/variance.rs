@@ -1,12 +1,14 @@
 //! Beyond the paper: the variance of the printed estimator and of the anchored
-//! one by the distance to the boundary (METHOD 2), in the plane and on the
-//! sphere.
+//! one by the distance to the boundary (METHOD 2), in the plane, on the sphere and
+//! on a triangle that is met.
 
 use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
 use capwalk_render::Method;
 use capwalk_walk::plane::CurvePoint;
-use capwalk_walk::{Domain, Estimator, Plane, Sphere, WalkSettings, sample_field};
+use capwalk_walk::{
+    Domain, Estimator, Outline, Plane, Sphere, Triangle, WalkSettings, sample_field,
+};
 use rayon::prelude::*;
 
 use crate::claim::{Claim, Measured, Verdict};
@@ -41,6 +43,9 @@ fn variances<D: Domain>(
 }
 
 const REPLICATES: u64 = 8;
+
+/// Height of the triangle that is met; what hides it is at height 1.
+const BEHIND: f64 = 2.0;
 
 /// Distances to the boundary, from near to far.
 fn distances(settings: &Settings) -> Vec<f64> {
@@ -112,17 +117,40 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         faces: vec![[0, 1, 2]],
     };
     let tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
+    // The middle of a side, seen from the origin.
+    let foot = (mesh.positions[0] + mesh.positions[1]).normalized();
+    let inward = mesh.positions[0].cross(mesh.positions[1]).normalized();
+    // The mesh turns and shrinks.
+    let turning = |q: Vec3| (Vec3::new(0.3, 1.0, 0.2).cross(q) + q * q.x).reject_from(q);
     let on_sphere = |estimator: Estimator| {
         let name = name(estimator);
         measure(name, settings, |distance| {
             let domain = Sphere::of_silhouettes(&tree, Vec3::zero());
-            let foot = (mesh.positions[0] + mesh.positions[1]).normalized();
-            let inward = mesh.positions[0].cross(mesh.positions[1]).normalized();
             let q = sphere::walk_along(foot, inward, distance);
-            // The triangle turns and shrinks.
-            let velocity = |site: &SilhouettePoint| {
-                let q = site.direction;
-                (Vec3::new(0.3, 1.0, 0.2).cross(q) + q * q.x).reject_from(q)
+            let velocity = |site: &SilhouettePoint| turning(site.direction);
+            variances(&domain, q, velocity, estimator, settings)
+        })
+    };
+    let on_triangle = |estimator: Estimator| {
+        let name = name(estimator);
+        measure(name, settings, |distance| {
+            // Beside the silhouette a larger triangle is met, which is at rest.
+            let domain = Triangle {
+                sphere: Sphere::of_silhouettes(&tree, Vec3::zero()),
+                corners: [[-9.0, -8.0], [9.0, -8.0], [0.0, 9.0]]
+                    .map(|[x, y]| Vec3::new(x, y, BEHIND)),
+            };
+            let q = sphere::walk_along(foot, -inward, distance);
+            let velocity = |site: &Outline| match site {
+                Outline::Border => Vec3::zero(),
+                Outline::Silhouette(point) => {
+                    // On the triangle's plane, Eq. (28), and as it is seen around
+                    // the direction in which its divergence is asked for, Eq. (37).
+                    let seen = point.direction;
+                    let turned = turning(seen) * (BEHIND / seen.z);
+                    let on_plane = turned - seen * (turned.z / seen.z);
+                    (on_plane * (q.z / BEHIND)).reject_from(q)
+                }
             };
             variances(&domain, q, velocity, estimator, settings)
         })
@@ -133,6 +161,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     for (domain, found) in [
         ("In the plane", estimators.map(in_plane)),
         ("On the sphere", estimators.map(on_sphere)),
+        ("On the triangle that is met", estimators.map(on_triangle)),
     ] {
         if watch.should_stop() {
             return Err(Failure::Stopped);
@@ -167,7 +196,8 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         caption: "Variance of a single sample of the field's divergence (M = 1) at points closer \
                   and closer to a moving boundary, by the estimator as printed (Eqs. 27 and 34, \
                   independent samples) and anchored at the closest boundary point (the same mean, \
-                  docs/method.md 2)."
+                  docs/method.md 2). In the plane, on the sphere of directions, and on a triangle \
+                  beside the silhouette of another (Eqs. 37 and 38)."
             .into(),
         rows: vec![Row::Plots(plots)],
         tables: vec![in_pictures(settings)?],

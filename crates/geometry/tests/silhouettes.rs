@@ -80,6 +80,52 @@ fn gathered(tree: &SilhouetteTree, query: &ConeQuery) -> Vec<u32> {
     found
 }
 
+/// True if each edge that is gathered comes with its own ends.
+fn ends_are_right(tree: &SilhouetteTree, mesh: &Mesh, edges: &[Edge], query: &ConeQuery) -> bool {
+    let mut right = true;
+    tree.gather(query, |edge, ends| {
+        let vertices = edges[edge as usize].vertices;
+        right &= ends == vertices.map(|i| mesh.positions[i as usize]);
+    });
+    right
+}
+
+/// Queries that one of the edges found only just meets, or misses by as little:
+/// with limits around its angle, and with planes around its ends. Rounding alone
+/// decides which, and must decide as brute force does.
+fn close_calls(mesh: &Mesh, edges: &[Edge], query: &ConeQuery, found: u32) -> Vec<ConeQuery> {
+    let is_it = |point: &SilhouettePoint| point.edge == found;
+    let point = oracle::closest_silhouette_where(mesh, edges, query, is_it);
+    let angle = point.expect("it was found").angle;
+    let limits = [
+        angle * (1.0 - 1e-5),
+        angle,
+        angle.next_up(),
+        angle * (1.0 + 1e-5),
+    ];
+    let limited = limits.map(|max_angle| ConeQuery {
+        max_angle,
+        ..*query
+    });
+    let ends = edges[found as usize]
+        .vertices
+        .map(|i| mesh.positions[i as usize]);
+    let normal = query.axis.cross(Vec3::new(0.3, -0.5, 0.8)) + query.axis * 0.1;
+    let highest = match ends[0].dot(normal) > ends[1].dot(normal) {
+        true => ends[0],
+        false => ends[1],
+    };
+    let size = (highest - query.eye).length();
+    let cut = [-1e-6, 0.0, 1e-12, 1e-6].map(|lift| ConeQuery {
+        in_front_of: Some(Plane {
+            point: highest + normal * (lift * size),
+            normal,
+        }),
+        ..*query
+    });
+    [limited, cut].concat()
+}
+
 fn sorted(mut numbers: Vec<u32>) -> Vec<u32> {
     numbers.sort_unstable();
     numbers
@@ -94,7 +140,7 @@ fn check(
     tree.validate(mesh, edges)
         .map_err(|error| TestCaseError::fail(error.to_string()))?;
     let scalar = tree.clone().without_simd();
-    for query in queries {
+    for (i, query) in queries.iter().enumerate() {
         let expected = oracle::closest_silhouette(mesh, edges, query);
         prop_assert_eq!(tree.closest(query), expected, "{:?}", query);
         prop_assert_eq!(scalar.closest(query), expected, "scalar, {:?}", query);
@@ -104,7 +150,13 @@ fn check(
         let expected = oracle::gather(mesh, edges, query);
         let found = gathered(tree, query);
         prop_assert_eq!(&gathered(&scalar, query), &found, "scalar, {:?}", query);
+        let any = found.len().checked_sub(1).map(|last| found[i % (last + 1)]);
         prop_assert_eq!(sorted(found), expected, "{:?}", query);
+        prop_assert!(ends_are_right(tree, mesh, edges, query), "{:?}", query);
+        for close in any.map_or_else(Vec::new, |any| close_calls(mesh, edges, query, any)) {
+            let expected = oracle::gather(mesh, edges, &close);
+            prop_assert_eq!(sorted(gathered(tree, &close)), expected, "{:?}", close);
+        }
     }
     Ok(())
 }

@@ -89,7 +89,7 @@ impl Way {
             args.step.is_none(),
             "--step is that of finite differences, and the method is {}. Leave it out, or say \
              --method fd",
-            method::name(args.method.method)
+            method::name(&args.method.method)
         );
         Ok(Self::Samples(method::gradient_options(
             options,

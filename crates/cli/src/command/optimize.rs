@@ -17,7 +17,7 @@ use serde_json::json;
 
 use crate::args::Optimize;
 use crate::diagnostics::Outcome;
-use crate::{console, progress, report};
+use crate::{console, method, progress, report};
 use folder::Folder;
 use job::Job;
 use live::{Clock, Live};
@@ -55,6 +55,7 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         console::remark(&format!("going on after iteration {}\n", first.iteration));
     }
 
+    console::remark(&method::remark(&job.method));
     let mut live = Live::new(problem.limits.iterations, first.iteration);
     let ended = go(&problem, &job, first, &mut folder, &mut live, &clock);
     live.finish();

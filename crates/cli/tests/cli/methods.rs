@@ -1,6 +1,6 @@
 //! Methods by name: what they refuse, and what they say of themselves.
 
-use capwalk_scene_io::image;
+use capwalk_scene_io::{arrays, image};
 
 use crate::{Capwalk, assert_has};
 
@@ -88,4 +88,64 @@ fn methods_say_what_they_are() {
     assert_has(&stderr, &["fd is a baseline"]);
     assert_eq!(method.as_deref(), Some("fd"));
     assert_eq!(step.as_deref(), Some("0.125"));
+}
+
+/// `edges` is no baseline, and not `walk` by another name; files and JSON name it.
+#[test]
+fn every_command_takes_edges() {
+    let capwalk = Capwalk::new("method_edges");
+    let named = |metadata: &[(String, String)]| {
+        let mut methods = metadata.iter().filter(|(key, _)| key == "method");
+        let name = methods.next().map(|(_, name)| name.clone());
+        assert!(methods.next().is_none(), "named twice");
+        name
+    };
+    let options = "--size 12x9 --spp 4 --json";
+    let commands = [
+        format!("gradient leaf -p leaf.translate.x {options} -o gradient.npz"),
+        format!("check leaf -p leaf.translate.x {options} -o check.npz"),
+        format!("backward leaf -p leaf.positions {options} --adjoint gradient.npz -o backward.npz"),
+    ];
+    for command in commands {
+        let run = |method: &str| {
+            let finished = capwalk.run(&format!("{command} {method}"));
+            // So few samples cannot tell.
+            let expected = if command.starts_with("check") { 2 } else { 0 };
+            assert_eq!(finished.status, expected, "{}", finished.stderr);
+            assert!(!finished.stderr.contains("baseline"), "{}", finished.stderr);
+            let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+            let file = capwalk.path(json["files"][0].as_str().expect("a file"));
+            let (metadata, numbers) = if command.starts_with("backward") {
+                let arrays = arrays::read(&file).expect("readable");
+                let positions = arrays.get("leaf.positions").expect("there");
+                (arrays.metadata.clone(), positions.numbers.clone())
+            } else {
+                let picture = image::read(&file).expect("readable");
+                let gradient = picture.layer("gradient").expect("a layer");
+                let numbers = gradient.pixels.iter().flat_map(|pixel| pixel.to_array());
+                (picture.metadata.clone(), numbers.collect())
+            };
+            (
+                json["method"].as_str().map(str::to_owned),
+                named(&metadata),
+                numbers,
+            )
+        };
+        let (json, file, by_edges) = run("--method edges --walk-steps 2");
+        assert_eq!(
+            (json.as_deref(), file.as_deref()),
+            (Some("edges"), Some("edges"))
+        );
+        let (json, file, by_walk) = run("");
+        assert_eq!(
+            (json.as_deref(), file.as_deref()),
+            (Some("walk"), Some("walk"))
+        );
+        assert_ne!(by_edges, by_walk, "{command}");
+        let refused = capwalk.error(&format!("{command} --method edges --domain sphere"));
+        assert_has(
+            &refused,
+            &["--domain", "the method is edges", "--method walk"],
+        );
+    }
 }

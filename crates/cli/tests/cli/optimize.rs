@@ -1,5 +1,6 @@
 //! `capwalk optimize`: what it finds, what it writes, and what it says of bad jobs.
 
+mod methods;
 mod resume;
 mod stops;
 

@@ -12,11 +12,10 @@ use capwalk_inverse::loss::{Distance, Loss};
 use capwalk_inverse::run::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_inverse::variable::select::Wish;
-use capwalk_render::{Method, WalkSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::{Document, Place, Table, Value};
 
-use crate::args::parse_duration;
+use crate::args::{MethodArgs, parse_duration};
 
 /// A job, as it is written.
 pub struct Job {
@@ -36,8 +35,7 @@ pub struct Job {
     pub loss: Loss,
     pub guards: Guards,
     pub limits: Limits,
-    pub method: Method,
-    pub walk: WalkSettings,
+    pub method: MethodArgs,
     pub views: Vec<ViewKeys>,
     pub parameters: Vec<(Wish, Place)>,
 }
@@ -117,7 +115,6 @@ pub fn read(document: &Document, path: &Path) -> Result<Job, LoadError> {
         None => None,
     };
     let (lr, adam, uniform) = optimizer(&root)?;
-    let (method, walk) = method::read(&root)?;
     let job = Job {
         scene,
         defines,
@@ -134,8 +131,7 @@ pub fn read(document: &Document, path: &Path) -> Result<Job, LoadError> {
         loss: loss(&root)?,
         guards: guards(&root)?,
         limits: limits(&root, iterations)?,
-        method,
-        walk,
+        method: method::read(&root)?,
         views: views(document, &root)?,
         parameters: parameters(&root, uniform)?,
     };

@@ -14,6 +14,7 @@ use capwalk_scene_io::{LoadError, LoadOptions, image, load_scene_with};
 use super::job::{Define, Job, Named, TargetKeys, ViewKeys};
 use super::live::Clock;
 use crate::args::Optimize;
+use crate::method::method_and_walk;
 use crate::output;
 use crate::progress::Progress;
 
@@ -95,6 +96,7 @@ pub fn problem(
         };
         views.push(view);
     }
+    let (method, walk) = method_and_walk(&job.method)?;
     let problem = Problem {
         variables,
         views,
@@ -107,8 +109,8 @@ pub fn problem(
         seed: job.seed,
         spp,
         spp_grad: job.spp_grad.unwrap_or(spp),
-        method: job.method,
-        walk: job.walk,
+        method,
+        walk,
         threads: args.threads,
         scene,
     };

@@ -1,0 +1,108 @@
+//! The `[method]` of a job.
+
+use std::collections::HashMap;
+
+use super::SMALL;
+use crate::{Capwalk, assert_has};
+
+/// Each takes steps of its own, and says of itself what it says elsewhere.
+#[test]
+fn every_method_runs() {
+    let capwalk = Capwalk::new("optimize_methods");
+    let job = SMALL.replace("iterations = 40", "iterations = 2");
+    let run = |method: &str| {
+        capwalk.write("job.toml", &format!("{job}\n{method}"));
+        let _ = std::fs::remove_dir_all(capwalk.path("out"));
+        let finished = capwalk.run("optimize job.toml");
+        assert_eq!(finished.status, 0, "{method}: {}", finished.stderr);
+        (capwalk.bytes("out/record.csv"), finished.stderr)
+    };
+    let methods = [
+        "type = \"walk\"",
+        "max_angle = 2\nantithetic = true",
+        "domain = \"triangle\"",
+        "domain = \"explicit\"",
+        "domain = \"explicit\"\nsteps = 2\nestimator = \"literal\"",
+        "type = \"edges\"",
+        "type = \"was\"",
+        "type = \"was\"\nboundary = \"normals\"",
+        "type = \"psdr-was\"",
+        "type = \"psdr-was\"\nrays = 4\nantithetic = false",
+    ];
+    let mut records = HashMap::new();
+    for method in methods {
+        let (record, stderr) = run(&format!("[method]\n{method}"));
+        let is_baseline = method.contains("was");
+        assert_eq!(
+            stderr.matches("is a baseline and biased").count(),
+            usize::from(is_baseline),
+            "{stderr}"
+        );
+        if let Some(other) = records.insert(record, method) {
+            panic!("{method} is the same as {other}");
+        }
+    }
+    let walk = "type = \"walk\"";
+    let same = [
+        ("", walk),
+        ("[method]", walk),
+        ("[method]\ntype = \"walk\"\ndomain = \"sphere\"", walk),
+        // Direct light through no mirror: it walks nowhere.
+        (
+            "[method]\ntype = \"edges\"\nmax_angle = 5",
+            "type = \"edges\"",
+        ),
+    ];
+    for (method, other) in same {
+        assert_eq!(records.get(&run(method).0), Some(&other), "{method}");
+    }
+}
+
+#[test]
+fn keys_of_other_methods_are_errors() {
+    let capwalk = Capwalk::new("optimize_method_keys");
+    let bad = |method: &str, parts: &[&str]| {
+        let job = format!("{SMALL}\n[method]\n{method}");
+        capwalk.write("job.toml", &job);
+        assert_has(&capwalk.error("optimize job.toml"), parts);
+    };
+    let methods = "one of \"walk\", \"edges\", \"was\", \"psdr-was\"\n";
+    bad(
+        "type = \"wall\"",
+        &["job.toml:31:8", "`type` is \"wall\"", methods],
+    );
+    bad(
+        "type = \"fd\"",
+        &["job.toml:31:8", "`type` is \"fd\"", methods],
+    );
+    bad(
+        "domain = \"cube\"",
+        &[
+            "job.toml:31:10",
+            "one of \"sphere\", \"triangle\", \"explicit\"",
+        ],
+    );
+    bad(
+        "type = \"edges\"\ndomain = \"triangle\"",
+        &[
+            "job.toml:32:1",
+            "`domain` means nothing in [method] of type \"edges\"",
+            "one of: antithetic, estimator, max_angle, steps, type",
+        ],
+    );
+    bad(
+        "type = \"psdr-was\"\nsteps = 2",
+        &[
+            "`steps` means nothing in [method] of type \"psdr-was\"",
+            "one of: antithetic, boundary, debias, kappa, rays, type",
+        ],
+    );
+    bad(
+        "kappa = 10",
+        &[
+            "`kappa` means nothing in [method] of type \"walk\"",
+            "one of: antithetic, domain, estimator, max_angle, steps, type",
+        ],
+    );
+    bad("type = \"psdr-was\"\nrays = 0", &["from 1 to 65536"]);
+}
