@@ -165,6 +165,15 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
     }
 }
 
+/// That a derivative picture is not that of its reference.
+pub fn of_deviation(comparison: &check::Comparison) -> Verdict {
+    match of_check(comparison) {
+        Verdict::DoesNotHold(_) => Verdict::Holds,
+        Verdict::Holds => Verdict::DoesNotHold("it agrees here".into()),
+        other => other,
+    }
+}
+
 /// What a comparison of pictures found, in one line.
 pub fn in_words(comparison: &check::Comparison) -> String {
     let slope = Measured {

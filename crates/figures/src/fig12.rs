@@ -74,6 +74,8 @@ struct Found {
     picture: Image,
     /// [`shape_error`] of the shape.
     error: f64,
+    /// [`vertex_distance`] of it.
+    distance: f64,
 }
 
 /// Learning rate: the steps that all vertices make together start this large. It was
@@ -98,7 +100,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let effort = Effort {
         size: quality.choose([16, 12], [64, 48], [128, 96]),
         iterations: quality.choose(2, 100, 300),
-        spp: quality.choose(4, 32, 64),
+        spp: quality.choose(4, 48, 64),
     };
     let size = effort.size;
     let seeds = quality.choose(2, SEEDS, SEEDS);
@@ -141,12 +143,16 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         }]),
     ];
     let lines = searches.iter().map(|search| {
-        let errors = search.runs.iter().map(|run| percent(run.error));
+        let each = |of: fn(&Found) -> f64| {
+            let percents = search.runs.iter().map(|run| percent(of(run)));
+            percents.collect::<Vec<_>>().join(", ")
+        };
         vec![
             search.name.into(),
             digits(search.runs[0].losses[0].value),
             search.last_loss().to_string(),
-            errors.collect::<Vec<_>>().join(", "),
+            each(|run| run.error),
+            each(|run| run.distance),
         ]
     });
     let table = Table {
@@ -156,6 +162,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             "first loss",
             "loss of the last iterations",
             "shape error, seed by seed",
+            "distance of vertices",
         ],
         rows: lines.collect(),
     };
@@ -166,7 +173,8 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
              each for picture and gradient; {seeds} seeds for each method, the first one shown. Losses \
              are mean squared differences, averaged over three sizes of the pictures, without what \
              the picture's noise adds. The shape error is the area that only one of the outlines \
-             found and wanted encloses, over that of the disk and the flower.",
+             found and wanted encloses, over that of the disk and the flower; the distance of \
+             vertices is over that of the disk's, too.",
             2 * RIM,
             effort.iterations,
             size[0],
@@ -348,6 +356,7 @@ fn find(
                     losses,
                     picture: picture.expect("there is one view"),
                     error: shape_error(&found, size)?,
+                    distance: vertex_distance(&found, size)?,
                 });
             }
             Err(stop) => return Err(unusable(stop.to_string())),
@@ -381,6 +390,18 @@ fn rim(scene: &Scene) -> Vec<[f64; 2]> {
         .iter()
         .map(|p| [p.x - CENTRE.x, p.z - CENTRE.z])
         .collect()
+}
+
+/// The mean distance of the rim's vertices from the flower's, over that of the disk's.
+/// It does not vanish where a shape does not depend on where along its outline the
+/// vertices are.
+fn vertex_distance(found: &Scene, size: [u32; 2]) -> Result<f64, Failure> {
+    let flower = rim(&scene(true, size)?);
+    let sum = |outline: &[[f64; 2]]| -> f64 {
+        let pairs = outline.iter().zip(&flower);
+        pairs.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).sum()
+    };
+    Ok(sum(&rim(found)) / sum(&rim(&scene(false, size)?)))
 }
 
 /// True if a closed outline runs around a point, an odd number of times.

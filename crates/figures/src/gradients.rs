@@ -3,7 +3,7 @@
 
 use std::time::Instant;
 
-use capwalk_math::Moments;
+use capwalk_math::{Moments, Rgb};
 use capwalk_render::{
     Estimate, GradientImage, GradientOptions, Method, WalkSettings, finite_difference, gradient,
 };
@@ -111,6 +111,21 @@ pub fn mean_l1(gradient: &Estimate, reference: &Estimate) -> Measured {
     moments.into()
 }
 
+/// By how much the mean absolute difference of one picture from a reference is below
+/// that of another one, pixel by pixel: what the scene makes of both drops out.
+pub fn l1_gain(gradient: &Estimate, other: &Estimate, reference: &Estimate) -> Measured {
+    let pixels = |estimate: &Estimate| -> Vec<f64> {
+        let pairs = estimate.mean.pixels.iter().zip(&reference.mean.pixels);
+        let sizes = pairs.map(|(a, b)| (*a - *b).to_array().map(f64::abs).iter().sum::<f64>());
+        sizes.map(|sum| sum / 3.0).collect()
+    };
+    let mut moments = Moments::default();
+    for (ours, theirs) in pixels(gradient).into_iter().zip(pixels(other)) {
+        moments.add(theirs - ours);
+    }
+    moments.into()
+}
+
 /// Derivatives side by side, colours within a limit.
 pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
     let shown = pictures.iter().map(|(title, estimate)| Shown {
@@ -121,16 +136,32 @@ pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
     shown.collect()
 }
 
-/// What [`mean_l1`] would be from Gaussian noise of the stated size alone: the
-/// rest is bias.
-pub fn mean_l1_of_noise(gradient: &Estimate, reference: &Estimate) -> f64 {
-    let errors = [gradient, reference].map(|estimate| &estimate.standard_error.pixels);
-    let mut sum = 0.0;
-    for (a, b) in errors[0].iter().zip(errors[1]) {
-        let both = a.to_array().into_iter().zip(b.to_array());
-        sum += both.map(|(a, b)| a.hypot(b)).sum::<f64>() / 3.0;
+/// Mean squared distance from a reference, and what of it is noise: that of the
+/// picture itself and of the reference. The rest is bias: squares add.
+pub struct Squares {
+    pub distance: f64,
+    pub noise: f64,
+    pub reference_noise: f64,
+}
+
+impl Squares {
+    pub fn of(gradient: &Estimate, reference: &Estimate) -> Self {
+        let mean = |pixels: &mut dyn Iterator<Item = Rgb>| {
+            let squares = pixels.map(|x| x.dot(x) / 3.0);
+            squares.sum::<f64>() / gradient.mean.pixels.len() as f64
+        };
+        let pairs = gradient.mean.pixels.iter().zip(&reference.mean.pixels);
+        Self {
+            distance: mean(&mut pairs.map(|(a, b)| *a - *b)),
+            noise: mean(&mut gradient.standard_error.pixels.iter().copied()),
+            reference_noise: mean(&mut reference.standard_error.pixels.iter().copied()),
+        }
     }
-    (2.0 / std::f64::consts::PI).sqrt() * sum / errors[0].len() as f64
+
+    /// The mean square of the bias; zero where the noise does not let it be seen.
+    pub fn bias(&self) -> f64 {
+        (self.distance - self.noise - self.reference_noise).max(0.0)
+    }
 }
 
 /// Mean absolute value over pixels and channels.

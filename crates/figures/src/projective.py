@@ -1,6 +1,7 @@
 # Derivatives by Mitsuba's projective sampling: python3 projective.py
 # SCENE.xml SHAPE AXIS INTEGRATOR MAX_DEPTH SPP SEEDS OUTPUT
-# Writes little-endian float32: for each seed the pixels of its picture.
+# Writes little-endian float32, for each seed the pixels: of the derivative to
+# OUTPUT, of the picture to OUTPUT.picture.
 import struct
 import sys
 
@@ -20,7 +21,12 @@ if integrator != "direct_projective":
     settings["max_depth"] = int(depth)
 method = mi.load_dict(settings)
 
-with open(output, "wb") as file:
+def write(file, image):
+    numbers = list(image.array)
+    file.write(struct.pack("<%df" % len(numbers), *numbers))
+
+
+with open(output, "wb") as derivatives, open(output + ".picture", "wb") as pictures:
     for seed in range(int(seeds)):
         amount = mi.Float(0.0)
         dr.enable_grad(amount)
@@ -29,6 +35,5 @@ with open(output, "wb") as file:
         params.update()
         picture = mi.render(scene, params, integrator=method, spp=int(spp), seed=1000 + seed, seed_grad=2000 + seed)
         dr.forward(amount)
-        gradient = dr.grad(picture)
-        numbers = list(gradient.array)
-        file.write(struct.pack("<%df" % len(numbers), *numbers))
+        write(derivatives, dr.grad(picture))
+        write(pictures, dr.detach(picture))

@@ -25,6 +25,8 @@ pub enum Projective {
     Done {
         /// Mean and standard error over seeds.
         gradient: Estimate,
+        /// The picture itself.
+        picture: Estimate,
         /// For all seeds, with loading.
         seconds: f64,
     },
@@ -103,15 +105,21 @@ fn in_folder(
         )));
     }
     let seconds = started.elapsed().as_secs_f64();
-    let bytes = fs::read(&numbers).map_err(|error| unusable(error.to_string()))?;
     let [width, height] = subject.scene.film.crop_size.map(|n| n as usize);
-    let gradient = estimate(&bytes, width, height).ok_or_else(|| {
-        unusable(format!(
-            "{} bytes for {width} × {height} pixels",
-            bytes.len()
-        ))
-    })?;
-    Ok(Projective::Done { gradient, seconds })
+    let read = |file: &Path| {
+        let bytes = fs::read(file).map_err(|error| unusable(error.to_string()))?;
+        estimate(&bytes, width, height).ok_or_else(|| {
+            unusable(format!(
+                "{} bytes for {width} × {height} pixels",
+                bytes.len()
+            ))
+        })
+    };
+    Ok(Projective::Done {
+        gradient: read(&numbers)?,
+        picture: read(&folder.join("gradient.f32.picture"))?,
+        seconds,
+    })
 }
 
 /// Mean and standard error over the pictures in a file.

@@ -17,7 +17,7 @@ fn figures_are_drawn_by_name() {
 
     let json = capwalk.json("figures variance --quality smoke --json --out again");
     let claims = json["figures"][0]["claims"].as_array().expect("claims");
-    assert_eq!(claims.len(), 4);
+    assert_eq!(claims.len(), 6, "two for each domain");
     assert_eq!(claims[0]["verdict"], "holds");
     // The same numbers as text, in the table for other programs.
     let table = String::from_utf8(capwalk.bytes("again/claims.csv")).expect("text");
