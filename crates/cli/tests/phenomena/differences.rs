@@ -15,13 +15,15 @@ use crate::folder::{Differences, Folder};
 
 const MEAN_Z_SQUARED: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 /// Standard errors of the sum of all differences.
-const SIGN: f64 = 4.0;
+pub const SIGN: f64 = 4.0;
 
-/// Checks a derivative as a user does, and demands agreement.
-pub fn agree(folder: &Folder, parameter: &str, differences: &Differences, out: &Path) {
+/// Checks a derivative as a user does, and demands agreement. What is written goes to
+/// a file, to be used again.
+pub fn agree(folder: &Folder, parameter: &str, differences: &Differences, file: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let (step, spp) = (differences.step.to_string(), differences.spp.to_string());
-    let preview = out.join("check.png");
+    let (file, preview) = (file.display(), file.with_extension("png"));
+    let files = format!("{file},{}", preview.display());
     let done = capwalk(&[
         "check",
         &folder.scene_file(),
@@ -33,7 +35,7 @@ pub fn agree(folder: &Folder, parameter: &str, differences: &Differences, out: &
         &spp,
         "--json",
         "-o",
-        preview.to_str().expect("plain letters"),
+        &files,
     ]);
     let said: Value = serde_json::from_str(&done.output)
         .unwrap_or_else(|_| panic!("{name}: {}{}", done.output, done.errors));

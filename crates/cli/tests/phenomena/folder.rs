@@ -33,6 +33,19 @@ pub struct Differences {
     pub spp: u32,
     /// How many pixels must have noise; `None`: half of them.
     pub pixels: Option<usize>,
+    /// What `--method edges` is like.
+    pub edges: Edges,
+}
+
+/// What gathered edges have to do with a derivative.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edges {
+    /// They meet the differences, too.
+    Gathered,
+    /// None are gathered: it walks.
+    Walked,
+    /// They are too noisy to be compared.
+    Noisy,
 }
 
 fn root() -> PathBuf {
@@ -107,11 +120,26 @@ impl Check {
     /// `None` if a key is missing, of the wrong kind, or unknown.
     fn read(value: &Value) -> Option<Self> {
         let object = value.as_object()?;
-        let known = ["parameter", "step", "reference_spp", "pixels", "refused"];
+        let known = [
+            "parameter",
+            "step",
+            "reference_spp",
+            "pixels",
+            "edges_walked",
+            "edges_noisy",
+            "refused",
+        ];
         if !object.keys().all(|key| known.contains(&key.as_str())) {
             return None;
         }
         let parameter = object.get("parameter")?.as_str()?.to_owned();
+        // With the reason.
+        let edges = match (object.get("edges_walked"), object.get("edges_noisy")) {
+            (None, None) => Edges::Gathered,
+            (Some(Value::String(_)), None) => Edges::Walked,
+            (None, Some(Value::String(_))) => Edges::Noisy,
+            _ => return None,
+        };
         let demand = match object.get("refused") {
             Some(words) => {
                 let words = words.as_array()?.iter();
@@ -125,6 +153,7 @@ impl Check {
                     Some(count) => Some(count.as_u64()? as usize),
                     None => None,
                 },
+                edges,
             }),
         };
         Some(Self { parameter, demand })

@@ -1,11 +1,13 @@
 //! The phenomena: every folder of `tests/scenes` has a scene and the parameters
 //! by which its picture is differentiated. Each derivative meets finite
-//! differences, and forward mode meets reverse mode; or it is refused with the
-//! reason. `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
+//! differences, with edges gathered as well as walked to, and forward mode meets
+//! reverse mode; or it is refused with the reason.
+//! `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
 
 mod both_modes;
 mod differences;
 mod folder;
+mod gathered;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -128,7 +130,9 @@ fn run(name: &str) {
         let parameter = &check.parameter;
         match &check.demand {
             Demand::Agree(differences) => {
-                differences::agree(&folder, parameter, differences, &out);
+                let check = out.join("check.npz");
+                differences::agree(&folder, parameter, differences, &check);
+                gathered::agree(&folder, parameter, differences.edges, &check);
                 both_modes::agree(&folder, parameter, &out);
             }
             Demand::Refuse(words) => refuse(&folder, parameter, words, &out),
@@ -137,7 +141,7 @@ fn run(name: &str) {
     println!("{name}: {:.1} s", started.elapsed().as_secs_f64());
 }
 
-/// Demands that both modes refuse, in a message that has the words.
+/// Demands that both modes refuse, and both methods, in a message that has the words.
 fn refuse(folder: &Folder, parameter: &str, words: &[String], out: &Path) {
     let file = folder.scene_file();
     let target = out
@@ -147,7 +151,11 @@ fn refuse(folder: &Folder, parameter: &str, words: &[String], out: &Path) {
         .to_owned();
     let picture = capwalk(&["render", &file, "--spp", "1", "-o", &target]);
     let loss = ["--loss", "l2", "--target", &target];
-    let mut commands = vec![vec!["gradient", &file, "-p", parameter]];
+    let gradient = ["gradient", &file, "-p", parameter];
+    let mut commands = vec![
+        gradient.to_vec(),
+        [&gradient[..], &["--method", "edges"]].concat(),
+    ];
     // What cannot be rendered has no target.
     if picture.status == 0 {
         commands.push([&["backward", &file, "-p", parameter], &loss[..]].concat());
