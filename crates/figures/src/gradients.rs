@@ -136,31 +136,29 @@ pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
     shown.collect()
 }
 
-/// Mean squared distance from a reference, and what of it is noise: that of the
-/// picture itself and of the reference. The rest is bias: squares add.
+/// What of the mean squared distance from a reference is noise of the picture, and
+/// what is neither that nor noise of the reference: bias. Squares add.
 pub struct Squares {
-    pub distance: f64,
     pub noise: f64,
-    pub reference_noise: f64,
+    /// Zero but for its error for a picture without bias.
+    pub bias: Measured,
 }
 
 impl Squares {
     pub fn of(gradient: &Estimate, reference: &Estimate) -> Self {
-        let mean = |pixels: &mut dyn Iterator<Item = Rgb>| {
-            let squares = pixels.map(|x| x.dot(x) / 3.0);
-            squares.sum::<f64>() / gradient.mean.pixels.len() as f64
-        };
-        let pairs = gradient.mean.pixels.iter().zip(&reference.mean.pixels);
-        Self {
-            distance: mean(&mut pairs.map(|(a, b)| *a - *b)),
-            noise: mean(&mut gradient.standard_error.pixels.iter().copied()),
-            reference_noise: mean(&mut reference.standard_error.pixels.iter().copied()),
+        let (mut noise, mut bias) = (Moments::default(), Moments::default());
+        let square = |x: Rgb| x.dot(x) / 3.0;
+        for i in 0..gradient.mean.pixels.len() {
+            let [own, other] =
+                [gradient, reference].map(|estimate| square(estimate.standard_error.pixels[i]));
+            let distance = square(gradient.mean.pixels[i] - reference.mean.pixels[i]);
+            noise.add(own);
+            bias.add(distance - own - other);
         }
-    }
-
-    /// The mean square of the bias; zero where the noise does not let it be seen.
-    pub fn bias(&self) -> f64 {
-        (self.distance - self.noise - self.reference_noise).max(0.0)
+        Self {
+            noise: noise.mean,
+            bias: bias.into(),
+        }
     }
 }
 

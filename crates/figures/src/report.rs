@@ -35,7 +35,8 @@ pub fn html(figures: &[Figure]) -> Result<String, ImageError> {
     page += "<p>The figures of <em>Unbiased Differential Visibility Using Fixed-Step \
              Walk-on-Spherical-Caps And Closest Silhouettes</em> (Wu et al. 2025), drawn anew by \
              capwalk. Every number in the column “here” was measured in the run that made this \
-             page; verdicts follow from it by tests at three standard errors.</p>\n";
+             page. Numbers are compared at three standard errors; pictures as <code>capwalk check</code> \
+             does, where “holds” excludes that a derivative is off by 10 % or more.</p>\n";
     page += "<h2 id=\"claims\">Claims</h2>\n";
     page += &claims_table(figures.iter().flat_map(|figure| {
         let link = format!("<a href=\"#{0}\">{0}</a>", figure.name);
