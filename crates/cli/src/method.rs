@@ -86,10 +86,15 @@ pub fn name(value: &impl ValueEnum) -> String {
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
-/// What is to be said about results of a method that is no more than a baseline.
+/// What is to be said about results whose standard errors do not bound their errors.
 pub fn remark(args: &MethodArgs) -> String {
     let method = name(&args.method);
     match args.method {
+        MethodName::Walk | MethodName::Edges if has_infinite_variance(&args.walk) => {
+            "walks with the estimator literal have infinite variance: standard errors are too \
+             small, and verdicts by them mean little. Use anchored, the default\n"
+                .into()
+        }
         MethodName::Walk | MethodName::Edges => String::new(),
         MethodName::Was | MethodName::PsdrWas if args.was.was_debias => format!(
             "{method} is a baseline: its standard errors can be too small near edges, and what \
@@ -103,6 +108,11 @@ pub fn remark(args: &MethodArgs) -> String {
                            of the step squared\n"
             .into(),
     }
+}
+
+/// In pairs of opposite azimuths what is infinite cancels (METHOD 2).
+fn has_infinite_variance(args: &WalkArgs) -> bool {
+    matches!(args.estimator, Some(EstimatorName::Literal)) && !args.antithetic
 }
 
 fn walk(args: &WalkArgs) -> WalkSettings {

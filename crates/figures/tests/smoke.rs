@@ -102,12 +102,20 @@ fn open_in_browser(folder: &Path, page: &str) {
         "google-chrome",
         "chrome-headless-shell",
     ];
-    let given = std::env::var("CAPWALK_BROWSER").ok();
-    let candidates = given.iter().map(String::as_str).chain(names);
-    let found = candidates.into_iter().find(|name| {
+    let starts = |name: &str| {
         let answer = Command::new(name).arg("--version").output();
         answer.is_ok_and(|answer| answer.status.success())
-    });
+    };
+    let given = std::env::var("CAPWALK_BROWSER").ok();
+    if let Some(name) = &given {
+        assert!(
+            starts(name),
+            "CAPWALK_BROWSER is {name}, which does not start"
+        );
+    }
+    let found = given
+        .as_deref()
+        .or_else(|| names.into_iter().find(|name| starts(name)));
     let Some(browser) = found else {
         println!(
             "SKIPPED: no browser ({}), and CAPWALK_BROWSER is not set",

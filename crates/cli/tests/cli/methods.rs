@@ -90,6 +90,32 @@ fn methods_say_what_they_are() {
     assert_eq!(step.as_deref(), Some("0.125"));
 }
 
+/// Wherever standard errors are stated that do not bound errors.
+#[test]
+fn infinite_variance_is_said() {
+    let capwalk = Capwalk::new("method_literal");
+    let options = "--size 12x9 --spp 4";
+    let gradient = format!("gradient leaf -p leaf.translate.x {options} -o gradient.npz");
+    let commands = [
+        gradient.clone(),
+        format!("{gradient} --method edges"),
+        format!("{gradient} --domain triangle"),
+        format!("check leaf -p leaf.translate.x {options} -o check.npz"),
+        format!("backward leaf -p leaf.positions {options} --adjoint gradient.npz -o backward.npz"),
+    ];
+    for command in commands {
+        for (walk, expected) in [
+            ("", 0),
+            ("--estimator literal", 1),
+            ("--estimator literal --antithetic", 0),
+        ] {
+            let stderr = capwalk.run(&format!("{command} {walk}")).stderr;
+            let found = stderr.matches("infinite variance").count();
+            assert_eq!(found, expected, "{command} {walk}: {stderr}");
+        }
+    }
+}
+
 /// `edges` is no baseline, and not `walk` by another name; files and JSON name it.
 #[test]
 fn every_command_takes_edges() {

@@ -70,10 +70,13 @@ impl Field<'_> {
         let position = receiver.eye;
         let is_camera = eye.visibility == Visibility::Camera;
         // Nothing hides what bounds the visible part of a triangle, but the camera
-        // sees nothing before its near plane.
+        // sees no edge before its near plane. One that passes it counts as a whole:
+        // if its closest point decided, the field would jump where that passes.
+        let view = self.accel.view.from(position);
+        let [near, far] = view.clip();
         let is_seen = move |site: &SilhouettePoint| {
-            let ray = self.accel.camera_ray(position, site.direction);
-            ray.t_min < site.distance && site.distance < ray.t_max
+            let [a, b] = self.boundaries.ends(site.edge).map(|p| view.depth(p));
+            a.max(b) > near && a.min(b) < far
         };
         Triangle {
             sphere: Sphere {
@@ -124,7 +127,7 @@ mod tests {
     use crate::sampler::Sampler;
     use capwalk_math::Moments;
     use capwalk_scene::builtin;
-    use capwalk_walk::Estimator;
+    use capwalk_walk::{Domain, Estimator};
 
     /// Velocities that look random.
     fn velocity(source: Source) -> Vec3 {
@@ -133,6 +136,49 @@ mod tests {
             Source::Eye => 0.5,
         };
         Vec3::new((12.9 * i).sin(), (78.2 * i).sin(), (37.7 * i).sin())
+    }
+
+    /// A field is continuous only if the distance to its boundaries is: it changes by
+    /// no more than the direction does, also where edges pass the near plane.
+    #[test]
+    fn edges_that_pass_the_near_plane_count_as_a_whole() {
+        let mut scene = builtin::scene("leaf").expect("built in");
+        // A leaf before the camera, of which a corner is before the near plane.
+        let [width, height] = scene.film.size.map(f64::from);
+        let view = Accel::new(&scene).view;
+        let corner = |[x, y, distance]: [f64; 3]| {
+            view.eye + view.direction([width * x, height * y]) * distance
+        };
+        let leaf = scene.shapes.iter_mut().find(|shape| shape.id == "leaf");
+        let corners = [[0.1, 0.3, 0.3], [0.9, 0.5, 1.0], [0.4, 0.7, 0.9]];
+        leaf.expect("it is there").mesh.positions = corners.map(corner).to_vec();
+        scene.sensor.near_clip = 0.6;
+        let accel = Accel::new(&scene);
+        let field = Field::new(&accel, Method::TriangleWalk);
+        let eye: Eye<f64> = Eye::camera(&accel.view, 0);
+        let mut meets = 0;
+        for row in 0..16 {
+            let steps = 2000;
+            let at = |step: u32| {
+                let [x, y] = [f64::from(step) / f64::from(steps), f64::from(row) / 16.0];
+                accel.view.direction([width * x, height * y])
+            };
+            let Some(receiver) = field.receiver(&eye, at(steps / 2)) else {
+                continue;
+            };
+            let triangle = field.triangle(&eye, &receiver);
+            let nearest = |step: u32| triangle.closest(at(step), std::f64::consts::PI);
+            for step in 0..steps {
+                let (Some(a), Some(b)) = (nearest(step), nearest(step + 1)) else {
+                    continue;
+                };
+                meets += u32::from(a.site != Outline::Border);
+                let change = (a.distance - b.distance).abs();
+                let angle = triangle.distance(at(step), at(step + 1));
+                assert!(change < angle + 1e-12, "{row}, {step}: {change} > {angle}");
+            }
+        }
+        assert!(meets > 1000, "only {meets} directions have silhouettes");
     }
 
     /// At a fixed direction both estimators have the same mean, for the motion of

@@ -32,6 +32,8 @@ const MESHES: &str = "scene_meshes";
 const TEXTURES: &str = "scene_textures";
 /// The folder of pictures.
 const PICTURES: &str = "pictures";
+/// The folders that files are written into, from the folder of the run.
+const FOLDERS: [&str; 4] = ["", PICTURES, MESHES, TEXTURES];
 
 /// The folder of a run that goes on in it.
 pub struct Folder {
@@ -73,8 +75,8 @@ pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed> {
         }
         Err(TryLockError::Error(error)) => return Err(error).with_context(cannot),
     }
-    for folder in [path.to_owned(), path.join(PICTURES)] {
-        remove_leftovers(&folder).with_context(cannot)?;
+    for folder in FOLDERS {
+        remove_leftovers(&path.join(folder)).with_context(cannot)?;
     }
     Ok(Claimed {
         path: path.to_owned(),
@@ -131,6 +133,9 @@ fn has_rows(table: &[u8]) -> bool {
 
 /// Removes what a killed process was just writing.
 fn remove_leftovers(folder: &Path) -> std::io::Result<()> {
+    if !folder.is_dir() {
+        return Ok(());
+    }
     for entry in fs::read_dir(folder)? {
         let entry = entry?;
         let name = entry.file_name();

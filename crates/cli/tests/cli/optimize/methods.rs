@@ -38,6 +38,11 @@ fn every_method_runs() {
             usize::from(is_baseline),
             "{stderr}"
         );
+        assert_eq!(
+            stderr.matches("infinite variance").count(),
+            usize::from(method.contains("literal")),
+            "{stderr}"
+        );
         if let Some(other) = records.insert(record, method) {
             panic!("{method} is the same as {other}");
         }

@@ -104,6 +104,20 @@ fn a_run_killed_twenty_times_ends_in_the_same_bits() {
         (0.6..1.0).contains(&(done / f64::from(ITERATIONS))),
         "{done}"
     );
+    // Kills at the end come while a result is written.
+    for result in [".parameters.npz", "scene_meshes/.leaf.ply", ".scene.xml"] {
+        for _ in 0..2 {
+            let mut command = capwalk.command("optimize job.toml -o killed --resume");
+            let child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn();
+            let mut child = child.expect("it starts");
+            let half = killed.join(format!("{result}.{}.tmp", child.id()));
+            while !half.exists() && child.try_wait().expect("it can be asked").is_none() {
+                std::thread::yield_now();
+            }
+            child.kill().expect("it can be killed"); // SIGKILL
+            child.wait().expect("it ends");
+        }
+    }
     let last = capwalk.run("optimize job.toml -o killed --resume");
     assert_eq!(last.status, 0, "{}", last.stderr);
     assert_same_files(&capwalk.path("whole"), &killed);
@@ -135,7 +149,15 @@ fn every_order_of_writing_can_be_resumed() {
             text += "12,0.03";
         }
         capwalk.write(&format!("{case}/record.csv"), &text);
-        capwalk.write(&format!("{case}/.parameters.npz.99.tmp"), "half");
+        fs::create_dir(capwalk.path(&format!("{case}/scene_textures"))).expect("made");
+        for half in [
+            ".parameters.npz.99.tmp",
+            "pictures/.000040.png.99.tmp",
+            "scene_meshes/.leaf.ply.77.tmp",
+            "scene_textures/.bark.exr.77.tmp",
+        ] {
+            capwalk.write(&format!("{case}/{half}"), "half");
+        }
         let resumed = capwalk.run(&format!("optimize job.toml -o {case} --resume"));
         assert_eq!(resumed.status, 0, "{case}: {}", resumed.stderr);
         assert_has(&resumed.stderr, &["going on after iteration 12"]);
