@@ -106,7 +106,8 @@ pub fn sample_field<D: Domain>(
     for &azimuth in azimuths {
         let e = domain.tangent(x, azimuth);
         mean_e = mean_e + e * share;
-        // The literal estimator's value sample has an azimuth of its own.
+        // The literal estimator's value sample has an azimuth of its own; later steps
+        // of both walks share their numbers, which leaves the mean as it is.
         let e_inside = match settings.estimator {
             Estimator::Anchored => e,
             Estimator::Literal => domain.tangent(x, random(2 * settings.steps)),
