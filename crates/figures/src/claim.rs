@@ -65,6 +65,11 @@ impl From<Moments> for Measured {
 }
 
 impl Measured {
+    /// A number without noise.
+    pub fn exact(value: f64) -> Self {
+        Self { value, error: 0.0 }
+    }
+
     /// `self / other`, errors to first order.
     pub fn over(self, other: Self) -> Self {
         let value = self.value / other.value;

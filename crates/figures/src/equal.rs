@@ -51,7 +51,7 @@ struct Compared {
     run: Run,
     /// Mean L1 error against the reference.
     error: Measured,
-    /// The same in mean squares.
+    /// What is noise and what is bias, in mean squares.
     squares: Squares,
     /// Against finite differences: how much is missing or too much.
     factor: Measured,
@@ -154,7 +154,7 @@ fn claims(
                 "mean square of the bias {bias}, of noise {}",
                 claim::digits(other.squares.noise)
             ),
-            verdict: claim::below(NOTHING, bias),
+            verdict: claim::below(Measured::exact(0.0), bias),
         });
     }
     let of = |kind: Kind| {
@@ -191,12 +191,6 @@ fn claims(
     claims
 }
 
-/// A number without noise.
-const NOTHING: Measured = Measured {
-    value: 0.0,
-    error: 0.0,
-};
-
 /// That the error of ours is below another one's, pixel by pixel.
 fn order(ours: &Compared, other: &Compared, reference: &Run) -> Verdict {
     let gain = l1_gain(
@@ -204,7 +198,7 @@ fn order(ours: &Compared, other: &Compared, reference: &Run) -> Verdict {
         other.run.gradient(),
         reference.gradient(),
     );
-    match claim::below(NOTHING, gain) {
+    match claim::below(Measured::exact(0.0), gain) {
         Verdict::Holds => Verdict::Holds,
         Verdict::CouldNotTell(_) => {
             Verdict::CouldNotTell(format!("they differ by {gain}, pixel by pixel"))

@@ -175,10 +175,7 @@ fn projective_claim(
     let (text, verdict) = match case.name {
         "plain" => (claim::in_words(&found), claim::of_deviation(&found)),
         _ => {
-            let nearly_nothing = Measured {
-                value: 0.1,
-                error: 0.0,
-            };
+            let nearly_nothing = Measured::exact(0.1);
             (
                 format!("it has {share} of what moves"),
                 claim::below(share, nearly_nothing),

@@ -190,10 +190,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
 
 fn claims([ours, was]: &[Search; 2]) -> Vec<Claim> {
     let [found, stalled] = [ours, was].map(Search::error);
-    let limit = Measured {
-        value: CONVERGED,
-        error: 0.0,
-    };
+    let limit = Measured::exact(CONVERGED);
     let in_percent = |error: Measured| {
         let scaled = Measured {
             value: 100.0 * error.value,

@@ -104,26 +104,24 @@ impl Run {
 /// independently of each other, so their spread is its error.
 pub fn mean_l1(gradient: &Estimate, reference: &Estimate) -> Measured {
     let mut moments = Moments::default();
-    for (a, b) in gradient.mean.pixels.iter().zip(&reference.mean.pixels) {
-        let difference = (*a - *b).to_array().map(f64::abs);
-        moments.add(difference.iter().sum::<f64>() / 3.0);
-    }
+    distances(gradient, reference).for_each(|distance| moments.add(distance));
     moments.into()
 }
 
 /// By how much the mean absolute difference of one picture from a reference is below
 /// that of another one, pixel by pixel: what the scene makes of both drops out.
 pub fn l1_gain(gradient: &Estimate, other: &Estimate, reference: &Estimate) -> Measured {
-    let pixels = |estimate: &Estimate| -> Vec<f64> {
-        let pairs = estimate.mean.pixels.iter().zip(&reference.mean.pixels);
-        let sizes = pairs.map(|(a, b)| (*a - *b).to_array().map(f64::abs).iter().sum::<f64>());
-        sizes.map(|sum| sum / 3.0).collect()
-    };
     let mut moments = Moments::default();
-    for (ours, theirs) in pixels(gradient).into_iter().zip(pixels(other)) {
-        moments.add(theirs - ours);
-    }
+    let [ours, theirs] = [gradient, other].map(|estimate| distances(estimate, reference));
+    ours.zip(theirs)
+        .for_each(|(ours, theirs)| moments.add(theirs - ours));
     moments.into()
+}
+
+/// Absolute differences of pixels, means over channels.
+fn distances(gradient: &Estimate, reference: &Estimate) -> impl Iterator<Item = f64> {
+    let pairs = gradient.mean.pixels.iter().zip(&reference.mean.pixels);
+    pairs.map(|(a, b)| (*a - *b).to_array().map(f64::abs).iter().sum::<f64>() / 3.0)
 }
 
 /// Derivatives side by side, colours within a limit.
