@@ -28,30 +28,13 @@ impl<const N: usize> Dual<N> {
         tangent[i] = 1.0;
         Self { value, tangent }
     }
-
-    /// Chain rule for a function of one argument: `f(self)`, `f'(self)`.
-    #[inline]
-    fn chain(self, value: f64, slope: f64) -> Self {
-        Self {
-            value,
-            tangent: self.tangent.map(|t| slope * t),
-        }
-    }
-
-    /// Chain rule for a function of two arguments and its partial slopes.
-    #[inline]
-    fn chain2(self, other: Self, value: f64, slopes: (f64, f64)) -> Self {
-        let tangent =
-            std::array::from_fn(|i| slopes.0 * self.tangent[i] + slopes.1 * other.tangent[i]);
-        Self { value, tangent }
-    }
 }
 
 impl<const N: usize> Add for Dual<N> {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        self.chain2(b, self.value + b.value, (1.0, 1.0))
+        Self::chain(self.value + b.value, [(self, 1.0), (b, 1.0)])
     }
 }
 
@@ -59,7 +42,7 @@ impl<const N: usize> Sub for Dual<N> {
     type Output = Self;
     #[inline]
     fn sub(self, b: Self) -> Self {
-        self.chain2(b, self.value - b.value, (1.0, -1.0))
+        Self::chain(self.value - b.value, [(self, 1.0), (b, -1.0)])
     }
 }
 
@@ -67,7 +50,7 @@ impl<const N: usize> Mul for Dual<N> {
     type Output = Self;
     #[inline]
     fn mul(self, b: Self) -> Self {
-        self.chain2(b, self.value * b.value, (b.value, self.value))
+        Self::chain(self.value * b.value, [(self, b.value), (b, self.value)])
     }
 }
 
@@ -76,7 +59,8 @@ impl<const N: usize> Div for Dual<N> {
     #[inline]
     fn div(self, b: Self) -> Self {
         let ratio = self.value / b.value;
-        self.chain2(b, ratio, (b.value.recip(), -ratio / b.value))
+        let inverse = b.value.recip();
+        Self::chain(ratio, [(self, inverse), (b, -ratio * inverse)])
     }
 }
 
@@ -84,7 +68,7 @@ impl<const N: usize> Neg for Dual<N> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        self.chain(-self.value, -1.0)
+        Self::chain(-self.value, [(self, -1.0)])
     }
 }
 
@@ -121,21 +105,28 @@ impl<const N: usize> Real for Dual<N> {
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, 0.5 / root)
+        Self::chain(root, [(self, 0.5 / root)])
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
-        (self.chain(sin, cos), self.chain(cos, -sin))
+        (
+            Self::chain(sin, [(self, cos)]),
+            Self::chain(cos, [(self, -sin)]),
+        )
     }
     #[inline]
     fn exp(self) -> Self {
         let exp = self.value.exp();
-        self.chain(exp, exp)
+        Self::chain(exp, [(self, exp)])
     }
     #[inline]
-    fn chain(self, value: f64, slope: f64) -> Self {
-        Dual::chain(self, value, slope)
+    fn chain<const M: usize>(value: f64, terms: [(Self, f64); M]) -> Self {
+        let along = |i: usize| {
+            let parts = terms.iter().map(|(x, slope)| slope * x.tangent[i]);
+            parts.reduce(|sum, part| sum + part).unwrap_or(0.0)
+        };
+        Self::new(value, std::array::from_fn(along))
     }
 }
 

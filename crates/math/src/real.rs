@@ -34,21 +34,21 @@ pub trait Real:
     fn sin_cos(self) -> (Self, Self);
     /// The exponential function.
     fn exp(self) -> Self;
-    /// A function of this number by the chain rule: `value` is the function's
-    /// value here, `slope` its derivative.
-    fn chain(self, value: f64, slope: f64) -> Self;
+    /// A function of some numbers by the chain rule: its value here, and the numbers
+    /// with its slope in each.
+    fn chain<const N: usize>(value: f64, terms: [(Self, f64); N]) -> Self;
 
     /// Natural logarithm.
     #[inline]
     fn ln(self) -> Self {
         let x = self.value();
-        self.chain(x.ln(), x.recip())
+        Self::chain(x.ln(), [(self, x.recip())])
     }
     /// The error function.
     #[inline]
     fn erf(self) -> Self {
         let x = self.value();
-        self.chain(special::erf(x), FRAC_2_SQRT_PI * (-x * x).exp())
+        Self::chain(special::erf(x), [(self, FRAC_2_SQRT_PI * (-x * x).exp())])
     }
     /// Absolute value; at zero it has the derivative from above.
     #[inline]
@@ -90,7 +90,7 @@ macro_rules! impl_real_for_float {
                 self.exp()
             }
             #[inline]
-            fn chain(self, value: f64, _slope: f64) -> Self {
+            fn chain<const N: usize>(value: f64, _: [(Self, f64); N]) -> Self {
                 value as $float
             }
         }

@@ -2,7 +2,9 @@
 //!
 //! A [`Tape`] lists every operation with its slopes; walking it backwards turns
 //! the adjoint of a result (the derivative of some final number by it) into the
-//! adjoints of all that it was computed from. Constants are not recorded.
+//! adjoints of all that it was computed from. An operation may have any number of
+//! operands: an inner product is one. Constants are not recorded, and a number plus
+//! a constant shares the number's place.
 //!
 //! ```
 //! use capwalk_math::tape::Tape;
@@ -23,27 +25,37 @@ use std::ops::{Add, Div, Mul, Neg, Range, Sub};
 use crate::real::Real;
 use crate::vec3::Vec3;
 
-/// What was computed, in order.
+/// What was computed, in order. The first place stands for all constants: what
+/// falls on it is not looked at.
 #[derive(Default)]
 pub struct Tape {
-    entries: RefCell<Vec<Entry>>,
+    operations: RefCell<Operations>,
 }
 
-/// An operation: the numbers it was computed from, and its slope in each.
-#[derive(Clone, Copy)]
-struct Entry {
-    parents: [u32; 2],
-    slopes: [f64; 2],
+/// Operations, in order.
+struct Operations {
+    /// What all of them were computed from, one after another.
+    operands: Vec<Operand>,
+    /// Where the operands of each end; they begin where those of the one before end.
+    ends: Vec<u32>,
 }
 
-/// The parent that is a constant.
-const CONSTANT: u32 = u32::MAX;
+/// A number that another was computed from, and the other's slope in it.
+#[derive(Clone, Copy, Default)]
+struct Operand {
+    place: u32,
+    slope: f64,
+}
+
+/// The place of constants.
+const CONSTANT: u32 = 0;
 
 /// A number on a tape, or a constant.
 #[derive(Clone, Copy)]
 pub struct Var<'t> {
     /// `None` for constants.
     tape: Option<&'t Tape>,
+    /// The place on it.
     index: u32,
     value: f64,
 }
@@ -56,7 +68,12 @@ impl Tape {
     /// A number that is computed from nothing: an independent variable.
     #[inline]
     pub fn variable(&self, value: f64) -> Var<'_> {
-        self.push(value, [CONSTANT; 2], [0.0; 2])
+        let index = self.operations.borrow_mut().end();
+        Var {
+            tape: Some(self),
+            index,
+            value,
+        }
     }
 
     /// Three of them, on consecutive places.
@@ -66,20 +83,22 @@ impl Tape {
         Vec3::new(x, y, z)
     }
 
-    /// How many numbers are on the tape.
+    /// How many places there are: one for each number, and that of constants.
     pub fn len(&self) -> usize {
-        self.entries.borrow().len()
+        self.operations.borrow().ends.len()
     }
 
-    /// True if nothing is on the tape.
+    /// True if no number is on the tape.
     pub fn is_empty(&self) -> bool {
-        self.len() == 0
+        self.len() == CONSTANT as usize + 1
     }
 
     /// Forgets everything, and keeps the memory. Numbers of before must not be
     /// used any more.
     pub fn clear(&mut self) {
-        self.entries.get_mut().clear();
+        let operations = self.operations.get_mut();
+        operations.operands.clear();
+        operations.ends.truncate(CONSTANT as usize + 1);
     }
 
     /// Adjoints of zero for all numbers on the tape.
@@ -93,31 +112,37 @@ impl Tape {
     /// computed from, last first. Sweeping a tape in several pieces, the last
     /// one first, is sweeping it as a whole.
     pub fn sweep(&self, adjoints: &mut Adjoints, places: Range<usize>) {
-        let entries = self.entries.borrow();
+        let Operations { operands, ends } = &*self.operations.borrow();
+        let begin = |place: usize| place.checked_sub(1).map_or(0, |before| ends[before]);
         for place in places.rev() {
             let adjoint = adjoints.0[place];
             if adjoint == 0.0 {
                 continue;
             }
-            let Entry { parents, slopes } = entries[place];
-            for (parent, slope) in parents.into_iter().zip(slopes) {
-                if parent != CONSTANT {
-                    adjoints.0[parent as usize] += slope * adjoint;
-                }
+            for operand in &operands[begin(place) as usize..ends[place] as usize] {
+                adjoints.0[operand.place as usize] += operand.slope * adjoint;
             }
         }
     }
+}
 
-    #[inline]
-    fn push(&self, value: f64, parents: [u32; 2], slopes: [f64; 2]) -> Var<'_> {
-        let mut entries = self.entries.borrow_mut();
-        let index = entries.len() as u32;
-        entries.push(Entry { parents, slopes });
-        Var {
-            tape: Some(self),
-            index,
-            value,
+impl Default for Operations {
+    /// That of constants, which are computed from nothing.
+    fn default() -> Self {
+        Self {
+            operands: Vec::new(),
+            ends: vec![0],
         }
+    }
+}
+
+impl Operations {
+    /// Ends an operation, and gives its place.
+    #[inline]
+    fn end(&mut self) -> u32 {
+        let place = self.ends.len() as u32;
+        self.ends.push(self.operands.len() as u32);
+        place
     }
 }
 
@@ -172,39 +197,21 @@ impl<'t> Var<'t> {
     pub fn place(self) -> Option<usize> {
         self.tape.map(|_| self.index as usize)
     }
-
-    #[inline]
-    fn parent(self) -> u32 {
-        match self.tape {
-            Some(_) => self.index,
-            None => CONSTANT,
-        }
-    }
-
-    /// A function of one number: its value and slope.
-    #[inline]
-    fn chain(self, value: f64, slope: f64) -> Self {
-        match self.tape {
-            Some(tape) => tape.push(value, [self.index, CONSTANT], [slope, 0.0]),
-            None => Self::constant(value),
-        }
-    }
-
-    /// A function of two numbers.
-    #[inline]
-    fn chain2(self, b: Self, value: f64, slopes: [f64; 2]) -> Self {
-        match self.tape.or(b.tape) {
-            Some(tape) => tape.push(value, [self.parent(), b.parent()], slopes),
-            None => Self::constant(value),
-        }
-    }
 }
 
 impl Add for Var<'_> {
     type Output = Self;
     #[inline]
     fn add(self, b: Self) -> Self {
-        self.chain2(b, self.value + b.value, [1.0, 1.0])
+        if b.tape.is_none() {
+            let value = self.value + b.value;
+            return Self { value, ..self };
+        }
+        if self.tape.is_none() {
+            let value = self.value + b.value;
+            return Self { value, ..b };
+        }
+        Self::chain(self.value + b.value, [(self, 1.0), (b, 1.0)])
     }
 }
 
@@ -212,7 +219,11 @@ impl Sub for Var<'_> {
     type Output = Self;
     #[inline]
     fn sub(self, b: Self) -> Self {
-        self.chain2(b, self.value - b.value, [1.0, -1.0])
+        if b.tape.is_none() {
+            let value = self.value - b.value;
+            return Self { value, ..self };
+        }
+        Self::chain(self.value - b.value, [(self, 1.0), (b, -1.0)])
     }
 }
 
@@ -220,7 +231,7 @@ impl Mul for Var<'_> {
     type Output = Self;
     #[inline]
     fn mul(self, b: Self) -> Self {
-        self.chain2(b, self.value * b.value, [b.value, self.value])
+        Self::chain(self.value * b.value, [(self, b.value), (b, self.value)])
     }
 }
 
@@ -229,7 +240,8 @@ impl Div for Var<'_> {
     #[inline]
     fn div(self, b: Self) -> Self {
         let ratio = self.value / b.value;
-        self.chain2(b, ratio, [b.value.recip(), -ratio / b.value])
+        let inverse = b.value.recip();
+        Self::chain(ratio, [(self, inverse), (b, -ratio * inverse)])
     }
 }
 
@@ -237,7 +249,7 @@ impl Neg for Var<'_> {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        self.chain(-self.value, -1.0)
+        Self::chain(-self.value, [(self, -1.0)])
     }
 }
 
@@ -284,21 +296,44 @@ impl Real for Var<'_> {
     #[inline]
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, 0.5 / root)
+        Self::chain(root, [(self, 0.5 / root)])
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         let (sin, cos) = self.value.sin_cos();
-        (self.chain(sin, cos), self.chain(cos, -sin))
+        (
+            Self::chain(sin, [(self, cos)]),
+            Self::chain(cos, [(self, -sin)]),
+        )
     }
     #[inline]
     fn exp(self) -> Self {
         let exp = self.value.exp();
-        self.chain(exp, exp)
+        Self::chain(exp, [(self, exp)])
     }
-    #[inline]
-    fn chain(self, value: f64, slope: f64) -> Self {
-        Var::chain(self, value, slope)
+    #[inline(always)]
+    fn chain<const N: usize>(value: f64, terms: [(Self, f64); N]) -> Self {
+        let mut tape = None;
+        for (x, _) in &terms {
+            tape = tape.or(x.tape);
+        }
+        let Some(tape) = tape else {
+            return Self::constant(value);
+        };
+        let operations = &mut *tape.operations.borrow_mut();
+        let mut operands = [Operand::default(); N];
+        for (operand, (x, slope)) in operands.iter_mut().zip(terms) {
+            *operand = Operand {
+                place: x.index,
+                slope,
+            };
+        }
+        operations.operands.extend_from_slice(&operands);
+        Self {
+            tape: Some(tape),
+            index: operations.end(),
+            value,
+        }
     }
 }
 
@@ -343,8 +378,23 @@ mod tests {
         let tape = Tape::default();
         let x = tape.variable(1.0);
         let constant = expression(Var::constant(1.0), Var::constant(2.0));
-        assert_eq!(tape.len(), 1);
+        assert_eq!(tape.len(), 2);
         assert_eq!(constant.place(), None);
-        assert_eq!((x * constant).place(), Some(1));
+        assert_eq!((x * constant).place(), Some(2));
+    }
+
+    /// A number plus a constant takes no place either, and passes its adjoint on.
+    #[test]
+    fn shifted_numbers_share_their_place() {
+        let tape = Tape::default();
+        let x = tape.variable(1.5);
+        let shifted = Var::constant(1.0) + x - Var::constant(4.0);
+        assert_eq!((shifted.value(), shifted.place()), (-1.5, x.place()));
+        let result = shifted * x; // (x - 3) x
+        let mut adjoints = tape.adjoints();
+        adjoints.add(result, 2.0);
+        tape.sweep(&mut adjoints, 0..tape.len());
+        assert_eq!(adjoints.of(x), 0.0); // 2 x - 3, at 1.5
+        assert_eq!(tape.len(), 3);
     }
 }

@@ -68,16 +68,19 @@ impl<R: Real> Vec3<R> {
     /// Inner product.
     #[inline]
     pub fn dot(self, b: Self) -> R {
-        self.x * b.x + self.y * b.y + self.z * b.z
+        let (u, v) = (self.value(), b.value());
+        let (a, value) = (self, u.x * v.x + u.y * v.y + u.z * v.z);
+        let [x, y, z] = [(a.x, v.x), (a.y, v.y), (a.z, v.z)];
+        R::chain(value, [x, y, z, (b.x, u.x), (b.y, u.y), (b.z, u.z)])
     }
 
     /// Cross product, right-handed.
     #[inline]
     pub fn cross(self, b: Self) -> Self {
         Self::new(
-            self.y * b.z - self.z * b.y,
-            self.z * b.x - self.x * b.z,
-            self.x * b.y - self.y * b.x,
+            determinant([self.y, self.z], [b.y, b.z]),
+            determinant([self.z, self.x], [b.z, b.x]),
+            determinant([self.x, self.y], [b.x, b.y]),
         )
     }
 
@@ -90,19 +93,33 @@ impl<R: Real> Vec3<R> {
     /// Squared Euclidean length.
     #[inline]
     pub fn length_squared(self) -> R {
-        self.dot(self)
+        let Vec3 { x, y, z } = self.value();
+        let terms = [(self.x, 2.0 * x), (self.y, 2.0 * y), (self.z, 2.0 * z)];
+        R::chain(x * x + y * y + z * z, terms)
     }
 
     /// Euclidean length.
     #[inline]
     pub fn length(self) -> R {
-        self.dot(self).sqrt()
+        let Vec3 { x, y, z } = self.value();
+        let length = (x * x + y * y + z * z).sqrt();
+        let [x, y, z] = [x, y, z].map(|component| component / length);
+        R::chain(length, [(self.x, x), (self.y, y), (self.z, z)])
     }
 
     /// The unit vector in this direction; not finite for the zero vector.
     #[inline]
     pub fn normalized(self) -> Self {
-        self * (R::constant(1.0) / self.length())
+        let v = self.value();
+        let scale = 1.0 / (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
+        let q = v.map(|component| component * scale);
+        // (I - q qᵀ) / |v|, row by row.
+        let row = |i: usize, of: f64| {
+            let slope = |j: usize| (f64::from(i == j) - of * q[j]) * scale;
+            let terms = [(self.x, slope(0)), (self.y, slope(1)), (self.z, slope(2))];
+            R::chain(of, terms)
+        };
+        Self::new(row(0, q.x), row(1, q.y), row(2, q.z))
     }
 
     /// The part orthogonal to the unit vector `q`: `(I - q qᵀ) self`.
@@ -110,6 +127,14 @@ impl<R: Real> Vec3<R> {
     pub fn reject_from(self, q: Self) -> Self {
         self - q * self.dot(q)
     }
+}
+
+/// `a₀ b₁ - a₁ b₀`.
+#[inline]
+fn determinant<R: Real>(a: [R; 2], b: [R; 2]) -> R {
+    let ([a0, a1], [b0, b1]) = (a.map(R::value), b.map(R::value));
+    let terms = [(a[0], b1), (b[1], a0), (a[1], -b0), (b[0], -a1)];
+    R::chain(a0 * b1 - a1 * b0, terms)
 }
 
 impl Vec3 {
@@ -225,5 +250,86 @@ impl<R: Real> Div<R> for Vec3<R> {
     #[inline]
     fn div(self, s: R) -> Self {
         Self::new(self.x / s, self.y / s, self.z / s)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tape::Tape;
+
+    /// Products, lengths and directions, component by component with the rules of
+    /// numbers alone.
+    fn spelled_out<R: Real>(a: Vec3<R>, b: Vec3<R>) -> [R; 9] {
+        let cross = |i: usize, j: usize| a[i] * b[j] - a[j] * b[i];
+        let square = a.x * a.x + a.y * a.y + a.z * a.z;
+        let length = square.sqrt();
+        let dot = a.x * b.x + a.y * b.y + a.z * b.z;
+        let [x, y, z] = [a.x, a.y, a.z].map(|component| component / length);
+        [
+            dot,
+            cross(1, 2),
+            cross(2, 0),
+            cross(0, 1),
+            square,
+            length,
+            x,
+            y,
+            z,
+        ]
+    }
+
+    fn methods<R: Real>(a: Vec3<R>, b: Vec3<R>) -> [R; 9] {
+        let (cross, q) = (a.cross(b), a.normalized());
+        let [square, length] = [a.length_squared(), a.length()];
+        [
+            a.dot(b),
+            cross.x,
+            cross.y,
+            cross.z,
+            square,
+            length,
+            q.x,
+            q.y,
+            q.z,
+        ]
+    }
+
+    /// What methods give in one step has the values and the slopes of what numbers
+    /// give in several, forward and on a tape; also if one vector is constant.
+    #[test]
+    fn methods_have_the_slopes_of_their_formulas() {
+        let (a, b) = (Vec3::new(0.3, -1.2, 0.7), Vec3::new(-0.4, 0.9, 2.1));
+        let vector = |v: Vec3, first: usize| {
+            let component = |i: usize| Dual::<6>::variable(v[i], first + i);
+            Vec3::new(component(0), component(1), component(2))
+        };
+        for is_constant in [[false, false], [true, false], [false, true]] {
+            let dual = |v: Vec3, i: usize| match is_constant[i] {
+                true => Vec3::constant(v),
+                false => vector(v, 3 * i),
+            };
+            let expected = spelled_out(dual(a, 0), dual(b, 1));
+            let forward = methods(dual(a, 0), dual(b, 1));
+            let tape = Tape::default();
+            let recorded = |v: Vec3, i: usize| match is_constant[i] {
+                true => Vec3::constant(v),
+                false => tape.variables(v),
+            };
+            let vectors = [recorded(a, 0), recorded(b, 1)];
+            let results = methods(vectors[0], vectors[1]);
+            for ((expected, forward), result) in expected.iter().zip(&forward).zip(results) {
+                assert!((expected.value - forward.value).abs() < 1e-15);
+                assert_eq!(forward.value, result.value());
+                let mut adjoints = tape.adjoints();
+                adjoints.add(result, 1.0);
+                tape.sweep(&mut adjoints, 0..tape.len());
+                let found = vectors.map(|v| adjoints.of_vector(v).to_array());
+                for (i, &slope) in expected.tangent.iter().enumerate() {
+                    assert!((slope - forward.tangent[i]).abs() < 1e-15);
+                    assert!((slope - found[i / 3][i % 3]).abs() < 1e-15);
+                }
+            }
+        }
     }
 }

@@ -11,6 +11,9 @@
 //! what recording and sweeping cost, with the queries of moving geometry left out.
 //! Memory is the process's peak after a way first ran, and can only grow from row
 //! to row.
+//!
+//! `-- --once WAY SAMPLES` runs a way once, by its number from 0, on a smaller mesh
+//! with so many samples per pixel: for tools that count instructions.
 
 #[path = "../tests/common/mod.rs"]
 mod common;
@@ -34,8 +37,14 @@ const FEW: u32 = 16;
 const MANY: u32 = 48;
 /// Odd, so that there is a median.
 const ROUNDS: usize = 5;
+/// The mesh on which instructions are counted.
+const COUNTED_FREQUENCY: u32 = 40;
 
 fn main() {
+    if let Some([way, samples]) = once() {
+        WAYS[way].1(&Bench::new(COUNTED_FREQUENCY), samples as u32);
+        return;
+    }
     // `cargo test` runs benches once, without measuring.
     let measures = std::env::args().any(|argument| argument == "--bench");
     let (frequency, rounds) = match measures {
@@ -66,6 +75,14 @@ fn main() {
     if measures {
         bench.print(&times, &queries, &peaks);
     }
+}
+
+/// The numbers behind `--once`.
+fn once() -> Option<[usize; 2]> {
+    let mut numbers = std::env::args().skip_while(|argument| argument != "--once");
+    numbers.next()?;
+    let mut number = || numbers.next()?.parse().ok();
+    Some([number()?, number()?])
 }
 
 /// A way to use samples; what it did.

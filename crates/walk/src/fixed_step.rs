@@ -61,11 +61,24 @@ impl Default for WalkSettings {
 
 impl WalkSettings {
     /// How many random numbers a sample takes: their dimensions are
-    /// `0 .. dimensions()`.
+    /// `0 .. dimensions()`. Anchored samples leave out the last one.
     pub fn dimensions(&self) -> u32 {
+        self.second_walk()
+            + match self.estimator {
+                Estimator::Anchored => 0,
+                Estimator::Literal => 2 * (self.steps - 1),
+            }
+    }
+
+    /// Behind the numbers of one walk and an azimuth: those of the literal
+    /// estimator's other walk.
+    fn second_walk(&self) -> u32 {
         2 * self.steps + 1
     }
 }
+
+/// The first number after those of the first step.
+const LATER: u32 = 2;
 
 /// An unbiased sample of the field's value and divergence at `x`, Algorithms 3
 /// and 7. `random(i)` is the `i`-th uniform number of this sample.
@@ -106,20 +119,25 @@ pub fn sample_field<D: Domain>(
     for &azimuth in azimuths {
         let e = domain.tangent(x, azimuth);
         mean_e = mean_e + e * share;
-        // The literal estimator's value sample has an azimuth of its own; later steps
-        // of both walks share their numbers, which leaves the mean as it is.
-        let e_inside = match settings.estimator {
-            Estimator::Anchored => e,
-            Estimator::Literal => domain.tangent(x, random(2 * settings.steps)),
+        // The literal estimator's value sample has an azimuth and later steps of its
+        // own. Anchored walks share theirs: what both have in common cancels.
+        let (e_inside, later) = match settings.estimator {
+            Estimator::Anchored => (e, LATER),
+            Estimator::Literal => {
+                let own = domain.tangent(x, random(2 * settings.steps));
+                (own, settings.second_walk())
+            }
         };
         let inside = domain.radius_inside(radius, random(1));
         let y = domain.walk(x, e_inside, inside);
         let z = domain.walk(x, e, radius);
         let steps = settings.steps - 1;
         let slope_y = g * (-kappa * share);
-        sample.add(walker.value(y, steps, Some(nearest)), share, slope_y);
+        let value_y = walker.value(y, steps, Some(nearest), later);
+        sample.add(value_y, share, slope_y);
         let slope_z = (e + g) * (kappa * share);
-        sample.add(walker.value(z, steps, Some(nearest)), 0.0, slope_z);
+        let value_z = walker.value(z, steps, Some(nearest), LATER);
+        sample.add(value_z, 0.0, slope_z);
     }
     if settings.estimator == Estimator::Anchored && within {
         sample.add(Some(nearest.site), 0.0, mean_e * -kappa);
@@ -135,13 +153,12 @@ pub fn sample_value<D: Domain>(
     settings: &WalkSettings,
     random: impl Fn(u32) -> f64,
 ) -> Option<D::Site> {
-    // random(0), random(1) are the first step, as in `sample_field`.
     let walker = Walker {
         domain,
         settings,
         random: &random,
     };
-    walker.value(x, settings.steps, None)
+    walker.value(x, settings.steps, None, 0)
 }
 
 /// Boundaries farther than this from the start do not matter to the field of
@@ -161,12 +178,13 @@ struct Walker<'a, D: Domain, R> {
 impl<D: Domain, R: Fn(u32) -> f64> Walker<'_, D, R> {
     /// The boundary point whose velocity is a sample of the field of `steps`
     /// steps at `x`. `known` is a boundary point found before: no search needs
-    /// to look farther than it.
+    /// to look farther than it. Takes two numbers for each step from `dimension` on.
     fn value(
         &self,
         mut x: D::Vector,
         steps: u32,
         mut known: Option<Nearest<D::Site, D::Vector>>,
+        mut dimension: u32,
     ) -> Option<D::Site> {
         let max_radius = self.settings.max_radius;
         for step in (0..=steps).rev() {
@@ -190,12 +208,12 @@ impl<D: Domain, R: Fn(u32) -> f64> Walker<'_, D, R> {
             }
             known = Some(nearest);
             let radius = nearest.distance.min(max_radius);
-            let dimension = 2 * (self.settings.steps - step);
             let e = self.domain.tangent(x, (self.random)(dimension));
             let inside = self
                 .domain
                 .radius_inside(radius, (self.random)(dimension + 1));
             x = self.domain.walk(x, e, inside);
+            dimension += 2;
         }
         unreachable!("the loop returns at step 0")
     }

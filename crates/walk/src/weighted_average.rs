@@ -81,7 +81,7 @@ impl WeightedAverage {
     fn weight_of(&self, x: Dual<1>, q: f64, boundary_test: f64) -> Dual<1> {
         let d = x - Dual::constant(q);
         let exponent = d.squared() * Dual::constant(0.5 / self.width.powi(2));
-        let distance = exponent.chain(exponent.value.exp_m1(), exponent.value.exp());
+        let distance = Dual::chain(exponent.value.exp_m1(), [(exponent, exponent.value.exp())]);
         let sum = distance + Dual::constant(boundary_test);
         (sum.ln() * Dual::constant(-self.power)).exp()
     }

@@ -2,6 +2,8 @@
 //! derivative against differences of the field, its divergence against the
 //! flux of the boundary.
 
+use std::cell::RefCell;
+
 use capwalk_math::{Moments, Vec2};
 use capwalk_walk::plane::CurvePoint;
 use capwalk_walk::{Domain, Estimator, Plane, WalkSettings, sample_field, sample_value};
@@ -91,6 +93,38 @@ fn derivatives_are_differences_of_the_field() {
                 expected.abs() > 15.0 * noise,
                 "{what}: {expected} ± {noise}"
             );
+        }
+    }
+}
+
+/// Samples ask for the numbers that they say they take; the literal estimator's two
+/// walks share none, as Algorithm 4 has it.
+#[test]
+fn literal_walks_share_no_numbers() {
+    let (_, domain) = &domains()[0];
+    for steps in 1..5 {
+        for (estimator, count) in [
+            (Estimator::Anchored, 2 * steps),
+            (Estimator::Literal, 4 * steps - 1),
+        ] {
+            let walk = WalkSettings {
+                estimator,
+                ..settings(steps, f64::INFINITY)
+            };
+            let asked = RefCell::new(Vec::new());
+            sample_field(domain, Vec2::new(-0.2, -0.4), &walk, |i| {
+                asked.borrow_mut().push(i);
+                number(4, 0, i)
+            });
+            let mut asked = asked.into_inner();
+            let times = asked.len() as u32;
+            asked.sort_unstable();
+            asked.dedup();
+            assert_eq!(asked.len() as u32, count, "{estimator:?}, M = {steps}");
+            assert!(asked.iter().all(|&i| i < walk.dimensions()));
+            if estimator == Estimator::Literal {
+                assert_eq!(times, count, "no number twice, M = {steps}");
+            }
         }
     }
 }

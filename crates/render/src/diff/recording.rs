@@ -38,24 +38,22 @@ enum Origin<'t> {
     /// The scene: three numbers.
     Scene(Target),
     /// A carried direction, three numbers, and its stretch.
-    Carried {
-        q: Vec3,
-        eye: Eye<Var<'t>>,
-        sites: Box<Sites>,
-    },
+    Carried(Box<FromBoundary<'t, Sites>>),
     /// The same by a map from velocities.
-    Flow {
-        q: Vec3,
-        eye: Vec3<Var<'t>>,
-        flow: Flow,
-    },
+    Flow(Box<FromBoundary<'t, Flow>>),
     /// A direction that a boundary point carries.
-    Value {
-        q: Vec3,
-        eye: Eye<Var<'t>>,
-        site: Site,
-    },
+    Value(Box<FromBoundary<'t, Site>>),
 }
+
+/// What the boundaries around an eye make of a direction.
+struct FromBoundary<'t, T> {
+    q: Vec3,
+    eye: Eye<Var<'t>>,
+    made: T,
+}
+
+/// Room for the marks of most samples.
+const MARKS: usize = 64;
 
 impl<'a, 't> Recording<'a, 't> {
     /// A recording on an empty tape.
@@ -73,7 +71,7 @@ impl<'a, 't> Recording<'a, 't> {
             wanted,
             points,
             tape,
-            marks: RefCell::default(),
+            marks: RefCell::new(Vec::with_capacity(MARKS)),
         }
     }
 
@@ -84,6 +82,18 @@ impl<'a, 't> Recording<'a, 't> {
         let place = self.tape.len();
         self.marks.borrow_mut().push(Mark { place, origin });
         self.tape.variables(value)
+    }
+
+    /// A direction that the boundaries around an eye move.
+    fn made<T>(
+        &self,
+        q: Vec3,
+        eye: &Eye<Var<'t>>,
+        made: T,
+        origin: impl FnOnce(Box<FromBoundary<'t, T>>) -> Origin<'t>,
+    ) -> Vec3<Var<'t>> {
+        let from = Box::new(FromBoundary { q, eye: *eye, made });
+        self.variables(true, q, origin(from))
     }
 
     /// True if the boundary point can move against the eye.
@@ -118,7 +128,12 @@ impl<'a, 't> Recording<'a, 't> {
             let covector = Vec3::new(x, y, z);
             match mark.origin {
                 Origin::Scene(target) => covectors.push((target, covector)),
-                Origin::Carried { q, eye, sites } => {
+                Origin::Carried(from) => {
+                    let FromBoundary {
+                        q,
+                        eye,
+                        made: sites,
+                    } = *from;
                     let stretch = adjoints.at(mark.place + 3);
                     let tangent = covector.reject_from(q);
                     for term in sites.terms() {
@@ -134,18 +149,17 @@ impl<'a, 't> Recording<'a, 't> {
                         );
                     }
                 }
-                Origin::Flow { q, eye, flow } => {
+                Origin::Flow(from) => {
                     let stretch = adjoints.at(mark.place + 3);
-                    flow.pull(
-                        covector.reject_from(q),
-                        stretch,
-                        |source, covector| match source {
+                    let tangent = covector.reject_from(from.q);
+                    from.made
+                        .pull(tangent, stretch, |source, covector| match source {
                             Source::Point(i) => covectors.push((Target::Point(i), covector)),
-                            Source::Eye => adjoints.add_vector(eye, covector),
-                        },
-                    );
+                            Source::Eye => adjoints.add_vector(from.eye.position, covector),
+                        });
                 }
-                Origin::Value { q, eye, site } => {
+                Origin::Value(from) => {
+                    let FromBoundary { q, eye, made: site } = *from;
                     let covector = covector.reject_from(q);
                     pull_site(self.field, &site, covector, &eye, adjoints, covectors);
                 }
@@ -267,9 +281,8 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
                     ..Carried::at_rest(q)
                 };
             }
-            let eye = eye.position;
             return Carried {
-                direction: self.variables(true, q, Origin::Flow { q, eye, flow }),
+                direction: self.made(q, eye, flow, Origin::Flow),
                 stretch: self.tape.variable(1.0),
                 near_boundary: true,
             };
@@ -281,13 +294,8 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
                 ..Carried::at_rest(q)
             };
         }
-        let origin = Origin::Carried {
-            q,
-            eye: *eye,
-            sites: Box::new(sites),
-        };
         Carried {
-            direction: self.variables(true, q, origin),
+            direction: self.made(q, eye, sites, Origin::Carried),
             stretch: self.tape.variable(1.0),
             near_boundary: true,
         }
@@ -306,10 +314,7 @@ impl<'t> World<Var<'t>> for Recording<'_, 't> {
             return self.carry(eye, q, walk, numbers).direction;
         }
         match self.field.sample_value(eye, q, walk, numbers) {
-            Some(site) if self.moves(eye, &site) => {
-                let eye = *eye;
-                self.variables(true, q, Origin::Value { q, eye, site })
-            }
+            Some(site) if self.moves(eye, &site) => self.made(q, eye, site, Origin::Value),
             _ => Vec3::constant(q),
         }
     }
