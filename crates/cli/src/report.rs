@@ -53,6 +53,12 @@ pub fn count(n: u64) -> String {
     groups.join(",")
 }
 
+/// How many of something there are: "1 emitter", "2 emitters".
+pub fn counted(n: usize, noun: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{} {noun}{plural}", count(n as u64))
+}
+
 /// A time in its usual unit.
 pub fn seconds(s: f64) -> String {
     match s {
@@ -239,6 +245,9 @@ mod tests {
         }
         assert_eq!(count(1234567), "1,234,567");
         assert_eq!(count(12), "12");
+        assert_eq!(counted(1, "emitter"), "1 emitter");
+        assert_eq!(counted(2000, "emitter"), "2,000 emitters");
+        assert_eq!(counted(0, "emitter"), "0 emitters");
     }
 
     /// Two samples of a million are too many, one is reported.

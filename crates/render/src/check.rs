@@ -13,6 +13,7 @@
 //! probability near [`FALSE_ALARM`], if noise is close to Gaussian.
 
 mod pixel;
+mod rounding;
 mod slope;
 #[cfg(test)]
 mod tests;
@@ -21,6 +22,8 @@ use capwalk_math::Rgb;
 use capwalk_math::stats::normal_upper_tail;
 
 use crate::estimate::Estimate;
+pub use rounding::without_rounding;
+
 use pixel::{NoiseFree, Pixel, Pixels, channel};
 use slope::Slope;
 

@@ -8,6 +8,7 @@ use capwalk_math::{Affine, Vec3};
 use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
 use crate::source::{Problem, Sources, Span};
 use crate::suggest::{nearest, snake_case};
+use crate::upgrade::upgraded_name;
 
 /// What every stage of lowering reads.
 pub(crate) struct Context<'a> {
@@ -159,7 +160,8 @@ impl<'a> Fields<'a> {
         };
         read(&property.value).map(Some).ok_or_else(|| {
             let given = property.value.tag();
-            Problem::new(property.value_span, format!("\"{name}\" is a <{given}>"))
+            let written = self.as_written(property);
+            Problem::new(property.value_span, format!("{written} is a <{given}>"))
                 .help(format!("expected <{tag} name=\"{name}\" .../>"))
         })
     }
@@ -199,11 +201,59 @@ impl<'a> Fields<'a> {
     /// Accepts properties that do not change the picture, with a warning.
     pub fn cosmetic(&self, names: &[&'static str], reason: &str) {
         for name in names {
-            if let Some(property) = self.get(name) {
-                let message = format!("\"{name}\" has no effect here: {reason}");
-                self.context.warn(property.name_span, &message);
+            if self.get(name).is_some() {
+                self.warn_at(name, &format!("has no effect here: {reason}"));
             }
         }
+    }
+
+    /// Warns of the object's plugin.
+    pub fn warn(&self, message: &str) {
+        self.context.warn(self.node.plugin_span, message);
+    }
+
+    /// Warns of a property, if it is given; the message starts with its name.
+    pub fn warn_at(&self, name: &str, message: &str) {
+        let mut properties = self.node.properties.iter();
+        if let Some(property) = properties.find(|p| p.name == name) {
+            let message = format!("{} {message}", self.as_written(property));
+            self.context.warn(property.name_span, &message);
+        }
+    }
+
+    /// The name of a property in quotes, as the file has it: files for old
+    /// versions have old names.
+    fn as_written(&self, property: &Property) -> String {
+        let written = self.context.sources.text(property.name_span);
+        match written != property.name && upgraded_name(written) == property.name {
+            true => format!("\"{written}\" (now \"{}\")", property.name),
+            false => format!("\"{}\"", property.name),
+        }
+    }
+
+    /// Refuses an object of a kind that is not read here.
+    pub fn refuse_object(&self, kind: Kind, help: &str) -> Result<(), Problem> {
+        let mut objects = self.node.properties.iter();
+        let refused = objects.find(|property| match property.value {
+            Value::Object { node, .. } => self.context.graph.node(node).kind == kind,
+            _ => false,
+        });
+        match refused {
+            None => Ok(()),
+            Some(property) => Err(self.misplaced(property, kind).help(help)),
+        }
+    }
+
+    fn misplaced(&self, property: &Property, kind: Kind) -> Problem {
+        let tag = kind.tag();
+        let article = match tag.starts_with(['a', 'e', 'i', 'o', 'u']) {
+            true => "an",
+            false => "a",
+        };
+        Problem::new(
+            property.value_span,
+            format!("{} cannot have {article} {tag}", self.title()),
+        )
     }
 
     /// Refuses properties of Mitsuba's that change the picture and are not
@@ -214,7 +264,7 @@ impl<'a> Fields<'a> {
             None => Ok(()),
             Some(property) => Err(Problem::new(
                 property.name_span,
-                format!("\"{}\" is not supported", property.name),
+                format!("{} is not supported", self.as_written(property)),
             )
             .help(reason)),
         }
@@ -234,11 +284,8 @@ impl<'a> Fields<'a> {
             let object = self.context.graph.node(node);
             let kinds = self.known_kinds.borrow();
             let tags: Vec<String> = kinds.iter().map(|k| format!("<{}>", k.tag())).collect();
-            return Problem::new(
-                property.value_span,
-                format!("{} cannot have a {}", self.title(), object.kind.tag()),
-            )
-            .help(match tags.is_empty() {
+            let problem = self.misplaced(property, object.kind);
+            return problem.help(match tags.is_empty() {
                 true => "no objects are read here".into(),
                 false => format!("expected {}", tags.join(", ")),
             });
@@ -247,7 +294,11 @@ impl<'a> Fields<'a> {
         let name = &property.name;
         let problem = Problem::new(
             property.name_span,
-            format!("unknown property \"{name}\" of {}", self.title()),
+            format!(
+                "unknown property {} of {}",
+                self.as_written(property),
+                self.title()
+            ),
         );
         let snake = snake_case(name);
         if snake != *name && known.contains(&snake.as_str()) {

@@ -221,7 +221,12 @@ pub fn read(path: &Path) -> Result<Picture, ImageError> {
         path: path.to_owned(),
         reason,
     };
-    let bytes = || std::fs::read(path).map_err(|error| read_error(error.to_string()));
+    let bytes = || {
+        std::fs::read(path).map_err(|error| {
+            let expected = "expected a picture (.exr or .npz), as `capwalk render` writes it";
+            read_error(format!("{error}; {expected}"))
+        })
+    };
     let picture = match format {
         Format::Exr => exr::decode(&bytes()?),
         Format::Npz => npz::decode(&bytes()?),

@@ -179,6 +179,62 @@ stray text
         assert_eq!(warnings(text), expected);
     }
 
+    /// Integrators of derivatives and samplers that are read as others say so;
+    /// old names are shown as they are written.
+    #[test]
+    fn what_is_read_as_something_else_warns() {
+        let text = r#"<scene version="0.6.0">
+<integrator type="prb_projective"><integer name="sppc" value="3"/>
+<boolean name="strictNormals" value="true"/></integrator>
+<sensor type="perspective"><sampler type="multijitter"><boolean name="jitter" value="true"/>
+</sampler></sensor><emitter type="constant"><float name="samplingWeight" value="2"/></emitter></scene>"#;
+        let starts = [
+            "scene.xml:1:17: the file is for Mitsuba 0.6.0; ",
+            "scene.xml:2:19: the integrator \"prb_projective\" is read as \"path\", ",
+            "scene.xml:2:50: \"sppc\" has no effect here: ",
+            "scene.xml:3:16: \"strictNormals\" (now \"strict_normals\") is read as false: ",
+            "scene.xml:4:43: the sampler \"multijitter\" is read as \"sobol\": ",
+            "scene.xml:4:71: \"jitter\" has no effect here: ",
+            "scene.xml:5:58: \"samplingWeight\" (now \"sampling_weight\") has no effect here: ",
+        ];
+        let found = warnings(text);
+        assert_eq!(found.len(), starts.len(), "{found:#?}");
+        for (warning, start) in found.iter().zip(starts) {
+            assert!(warning.starts_with(start), "{warning}");
+        }
+    }
+
+    /// A scene that is cut away as a whole says where it is.
+    #[test]
+    fn scenes_outside_of_the_clip_planes_warn() {
+        let with = |properties: &str, z: f64| {
+            warnings(&format!(
+                r#"<scene version="3.0.0"><integrator type="path"/>
+<sensor type="perspective">{properties}</sensor><emitter type="constant"/>
+<shape type="cube"><transform name="to_world"><translate z="{z}"/></transform></shape></scene>"#
+            ))
+        };
+        assert!(with("", 5.0).is_empty());
+        let near = with(r#"<float name="near_clip" value="7"/>"#, 5.0);
+        assert!(
+            near[0].starts_with("scene.xml:2:59: no surface is seen: "),
+            "{near:?}"
+        );
+        let numbers = "depths from 4.0000 to 6.0000, outside of near_clip 7 to far_clip 10000";
+        assert!(near[0].contains(numbers), "{near:?}");
+        assert!(with(r#"<float name="near_clip" value="5"/>"#, 5.0).is_empty());
+        assert_eq!(with(r#"<float name="far_clip" value="3"/>"#, 5.0).len(), 1);
+        assert!(with("", -5.0)[0].contains("from -6.0000 to -4.0000"));
+    }
+
+    /// A layer needs no light.
+    #[test]
+    fn layers_without_emitters_are_silent() {
+        let text = r#"<scene version="3.0.0"><integrator type="aov">
+<string name="aovs" value="d:depth"/></integrator><sensor type="perspective"/></scene>"#;
+        assert!(warnings(text).is_empty());
+    }
+
     /// What Mitsuba writes itself needs no warnings.
     #[test]
     fn ordinary_scenes_are_silent() {

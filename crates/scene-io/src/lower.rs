@@ -15,9 +15,11 @@ mod texture;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
+use capwalk_math::Vec3;
 use capwalk_scene::scene::BsdfId;
 use capwalk_scene::{
-    Emitter, Material, Quantity, Scene, SceneError, Settings, Shape, Texture, TextureId,
+    Emitter, Integrator, Material, Quantity, Scene, SceneError, SensorModel, Settings, Shape,
+    Texture, TextureId,
 };
 
 use crate::fields::{Child, Context, Fields};
@@ -167,7 +169,8 @@ impl Lowering<'_> {
             self.scene_emitter(emitter)?;
         }
         fields.finish()?;
-        if self.emitters.is_empty() {
+        let shows_light = !matches!(integrator, Integrator::Aov(_));
+        if shows_light && self.emitters.is_empty() {
             let message = "the scene has no emitter; the picture will be black";
             self.context.warn(root, message);
         }
@@ -186,7 +189,10 @@ impl Lowering<'_> {
             },
         };
         match scene.check() {
-            Ok(()) => Ok(scene),
+            Ok(()) => {
+                self.places.warn_of_clipping(self.context, &scene, root);
+                Ok(scene)
+            }
             Err(error) => Err(self.places.problem(&scene, root, error)),
         }
     }
@@ -243,6 +249,34 @@ fn choose_sensor(
 }
 
 impl Places {
+    /// A warning if all shapes lie before or behind the sensor's clip planes.
+    /// Sensors whose rays are parallel may scale depths, and are passed over.
+    fn warn_of_clipping(&self, context: &Context, scene: &Scene, root: Span) {
+        let sensor = &scene.sensor;
+        if sensor.model == SensorModel::Orthographic {
+            return;
+        }
+        let [a, b, c] = sensor.world_from_camera.rows;
+        let forward = Vec3::new(a.z, b.z, c.z);
+        let vertices = scene.shapes.iter().flat_map(|s| &s.mesh.positions);
+        let depths = vertices.map(|&p| forward.dot(p - sensor.origin()));
+        let (least, most) = depths.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), z| {
+            (low.min(z), high.max(z))
+        });
+        let (near, far) = (sensor.near_clip, sensor.far_clip);
+        let has_shapes = least <= most;
+        if !has_shapes || (most > near && least < far) {
+            return;
+        }
+        let number = self.numbers.get(&format!("{}.near_clip", sensor.id));
+        let message = format!(
+            "no surface is seen: seen from the sensor, all shapes lie at depths from {least:.4} \
+             to {most:.4}, outside of near_clip {near} to far_clip {far}; set near_clip and \
+             far_clip around them, or turn the sensor towards them (depths below 0 are behind it)"
+        );
+        context.warn(number.copied().unwrap_or(root), &message);
+    }
+
     /// An error of the finished scene, at the place in the text it comes from.
     fn problem(&self, scene: &Scene, root: Span, error: SceneError) -> Problem {
         let shape_span = |id: &str| {

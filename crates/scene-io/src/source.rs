@@ -91,6 +91,11 @@ impl Sources {
         format!("{name}:{}:{}", position.line, position.column)
     }
 
+    /// What stands there.
+    pub fn text(&self, span: Span) -> &str {
+        &self.get(span.file).text[span.start..span.end]
+    }
+
     fn position(&self, span: Span) -> Position {
         let text = &self.get(span.file).text;
         let before = &text[..text.floor_char_boundary(span.start)];

@@ -60,7 +60,7 @@ fn element(it: &mut Element, changes: &mut Vec<String>) {
     let has_property_name = it.tag != "default";
     for attribute in &mut it.attributes {
         if attribute.name == "name" && has_property_name {
-            rename(&mut attribute.value, &underscored, changes);
+            rename(&mut attribute.value, &upgraded_name, changes);
         }
     }
     if it.tag == "lookAt" {
@@ -107,7 +107,7 @@ fn rename(text: &mut String, new: &dyn Fn(&str) -> String, changes: &mut Vec<Str
 
 /// `toWorld` as `to_world`, `intIOR` as `int_ior`: an underscore where small
 /// letters end, and no capitals behind it.
-fn underscored(name: &str) -> String {
+pub(crate) fn upgraded_name(name: &str) -> String {
     let mut result = String::with_capacity(name.len() + 4);
     let mut chars = name.chars().peekable();
     let mut last_is_small = false;
@@ -192,7 +192,7 @@ mod tests {
             ("aBCd", "a_bcd"),
             ("", ""),
         ] {
-            assert_eq!(underscored(old), new);
+            assert_eq!(upgraded_name(old), new);
         }
     }
 }

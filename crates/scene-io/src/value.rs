@@ -216,7 +216,11 @@ fn look_at(step: &Element) -> Result<Affine, Problem> {
         false => up,
     };
     Affine::look_at(origin, target, up).ok_or_else(|| {
-        Problem::new(step.span, "the view has no direction")
+        let what = match origin == target {
+            true => "the view has no direction: \"origin\" and \"target\" are the same point",
+            false => "\"up\" is parallel to the view",
+        };
+        Problem::new(step.span, what)
             .help("origin and target must differ, and up must not be parallel to the view")
     })
 }

@@ -56,6 +56,7 @@ mod element;
 mod error;
 mod expression;
 mod matrix;
+mod missing;
 mod registry;
 mod velocity;
 
@@ -162,9 +163,7 @@ pub fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError>
     let entries = registry::entries(scene);
     let mut motion = Motion::zero(scene);
     let terms = expression::parse(scene, &entries, expression).map_err(|error| match error {
-        ParameterError::Unknown { name, .. } if is_array(scene, &name) => {
-            ParameterError::Array { name }
-        }
+        ParameterError::Unknown { name, .. } => unknown(scene, name),
         error => error,
     })?;
     for term in terms {
@@ -195,22 +194,23 @@ pub fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
     if let Some(array) = array::find(scene, text.trim())? {
         return Ok(Request::Array(array));
     }
-    match motion(scene, text) {
-        Ok(motion) => Ok(Request::Motion(motion)),
-        Err(ParameterError::Unknown { name, .. }) => {
-            let mut names: Vec<String> = arrays(scene).into_iter().map(|a| a.name).collect();
-            let scalars = list(scene).into_iter().map(|parameter| parameter.name);
-            let scalars = scalars.filter(|name| !names.contains(name));
-            names.extend(scalars.collect::<Vec<_>>());
-            let near = error::near(&name, names.iter().map(String::as_str));
-            Err(ParameterError::Unknown { name, near })
-        }
-        Err(error) => Err(error),
-    }
+    motion(scene, text).map(Request::Motion)
 }
 
-fn is_array(scene: &Scene, name: &str) -> bool {
-    arrays(scene).iter().any(|array| array.name == name)
+/// What is wrong with a name that is no scalar's.
+fn unknown(scene: &Scene, name: String) -> ParameterError {
+    let mut names: Vec<String> = arrays(scene).into_iter().map(|a| a.name).collect();
+    if names.contains(&name) {
+        return ParameterError::Array { name };
+    }
+    if let Some(reason) = missing::reason(scene, &name) {
+        return ParameterError::NoParameter { name, reason };
+    }
+    let scalars = list(scene).into_iter().map(|parameter| parameter.name);
+    let scalars: Vec<String> = scalars.filter(|name| !names.contains(name)).collect();
+    names.extend(scalars);
+    let near = error::near(&name, names.iter().map(String::as_str));
+    ParameterError::Unknown { name, near }
 }
 
 #[cfg(test)]

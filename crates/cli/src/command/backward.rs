@@ -20,7 +20,11 @@ use objective::{Loss, Objective};
 
 pub fn run(args: &Backward) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
-    let parameters = parameters(&scene, &args.param)?;
+    let (parameters, left_out) = match args.param.is_empty() {
+        true => all_parameters(&scene)?,
+        false => (parameters(&scene, &args.param)?, String::new()),
+    };
+    console::remark(&left_out);
     check_names(&parameters, args.errors)?;
     let options = source::options(&args.sampling, &scene);
     let settings = method::gradient_options(options, &args.method)?;
@@ -101,18 +105,38 @@ struct Parameter {
     request: Request,
 }
 
-/// What was asked for, or all arrays under their first names.
+/// All arrays that can be differentiated by, under their first names, and a
+/// warning that names the others.
+fn all_parameters(scene: &Scene) -> Result<(Vec<Parameter>, String)> {
+    let arrays = params::arrays(scene).into_iter();
+    let first_names = arrays.filter(|array| array.alias_of.is_none());
+    let parameters = |arrays: Vec<ArrayParameter>| -> Vec<Parameter> {
+        let arrays = arrays.into_iter();
+        let parameter = |array: ArrayParameter| Parameter {
+            name: array.name.clone(),
+            request: Request::Array(array),
+        };
+        arrays.map(parameter).collect()
+    };
+    let Some(refusal) = capwalk_render::refusal(scene) else {
+        return Ok((parameters(first_names.collect()), String::new()));
+    };
+    let (refused, others): (Vec<_>, Vec<_>) =
+        first_names.partition(|array| array.moves_discontinuities);
+    ensure!(
+        !others.is_empty(),
+        "nothing in this scene can be differentiated: {refusal}"
+    );
+    let names: Vec<&str> = refused.iter().map(|array| array.name.as_str()).collect();
+    let left_out = match names.is_empty() {
+        true => String::new(),
+        false => format!("warning: {} are left out: {refusal}\n", names.join(", ")),
+    };
+    Ok((parameters(others), left_out))
+}
+
+/// What was asked for.
 fn parameters(scene: &Scene, names: &[String]) -> Result<Vec<Parameter>> {
-    if names.is_empty() {
-        let arrays = params::arrays(scene).into_iter();
-        let first_names = arrays.filter(|array| array.alias_of.is_none());
-        return Ok(first_names
-            .map(|array| Parameter {
-                name: array.name.clone(),
-                request: Request::Array(array),
-            })
-            .collect());
-    }
     let mut parameters = Vec::new();
     for name in names {
         let request = params::request(scene, name)?;

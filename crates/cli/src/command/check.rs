@@ -5,7 +5,7 @@ pub mod picture;
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, ensure};
-use capwalk_render::check::{Comparison, Verdict, compare};
+use capwalk_render::check::{Comparison, Verdict, compare, without_rounding};
 use capwalk_render::{GradientImage, GradientOptions, Options};
 use capwalk_scene::{Motion, Scene};
 use serde_json::{Value, json};
@@ -146,7 +146,8 @@ pub fn check(
     let differences =
         capwalk_render::finite_difference(scene, motion, reference.step, &options, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
-    let differences = differences?;
+    let mut differences = differences?;
+    differences.gradient = without_rounding(&differences, reference.step);
     Ok(Checked {
         comparison: compare(&gradient.gradient, &differences.gradient),
         gradient,
@@ -158,12 +159,18 @@ pub fn check(
     })
 }
 
-/// The numbers of a comparison, one on each line.
+/// The numbers of a comparison, one on each line; `-` stands for what pictures
+/// without noise, or of zeros, do not have.
 pub fn describe(c: &Comparison) -> String {
     let worst = c.worst.iter().take(SHOWN_PIXELS);
     let worst: Vec<String> = worst
         .map(|(x, y, z)| format!("({x}, {y}) {z:.1}"))
         .collect();
+    let worst = match worst.is_empty() {
+        true => "-".into(),
+        false => worst.join(", "),
+    };
+    let if_any = |x: f64, text: String| if x.is_nan() { "-".into() } else { text };
     let mut lines = vec![
         (
             "relative L1",
@@ -173,19 +180,25 @@ pub fn describe(c: &Comparison) -> String {
                 report::number(c.relative_l1_of_noise)
             ),
         ),
-        ("correlation", format!("{:.4}", c.correlation)),
+        (
+            "correlation",
+            if_any(c.correlation, format!("{:.4}", c.correlation)),
+        ),
         (
             "slope",
             format!(
                 "{} (reference / gradient)",
-                report::plus_minus(c.slope, c.slope_error)
+                if_any(c.slope, report::plus_minus(c.slope, c.slope_error))
             ),
         ),
         (
             "mean z²",
             format!(
                 "{} over {} pixels with noise",
-                report::plus_minus(c.mean_z_squared, c.mean_z_squared_error),
+                if_any(
+                    c.mean_z_squared,
+                    report::plus_minus(c.mean_z_squared, c.mean_z_squared_error)
+                ),
                 report::count(c.pixels as u64)
             ),
         ),
@@ -193,11 +206,17 @@ pub fn describe(c: &Comparison) -> String {
             "plain mean z²",
             format!(
                 "{} (all pixels alike; off 1 where noise is rare events)",
-                report::number(c.mean_z_squared_plain)
+                if_any(
+                    c.mean_z_squared_plain,
+                    report::number(c.mean_z_squared_plain)
+                )
             ),
         ),
-        ("sign", format!("{:+.2} standard errors", c.sign)),
-        ("worst z", worst.join(", ")),
+        (
+            "sign",
+            if_any(c.sign, format!("{:+.2} standard errors", c.sign)),
+        ),
+        ("worst z", worst),
     ];
     if c.left_out > 0 {
         lines.push((

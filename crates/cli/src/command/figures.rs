@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, anyhow, bail};
 use capwalk_figures::{Failure, Figure, Quality, Settings, Verdict, draw, write};
 use capwalk_geometry::Mesh;
 use capwalk_render::Watch;
@@ -151,7 +151,8 @@ fn mesh(path: &Path) -> Result<Mesh> {
         Some("obj") => read_obj,
         _ => bail!("{shown}: expected a mesh file that ends in .ply or .obj"),
     };
-    let bytes = fs::read(path).with_context(|| format!("cannot read {shown}"))?;
+    let bytes = fs::read(path)
+        .map_err(|error| anyhow!("cannot read {shown}: {error}; expected a mesh (.ply or .obj)"))?;
     let file = read(&bytes, false).with_context(|| format!("cannot read {shown}"))?;
     Ok(file.mesh)
 }

@@ -60,7 +60,10 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
         console::print(&format!(
             "{}variance per sample: {}\n{}",
             report::work("gradient", statistics, elapsed),
-            report::number(variance),
+            match variance.is_nan() {
+                true => "- (at least two samples per pixel are needed)".into(),
+                false => report::number(variance),
+            },
             report::written(&written)
         ))?;
     }

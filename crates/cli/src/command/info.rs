@@ -22,11 +22,16 @@ pub fn run(args: &Info) -> Result<Outcome> {
     if args.json {
         console::print_json(&to_json(&scene, &parameters, &arrays, refusal.as_ref()))?;
     } else {
-        let mut text = format!(
-            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}\n\
+        // Before the tables, which are long.
+        let refused = refusal.as_ref().map(|refusal| {
+            format!("- : derivatives by what moves edges (D) are refused: {refusal}\n")
+        });
+        let text = format!(
+            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}{}\n\
              arrays, for `capwalk backward`\n{}",
             summary(&args.scene.scene, &scene),
             shapes(&scene),
+            refused.unwrap_or_default(),
             table(
                 parameters
                     .iter()
@@ -34,9 +39,6 @@ pub fn run(args: &Info) -> Result<Outcome> {
             ),
             table(arrays.iter().map(|a| array_line(a, refusal.as_ref()))),
         );
-        if let Some(refusal) = refusal {
-            text += &format!("\nderivatives by what moves edges (D) are refused: {refusal}\n");
-        }
         console::print(&text)?;
     }
     Ok(Outcome::Done)
@@ -83,11 +85,11 @@ fn summary(name: &str, scene: &Scene) -> String {
         (
             "contents",
             format!(
-                "{} shapes, {} triangles, {} materials, {} emitters",
-                scene.shapes.len(),
-                report::count(triangles as u64),
-                scene.materials.len(),
-                scene.emitters.len()
+                "{}, {}, {}, {}",
+                report::counted(scene.shapes.len(), "shape"),
+                report::counted(triangles, "triangle"),
+                report::counted(scene.materials.len(), "material"),
+                report::counted(scene.emitters.len(), "emitter")
             ),
         ),
         ("extent", format!("{} to {}", vector(low), vector(high))),

@@ -461,3 +461,31 @@ fn wrong_usage() {
         assert_has(&finished.stderr, &["--help"]);
     }
 }
+
+/// A light without extent: everything that moves no edges is differentiated,
+/// and one warning names the rest. By name it is refused.
+#[test]
+fn what_cannot_be_differentiated_is_left_out() {
+    let capwalk = Capwalk::new("backward_left_out");
+    write_adjoint(&capwalk, "a.npz", "adjoint", |_| {});
+    capwalk.write(
+        "bulb.xml",
+        r#"<scene version="3.0.0"><integrator type="direct"/>
+<sensor type="perspective"><transform name="to_world">
+<lookat origin="0, 0, 5" target="0, 0, 0" up="0, 1, 0"/></transform></sensor>
+<shape type="rectangle" id="sheet"/>
+<emitter type="point" id="bulb"><point name="position" value="0, 1, 3"/></emitter></scene>"#,
+    );
+    let command = format!("backward bulb.xml {SIZE} --spp 4 --adjoint a.npz -o g.npz");
+    let finished = capwalk.run(&command);
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(
+        &finished.stderr,
+        &["warning: ", "sheet.positions", "are left out: "],
+    );
+    let gradient = read(&capwalk, "g.npz");
+    assert!(gradient.get("bulb.intensity.value").is_some());
+    assert!(gradient.get("sheet.positions").is_none());
+    let message = capwalk.error(&format!("{command} -p sheet.positions"));
+    assert!(!message.contains("left out"), "{message}");
+}

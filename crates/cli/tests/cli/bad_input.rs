@@ -20,6 +20,13 @@ fn unknown_parameter_lists_near_names() {
 }
 
 #[test]
+fn names_of_other_renderers_are_explained() {
+    let capwalk = Capwalk::new("foreign_names");
+    let message = capwalk.error("gradient ball -p ball.vertex_positions");
+    assert_has(&message, &["did you mean `ball.positions`?"]);
+}
+
+#[test]
 fn picture_sizes() {
     let capwalk = Capwalk::new("picture_size");
     let none = capwalk.error("render leaf --size 0x4");

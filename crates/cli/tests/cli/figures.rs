@@ -34,6 +34,10 @@ fn unknown_figures_and_meshes_are_errors() {
         &capwalk.error(&format!("{draw} bunny.stl")),
         &["bunny.stl", ".ply"],
     );
+    assert_has(
+        &capwalk.error(&format!("{draw} gone.ply")),
+        &["cannot read gone.ply", "expected a mesh"],
+    );
     capwalk.write("empty.obj", "v 0 0 0\n");
     assert_has(
         &capwalk.error(&format!("{draw} empty.obj")),

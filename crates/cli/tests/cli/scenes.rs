@@ -57,6 +57,10 @@ fn info_says_what_is_refused() {
     assert_eq!(json["parameters"][0]["differentiable"], false);
     let finished = capwalk.run("info leaf.xml");
     assert_has(&finished.stdout, &["are refused", "near_clip"]);
+    // It is read before the long tables.
+    let place = |text: &str| finished.stdout.find(text).expect(text);
+    assert!(place("are refused") < place("leaf.translate.x"));
+    assert_has(&finished.stdout, &[" 1 emitter\n"]);
     assert_eq!(
         capwalk.json("info leaf --json")["refused"],
         serde_json::Value::Null

@@ -66,5 +66,13 @@ fn nothing_changes() {
     let finished =
         capwalk.run("check leaf -p lamp.bsdf.reflectance.value --size 12x9 --spp 4 -o c.png");
     assert_eq!(finished.status, 0, "{}", finished.stderr);
-    assert_has(&finished.stdout, &["zero everywhere"]);
+    assert_has(
+        &finished.stdout,
+        &[
+            "zero everywhere",
+            "nothing in the picture changes",
+            "\nslope          -",
+        ],
+    );
+    assert!(!finished.stdout.contains("NaN"), "{}", finished.stdout);
 }

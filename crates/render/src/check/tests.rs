@@ -347,3 +347,46 @@ fn every_channel_is_looked_at() {
         assert!(matches!(verdict, Verdict::Wrong { .. }), "channel {c}");
     }
 }
+
+/// Where a difference is only rounding, the reference says nothing of its own:
+/// the pixel is judged by the noise around it.
+#[test]
+fn rounding_counts_as_zero() {
+    let mut noise = Noise(3);
+    let step = 0.05;
+    // Right, but for a corner without an event in the reference.
+    let corner = |x: usize, y: usize| x < 4 && y < 4;
+    let (gradient, noisy) = (
+        gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0),
+        gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0),
+    );
+    let with_corner = |estimate: &Estimate, value: f64, error: f64| {
+        picture(|x, y| match corner(x, y) {
+            true => (value, error),
+            false => {
+                let i = y * SIZE + x;
+                let error = estimate.standard_error.pixels[i].x;
+                (estimate.mean.pixels[i].x, error)
+            }
+        })
+    };
+    let gradient = with_corner(&gradient, 1e-3, 1e-5);
+    let image = |gradient: Estimate| crate::GradientImage {
+        value: picture(|_, _| (0.5, 0.01)),
+        gradient,
+        statistics: Default::default(),
+    };
+    let rounded = image(with_corner(&noisy, -1.6e-15, 7e-16));
+    let worst = |reference: &Estimate| compare(&gradient, reference).worst[0].2.abs();
+    assert!(worst(&rounded.gradient) > 40.0);
+    let cleaned = without_rounding(&rounded, step);
+    assert_eq!(cleaned, with_corner(&noisy, 0.0, 0.0));
+    assert!(worst(&cleaned) < 6.0, "{}", worst(&cleaned));
+
+    // Numbers that are small but no rounding stay.
+    let small = image(with_corner(&noisy, 2e-11, 1e-11));
+    assert_eq!(without_rounding(&small, step), small.gradient);
+    // Nothing but rounding is nothing.
+    let nothing = without_rounding(&image(picture(|_, _| (1e-15, 1e-15))), step);
+    assert_eq!(nothing, picture(|_, _| (0.0, 0.0)));
+}

@@ -1,23 +1,66 @@
-//! Integrators: `direct`, `path`, and `aov` for one layer.
+//! Integrators: `direct`, `path`, and `aov` for one layer. Mitsuba's integrators
+//! of derivatives are read as the one that makes the same picture.
 
 use capwalk_scene::{Integrator, Layer};
 
 use crate::fields::Fields;
+use crate::node::Kind;
 use crate::source::Problem;
 
 /// The plugins.
 const INTEGRATORS: [&str; 3] = ["aov", "direct", "path"];
 
+/// Mitsuba's integrators of derivatives, and whose picture each of them makes.
+const OF_DERIVATIVES: [(&str, &str); 6] = [
+    ("direct_projective", "direct"),
+    ("direct_reparam", "direct"),
+    ("prb", "path"),
+    ("prb_basic", "path"),
+    ("prb_projective", "path"),
+    ("prb_reparam", "path"),
+];
+
+/// Their own settings.
+const SETTINGS_OF_DERIVATIVES: [&str; 13] = [
+    "guiding",
+    "guiding_proj",
+    "guiding_rounds",
+    "project_seed",
+    "reparam_antithetic",
+    "reparam_exp",
+    "reparam_kappa",
+    "reparam_max_depth",
+    "reparam_rays",
+    "reparam_unroll",
+    "sppc",
+    "sppi",
+    "sppp",
+];
+
 /// More samples or segments than this are a slip of the pen.
 const MOST: i64 = i32::MAX as i64;
 
 pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
-    let integrator = match fields.node.plugin.as_str() {
-        "aov" => aov(fields)?,
-        "direct" => direct(fields)?,
-        "path" => path(fields)?,
-        _ => return Err(fields.unknown_plugin(&INTEGRATORS)),
+    let plugin = fields.node.plugin.as_str();
+    let of_derivatives = OF_DERIVATIVES.iter().find(|(name, _)| *name == plugin);
+    let integrator = match (plugin, of_derivatives) {
+        ("aov", _) => aov(fields)?,
+        ("direct", _) => direct(fields)?,
+        ("path", _) => path(fields, -1)?,
+        (_, Some((_, "direct"))) => direct_of_derivatives(fields)?,
+        (_, Some(_)) => path(fields, 6)?, // Mitsuba's default for them
+        (_, None) => return Err(fields.unknown_plugin(&INTEGRATORS)),
     };
+    if let Some((name, read_as)) = of_derivatives {
+        fields.warn(&format!(
+            "the integrator \"{name}\" is read as \"{read_as}\", which makes the same picture; \
+             derivatives are always those of the whole picture, by the method that the command \
+             names"
+        ));
+        let reason = "it concerns how Mitsuba samples derivatives";
+        fields.cosmetic(&SETTINGS_OF_DERIVATIVES, reason);
+    }
+    strict_normals(fields)?;
     fields.cosmetic(
         &["block_size", "samples_per_pass"],
         "it divides the work, which is done in our own way",
@@ -60,8 +103,32 @@ fn direct(fields: &Fields) -> Result<Integrator, Problem> {
     })
 }
 
-fn path(fields: &Fields) -> Result<Integrator, Problem> {
-    let max_depth = fields.integer("max_depth", -1..=MOST)?.unwrap_or(-1);
+/// One sample of an emitter and one of the material, as Mitsuba takes.
+fn direct_of_derivatives(fields: &Fields) -> Result<Integrator, Problem> {
+    let reason = "direct light ends at the first surface";
+    fields.cosmetic(&["max_depth", "rr_depth"], reason);
+    Ok(Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: fields.boolean("hide_emitters", false)?,
+    })
+}
+
+/// Mitsuba 0.6 could leave out light where the shading normal and the surface
+/// disagree about the side.
+fn strict_normals(fields: &Fields) -> Result<(), Problem> {
+    if fields.boolean("strict_normals", false)? {
+        fields.warn_at(
+            "strict_normals",
+            "is read as false: light on the wrong side of a smooth surface is not left out",
+        );
+    }
+    Ok(())
+}
+
+fn path(fields: &Fields, default_depth: i64) -> Result<Integrator, Problem> {
+    let max_depth = fields.integer("max_depth", -1..=MOST)?;
+    let max_depth = max_depth.unwrap_or(default_depth);
     let rr_depth = fields.integer("rr_depth", 1..=MOST)?.unwrap_or(5);
     Ok(Integrator::Path {
         max_depth: u32::try_from(max_depth).ok(),
@@ -72,6 +139,11 @@ fn path(fields: &Fields) -> Result<Integrator, Problem> {
 
 /// `aovs` is a list of `name:layer`, of which we render one.
 fn aov(fields: &Fields) -> Result<Integrator, Problem> {
+    fields.refuse_object(
+        Kind::Integrator,
+        "keep the nested integrator for the picture, without the \"aov\" around it, and make a \
+         second file with \"aov\" alone for the layer",
+    )?;
     let known = || Layer::ALL.map(Layer::name).join(", ");
     let Some(text) = fields.string("aovs")? else {
         return Err(

@@ -1,4 +1,5 @@
-//! Samplers: `independent`, and Sobol points as `sobol` or `ldsampler`.
+//! Samplers: `independent`, and Sobol points as `sobol` or `ldsampler`. Other
+//! stratified points of Mitsuba's are read as Sobol's.
 
 use capwalk_scene::SamplerKind;
 
@@ -7,6 +8,9 @@ use crate::source::Problem;
 
 /// The plugins.
 const SAMPLERS: [&str; 3] = ["independent", "ldsampler", "sobol"];
+
+/// Those of Mitsuba's whose points are stratified in another way.
+const STRATIFIED: [&str; 3] = ["multijitter", "orthogonal", "stratified"];
 
 /// What a sampler sets.
 pub(super) struct Sampler {
@@ -30,6 +34,15 @@ pub(super) fn lower(fields: &Fields) -> Result<Sampler, Problem> {
     let kind = match fields.node.plugin.as_str() {
         "independent" => SamplerKind::Independent,
         "ldsampler" | "sobol" => SamplerKind::Sobol,
+        plugin if STRATIFIED.contains(&plugin) => {
+            fields.warn(&format!(
+                "the sampler \"{plugin}\" is read as \"sobol\": its points are stratified, too, \
+                 and the picture is the same but for noise"
+            ));
+            let reason = "Sobol points have no such setting";
+            fields.cosmetic(&["jitter", "strength"], reason);
+            SamplerKind::Sobol
+        }
         _ => return Err(fields.unknown_plugin(&SAMPLERS)),
     };
     let sampler = Sampler {

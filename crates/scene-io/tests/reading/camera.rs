@@ -28,6 +28,20 @@ fn unknown_integrator() {
 }
 
 #[test]
+fn layers_around_a_picture() {
+    check(
+        &format!(
+            "{HEAD}{}",
+            r#"<integrator type="aov"><string name="aovs" value="d:depth"/><integrator type="path"/></integrator><sensor type="perspective"/></scene>"#
+        ),
+        &[
+            "scene.xml:2:61: the integrator \"aov\" cannot have an integrator",
+            "  keep the nested integrator for the picture, without the \"aov\" around it, and make a second file with \"aov\" alone for the layer",
+        ],
+    );
+}
+
+#[test]
 fn shading_samples_twice() {
     check(
         &format!(
@@ -266,9 +280,9 @@ fn spectral_response() {
 #[test]
 fn unknown_sampler() {
     check(
-        &sensor(r#"<sampler type="multijitter"/>"#),
+        &sensor(r#"<sampler type="halton"/>"#),
         &[
-            "scene.xml:3:45: unknown sampler plugin \"multijitter\"",
+            "scene.xml:3:45: unknown sampler plugin \"halton\"",
             "  known sampler plugins: independent, ldsampler, sobol",
         ],
     );

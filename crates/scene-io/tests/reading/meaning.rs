@@ -266,6 +266,50 @@ fn integrators_and_samplers_are_set() {
     assert_eq!(settings.integrator, expected);
 }
 
+/// Mitsuba's integrators of derivatives stand for the pictures that they make,
+/// with its defaults for them.
+#[test]
+fn integrators_of_derivatives_are_read_as_those_of_their_pictures() {
+    let with = |plugin: &str, properties: &str| {
+        let integrator = format!("<integrator type=\"{plugin}\">{properties}</integrator>");
+        let text = sensor("").replace("<integrator type=\"path\"/>", &integrator);
+        load(&text).settings.integrator
+    };
+    let depths =
+        "<integer name=\"max_depth\" value=\"3\"/><integer name=\"rr_depth\" value=\"9\"/>";
+    let hidden = "<boolean name=\"hide_emitters\" value=\"true\"/>";
+    for plugin in ["prb", "prb_basic", "prb_projective", "prb_reparam"] {
+        let path = |max_depth, rr_depth, hide_emitters| Integrator::Path {
+            max_depth: Some(max_depth),
+            rr_depth,
+            hide_emitters,
+        };
+        assert_eq!(with(plugin, ""), path(6, 5, false));
+        assert_eq!(with(plugin, depths), path(3, 9, false));
+        assert_eq!(with(plugin, hidden), path(6, 5, true));
+    }
+    for plugin in ["direct_projective", "direct_reparam"] {
+        let expected = Integrator::Direct {
+            emitter_samples: 1,
+            bsdf_samples: 1,
+            hide_emitters: true,
+        };
+        assert_eq!(with(plugin, &format!("{depths}{hidden}")), expected);
+    }
+    let knobs = "<integer name=\"sppc\" value=\"1\"/><string name=\"guiding\" value=\"grid\"/>";
+    assert_eq!(with("prb_projective", knobs), with("prb_projective", ""));
+    let unbounded = with("path", "<boolean name=\"strict_normals\" value=\"false\"/>");
+    assert_eq!(unbounded, load(&sensor("")).settings.integrator);
+}
+
+#[test]
+fn stratified_samplers_are_read_as_sobol() {
+    for plugin in ["multijitter", "orthogonal", "stratified"] {
+        let scene = load(&sensor(&format!("<sampler type=\"{plugin}\"/>")));
+        assert_eq!(scene.settings.sampler, SamplerKind::Sobol);
+    }
+}
+
 #[test]
 fn films_have_crops_filters_and_borders() {
     let scene = load(&film(

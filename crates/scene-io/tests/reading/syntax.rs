@@ -299,7 +299,7 @@ fn lookat_parallel_up() {
             r#"<shape type="cube"><transform name="to_world"><lookat origin="0 0 0" target="0 1 0" up="0 1 0"/></transform></shape>"#,
         ),
         &[
-            "scene.xml:5:49: the view has no direction",
+            "scene.xml:5:49: \"up\" is parallel to the view",
             "  origin and target must differ, and up must not be parallel to the view",
         ],
     );

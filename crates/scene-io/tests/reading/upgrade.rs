@@ -51,7 +51,10 @@ fn new_files_have_new_names() {
 #[test]
 fn errors_in_old_files_have_their_place() {
     let text = OLD.replace("\"rrDepth\"", "\"rrDepht\"");
-    assert!(message(&text, &[]).starts_with("scene.xml:3:76: unknown property \"rr_depht\""));
+    assert!(
+        message(&text, &[])
+            .starts_with("scene.xml:3:76: unknown property \"rrDepht\" (now \"rr_depht\") of")
+    );
     let text = OLD.replace("\"uscale\" value", "\"uscale\" valeu");
     let message = message(&text, &[]);
     assert!(message.starts_with("scene.xml:11:"), "{message}");

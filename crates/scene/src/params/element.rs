@@ -33,16 +33,18 @@ pub(super) fn leading<'a>(
     };
     let array = find(scene, &name)?.expect("it is one of them");
     let inside = &text[name.len() + 1..];
-    let bad = |indices: &str| ParameterError::BadIndex {
+    let bad = |indices: String| ParameterError::BadIndex {
         name: name.clone(),
-        indices: indices.into(),
+        indices,
         shape: array.shape_text(),
     };
-    let (indices, after) = inside.split_once(']').ok_or_else(|| bad(inside))?;
+    let (indices, after) = inside
+        .split_once(']')
+        .ok_or_else(|| bad(format!("[{inside}")))?;
     let after = after.trim_start();
     let ends = after.is_empty() || after.starts_with(['+', '-']);
     let numbers = numbers(&array.shape, indices).filter(|_| ends);
-    let numbers = numbers.ok_or_else(|| bad(indices))?;
+    let numbers = numbers.ok_or_else(|| bad(format!("[{indices}]")))?;
     Ok(Some((Element { array, numbers }, after)))
 }
 

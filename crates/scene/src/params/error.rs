@@ -14,6 +14,13 @@ pub enum ParameterError {
         /// Names like it, the likeliest first.
         near: Vec<String>,
     },
+    /// Something that could be expected to be a parameter, and is none.
+    NoParameter {
+        /// What was asked for.
+        name: String,
+        /// Why, and what to do instead.
+        reason: String,
+    },
     /// A name was expected, but the expression is empty or ends.
     Missing,
     /// What stands before `*` is not a finite number.
@@ -47,7 +54,7 @@ pub enum ParameterError {
     BadIndex {
         /// The array.
         name: String,
-        /// What stands behind the bracket.
+        /// What stands there, from the bracket on.
         indices: String,
         /// Its shape, as NumPy writes it.
         shape: String,
@@ -121,6 +128,9 @@ impl fmt::Display for ParameterError {
                 did_you_mean(f, near)?;
                 write!(f, "; `capwalk info` lists all parameters")
             }
+            Self::NoParameter { name, reason } => {
+                write!(f, "\"{name}\" is not a parameter: {reason}")
+            }
             Self::Missing => write!(
                 f,
                 "expected a parameter's name, such as `ball.translate.x`, but the expression \
@@ -158,7 +168,7 @@ impl fmt::Display for ParameterError {
             } => write!(
                 f,
                 "the array \"{name}\" has the shape {shape}, and nothing in it is called \
-                 \"[{indices}\"; expected whole numbers from 0, one for each side or for the \
+                 \"{indices}\"; expected whole numbers from 0, one for each side or for the \
                  first of them, and `]`"
             ),
             Self::ArrayLength {
@@ -238,12 +248,38 @@ fn did_you_mean(f: &mut fmt::Formatter<'_>, near: &[String]) -> fmt::Result {
 /// How many names a message suggests at most.
 const SUGGESTIONS: usize = 4;
 
-/// The names most like `wanted`: within a third of its length in edits, or
-/// with only some parts between dots left out, each counted as one edit.
+/// The names most like `wanted`. If `wanted` starts with the name of something
+/// that has parameters, only those: others would be of another object.
 pub(super) fn near<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Vec<String> {
+    let names: Vec<&str> = names.collect();
+    let mut owner_is_known = false;
+    // From the innermost part to the object.
+    for (dot, _) in wanted.rmatch_indices('.') {
+        let owner = &wanted[..=dot];
+        let own: Vec<&str> = names
+            .iter()
+            .copied()
+            .filter(|name| name.starts_with(owner))
+            .collect();
+        owner_is_known |= !own.is_empty();
+        let found = likest(wanted, &own);
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    match owner_is_known {
+        true => Vec::new(),
+        false => likest(wanted, &names),
+    }
+}
+
+/// The names within a third of the length of `wanted` in edits, or with only
+/// some parts between dots left out or shortened, each counted as one edit.
+fn likest(wanted: &str, names: &[&str]) -> Vec<String> {
     let farthest = wanted.chars().count().div_ceil(3);
     let mut scored: Vec<(usize, &str)> = names
-        .filter_map(|name| {
+        .iter()
+        .filter_map(|&name| {
             let edits = edit_distance(wanted, name);
             let edits = (edits <= farthest).then_some(edits);
             let distance = edits.into_iter().chain(missing_parts(wanted, name)).min()?;
@@ -260,13 +296,23 @@ pub(super) fn near<'a>(wanted: &str, names: impl Iterator<Item = &'a str>) -> Ve
         .collect()
 }
 
-/// How many parts of `name` are left out in `wanted`, or `None` if `wanted`
-/// has others or another order.
+/// How many parts of `name` are left out in `wanted`, or stand there with more
+/// or fewer words (`vertex_positions` for `positions`); `None` if `wanted` has
+/// others or another order.
 fn missing_parts(wanted: &str, name: &str) -> Option<usize> {
+    let with_more_words = |long: &str, short: &str| {
+        let before = long.strip_suffix(short);
+        before.is_some_and(|before| before.ends_with('_'))
+    };
+    let alike = |a: &str, b: &str| a == b || with_more_words(a, b) || with_more_words(b, a);
     let mut parts = name.split('.');
-    let all_found = wanted.split('.').all(|part| parts.any(|p| p == part));
+    let mut changed = 0;
+    for part in wanted.split('.') {
+        let found = parts.find(|other| alike(part, other))?;
+        changed += usize::from(found != part);
+    }
     let count = |text: &str| text.split('.').count();
-    all_found.then(|| count(name) - count(wanted))
+    Some(count(name) - count(wanted) + changed)
 }
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn one

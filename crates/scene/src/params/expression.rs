@@ -1,7 +1,7 @@
 //! `ball.translate.x + 0.5*lamp.translate.y`: names with signs and factors.
 
 use super::element::{self, Element};
-use super::error::{ParameterError, near};
+use super::error::ParameterError;
 use super::registry::{Entry, Target};
 use crate::scene::Scene;
 
@@ -48,7 +48,7 @@ pub(super) fn parse(
                 factor *= number;
                 rest = after.trim_start();
             } else {
-                return Err(unknown(entries, rest));
+                return Err(unknown(rest));
             }
         };
         terms.push(Term { factor, named });
@@ -97,19 +97,15 @@ fn target(entries: &[Entry], name: &str) -> Result<Target, ParameterError> {
     first.ok_or_else(|| ParameterError::TwoSides { name: name.into() })
 }
 
-fn unknown(entries: &[Entry], rest: &str) -> ParameterError {
+/// An error that says what was asked for; names like it are for the caller to
+/// find, who knows all of them.
+fn unknown(rest: &str) -> ParameterError {
     // Up to the next `+`: ids seldom contain it, but often a `-`.
-    let name = rest.split('+').next().unwrap_or(rest).trim();
-    let usable = |entry: &&Entry| entry.target.is_some();
-    let names = entries
-        .iter()
-        .filter(usable)
-        .map(|entry| entry.name.as_str());
-    match name {
+    match rest.split('+').next().unwrap_or(rest).trim() {
         "" => ParameterError::Missing,
         name => ParameterError::Unknown {
             name: name.into(),
-            near: near(name, names),
+            near: Vec::new(),
         },
     }
 }

@@ -319,6 +319,60 @@ fn wrong_names_suggest_right_ones() {
     }
 }
 
+/// Names of an object that exists suggest its own parameters, never those of
+/// another.
+#[test]
+fn suggestions_stay_with_the_object() {
+    let scene = example();
+    for expression in ["ball.diffuse_reflectance.value", "1*ball.positons"] {
+        let message = motion(&scene, expression)
+            .expect_err(expression)
+            .to_string();
+        for other in ["lamp", "red", "sensor", "-a.b"] {
+            assert!(!message.contains(&format!("`{other}")), "{message}");
+        }
+    }
+    let names = [
+        "spot.intensity.value",
+        "floor.translate.x",
+        "floor.bsdf.diffuse_reflectance.value",
+        "floor.positions",
+        "wall.bsdf.reflectance.value",
+    ];
+    let near = |wanted: &str| error::near(wanted, names.into_iter());
+    assert!(near("spot.translate.x").is_empty());
+    assert_eq!(near("flor.translate.x"), ["floor.translate.x"]);
+    assert_eq!(near("floor.vertex_positions"), ["floor.positions"]);
+    assert_eq!(
+        near("floor.bsdf.reflectance.value"),
+        ["floor.bsdf.diffuse_reflectance.value"]
+    );
+}
+
+/// Where a light without geometry stands is no parameter; the message says why
+/// and what to do.
+#[test]
+fn placement_of_emitters_is_explained() {
+    let mut scene = example();
+    scene.emitters.push(Emitter::Point {
+        id: "bulb".into(),
+        position: Vec3::zero(),
+        intensity: TextureId(0),
+    });
+    for name in ["bulb.position", "bulb.translate.x", "bulb.to_world"] {
+        let message = motion(&scene, name).expect_err(name).to_string();
+        let start = format!("\"{name}\" is not a parameter: a light without extent casts hard");
+        assert!(message.starts_with(&start), "{message}");
+        assert!(message.contains("small area lamp"), "{message}");
+        let array = request(&scene, name).expect_err(name).to_string();
+        assert_eq!(array, message);
+    }
+    let message = motion(&scene, "bulb.colour")
+        .expect_err("unknown")
+        .to_string();
+    assert!(message.contains("no parameter"), "{message}");
+}
+
 #[test]
 fn one_name_for_two_things_is_refused() {
     let mut scene = example();

@@ -205,7 +205,12 @@ impl Claimed {
 
 /// The state in a checkpoint, if it is one of this problem.
 fn read_state(file: &Path, problem: &Problem, fingerprint: &[(String, String)]) -> Result<State> {
-    let checkpoint = arrays::read(file)?;
+    let checkpoint = arrays::read(file).map_err(|error| {
+        anyhow::anyhow!(
+            "the checkpoint is damaged: {error}; expected the file that the run wrote. Restore it, \
+             or begin anew in another folder (-o)"
+        )
+    })?;
     let was = |name: &str| {
         let found = checkpoint.metadata.iter().find(|(key, _)| key == name);
         found.map_or("nothing", |(_, what)| what)

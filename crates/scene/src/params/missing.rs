@@ -1,0 +1,69 @@
+//! What a user of other renderers looks for among the parameters and does not
+//! find: the reason, and what to do instead.
+
+use crate::emitter::Emitter;
+use crate::scene::Scene;
+
+/// Parts of an emitter's name that place it.
+const PLACEMENT: [&str; 7] = [
+    "to_world",
+    "translate",
+    "rotate",
+    "scale",
+    "position",
+    "direction",
+    "target",
+];
+
+/// Why a name is no parameter's, if there is more to say than that.
+pub(super) fn reason(scene: &Scene, name: &str) -> Option<String> {
+    scene
+        .emitters
+        .iter()
+        .find_map(|emitter| placement(scene, emitter, name))
+        .or_else(|| texture_coordinates(scene, name))
+}
+
+/// An emitter without geometry stays where it is.
+fn placement(scene: &Scene, emitter: &Emitter, name: &str) -> Option<String> {
+    let id = emitter.name(scene);
+    let what = part_behind(&id, name)?;
+    if !PLACEMENT.contains(&what) {
+        return None;
+    }
+    let other_scene = "for a check, compare pictures of two scenes, which `-D name=value` makes \
+                       of one file with `$name` where the light stands";
+    match emitter {
+        Emitter::Area { .. } | Emitter::Constant { .. } => None,
+        Emitter::EnvironmentMap { .. } => Some(format!(
+            "derivatives by how an environment map is turned are not implemented. `{id}.data`, \
+             its texels, is a parameter; {other_scene}"
+        )),
+        Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
+            Some(format!(
+                "a light without extent casts hard shadows. Their edges lie on surfaces, where no \
+                 method here integrates over areas. Use a small area lamp (a shape with an \
+                 <emitter type=\"area\">), which has all of these parameters; {other_scene}"
+            ))
+        }
+    }
+}
+
+fn texture_coordinates(scene: &Scene, name: &str) -> Option<String> {
+    let mut shapes = scene.shapes.iter();
+    let asked = |id: &str| {
+        let part = part_behind(id, name);
+        part.is_some_and(|part| matches!(part, "texcoords" | "vertex_texcoords" | "uv" | "uvs"))
+    };
+    shapes.any(|shape| asked(&shape.id)).then(|| {
+        "derivatives by texture coordinates are not implemented; the texels of a bitmap \
+         (`.data`) are parameters"
+            .into()
+    })
+}
+
+/// The first part of `name` behind the name of an object, without indices.
+fn part_behind<'a>(object: &str, name: &'a str) -> Option<&'a str> {
+    let behind = name.strip_prefix(object)?.strip_prefix('.')?;
+    behind.split(['.', '[']).next()
+}
