@@ -320,7 +320,7 @@ pub struct Backward {
     pub layer: Option<String>,
     /// What to differentiate by: arrays such as ball.positions, parameters such
     /// as ball.translate.x, or sums of parameters as for `gradient` [default:
-    /// all arrays] (`capwalk info SCENE` lists them)
+    /// all arrays that can be] (`capwalk info SCENE` lists them)
     #[arg(short, long, value_name = "NAMES", num_args = 1..)]
     pub param: Vec<String>,
     /// Write the standard error of every number too, as NAME.stderr

@@ -207,6 +207,11 @@ fn another_job_cannot_go_on() {
         ),
     );
     assert_eq!(capwalk.run("optimize job.toml --resume").status, 0);
+    let checkpoint = capwalk.path("out/checkpoint.npz");
+    let bytes = fs::read(&checkpoint).expect("readable");
+    fs::write(&checkpoint, &bytes[..bytes.len() / 2]).expect("writable");
+    let error = capwalk.error("optimize job.toml --resume");
+    assert_has(&error, &["the checkpoint is damaged", "Restore it", "-o"]);
 }
 
 /// A run writes over nothing but another run's files, and says so before it touches
