@@ -44,7 +44,7 @@ impl fmt::Display for Verdict {
 
 /// Standard errors beyond which something is not an accident: one false verdict
 /// in 740 for a single test.
-const SIGNIFICANT: f64 = 3.0;
+pub const SIGNIFICANT: f64 = 3.0;
 
 /// A number and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,6 +68,14 @@ impl Measured {
     /// A number without noise.
     pub fn exact(value: f64) -> Self {
         Self { value, error: 0.0 }
+    }
+
+    /// Times a number without noise.
+    pub fn times(self, factor: f64) -> Self {
+        Self {
+            value: factor * self.value,
+            error: factor.abs() * self.error,
+        }
     }
 
     /// `self / other`, errors to first order.
@@ -129,6 +137,15 @@ pub fn all_equal(numbers: &[Measured], expected: f64, tolerance: f64) -> Verdict
     match numbers.iter().find(|n| n.error > tolerance) {
         Some(noisy) => Verdict::CouldNotTell(format!("{noisy} is too noisy")),
         None => Verdict::Holds,
+    }
+}
+
+/// That a number is above zero.
+pub fn positive(number: Measured) -> Verdict {
+    match below(Measured::exact(0.0), number) {
+        Verdict::DoesNotHold(_) => Verdict::DoesNotHold(format!("{number} is below zero")),
+        Verdict::CouldNotTell(_) => Verdict::CouldNotTell(format!("{number} may be zero")),
+        other => other,
     }
 }
 

@@ -35,7 +35,7 @@ mod settings;
 mod variance;
 
 pub use claim::{Claim, Measured, Verdict};
-pub use figure::{Figure, Plot, Row, Shown, Table};
+pub use figure::{Figure, Plot, Row, Scale, Shown, Table};
 pub use output::{WriteError, write};
 pub use settings::{Failure, Quality, Settings, Stages};
 

@@ -12,7 +12,7 @@ use capwalk_walk::{
 use rayon::prelude::*;
 
 use crate::claim::{Claim, Measured, Verdict};
-use crate::figure::{Curve, Figure, Plot, Row, Table};
+use crate::figure::{Curve, Figure, Plot, Row, Scale, Table};
 use crate::gradients::Subject;
 use crate::random::random;
 use crate::settings::{Failure, Settings};
@@ -188,7 +188,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                 "distance A to the boundary".into(),
                 "variance of the divergence".into(),
             ],
-            logarithmic: true,
+            scale: Scale::Logarithmic,
             curves: found.map(|found| found.curve).into(),
         });
     }
