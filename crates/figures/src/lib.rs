@@ -30,6 +30,7 @@ mod output;
 mod projective;
 mod queries;
 mod random;
+mod reach;
 mod report;
 mod settings;
 mod variance;
@@ -53,7 +54,7 @@ pub struct Entry {
 pub const ALL: [Entry; 9] = [
     Entry {
         name: "fig01",
-        title: "Figure 1: the shadow of the Voronoi bunny",
+        title: "Figure 1: a shadow at equal samples",
         draw: fig01::draw,
     },
     Entry {
@@ -78,7 +79,7 @@ pub const ALL: [Entry; 9] = [
     },
     Entry {
         name: "fig11",
-        title: "Figure 11: converged derivatives, plain and through a mirror",
+        title: "Figure 11: derivatives of shadows, plain and through a mirror",
         draw: fig11::draw,
     },
     Entry {
