@@ -69,7 +69,7 @@ fn section(figure: &Figure) -> Result<String, ImageError> {
         Row::Pictures(shown) => shown.len(),
         Row::Plots(_) => 1,
     });
-    let columns = columns.max().unwrap_or(1);
+    let columns = columns.max().unwrap_or(1).max(LEAST_COLUMNS);
     for row in &figure.rows {
         match row {
             Row::Pictures(shown) => {
@@ -103,6 +103,9 @@ fn section(figure: &Figure) -> Result<String, ImageError> {
 fn begin_row(columns: usize) -> String {
     format!("<div class=\"row\" style=\"--columns:{columns}\">\n")
 }
+
+/// A row of fewer pictures leaves room at its end.
+const LEAST_COLUMNS: usize = 4;
 
 /// Width of the page and of the gap between columns, pixels, as in [`STYLE`].
 const WIDTH: usize = 1180;
