@@ -44,7 +44,7 @@ impl fmt::Display for Verdict {
 
 /// Standard errors beyond which something is not an accident: one false verdict
 /// in 740 for a single test.
-const SIGNIFICANT: f64 = 3.0;
+pub const SIGNIFICANT: f64 = 3.0;
 
 /// A number and its standard error.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -70,6 +70,14 @@ impl Measured {
         Self { value, error: 0.0 }
     }
 
+    /// Times a number without noise.
+    pub fn times(self, factor: f64) -> Self {
+        Self {
+            value: factor * self.value,
+            error: factor.abs() * self.error,
+        }
+    }
+
     /// `self / other`, errors to first order.
     pub fn over(self, other: Self) -> Self {
         let value = self.value / other.value;
@@ -88,15 +96,29 @@ impl Measured {
 }
 
 impl fmt::Display for Measured {
-    /// The error in two digits, the value to the same place.
+    /// The error in two digits, the value to the same place; no error if there is
+    /// none, and words for what is not known.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.error > 0.0 && self.error.is_finite() {
-            let place = (1.0 - self.error.log10().floor()).max(0.0) as usize;
-            if place <= 6 {
-                return write!(f, "{:.place$} ± {:.place$}", self.value, self.error);
-            }
+        let Self { value, error } = *self;
+        if !value.is_finite() {
+            return write!(f, "a number that cannot be told");
         }
-        write!(f, "{} ± {}", digits(self.value), digits(self.error))
+        if !error.is_finite() {
+            return write!(f, "{} (its error cannot be told)", digits(value));
+        }
+        if error <= 0.0 {
+            return write!(f, "{}", digits(value));
+        }
+        let place = 1.0 - error.log10().floor();
+        if place <= 6.0 || value.abs() >= 1e-3 {
+            let place = place.max(0.0) as usize;
+            return write!(f, "{value:.place$} ± {error:.place$}");
+        }
+        // Both in the unit of the larger one.
+        let exponent = value.abs().max(error).log10().floor();
+        let place = (place + exponent) as usize;
+        let [value, error] = [value, error].map(|x| x / 10_f64.powf(exponent));
+        write!(f, "({value:.place$} ± {error:.place$})e{exponent}")
     }
 }
 
@@ -124,11 +146,23 @@ pub fn all_equal(numbers: &[Measured], expected: f64, tolerance: f64) -> Verdict
         .expect("there are numbers to compare");
     if worst.z(expected).abs() > allowed {
         let z = worst.z(expected);
-        return Verdict::DoesNotHold(format!("{worst} is {z:.1} standard errors from {expected}"));
+        return Verdict::DoesNotHold(match z.is_finite() {
+            true => format!("{worst} is {z:.1} standard errors from {expected}"),
+            false => format!("{worst} is not {expected}"),
+        });
     }
     match numbers.iter().find(|n| n.error > tolerance) {
         Some(noisy) => Verdict::CouldNotTell(format!("{noisy} is too noisy")),
         None => Verdict::Holds,
+    }
+}
+
+/// That a number is above zero.
+pub fn positive(number: Measured) -> Verdict {
+    match below(Measured::exact(0.0), number) {
+        Verdict::DoesNotHold(_) => Verdict::DoesNotHold(format!("{number} is below zero")),
+        Verdict::CouldNotTell(_) => Verdict::CouldNotTell(format!("{number} may be zero")),
+        other => other,
     }
 }
 
@@ -163,10 +197,12 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
     match &comparison.verdict {
         check::Verdict::Right => Verdict::Holds,
         check::Verdict::Wrong { reason } => Verdict::DoesNotHold(reason.clone()),
-        check::Verdict::CouldNotTell { samples_factor } => Verdict::CouldNotTell(format!(
-            "needs {} times the samples",
-            digits(*samples_factor)
-        )),
+        check::Verdict::CouldNotTell { samples_factor } => {
+            Verdict::CouldNotTell(match samples_factor.is_finite() {
+                true => format!("needs {} times the samples", digits(*samples_factor)),
+                false => "too few samples to say how many are needed".into(),
+            })
+        }
     }
 }
 
@@ -237,7 +273,31 @@ mod tests {
     fn numbers_are_as_long_as_their_errors() {
         assert_eq!(measured(0.032146, 0.00123).to_string(), "0.0321 ± 0.0012");
         assert_eq!(measured(1234.6, 12.3).to_string(), "1235 ± 12");
-        assert_eq!(measured(1.0, 0.0).to_string(), "1.00 ± 0");
+        assert_eq!(measured(-5e-5, 2.92e-7).to_string(), "(-5.000 ± 0.029)e-5");
+        assert_eq!(measured(2.65e-6, 1.02e-6).to_string(), "(2.7 ± 1.0)e-6");
+        assert_eq!(measured(-1e-9, 3.04e-7).to_string(), "(-0.0 ± 3.0)e-7");
+        assert_eq!(
+            measured(-2.0, 2.46e-6).to_string(),
+            "-2.0000000 ± 0.0000025"
+        );
+    }
+
+    #[test]
+    fn what_is_exact_or_unknown_is_said_in_words() {
+        assert_eq!(measured(1.0, 0.0).to_string(), "1.00");
+        assert_eq!(measured(0.0, 0.0).to_string(), "0");
+        let unknown = measured(0.922, f64::INFINITY).to_string();
+        assert_eq!(unknown, "0.922 (its error cannot be told)");
+        for error in [f64::INFINITY, f64::NAN, 0.1] {
+            let unknown = measured(f64::NAN, error).to_string();
+            assert_eq!(unknown, "a number that cannot be told");
+        }
+        let zero = positive(measured(0.017, 0.012)).to_string();
+        assert_eq!(zero, "could not tell: 0.017 ± 0.012 may be zero");
+    }
+
+    #[test]
+    fn digits_are_about_three() {
         assert_eq!(digits(0.000_012_34), "1.23e-5");
         assert_eq!(digits(123.4), "123");
     }

@@ -5,7 +5,7 @@ use plotters::coord::ranged1d::ValueFormatter;
 use plotters::prelude::*;
 
 use crate::claim::digits;
-use crate::figure::{Curve, Plot};
+use crate::figure::{Curve, Plot, Scale};
 
 /// Size of a plot, CSS pixels.
 const SIZE: (u32, u32) = (460, 320);
@@ -42,14 +42,25 @@ fn draw(plot: &Plot, area: &Area) -> Drawing {
         .margin(8)
         .x_label_area_size(36)
         .y_label_area_size(58);
-    if plot.logarithmic {
-        let mut chart = builder
-            .build_cartesian_2d((across.0..across.1).log_scale(), (up.0..up.1).log_scale())?;
-        fill(plot, &mut chart)
-    } else {
-        let mut chart = builder.build_cartesian_2d(across.0..across.1, up.0..up.1)?;
-        fill(plot, &mut chart)
+    let [across, up] = [across, up].map(|(low, high)| low..high);
+    match plot.scale {
+        Scale::Linear => fill(plot, &mut builder.build_cartesian_2d(across, up)?),
+        Scale::Semilogarithmic => fill(
+            plot,
+            &mut builder.build_cartesian_2d(across, up.log_scale())?,
+        ),
+        Scale::Logarithmic => {
+            let axes = builder.build_cartesian_2d(across.log_scale(), up.log_scale());
+            fill(plot, &mut axes?)
+        }
     }
+}
+
+/// The points of a curve that the axes have.
+fn drawn<'a>(plot: &Plot, curve: &'a Curve) -> impl Iterator<Item = &'a [f64; 3]> + Clone {
+    let logarithmic = plot.scale.logarithmic();
+    let there = move |point: &&[f64; 3]| (0..2).all(|axis| !logarithmic[axis] || point[axis] > 0.0);
+    curve.points.iter().filter(there)
 }
 
 /// Axes, curves with bands of two standard errors, names.
@@ -70,11 +81,13 @@ where
         .x_label_formatter(&label)
         .y_label_formatter(&label)
         .draw()?;
+    let [_, up] = plot.scale.logarithmic();
     for (i, curve) in plot.curves.iter().enumerate() {
+        let points = drawn(plot, curve);
         let colour = COLOURS[i % COLOURS.len()];
-        let bars = curve.points.iter().filter(|[_, _, error]| *error > 0.0);
+        let bars = points.clone().filter(|[_, _, error]| *error > 0.0);
         let bars = bars.map(|&[x, y, error]| {
-            let least = match plot.logarithmic {
+            let least = match up {
                 true => 0.1 * y,
                 false => f64::NEG_INFINITY,
             };
@@ -82,7 +95,7 @@ where
             PathElement::new(ends, colour.mix(0.35))
         });
         chart.draw_series(bars)?;
-        let line = curve.points.iter().map(|&[x, y, _]| (x, y));
+        let line = points.map(|&[x, y, _]| (x, y));
         chart
             .draw_series(LineSeries::new(line, colour.stroke_width(2)))?
             .label(curve.name.clone())
@@ -91,7 +104,7 @@ where
     if plot.curves.len() > 1 {
         chart
             .configure_series_labels()
-            .position(match plot.logarithmic {
+            .position(match up {
                 true => SeriesLabelPosition::UpperRight,
                 false => SeriesLabelPosition::UpperLeft,
             })
@@ -106,7 +119,7 @@ type Chart<'a, 'b, X, Y> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<X, Y>>;
 
 /// The range of an axis, with some room.
 fn extent(plot: &Plot, axis: usize) -> (f64, f64) {
-    let points = plot.curves.iter().flat_map(|curve: &Curve| &curve.points);
+    let points = plot.curves.iter().flat_map(|curve| drawn(plot, curve));
     let mut range = (f64::INFINITY, f64::NEG_INFINITY);
     for point in points.filter(|p| p[axis].is_finite()) {
         range = (range.0.min(point[axis]), range.1.max(point[axis]));
@@ -114,7 +127,7 @@ fn extent(plot: &Plot, axis: usize) -> (f64, f64) {
     if range.0 > range.1 {
         return (1.0, 2.0);
     }
-    match plot.logarithmic {
+    match plot.scale.logarithmic()[axis] {
         true => (range.0 / 1.3, range.1 * 1.3),
         false => {
             let room = 0.04 * (range.1 - range.0).max(1e-9);
@@ -141,10 +154,10 @@ mod tests {
 
     #[test]
     fn curves_become_lines_with_names() {
-        let plot = |logarithmic| Plot {
+        let plot = |scale| Plot {
             title: "a & b".into(),
             axes: ["x".into(), "y".into()],
-            logarithmic,
+            scale,
             curves: vec![
                 Curve {
                     name: "first".into(),
@@ -152,12 +165,21 @@ mod tests {
                 },
                 Curve {
                     name: "second".into(),
-                    points: vec![[1.0, 1.0, 0.0], [2.0, 1.5, 0.0]],
+                    points: vec![[1.0, 1.0, 0.0], [2.0, 1.5, 0.0], [3.0, -0.5, 0.0]],
                 },
             ],
         };
-        for logarithmic in [false, true] {
-            let svg = svg(&plot(logarithmic));
+        for (scale, points) in [
+            (Scale::Linear, 3),
+            (Scale::Semilogarithmic, 2),
+            (Scale::Logarithmic, 2),
+        ] {
+            let svg = svg(&plot(scale));
+            // The line of the second curve, in its colour.
+            let line = svg.split("<polyline").find(|line| line.contains("#D95F02"));
+            let line = line.and_then(|line| line.split("points=\"").nth(1));
+            let line = line.and_then(|line| line.split('"').next()).unwrap_or("");
+            assert_eq!(line.split_whitespace().count(), points, "{scale:?}: {line}");
             assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
             for part in ["first", "second", "a &amp; b", "<polyline"] {
                 assert!(svg.contains(part), "{part} in {svg}");

@@ -10,7 +10,7 @@ use capwalk_walk::{
 use rayon::prelude::*;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};
-use crate::figure::{Curve, Figure, Plot, Row, Table};
+use crate::figure::{Curve, Figure, Plot, Row, Scale, Table};
 use crate::random::random;
 use crate::settings::{Failure, Settings};
 
@@ -142,7 +142,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let plot = |title: &str, curves: &[[Curve; 2]], k: usize| Plot {
         title: title.into(),
         axes: ["x".into(), ["v", "∂v/∂x"][k].into()],
-        logarithmic: false,
+        scale: Scale::Linear,
         curves: curves.iter().map(|pair| pair[k].clone()).collect(),
     };
     let step = Curve {
@@ -158,7 +158,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         Row::Plots(vec![Plot {
             title: "(a) the step function, its end at θ = 1 moves".into(),
             axes: ["x".into(), "y".into()],
-            logarithmic: false,
+            scale: Scale::Linear,
             curves: vec![step],
         }]),
         Row::Plots(vec![

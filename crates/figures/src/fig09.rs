@@ -4,6 +4,7 @@
 use crate::equal::{self, Comparison};
 use crate::figure::Figure;
 use crate::gradients::Subject;
+use crate::reach;
 use crate::settings::{Failure, Settings};
 
 /// Half the distance of differences for a picture 256 pixels wide: an eightieth of a
@@ -20,7 +21,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         subject: &subject,
         place: "Figure 9",
         agreement: "“closely matches”",
-        errors: &[],
+        errors: None,
         spp,
     };
     Ok(Figure {
@@ -28,9 +29,14 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             "Derivative by the x-translation of the box, {} × {} pixels with a box filter, direct \
              light. Above, central differences over ±{:.2e} with {} samples per pixel on each side, \
              and the method `edges`, the reference of mean L1 errors; below, equal samples: our field \
-             around the point (reaching 0.2 rad), and on the triangle that is met, as in the paper; \
-             baselines have 8 auxiliary rays for every direction.",
-            size[0], size[1], subject.step, spp[2]
+             around the point (reaching {} rad), and on the triangle that is met, as in the paper; \
+             baselines have 8 auxiliary rays for every direction. {}",
+            size[0],
+            size[1],
+            subject.step,
+            spp[2],
+            reach::default(),
+            reach::caption()
         ),
         ..equal::draw(&comparison, settings)?
     })

@@ -1,4 +1,4 @@
-//! Figure 11: converged derivatives of shadows, seen plainly and in a mirror,
+//! Figure 11: derivatives of shadows, seen plainly and in a mirror,
 //! beside explicit boundaries and Mitsuba's projective sampling.
 
 use capwalk_render::{Estimate, Method, WalkSettings, check};
@@ -10,7 +10,7 @@ use crate::figure::{Figure, Row, Table};
 use crate::gradients::{Run, Subject, shown};
 use crate::lattice;
 use crate::projective::{self, Projective};
-use crate::settings::{Failure, Settings};
+use crate::settings::{Failure, Quality, Settings};
 
 /// A row of the figure.
 struct Case {
@@ -48,11 +48,15 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     ];
     let mut figure = Figure {
         caption: format!(
-            "Converged derivatives: {} by its y-translation, and the shadow of the Voronoi sphere \
+            "{}: the shadow of the {} by its y-translation, and the shadow of the Voronoi sphere \
              seen in a mirror by its x-translation. Finite differences ({difference_spp} samples per \
              pixel on each side), ours and the method `edges` ({spp} samples), and, where Python has \
              the package mitsuba, its projective sampling with its default guiding ({} times {} \
              samples).",
+            match quality {
+                Quality::Full => "Converged derivatives",
+                Quality::Smoke | Quality::Draft => "Derivatives",
+            },
             lattice::name(settings),
             projective::SEEDS,
             projective::spp(settings)

@@ -54,10 +54,30 @@ pub struct Plot {
     pub title: String,
     /// What the axes are, horizontal and vertical.
     pub axes: [String; 2],
-    /// True for logarithmic axes.
-    pub logarithmic: bool,
+    /// How its axes are divided.
+    pub scale: Scale,
     /// The curves.
     pub curves: Vec<Curve>,
+}
+
+/// How axes are divided. Points that a logarithmic axis does not have are among
+/// the numbers of a plot, but not drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Scale {
+    /// Both evenly.
+    #[default]
+    Linear,
+    /// The vertical axis logarithmically.
+    Semilogarithmic,
+    /// Both logarithmically.
+    Logarithmic,
+}
+
+impl Scale {
+    /// Whether the axes are logarithmic, horizontal and vertical.
+    pub(crate) fn logarithmic(self) -> [bool; 2] {
+        [self == Self::Logarithmic, self != Self::Linear]
+    }
 }
 
 /// One curve.

@@ -98,6 +98,15 @@ impl Run {
     pub fn gradient(&self) -> &Estimate {
         &self.image.gradient
     }
+
+    /// The variance of a sample of the derivative, mean over pixels and channels.
+    pub fn variance(&self) -> Measured {
+        let mut variance = Moments::default();
+        for error in &self.gradient().standard_error.pixels {
+            variance.add(f64::from(self.spp) * error.length_squared() / 3.0);
+        }
+        variance.into()
+    }
 }
 
 /// Mean absolute difference over pixels and channels. Pixels are sampled

@@ -37,12 +37,12 @@ fn caster(settings: &Settings) -> Caster {
     }
 }
 
-/// What casts the shadow, in words.
+/// What casts the shadow, in words: the user's mesh is no bunny.
 pub fn name(settings: &Settings) -> &'static str {
     match (&settings.mesh, settings.quality) {
-        (Some(_), _) => "the shadow of the given mesh",
-        (None, Quality::Smoke) => "the shadow of the Voronoi sphere",
-        (None, _) => "the shadow of the Voronoi bunny",
+        (Some(_), _) => "given mesh",
+        (None, Quality::Smoke) => "Voronoi sphere",
+        (None, _) => "Voronoi bunny",
     }
 }
 

@@ -30,12 +30,13 @@ mod output;
 mod projective;
 mod queries;
 mod random;
+mod reach;
 mod report;
 mod settings;
 mod variance;
 
 pub use claim::{Claim, Measured, Verdict};
-pub use figure::{Figure, Plot, Row, Shown, Table};
+pub use figure::{Figure, Plot, Row, Scale, Shown, Table};
 pub use output::{WriteError, write};
 pub use settings::{Failure, Quality, Settings, Stages};
 
@@ -53,7 +54,7 @@ pub struct Entry {
 pub const ALL: [Entry; 9] = [
     Entry {
         name: "fig01",
-        title: "Figure 1: the shadow of the Voronoi bunny",
+        title: "Figure 1: a shadow at equal samples",
         draw: fig01::draw,
     },
     Entry {
@@ -78,7 +79,7 @@ pub const ALL: [Entry; 9] = [
     },
     Entry {
         name: "fig11",
-        title: "Figure 11: converged derivatives, plain and through a mirror",
+        title: "Figure 11: derivatives of shadows, plain and through a mirror",
         draw: fig11::draw,
     },
     Entry {

@@ -13,11 +13,12 @@ use crate::figure::{Figure, Row, Shown, Table};
 const STYLE: &str = "\
 body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#222}\
 h1{font-size:1.6em}h2{margin-top:2.2em;border-bottom:1px solid #ccc}\
-.row{display:flex;flex-wrap:wrap;gap:14px;align-items:flex-start;margin:1em 0}\
-figure{margin:0}figcaption{text-align:center;font-size:.9em;color:#444;margin-top:3px}\
-figure img.picture{image-rendering:pixelated;border:1px solid #888;display:block}\
+.row{display:grid;grid-template-columns:repeat(var(--columns),minmax(0,1fr));gap:14px;margin:1em 0}\
+figure{margin:0;max-width:100%}figure svg,figure img.picture{max-width:100%;height:auto}\
+figcaption{text-align:center;font-size:.9em;color:#444;margin-top:3px}\
+figure img.picture{image-rendering:pixelated;border:1px solid #888;display:block;box-sizing:border-box}\
 .bar{display:flex;align-items:center;gap:6px;justify-content:center;font-size:.8em;color:#555}\
-.bar img{width:120px;height:9px;border:1px solid #999}\
+.bar img{width:120px;min-width:0;flex-shrink:1;height:9px;border:1px solid #999}\
 .scroll{overflow-x:auto}\
 table{border-collapse:collapse;margin:1em 0;font-size:.92em}\
 td,th{border:1px solid #ddd;padding:4px 9px;text-align:left;vertical-align:top}\
@@ -61,17 +62,24 @@ fn section(figure: &Figure) -> Result<String, ImageError> {
         "<section id=\"{}\">\n<h2>{}</h2>\n<p>{}</p>\n",
         figure.name,
         escape(figure.title),
-        escape(&figure.caption)
+        prose(&figure.caption)
     );
+    // Rows of pictures have the columns of the longest, so that all line up.
+    let columns = figure.rows.iter().map(|row| match row {
+        Row::Pictures(shown) => shown.len(),
+        Row::Plots(_) => 1,
+    });
+    let columns = columns.max().unwrap_or(1).max(LEAST_COLUMNS);
     for row in &figure.rows {
-        text += "<div class=\"row\">\n";
         match row {
             Row::Pictures(shown) => {
+                text += &begin_row(columns);
                 for shown in shown {
-                    text += &picture(shown)?;
+                    text += &picture(shown, columns)?;
                 }
             }
             Row::Plots(plots) => {
+                text += &begin_row(plots.len().max(2));
                 for plot in plots {
                     let _ = writeln!(text, "<figure>{}</figure>", curves::svg(plot));
                 }
@@ -92,14 +100,28 @@ fn section(figure: &Figure) -> Result<String, ImageError> {
     Ok(text)
 }
 
-/// Pictures below this width, pixels, are enlarged.
-const LEAST_WIDTH: usize = 200;
+fn begin_row(columns: usize) -> String {
+    format!("<div class=\"row\" style=\"--columns:{columns}\">\n")
+}
 
-fn picture(shown: &Shown) -> Result<String, ImageError> {
-    let zoom = LEAST_WIDTH.div_ceil(shown.image.width.max(1));
+/// A row of fewer pictures leaves room at its end.
+const LEAST_COLUMNS: usize = 4;
+
+/// Width of the page and of the gap between columns, pixels, as in [`STYLE`].
+const WIDTH: usize = 1180;
+const GAP: usize = 14;
+/// Pictures below this width, pixels, are enlarged, if there is room.
+const LEAST_WIDTH: usize = 240;
+
+/// A picture in one of so many columns. Its caption is no wider than the picture.
+fn picture(shown: &Shown, columns: usize) -> Result<String, ImageError> {
+    let width = shown.image.width.max(1);
+    let room = (WIDTH + GAP) / columns - GAP;
+    let zoom = LEAST_WIDTH.div_ceil(width).min(room / width).max(1);
     let source = data_uri(&image::pixels_as_png(&shown.image, shown.style)?);
     let mut text = format!(
-        "<figure><img class=\"picture\" width=\"{}\" height=\"{}\" alt=\"{}\" src=\"{source}\">",
+        "<figure style=\"width:{0}px\"><img class=\"picture\" width=\"{0}\" height=\"{1}\" alt=\"{2}\" \
+         src=\"{source}\">",
         shown.image.width * zoom,
         shown.image.height * zoom,
         escape(&shown.title),
@@ -115,7 +137,7 @@ fn picture(shown: &Shown) -> Result<String, ImageError> {
     let _ = writeln!(
         text,
         "<figcaption>{}</figcaption></figure>",
-        escape(&shown.title)
+        prose(&shown.title)
     );
     Ok(text)
 }
@@ -140,10 +162,10 @@ fn claims_table<'a>(claims: impl Iterator<Item = (Option<String>, &'a Claim)>) -
         let _ = writeln!(
             rows,
             "<tr>{first}<td>{}</td><td>{}</td><td>{}</td><td class=\"{class}\">{}</td></tr>",
-            escape(&claim.statement),
-            escape(&claim.paper),
-            escape(&claim.ours),
-            escape(&claim.verdict.to_string())
+            prose(&claim.statement),
+            prose(&claim.paper),
+            prose(&claim.ours),
+            prose(&claim.verdict.to_string())
         );
     }
     if rows.is_empty() {
@@ -158,7 +180,7 @@ fn claims_table<'a>(claims: impl Iterator<Item = (Option<String>, &'a Claim)>) -
 
 fn table(table: &Table) -> String {
     let cells = |tag: &str, cells: &mut dyn Iterator<Item = &str>| {
-        let cells = cells.map(|cell| format!("<{tag}>{}</{tag}>", escape(cell)));
+        let cells = cells.map(|cell| format!("<{tag}>{}</{tag}>", prose(cell)));
         format!("<tr>{}</tr>\n", cells.collect::<String>())
     };
     let head = cells("th", &mut table.columns.iter().copied());
@@ -170,9 +192,37 @@ fn table(table: &Table) -> String {
     format!("<div class=\"scroll\"><table><caption>{title}</caption>{head}{rows}</table></div>\n")
 }
 
+/// Text with what stands between backticks as code.
+fn prose(text: &str) -> String {
+    let mut html = String::new();
+    let mut parts = escape(text);
+    while let Some((before, (code, after))) = parts
+        .split_once('`')
+        .and_then(|(before, rest)| Some((before, rest.split_once('`')?)))
+    {
+        let _ = write!(html, "{before}<code>{code}</code>");
+        parts = after.to_owned();
+    }
+    html + &parts
+}
+
 fn escape(text: &str) -> String {
     text.replace('&', "&amp;")
         .replace('<', "&lt;")
         .replace('>', "&gt;")
         .replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_of_backticks_are_code() {
+        assert_eq!(
+            prose("by `a<b`, `c`"),
+            "by <code>a&lt;b</code>, <code>c</code>"
+        );
+        assert_eq!(prose("`a` and ` alone"), "<code>a</code> and ` alone");
+    }
 }

@@ -20,6 +20,9 @@ fn folder(name: &str) -> PathBuf {
 fn check_page(page: &str, figures: &[Figure]) {
     assert!(!page.contains("<script"), "the page needs no script");
     assert!(page.ends_with("</html>\n"));
+    for raw in ["`", "± inf", "± NaN", "NaN ±"] {
+        assert!(!page.contains(raw), "{raw} on the page");
+    }
     for tag in ["table", "section", "figure", "div", "svg", "a"] {
         let opened =
             page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
@@ -88,6 +91,15 @@ fn every_figure_is_drawn() {
             "{path:?}"
         );
     }
+    for name in ["fig01", "fig09"] {
+        let path = folder.join(format!("{name}-reach.csv"));
+        let table = fs::read_to_string(path).expect("it was written");
+        // Six reaches, two baselines, names of columns.
+        assert_eq!(table.lines().count(), 9, "{table}");
+    }
+    // The sphere stands in for the bunny.
+    let bunny = |figure: &Figure| (figure.title.to_owned() + &figure.caption).contains("bunny");
+    assert!(!drawn.iter().any(bunny));
     let report = folder.join("report.html");
     let page = fs::read_to_string(&report).expect("it was written");
     check_page(&page, &drawn);

@@ -23,6 +23,7 @@ mod recording;
 pub mod refuse;
 pub mod reverse;
 mod slope;
+mod texture_line;
 mod triangle;
 pub(crate) mod unfold;
 mod was;

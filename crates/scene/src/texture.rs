@@ -114,8 +114,7 @@ impl Texture {
         )
     }
 
-    /// True if it jumps along curves inside faces: where such a texture moves,
-    /// derivatives would miss the jump.
+    /// True if it jumps along lines inside faces.
     pub fn jumps(&self) -> bool {
         match &self.pattern {
             Pattern::Checkerboard { .. } => true,

@@ -38,7 +38,7 @@ pub enum QualityName {
     Smoke,
     /// Minutes: most claims are decided
     Draft,
-    /// An hour and more
+    /// Hours: the paper's sizes
     Full,
 }
 

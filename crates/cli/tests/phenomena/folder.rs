@@ -35,6 +35,8 @@ pub struct Differences {
     pub pixels: Option<usize>,
     /// What `--method edges` is like.
     pub edges: Edges,
+    /// Whether fields on triangles (`--domain triangle`) meet them, too.
+    pub triangles: bool,
 }
 
 /// What gathered edges have to do with a derivative.
@@ -127,6 +129,7 @@ impl Check {
             "pixels",
             "edges_walked",
             "edges_noisy",
+            "triangles",
             "refused",
         ];
         if !object.keys().all(|key| known.contains(&key.as_str())) {
@@ -154,6 +157,10 @@ impl Check {
                     None => None,
                 },
                 edges,
+                triangles: match object.get("triangles") {
+                    Some(compared) => compared.as_bool()?,
+                    None => false,
+                },
             }),
         };
         Some(Self { parameter, demand })

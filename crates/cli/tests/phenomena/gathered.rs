@@ -1,34 +1,16 @@
 //! `--method edges` against the finite differences of `check`, wherever something
-//! moves. The verdict must be right, and signs must cancel. The mean of z² is left
-//! to the verdict: with so little noise in the gradient, it is that of the
-//! differences again.
+//! moves.
 
 use std::path::Path;
 
-use capwalk_render::check::{Verdict, compare};
-use capwalk_render::{Estimate, GradientOptions, Method, Options, Unwatched, gradient};
-use capwalk_scene::{Motion, Scene, SensorMotion, params};
-use capwalk_scene_io::image;
+use capwalk_render::Method;
+use capwalk_scene::{SensorMotion, params};
 
-use crate::differences::SIGN;
 use crate::folder::{Edges, Folder};
+use crate::methods::{by, meets};
 
 /// Enough samples to see that two methods are not the same.
 const FEW: u32 = 4;
-
-fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> Estimate {
-    let settings = GradientOptions {
-        method,
-        ..GradientOptions::new(Options {
-            spp,
-            seed: scene.settings.seed,
-            threads: None,
-        })
-    };
-    let result = gradient(scene, motion, &settings, &Unwatched).expect("covered");
-    assert_eq!(result.statistics.non_finite, 0);
-    result.gradient
-}
 
 /// Demands that gathered edges agree with the differences in a file, or are walks
 /// again.
@@ -50,27 +32,6 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     if edges != Edges::Gathered {
         return;
     }
-    let differences = image::read(check).expect("readable");
-    let layer = |name: &str| differences.layer(name).expect("written").clone();
-    let differences = Estimate {
-        mean: layer("reference"),
-        standard_error: layer("reference_stderr"),
-    };
-    let ours = by(Method::Edges, &scene, &motion, scene.settings.spp);
-    let result = compare(&ours, &differences);
-    println!(
-        "{name}: {} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, slope {:.3} ± {:.3}",
-        result.pixels,
-        result.mean_z_squared,
-        result.mean_z_squared_error,
-        result.sign,
-        result.slope,
-        result.slope_error,
-    );
-    assert_eq!(result.verdict, Verdict::Right, "{name}");
-    assert!(
-        result.sign.abs() < SIGN,
-        "{name}: systematic sign {}",
-        result.sign
-    );
+    let spp = scene.settings.spp;
+    meets(&name, &by(Method::Edges, &scene, &motion, spp), check);
 }

@@ -1,13 +1,15 @@
 //! The phenomena: every folder of `tests/scenes` has a scene and the parameters
 //! by which its picture is differentiated. Each derivative meets finite
-//! differences, with edges gathered as well as walked to, and forward mode meets
-//! reverse mode; or it is refused with the reason.
+//! differences, with edges gathered as well as walked to, some with the paper's fields
+//! on triangles; forward mode meets reverse mode; or it is refused with the reason.
 //! `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
 
 mod both_modes;
 mod differences;
 mod folder;
 mod gathered;
+mod methods;
+mod on_triangles;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -29,11 +31,13 @@ phenomena! {
     camera_moves_with_shadows
     camera_moves_without_shadows
     camera_over_a_texture
+    checkerboard_under_a_moving_cube
     coarse_smooth_ball_turns
     colours_of_faces
     colours_of_vertices
     depth_of_a_turning_cube
     emitter_moves_in_view
+    emitter_of_texels_moves
     emitter_on_black
     environment_light_moving_occluder
     environment_texel
@@ -48,6 +52,7 @@ phenomena! {
     lamp_of_many_edges_moves
     lamp_seen_by_reflection_moves
     lamps_that_touch
+    mask_of_texels
     mask_silhouette
     mask_textured_leaf
     mesh_with_seams
@@ -133,6 +138,9 @@ fn run(name: &str) {
                 let check = out.join("check.npz");
                 differences::agree(&folder, parameter, differences, &check);
                 gathered::agree(&folder, parameter, differences.edges, &check);
+                if differences.triangles {
+                    on_triangles::agree(&folder, parameter, &check);
+                }
                 both_modes::agree(&folder, parameter, &out);
             }
             Demand::Refuse(words) => refuse(&folder, parameter, words, &out),

@@ -25,6 +25,7 @@ use super::flow::Flow;
 use super::lamp_edge::{LampEdge, lamp_edges};
 use super::look::Look;
 use super::parallel::picture_tree;
+use super::texture_line::texture_lines;
 use super::unfold::{Mirrors, Seen, Unfolded};
 use super::was;
 use super::window::Lamp;
@@ -50,7 +51,8 @@ pub struct Boundaries {
     picture: Option<SilhouetteTree>,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
-    /// The curves where faces cross, in the order of their ends' positions.
+    /// The curves where faces cross and textures jump, in the order of their ends'
+    /// positions.
     pub crossings: Vec<Crossing>,
     /// The edges of lamps with few edges.
     pub lamp_edges: Vec<LampEdge>,
@@ -93,7 +95,8 @@ impl Boundaries {
             first_face += shape.mesh.faces.len() as u32;
         }
         let mut mesh = accel.mesh.clone();
-        let crossings = crossings(accel);
+        let mut crossings = crossings(accel);
+        crossings.extend(texture_lines(accel));
         for crossing in &crossings {
             let first = mesh.positions.len() as u32;
             mesh.positions.extend(crossing.ends.map(|end| end.position));

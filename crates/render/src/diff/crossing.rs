@@ -14,12 +14,13 @@ use rayon::prelude::*;
 
 use crate::accel::Accel;
 
-/// The piece of curve in which two faces cross, and how it moves.
+/// The piece of curve in which two faces cross, and how it moves; or another piece of
+/// a curve on faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Its ends.
     pub ends: [End; 2],
-    /// True if one of the faces belongs to a lamp.
+    /// True if emitted light jumps there: if one of the faces belongs to a lamp.
     pub emits: bool,
 }
 
@@ -29,18 +30,18 @@ pub struct Crossing {
 pub struct End {
     /// Where it is.
     pub position: Vec3,
-    /// What each of the faces adds to its velocity.
-    pulls: [Pull; 2],
+    /// What adds to its velocity: each of the faces.
+    pub(super) pulls: [Pull; 2],
 }
 
 /// The velocity `column (normal · Σ weight v)` of a face with vertices that
 /// move with `v`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Pull {
-    vertices: [u32; 3],
-    weights: [f64; 3],
-    normal: Vec3,
-    column: Vec3,
+pub(super) struct Pull {
+    pub(super) vertices: [u32; 3],
+    pub(super) weights: [f64; 3],
+    pub(super) normal: Vec3,
+    pub(super) column: Vec3,
 }
 
 impl End {

@@ -11,6 +11,7 @@ use crate::options::{GradientOptions, Method, Refusal};
 use super::boundary::Field;
 use super::clip::refuse_clipped;
 use super::explicit::MOST_EDGES;
+use super::texture_line;
 use super::unfold::MAX_EVENTS;
 
 /// A refusal if there are lights without extent: the edges of their shadows lie on
@@ -51,20 +52,42 @@ fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
     }
 }
 
-/// A refusal if a texture jumps inside faces: its motion against the rays would be
-/// missed (METHOD 7).
-fn refuse_jumping_textures(scene: &Scene) -> Result<(), Refusal> {
-    for shape in &scene.shapes {
-        if let Some(texture) = textures_of(scene, shape).iter().find(|t| t.jumps()) {
-            return Err(Refusal {
-                reason: format!(
-                    "the texture \"{}\" on the shape \"{}\" jumps from texel to texel, and the \
-                     motion of these jumps is not available. Use the filter `bilinear`, or finite \
-                     differences",
-                    texture.id, shape.id
-                ),
-            });
+/// Most lines along which the textures of a shape may jump: a gigabyte.
+const MOST_LINES: f64 = 4e6;
+
+/// A refusal if a texture jumps inside faces and the method misses its motion against
+/// the rays, or if it does so along too many lines (METHOD 7).
+fn refuse_jumping_textures(accel: &Accel, method: &Method) -> Result<(), Refusal> {
+    let knows_lines = matches!(method, Method::Walk | Method::Edges);
+    for shape in &accel.scene.shapes {
+        let textures = textures_of(accel.scene, shape);
+        let Some(texture) = textures.iter().find(|t| t.jumps()) else {
+            continue;
+        };
+        let count = texture_line::count(accel, shape);
+        if knows_lines && count <= MOST_LINES {
+            continue;
         }
+        let why = match knows_lines {
+            true => format!("along {count:.0} lines; expected at most {MOST_LINES:.0}"),
+            false => format!(
+                "and the method `{}` misses the motion of these jumps",
+                method.name()
+            ),
+        };
+        return Err(Refusal {
+            reason: format!(
+                "the texture \"{}\" on the shape \"{}\" jumps from texel to texel, {why}. Use the \
+                 filter `bilinear`, {}or finite differences",
+                texture.id,
+                shape.id,
+                if knows_lines {
+                    ""
+                } else {
+                    "the default method, "
+                },
+            ),
+        });
     }
     Ok(())
 }
@@ -210,7 +233,7 @@ pub fn refusal(scene: &Scene) -> Option<Refusal> {
 pub(super) fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     refuse_parallel_rays(accel.scene, method)?;
     refuse_hard_shadows(accel.scene)?;
-    refuse_jumping_textures(accel.scene)?;
+    refuse_jumping_textures(accel, method)?;
     refuse_turned_without_uvs(accel.scene)?;
     refuse_clipped(accel)
 }

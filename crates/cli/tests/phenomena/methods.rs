@@ -1,0 +1,54 @@
+//! Other methods than walks on caps against the finite differences of `check`. The
+//! verdict must be right, and signs must cancel. The mean of z² is left to the
+//! verdict: where there is little noise in the gradient, it is that of the
+//! differences again.
+
+use std::path::Path;
+
+use capwalk_render::check::{Verdict, compare};
+use capwalk_render::{Estimate, GradientOptions, Method, Options, Unwatched, gradient};
+use capwalk_scene::{Motion, Scene};
+use capwalk_scene_io::image;
+
+use crate::differences::SIGN;
+
+/// The derivative by a method.
+pub fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> Estimate {
+    let settings = GradientOptions {
+        method,
+        ..GradientOptions::new(Options {
+            spp,
+            seed: scene.settings.seed,
+            threads: None,
+        })
+    };
+    let result = gradient(scene, motion, &settings, &Unwatched).expect("covered");
+    assert_eq!(result.statistics.non_finite, 0);
+    result.gradient
+}
+
+/// Demands that a derivative meets the differences in a file.
+pub fn meets(name: &str, ours: &Estimate, check: &Path) {
+    let differences = image::read(check).expect("readable");
+    let layer = |name: &str| differences.layer(name).expect("written").clone();
+    let differences = Estimate {
+        mean: layer("reference"),
+        standard_error: layer("reference_stderr"),
+    };
+    let result = compare(ours, &differences);
+    println!(
+        "{name}: {} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, slope {:.3} ± {:.3}",
+        result.pixels,
+        result.mean_z_squared,
+        result.mean_z_squared_error,
+        result.sign,
+        result.slope,
+        result.slope_error,
+    );
+    assert_eq!(result.verdict, Verdict::Right, "{name}");
+    assert!(
+        result.sign.abs() < SIGN,
+        "{name}: systematic sign {}",
+        result.sign
+    );
+}

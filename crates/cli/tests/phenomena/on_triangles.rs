@@ -1,0 +1,23 @@
+//! `--domain triangle`, the paper's field, against the finite differences of `check`,
+//! where it is quiet enough to be compared.
+
+use std::path::Path;
+
+use capwalk_render::Method;
+use capwalk_scene::params;
+
+use crate::folder::Folder;
+use crate::methods::{by, meets};
+
+/// Demands that fields on triangles agree with the differences in a file.
+pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
+    let name = format!("{}, {parameter}, triangles", folder.name);
+    let scene = folder.scene();
+    let motion = params::motion(&scene, parameter).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let spp = scene.settings.spp;
+    meets(
+        &name,
+        &by(Method::TriangleWalk, &scene, &motion, spp),
+        check,
+    );
+}
