@@ -71,7 +71,7 @@ fn nothing_changes() {
         &[
             "zero everywhere",
             "nothing in the picture changes",
-            "\nslope          -",
+            "\nslope           -",
         ],
     );
     assert!(!finished.stdout.contains("NaN"), "{}", finished.stdout);
