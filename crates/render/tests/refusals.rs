@@ -12,6 +12,7 @@ use capwalk_render::{
 use capwalk_scene::bsdf::{Glass, Metal, Principled};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
+use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
 use common::agree::motion;
 use common::materials::*;
@@ -254,6 +255,43 @@ fn numbers_without_a_slope() {
         for reason in run(base, glass, name) {
             let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
             assert!(is_right, "{base:?} {glass} {name}: {reason}");
+        }
+    }
+}
+
+/// Lines where textures jump are boundaries, if there are not too many of them; the
+/// baselines know none.
+#[test]
+fn motion_beside_textures_that_jump() {
+    let run = |squares: f64, method: Method| {
+        let mut scene = shadow_stage();
+        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+        unit_square(&mut scene, "floor");
+        let id = scene.add_texture(Texture {
+            id: "squares".into(),
+            channels: 1,
+            data: vec![0.2, 0.7],
+            pattern: Pattern::Checkerboard {
+                to_uv: UvTransform {
+                    rows: [[squares, 0.0, 0.0], [0.0, squares, 0.0]],
+                },
+            },
+        });
+        material(&mut scene, "floor.bsdf", Bsdf::Diffuse { reflectance: id });
+        let reasons = refusals_with(&scene, &motion(&scene, "lamp.translate.x"), method);
+        reasons.map(|reason| reason.unwrap_or_default())
+    };
+    let was = || Method::Was(WasSettings::default());
+    for (squares, method, why) in [
+        (4.0, Method::Walk, ""),
+        (4.0, Method::Edges, ""),
+        (1e7, Method::Walk, "lines"),
+        (4.0, was(), "`was`"),
+        (4.0, Method::TriangleWalk, "the default method"),
+    ] {
+        for reason in run(squares, method.clone()) {
+            let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
+            assert!(is_right, "{squares} {method:?}: {reason}");
         }
     }
 }

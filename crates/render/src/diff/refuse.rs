@@ -11,7 +11,7 @@ use crate::options::{GradientOptions, Method, Refusal};
 use super::boundary::Field;
 use super::clip::refuse_clipped;
 use super::explicit::MOST_EDGES;
-use super::texture_line;
+use super::texture_line::{self, MOST_LINES};
 use super::unfold::MAX_EVENTS;
 
 /// A refusal if there are lights without extent: the edges of their shadows lie on
@@ -51,9 +51,6 @@ fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
         _ => Ok(()),
     }
 }
-
-/// Most lines along which the textures of a shape may jump: a gigabyte.
-const MOST_LINES: f64 = 4e6;
 
 /// A refusal if a texture jumps inside faces and the method misses its motion against
 /// the rays, or if it does so along too many lines (METHOD 7).

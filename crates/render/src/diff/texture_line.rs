@@ -14,6 +14,9 @@ use crate::material::textures_of;
 
 use super::crossing::{Crossing, End, Pull};
 
+/// Most lines along which the textures of a shape may jump: a gigabyte.
+pub const MOST_LINES: f64 = 4e6;
+
 /// Equidistant lines in texture space, in both directions: where each of
 /// `to_uv(u, v) · count` is a whole number.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -143,10 +146,14 @@ pub fn count(accel: &Accel, shape: &Shape) -> f64 {
     }
 }
 
-/// The lines along which textures jump inside faces, in a fixed order.
+/// The lines along which textures jump inside faces, in a fixed order. Shapes with more
+/// than [`MOST_LINES`] are left out: no derivative by motion is taken beside them.
 pub fn texture_lines(accel: &Accel) -> Vec<Crossing> {
     let mut lines = Vec::new();
     for (shape, &first_face) in accel.scene.shapes.iter().zip(&accel.first_face) {
+        if count(accel, shape) > MOST_LINES {
+            continue;
+        }
         for (grid, emits) in grids(accel, shape) {
             for face in 0..shape.mesh.faces.len() {
                 let pieces = grid.pieces(shape, face);
