@@ -289,7 +289,7 @@ fn motion_beside_textures_that_jump() {
         (4.0, was(), "`was`"),
         (4.0, Method::TriangleWalk, "the default method"),
     ] {
-        for reason in run(squares, method.clone()) {
+        for reason in run(squares, method) {
             let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
             assert!(is_right, "{squares} {method:?}: {reason}");
         }
