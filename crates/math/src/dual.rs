@@ -103,24 +103,6 @@ impl<const N: usize> Real for Dual<N> {
         self.tangent == [0.0; N]
     }
     #[inline]
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        Self::chain(root, [(self, 0.5 / root)])
-    }
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.value.sin_cos();
-        (
-            Self::chain(sin, [(self, cos)]),
-            Self::chain(cos, [(self, -sin)]),
-        )
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        let exp = self.value.exp();
-        Self::chain(exp, [(self, exp)])
-    }
-    #[inline]
     fn chain<const M: usize>(value: f64, terms: [(Self, f64); M]) -> Self {
         let along = |i: usize| {
             let parts = terms.iter().map(|(x, slope)| slope * x.tangent[i]);

@@ -28,16 +28,31 @@ pub trait Real:
     fn value(self) -> f64;
     /// True if its derivatives are known to be zero.
     fn is_constant(self) -> bool;
-    /// Square root.
-    fn sqrt(self) -> Self;
-    /// Sine and cosine.
-    fn sin_cos(self) -> (Self, Self);
-    /// The exponential function.
-    fn exp(self) -> Self;
     /// A function of some numbers by the chain rule: its value here, and the numbers
     /// with its slope in each.
     fn chain<const N: usize>(value: f64, terms: [(Self, f64); N]) -> Self;
 
+    /// Square root.
+    #[inline]
+    fn sqrt(self) -> Self {
+        let root = self.value().sqrt();
+        Self::chain(root, [(self, 0.5 / root)])
+    }
+    /// Sine and cosine.
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = self.value().sin_cos();
+        (
+            Self::chain(sin, [(self, cos)]),
+            Self::chain(cos, [(self, -sin)]),
+        )
+    }
+    /// The exponential function.
+    #[inline]
+    fn exp(self) -> Self {
+        let exp = self.value().exp();
+        Self::chain(exp, [(self, exp)])
+    }
     /// Natural logarithm.
     #[inline]
     fn ln(self) -> Self {
@@ -76,18 +91,6 @@ macro_rules! impl_real_for_float {
             #[inline]
             fn is_constant(self) -> bool {
                 true
-            }
-            #[inline]
-            fn sqrt(self) -> Self {
-                self.sqrt()
-            }
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
-            }
-            #[inline]
-            fn exp(self) -> Self {
-                self.exp()
             }
             #[inline]
             fn chain<const N: usize>(value: f64, _: [(Self, f64); N]) -> Self {

@@ -293,24 +293,6 @@ impl Real for Var<'_> {
     fn is_constant(self) -> bool {
         self.tape.is_none()
     }
-    #[inline]
-    fn sqrt(self) -> Self {
-        let root = self.value.sqrt();
-        Self::chain(root, [(self, 0.5 / root)])
-    }
-    #[inline]
-    fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.value.sin_cos();
-        (
-            Self::chain(sin, [(self, cos)]),
-            Self::chain(cos, [(self, -sin)]),
-        )
-    }
-    #[inline]
-    fn exp(self) -> Self {
-        let exp = self.value.exp();
-        Self::chain(exp, [(self, exp)])
-    }
     #[inline(always)]
     fn chain<const N: usize>(value: f64, terms: [(Self, f64); N]) -> Self {
         let mut tape = None;

@@ -93,26 +93,30 @@ impl<R: Real> Vec3<R> {
     /// Squared Euclidean length.
     #[inline]
     pub fn length_squared(self) -> R {
-        let Vec3 { x, y, z } = self.value();
-        let terms = [(self.x, 2.0 * x), (self.y, 2.0 * y), (self.z, 2.0 * z)];
-        R::chain(x * x + y * y + z * z, terms)
+        let v = self.value();
+        let terms = [
+            (self.x, 2.0 * v.x),
+            (self.y, 2.0 * v.y),
+            (self.z, 2.0 * v.z),
+        ];
+        R::chain(v.dot(v), terms)
     }
 
     /// Euclidean length.
     #[inline]
     pub fn length(self) -> R {
-        let Vec3 { x, y, z } = self.value();
-        let length = (x * x + y * y + z * z).sqrt();
-        let [x, y, z] = [x, y, z].map(|component| component / length);
-        R::chain(length, [(self.x, x), (self.y, y), (self.z, z)])
+        let v = self.value();
+        let length = v.dot(v).sqrt();
+        let q = v / length;
+        R::chain(length, [(self.x, q.x), (self.y, q.y), (self.z, q.z)])
     }
 
     /// The unit vector in this direction; not finite for the zero vector.
     #[inline]
     pub fn normalized(self) -> Self {
         let v = self.value();
-        let scale = 1.0 / (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
-        let q = v.map(|component| component * scale);
+        let scale = 1.0 / v.dot(v).sqrt();
+        let q = v * scale;
         // (I - q qᵀ) / |v|, row by row.
         let row = |i: usize, of: f64| {
             let slope = |j: usize| (f64::from(i == j) - of * q[j]) * scale;

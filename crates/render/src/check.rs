@@ -18,6 +18,8 @@ mod slope;
 #[cfg(test)]
 mod tests;
 
+use std::fmt;
+
 use capwalk_math::Rgb;
 use capwalk_math::stats::normal_upper_tail;
 
@@ -47,7 +49,7 @@ const HEAVY_TAILS: f64 = 1.5;
 /// How many of the worst pixels are listed.
 const WORST_PIXELS: usize = 10;
 
-/// How a gradient compares with its reference.
+/// How a gradient compares with its reference. Shown as a line of its statistics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Mean absolute difference over mean absolute reference; 0 if both
@@ -92,6 +94,21 @@ pub struct Comparison {
     pub z: Vec<f64>,
     /// What follows from it.
     pub verdict: Verdict,
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, slope {:.3} ± {:.3}",
+            self.pixels,
+            self.mean_z_squared,
+            self.mean_z_squared_error,
+            self.sign,
+            self.slope,
+            self.slope_error,
+        )
+    }
 }
 
 /// What a check says.

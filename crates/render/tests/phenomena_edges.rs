@@ -298,15 +298,7 @@ fn meet(name: &str, mut scene: Scene, expression: &str, spp: u32) {
     let ours = by(Method::Edges, &scene, &motion, spp);
     let walk = by(Method::Walk, &scene, &motion, 2 * spp);
     let result = compare(&ours.gradient, &walk.gradient);
-    println!(
-        "{name}: {} pixels, mean z² {:.3} ± {:.3}, sign {:.2}, slope {:.3} ± {:.3}",
-        result.pixels,
-        result.mean_z_squared,
-        result.mean_z_squared_error,
-        result.sign,
-        result.slope,
-        result.slope_error,
-    );
+    println!("{name}: {result}");
     assert_eq!(result.verdict, Verdict::Right, "{name}");
     assert_eq!(ours.statistics.non_finite, 0, "{name}");
 }

@@ -114,19 +114,6 @@ impl Texture {
         )
     }
 
-    /// True if it jumps along lines inside faces.
-    pub fn jumps(&self) -> bool {
-        match &self.pattern {
-            Pattern::Checkerboard { .. } => true,
-            Pattern::Bitmap(bitmap) => bitmap.filter == TexelFilter::Nearest,
-            Pattern::Constant
-            | Pattern::MeshAttribute { .. }
-            | Pattern::PerVertex
-            | Pattern::PerFace
-            | Pattern::Environment => false,
-        }
-    }
-
     /// True if its slopes are known: if it is a bitmap of interpolated texels.
     pub fn has_slopes(&self) -> bool {
         matches!(&self.pattern, Pattern::Bitmap(bitmap) if bitmap.filter == TexelFilter::Bilinear)

@@ -36,15 +36,7 @@ pub fn meets(name: &str, ours: &Estimate, check: &Path) {
         standard_error: layer("reference_stderr"),
     };
     let result = compare(ours, &differences);
-    println!(
-        "{name}: {} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, slope {:.3} ± {:.3}",
-        result.pixels,
-        result.mean_z_squared,
-        result.mean_z_squared_error,
-        result.sign,
-        result.slope,
-        result.slope_error,
-    );
+    println!("{name}: {result}");
     assert_eq!(result.verdict, Verdict::Right, "{name}");
     assert!(
         result.sign.abs() < SIGN,

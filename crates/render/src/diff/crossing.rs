@@ -24,8 +24,8 @@ pub struct Crossing {
     pub emits: bool,
 }
 
-/// An end of a crossing. It stays in both faces and does not move along the
-/// curve, so its velocity depends linearly on those of the faces' vertices.
+/// An end of a crossing. It stays in the faces that the curve is on and does not move
+/// along it, so its velocity depends linearly on those of the faces' vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
     /// Where it is.

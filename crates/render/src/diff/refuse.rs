@@ -58,7 +58,7 @@ fn refuse_jumping_textures(accel: &Accel, method: &Method) -> Result<(), Refusal
     let knows_lines = matches!(method, Method::Walk | Method::Edges);
     for shape in &accel.scene.shapes {
         let textures = textures_of(accel.scene, shape);
-        let Some(texture) = textures.iter().find(|t| t.jumps()) else {
+        let Some(texture) = textures.iter().find(|texture| texture_line::jumps(texture)) else {
             continue;
         };
         let count = texture_line::count(accel, shape);

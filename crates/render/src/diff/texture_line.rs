@@ -48,7 +48,12 @@ impl Grid {
                     is_clamped: bitmap.wrap == Wrap::Clamp,
                 })
             }
-            _ => None,
+            Pattern::Bitmap(_)
+            | Pattern::Constant
+            | Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => None,
         }
     }
 
@@ -128,6 +133,11 @@ fn grids(accel: &Accel, shape: &Shape) -> Vec<(Grid, bool)> {
         }
     }
     grids
+}
+
+/// True if a texture jumps along lines inside faces.
+pub fn jumps(texture: &Texture) -> bool {
+    Grid::of(texture).is_some()
 }
 
 /// How many lines the textures of a shape have, at most.

@@ -87,16 +87,7 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
     );
 
     let result = compare(&ours.gradient, &reference.gradient);
-    println!(
-        "{name}: {} pixels, mean z² {:.3} ± {:.3}, sign {:.2}, slope {:.3} ± {:.3}, worst {:?}",
-        result.pixels,
-        result.mean_z_squared,
-        result.mean_z_squared_error,
-        result.sign,
-        result.slope,
-        result.slope_error,
-        result.worst[0]
-    );
+    println!("{name}: {result}, worst {:?}", result.worst[0]);
     match result.verdict {
         Verdict::CouldNotTell { samples_factor } if samples_factor <= case.patience => {}
         verdict => assert_eq!(verdict, Verdict::Right, "{name}"),
