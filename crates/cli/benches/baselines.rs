@@ -13,9 +13,9 @@
 mod folder;
 mod measure;
 
-use capwalk_render::{
-    GradientImage, GradientOptions, Method, Options, Unwatched, WasSettings, finite_difference,
-    gradient,
+use capwalk_diff::{
+    GradientImage, GradientOptions, Method, Options, Prepared, Unwatched, WasSettings,
+    finite_difference, gradient,
 };
 use capwalk_scene::params;
 use folder::{Demand, Folder};
@@ -33,6 +33,10 @@ const SCENES: [&str; 3] = [
 ];
 
 fn main() {
+    capwalk_diff::with_threads(1, measure_all);
+}
+
+fn measure_all() {
     // `cargo test` runs benches once, without measuring.
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if !arguments.iter().any(|argument| argument == "--bench") {
@@ -81,18 +85,20 @@ fn measure(folder: &Folder) {
         return;
     };
     let motion = params::motion(&scene, &parameter).expect("a parameter of the scene");
-    let options = |spp, seed| Options {
-        spp,
-        seed,
-        threads: Some(1),
-    };
+    let options = |spp, seed| Options { spp, seed };
     let run = |method, seed| {
         let settings = GradientOptions {
             method,
             ..GradientOptions::new(options(SPP, seed))
         };
         let clock = Clock::start();
-        let picture = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
+        let picture = gradient(
+            &Prepared::new(scene.clone()),
+            &motion,
+            &settings,
+            &Unwatched,
+        )
+        .expect("covered");
         let cost = variance(&picture) * clock.seconds();
         (picture, cost)
     };

@@ -14,9 +14,9 @@
 mod folder;
 mod measure;
 
-use capwalk_render::{
-    Estimator, GradientImage, GradientOptions, Options, Unwatched, WalkSettings, finite_difference,
-    gradient,
+use capwalk_diff::{
+    Estimator, GradientImage, GradientOptions, Options, Prepared, Unwatched, WalkSettings,
+    finite_difference, gradient,
 };
 use capwalk_scene::{Motion, Scene, params};
 use folder::{Demand, Folder};
@@ -29,6 +29,10 @@ const LONG: f64 = 0.4;
 const ROUNDS: u64 = 3;
 
 fn main() {
+    capwalk_diff::with_threads(1, measure_all);
+}
+
+fn measure_all() {
     // `cargo test` runs benches once, without measuring.
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if !arguments.iter().any(|argument| argument == "--bench") {
@@ -110,11 +114,7 @@ impl Way {
 
     /// The derivative, and the processor's time for it.
     fn run(&self, scene: &Scene, motion: &Motion, spp: u32, seed: u64) -> (f64, GradientImage) {
-        let options = Options {
-            spp,
-            seed,
-            threads: Some(1),
-        };
+        let options = Options { spp, seed };
         let started = Clock::start();
         let picture = match *self {
             Self::Walk(estimator) => {
@@ -123,7 +123,7 @@ impl Way {
                     ..WalkSettings::default()
                 };
                 gradient(
-                    scene,
+                    &Prepared::new(scene.clone()),
                     motion,
                     &GradientOptions {
                         walk,

@@ -81,6 +81,22 @@ pub enum Command {
     Figures(Figures),
 }
 
+impl Command {
+    /// Worker threads, if a number is asked for.
+    pub fn threads(&self) -> Option<usize> {
+        match self {
+            Self::Render(args) => args.sampling.threads,
+            Self::Gradient(args) => args.sampling.threads,
+            Self::Backward(args) => args.sampling.threads,
+            Self::Check(args) => args.gradient.sampling.threads,
+            Self::Optimize(args) => args.threads,
+            Self::Demo(args) => args.sampling.threads,
+            Self::Figures(args) => args.threads,
+            Self::Info(_) | Self::Compare(_) | Self::Scenes(_) => None,
+        }
+    }
+}
+
 /// Which scene, and changes to it.
 #[derive(Args, Debug)]
 pub struct SceneArgs {

@@ -39,7 +39,7 @@ fn main() -> ExitCode {
         }
     };
     start_log(cli.verbose);
-    let result = progress::catch_interrupts().and_then(|()| match &cli.command {
+    let run = || match &cli.command {
         Command::Render(args) => command::render::run(args),
         Command::Gradient(args) => command::gradient::run(args),
         Command::Backward(args) => command::backward::run(args),
@@ -50,6 +50,10 @@ fn main() -> ExitCode {
         Command::Optimize(args) => command::optimize::run(args),
         Command::Demo(args) => command::demo::run(args),
         Command::Figures(args) => command::figures::run(args),
+    };
+    let result = progress::catch_interrupts().and_then(|()| match cli.command.threads() {
+        None => run(),
+        Some(threads) => capwalk_diff::with_threads(threads, run),
     });
     finish(result)
 }

@@ -2,7 +2,7 @@
 //! have.
 
 use anyhow::{Result, bail};
-use capwalk_render::{
+use capwalk_diff::{
     Estimator, GradientOptions, Method, Options, WalkSettings, WasBoundary, WasSettings,
 };
 use clap::ValueEnum;

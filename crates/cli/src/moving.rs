@@ -5,8 +5,8 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
+use capwalk_diff::may_be_specular;
 use capwalk_math::{Dual, Vec3};
-use capwalk_render::may_be_specular;
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Filter, Motion, Scene, SensorMotion, Shape, ShapeMotion, params};
 

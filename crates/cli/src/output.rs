@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, bail, ensure};
+use capwalk_diff::{Estimate, Options, Statistics};
 use capwalk_math::Rgb;
-use capwalk_render::{Estimate, Options, Statistics};
 use capwalk_scene::Image;
 use capwalk_scene_io::image::{self, Panel, Picture, Preview};
 

@@ -1,7 +1,7 @@
 //! Numbers for people: sensible digits, standard errors, aligned columns.
 
+use capwalk_diff::{Estimate, Statistics};
 use capwalk_math::Rgb;
-use capwalk_render::{Estimate, Statistics};
 use capwalk_scene::Image;
 use serde_json::{Value, json};
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, bail, ensure};
-use capwalk_render::Options;
+use capwalk_diff::Options;
 use capwalk_scene::{Filter, Scene, builtin};
 
 use crate::args::{FilterName, SamplingArgs, SceneArgs};
@@ -72,6 +72,5 @@ pub fn options(args: &SamplingArgs, scene: &Scene) -> Options {
     Options {
         spp: args.spp.unwrap_or(scene.settings.spp),
         seed: args.seed.unwrap_or(scene.settings.seed),
-        threads: args.threads,
     }
 }

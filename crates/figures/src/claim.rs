@@ -2,8 +2,8 @@
 
 use std::fmt;
 
+use capwalk_diff::check;
 use capwalk_math::Moments;
-use capwalk_render::check;
 
 /// A claim of the paper beside what was measured here.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,6 @@
 //! Methods at equal samples: what figures 1 and 9 have in common.
 
-use capwalk_render::{Method, WalkSettings, WasSettings, check};
+use capwalk_diff::{Method, WalkSettings, WasSettings, check};
 use capwalk_scene_io::image::{Style, robust_limit};
 
 use crate::claim::{self, Claim, Measured, Verdict};
@@ -304,8 +304,8 @@ fn table(compared: &[Compared]) -> Table {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use capwalk_diff::{Estimate, GradientImage, Statistics};
     use capwalk_math::Rgb;
-    use capwalk_render::{Estimate, GradientImage, Statistics};
     use capwalk_scene::Image;
 
     /// A picture of noise of this size around a chessboard.

@@ -1,9 +1,9 @@
 //! Figure 8: directional derivatives of fields against finite differences, in
 //! the plane (Eq. 27) and on the sphere (Eq. 34).
 
+use capwalk_diff::{Estimate, check};
 use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Rgb, Vec2, Vec3, sphere};
-use capwalk_render::{Estimate, check};
 use capwalk_scene::Image;
 use capwalk_scene_io::image::{Style, robust_limit};
 use capwalk_walk::plane::CurvePoint;

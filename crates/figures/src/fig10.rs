@@ -1,7 +1,7 @@
 //! Figure 10: the number of steps at equal time, on the shadow of a lattice.
 
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_math::Moments;
-use capwalk_render::{Method, WalkSettings};
 use capwalk_scene_io::image::robust_limit;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};

@@ -1,7 +1,7 @@
 //! Figure 11: derivatives of shadows, seen plainly and in a mirror,
 //! beside explicit boundaries and Mitsuba's projective sampling.
 
-use capwalk_render::{Estimate, Method, WalkSettings, check};
+use capwalk_diff::{Estimate, Method, WalkSettings, check};
 use capwalk_scene::Image;
 use capwalk_scene_io::image::robust_limit;
 
@@ -88,7 +88,7 @@ fn draw_case(
     let ours = subject.gradient(Method::Walk, walk, case.spp, set + 1, settings)?;
     let edges = match subject.gradient(Method::Edges, walk, case.spp, set + 2, settings) {
         Ok(run) => Ok(run),
-        Err(Failure::Refused(refusal)) => Err(refusal.reason),
+        Err(Failure::Refused(refusal)) => Err(refusal.to_string()),
         Err(other) => return Err(other),
     };
     let projective = projective::run(subject, case.moves, settings)?;

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use capwalk_diff::{Method, Prepared, WalkSettings, WasSettings, render};
 use capwalk_geometry::Mesh;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
@@ -13,7 +14,6 @@ use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Variables, variable};
 use capwalk_inverse::{Problem, State, Stop, View};
 use capwalk_math::{Moments, Vec3};
-use capwalk_render::{Method, WalkSettings, WasSettings, render};
 use capwalk_scene::{Film, Filter, Image, Scene, ShadingNormals, builtin};
 use capwalk_scene_io::image::Style;
 
@@ -120,9 +120,9 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let seeds = quality.choose(2, SEEDS, SEEDS);
     let options = settings.options(quality.choose(16, 2048, 8192), 50);
     let watch = (settings.stages)("target");
-    let target = render(&scene(true, size)?, &options, &*watch);
+    let target = render(&Prepared::new(scene(true, size)?), &options, &*watch);
     complete(&target.statistics)?;
-    let disk = render(&scene(false, size)?, &options, &*watch);
+    let disk = render(&Prepared::new(scene(false, size)?), &options, &*watch);
     complete(&disk.statistics)?;
 
     let search = |name, method| {
@@ -399,7 +399,6 @@ fn find(
         spp_grad: effort.spp,
         method,
         walk: WalkSettings::default(),
-        threads: settings.threads,
     };
     let mut state = State::new(&problem);
     let mut losses = Vec::new();

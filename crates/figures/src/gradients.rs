@@ -3,10 +3,11 @@
 
 use std::time::Instant;
 
-use capwalk_math::{Moments, Rgb};
-use capwalk_render::{
-    Estimate, GradientImage, GradientOptions, Method, WalkSettings, finite_difference, gradient,
+use capwalk_diff::{
+    Estimate, GradientImage, GradientOptions, Method, Prepared, WalkSettings, finite_difference,
+    gradient,
 };
+use capwalk_math::{Moments, Rgb};
 use capwalk_scene::{Film, Filter, Motion, Scene, builtin, params};
 use capwalk_scene_io::image::Style;
 
@@ -63,7 +64,12 @@ impl Subject {
             ..GradientOptions::new(settings.options(spp, set))
         };
         let started = Instant::now();
-        let image = gradient(&self.scene, &self.motion, &wanted, &*watch)?;
+        let image = gradient(
+            &Prepared::new(self.scene.clone()),
+            &self.motion,
+            &wanted,
+            &*watch,
+        )?;
         complete(&image.statistics)?;
         Ok(Run {
             image,

@@ -6,8 +6,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+use capwalk_diff::Estimate;
 use capwalk_math::{Moments, Rgb};
-use capwalk_render::Estimate;
 use capwalk_scene::{Image, Integrator};
 use capwalk_scene_io::export::write_scene;
 

@@ -1,7 +1,7 @@
 //! How far the field of ours reaches, and what that does to its variance: the reason
 //! where its error is not below another one's.
 
-use capwalk_render::{Method, WalkSettings};
+use capwalk_diff::{Method, WalkSettings};
 
 use crate::claim::{self, Measured, Verdict};
 use crate::figure::Table;

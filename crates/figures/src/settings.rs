@@ -2,8 +2,8 @@
 
 use std::fmt;
 
+use capwalk_diff::{Options, Refusal, Statistics, Unwatched, Watch};
 use capwalk_geometry::Mesh;
-use capwalk_render::{Options, Refusal, Statistics, Unwatched, Watch};
 
 /// How much work a figure is worth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -42,9 +42,6 @@ pub struct Settings<'a> {
     pub quality: Quality,
     /// Seed of all random numbers.
     pub seed: u64,
-    /// Worker threads; `None` takes all cores. Changes times, and what follows
-    /// from times, only.
-    pub threads: Option<usize>,
     /// Takes the place of the Voronoi bunny, if given.
     pub mesh: Option<Mesh>,
     /// Who watches.
@@ -52,12 +49,11 @@ pub struct Settings<'a> {
 }
 
 impl Settings<'_> {
-    /// All cores, nobody watches.
+    /// Nobody watches.
     pub fn new(quality: Quality) -> Self {
         Self {
             quality,
             seed: 1,
-            threads: None,
             mesh: None,
             stages: &|_| Box::new(Unwatched),
         }
@@ -68,7 +64,6 @@ impl Settings<'_> {
         Options {
             spp,
             seed: self.seed.wrapping_mul(1009).wrapping_add(set),
-            threads: self.threads,
         }
     }
 }

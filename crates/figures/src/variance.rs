@@ -2,9 +2,9 @@
 //! one by the distance to the boundary (METHOD 2), in the plane, on the sphere and
 //! on a triangle that is met.
 
+use capwalk_diff::Method;
 use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
-use capwalk_render::Method;
 use capwalk_walk::plane::CurvePoint;
 use capwalk_walk::{
     Domain, Estimator, Outline, Plane, Sphere, Triangle, WalkSettings, sample_field,

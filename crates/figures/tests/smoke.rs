@@ -180,7 +180,7 @@ fn unknown_figures_and_stopped_ones_are_errors() {
     assert!(failure.to_string().contains("fig03"), "{failure}");
 
     struct Impatient;
-    impl capwalk_render::Watch for Impatient {
+    impl capwalk_diff::Watch for Impatient {
         fn progress(&self, _: u64, _: u64) {}
         fn should_stop(&self) -> bool {
             true

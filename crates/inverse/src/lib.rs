@@ -4,7 +4,7 @@
 //! A [`Problem`] has a scene, [`variable::Variables`] that say which of its numbers
 //! are unknown and what changes them, views with targets, and a [`loss::Loss`].
 //! [`Problem::iterate`] takes a [`State`] and returns the next one: pictures, the
-//! loss with its standard error, its gradient (`capwalk_render::backward`), a step
+//! loss with its standard error, its gradient (`capwalk_diff::backward`), a step
 //! of [`adam::Adam`], and the check that the step tore or folded nothing
 //! ([`guard`]).
 //!

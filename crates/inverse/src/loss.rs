@@ -3,8 +3,8 @@
 
 mod pyramid;
 
+use capwalk_diff::Estimate;
 use capwalk_math::Rgb;
-use capwalk_render::Estimate;
 use capwalk_scene::Image;
 
 use pyramid::Level;

@@ -2,9 +2,9 @@
 
 use std::fmt;
 
-use capwalk_render::{
-    GradientOptions, Method, Options, Refusal, Statistics, Unwatched, WalkSettings, Watch,
-    backward, render,
+use capwalk_diff::{
+    GradientOptions, Method, Options, Prepared, Refusal, Statistics, Unwatched, WalkSettings,
+    Watch, backward, render,
 };
 use capwalk_scene::{Film, Image, Scene, Sensor};
 
@@ -48,8 +48,6 @@ pub struct Problem {
     pub method: Method,
     /// The walk that builds the velocity field.
     pub walk: WalkSettings,
-    /// Worker threads; `None` takes all cores. Changes no bit.
-    pub threads: Option<usize>,
 }
 
 /// A picture that is compared with a target.
@@ -237,11 +235,7 @@ impl Problem {
     }
 
     fn options(&self, spp: u32, seed: u64) -> Options {
-        Options {
-            spp,
-            seed,
-            threads: self.threads,
-        }
+        Options { spp, seed }
     }
 
     fn gradient_options(&self, options: Options) -> GradientOptions {
@@ -258,7 +252,7 @@ impl Problem {
         for (i, view) in self.views.iter().enumerate() {
             let seed = seed(self.seed, u64::from(iteration), i as u64, Purpose::Picture);
             let options = self.options(self.spp, seed);
-            let picture = render(&view.scene(scene), &options, watch);
+            let picture = render(&Prepared::new(view.scene(scene)), &options, watch);
             check("picture", iteration, &picture.statistics)?;
             let (target, mask) = (&view.target, view.mask.as_ref());
             measured.push(self.loss.measure(&picture.value, target, mask));
@@ -317,8 +311,9 @@ impl Problem {
             let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
             let options = self.gradient_options(self.options(self.spp_grad, seed));
             let seen_scene = view.scene(scene);
+            let prepared = Prepared::new(seen_scene.clone());
             let result =
-                backward(&seen_scene, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
+                backward(&prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
             check("gradient", row.iteration, &result.statistics)?;
             let pull = |gradient: &_| {
                 let variables = &self.variables;
@@ -346,7 +341,14 @@ impl Problem {
             seen.any(|seen| {
                 let [width, height] = seen.film.crop_size.map(|side| side as usize);
                 let nothing = Image::new(width, height);
-                backward(&seen, &nothing, &wanted, &options, &Unwatched).is_err()
+                backward(
+                    &Prepared::new(seen),
+                    &nothing,
+                    &wanted,
+                    &options,
+                    &Unwatched,
+                )
+                .is_err()
             })
         };
         (0..self.variables.iter().count()).find(is_refused)

@@ -21,8 +21,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
 
+use capwalk_diff::Wanted;
 use capwalk_math::Vec3;
-use capwalk_render::Wanted;
 use capwalk_scene::params::{ArrayParameter, ParameterError};
 use capwalk_scene::{Motion, Scene, SceneError, SensorMotion};
 

@@ -1,6 +1,7 @@
 //! The gradient of a loss, as an iteration takes it, against finite differences of
 //! the loss itself.
 
+use capwalk_diff::{Method, Options, Prepared, Unwatched, WalkSettings, render};
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
 use capwalk_inverse::run::Limits;
@@ -10,7 +11,6 @@ use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Variables, variable};
 use capwalk_inverse::{Problem, State, View, adam::Adam};
 use capwalk_math::{Moments, Rgb, Vec3};
-use capwalk_render::{Method, Options, Unwatched, WalkSettings, render};
 use capwalk_scene::{Film, Filter, Image, Scene, builtin};
 
 /// The leaf over its floor, in so few pixels that outlines move little in each.
@@ -49,12 +49,10 @@ fn problem() -> Problem {
         .map(|wish| variable(&scene, wish).expect("fine"));
     let variables = Variables::new(&scene, variables.collect()).expect("they fit");
     let target = |scene: &Scene, seed: u64| {
-        let options = Options {
-            spp: 64,
-            seed,
-            threads: None,
-        };
-        let mut target = render(scene, &options, &Unwatched).value.mean;
+        let options = Options { spp: 64, seed };
+        let mut target = render(&Prepared::new(scene.clone()), &options, &Unwatched)
+            .value
+            .mean;
         // Another picture than the scene's own: the gradient is not zero.
         for (i, pixel) in target.pixels.iter_mut().enumerate() {
             *pixel = *pixel * (0.7 + 0.5 * (i as f64).sin());
@@ -105,7 +103,6 @@ fn problem() -> Problem {
         spp_grad: 16,
         method: Method::default(),
         walk: WalkSettings::default(),
-        threads: None,
     }
 }
 

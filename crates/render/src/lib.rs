@@ -1,41 +1,43 @@
-//! How radiance and its derivatives are estimated.
+//! How radiance is estimated: one path tracer, generic over the scalar.
 //!
-//! [`render`] makes the picture, [`gradient`] its derivative for a
-//! [`Motion`](capwalk_scene::Motion) of the scene, [`finite_difference`] the
-//! reference that the derivative is checked against, and [`check::compare`]
-//! the verdict. Every estimate comes with a standard error per pixel, and is
-//! the same to the bit for the same scene, seed and options, whatever the
-//! number of threads.
+//! Over `f64` a sample of a [`Tracer`] is one of the image ([`render`]); over numbers
+//! that carry derivatives, the same code follows the moving path and gives the
+//! derivative (the crate `capwalk-diff`). What it asks of a scene is a [`SceneEval`].
+//! Every estimate comes with a standard error per pixel, and is the same to the bit for
+//! the same scene, seed and options, whatever the number of threads.
 //!
 //! Nothing here opens a file, prints, or reads the clock.
 
-mod accel;
-pub mod check;
-pub mod diff;
-pub mod estimate;
-mod integrator;
-mod lamp;
-mod layer;
+mod aov;
+mod camera;
+mod emitter_edge_term;
+mod emitter_sampler;
+mod estimate;
+mod film;
+mod gathered_term;
+mod image;
 mod light;
-mod material;
-pub mod options;
-mod path;
+mod options;
 mod pixel;
+mod pixel_silhouette_term;
+mod pixel_silhouettes;
 mod plan;
-mod sampler;
-mod tiles;
+mod prepared;
+mod radiance;
+mod scene_eval;
+mod shading;
+mod surface;
+pub mod tiles;
+mod tracer;
 mod vertex;
-mod world;
 
-pub use capwalk_walk::{Estimator, WalkSettings};
-pub use diff::adjoint::Wanted;
-pub use diff::finite::finite_difference;
-pub use diff::forward::gradient;
-pub use diff::refuse::refusal;
-pub use diff::reverse::{Backward, backward};
+pub use emitter_sampler::EmitterSampler;
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
-pub use integrator::render;
-pub use material::may_be_specular;
-pub use options::{
-    GradientOptions, Method, Options, Refusal, Unwatched, WasBoundary, WasSettings, Watch,
-};
+pub use image::render;
+pub use options::{Options, Unwatched, Watch};
+pub use plan::{FIRST_VERTEX, LightSampling, Plan};
+pub use prepared::Prepared;
+pub use radiance::SpecularChain;
+pub use scene_eval::{Primal, SceneEval, Warped, vertex_normal};
+pub use tracer::{Moving, Tracer, Walks};
+pub use vertex::Vertex;

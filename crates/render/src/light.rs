@@ -4,15 +4,15 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
+use capwalk_boundary::{Accel, Stream};
 use capwalk_geometry::Hit;
 use capwalk_math::Vec3;
 use capwalk_scene::EmitterId;
 use capwalk_scene::emitter::EnvironmentTable;
 use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 
-use crate::accel::Accel;
-use crate::lamp::Source;
-use crate::sampler::Stream;
+use crate::emitter_sampler::EmitterSampler;
+use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LightSampling};
 use crate::vertex::Vertex;
 
 /// An unoccluded direction towards an emitter.
@@ -45,27 +45,6 @@ pub struct Continuation {
     pub hit: Option<Hit>,
 }
 
-/// How many samples of each technique a shading point takes.
-#[derive(Clone, Copy, Debug)]
-pub struct LightSampling {
-    /// Points drawn on emitters.
-    pub emitter_samples: u32,
-    /// Directions drawn from the material.
-    pub bsdf_samples: u32,
-}
-
-/// Random numbers that [`sample_emitter`] takes.
-pub const EMITTER_NUMBERS: u32 = 3;
-/// Random numbers of each material sample.
-const BSDF_NUMBERS: u32 = 3;
-
-impl LightSampling {
-    /// Random numbers that [`sample_lights`] takes.
-    pub fn dimensions(&self) -> u32 {
-        self.emitter_samples * EMITTER_NUMBERS + self.bsdf_samples * BSDF_NUMBERS
-    }
-}
-
 /// Draws directions towards light from a surface, by points on emitters and by
 /// the material, combined with the power heuristic (Veach 1997), and passes on
 /// those that reach an emitter, with the number of the sample. `look` hears of
@@ -74,6 +53,7 @@ impl LightSampling {
 /// direction drawn from the material.
 pub fn sample_lights(
     accel: &Accel,
+    emitters: &[EmitterSampler],
     vertex: &Vertex<f64>,
     sampling: LightSampling,
     stream: &Stream,
@@ -94,12 +74,12 @@ pub fn sample_lights(
     };
     for i in 0..on_emitters {
         let base = dimension + i * EMITTER_NUMBERS;
-        let Some((drawn, pdf)) = sample_emitter(accel, vertex, stream, base) else {
+        let Some((drawn, pdf)) = sample_emitter(accel, emitters, vertex, stream, base) else {
             continue;
         };
         // Nothing else draws the direction of a light without extent.
-        let other = match accel.sources[drawn.emitter.0 as usize] {
-            Source::Delta => 0.0,
+        let other = match emitters[drawn.emitter.0 as usize] {
+            EmitterSampler::Delta => 0.0,
             _ => of_bsdf(vertex.pdf(drawn.direction)),
         };
         let own = of_emitters(pdf);
@@ -135,7 +115,14 @@ pub fn sample_lights(
         // Nothing else draws a specular direction.
         let other = match drawn.specular {
             Some(_) => 0.0,
-            None => of_emitters(emitter_pdf(accel, emitter, hit.as_ref(), direction, vertex)),
+            None => of_emitters(emitter_pdf(
+                accel,
+                emitters,
+                emitter,
+                hit.as_ref(),
+                direction,
+                vertex,
+            )),
         };
         let sample = LightSample {
             direction,
@@ -167,24 +154,25 @@ pub fn emitter_towards(accel: &Accel, hit: Option<&Hit>, direction: Vec3) -> Opt
 
 /// Density per solid angle with which [`sample_emitter`] draws a direction in
 /// which `emitter` is seen.
-pub fn emitter_pdf(
+fn emitter_pdf(
     accel: &Accel,
+    emitters: &[EmitterSampler],
     emitter: EmitterId,
     hit: Option<&Hit>,
     direction: Vec3,
     vertex: &Vertex<f64>,
 ) -> f64 {
-    let chosen = 1.0 / accel.sources.len() as f64;
-    match (&accel.sources[emitter.0 as usize], hit) {
-        (Source::Lamp(lamp), Some(hit)) => {
+    let chosen = 1.0 / emitters.len() as f64;
+    match (&emitters[emitter.0 as usize], hit) {
+        (EmitterSampler::Area(lamp), Some(hit)) => {
             let face_normal = accel.mesh.face_cross(hit.face as usize).normalized();
             chosen * lamp.solid_angle_pdf(hit.t, face_normal.dot(direction))
         }
-        (Source::Map(table), _) => chosen * map_pdf(table.as_ref(), direction),
-        (Source::Everywhere, _) => {
+        (EmitterSampler::Environment(table), _) => chosen * map_pdf(table.as_ref(), direction),
+        (EmitterSampler::Constant, _) => {
             chosen * environment_pdf(vertex, vertex.frame.to_local(direction))
         }
-        (Source::Lamp(_) | Source::Delta, _) => 0.0,
+        (EmitterSampler::Area(_) | EmitterSampler::Delta, _) => 0.0,
     }
 }
 
@@ -196,11 +184,12 @@ const IN_ITS_PLANE: f64 = 1e-12;
 /// yet. `None` if it is occluded or seen from behind.
 fn sample_emitter(
     accel: &Accel,
+    emitters: &[EmitterSampler],
     vertex: &Vertex<f64>,
     stream: &Stream,
     dimension: u32,
 ) -> Option<(LightSample, f64)> {
-    let count = accel.sources.len();
+    let count = emitters.len();
     if count == 0 {
         return None;
     }
@@ -209,8 +198,8 @@ fn sample_emitter(
     let emitter = EmitterId(index as u32);
     let position = vertex.position;
     let is_free = |direction: Vec3| accel.first_hit(position, direction).is_none();
-    let (direction, hit, pdf) = match &accel.sources[index] {
-        Source::Lamp(lamp) => {
+    let (direction, hit, pdf) = match &emitters[index] {
+        EmitterSampler::Area(lamp) => {
             let point = lamp.sample(u);
             let offset = point.position - position;
             let distance = offset.length();
@@ -228,18 +217,18 @@ fn sample_emitter(
             };
             (direction, Some(hit), lamp.solid_angle_pdf(distance, cos_l))
         }
-        Source::Everywhere => {
+        EmitterSampler::Constant => {
             let local = sample_environment(vertex, u);
             let direction = vertex.frame.to_world(local);
             let free = is_free(direction);
             free.then(|| (direction, None, environment_pdf(vertex, local)))?
         }
-        Source::Map(table) => {
+        EmitterSampler::Environment(table) => {
             let direction = sample_map(table.as_ref(), u);
             let free = is_free(direction);
             free.then(|| (direction, None, map_pdf(table.as_ref(), direction)))?
         }
-        Source::Delta => {
+        EmitterSampler::Delta => {
             let light = accel
                 .scene
                 .emitter(emitter)

@@ -1,9 +1,7 @@
 //! Which paths are sampled, and which random numbers they take.
 
+use capwalk_boundary::MAX_EVENTS;
 use capwalk_scene::{Integrator, Layer, Scene};
-
-use crate::diff::unfold::MAX_EVENTS;
-use crate::light::LightSampling;
 
 /// The first vertex's numbers start here, if the camera has no lens.
 pub const FIRST_VERTEX: u32 = 3;
@@ -13,6 +11,27 @@ pub const LENS: u32 = FIRST_VERTEX;
 const LENS_NUMBERS: u32 = 2;
 /// With no largest depth, the numbers of walks start here.
 const BEHIND_ALL_VERTICES: u32 = 1 << 20;
+
+/// How many samples of each technique a shading point takes.
+#[derive(Clone, Copy, Debug)]
+pub struct LightSampling {
+    /// Points drawn on emitters.
+    pub emitter_samples: u32,
+    /// Directions drawn from the material.
+    pub bsdf_samples: u32,
+}
+
+/// Random numbers that a point on an emitter takes.
+pub const EMITTER_NUMBERS: u32 = 3;
+/// Random numbers of each material sample.
+pub const BSDF_NUMBERS: u32 = 3;
+
+impl LightSampling {
+    /// Random numbers that light at a vertex takes.
+    pub fn dimensions(&self) -> u32 {
+        self.emitter_samples * EMITTER_NUMBERS + self.bsdf_samples * BSDF_NUMBERS
+    }
+}
 
 /// Which paths are sampled, and how.
 #[derive(Clone, Copy, Debug)]

@@ -1,12 +1,12 @@
 //! The parallel loop over pixels and samples.
 
+use capwalk_boundary::{Sampler, Stream, pool};
 use capwalk_math::Moments;
 use capwalk_scene::{Image, Scene};
 use rayon::prelude::*;
 
 use crate::estimate::{Estimate, Statistics};
 use crate::options::{Options, Watch};
-use crate::sampler::{Sampler, Stream};
 
 /// What one sample of one pixel gives: `C` numbers to be averaged, and what
 /// it cost.
@@ -100,14 +100,7 @@ pub fn average<const C: usize>(
             first = last;
         }
     };
-    match options.threads {
-        None => run(),
-        Some(threads) => rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .expect("threads can be started")
-            .install(run),
-    }
+    pool::install(&mut run);
 
     pixels.iter_mut().for_each(Accumulator::finish_batch);
     let sum = |of: fn(&Accumulator<C>) -> u64| pixels.iter().map(of).sum();
@@ -190,11 +183,7 @@ mod tests {
         let mut scene = capwalk_scene::builtin::scene("leaf").expect("a built-in scene");
         scene.film.size = [8, 6];
         scene.film.crop_size = [8, 6];
-        let options = Options {
-            spp: 50,
-            seed: 3,
-            threads: None,
-        };
+        let options = Options { spp: 50, seed: 3 };
         let bad = |stream: &Stream| stream.number(0) < 0.1;
         let averages = average(&scene, &options, &Unwatched, |_, stream| Sample {
             numbers: match bad(stream) {

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use capwalk_render::GradientImage;
+use capwalk_diff::GradientImage;
 
 /// Variance of a sample, averaged over pixels and channels.
 pub fn variance(picture: &GradientImage) -> f64 {

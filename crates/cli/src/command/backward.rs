@@ -6,7 +6,7 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail, ensure};
-use capwalk_render::{GradientOptions, Wanted};
+use capwalk_diff::{GradientOptions, Prepared, Wanted};
 use capwalk_scene::params::{self, ArrayParameter, Request};
 use capwalk_scene::{Motion, Scene};
 use capwalk_scene_io::arrays::{self, Array, Arrays, METADATA};
@@ -41,7 +41,13 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     });
     let progress = Progress::new("gradient", rest);
     let wanted = wanted(&scene, &parameters);
-    let result = capwalk_render::backward(&scene, &adjoint, &wanted, &settings, &progress);
+    let result = capwalk_diff::backward(
+        &Prepared::new(scene.clone()),
+        &adjoint,
+        &wanted,
+        &settings,
+        &progress,
+    );
     let elapsed = progress.finish().as_secs_f64();
     let result = result?;
     let statistics = &result.statistics;
@@ -118,7 +124,7 @@ fn all_parameters(scene: &Scene) -> Result<(Vec<Parameter>, String)> {
         };
         arrays.map(parameter).collect()
     };
-    let Some(refusal) = capwalk_render::refusal(scene) else {
+    let Some(refusal) = capwalk_diff::refusal(&Prepared::new(scene.clone())) else {
         return Ok((parameters(first_names.collect()), String::new()));
     };
     let (refused, others): (Vec<_>, Vec<_>) =
@@ -214,7 +220,7 @@ struct Gradient {
 }
 
 impl Gradient {
-    fn new(scene: &Scene, parameter: &Parameter, result: &capwalk_render::Backward) -> Self {
+    fn new(scene: &Scene, parameter: &Parameter, result: &capwalk_diff::Backward) -> Self {
         let name = parameter.name.clone();
         match &parameter.request {
             Request::Motion(motion) => {
@@ -237,7 +243,7 @@ impl Gradient {
         scene: &Scene,
         name: String,
         array: &ArrayParameter,
-        result: &capwalk_render::Backward,
+        result: &capwalk_diff::Backward,
     ) -> Self {
         let (numbers, errors) = result.numbers(|gradient| array.gradient(scene, gradient));
         let size = norm(&numbers);
@@ -318,7 +324,7 @@ fn contents(
     settings: &GradientOptions,
     gradients: &[Gradient],
     loss: Option<&Loss>,
-    statistics: &capwalk_render::Statistics,
+    statistics: &capwalk_diff::Statistics,
 ) -> Arrays {
     let mut metadata = output::origin("backward", &args.scene.scene, &settings.options);
     let mut note = |key: &str, value: String| metadata.push((key.to_owned(), value));

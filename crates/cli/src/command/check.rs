@@ -5,8 +5,8 @@ pub mod picture;
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, ensure};
-use capwalk_render::check::{Comparison, Verdict, compare, without_rounding};
-use capwalk_render::{GradientImage, GradientOptions, Options};
+use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
+use capwalk_diff::{GradientImage, GradientOptions, Options, Prepared};
 use capwalk_scene::{Motion, Scene};
 use serde_json::{Value, json};
 
@@ -136,7 +136,8 @@ pub fn check(
 ) -> Result<Checked> {
     let started = Instant::now();
     let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
-    let gradient = capwalk_render::gradient(scene, motion, settings, &progress);
+    let gradient =
+        capwalk_diff::gradient(&Prepared::new(scene.clone()), motion, settings, &progress);
     let gradient_seconds = progress.finish().as_secs_f64();
     let gradient = gradient?;
 
@@ -144,7 +145,7 @@ pub fn check(
     let progress = Progress::new("reference", rest);
     let options = reference.options(&settings.options);
     let differences =
-        capwalk_render::finite_difference(scene, motion, reference.step, &options, &progress);
+        capwalk_diff::finite_difference(scene, motion, reference.step, &options, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
     let mut differences = differences?;
     differences.gradient = without_rounding(&differences, reference.step);

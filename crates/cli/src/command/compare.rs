@@ -1,8 +1,8 @@
 //! `capwalk compare`: two pictures, with their errors if they have them.
 
 use anyhow::{Context, Result, ensure};
+use capwalk_diff::check;
 use capwalk_math::Rgb;
-use capwalk_render::check;
 use capwalk_scene::Image;
 use capwalk_scene_io::image::{self, GRADIENT, Panel, Picture, Style, VALUE};
 use serde_json::json;

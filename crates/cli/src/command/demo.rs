@@ -3,7 +3,9 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk_render::{Estimator, GradientImage, GradientOptions, Options, Rendering, WalkSettings};
+use capwalk_diff::{
+    Estimator, GradientImage, GradientOptions, Options, Prepared, Rendering, WalkSettings,
+};
 use capwalk_scene::{Motion, Scene, builtin, params};
 use serde_json::json;
 
@@ -152,7 +154,6 @@ fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
     let options = |spp: u32| Options {
         spp,
         seed: sampling.seed.unwrap_or(SEED),
-        threads: sampling.threads,
     };
     let settings = |estimator, spp| GradientOptions {
         walk: WalkSettings {
@@ -164,12 +165,13 @@ fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
     let spp = sampling.spp.unwrap_or(SPP);
 
     let progress = Progress::new("render", left_until(PICTURE_UNTIL));
-    let rendering = capwalk_render::render(scene, &options(spp), &progress);
+    let rendering = capwalk_diff::render(&Prepared::new(scene.clone()), &options(spp), &progress);
     let render_seconds = progress.finish().as_secs_f64();
 
     let progress = Progress::new("literal", left_until(LITERAL_UNTIL));
     let literal = settings(Estimator::Literal, literal_spp(spp));
-    let literal = capwalk_render::gradient(scene, motion, &literal, &progress);
+    let literal =
+        capwalk_diff::gradient(&Prepared::new(scene.clone()), motion, &literal, &progress);
     let literal_seconds = progress.finish().as_secs_f64();
     let literal = literal?;
 

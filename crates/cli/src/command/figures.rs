@@ -4,9 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
+use capwalk_diff::Watch;
 use capwalk_figures::{Failure, Figure, Quality, Settings, Verdict, draw, write};
 use capwalk_geometry::Mesh;
-use capwalk_render::Watch;
 use capwalk_scene_io::mesh::{read_obj, read_ply};
 use serde_json::json;
 
@@ -24,7 +24,6 @@ pub fn run(args: &Figures) -> Result<Outcome> {
             QualityName::Full => Quality::Full,
         },
         seed: args.seed,
-        threads: args.threads,
         mesh: args.mesh.as_deref().map(mesh).transpose()?,
         stages: &|name| Box::new(Stage(Some(Progress::new(name, None)))),
     };

@@ -1,7 +1,7 @@
 //! `capwalk gradient`: the derivative of a picture for one parameter.
 
 use anyhow::{Result, ensure};
-use capwalk_render::{GradientImage, GradientOptions, Options};
+use capwalk_diff::{GradientImage, GradientOptions, Options, Prepared};
 use capwalk_scene_io::image::Picture;
 use serde_json::json;
 
@@ -21,9 +21,11 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let way = Way::new(args, options, || moving::default_step(&scene, &motion))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
     let result = match &way {
-        Way::Samples(settings) => capwalk_render::gradient(&scene, &motion, settings, &progress),
+        Way::Samples(settings) => {
+            capwalk_diff::gradient(&Prepared::new(scene.clone()), &motion, settings, &progress)
+        }
         Way::Differences { step } => {
-            capwalk_render::finite_difference(&scene, &motion, *step, &options, &progress)
+            capwalk_diff::finite_difference(&scene, &motion, *step, &options, &progress)
         }
     };
     let elapsed = progress.finish().as_secs_f64();

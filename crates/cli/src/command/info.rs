@@ -1,8 +1,8 @@
 //! `capwalk info`: what is in a scene, and what can be differentiated.
 
 use anyhow::Result;
+use capwalk_diff::Refusal;
 use capwalk_math::Vec3;
-use capwalk_render::Refusal;
 use capwalk_scene::params::{self, ArrayParameter, Parameter};
 use capwalk_scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
@@ -18,7 +18,7 @@ pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
     let parameters = params::list(&scene);
     let arrays = params::arrays(&scene);
-    let refusal = capwalk_render::refusal(&scene);
+    let refusal = capwalk_diff::refusal(&capwalk_diff::Prepared::new(scene.clone()));
     if args.json {
         console::print_json(&to_json(&scene, &parameters, &arrays, refusal.as_ref()))?;
     } else {

@@ -31,7 +31,7 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
     let files = files.map(|named| document.path(&named.text));
     let inputs: Vec<_> = std::iter::once(args.job.clone()).chain(files).collect();
     let claimed = folder::claim(output, args.resume, &inputs)?;
-    let Some(made) = problem::problem(&document, &job, args, &clock)? else {
+    let Some(made) = problem::problem(&document, &job, &clock)? else {
         ensure!(
             progress::interrupted(),
             "the time limit is over before the targets were rendered, and nothing was written; \
@@ -61,7 +61,7 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
     live.finish();
     let Ended { state, stop, last } = ended?;
     if let Stop::Refused(refusal) = &stop {
-        return Err(refused(&document, &job, &problem, &state, &refusal.reason).into());
+        return Err(refused(&document, &job, &problem, &state, &refusal.to_string()).into());
     }
     let files = folder.finish(&problem, &state, &stop.to_string())?;
     report(args, &problem, &state, &stop, last.as_ref(), &files)?;

@@ -16,7 +16,11 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
     let progress = Progress::new("render", args.sampling.time_limit);
-    let rendering = capwalk_render::render(&scene, &options, &progress);
+    let rendering = capwalk_diff::render(
+        &capwalk_diff::Prepared::new(scene.clone()),
+        &options,
+        &progress,
+    );
     let elapsed = progress.finish().as_secs_f64();
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);

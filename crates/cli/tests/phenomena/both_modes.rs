@@ -3,8 +3,8 @@
 
 use std::path::Path;
 
+use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, Wanted, backward, gradient};
 use capwalk_math::Vec3;
-use capwalk_render::{GradientOptions, Options, Unwatched, Wanted, backward, gradient};
 use capwalk_scene::{Image, params};
 use capwalk_scene_io::arrays;
 use capwalk_scene_io::image::{self, Picture, Preview};
@@ -44,14 +44,19 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let settings = GradientOptions::new(Options {
         spp: SPP,
         seed: SEED,
-        threads: None,
     });
-    let forward = gradient(&scene, &motion, &settings, &Unwatched).expect("covered");
+    let forward = gradient(
+        &Prepared::new(scene.clone()),
+        &motion,
+        &settings,
+        &Unwatched,
+    )
+    .expect("covered");
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let weights = weights(width, height);
     let forward = dot(&weights, &forward.gradient.mean);
     let reverse = backward(
-        &scene,
+        &Prepared::new(scene.clone()),
         &weights,
         &Wanted::by(&motion),
         &settings,

@@ -5,8 +5,8 @@
 
 use std::path::Path;
 
-use capwalk_render::check::{Verdict, compare};
-use capwalk_render::{Estimate, GradientOptions, Method, Options, Unwatched, gradient};
+use capwalk_diff::check::{Verdict, compare};
+use capwalk_diff::{Estimate, GradientOptions, Method, Options, Prepared, Unwatched, gradient};
 use capwalk_scene::{Motion, Scene};
 use capwalk_scene_io::image;
 
@@ -19,10 +19,10 @@ pub fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> Estimate 
         ..GradientOptions::new(Options {
             spp,
             seed: scene.settings.seed,
-            threads: None,
         })
     };
-    let result = gradient(scene, motion, &settings, &Unwatched).expect("covered");
+    let result =
+        gradient(&Prepared::new(scene.clone()), motion, &settings, &Unwatched).expect("covered");
     assert_eq!(result.statistics.non_finite, 0);
     result.gradient
 }

@@ -3,7 +3,7 @@
 
 use std::path::Path;
 
-use capwalk_render::Method;
+use capwalk_diff::Method;
 use capwalk_scene::params;
 
 use crate::folder::Folder;

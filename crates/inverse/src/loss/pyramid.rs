@@ -1,8 +1,8 @@
 //! Pictures of half the size: means of two by two pixels, and what they do to
 //! variances, weights and derivatives.
 
+use capwalk_diff::Estimate;
 use capwalk_math::Rgb;
-use capwalk_render::Estimate;
 use capwalk_scene::Image;
 
 /// What a loss compares at one size.

@@ -4,8 +4,8 @@
 use std::time::Duration;
 
 use anyhow::{Result, bail};
+use capwalk_diff::{Estimate, Options, Prepared, Statistics};
 use capwalk_math::Rgb;
-use capwalk_render::{Estimate, Options, Statistics};
 use capwalk_scene::{Image, Scene};
 use serde_json::{Value, json};
 
@@ -66,7 +66,7 @@ pub fn objective(
     };
     let limit = args.sampling.time_limit.map(|limit| limit / PICTURE_SHARE);
     let progress = Progress::new("picture", limit);
-    let picture = capwalk_render::render(scene, &options, &progress);
+    let picture = capwalk_diff::render(&Prepared::new(scene.clone()), &options, &progress);
     let seconds = progress.finish().as_secs_f64();
     let statistics = picture.statistics;
     if statistics.samples_per_pixel.contains(&0) {

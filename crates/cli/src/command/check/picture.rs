@@ -2,8 +2,8 @@
 //! how both were made, and for previews the four of them side by side.
 
 use anyhow::Result;
+use capwalk_diff::check::Comparison;
 use capwalk_math::Vec3;
-use capwalk_render::check::Comparison;
 use capwalk_scene::Image;
 use capwalk_scene_io::image::{self, Panel, Picture, Style};
 
@@ -93,8 +93,8 @@ fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
 
 #[cfg(test)]
 mod tests {
-    use capwalk_render::check::compare;
-    use capwalk_render::{Estimate, GradientImage, Options, Statistics};
+    use capwalk_diff::check::compare;
+    use capwalk_diff::{Estimate, GradientImage, Options, Statistics};
 
     use super::*;
     use crate::command::check::Reference;
@@ -137,11 +137,7 @@ mod tests {
                 comparison: compare(&gradient.gradient, &reference.gradient),
                 gradient,
                 reference,
-                options: Options {
-                    spp: 8,
-                    seed: 5,
-                    threads: None,
-                },
+                options: Options { spp: 8, seed: 5 },
                 method: "walk",
                 differences: Reference { step: 0.5, spp: 8 },
                 seconds: [1.0, 1.0],

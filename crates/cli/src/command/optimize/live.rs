@@ -4,8 +4,8 @@
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
+use capwalk_diff::Watch;
 use capwalk_inverse::record::Row;
-use capwalk_render::Watch;
 use capwalk_scene::Image;
 use capwalk_scene_io::image::photographic;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};

@@ -3,17 +3,16 @@
 use std::fmt::Write;
 
 use anyhow::{Context, Result, ensure};
+use capwalk_diff::{Options, Prepared, render};
 use capwalk_inverse::seed::{Purpose, seed};
 use capwalk_inverse::variable::{Variables, select::Wish, variable};
 use capwalk_inverse::{Problem, View};
-use capwalk_render::{Options, render};
 use capwalk_scene::{Film, Image, Scene, Sensor, builtin, params};
 use capwalk_scene_io::toml::{Document, Place};
 use capwalk_scene_io::{LoadError, LoadOptions, image, load_scene_with};
 
 use super::job::{Define, Job, Named, TargetKeys, ViewKeys};
 use super::live::Clock;
-use crate::args::Optimize;
 use crate::method::method_and_walk;
 use crate::output;
 use crate::progress::Progress;
@@ -26,12 +25,7 @@ pub struct Made {
 }
 
 /// The problem of a job; `None` if it was stopped before all targets were there.
-pub fn problem(
-    document: &Document,
-    job: &Job,
-    args: &Optimize,
-    clock: &Clock,
-) -> Result<Option<Made>> {
+pub fn problem(document: &Document, job: &Job, clock: &Clock) -> Result<Option<Made>> {
     refuse_unused_defines(document, job)?;
     let scene = load(document, job, &job.scene, &[], 0)?;
     let variables = variables(document, &scene, &job.parameters)?;
@@ -77,7 +71,6 @@ pub fn problem(
                 let options = Options {
                     spp: *spp,
                     seed: seed(job.seed, 0, number as u64, Purpose::Target),
-                    threads: args.threads,
                 };
                 // With another scene's own film, unless the view has one.
                 let seen = match (&view.sensor, other.is_some()) {
@@ -111,7 +104,6 @@ pub fn problem(
         spp_grad: job.spp_grad.unwrap_or(spp),
         method,
         walk,
-        threads: args.threads,
         scene,
     };
     let fingerprint = fingerprint(job, &problem);
@@ -313,7 +305,7 @@ fn read_mask(document: &Document, file: &Named, size: [u32; 2]) -> Result<Image,
 /// The picture of a target; `None` if it was stopped.
 fn rendered(scene: &Scene, options: &Options, clock: &Clock) -> Option<Image> {
     let progress = Progress::new("target", clock.remaining());
-    let picture = render(scene, options, &progress);
+    let picture = render(&Prepared::new(scene.clone()), options, &progress);
     progress.finish();
     picture.statistics.complete.then_some(picture.value.mean)
 }

@@ -1,0 +1,265 @@
+//! A scene made ready to answer: one mesh, its rays, its lamps.
+
+use std::sync::Arc;
+
+use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
+use capwalk_math::Vec3;
+use capwalk_scene::resolve::Resolver;
+use capwalk_scene::sensor::view::View;
+use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
+
+use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
+
+/// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
+/// face indices of a shape follow those of the shapes before it.
+#[derive(Debug)]
+pub struct Accel {
+    /// The scene.
+    pub scene: Arc<Scene>,
+    /// All triangles.
+    pub mesh: Mesh,
+    /// The shape of each face.
+    pub shape_of_face: Vec<ShapeId>,
+    /// First vertex of each shape.
+    pub first_vertex: Vec<u32>,
+    /// First face of each shape.
+    pub first_face: Vec<u32>,
+    /// Whether it matters how each shape's material is turned about the normal.
+    pub needs_tangent: Vec<bool>,
+    /// What the camera sees from the middle of its lens.
+    pub view: View<f64>,
+    /// Whether it matters where on a face of each shape a ray meets it.
+    pub needs_place: Vec<bool>,
+    /// What materials need besides their textures.
+    pub resolver: Resolver,
+    /// What specular events at each shape keep images in shape.
+    flat_events: Vec<FlatEvents>,
+    has_flat_events: bool,
+    rays: RayTree,
+    /// Distances below this (world units) around a ray's origin belong to the
+    /// surface it starts on.
+    self_distance: f64,
+}
+
+/// The surface a ray starts on is found again at distances around 1e-16 of
+/// the coordinates; grazing rays find it up to 1e6 times farther. Relative to
+/// the scene's size.
+const SELF_INTERSECTION: f64 = 1e-10;
+/// Fraction by which a shadow ray stops short of the point it is sent to.
+const SHORT_OF_TARGET: f64 = 1e-9;
+
+/// What became of a scene's joined mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MeshChange {
+    /// All vertices are where they were.
+    None,
+    /// Vertices moved; faces are the same.
+    Moved,
+    /// Everything may be different.
+    Rebuilt,
+}
+
+impl Accel {
+    /// Builds the tree of a checked scene.
+    pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
+        let scene = scene.into();
+        let joined = Joined::new(&scene);
+        let rays = RayTree::build(&joined.mesh);
+        Self::assemble(scene, joined, rays)
+    }
+
+    /// Goes over to another checked scene: refits the tree if its faces are the same.
+    pub fn update(&mut self, scene: Arc<Scene>) -> MeshChange {
+        let joined = Joined::new(&scene);
+        let placeholder = RayTree::build(&Mesh::default());
+        let mut rays = std::mem::replace(&mut self.rays, placeholder);
+        let same_faces = joined.mesh.faces == self.mesh.faces
+            && joined.shape_of_face == self.shape_of_face
+            && joined.first_vertex == self.first_vertex;
+        let change = match same_faces {
+            true if joined.mesh.positions == self.mesh.positions => MeshChange::None,
+            true => {
+                rays.refit(&joined.mesh);
+                MeshChange::Moved
+            }
+            false => {
+                rays = RayTree::build(&joined.mesh);
+                MeshChange::Rebuilt
+            }
+        };
+        *self = Self::assemble(scene, joined, rays);
+        change
+    }
+
+    fn assemble(scene: Arc<Scene>, joined: Joined, rays: RayTree) -> Self {
+        let Joined {
+            mesh,
+            shape_of_face,
+            first_vertex,
+            first_face,
+        } = joined;
+        let shapes = || scene.shapes.iter();
+        let flat_events: Vec<_> = shapes().map(|shape| flat_events(&scene, shape)).collect();
+        let size = mesh
+            .positions
+            .iter()
+            .map(|p| p.x.abs().max(p.y.abs()).max(p.z.abs()))
+            .fold(scene.sensor.origin().length(), f64::max);
+        Self {
+            shape_of_face,
+            first_vertex,
+            first_face,
+            needs_tangent: shapes().map(|s| needs_tangent(&scene, s.bsdf)).collect(),
+            view: scene.sensor.view(&scene.film),
+            needs_place: shapes().map(|s| needs_place(&scene, s)).collect(),
+            resolver: Resolver::new(&scene),
+            has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
+            flat_events,
+            rays,
+            mesh,
+            self_distance: SELF_INTERSECTION * size,
+            scene,
+        }
+    }
+
+    /// Points this close (world units) to a plane lie in it, as far as ray hits
+    /// are precise.
+    pub fn horizon_distance(&self) -> f64 {
+        self.self_distance
+    }
+
+    /// The first surface seen from a point on another one.
+    #[inline]
+    pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        self.rays.first_hit(&self.surface_ray(origin, direction))
+    }
+
+    /// A ray from a point on a surface.
+    #[inline]
+    pub fn surface_ray(&self, origin: Vec3, direction: Vec3) -> Ray {
+        Ray {
+            t_min: self.self_distance,
+            ..Ray::new(origin, direction)
+        }
+    }
+
+    /// The first surface along a ray with bounds of its own.
+    #[inline]
+    pub fn first_hit_within(&self, ray: &Ray) -> Option<Hit> {
+        self.rays.first_hit(ray)
+    }
+
+    /// True if nothing lies between two points on surfaces.
+    #[inline]
+    pub fn visible(&self, from: Vec3, to: Vec3) -> bool {
+        let offset = to - from;
+        let distance = offset.length();
+        self.surface_sees(from, offset / distance, distance)
+    }
+
+    /// True if nothing lies between a point on a surface and the point at a
+    /// distance along a unit direction.
+    #[inline]
+    pub fn surface_sees(&self, from: Vec3, direction: Vec3, distance: f64) -> bool {
+        !self.rays.occluded(&Ray {
+            t_max: distance * (1.0 - SHORT_OF_TARGET),
+            ..self.surface_ray(from, direction)
+        })
+    }
+
+    /// The camera's ray from a point of its lens in a unit direction, between its
+    /// clip planes.
+    pub fn camera_ray(&self, eye: Vec3, direction: Vec3) -> Ray {
+        let ray = self.view.from(eye).ray(direction);
+        let [t_min, t_max] = ray.range;
+        Ray {
+            origin: ray.origin,
+            direction: ray.direction,
+            t_min,
+            t_max,
+        }
+    }
+
+    /// True if the camera sees the point at a distance along its ray from a point
+    /// of its lens: between its clip planes, nothing is before it.
+    pub fn camera_sees(&self, eye: Vec3, direction: Vec3, distance: f64) -> bool {
+        let ray = self.camera_ray(eye, direction);
+        ray.t_min < distance
+            && distance < ray.t_max
+            && !self.rays.occluded(&Ray {
+                t_max: distance * (1.0 - SHORT_OF_TARGET),
+                ..ray
+            })
+    }
+
+    /// True if there are flat mirrors or panes.
+    #[inline]
+    pub fn has_flat_events(&self) -> bool {
+        self.has_flat_events
+    }
+
+    /// What specular events at a hit keep images in shape.
+    #[inline]
+    pub fn flat_events(&self, hit: &Hit) -> FlatEvents {
+        self.flat_events[self.shape_of(hit).0 as usize]
+    }
+
+    /// The shape that a vertex of the joined mesh belongs to.
+    #[inline]
+    pub fn shape_of_vertex(&self, vertex: u32) -> ShapeId {
+        ShapeId(self.first_vertex.partition_point(|&first| first <= vertex) as u32 - 1)
+    }
+
+    /// The shape that was hit.
+    #[inline]
+    pub fn shape_of(&self, hit: &Hit) -> ShapeId {
+        self.shape_of_face[hit.face as usize]
+    }
+
+    /// The face of the joined mesh that is the given one of a lamp.
+    #[inline]
+    pub fn lamp_face(&self, emitter: EmitterId, face: u32) -> u32 {
+        match self.scene.emitter(emitter) {
+            Emitter::Area { shape, .. } => self.first_face[shape.0 as usize] + face,
+            _ => unreachable!("only lamps of area have faces"),
+        }
+    }
+
+    /// What emits at a hit towards a viewer that looks along `direction`: only
+    /// the front does.
+    #[inline]
+    pub fn emitter_at(&self, hit: &Hit, direction: Vec3) -> Option<EmitterId> {
+        let emitter = self.scene.shape(self.shape_of(hit)).emitter?;
+        let front = self.mesh.face_cross(hit.face as usize).dot(direction) < 0.0;
+        front.then_some(emitter)
+    }
+}
+
+/// All shapes of a scene in one mesh.
+struct Joined {
+    mesh: Mesh,
+    shape_of_face: Vec<ShapeId>,
+    first_vertex: Vec<u32>,
+    first_face: Vec<u32>,
+}
+
+impl Joined {
+    fn new(scene: &Scene) -> Self {
+        let mut joined = Self {
+            mesh: Mesh::default(),
+            shape_of_face: Vec::new(),
+            first_vertex: Vec::new(),
+            first_face: Vec::new(),
+        };
+        for (i, shape) in scene.shapes.iter().enumerate() {
+            let mesh = &mut joined.mesh;
+            joined.first_vertex.push(mesh.positions.len() as u32);
+            joined.first_face.push(mesh.faces.len() as u32);
+            mesh.append(&shape.mesh);
+            joined
+                .shape_of_face
+                .resize(mesh.faces.len(), ShapeId(i as u32));
+        }
+        joined
+    }
+}

@@ -1,0 +1,217 @@
+//! The edges of a scene at which the integrand can be discontinuous (METHOD 1).
+
+use capwalk_geometry::{Edge, Mesh, Sides, SilhouetteTree, topology};
+use capwalk_math::Vec3;
+use capwalk_scene::Emitter;
+
+use crate::accel::{Accel, MeshChange};
+use crate::crossing::{Crossing, crossings};
+use crate::emitter_edge::{EmitterEdge, emitter_edges};
+use crate::picture_space::picture_tree;
+use crate::shading::ShadingDiscontinuities;
+use crate::texture_line::texture_lines;
+use crate::viewpoint::{EMITTED, SEEN};
+use crate::window::AreaEmitter;
+
+/// Lamps with at most this many edges have their flux sampled explicitly
+/// (METHOD 3); the edges of others join the boundaries.
+const FEW_EDGES: usize = 64;
+
+/// The edges of a scene that can be boundaries.
+#[derive(Debug)]
+pub struct Boundaries {
+    edges: Vec<Edge>,
+    /// How much light may jump at each edge that is no silhouette.
+    contrasts: Vec<f32>,
+    tree: SilhouetteTree,
+    /// The same edges in picture space, if the sensor's rays are parallel: seen from
+    /// its origin they lie in the directions of the sensor's view.
+    picture: Option<SilhouetteTree>,
+    /// Positions of the joined mesh's vertices, then of the ends of crossings.
+    positions: Vec<Vec3>,
+    /// The curves where faces cross and textures jump, in the order of their ends'
+    /// positions.
+    pub crossings: Vec<Crossing>,
+    /// The edges of area emitters with few edges.
+    pub emitter_edges: Vec<EmitterEdge>,
+    /// The area emitters, before which edges can be gathered.
+    pub area_emitters: Vec<AreaEmitter>,
+}
+
+impl Boundaries {
+    /// The boundaries of a scene. Edges are welded within each shape: shapes
+    /// may move against each other.
+    pub fn new(accel: &Accel) -> Self {
+        let listed = Listed::new(accel);
+        Self {
+            tree: SilhouetteTree::build(&listed.mesh, &listed.edges),
+            picture: picture_tree(&accel.view, &listed.mesh, &listed.edges),
+            area_emitters: AreaEmitter::all(&accel.scene),
+            emitter_edges: emitter_edges(&listed.on_emitters, &accel.mesh.positions),
+            edges: listed.edges,
+            contrasts: listed.contrasts,
+            positions: listed.mesh.positions,
+            crossings: listed.crossings,
+        }
+    }
+
+    /// Follows a scene that changed. The edges are listed again, since any motion can
+    /// bend coplanar neighbours or cut faces elsewhere, and any colour can make a
+    /// texture discontinuous; their tree is refitted where the list is the same.
+    pub fn update(&mut self, accel: &Accel, change: MeshChange) {
+        let listed = Listed::new(accel);
+        let same_edges = change != MeshChange::Rebuilt
+            && listed.edges == self.edges
+            && listed.mesh.positions.len() == self.positions.len();
+        if !same_edges {
+            self.tree = SilhouetteTree::build(&listed.mesh, &listed.edges);
+        } else if listed.mesh.positions != self.positions {
+            self.tree.refit(&listed.mesh);
+        }
+        // The sensor may have moved, too.
+        self.picture = picture_tree(&accel.view, &listed.mesh, &listed.edges);
+        self.area_emitters = AreaEmitter::all(&accel.scene);
+        self.emitter_edges = emitter_edges(&listed.on_emitters, &accel.mesh.positions);
+        self.edges = listed.edges;
+        self.contrasts = listed.contrasts;
+        self.positions = listed.mesh.positions;
+        self.crossings = listed.crossings;
+    }
+
+    /// The edges.
+    pub fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// Positions of the joined mesh's vertices, then of the ends of crossings.
+    pub fn positions(&self) -> &[Vec3] {
+        &self.positions
+    }
+
+    /// How many points the boundaries are made of: the vertices of the joined
+    /// mesh, then the ends of crossings.
+    pub fn point_count(&self) -> usize {
+        self.positions.len()
+    }
+
+    /// An edge, by its number.
+    pub fn edge(&self, edge: u32) -> &Edge {
+        &self.edges[edge as usize]
+    }
+
+    /// How much light may jump at an edge, from above 0 to 1: 1 where it is a
+    /// silhouette, seen from the eye, or where its faces look different.
+    pub fn contrast(&self, edge: u32, mesh: &Mesh, eye: Vec3) -> f64 {
+        match self.edge(edge).is_silhouette(mesh, eye) {
+            true => 1.0,
+            false => f64::from(self.contrasts[edge as usize]),
+        }
+    }
+
+    /// Where the ends of an edge are.
+    pub fn ends(&self, edge: u32) -> [Vec3; 2] {
+        let vertices = self.edge(edge).vertices;
+        vertices.map(|i| self.position(i))
+    }
+
+    /// Where a point of the boundaries is.
+    pub fn position(&self, point: u32) -> Vec3 {
+        self.positions[point as usize]
+    }
+
+    /// The edges in a tree.
+    pub fn tree(&self) -> &SilhouetteTree {
+        &self.tree
+    }
+
+    /// The edges in picture space; only for sensors whose rays are parallel.
+    pub(crate) fn picture_tree(&self) -> &SilhouetteTree {
+        let tree = self.picture.as_ref();
+        tree.expect("asked only for sensors whose rays are parallel")
+    }
+
+    /// Where a point of an edge is.
+    pub(crate) fn point(&self, vertices: [u32; 2], t: f64) -> Vec3 {
+        let [a, b] = vertices.map(|i| self.positions[i as usize]);
+        a + (b - a) * t
+    }
+}
+
+/// The edges of a scene, listed.
+struct Listed {
+    /// The joined mesh, with the ends of crossings behind its vertices.
+    mesh: Mesh,
+    edges: Vec<Edge>,
+    contrasts: Vec<f32>,
+    crossings: Vec<Crossing>,
+    /// Ends of the edges whose term is added explicitly.
+    on_emitters: Vec<[u32; 2]>,
+}
+
+impl Listed {
+    fn new(accel: &Accel) -> Self {
+        let scene = &accel.scene;
+        let (mut edges, mut contrasts) = (Vec::new(), Vec::new());
+        let mut on_emitters = Vec::new();
+        let mut first_face = 0;
+        for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
+            let discontinuities = ShadingDiscontinuities::new(scene, shape);
+            let mut own = topology::edges_with(&shape.mesh, |faces| discontinuities.differs(faces));
+            let is_explicit = shape.emitter.is_some_and(|id| {
+                matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
+            });
+            contrasts.extend(own.iter().map(|edge| match edge.sides {
+                Sides::Open => 1.0,
+                Sides::Between { faces, flipped } => {
+                    discontinuities.contrast(faces, flipped) as f32
+                }
+            }));
+            for edge in &mut own {
+                shift(edge, first_vertex, first_face);
+                edge.groups = if is_explicit { SEEN } else { SEEN | EMITTED };
+                if let (Some(_), Sides::Between { faces, flipped }) = (shape.emitter, edge.sides) {
+                    // Light ends where a lamp turns its back, folded or not, and
+                    // jumps with its texture.
+                    let local = faces.map(|face| face - first_face);
+                    if flipped || discontinuities.textures_differ(local) {
+                        edge.sides = Sides::Open;
+                    }
+                }
+                if is_explicit {
+                    on_emitters.push(edge.vertices);
+                }
+            }
+            edges.append(&mut own);
+            first_face += shape.mesh.faces.len() as u32;
+        }
+        let mut mesh = accel.mesh.clone();
+        let mut crossings = crossings(accel);
+        crossings.extend(texture_lines(accel));
+        for crossing in &crossings {
+            let first = mesh.positions.len() as u32;
+            mesh.positions.extend(crossing.ends.map(|end| end.position));
+            edges.push(Edge {
+                vertices: [first, first + 1],
+                sides: Sides::Open,
+                // A lamp that something cuts through ends there.
+                groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
+            });
+            contrasts.push(1.0);
+        }
+        Self {
+            mesh,
+            edges,
+            contrasts,
+            crossings,
+            on_emitters,
+        }
+    }
+}
+
+/// Makes an edge of a shape one of the joined mesh.
+fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
+    edge.vertices = edge.vertices.map(|i| i + first_vertex);
+    if let Sides::Between { faces, .. } = &mut edge.sides {
+        *faces = faces.map(|i| i + first_face);
+    }
+}

@@ -1,0 +1,162 @@
+//! The fields around all viewpoints of a scene, as linear maps from its velocities.
+
+use capwalk_geometry::{Edge, SilhouettePoint};
+use capwalk_math::{Real, Vec3};
+
+use crate::accel::Accel;
+use crate::boundaries::Boundaries;
+use crate::boundary_sample::{BoundarySample, Seen};
+use crate::method::Method;
+use crate::viewpoint::Viewpoint;
+
+/// The fields around all viewpoints of a scene.
+#[derive(Clone, Copy)]
+pub struct Field<'a> {
+    /// The scene.
+    pub accel: &'a Accel,
+    /// Its boundaries.
+    pub boundaries: &'a Boundaries,
+    /// What makes the fields.
+    pub method: Method,
+}
+
+impl<'a> Field<'a> {
+    /// The fields of a scene with the given boundaries.
+    pub fn new(accel: &'a Accel, boundaries: &'a Boundaries, method: Method) -> Self {
+        Self {
+            accel,
+            boundaries,
+            method,
+        }
+    }
+
+    /// A boundary point as a map from velocities: what counts is how it moves across
+    /// the line of sight or, at the horizon of the face that the viewpoint lies on,
+    /// across the horizon.
+    pub(crate) fn boundary_sample<R: Real>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        seen: &Seen,
+    ) -> BoundarySample {
+        let found = &seen.point;
+        let edge = &self.boundaries.edge(found.edge);
+        // Around the face that the eye slides on, its edges are the horizon.
+        // Only the motion across the horizon matters; that along it grows
+        // without bound as the eye nears the edge.
+        let horizon = viewpoint
+            .face_normal
+            .filter(|normal| {
+                let height = normal.dot(found.direction) * found.distance;
+                seen.is_direct && height.abs() <= self.accel.horizon_distance()
+            })
+            .filter(|&normal| self.in_horizon(viewpoint.position.value(), edge, normal));
+        BoundarySample {
+            points: edge.vertices,
+            t: found.t,
+            direction: horizon.unwrap_or(found.direction),
+            is_horizon: horizon.is_some(),
+            distance: found.distance,
+            place: viewpoint.axes.map(|_| {
+                let point = self.boundaries.point(edge.vertices, found.t);
+                self.accel.view.place(point)
+            }),
+            mirrors: seen.mirrors,
+        }
+    }
+
+    /// Where a boundary point is.
+    pub fn position(&self, sample: &BoundarySample) -> Vec3 {
+        self.boundaries.point(sample.points, sample.t)
+    }
+
+    fn in_horizon(&self, eye: Vec3, edge: &Edge, normal: Vec3) -> bool {
+        edge.vertices.iter().all(|&i| {
+            let offset = self.boundaries.position(i) - eye;
+            offset.dot(normal).abs() <= self.accel.horizon_distance()
+        })
+    }
+
+    /// The velocity of a boundary point's direction, radians, for the velocities of
+    /// points of the boundaries and of the viewpoint ([`Viewpoint::vectors`]).
+    pub(crate) fn velocity(
+        &self,
+        sample: &BoundarySample,
+        point: impl Fn(u32) -> Vec3,
+        viewpoint: &[Vec3; 4],
+    ) -> Vec3 {
+        // The point moves with its edge's ends, its image with the mirrors, too.
+        let [a, b] = sample.points.map(&point);
+        let mut velocity = a + (b - a) * sample.t;
+        if !sample.mirrors.is_empty() {
+            let (mesh, position) = (&self.accel.mesh, self.position(sample));
+            velocity = sample.mirrors.velocity(mesh, position, velocity, point);
+        }
+        // It is seen against what is fixed to the viewpoint.
+        for (&vector, share) in viewpoint.iter().zip(sample.shares()) {
+            velocity += vector * -share;
+        }
+        self.seen_velocity(sample, velocity)
+    }
+
+    /// The transpose of [`Field::velocity`]: passes a covector on the velocity of a
+    /// boundary point's direction on to covectors on points of the boundaries and on
+    /// the vectors of the viewpoint.
+    pub(crate) fn pull_velocity(
+        &self,
+        sample: &BoundarySample,
+        covector: Vec3,
+        mut on_point: impl FnMut(u32, Vec3),
+        mut on_viewpoint: impl FnMut(usize, Vec3),
+    ) {
+        let mut covector = self.pull_seen_velocity(sample, covector);
+        for (i, share) in sample.shares().into_iter().enumerate() {
+            on_viewpoint(i, covector * -share);
+        }
+        if !sample.mirrors.is_empty() {
+            let (mesh, position) = (&self.accel.mesh, self.position(sample));
+            covector = sample.mirrors.pull(mesh, position, covector, &mut on_point);
+        }
+        let [a, b] = sample.points;
+        on_point(a, covector * (1.0 - sample.t));
+        on_point(b, covector * sample.t);
+    }
+
+    /// The angular velocity of a boundary point, or its image in mirrors, for a
+    /// velocity `ẋ - ȯ` relative to the eye, `P_x̂ (ẋ - ȯ) / |x - o|`; if the eye's
+    /// rays are parallel, that of its direction in picture space.
+    #[inline]
+    fn seen_velocity(&self, sample: &BoundarySample, relative: Vec3) -> Vec3 {
+        match sample.place {
+            None => sample.angular(relative),
+            Some(_) => sample.angular(self.accel.view.picture_velocity(relative)),
+        }
+    }
+
+    /// The transpose of [`Field::seen_velocity`].
+    #[inline]
+    fn pull_seen_velocity(&self, sample: &BoundarySample, covector: Vec3) -> Vec3 {
+        let on_velocity = sample.angular(covector);
+        match sample.place {
+            None => on_velocity,
+            Some(_) => self.accel.view.pull_picture_velocity(on_velocity),
+        }
+    }
+
+    /// Where a point is that an eye's tree found around `apex`, and how far along the
+    /// eye's ray.
+    pub(crate) fn located<R>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        apex: Vec3,
+        found: &SilhouettePoint,
+    ) -> (Vec3, f64) {
+        match viewpoint.axes {
+            None => (apex + found.direction * found.distance, found.distance),
+            Some(_) => {
+                let edge = self.boundaries.edge(found.edge);
+                let point = self.boundaries.point(edge.vertices, found.t);
+                (point, self.accel.view.depth(point))
+            }
+        }
+    }
+}

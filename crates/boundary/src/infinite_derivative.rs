@@ -1,0 +1,70 @@
+//! Numbers of materials that have no finite slope where they are.
+
+use capwalk_math::Rgb;
+use capwalk_scene::bsdf::{Principled, PrincipledIndex};
+use capwalk_scene::{Bsdf, Scene, Shape, Texture, TextureId};
+
+use crate::refusal::Refusal;
+
+/// A refusal if derivatives are asked for by a texture with texels at which
+/// what a principled material does has no finite slope.
+pub fn refuse_infinite_derivatives(
+    scene: &Scene,
+    is_asked_for: impl Fn(TextureId) -> bool,
+) -> Result<(), Refusal> {
+    for shape in &scene.shapes {
+        for id in scene.materials_below(shape.bsdf) {
+            let Bsdf::Principled(principled) = &scene.material(id).bsdf else {
+                continue;
+            };
+            let numbers = Numbers { scene, shape };
+            if let Some((slot, why)) = numbers.without_slope(principled, &is_asked_for) {
+                return Err(Refusal::InfiniteDerivative {
+                    material: scene.material(id).id.clone(),
+                    slot,
+                    why,
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The numbers of textures on a shape.
+struct Numbers<'s> {
+    scene: &'s Scene,
+    shape: &'s Shape,
+}
+
+impl Numbers<'_> {
+    fn of(&self, id: TextureId) -> &Texture {
+        self.scene.texture(self.scene.numbers_of(id, self.shape))
+    }
+
+    /// What has no finite slope somewhere, and why.
+    fn without_slope(
+        &self,
+        it: &Principled,
+        is_asked_for: impl Fn(TextureId) -> bool,
+    ) -> Option<(&'static str, &'static str)> {
+        let asked = |id| is_asked_for(self.scene.numbers_of(id, self.shape));
+        let is_zero = |id| self.of(id).data.contains(&0.0);
+        let has = |id| self.of(id).data.iter().any(|&x| x > 0.0);
+        if asked(it.base_color) {
+            if is_zero(it.base_color) && has(it.spec_trans) {
+                return Some(("base_color", "glass takes its square root for a tint"));
+            }
+            let colours = self.of(it.base_color);
+            let is_black = (0..colours.texels()).any(|i| colours.texel(i) == Rgb::zero());
+            if is_black && (has(it.spec_tint) || has(it.sheen) && has(it.sheen_tint)) {
+                return Some(("base_color", "tints have its hue, and black has none"));
+            }
+        }
+        match it.index {
+            PrincipledIndex::Specular(specular) if asked(specular) && is_zero(specular) => {
+                Some(("specular", "the refractive index follows its square root"))
+            }
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Where the integrand of light transport is discontinuous, seen from a point, and the
+//! velocity fields that follow the discontinuities when a scene moves (METHOD 1 to 3).
+//!
+//! [`Accel`] is a scene made ready to answer rays, [`Boundaries`] are all its edges that
+//! can be discontinuities: silhouettes, open edges, creases, curves in which faces
+//! cross, lines of textures. A [`Viewpoint`] says which of them count around a point,
+//! and a [`Field`] samples how a direction from there moves with them, by one of the
+//! closed list of [`Method`]s.
+//!
+//! Nothing here knows velocities or light: a sample is a [`Warp`], a linear map from the
+//! velocities of a few points that serves forward and, transposed, reverse derivatives
+//! (METHOD 5). What cannot be differentiated rightly is named by [`refuse`].
+
+mod accel;
+mod boundaries;
+mod boundary_sample;
+mod clip;
+mod crossing;
+mod draw;
+mod emitter_edge;
+mod field;
+mod infinite_derivative;
+mod material;
+mod method;
+mod mirror;
+#[cfg(feature = "paper")]
+mod paper;
+mod picture_space;
+pub mod pool;
+mod random;
+mod reflected;
+mod refusal;
+pub mod refuse;
+mod shading;
+mod silhouette_pieces;
+mod texture_line;
+mod viewpoint;
+mod walk;
+mod warp;
+mod window;
+
+pub use accel::{Accel, MeshChange};
+pub use boundaries::Boundaries;
+pub use boundary_sample::BoundarySample;
+pub use crossing::{Crossing, End};
+pub use draw::{Counts, Draw, Numbers};
+pub use emitter_edge::EmitterEdge;
+pub use field::Field;
+pub use material::{
+    FlatEvents, flat_events, may_be_specular, needs_place, needs_tangent, tangents_of_face,
+    textures_of,
+};
+pub use method::{Method, MethodTraits};
+#[cfg(feature = "paper")]
+pub use method::{WasBoundary, WasSettings};
+pub use mirror::MAX_EVENTS;
+pub use random::{Sampler, Stream};
+pub use refusal::{Refusal, SpecularCause};
+pub use silhouette_pieces::{EdgePoint, SilhouettePieces, beside, clip, place};
+pub use viewpoint::{EMITTED, SEEN, Viewpoint, Visibility};
+pub use warp::Warp;
+pub use window::{AreaEmitter, Window};

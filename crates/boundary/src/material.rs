@@ -1,0 +1,151 @@
+//! What the materials of shapes ask of a surface, and which of their specular events
+//! keep images in shape.
+
+use capwalk_math::{Real, Vec3};
+use capwalk_scene::lobe::Event;
+use capwalk_scene::{
+    Bsdf as Plugin, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId,
+};
+
+/// True if it matters, for the value or a derivative, how a material is turned
+/// about the normal.
+pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
+    any_part(scene, id, |bsdf| {
+        matches!(bsdf, Plugin::Principled(_)) || is_anisotropic(scene, bsdf)
+    }) || scene.map_in(id).is_some()
+}
+
+/// True if it matters where on a face of a shape a ray meets it, besides the
+/// position: for interpolated normals, for textures, for layers of these.
+pub fn needs_place(scene: &Scene, shape: &Shape) -> bool {
+    let mut textures = textures_of(scene, shape).into_iter();
+    shape.normals.per_vertex().is_some()
+        || textures.any(|texture| !texture.is_constant())
+        || matches!(scene.settings.integrator, Integrator::Aov(_))
+}
+
+/// True if the value depends on how a material is turned about the normal.
+pub fn looks_turned(scene: &Scene, id: BsdfId) -> bool {
+    any_part(scene, id, |bsdf| is_anisotropic(scene, bsdf))
+}
+
+fn is_anisotropic(scene: &Scene, bsdf: &Plugin) -> bool {
+    match bsdf {
+        Plugin::RoughConductor(_, facets) | Plugin::RoughDielectric(_, facets) => {
+            facets.alpha[0] != facets.alpha[1]
+        }
+        Plugin::Principled(principled) => {
+            let anisotropic = scene.texture(principled.anisotropic);
+            let is_attribute = matches!(anisotropic.pattern, Pattern::MeshAttribute { .. });
+            is_attribute || anisotropic.data.iter().any(|&x| x != 0.0)
+        }
+        _ => false,
+    }
+}
+
+/// True if a plugin reflects in one direction alone; what refracts so does, too.
+fn is_mirror(bsdf: &Plugin) -> bool {
+    matches!(
+        bsdf,
+        Plugin::Conductor(_)
+            | Plugin::Dielectric(_)
+            | Plugin::ThinDielectric(_)
+            | Plugin::Plastic(_)
+    )
+}
+
+/// True if a plugin lets light pass straight on.
+fn is_pane(bsdf: &Plugin) -> bool {
+    matches!(
+        bsdf,
+        Plugin::ThinDielectric(_) | Plugin::Mask { .. } | Plugin::Null
+    )
+}
+
+/// True if a material can reflect, refract or pass light in one direction alone.
+pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
+    any_part(scene, id, |bsdf| is_mirror(bsdf) || is_pane(bsdf))
+}
+
+/// Which perfectly specular events at a shape keep images in shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct FlatEvents {
+    /// Reflection by a plane.
+    reflects: bool,
+    /// Passing straight on.
+    passes: bool,
+}
+
+impl FlatEvents {
+    /// The events.
+    pub fn iter(self) -> impl Iterator<Item = Event> {
+        let reflects = self.reflects.then_some(Event::Reflect);
+        let passes = self.passes.then_some(Event::Pass);
+        reflects.into_iter().chain(passes)
+    }
+
+    /// True if the event is one of them.
+    pub fn contains(self, event: Event) -> bool {
+        self.iter().any(|own| own == event)
+    }
+
+    /// True if there are none.
+    pub fn is_empty(self) -> bool {
+        self.iter().next().is_none()
+    }
+}
+
+/// Which perfectly specular events at a shape keep images in shape: mirrors must
+/// be flat, panes may be bent.
+pub fn flat_events(scene: &Scene, shape: &Shape) -> FlatEvents {
+    let turns = scene.map_in(shape.bsdf).is_some();
+    let is_flat = shape.normals.per_vertex().is_none() && !turns;
+    FlatEvents {
+        reflects: is_flat && any_part(scene, shape.bsdf, is_mirror),
+        passes: any_part(scene, shape.bsdf, is_pane),
+    }
+}
+
+/// True if something holds for a material, or one that it is made of.
+fn any_part(scene: &Scene, id: BsdfId, holds: impl Fn(&Plugin) -> bool) -> bool {
+    let mut parts = scene.materials_below(id).into_iter();
+    parts.any(|part| holds(&scene.material(part).bsdf))
+}
+
+/// How the position on a face of a shape changes with each texture coordinate,
+/// for edges from its first corner to the others; `None` without usable texture
+/// coordinates.
+pub fn tangents_of_face<R: Real>(
+    shape: &Shape,
+    face: usize,
+    edges: [Vec3<R>; 2],
+) -> Option<[Vec3<R>; 2]> {
+    let [[u0, v0], [u1, v1], [u2, v2]] = shape.uvs.as_ref()?[face];
+    let (du1, dv1, du2, dv2) = (u1 - u0, v1 - v0, u2 - u0, v2 - v0);
+    let scale = 1.0 / (du1 * dv2 - du2 * dv1);
+    let along = |a: f64, b: f64| {
+        let [a, b] = [a, b].map(|x| R::constant(x * scale));
+        edges[0] * a + edges[1] * b
+    };
+    let tangents = [along(dv2, -dv1), along(-du2, du1)];
+    let are_finite = tangents.iter().all(|tangent| tangent.value().is_finite());
+    are_finite.then_some(tangents)
+}
+
+/// The textures that decide how a shape looks: those of its materials and of
+/// what it emits, attributes in the place of what looks them up.
+pub fn textures_of<'s>(scene: &'s Scene, shape: &Shape) -> Vec<&'s Texture> {
+    let mut ids: Vec<TextureId> = shape
+        .emitter
+        .map(|id| scene.emitter(id).radiance())
+        .into_iter()
+        .collect();
+    ids.extend(
+        scene
+            .slots_below(shape.bsdf)
+            .iter()
+            .map(|slot| slot.texture),
+    );
+    let shown = |id| scene.texture(scene.numbers_of(id, shape));
+    ids.into_iter().map(shown).collect()
+}

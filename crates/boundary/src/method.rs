@@ -1,0 +1,109 @@
+//! The boundary estimators by name, and what each of them covers.
+
+#[cfg(feature = "paper")]
+pub use crate::paper::settings::{WasBoundary, WasSettings};
+
+/// How the derivative of a discontinuous integrand is estimated.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Method {
+    /// A velocity field by walks on spherical caps, around every point that light
+    /// arrives at. Unbiased.
+    #[default]
+    Walk,
+    /// Directions towards area emitters, and those of a camera that sees through no
+    /// flat mirror or pane and whose rays are not parallel, stay where they are, and
+    /// points are drawn on all edges that move across them; elsewhere like
+    /// [`Method::Walk`]. Unbiased.
+    Edges,
+    /// The same walk on the triangle that each direction meets, where the field is
+    /// relative to the material: the paper to the letter. Borders of triangles
+    /// limit its walks, in the place of `max_radius`, which is left for directions
+    /// that meet nothing. Unbiased; reflected boundaries are not covered.
+    #[cfg(feature = "paper")]
+    TriangleWalk,
+    /// The same with a walk on disks in the triangle's plane, among all silhouettes
+    /// projected on it: unbiased, and so slow that scenes of many edges are refused.
+    #[cfg(feature = "paper")]
+    ExplicitWalk,
+    /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
+    /// more auxiliary rays; what is seen in mirrors is not covered.
+    #[cfg(feature = "paper")]
+    Was(WasSettings),
+    /// The same on the triangle that each direction meets, relative to its material
+    /// (Xu et al. 2023).
+    #[cfg(feature = "paper")]
+    PsdrWas(WasSettings),
+}
+
+/// What a method promises and needs: one answer for every method, so that a new one
+/// states all of them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MethodTraits {
+    /// Its name in files and messages.
+    pub name: &'static str,
+    /// True if it promises the truth: what it does not cover is refused.
+    pub is_unbiased: bool,
+    /// True if its field is made by walks, whose settings must give a continuous one.
+    pub walks: bool,
+    /// True if directions towards area emitters stay, and edges before them are
+    /// gathered.
+    pub gathers: bool,
+    /// True if its fields have reflected boundaries, lines of textures, parallel rays,
+    /// and run over the edges of emitters, whose term is then added: the fields of
+    /// [`crate::Field`] on the sphere of directions.
+    pub is_spherical: bool,
+}
+
+impl Method {
+    /// What it promises and needs.
+    pub fn traits(&self) -> MethodTraits {
+        let spherical = MethodTraits {
+            name: "walk",
+            is_unbiased: true,
+            walks: true,
+            gathers: false,
+            is_spherical: true,
+        };
+        match self {
+            Self::Walk => spherical,
+            Self::Edges => MethodTraits {
+                name: "edges",
+                gathers: true,
+                ..spherical
+            },
+            #[cfg(feature = "paper")]
+            Self::TriangleWalk => MethodTraits {
+                name: "walk, domain triangle",
+                is_spherical: false,
+                ..spherical
+            },
+            #[cfg(feature = "paper")]
+            Self::ExplicitWalk => MethodTraits {
+                name: "walk, domain explicit",
+                is_spherical: false,
+                ..spherical
+            },
+            #[cfg(feature = "paper")]
+            Self::Was(_) => MethodTraits {
+                name: "was",
+                is_unbiased: false,
+                walks: false,
+                gathers: false,
+                is_spherical: false,
+            },
+            #[cfg(feature = "paper")]
+            Self::PsdrWas(_) => MethodTraits {
+                name: "psdr-was",
+                is_unbiased: false,
+                walks: false,
+                gathers: false,
+                is_spherical: false,
+            },
+        }
+    }
+
+    /// Its name in files and messages.
+    pub fn name(&self) -> &'static str {
+        self.traits().name
+    }
+}

@@ -1,0 +1,26 @@
+//! The field around a camera whose rays are parallel, and meet in no point.
+//!
+//! It is the field around the origin of picture space, in which the camera-space
+//! point `(X, Y, Z)` lies at `(X, Y, 1)`: there, all rays start. Straight edges stay
+//! straight and their points divide them as before, so that the tree of silhouettes
+//! serves as it is. What the map loses is depth, which is looked up where an edge was
+//! found. A point that moves with `ẋ` moves with the first two components of
+//!
+//! ```text
+//! A⁻¹ (ẋ - ȯ - X ȧ - Y ḃ - Z ċ)
+//! ```
+//!
+//! in picture space: `A` has the camera's axes `a`, `b`, `c` as columns, and `o` is
+//! where it stands.
+
+use capwalk_geometry::{Edge, Mesh, SilhouetteTree};
+use capwalk_scene::sensor::view::View;
+
+/// The edges in picture space, if the rays of a view are parallel.
+pub fn picture_tree(view: &View<f64>, mesh: &Mesh, edges: &[Edge]) -> Option<SilhouetteTree> {
+    view.is_parallel().then(|| {
+        let positions = mesh.positions.iter().map(|&p| view.towards(p)).collect();
+        let faces = mesh.faces.clone();
+        SilhouetteTree::build(&Mesh { positions, faces }, edges)
+    })
+}

@@ -1,0 +1,321 @@
+//! Why a derivative is refused, and what to do instead.
+
+use std::fmt;
+
+/// Why a derivative is refused. Its text says what was found where, and what to do
+/// instead.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Refusal {
+    /// A walk of no steps: its field is not continuous.
+    NoSteps,
+    /// The largest angle of a walk, radians, is not in (0, π].
+    MaxAngle(f64),
+    /// Warped-area sampling without auxiliary rays, or with a concentration that is
+    /// not a positive number.
+    #[cfg(feature = "paper")]
+    AuxiliaryRays {
+        /// Auxiliary rays per direction.
+        rays: u32,
+        /// Their concentration `κ`.
+        kappa: f64,
+    },
+    /// More edges than a walk among explicit boundaries can look at.
+    #[cfg(feature = "paper")]
+    ManyEdges {
+        /// Edges of the scene.
+        count: usize,
+        /// Most that are accepted.
+        most: usize,
+    },
+    /// Something moves beside an emitter without extent: the edges of its shadows lie
+    /// on surfaces, not among directions (METHOD 7).
+    HardShadows {
+        /// Name of the emitter.
+        emitter: String,
+        /// Its kind, by Mitsuba's name.
+        plugin: &'static str,
+    },
+    /// Something moves before the parallel rays of an orthographic sensor, and the
+    /// method has fields around points only.
+    ParallelRays {
+        /// Name of the method.
+        method: &'static str,
+    },
+    /// Something moves beside a texture with discontinuities whose motion the method
+    /// misses.
+    TextureDiscontinuities {
+        /// Name of the texture.
+        texture: String,
+        /// Name of the shape.
+        shape: String,
+        /// Name of the method.
+        method: &'static str,
+    },
+    /// A texture is discontinuous along too many lines.
+    ManyTextureLines {
+        /// Name of the texture.
+        texture: String,
+        /// Name of the shape.
+        shape: String,
+        /// Lines on the shape.
+        count: f64,
+        /// Most that are accepted.
+        most: f64,
+    },
+    /// A smooth surface depends on how its material is turned about the normal, and
+    /// its mesh does not say how.
+    UnknownTangents {
+        /// Name of the shape.
+        shape: String,
+        /// True if it has a map of normals, false if it is anisotropic.
+        has_map: bool,
+        /// The face, from 0, without extent in texture space; `None` if the mesh has
+        /// no texture coordinates.
+        face: Option<usize>,
+    },
+    /// A map of normals cuts light off along curves inside faces, and these move.
+    CutNormals {
+        /// Name of the material.
+        material: String,
+        /// Its kind, by Mitsuba's name.
+        plugin: &'static str,
+        /// The option that must be true.
+        flag: &'static str,
+    },
+    /// A clip plane of the camera cuts a shape within the image, and one of them moves.
+    Clipped {
+        /// Name of the shape.
+        shape: String,
+        /// Name of the plane: `near_clip` or `far_clip`.
+        plane: &'static str,
+        /// Its depth, world units.
+        depth: f64,
+    },
+    /// The derivative with respect to a number of a material is infinite.
+    InfiniteDerivative {
+        /// Name of the material.
+        material: String,
+        /// The number, by Mitsuba's name.
+        slot: &'static str,
+        /// Why it is infinite where the number is 0.
+        why: &'static str,
+    },
+    /// Silhouettes move that are seen by specular reflection or refraction which the
+    /// method does not cover.
+    SpecularMotion {
+        /// Specular events of that kind per sample.
+        share: f64,
+        /// Why they are not covered.
+        cause: SpecularCause,
+    },
+    /// The adjoint image has another size than the image.
+    AdjointSize {
+        /// Its width and height, pixels.
+        found: [usize; 2],
+        /// Those of the image.
+        expected: [usize; 2],
+    },
+    /// The adjoint image has a pixel that is infinite or NaN.
+    AdjointNotFinite {
+        /// Column and row, from 0 at the upper left.
+        pixel: [usize; 2],
+        /// Its channels.
+        value: [f64; 3],
+    },
+    /// A finite difference leaves the scenes that can be rendered.
+    InvalidStep {
+        /// The step to either side, in units of the parameter.
+        step: f64,
+        /// What is wrong with the scene there.
+        reason: String,
+    },
+}
+
+/// Why silhouettes seen by specular events are not covered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SpecularCause {
+    /// The mirror is curved, the light is refracted, or there are more than so many
+    /// reflections.
+    Bent {
+        /// Most reflections that are covered.
+        most_events: u32,
+    },
+    /// The same, or any mirror before an orthographic sensor.
+    Orthographic {
+        /// Most reflections that are covered.
+        most_events: u32,
+    },
+    /// The method has no reflected boundaries.
+    Method,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoSteps => f.write_str(
+                "a walk of 0 steps gives a field that is not continuous, and a wrong derivative; \
+                 use at least 1 step",
+            ),
+            Self::MaxAngle(angle) => write!(
+                f,
+                "the largest angle of a walk is {angle}; expected radians above 0 and at most π"
+            ),
+            #[cfg(feature = "paper")]
+            Self::AuxiliaryRays { rays, kappa } => write!(
+                f,
+                "warped-area sampling with {rays} auxiliary rays of concentration {kappa}; expected \
+                 at least one ray and a finite concentration above 0"
+            ),
+            #[cfg(feature = "paper")]
+            Self::ManyEdges { count, most } => write!(
+                f,
+                "the scene has {count} edges, and walks among explicit boundaries look at all of \
+                 them for every direction; expected at most {most}. Use fields on triangles, which \
+                 ask a tree for the closest ones, or on the sphere"
+            ),
+            Self::HardShadows { emitter, plugin } => write!(
+                f,
+                "the emitter \"{emitter}\" ({plugin}) has no extent, and the motion of the hard \
+                 edges of its shadows is not available. Use a small area emitter instead, or finite \
+                 differences"
+            ),
+            Self::ParallelRays { method } => write!(
+                f,
+                "the method `{method}` has no field for the parallel rays of an orthographic \
+                 sensor. Use the default method, or a perspective sensor far away with a small fov"
+            ),
+            Self::TextureDiscontinuities {
+                texture,
+                shape,
+                method,
+            } => write!(
+                f,
+                "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
+                 texels, and the method `{method}` misses the motion of these discontinuities. Use \
+                 the filter `bilinear`, the default method, or finite differences"
+            ),
+            Self::ManyTextureLines {
+                texture,
+                shape,
+                count,
+                most,
+            } => write!(
+                f,
+                "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
+                 texels, along {count:.0} lines; expected at most {most:.0}. Use the filter \
+                 `bilinear`, or finite differences"
+            ),
+            Self::UnknownTangents {
+                shape,
+                has_map,
+                face,
+            } => {
+                let material = match has_map {
+                    true => "has a map of normals",
+                    false => "is anisotropic",
+                };
+                write!(
+                    f,
+                    "the material of the shape \"{shape}\" {material}, and its mesh has "
+                )?;
+                match face {
+                    None => f.write_str("no texture coordinates")?,
+                    Some(face) => write!(
+                        f,
+                        "texture coordinates without extent in face {face} (from 0)"
+                    )?,
+                }
+                f.write_str(
+                    " to say in which directions; these are discontinuous somewhere on smooth \
+                     surfaces. Add texture coordinates to the mesh that span every face",
+                )
+            }
+            Self::CutNormals {
+                material,
+                plugin,
+                flag,
+            } => write!(
+                f,
+                "without `{flag}` the {plugin} \"{material}\" cuts light off along curves inside \
+                 faces, and their motion is not available. Set it to true, or use finite differences"
+            ),
+            Self::Clipped {
+                shape,
+                plane,
+                depth,
+            } => write!(
+                f,
+                "the camera's {plane} of {depth} cuts through the shape \"{shape}\" within the \
+                 image, and the derivative of what is cut off there is not available. Choose \
+                 another {plane}, or move the camera"
+            ),
+            Self::InfiniteDerivative {
+                material,
+                slot,
+                why,
+            } => write!(
+                f,
+                "the derivative with respect to \"{slot}\" of the principled material \
+                 \"{material}\" is infinite where it is 0: {why}. Raise these numbers a little, to \
+                 0.001 perhaps"
+            ),
+            Self::SpecularMotion { share, cause } => specular_motion(f, *share, *cause),
+            Self::AdjointSize {
+                found: [width, height],
+                expected: [right_width, right_height],
+            } => write!(
+                f,
+                "the adjoint has {width} x {height} pixels; expected {right_width} x \
+                 {right_height}, as the image has"
+            ),
+            Self::AdjointNotFinite {
+                pixel: [x, y],
+                value: [r, g, b],
+            } => write!(
+                f,
+                "the adjoint is ({r}, {g}, {b}) in column {x}, row {y}, counted from 0 at the \
+                 upper left; expected finite numbers"
+            ),
+            Self::InvalidStep { step, reason } => write!(
+                f,
+                "a finite difference over ±{step} leaves the valid scenes: {reason}. Choose a \
+                 smaller step"
+            ),
+        }
+    }
+}
+
+fn specular_motion(f: &mut fmt::Formatter<'_>, share: f64, cause: SpecularCause) -> fmt::Result {
+    let per_cent = 100.0 * share;
+    let (seen, covered, most) = match cause {
+        SpecularCause::Method => {
+            return write!(
+                f,
+                "things move that are seen in mirrors or through what lets light pass (about \
+                 {per_cent:.2} specular events in 100 samples), and the motion of their silhouettes \
+                 there is not available with fields on triangles. Use fields on the sphere, the \
+                 default, which have it for flat mirrors and panes"
+            );
+        }
+        SpecularCause::Orthographic { most_events } => (
+            "in mirrors by an orthographic sensor",
+            "before a perspective sensor in flat mirrors",
+            most_events,
+        ),
+        SpecularCause::Bent { most_events } => {
+            ("in curved mirrors", "in flat mirrors", most_events)
+        }
+    };
+    write!(
+        f,
+        "things move that are seen {seen}, through refracting glass, or after more than {most} \
+         reflections (about {per_cent:.2} specular events in 100 samples), and the motion of their \
+         silhouettes there is not available. It is {covered} (without vertex normals) and through \
+         panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use one of these, a \
+         rough material (alpha of 0.01 or more), or finite differences"
+    )
+}
+
+impl std::error::Error for Refusal {}

@@ -1,0 +1,224 @@
+//! What cannot be differentiated rightly, asked before or while it is tried.
+
+use capwalk_scene::{Emitter, Scene, SensorModel, TextureId};
+use capwalk_walk::WalkSettings;
+
+use crate::accel::Accel;
+#[cfg(feature = "paper")]
+use crate::boundaries::Boundaries;
+use crate::clip::refuse_clipped;
+use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
+use crate::method::Method;
+use crate::mirror::MAX_EVENTS;
+use crate::refusal::{Refusal, SpecularCause};
+use crate::texture_line::{self, MOST_LINES};
+
+pub use crate::infinite_derivative::refuse_infinite_derivatives;
+
+/// A refusal if there are lights without extent: the edges of their shadows lie on
+/// surfaces, not among directions (METHOD 7).
+fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
+    let is_delta = |emitter: &&Emitter| {
+        matches!(
+            emitter,
+            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }
+        )
+    };
+    match scene.emitters.iter().find(is_delta) {
+        None => Ok(()),
+        Some(emitter) => Err(Refusal::HardShadows {
+            emitter: emitter.name(scene),
+            plugin: emitter.plugin(),
+        }),
+    }
+}
+
+/// A refusal if the camera's rays are parallel and the method has a field around
+/// points only.
+fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
+    match scene.sensor.model {
+        SensorModel::Orthographic if !method.traits().is_spherical => Err(Refusal::ParallelRays {
+            method: method.name(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// A refusal if a texture jumps inside faces and the method misses its motion against
+/// the rays, or if it does so along too many lines (METHOD 7).
+fn refuse_jumping_textures(accel: &Accel, method: &Method) -> Result<(), Refusal> {
+    for shape in &accel.scene.shapes {
+        let textures = textures_of(&accel.scene, shape);
+        let Some(texture) = textures.iter().find(|texture| texture_line::jumps(texture)) else {
+            continue;
+        };
+        let (texture, shape_name) = (texture.id.clone(), shape.id.clone());
+        let count = texture_line::count(accel, shape);
+        if !method.traits().is_spherical {
+            return Err(Refusal::TextureDiscontinuities {
+                texture,
+                shape: shape_name,
+                method: method.name(),
+            });
+        }
+        if count > MOST_LINES {
+            return Err(Refusal::ManyTextureLines {
+                texture,
+                shape: shape_name,
+                count,
+                most: MOST_LINES,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// A refusal if a smooth surface looks different when it is turned, and nothing says
+/// how it is turned: the frame that is then made up jumps.
+pub fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
+    for shape in &scene.shapes {
+        let Some(normals) = shape.normals.per_vertex() else {
+            continue;
+        };
+        let has_map = scene.map_in(shape.bsdf).is_some();
+        if !has_map && !looks_turned(scene, shape.bsdf) {
+            continue;
+        }
+        let is_made_up = |&face: &usize| {
+            let [a, b, c] = shape.mesh.corners(face);
+            tangents_of_face(shape, face, [b - a, c - a]).is_none()
+        };
+        let is_smooth = |&face: &usize| {
+            let [a, b, c] = shape.mesh.faces[face].map(|i| normals[i as usize]);
+            a != b || b != c
+        };
+        let mut faces = 0..shape.mesh.faces.len();
+        let Some(face) = faces.find(|face| is_smooth(face) && is_made_up(face)) else {
+            continue;
+        };
+        return Err(Refusal::UnknownTangents {
+            shape: shape.id.clone(),
+            has_map,
+            face: shape.uvs.is_some().then_some(face),
+        });
+    }
+    Ok(())
+}
+
+/// A refusal if a map of normals cuts light off along curves inside faces, and
+/// these move: with the geometry, or with the numbers of the map.
+pub fn refuse_cut_normals(
+    scene: &Scene,
+    moves: bool,
+    is_asked_for: impl Fn(TextureId) -> bool,
+) -> Result<(), Refusal> {
+    for shape in &scene.shapes {
+        for id in scene.materials_below(shape.bsdf) {
+            let material = scene.material(id);
+            let Some(limits) = material.bsdf.normal_limits() else {
+                continue;
+            };
+            let mut slots = material.bsdf.slots().into_iter();
+            let turns = slots.any(|slot| is_asked_for(scene.numbers_of(slot.texture, shape)));
+            let flag = if !limits.flip_invalid && (moves || turns) {
+                "flip_invalid_normals"
+            } else if !limits.shadowing && moves {
+                "use_shadowing_function"
+            } else {
+                continue;
+            };
+            return Err(Refusal::CutNormals {
+                material: material.id.clone(),
+                plugin: material.bsdf.plugin(),
+                flag,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// True if some shape has a material that can be perfectly specular.
+pub fn is_specular_somewhere(scene: &Scene) -> bool {
+    let mut shapes = scene.shapes.iter();
+    shapes.any(|shape| may_be_specular(scene, shape.bsdf))
+}
+
+/// A refusal if silhouettes moved behind specular events that are not covered, in
+/// `uncovered` of so many `samples`, and the method promises the truth.
+pub fn refuse_uncovered(
+    scene: &Scene,
+    uncovered: u64,
+    samples: u64,
+    method: &Method,
+) -> Result<(), Refusal> {
+    let traits = method.traits();
+    if uncovered == 0 || !traits.is_unbiased {
+        return Ok(());
+    }
+    let cause = match (traits.is_spherical, &scene.sensor.model) {
+        (false, _) => SpecularCause::Method,
+        (true, SensorModel::Orthographic) => SpecularCause::Orthographic {
+            most_events: MAX_EVENTS,
+        },
+        (true, SensorModel::Perspective { .. } | SensorModel::ThinLens { .. }) => {
+            SpecularCause::Bent {
+                most_events: MAX_EVENTS,
+            }
+        }
+    };
+    Err(Refusal::SpecularMotion {
+        share: uncovered as f64 / samples as f64,
+        cause,
+    })
+}
+
+/// A refusal if the scene has what cannot be differentiated by what moves edges.
+pub fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
+    refuse_parallel_rays(&accel.scene, method)?;
+    refuse_hard_shadows(&accel.scene)?;
+    refuse_jumping_textures(accel, method)?;
+    refuse_turned_without_uvs(&accel.scene)?;
+    refuse_clipped(accel)
+}
+
+/// A refusal if a method would look at too many edges.
+#[cfg(feature = "paper")]
+pub fn refuse_many_edges(boundaries: &Boundaries, method: &Method) -> Result<(), Refusal> {
+    use crate::paper::MOST_EDGES;
+    let count = boundaries.edges().len();
+    match *method == Method::ExplicitWalk && count > MOST_EDGES {
+        true => Err(Refusal::ManyEdges {
+            count,
+            most: MOST_EDGES,
+        }),
+        false => Ok(()),
+    }
+}
+
+/// A refusal if the settings of a method do not give a field.
+pub fn refuse_settings(method: &Method, walk: &WalkSettings) -> Result<(), Refusal> {
+    #[cfg(feature = "paper")]
+    if let Method::Was(was) | Method::PsdrWas(was) = method
+        && (was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()))
+    {
+        return Err(Refusal::AuxiliaryRays {
+            rays: was.rays,
+            kappa: was.kappa,
+        });
+    }
+    match method.traits().walks {
+        true => refuse_walk(walk),
+        false => Ok(()),
+    }
+}
+
+/// A refusal if a walk does not give a continuous field.
+pub fn refuse_walk(walk: &WalkSettings) -> Result<(), Refusal> {
+    if walk.steps == 0 {
+        return Err(Refusal::NoSteps);
+    }
+    if !(walk.max_radius > 0.0 && walk.max_radius <= std::f64::consts::PI) {
+        return Err(Refusal::MaxAngle(walk.max_radius));
+    }
+    Ok(())
+}

@@ -1,0 +1,142 @@
+//! Where neighbouring faces of a shape look different although they may lie in one
+//! plane: by their shading normals, their textures, or how these turn them.
+
+use capwalk_scene::{Integrator, Layer, Pattern, Scene, Shape, Texture};
+
+use crate::material::{needs_tangent, tangents_of_face, textures_of};
+
+/// Unit normals that differ by less than this are the same: rounding to single
+/// precision moves them by about 1e-7.
+const SAME_NORMAL: f64 = 1e-6;
+
+/// Tangents that differ by less than this part of their length are the same.
+const SAME_TANGENT: f64 = 1e-6;
+
+/// Texture coordinates that differ by less than this are the same.
+const SAME_UV: f64 = 1e-6;
+
+/// Part of the contrast of flat faces that is left where normals are interpolated.
+const SMOOTH: f64 = 0.1;
+/// Smallest contrast.
+const LEAST_CONTRAST: f64 = 1e-3;
+
+/// What decides how the faces of a shape look.
+pub struct ShadingDiscontinuities<'s> {
+    shape: &'s Shape,
+    textures: Vec<&'s Texture>,
+    /// Texture coordinates are looked at themselves.
+    shows_uvs: bool,
+    /// It matters how the material is turned about the normal.
+    has_tangent: bool,
+    /// The picture shows what is there, not light.
+    is_layer: bool,
+}
+
+impl<'s> ShadingDiscontinuities<'s> {
+    /// The look of a shape in a scene.
+    pub fn new(scene: &'s Scene, shape: &'s Shape) -> Self {
+        Self {
+            shape,
+            textures: textures_of(scene, shape),
+            shows_uvs: scene.settings.integrator == Integrator::Aov(Layer::Uv),
+            has_tangent: needs_tangent(scene, shape.bsdf),
+            is_layer: matches!(scene.settings.integrator, Integrator::Aov(_)),
+        }
+    }
+
+    /// True if two neighbouring faces look different at their common edge even if
+    /// they are coplanar.
+    pub fn differs(&self, faces: [u32; 2]) -> bool {
+        self.normals_differ(faces)
+            || self.textures_differ(faces)
+            || self.has_tangent && self.tangents_differ(faces)
+    }
+
+    /// How much light may jump between two neighbouring faces that are seen from the
+    /// same side, from above 0 to 1: a guess.
+    pub fn contrast(&self, faces: [u32; 2], flipped: bool) -> f64 {
+        if self.textures_differ(faces) || self.has_tangent && self.tangents_differ(faces) {
+            return 1.0;
+        }
+        let mesh = &self.shape.mesh;
+        let [first, second] = faces.map(|face| mesh.face_cross(face as usize).normalized());
+        let turn = (first - second * if flipped { -1.0 } else { 1.0 }).length();
+        // Between normals of vertices only the shadow of a face on itself jumps.
+        let is_smooth = self.shape.normals.per_vertex().is_some() && !self.normals_differ(faces);
+        let share = if is_smooth && !self.is_layer {
+            SMOOTH
+        } else {
+            1.0
+        };
+        // Paths that go on from both sides in the same way miss each other, in what
+        // is bright and small, as often as their directions differ.
+        (turn.sqrt() * share).clamp(LEAST_CONTRAST, 1.0)
+    }
+
+    /// True if a texture of the shape can differ between two neighbouring faces
+    /// at an end of their common edge.
+    pub fn textures_differ(&self, faces: [u32; 2]) -> bool {
+        if self.shows_uvs && self.uvs_differ(faces) {
+            return true;
+        }
+        self.textures.iter().any(|texture| match texture.pattern {
+            Pattern::PerFace => true,
+            Pattern::PerVertex => self
+                .common_vertices(faces)
+                .any(|[a, b]| texture.texel(a as usize) != texture.texel(b as usize)),
+            _ => texture.needs_uv() && self.uvs_differ(faces),
+        })
+    }
+
+    /// True if two neighbouring faces show textures turned or stretched differently.
+    fn tangents_differ(&self, faces: [u32; 2]) -> bool {
+        let [first, second] = faces.map(|face| {
+            let [a, b, c] = self.shape.mesh.corners(face as usize);
+            tangents_of_face(self.shape, face as usize, [b - a, c - a])
+        });
+        match (first, second) {
+            (Some(first), Some(second)) => first
+                .into_iter()
+                .zip(second)
+                .any(|(a, b)| (a - b).length() > SAME_TANGENT * a.length()),
+            (None, None) => false,
+            _ => true,
+        }
+    }
+
+    /// True if two neighbouring faces have different shading normals at an end of
+    /// their common edge.
+    fn normals_differ(&self, faces: [u32; 2]) -> bool {
+        let Some(normals) = self.shape.normals.per_vertex() else {
+            return false;
+        };
+        self.common_vertices(faces)
+            .any(|[a, b]| (normals[a as usize] - normals[b as usize]).length() > SAME_NORMAL)
+    }
+
+    /// True if two neighbouring faces have different texture coordinates at an end
+    /// of their common edge.
+    fn uvs_differ(&self, faces: [u32; 2]) -> bool {
+        self.common_corners(faces).any(|[first, second]| {
+            let corner = |i: usize| [0, 1, 2].map(|k| if i == k { 1.0_f64 } else { 0.0 });
+            let [a, b] = [(faces[0], first), (faces[1], second)]
+                .map(|(face, i)| self.shape.uv(face as usize, corner(i)));
+            (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) > SAME_UV
+        })
+    }
+
+    /// The vertices of two faces that are at the same place.
+    fn common_vertices(&self, faces: [u32; 2]) -> impl Iterator<Item = [u32; 2]> + use<> {
+        let [first, second] = faces.map(|face| self.shape.mesh.faces[face as usize]);
+        self.common_corners(faces)
+            .map(move |[i, k]| [first[i], second[k]])
+    }
+
+    /// The corners of two faces that are at the same place.
+    fn common_corners(&self, faces: [u32; 2]) -> impl Iterator<Item = [usize; 2]> + use<> {
+        let [first, second] = faces.map(|face| self.shape.mesh.corners(face as usize));
+        (0..3)
+            .flat_map(|i| (0..3).map(move |k| [i, k]))
+            .filter(move |&[i, k]| first[i] == second[k])
+    }
+}

@@ -1,0 +1,137 @@
+use capwalk_geometry::Edge;
+use capwalk_geometry::edge::closest_direction;
+use capwalk_math::Affine;
+use capwalk_scene::bsdf::Metal;
+use capwalk_scene::{Bsdf, Film, Scene, SensorModel, ShadingNormals, Texture, builtin};
+use capwalk_walk::Domain;
+
+use super::*;
+use crate::accel::Accel;
+use crate::boundaries::Boundaries;
+use crate::method::Method;
+
+/// The ball and its lamp, flat-shaded, over a floor that is a mirror.
+fn mirrored() -> Scene {
+    let mut scene = builtin::scene("ball").expect("built in");
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    let metal = Metal {
+        eta: number("eta", 0.0),
+        k: number("k", 1.0),
+        specular_reflectance: number("tint", 1.0),
+    };
+    let floor = scene.shapes[0].bsdf;
+    scene.materials[floor.0 as usize].bsdf = Bsdf::Conductor(metal);
+    for shape in &mut scene.shapes {
+        shape.normals = ShadingNormals::Face;
+        shape.uvs = None;
+    }
+    scene
+}
+
+/// The same world without the mirror, and behind it what it shows.
+fn doubled() -> Scene {
+    let mut scene = mirrored();
+    let eye = scene.sensor.origin();
+    let floor = &mut scene.shapes[0].mesh;
+    // Out of sight, above the eye.
+    let away = |p: &Vec3| *p * 1e-3 + eye * 50.0;
+    floor.positions = floor.positions.iter().map(away).collect();
+    for shape in &mut scene.shapes[1..] {
+        let mut image = shape.mesh.clone();
+        image.positions.iter_mut().for_each(|p| p.y = -p.y);
+        shape.mesh.append(&image);
+    }
+    scene
+}
+
+/// Images are what one would see if the mirror were a window: the same closest
+/// points, found without any mirror.
+#[test]
+fn images_are_seen_through_windows() {
+    let scenes = [mirrored(), doubled()];
+    assert_eq!(scenes[0].shapes[0].id, "floor");
+    let [with, without] = [Accel::new(scenes[0].clone()), Accel::new(scenes[1].clone())];
+    let boundaries = [&with, &without].map(Boundaries::new);
+    let fields = [
+        Field::new(&with, &boundaries[0], Method::Walk),
+        Field::new(&without, &boundaries[1], Method::Walk),
+    ];
+    let eye: Viewpoint<f64> = Viewpoint::camera(&with.view, 1);
+    let [mirror, window] = fields.each_ref().map(|field| sphere(field, &eye));
+    let view = scenes[0].sensor.view(&scenes[0].film);
+    let [width, height] = scenes[0].film.size.map(f64::from);
+    let mut images = 0;
+    for i in 0..2000 {
+        // A lattice that fills the film evenly.
+        let at = [0.754_877_666, 0.569_840_291].map(|a| (f64::from(i) * a).fract());
+        let q = view.direction([width * at[0], height * at[1]]);
+        let [seen, expected] = [mirror.closest(q, 0.1), window.closest(q, 0.1)];
+        let distances = [&seen, &expected].map(|it| it.map_or(0.1, |it| it.distance));
+        assert!(
+            (distances[0] - distances[1]).abs() < 1e-9,
+            "{q:?}: {distances:?}"
+        );
+        let Some((seen, expected)) = seen.zip(expected) else {
+            continue;
+        };
+        assert!((seen.point - expected.point).length() < 1e-7, "{q:?}");
+        images += usize::from(!seen.site.is_direct);
+    }
+    assert!(images > 100, "{images} images");
+}
+
+/// The built-in ball under parallel rays, on a film of so many units' half width.
+fn flattened(half_width: f64) -> Scene {
+    let mut scene = builtin::scene("ball").expect("built in");
+    scene.sensor.model = SensorModel::Orthographic;
+    let scale = Affine::scale(Vec3::new(half_width, half_width, 1.0));
+    scene.sensor.world_from_camera = scene.sensor.world_from_camera * scale;
+    scene
+}
+
+/// Film points at fractions of the film that fill a square in its middle evenly.
+fn lattice(film: &Film, part: f64) -> impl Iterator<Item = [f64; 2]> {
+    let [width, height] = film.size.map(f64::from);
+    (0..2000).map(move |i| {
+        let at = [0.754_877_666, 0.569_840_291].map(|a| (f64::from(i) * a).fract() - 0.5);
+        [width * (0.5 + part * at[0]), height * (0.5 + part * at[1])]
+    })
+}
+
+/// All edges, one after the other: those whose closest point is the first that its
+/// ray meets between the clip planes.
+#[test]
+fn the_closest_edge_in_the_picture() {
+    let mut scene = flattened(1.0);
+    scene.sensor.near_clip = 2.5;
+    let accel = Accel::new(scene.clone());
+    let boundaries = Boundaries::new(&accel);
+    let field = Field::new(&accel, &boundaries, Method::Walk);
+    let (view, edges) = (&accel.view, field.boundaries.edges());
+    let eye: Viewpoint<f64> = Viewpoint::camera(view, 0);
+    let sphere = sphere(&field, &eye);
+    let limit = 0.05;
+    let mut found = 0;
+    for at in lattice(&scene.film, 1.0).take(300) {
+        let q = view.direction(at);
+        let in_picture = |edge: &Edge| {
+            let ends = edge.vertices.map(|i| field.boundaries.point([i; 2], 0.0));
+            let [a, b] = ends.map(|p| view.towards(p));
+            let closest = closest_direction(a, b, q).filter(|it| it.angle < limit)?;
+            let place = view.place(ends[0] + (ends[1] - ends[0]) * closest.t);
+            let ray = accel.camera_ray(view.eye, closest.direction);
+            let first = accel.first_hit_within(&ray).map_or(ray.t_max, |hit| hit.t);
+            let is_seen = place.z > ray.t_min && place.z < first + 1e-7;
+            is_seen.then_some(closest.angle)
+        };
+        let expected = edges.iter().filter_map(in_picture).reduce(f64::min);
+        let nearest = sphere.closest(q, limit);
+        let angle = nearest.as_ref().map(|nearest| nearest.distance);
+        assert_eq!(angle.is_some(), expected.is_some(), "{at:?}");
+        if let Some((angle, expected)) = angle.zip(expected) {
+            assert!((angle - expected).abs() < 1e-12, "{at:?}");
+            found += 1;
+        }
+    }
+    assert!(found > 50, "{found} edges");
+}

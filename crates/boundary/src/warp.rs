@@ -1,0 +1,194 @@
+//! How a sampled direction moves with the scene: the one result of all boundary
+//! estimators, and the choice among them.
+
+use capwalk_math::{Real, Vec3};
+use capwalk_walk::{FieldSample, WalkSettings};
+
+use crate::boundary_sample::BoundarySample;
+use crate::draw::Numbers;
+use crate::field::Field;
+use crate::method::Method;
+#[cfg(feature = "paper")]
+use crate::paper::flow::{Flow, FlowSource};
+use crate::viewpoint::Viewpoint;
+use crate::walk::{walk, walk_value};
+
+/// The velocity of a unit direction and the divergence of the field that gives it, an
+/// unbiased sample of both (METHOD 2): a linear map from the velocities of points of the
+/// boundaries and of the viewpoint. Applied to velocities it serves forward derivatives,
+/// transposed reverse ones (METHOD 5).
+#[derive(Clone, Debug)]
+pub enum Warp {
+    /// The weighted velocities of a few boundary points.
+    Boundary(FieldSample<BoundarySample, Vec3>),
+    /// The velocity of one boundary point, without a divergence.
+    Value(Option<BoundarySample>),
+    /// Any other linear map.
+    #[cfg(feature = "paper")]
+    Flow(Flow),
+}
+
+impl Field<'_> {
+    /// How the direction `q` moves, and the divergence of the field there. The divergence
+    /// is per solid angle. Takes the numbers of `random` from its first dimension on.
+    pub fn warp<R: Real>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        settings: &WalkSettings,
+        random: Numbers,
+    ) -> Warp {
+        match &self.method {
+            Method::Walk | Method::Edges => {
+                Warp::Boundary(walk(self, viewpoint, q, settings, random))
+            }
+            #[cfg(feature = "paper")]
+            Method::TriangleWalk => self
+                .triangle_flow(viewpoint, q, settings, random)
+                .map_or_else(
+                    || self.warp_beside(viewpoint, q, settings, random),
+                    Warp::Flow,
+                ),
+            #[cfg(feature = "paper")]
+            Method::ExplicitWalk => self
+                .explicit_flow(viewpoint, q, settings, random)
+                .map_or_else(
+                    || self.warp_beside(viewpoint, q, settings, random),
+                    Warp::Flow,
+                ),
+            #[cfg(feature = "paper")]
+            Method::Was(was) => Warp::Flow(crate::paper::was_flow(
+                self.accel,
+                viewpoint,
+                q,
+                was,
+                &random.branch(),
+            )),
+            #[cfg(feature = "paper")]
+            Method::PsdrWas(was) => {
+                Warp::Flow(self.psdr_was_flow(viewpoint, q, was, &random.branch()))
+            }
+        }
+    }
+
+    /// The same without the divergence, for the motion of curves across the field.
+    pub fn warp_value<R: Real>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        settings: &WalkSettings,
+        random: Numbers,
+    ) -> Warp {
+        match self.method.traits().is_spherical {
+            true => Warp::Value(walk_value(self, viewpoint, q, settings, random)),
+            false => self.warp(viewpoint, q, settings, random),
+        }
+    }
+
+    /// The field among directions that meet no triangle, bounded by all silhouettes.
+    #[cfg(feature = "paper")]
+    fn warp_beside<R: Real>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        settings: &WalkSettings,
+        random: Numbers,
+    ) -> Warp {
+        let viewpoint = Viewpoint {
+            selection: capwalk_geometry::EdgeSelection::Silhouettes,
+            group: crate::viewpoint::SEEN,
+            ..*viewpoint
+        };
+        Warp::Boundary(walk(self, &viewpoint, q, settings, random))
+    }
+}
+
+impl Warp {
+    /// True if no boundary is near: the direction stays, whatever moves.
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Self::Boundary(samples) => samples.is_zero(),
+            Self::Value(sample) => sample.is_none(),
+            #[cfg(feature = "paper")]
+            Self::Flow(_) => false,
+        }
+    }
+
+    /// True if it depends on some point of the boundaries for which `point` says so, or
+    /// on the viewpoint if that moves.
+    pub fn depends(
+        &self,
+        field: &Field,
+        point: impl Fn(u32) -> bool,
+        viewpoint_moves: bool,
+    ) -> bool {
+        let moves = |sample: &BoundarySample| {
+            let faces = sample.mirrors.faces().iter();
+            let mut corners = faces.flat_map(|&face| field.accel.mesh.faces[face as usize]);
+            viewpoint_moves || sample.points.iter().any(|&i| point(i)) || corners.any(&point)
+        };
+        match self {
+            Self::Boundary(samples) => samples.terms().any(|term| moves(&term.site)),
+            Self::Value(sample) => sample.as_ref().is_some_and(moves),
+            #[cfg(feature = "paper")]
+            Self::Flow(flow) => flow.sources().any(|source| match source {
+                FlowSource::Point(i) => point(i),
+                FlowSource::Viewpoint => viewpoint_moves,
+            }),
+        }
+    }
+
+    /// The velocity of the direction, radians, not yet projected on its tangent space,
+    /// and the divergence, for the velocities of points of the boundaries and of the
+    /// viewpoint ([`Viewpoint::vectors`]).
+    pub fn evaluate(
+        &self,
+        field: &Field,
+        point: impl Fn(u32) -> Vec3,
+        viewpoint: &[Vec3; 4],
+    ) -> (Vec3, f64) {
+        match self {
+            Self::Boundary(samples) => {
+                samples.evaluate(|sample| field.velocity(sample, &point, viewpoint))
+            }
+            Self::Value(None) => (Vec3::zero(), 0.0),
+            Self::Value(Some(sample)) => (field.velocity(sample, &point, viewpoint), 0.0),
+            #[cfg(feature = "paper")]
+            Self::Flow(flow) => flow.evaluate(|source| match source {
+                FlowSource::Point(i) => point(i),
+                FlowSource::Viewpoint => viewpoint[0],
+            }),
+        }
+    }
+
+    /// The transposed map: from the adjoints of the direction's velocity (tangent to it)
+    /// and of the divergence to covectors on points of the boundaries and on the vectors
+    /// of the viewpoint.
+    pub fn pull(
+        &self,
+        field: &Field,
+        direction: Vec3,
+        divergence: f64,
+        mut on_point: impl FnMut(u32, Vec3),
+        mut on_viewpoint: impl FnMut(usize, Vec3),
+    ) {
+        match self {
+            Self::Boundary(samples) => {
+                for term in samples.terms() {
+                    let covector =
+                        direction * term.weight + samples.divergence_covector(term) * divergence;
+                    field.pull_velocity(&term.site, covector, &mut on_point, &mut on_viewpoint);
+                }
+            }
+            Self::Value(None) => {}
+            Self::Value(Some(sample)) => {
+                field.pull_velocity(sample, direction, on_point, on_viewpoint);
+            }
+            #[cfg(feature = "paper")]
+            Self::Flow(flow) => flow.pull(direction, divergence, |source, covector| match source {
+                FlowSource::Point(i) => on_point(i, covector),
+                FlowSource::Viewpoint => on_viewpoint(0, covector),
+            }),
+        }
+    }
+}

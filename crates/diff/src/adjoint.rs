@@ -1,0 +1,311 @@
+//! What reverse mode collects: a covector on everything that can move or
+//! change, and the linear maps after the samples.
+
+use capwalk_boundary::{Accel, Boundaries};
+use capwalk_math::tape::Adjoints;
+use capwalk_math::{Tape, Vec3};
+use capwalk_scene::{
+    Motion, Optic, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion, TextureId,
+    corner_normals, normal_sums,
+};
+
+/// Which parameters' gradients are wanted: the others count as constants, and
+/// cost nothing.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Wanted {
+    /// The vertices of each shape, with the normals that are computed from them.
+    pub shapes: Vec<bool>,
+    /// The normals given with each shape; shapes without count as constant.
+    pub normals: Vec<bool>,
+    /// The data of each texture: the numbers of materials and emitters.
+    pub textures: Vec<bool>,
+    /// The sensor's position.
+    pub sensor_origin: bool,
+    /// How the sensor is turned.
+    pub sensor_axes: bool,
+    /// The radius of the sensor's lens.
+    pub aperture: bool,
+    /// The sensor's other numbers, which move the film under the rays.
+    pub film: bool,
+}
+
+impl Wanted {
+    /// Everything.
+    pub fn all(scene: &Scene) -> Self {
+        Self {
+            shapes: vec![true; scene.shapes.len()],
+            normals: vec![true; scene.shapes.len()],
+            textures: vec![true; scene.textures.len()],
+            sensor_origin: true,
+            sensor_axes: true,
+            aperture: true,
+            film: true,
+        }
+    }
+
+    /// What changes in a motion.
+    pub fn by(motion: &Motion) -> Self {
+        let moves = |shape: &ShapeMotion| shape.vertices.iter().any(|&v| v != Vec3::zero());
+        let turns = |shape: &ShapeMotion| shape.normals.is_some();
+        let shapes = motion.shapes.iter().map(Option::as_ref);
+        let sensor = &motion.sensor;
+        let [left, up, forward] = sensor.axes;
+        let turning = [sensor.rotation, left, up, forward];
+        let optic = |optic: Optic| sensor.optics[optic as usize] != 0.0;
+        Self {
+            shapes: shapes.clone().map(|s| s.is_some_and(moves)).collect(),
+            normals: shapes.map(|s| s.is_some_and(turns)).collect(),
+            textures: motion.textures.iter().map(Option::is_some).collect(),
+            sensor_origin: sensor.translation != Vec3::zero(),
+            sensor_axes: turning.into_iter().any(|v| v != Vec3::zero()),
+            aperture: optic(Optic::ApertureRadius),
+            film: optic(Optic::FovX) || optic(Optic::FocusDistance),
+        }
+    }
+
+    /// Also what another one wants.
+    pub fn add(&mut self, other: &Self) {
+        let add = |own: &mut [bool], others: &[bool]| {
+            own.iter_mut()
+                .zip(others)
+                .for_each(|(own, other)| *own |= other);
+        };
+        add(&mut self.shapes, &other.shapes);
+        add(&mut self.normals, &other.normals);
+        add(&mut self.textures, &other.textures);
+        self.sensor_origin |= other.sensor_origin;
+        self.sensor_axes |= other.sensor_axes;
+        self.aperture |= other.aperture;
+        self.film |= other.film;
+    }
+
+    /// True if curves in the picture depend on something wanted.
+    pub fn geometry(&self) -> bool {
+        let rays_move = self.sensor_origin || self.sensor_axes || self.aperture;
+        rays_move || self.shapes.contains(&true)
+    }
+
+    /// For every point of the boundaries, whether it depends on a shape that is
+    /// wanted.
+    pub(crate) fn points(&self, accel: &Accel, boundaries: &Boundaries) -> Vec<bool> {
+        let vertices = 0..accel.mesh.positions.len() as u32;
+        let mut points: Vec<bool> = vertices.map(|i| self.vertices(accel, i)).collect();
+        let ends = boundaries
+            .crossings
+            .iter()
+            .flat_map(|crossing| &crossing.ends);
+        let wanted: Vec<bool> = ends
+            .map(|end| end.vertices().any(|i| points[i as usize]))
+            .collect();
+        points.extend(wanted);
+        points
+    }
+
+    pub(crate) fn shape(&self, id: ShapeId) -> bool {
+        self.shapes[id.0 as usize]
+    }
+
+    pub(crate) fn vertices(&self, accel: &Accel, vertex: u32) -> bool {
+        self.shape(accel.shape_of_vertex(vertex))
+    }
+
+    /// True if the shading normals of a shape depend on something wanted.
+    pub(crate) fn normals_of(&self, scene: &Scene, shape: usize) -> bool {
+        match scene.shapes[shape].normals {
+            ShadingNormals::Face => false,
+            ShadingNormals::Given(_) => self.normals[shape],
+            ShadingNormals::Computed(_) => self.shapes[shape],
+        }
+    }
+}
+
+/// What a covector is on: three numbers of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Target {
+    /// A point of the boundaries: a vertex of the joined mesh, or the end of a
+    /// crossing.
+    Point(u32),
+    /// The shading normal of a vertex of a shape.
+    Normal(usize, u32),
+    /// A texel of a texture; all three are on the one number of a grey.
+    Texel(TextureId, usize),
+    /// The sensor's position.
+    SensorOrigin,
+    /// The world-space image of an axis of the camera.
+    SensorAxis(usize),
+    /// The sensor's other numbers.
+    SensorOptics,
+}
+
+/// Sums of covectors.
+#[derive(Clone, Debug)]
+pub struct Adjoint {
+    points: Vec<Vec3>,
+    normals: Vec<Option<Vec<Vec3>>>,
+    textures: Vec<Vec<f64>>,
+    channels: Vec<usize>,
+    sensor: SensorMotion,
+}
+
+impl Adjoint {
+    /// Zero.
+    pub fn zero(scene: &Scene, boundaries: &Boundaries, wanted: &Wanted) -> Self {
+        let normals = |normals: &ShadingNormals| {
+            let count = normals.per_vertex()?.len();
+            Some(vec![Vec3::zero(); count])
+        };
+        Self {
+            points: vec![Vec3::zero(); boundaries.point_count()],
+            normals: scene.shapes.iter().map(|s| normals(&s.normals)).collect(),
+            // Only what is wanted takes memory: environment maps are large.
+            textures: scene
+                .textures
+                .iter()
+                .zip(&wanted.textures)
+                .map(|(texture, &wanted)| vec![0.0; if wanted { texture.data.len() } else { 0 }])
+                .collect(),
+            channels: scene.textures.iter().map(|t| t.channels).collect(),
+            sensor: SensorMotion::default(),
+        }
+    }
+
+    /// Adds to a covector.
+    #[inline]
+    pub fn add(&mut self, target: Target, covector: Vec3) {
+        match target {
+            Target::Point(i) => self.points[i as usize] += covector,
+            Target::Normal(shape, vertex) => {
+                let normals = self.normals[shape].as_mut();
+                normals.expect("a shape with normals")[vertex as usize] += covector;
+            }
+            Target::Texel(id, index) => {
+                let data = &mut self.textures[id.0 as usize];
+                match self.channels[id.0 as usize] {
+                    1 => data[index] += covector.x + covector.y + covector.z,
+                    _ => {
+                        data[3 * index] += covector.x;
+                        data[3 * index + 1] += covector.y;
+                        data[3 * index + 2] += covector.z;
+                    }
+                }
+            }
+            Target::SensorOrigin => self.sensor.translation += covector,
+            Target::SensorAxis(i) => self.sensor.axes[i] += covector,
+            Target::SensorOptics => self.sensor.optics += covector,
+        }
+    }
+
+    /// The gradient, times `factor`: what is left are the maps that do not
+    /// depend on samples, from vertices to the curves where faces cross and to
+    /// computed normals.
+    pub fn gradient(
+        mut self,
+        accel: &Accel,
+        boundaries: &Boundaries,
+        wanted: &Wanted,
+        factor: f64,
+    ) -> Motion {
+        let scene = &accel.scene;
+        let (vertices, ends) = self.points.split_at_mut(accel.mesh.positions.len());
+        let crossings = boundaries.crossings.iter();
+        for (end, &covector) in crossings.flat_map(|crossing| &crossing.ends).zip(&*ends) {
+            end.pull_back(covector, vertices);
+        }
+        let scaled = |v: Vec<Vec3>| v.into_iter().map(|v| v * factor).collect::<Vec<_>>();
+        let mut shapes = Vec::new();
+        for (i, shape) in scene.shapes.iter().enumerate() {
+            let count = shape.mesh.positions.len();
+            let first = accel.first_vertex[i] as usize;
+            let mut on_vertices = match (wanted.shapes[i], wanted.normals_of(scene, i)) {
+                (false, false) => {
+                    shapes.push(None);
+                    continue;
+                }
+                // Boundaries of other shapes may have left something here.
+                (false, true) => vec![Vec3::zero(); count],
+                (true, _) => vertices[first..first + count].to_vec(),
+            };
+            let on_normals = self.normals[i].take();
+            let normals = match (&shape.normals, on_normals) {
+                (ShadingNormals::Given(_), Some(on_normals)) if wanted.normals[i] => {
+                    Some(scaled(on_normals))
+                }
+                (ShadingNormals::Computed(_), Some(on_normals)) => {
+                    pull_computed_normals(&shape.mesh, &on_normals, &mut on_vertices);
+                    None
+                }
+                _ => None,
+            };
+            shapes.push(Some(ShapeMotion {
+                vertices: scaled(on_vertices),
+                normals,
+            }));
+        }
+        Motion {
+            shapes,
+            textures: self
+                .textures
+                .into_iter()
+                .zip(&wanted.textures)
+                .map(|(data, wanted)| wanted.then(|| data.iter().map(|x| x * factor).collect()))
+                .collect(),
+            sensor: SensorMotion {
+                translation: self.sensor.translation * factor,
+                rotation: turning(&scene.sensor.state().axes, &self.sensor.axes) * factor,
+                axes: self.sensor.axes.map(|axis| axis * factor),
+                optics: self.sensor.optics * factor,
+            },
+        }
+    }
+}
+
+/// The transpose of `ω -> ω × a` for each of the axes.
+fn turning(axes: &[Vec3; 3], on_axes: &[Vec3; 3]) -> Vec3 {
+    let pairs = axes.iter().zip(on_axes);
+    pairs.fold(Vec3::zero(), |sum, (axis, &covector)| {
+        sum + axis.cross(covector)
+    })
+}
+
+/// The transpose of the derivative of [`capwalk_scene::vertex_normals`], face
+/// by face: a normal is the direction of a sum over the faces around it.
+fn pull_computed_normals(
+    mesh: &capwalk_geometry::Mesh,
+    on_normals: &[Vec3],
+    on_vertices: &mut [Vec3],
+) {
+    let sums = normal_sums(&mesh.positions, &mesh.faces);
+    // Covectors on the sums: of v / |v|, orthogonal to it.
+    let on_sums: Vec<Vec3> = sums
+        .into_iter()
+        .zip(on_normals)
+        .map(|(sum, &covector)| match sum.length() {
+            0.0 => Vec3::zero(),
+            length => covector.reject_from(sum / length) / length,
+        })
+        .collect();
+    let mut tape = Tape::default();
+    let mut adjoints = Adjoints::default();
+    for (face, vertices) in mesh.faces.iter().enumerate() {
+        if vertices
+            .iter()
+            .all(|&i| on_sums[i as usize] == Vec3::zero())
+        {
+            continue;
+        }
+        {
+            let corners = mesh.corners(face).map(|p| tape.variables(p));
+            if let Some(parts) = corner_normals(corners) {
+                adjoints.reset(&tape);
+                for (&i, part) in vertices.iter().zip(parts) {
+                    adjoints.add_vector(part, on_sums[i as usize]);
+                }
+                tape.sweep(&mut adjoints, 0..tape.len());
+                for (&i, corner) in vertices.iter().zip(corners) {
+                    on_vertices[i as usize] += adjoints.of_vector(corner);
+                }
+            }
+        }
+        tape.clear();
+    }
+}

@@ -1,0 +1,352 @@
+//! A gradient against finite differences: the verdict.
+//!
+//! Both pictures are estimates with stated standard errors, independent of each
+//! other. Three sums over the pixels are tested, each of which is zero or one
+//! on average for a right gradient however skewed the noise is:
+//!
+//! * squared differences over stated variances (`mean_z_squared`): local
+//!   errors, and standard errors that are wrong;
+//! * differences (`sign`): a common offset;
+//! * the regression of the reference on the gradient (`slope`): a wrong factor;
+//!
+//! and the largest difference by itself. Each test raises a false alarm with a
+//! probability near [`FALSE_ALARM`], if noise is close to Gaussian.
+
+mod pixel;
+mod rounding;
+mod slope;
+#[cfg(test)]
+mod tests;
+
+use std::fmt;
+
+use capwalk_math::Rgb;
+use capwalk_math::stats::normal_upper_tail;
+
+use capwalk_render::Estimate;
+pub use rounding::without_rounding;
+
+use pixel::{NoiseFree, Pixel, Pixels, channel};
+use slope::Slope;
+
+/// Standard errors beyond which a statistic is not an accident.
+const SIGNIFICANT: f64 = 4.0;
+/// Probability of that, both sides: one check in 16,000.
+pub const FALSE_ALARM: f64 = 6.3e-5;
+/// The band of `mean_z_squared` that is never held against a gradient: wide
+/// enough for standard errors that are wrong by ten per cent.
+const Z_SQUARED_BAND: std::ops::RangeInclusive<f64> = 0.8..=1.25;
+/// Relative differences below this are not held against a gradient: central
+/// differences have a bias of order `step²` themselves.
+const REFERENCE_BIAS: f64 = 0.02;
+/// The error of the slope that a verdict of "right" excludes.
+const EXCLUDED_ERROR: f64 = 0.1;
+/// How many standard errors away it is excluded.
+const EXCLUDED_AT: f64 = 2.0;
+/// Allowance in the threshold of the single worst pixel for tails heavier than
+/// a Gaussian's.
+const HEAVY_TAILS: f64 = 1.5;
+/// How many of the worst pixels are listed.
+const WORST_PIXELS: usize = 10;
+
+/// How a gradient compares with its reference. Shown as a line of its statistics.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// Mean absolute difference over mean absolute reference; 0 if both
+    /// pictures are zero, infinite if only the reference is.
+    pub relative_l1: f64,
+    /// What `relative_l1` would be from Gaussian noise of the stated size
+    /// alone.
+    pub relative_l1_of_noise: f64,
+    /// Correlation of the two pictures; NaN if one is constant.
+    pub correlation: f64,
+    /// Mean of `z² = (gradient - reference)² / (their variances)`: 1 for a
+    /// right gradient with right errors. Both sides of the fraction are
+    /// averaged before they are divided, weighted by the noise around each
+    /// pixel: the plain mean of `z²` is off 1 where few samples met the event
+    /// that makes the noise. NaN if no pixel has noise.
+    pub mean_z_squared: f64,
+    /// Standard error of `mean_z_squared` if the gradient is right.
+    pub mean_z_squared_error: f64,
+    /// Mean of `z²` over the pixels with noise, all with the same weight. Near
+    /// 1 for a right gradient if noise is close to Gaussian; off it either way
+    /// where samples are few for how rare the noise is, and so no part of the
+    /// verdict. NaN if no pixel has noise.
+    pub mean_z_squared_plain: f64,
+    /// Sum of the differences over its standard error, weighted as above: a
+    /// standard normal variable for a right gradient, large for a systematic
+    /// sign.
+    pub sign: f64,
+    /// How many pixels entered `z`: those where either picture has noise.
+    pub pixels: usize,
+    /// How many pixels have no finite value or standard error in one of the
+    /// pictures (fewer than two samples reached them), and entered nothing.
+    pub left_out: usize,
+    /// Best factor from gradient to reference, 1 for a right gradient,
+    /// corrected for the noise of the gradient.
+    pub slope: f64,
+    /// Standard error of the slope: what size of error could be seen. Infinite
+    /// if the gradient shows nothing above its noise.
+    pub slope_error: f64,
+    /// The pixels with the largest `|z|`, worst first: column, row, z.
+    pub worst: Vec<(usize, usize, f64)>,
+    /// `z` of each pixel, row by row; 0 where neither picture has noise.
+    pub z: Vec<f64>,
+    /// What follows from it.
+    pub verdict: Verdict,
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, slope {:.3} ± {:.3}",
+            self.pixels,
+            self.mean_z_squared,
+            self.mean_z_squared_error,
+            self.sign,
+            self.slope,
+            self.slope_error,
+        )
+    }
+}
+
+/// What a check says.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Verdict {
+    /// They agree within their errors, and a common factor that is wrong by
+    /// ten per cent is excluded (at two standard errors).
+    Right,
+    /// They differ by more than their errors allow.
+    Wrong {
+        /// In which respects.
+        reason: String,
+    },
+    /// The noise hides what is asked for.
+    CouldNotTell {
+        /// Samples per pixel, as a multiple of those taken, that would be
+        /// enough; infinite if there is nothing to see.
+        samples_factor: f64,
+    },
+}
+
+/// Compares a gradient with an independent reference of the same size. Pixels
+/// without a finite value and standard error in both are left out.
+pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
+    assert_eq!(
+        (gradient.mean.width, gradient.mean.height),
+        (reference.mean.width, reference.mean.height),
+        "the pictures have different sizes"
+    );
+    let mut comparison = without_errors(gradient, reference);
+    let pixels = pixel::split(gradient, reference);
+    comparison.left_out = pixels.left_out;
+    let total = gradient.mean.pixels.len();
+    if 2 * pixels.left_out > total {
+        return comparison;
+    }
+    let slope = slope::fit(&pixels);
+    let noisy = &pixels.noisy;
+    let weighted =
+        |f: fn(&Pixel) -> f64| -> f64 { noisy.iter().map(|p| f(p) * p.weight_squared()).sum() };
+
+    // Squared differences less their expectation, pixel by pixel: their spread
+    // over the picture gives the error of the mean, heavy tails included.
+    let variances = weighted(Pixel::variance);
+    let excess = |p: &Pixel| (p.difference().powi(2) - p.variance()) * p.weight_squared();
+    let spread: f64 = noisy.iter().map(|p| excess(p).powi(2)).sum();
+    let gaussian: f64 = noisy
+        .iter()
+        .map(|p| 2.0 * (p.variance() * p.weight_squared()).powi(2))
+        .sum();
+    let squares = weighted(|p| p.difference().powi(2));
+    comparison.mean_z_squared = squares / variances;
+    comparison.mean_z_squared_error = spread.max(gaussian).sqrt() / variances;
+    let plain: f64 = noisy.iter().map(|p| p.z.powi(2)).sum();
+    comparison.mean_z_squared_plain = plain / noisy.len() as f64;
+
+    // Differences in units of the noise around them, over the larger of their
+    // stated and their observed spread.
+    let offset: f64 = noisy
+        .iter()
+        .map(|p| p.difference() * p.weight_squared().sqrt())
+        .sum();
+    comparison.sign = if noisy.is_empty() {
+        0.0
+    } else {
+        offset / variances.max(squares).sqrt()
+    };
+
+    comparison.pixels = noisy.len();
+    comparison.slope = slope.factor;
+    comparison.slope_error = slope.error;
+    for pixel in noisy {
+        comparison.z[pixel.index] = pixel.z;
+    }
+    comparison.worst = worst(noisy, gradient.mean.width);
+
+    let relative_offset = offset.abs() / (slope.signal.max(0.0) * noisy.len() as f64).sqrt();
+    let reasons = differences(&comparison, &pixels, relative_offset, gradient.mean.width);
+    comparison.verdict = if !reasons.is_empty() {
+        Verdict::Wrong {
+            reason: reasons.join("; "),
+        }
+    } else {
+        visible(&pixels, &slope)
+    };
+    comparison
+}
+
+/// Column, row and z of the pixels with the largest `|z|`.
+fn worst(noisy: &[Pixel], width: usize) -> Vec<(usize, usize, f64)> {
+    let mut order: Vec<&Pixel> = noisy.iter().collect();
+    order.sort_by(|a, b| b.z.abs().total_cmp(&a.z.abs()));
+    let worst = order.iter().take(WORST_PIXELS);
+    worst
+        .map(|p| (p.index % width, p.index / width, p.z))
+        .collect()
+}
+
+/// The numbers that need no standard errors, and the verdict of pictures that
+/// have them in less than half of their pixels.
+fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
+    let both = || {
+        let channels = gradient.mean.pixels.iter().zip(&reference.mean.pixels);
+        channels
+            .filter(|(g, r)| g.is_finite() && r.is_finite())
+            .flat_map(|(&g, &r)| (0..3).map(move |c| (channel(g, c), channel(r, c))))
+    };
+    let count = both().count() as f64;
+    let difference: f64 = both().map(|(g, r)| (g - r).abs()).sum();
+    let size: f64 = both().map(|(_, r)| r.abs()).sum();
+    let ratio = |x: f64| if x == 0.0 { 0.0 } else { x / size };
+    let errors = gradient.standard_error.pixels.iter();
+    let errors = errors.zip(&reference.standard_error.pixels);
+    let noise: f64 = errors
+        .flat_map(|(&g, &r)| (0..3).map(move |c| channel(g, c).hypot(channel(r, c))))
+        .filter(|error| error.is_finite())
+        .sum();
+    let (mean_g, mean_r) = (
+        both().map(|(g, _)| g).sum::<f64>() / count,
+        both().map(|(_, r)| r).sum::<f64>() / count,
+    );
+    let moment =
+        |f: fn(f64, f64) -> f64| -> f64 { both().map(|(g, r)| f(g - mean_g, r - mean_r)).sum() };
+    Comparison {
+        relative_l1: ratio(difference),
+        // Mean absolute value of a standard normal variable: sqrt(2/pi).
+        relative_l1_of_noise: ratio(noise * (2.0 / std::f64::consts::PI).sqrt()),
+        correlation: moment(|g, r| g * r) / (moment(|g, _| g * g) * moment(|_, r| r * r)).sqrt(),
+        mean_z_squared: f64::NAN,
+        mean_z_squared_error: f64::NAN,
+        mean_z_squared_plain: f64::NAN,
+        sign: f64::NAN,
+        pixels: 0,
+        left_out: 0,
+        slope: f64::NAN,
+        slope_error: f64::INFINITY,
+        worst: Vec::new(),
+        z: vec![0.0; gradient.mean.pixels.len()],
+        // Two samples are the fewest that have a standard error.
+        verdict: Verdict::CouldNotTell {
+            samples_factor: 2.0,
+        },
+    }
+}
+
+/// Everything in which the pictures differ by more than their errors allow.
+fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usize) -> Vec<String> {
+    let mut reasons = Vec::new();
+    let significant = (c.mean_z_squared - 1.0).abs() > SIGNIFICANT * c.mean_z_squared_error;
+    if significant && c.mean_z_squared > *Z_SQUARED_BAND.end() {
+        reasons.push(format!(
+            "the differences are larger than the stated errors allow (mean z² is {:.3} ± {:.3} \
+             instead of 1)",
+            c.mean_z_squared, c.mean_z_squared_error
+        ));
+    } else if significant && c.mean_z_squared < *Z_SQUARED_BAND.start() {
+        reasons.push(format!(
+            "the differences are smaller than the stated errors (mean z² is {:.3} ± {:.3} \
+             instead of 1): the errors are overstated, or the pictures share random numbers",
+            c.mean_z_squared, c.mean_z_squared_error
+        ));
+    }
+    if c.sign.abs() > SIGNIFICANT && relative_offset > REFERENCE_BIAS {
+        reasons.push(format!(
+            "it is systematically too {} ({:.1} standard errors over the picture)",
+            if c.sign > 0.0 { "large" } else { "small" },
+            c.sign.abs()
+        ));
+    }
+    let slope_off = (c.slope - 1.0).abs();
+    if slope_off > SIGNIFICANT * c.slope_error && slope_off > REFERENCE_BIAS {
+        reasons.push(format!(
+            "the reference is {:.3} ± {:.3} times as large",
+            c.slope, c.slope_error
+        ));
+    }
+    if let Some(outlier) = worst_outlier(&pixels.noisy) {
+        reasons.push(format!(
+            "pixel ({}, {}) differs by {:.1} standard errors",
+            outlier.index % width,
+            outlier.index / width,
+            outlier.z.abs()
+        ));
+    }
+    let wrong: Vec<_> = pixels.noise_free.iter().filter(|p| differs(p)).collect();
+    if let Some(first) = wrong.first() {
+        let (g, r) = (first.gradient, first.reference);
+        reasons.push(format!(
+            "{} pixels without noise differ, the first is ({}, {}) with ({}, {}, {}) instead of \
+             ({}, {}, {})",
+            wrong.len(),
+            first.index % width,
+            first.index / width,
+            g.x,
+            g.y,
+            g.z,
+            r.x,
+            r.y,
+            r.z
+        ));
+    }
+    reasons
+}
+
+/// True if a pixel without noise differs by more than the reference's bias, and
+/// by more than the noise of the pixels around it explains.
+fn differs(pixel: &NoiseFree) -> bool {
+    (0..3).any(|i| {
+        let (g, r) = (channel(pixel.gradient, i), channel(pixel.reference, i));
+        let around = SIGNIFICANT * HEAVY_TAILS * channel(pixel.error_around, i);
+        (g - r).abs() > (REFERENCE_BIAS * g.abs().max(r.abs())).max(around)
+    })
+}
+
+/// The pixel with the largest difference in units of the larger of its own
+/// error and that around it, if it is larger than among so many pixels happens
+/// by accident.
+fn worst_outlier(noisy: &[Pixel]) -> Option<&Pixel> {
+    let size = |p: &Pixel| p.difference().abs() / p.variance().max(p.local_variance).sqrt();
+    let worst = noisy.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    // Šidák's correction, to first order: the tail of one pixel is the
+    // tolerated probability shared by all.
+    let tail = 0.5 * FALSE_ALARM / noisy.len() as f64;
+    let relative = worst.difference().abs() / worst.gradient.abs().max(worst.reference.abs());
+    let unlikely = normal_upper_tail(size(worst) / HEAVY_TAILS) < tail;
+    (unlikely && relative > REFERENCE_BIAS).then_some(worst)
+}
+
+/// Right, or how many more samples would tell.
+fn visible(pixels: &Pixels, slope: &Slope) -> Verdict {
+    let zero = |p: &NoiseFree| p.gradient == Rgb::zero() && p.reference == Rgb::zero();
+    let nothing_there = pixels.noisy.is_empty() && pixels.noise_free.iter().all(zero);
+    let largest_error = (slope.factor - 1.0).abs() + EXCLUDED_AT * slope.error;
+    if nothing_there || largest_error <= EXCLUDED_ERROR {
+        return Verdict::Right;
+    }
+    // A right gradient comes out within two standard errors of 1, and two more
+    // must fit between that and the error to be excluded.
+    let samples_factor = slope.samples_factor(EXCLUDED_ERROR / (2.0 * EXCLUDED_AT));
+    Verdict::CouldNotTell { samples_factor }
+}

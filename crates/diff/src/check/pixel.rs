@@ -1,0 +1,220 @@
+//! One number per pixel, its errors, and a weight that does not know it.
+
+use capwalk_math::{Rgb, Vec3};
+
+use capwalk_render::Estimate;
+
+/// What one pixel contributes to the comparison.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pixel {
+    /// Index into the pictures.
+    pub index: usize,
+    /// The gradient's number.
+    pub gradient: f64,
+    /// The reference's number.
+    pub reference: f64,
+    /// Variance of the gradient's number, as stated.
+    pub gradient_variance: f64,
+    /// Variance of the reference's number, as stated.
+    pub reference_variance: f64,
+    /// Variance of the difference around this pixel, without the pixel's own.
+    pub local_variance: f64,
+    /// `difference / its standard error`, see [`guarded_variance`].
+    pub z: f64,
+}
+
+impl Pixel {
+    /// Gradient minus reference.
+    pub fn difference(&self) -> f64 {
+        self.gradient - self.reference
+    }
+
+    /// Stated variance of the difference of two independent pictures.
+    pub fn variance(&self) -> f64 {
+        self.gradient_variance + self.reference_variance
+    }
+
+    /// Square of the weight in sums over pixels. It comes from the neighbours:
+    /// a weight from the pixel's own variance estimate would favour the pixels
+    /// whose skewed noise happened to turn out small, and bias every sum.
+    pub fn weight_squared(&self) -> f64 {
+        1.0 / self.local_variance
+    }
+}
+
+/// Squares over which variances are averaged, as radius in pixels and share in
+/// the average. The nearest 24 neighbours say most; the wider ones and the
+/// whole picture only keep weights finite where all of them are without noise.
+const NEIGHBOURHOODS: [(usize, f64); 3] = [(2, 0.9), (8, 0.09), (usize::MAX, 0.01)];
+
+/// A pixel whose standard error is below this fraction of its value counts as
+/// free of noise: the reference's own bias, of order `step²`, is larger.
+const NOISE_FREE: f64 = 1e-3;
+
+/// A pixel that claims to have no noise.
+pub(super) struct NoiseFree {
+    /// Its index in the picture.
+    pub index: usize,
+    /// The gradient.
+    pub gradient: Rgb,
+    /// The reference.
+    pub reference: Rgb,
+    /// Standard error of their difference in the pixels around it: with very
+    /// few samples a pixel can look free of noise by accident.
+    pub error_around: Rgb,
+}
+
+/// The pixels with noise, and those without.
+pub(super) struct Pixels {
+    /// Pixels where at least one picture has noise.
+    pub noisy: Vec<Pixel>,
+    /// The others.
+    pub noise_free: Vec<NoiseFree>,
+    /// How many have no finite value or standard error in one of the pictures,
+    /// and are in neither list: fewer than two samples reached them.
+    pub left_out: usize,
+}
+
+/// Splits the pictures into pixels with and without noise.
+///
+/// The channels of a pixel come from the same samples, so only one of them
+/// enters: channel `(x + y) mod 3`, or the next one with noise. A fixed mosaic
+/// looks at every channel, and unlike the channel with the largest variance
+/// its choice cannot follow the noise.
+pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
+    let (width, height) = (gradient.mean.width, gradient.mean.height);
+    let gradient_around = Surroundings::new(gradient);
+    let reference_around = Surroundings::new(reference);
+    let mut pixels = Pixels {
+        noisy: Vec::new(),
+        noise_free: Vec::new(),
+        left_out: 0,
+    };
+    for (y, x) in (0..height).flat_map(|y| (0..width).map(move |x| (y, x))) {
+        let index = y * width + x;
+        let (g, r) = (gradient.mean.pixels[index], reference.mean.pixels[index]);
+        let (g_error, r_error) = (
+            gradient.standard_error.pixels[index],
+            reference.standard_error.pixels[index],
+        );
+        if ![g, r, g_error, r_error].iter().all(|x| x.is_finite()) {
+            pixels.left_out += 1;
+            continue;
+        }
+        let noisy = |c: &usize| {
+            let error = channel(g_error, *c).hypot(channel(r_error, *c));
+            error > NOISE_FREE * channel(g, *c).abs().max(channel(r, *c).abs())
+        };
+        let Some(c) = (0..3).map(|c| (x + y + c) % 3).find(noisy) else {
+            let around = [0, 1, 2].map(|c| {
+                let gradient = gradient_around.variance(x, y, c);
+                (gradient + reference_around.variance(x, y, c)).sqrt()
+            });
+            pixels.noise_free.push(NoiseFree {
+                index,
+                gradient: g,
+                reference: r,
+                error_around: around.into(),
+            });
+            continue;
+        };
+        let around = [
+            gradient_around.variance(x, y, c),
+            reference_around.variance(x, y, c),
+        ];
+        let own = [channel(g_error, c).powi(2), channel(r_error, c).powi(2)];
+        let mut pixel = Pixel {
+            index,
+            gradient: channel(g, c),
+            reference: channel(r, c),
+            gradient_variance: own[0],
+            reference_variance: own[1],
+            local_variance: around[0] + around[1],
+            z: 0.0,
+        };
+        if pixel.local_variance == 0.0 {
+            pixel.local_variance = pixel.variance(); // the only noisy pixel
+        }
+        pixel.z = pixel.difference() / guarded_variance(own, around).sqrt();
+        pixels.noisy.push(pixel);
+    }
+    pixels
+}
+
+/// Variance of a difference, where a picture that states an error of exactly
+/// zero is given the variance around the pixel. Beside noisy neighbours, zero
+/// means that no sample met the rare event that makes the noise, not that
+/// there is none.
+fn guarded_variance(own: [f64; 2], around: [f64; 2]) -> f64 {
+    let guarded = |i: usize| if own[i] > 0.0 { own[i] } else { around[i] };
+    guarded(0) + guarded(1)
+}
+
+/// One channel of a colour.
+pub(super) fn channel(colour: Rgb, c: usize) -> f64 {
+    [colour.x, colour.y, colour.z][c]
+}
+
+/// Sums of variances over rectangles of a picture.
+struct Surroundings {
+    width: usize,
+    height: usize,
+    variances: Vec<Rgb>,
+    /// Sum over all pixels above and to the left, one column and row more than
+    /// the picture (Crow 1984).
+    sums: Vec<Rgb>,
+}
+
+impl Surroundings {
+    fn new(estimate: &Estimate) -> Self {
+        let error = &estimate.standard_error;
+        let (width, height) = (error.width, error.height);
+        let variances: Vec<Rgb> = error
+            .pixels
+            .iter()
+            .map(|e| match e.is_finite() {
+                true => Vec3::new(e.x * e.x, e.y * e.y, e.z * e.z),
+                false => Vec3::zero(), // left out
+            })
+            .collect();
+        let stride = width + 1;
+        let mut sums = vec![Rgb::zero(); stride * (height + 1)];
+        for y in 0..height {
+            let mut row = Rgb::zero();
+            for x in 0..width {
+                row += variances[y * width + x];
+                sums[(y + 1) * stride + x + 1] = sums[y * stride + x + 1] + row;
+            }
+        }
+        Self {
+            width,
+            height,
+            variances,
+            sums,
+        }
+    }
+
+    /// Mean variance of a channel around a pixel, without the pixel itself.
+    fn variance(&self, x: usize, y: usize, c: usize) -> f64 {
+        let own = channel(self.variances[y * self.width + x], c);
+        let mean_within = |radius: usize| {
+            let from = [x, y].map(|at| at.saturating_sub(radius));
+            let to = [
+                x.saturating_add(radius).saturating_add(1).min(self.width),
+                y.saturating_add(radius).saturating_add(1).min(self.height),
+            ];
+            let others = (to[0] - from[0]) * (to[1] - from[1]) - 1;
+            // Differences of running sums leave rounding noise where all is zero.
+            (self.sum(from, to, c) - own).max(0.0) / others.max(1) as f64
+        };
+        let shares = NEIGHBOURHOODS.iter();
+        shares
+            .map(|&(radius, share)| share * mean_within(radius))
+            .sum()
+    }
+
+    fn sum(&self, from: [usize; 2], to: [usize; 2], c: usize) -> f64 {
+        let at = |x: usize, y: usize| channel(self.sums[y * (self.width + 1) + x], c);
+        at(to[0], to[1]) - at(from[0], to[1]) - at(to[0], from[1]) + at(from[0], from[1])
+    }
+}

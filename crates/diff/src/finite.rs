@@ -1,0 +1,52 @@
+//! Central differences with common random numbers: the reference that
+//! gradients are checked against, METHOD 9.
+
+use capwalk_boundary::{Counts, Draw, Refusal};
+use capwalk_math::Rgb;
+use capwalk_render::tiles::{self, Sample};
+use capwalk_render::{GradientImage, Options, Prepared, Primal, Tracer, Watch};
+use capwalk_scene::{Motion, Scene};
+
+/// The derivative of the picture along `motion` by central differences over
+/// `±step`, in units of the parameter. The same random numbers on both sides;
+/// the mean is right up to terms of order `step²`, the variance grows like
+/// `1 / step`. Works for everything that can be rendered; refuses a step that
+/// makes the scene invalid.
+pub fn finite_difference(
+    scene: &Scene,
+    motion: &Motion,
+    step: f64,
+    options: &Options,
+    watch: &dyn Watch,
+) -> Result<GradientImage, Refusal> {
+    let sides = [step, -step].map(|step| scene.moved(motion, step));
+    for side in &sides {
+        side.check().map_err(|error| Refusal::InvalidStep {
+            step,
+            reason: error.to_string(),
+        })?;
+    }
+    let sides = sides.map(Prepared::new);
+    let tracers = sides.each_ref().map(Tracer::primal);
+    let averages = tiles::average(scene, options, watch, |pixel, stream| {
+        let draw = Draw {
+            stream,
+            counts: &Counts::default(),
+        };
+        let [plus, minus] =
+            [0, 1].map(|i| tracers[i].pixel(&Primal(tracers[i].accel), pixel, draw));
+        let value: Rgb = (plus + minus) * 0.5;
+        let difference: Rgb = (plus - minus) / (2.0 * step);
+        let [[a, b, c], [d, e, f]] = [value, difference].map(|rgb| rgb.to_array());
+        Sample {
+            numbers: [a, b, c, d, e, f],
+            cone_queries: 0,
+            uncovered: 0,
+        }
+    });
+    Ok(GradientImage {
+        value: averages.estimate(scene, 0),
+        gradient: averages.estimate(scene, 3),
+        statistics: averages.statistics,
+    })
+}

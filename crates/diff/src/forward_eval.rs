@@ -1,0 +1,140 @@
+//! A scene that moves: values with one derivative, for forward mode.
+
+use capwalk_boundary::{Accel, Field, Numbers, Viewpoint, Warp};
+use capwalk_math::{Dual, Rgb, Vec3};
+use capwalk_render::{SceneEval, Warped, vertex_normal};
+use capwalk_scene::sensor::SensorState;
+use capwalk_scene::{Motion, Scene, TextureId};
+use capwalk_walk::WalkSettings;
+
+/// A number and its derivative with respect to the parameter.
+pub type D = Dual<1>;
+
+/// The scene moving along a [`Motion`].
+pub struct Forward<'a> {
+    accel: &'a Accel,
+    field: Field<'a>,
+    motion: &'a Motion,
+    /// Velocity of every point of the boundaries, world units: the vertices of the
+    /// joined mesh, then the ends of crossings.
+    points: Vec<Vec3>,
+    /// Velocities of each shape's shading normals, where it has any.
+    normals: Vec<Option<Vec<Vec3>>>,
+    boundaries_move: bool,
+}
+
+impl<'a> Forward<'a> {
+    /// The velocities of everything; shapes that do not move get zeros.
+    pub fn new(field: Field<'a>, motion: &'a Motion) -> Self {
+        let accel = field.accel;
+        let mut points = vec![Vec3::zero(); accel.mesh.positions.len()];
+        for (shape, &first) in motion.shapes.iter().zip(&accel.first_vertex) {
+            if let Some(shape) = shape {
+                let first = first as usize;
+                points[first..first + shape.vertices.len()].copy_from_slice(&shape.vertices);
+            }
+        }
+        let crossings = field.boundaries.crossings.iter();
+        let ends: Vec<Vec3> = crossings
+            .flat_map(|crossing| crossing.ends.map(|end| end.velocity(&points)))
+            .collect();
+        points.extend(ends);
+        let normals = (0..accel.scene.shapes.len())
+            .map(|shape| accel.scene.normal_velocities(motion, shape))
+            .collect();
+        Self {
+            accel,
+            field,
+            motion,
+            boundaries_move: points.iter().any(|&v| v != Vec3::zero()),
+            points,
+            normals,
+        }
+    }
+
+    /// The velocity of a direction and the divergence of its field, for this motion.
+    fn evaluate(&self, warp: &Warp, viewpoint: &Viewpoint<D>) -> (Vec3, f64) {
+        let moving = viewpoint.vectors().map(|vector| vector.tangent(0));
+        warp.evaluate(&self.field, |i| self.points[i as usize], &moving)
+    }
+}
+
+impl SceneEval<D> for Forward<'_> {
+    const MOVES: bool = true;
+    #[inline]
+    fn vertex(&self, index: u32) -> Vec3<D> {
+        let index = index as usize;
+        self.accel.mesh.positions[index].with_tangent(self.points[index])
+    }
+    #[inline]
+    fn normal(&self, shape: usize, vertex: u32) -> Vec3<D> {
+        let velocity = match &self.normals[shape] {
+            Some(velocities) => velocities[vertex as usize],
+            None => Vec3::zero(),
+        };
+        vertex_normal(&self.accel.scene, shape, vertex).with_tangent(velocity)
+    }
+    #[inline]
+    fn scene(&self) -> &Scene {
+        &self.accel.scene
+    }
+    #[inline]
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<D> {
+        let scene = &self.accel.scene;
+        let velocity = self.motion.texel(scene, id, index);
+        scene.texture(id).texel(index).with_tangent(velocity)
+    }
+    #[inline]
+    fn is_asked_for(&self, id: TextureId) -> bool {
+        self.motion.textures[id.0 as usize].is_some()
+    }
+    #[inline]
+    fn sensor(&self) -> SensorState<D> {
+        self.accel.scene.sensor.moving_state(&self.motion.sensor)
+    }
+    #[inline]
+    fn boundary_point(&self, index: u32) -> Vec3<D> {
+        let position = self.field.boundaries.position(index);
+        position.with_tangent(self.points[index as usize])
+    }
+    #[inline]
+    fn is_still(&self, viewpoint: &Viewpoint<D>) -> bool {
+        let moves = |v: &Vec3<D>| v.tangent(0) != Vec3::zero();
+        !self.boundaries_move && !viewpoint.vectors().iter().any(moves)
+    }
+    #[inline]
+    fn moves(&self) -> bool {
+        self.boundaries_move || self.motion.sensor.moves_rays()
+    }
+    fn warp(
+        &self,
+        viewpoint: &Viewpoint<D>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Warped<D> {
+        if self.is_still(viewpoint) {
+            return Warped::still(q);
+        }
+        let warp = self.field.warp(viewpoint, q, walk, numbers);
+        let (velocity, divergence) = self.evaluate(&warp, viewpoint);
+        Warped {
+            direction: q.with_tangent(velocity.reject_from(q)),
+            jacobian: Dual::new(1.0, [divergence]),
+            near_boundary: !warp.is_zero(),
+        }
+    }
+    fn warp_value(
+        &self,
+        viewpoint: &Viewpoint<D>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Vec3<D> {
+        if self.is_still(viewpoint) {
+            return Vec3::constant(q);
+        }
+        let warp = self.field.warp_value(viewpoint, q, walk, numbers);
+        q.with_tangent(self.evaluate(&warp, viewpoint).0.reject_from(q))
+    }
+}

@@ -1,0 +1,37 @@
+//! Derivatives of rendered images.
+//!
+//! [`gradient`] is the derivative image for a [`Motion`](capwalk_scene::Motion) of the
+//! scene (forward mode), [`backward`] the gradient of a loss in everything (reverse
+//! mode), [`finite_difference`] the reference that they are checked against, and
+//! [`check::compare`] the verdict. All of them share the path tracer of
+//! `capwalk-render`; what differs is the scalar that it runs over.
+//!
+//! Nothing here opens a file, prints, or reads the clock.
+
+mod adjoint;
+pub mod check;
+mod finite;
+mod forward;
+mod forward_eval;
+mod options;
+pub mod probe;
+mod refused;
+mod reverse;
+mod reverse_eval;
+
+// What appears in the signatures here.
+pub use capwalk_boundary::pool::with_threads;
+pub use capwalk_boundary::{Method, Refusal, may_be_specular};
+#[cfg(feature = "paper")]
+pub use capwalk_boundary::{WasBoundary, WasSettings};
+pub use capwalk_render::{
+    Estimate, GradientImage, Options, Prepared, Rendering, Statistics, Unwatched, Watch, render,
+};
+pub use capwalk_walk::{Estimator, WalkSettings};
+
+pub use adjoint::Wanted;
+pub use finite::finite_difference;
+pub use forward::gradient;
+pub use options::GradientOptions;
+pub use refused::refusal;
+pub use reverse::{Backward, backward};

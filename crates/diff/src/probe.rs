@@ -1,0 +1,130 @@
+//! Irradiance at a point and its derivative: the integral that METHOD's
+//! reference set-up is made of, without a camera.
+
+use std::f64::consts::PI;
+
+use capwalk_boundary::refuse::refuse_walk;
+use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Sampler};
+use capwalk_math::{Frame, Moments, Real, Rgb, Vec3};
+use capwalk_render::{
+    FIRST_VERTEX, LightSampling, Plan, Prepared, Primal, SpecularChain, Tracer, Vertex,
+};
+use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe};
+use capwalk_scene::{Motion, Scene};
+use capwalk_walk::WalkSettings;
+
+use crate::forward_eval::Forward;
+
+/// A surface point at rest that reflects the irradiance itself: its reflectance
+/// is π.
+fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
+    let reflectance = Rgb::splat(R::constant(PI));
+    let [position, unit] = [position, normal].map(Vec3::constant);
+    let lobe = Lobe::Diffuse(Diffuse { reflectance });
+    Vertex::new(
+        position,
+        normal,
+        Frame::from_normal(unit),
+        unit,
+        Bsdf::from(lobe),
+    )
+}
+
+/// Points drawn on emitters, nothing else.
+const EMITTERS_ALONE: Plan = Plan {
+    first_vertex: FIRST_VERTEX,
+    max_depth: Some(2),
+    rr_depth: u32::MAX,
+    sampling: LightSampling {
+        emitter_samples: 1,
+        bsdf_samples: 0,
+    },
+    hide_emitters: false,
+    layer: None,
+};
+
+/// Statistics of single samples of the red irradiance at a point at rest, and
+/// of its derivative along a motion.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Irradiance {
+    /// The irradiance.
+    pub value: Moments,
+    /// Its derivative.
+    pub gradient: Moments,
+}
+
+/// Samples of the irradiance at each point (with its unit normal), from one
+/// point drawn on an emitter and, for the derivative, one on the lamps' edges.
+pub fn irradiance(
+    scene: &Scene,
+    motion: &Motion,
+    points: &[(Vec3, Vec3)],
+    walk: WalkSettings,
+    samples: u32,
+    seed: u64,
+) -> Result<Vec<Irradiance>, Refusal> {
+    refuse_walk(&walk)?;
+    let prepared = Prepared::new(scene.clone());
+    let field = Field::new(prepared.accel(), prepared.boundaries(), Method::Walk);
+    let world = Forward::new(field, motion);
+    let tracer = Tracer::moving(&prepared, field, walk).with_plan(EMITTERS_ALONE);
+    let sampler = Sampler::new(&scene.settings, seed, 1);
+    let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
+        let vertex = diffuse_vertex(position, normal);
+        let mut irradiance = Irradiance::default();
+        for number in 0..samples {
+            let stream = sampler.stream(index as u64, number);
+            let draw = Draw {
+                stream: &stream,
+                counts: &Counts::default(),
+            };
+            let (light, _) = tracer.emitted(&world, &vertex, 0, SpecularChain::default(), draw);
+            irradiance.value.add(light.x.value);
+            irradiance.gradient.add(light.x.tangent[0]);
+        }
+        irradiance
+    };
+    Ok(points
+        .iter()
+        .enumerate()
+        .map(|(index, point)| at(index, point))
+        .collect())
+}
+
+/// Statistics of single samples of the difference of the red irradiance
+/// between two scenes, with common random numbers.
+pub fn difference(
+    scenes: &[Scene; 2],
+    points: &[(Vec3, Vec3)],
+    samples: u32,
+    seed: u64,
+) -> Vec<Moments> {
+    let sides = scenes.each_ref().map(|scene| Prepared::new(scene.clone()));
+    let tracers = [0, 1].map(|i| Tracer::primal(&sides[i]).with_plan(EMITTERS_ALONE));
+    let sampler = Sampler::new(&scenes[0].settings, seed, 1);
+    let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
+        let vertex = diffuse_vertex(position, normal);
+        let mut moments = Moments::default();
+        for number in 0..samples {
+            let stream = sampler.stream(index as u64, number);
+            let draw = Draw {
+                stream: &stream,
+                counts: &Counts::default(),
+            };
+            let [above, below] = [0, 1].map(|i| {
+                let world = Primal(sides[i].accel());
+                tracers[i]
+                    .emitted(&world, &vertex, 0, SpecularChain::default(), draw)
+                    .0
+                    .x
+            });
+            moments.add(above - below);
+        }
+        moments
+    };
+    points
+        .iter()
+        .enumerate()
+        .map(|(index, point)| at(index, point))
+        .collect()
+}

@@ -1,0 +1,240 @@
+//! The scene as independent variables on a tape, for reverse mode.
+
+use std::cell::RefCell;
+
+use capwalk_boundary::{Accel, Field, Numbers, Viewpoint, Warp};
+use capwalk_math::tape::Adjoints;
+use capwalk_math::{Real, Rgb, Tape, Var, Vec3};
+use capwalk_render::{SceneEval, Warped, vertex_normal};
+use capwalk_scene::sensor::SensorState;
+use capwalk_scene::{Scene, TextureId};
+use capwalk_walk::WalkSettings;
+
+use crate::adjoint::{Target, Wanted};
+
+/// A scene whose numbers are recorded on a tape, for one sample.
+pub struct Reverse<'a, 't> {
+    accel: &'a Accel,
+    field: Field<'a>,
+    wanted: &'a Wanted,
+    /// Which points of the boundaries depend on what is wanted.
+    points: &'a [bool],
+    tape: &'t Tape,
+    marks: RefCell<Vec<Mark<'t>>>,
+}
+
+/// Numbers on the tape that come from outside of it.
+struct Mark<'t> {
+    /// The first of them.
+    place: usize,
+    origin: Origin<'t>,
+}
+
+/// Where they come from.
+enum Origin<'t> {
+    /// The scene: three numbers.
+    Scene(Target),
+    /// A warped direction, three numbers, with its Jacobian behind them if the warp has
+    /// a divergence.
+    Warp(Box<WarpedFrom<'t>>),
+}
+
+/// How a direction moves with what is around a viewpoint.
+struct WarpedFrom<'t> {
+    q: Vec3,
+    viewpoint: Viewpoint<Var<'t>>,
+    warp: Warp,
+}
+
+/// Room for the marks of most samples.
+const MARKS: usize = 64;
+
+impl<'a, 't> Reverse<'a, 't> {
+    /// A recording on an empty tape.
+    pub fn new(field: Field<'a>, wanted: &'a Wanted, points: &'a [bool], tape: &'t Tape) -> Self {
+        debug_assert!(tape.is_empty());
+        Self {
+            accel: field.accel,
+            field,
+            wanted,
+            points,
+            tape,
+            marks: RefCell::new(Vec::with_capacity(MARKS)),
+        }
+    }
+
+    fn variables(&self, wanted: bool, value: Vec3, origin: Origin<'t>) -> Vec3<Var<'t>> {
+        if !wanted {
+            return Vec3::constant(value);
+        }
+        let place = self.tape.len();
+        self.marks.borrow_mut().push(Mark { place, origin });
+        self.tape.variables(value)
+    }
+
+    /// A direction that a warp moves; `None` if nothing wanted moves it.
+    fn warped(&self, viewpoint: &Viewpoint<Var<'t>>, q: Vec3, warp: Warp) -> Option<Vec3<Var<'t>>> {
+        let viewpoint_moves = !viewpoint.vectors().iter().all(|v| v.is_constant());
+        let point = |i: u32| self.points[i as usize];
+        if !warp.depends(&self.field, point, viewpoint_moves) {
+            return None;
+        }
+        let from = WarpedFrom {
+            q,
+            viewpoint: *viewpoint,
+            warp,
+        };
+        Some(self.variables(true, q, Origin::Warp(Box::new(from))))
+    }
+
+    /// Collects the covectors on the scene's numbers that follow from the
+    /// adjoint of a result: the tape backwards, and at each mark out of it.
+    /// `adjoints` is memory.
+    pub fn pull_back(
+        self,
+        result: Rgb<Var<'t>>,
+        adjoint: Rgb,
+        adjoints: &mut Adjoints,
+        covectors: &mut Vec<(Target, Vec3)>,
+    ) {
+        covectors.clear();
+        adjoints.reset(self.tape);
+        adjoints.add_vector(result, adjoint);
+        let mut end = self.tape.len();
+        for mark in self.marks.into_inner().into_iter().rev() {
+            // What was recorded behind the mark passes its adjoints on to the mark.
+            self.tape.sweep(adjoints, mark.place..end);
+            end = mark.place;
+            let [x, y, z] = [0, 1, 2].map(|i| adjoints.at(mark.place + i));
+            let covector = Vec3::new(x, y, z);
+            match mark.origin {
+                Origin::Scene(target) => covectors.push((target, covector)),
+                Origin::Warp(from) => {
+                    // The transposed warp leads to the scene, and to the viewpoint, which
+                    // was recorded before.
+                    let WarpedFrom { q, viewpoint, warp } = *from;
+                    let divergence = match warp {
+                        Warp::Value(_) => 0.0,
+                        _ => adjoints.at(mark.place + 3),
+                    };
+                    let vectors = viewpoint.vectors();
+                    warp.pull(
+                        &self.field,
+                        covector.reject_from(q),
+                        divergence,
+                        |i, covector| covectors.push((Target::Point(i), covector)),
+                        |i, covector| adjoints.add_vector(vectors[i], covector),
+                    );
+                }
+            }
+        }
+    }
+}
+
+impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
+    const MOVES: bool = true;
+    #[inline]
+    fn vertex(&self, index: u32) -> Vec3<Var<'t>> {
+        let wanted = self.wanted.vertices(self.accel, index);
+        let value = self.accel.mesh.positions[index as usize];
+        self.variables(wanted, value, Origin::Scene(Target::Point(index)))
+    }
+    #[inline]
+    fn normal(&self, shape: usize, vertex: u32) -> Vec3<Var<'t>> {
+        let wanted = self.wanted.normals_of(&self.accel.scene, shape);
+        let value = vertex_normal(&self.accel.scene, shape, vertex);
+        self.variables(wanted, value, Origin::Scene(Target::Normal(shape, vertex)))
+    }
+    #[inline]
+    fn scene(&self) -> &Scene {
+        &self.accel.scene
+    }
+    #[inline]
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<Var<'t>> {
+        let value = self.accel.scene.texture(id).texel(index);
+        let wanted = self.is_asked_for(id);
+        self.variables(wanted, value, Origin::Scene(Target::Texel(id, index)))
+    }
+    #[inline]
+    fn is_asked_for(&self, id: TextureId) -> bool {
+        self.wanted.textures[id.0 as usize]
+    }
+    #[inline]
+    fn sensor(&self) -> SensorState<Var<'t>> {
+        let SensorState {
+            axes,
+            origin,
+            optics,
+        } = self.accel.scene.sensor.state();
+        let wanted = self.wanted;
+        let variables =
+            |wanted, value, target| self.variables(wanted, value, Origin::Scene(target));
+        let turns = wanted.sensor_axes;
+        let optic = |value: Var<'t>, wanted| match wanted {
+            true => value,
+            false => Var::constant(value.value()),
+        };
+        let moving = variables(wanted.aperture || wanted.film, optics, Target::SensorOptics);
+        SensorState {
+            axes: [0, 1, 2].map(|i| variables(turns, axes[i], Target::SensorAxis(i))),
+            origin: variables(wanted.sensor_origin, origin, Target::SensorOrigin),
+            optics: Vec3::new(
+                optic(moving.x, wanted.film),
+                optic(moving.y, wanted.aperture),
+                optic(moving.z, wanted.film),
+            ),
+        }
+    }
+    #[inline]
+    fn boundary_point(&self, index: u32) -> Vec3<Var<'t>> {
+        let value = self.field.boundaries.position(index);
+        let wanted = self.points[index as usize];
+        self.variables(wanted, value, Origin::Scene(Target::Point(index)))
+    }
+    #[inline]
+    fn is_still(&self, _: &Viewpoint<Var<'t>>) -> bool {
+        !self.wanted.geometry()
+    }
+    #[inline]
+    fn moves(&self) -> bool {
+        self.wanted.geometry()
+    }
+    fn warp(
+        &self,
+        viewpoint: &Viewpoint<Var<'t>>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Warped<Var<'t>> {
+        if self.is_still(viewpoint) {
+            return Warped::still(q);
+        }
+        let warp = self.field.warp(viewpoint, q, walk, numbers);
+        let near_boundary = !warp.is_zero();
+        match self.warped(viewpoint, q, warp) {
+            None => Warped {
+                near_boundary,
+                ..Warped::still(q)
+            },
+            Some(direction) => Warped {
+                direction,
+                jacobian: self.tape.variable(1.0),
+                near_boundary,
+            },
+        }
+    }
+    fn warp_value(
+        &self,
+        viewpoint: &Viewpoint<Var<'t>>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Vec3<Var<'t>> {
+        if self.is_still(viewpoint) {
+            return Vec3::constant(q);
+        }
+        let warp = self.field.warp_value(viewpoint, q, walk, numbers);
+        let direction = self.warped(viewpoint, q, warp);
+        direction.unwrap_or_else(|| Vec3::constant(q))
+    }
+}

@@ -1,0 +1,286 @@
+//! Warped-area sampling keeps its promises, and breaks those that it is known to
+//! break: derivatives of areas in the picture, which have closed forms.
+
+mod common;
+
+use capwalk_diff::check::{Verdict, compare};
+use capwalk_diff::{
+    Estimate, GradientOptions, Method, Options, Prepared, Unwatched, WasBoundary, WasSettings,
+    finite_difference, gradient,
+};
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::primitive::{rectangle, sphere};
+use capwalk_scene::*;
+use common::agree::motion;
+use common::stages::*;
+use common::*;
+
+/// Standard errors beyond which a difference is no accident.
+const Z: f64 = 4.5;
+
+/// One thing before nothing, as a mask; its angles are a few times the reach of
+/// the field, so that most samples tell something.
+fn mask(mesh: capwalk_geometry::Mesh, normals: ShadingNormals) -> Scene {
+    let mut scene = empty(v(0.0, 0.0, 4.0), Vec3::zero(), 3.0, 8);
+    scene.film.filter = Filter::Gaussian { stddev: 0.5 };
+    add(&mut scene, "thing", mesh, normals, 0.5);
+    scene.settings.integrator = Integrator::Aov(Layer::Mask);
+    scene
+}
+
+/// Half of the picture's width in the plane through the origin.
+fn half_width() -> f64 {
+    4.0 * 1.5_f64.to_radians().tan()
+}
+
+/// Half as wide as the picture, so that its area is 16 pixels.
+fn card() -> Scene {
+    let half = 0.5 * half_width();
+    let (mesh, normals) = rectangle(Affine::scale(v(half, half, 1.0)));
+    mask(mesh, normals)
+}
+
+fn options(spp: u32, seed: u64) -> Options {
+    Options { spp, seed }
+}
+
+/// The derivative of the area by the size of the thing, see `relative_change`.
+fn relative_growth(
+    scene: &Scene,
+    exact: f64,
+    was: WasSettings,
+    spp: u32,
+) -> (Estimate, (f64, f64)) {
+    relative_change(scene, "thing.scale", exact, Method::Was(was), spp)
+}
+
+/// The derivative of the picture, and that of the area divided by what it is, with
+/// its standard error.
+fn relative_change(
+    scene: &Scene,
+    what: &str,
+    exact: f64,
+    method: Method,
+    spp: u32,
+) -> (Estimate, (f64, f64)) {
+    let settings = GradientOptions {
+        method,
+        ..GradientOptions::new(options(spp, 1))
+    };
+    let growth = motion(scene, what);
+    let result = gradient(
+        &Prepared::new(scene.clone()),
+        &growth,
+        &settings,
+        &Unwatched,
+    )
+    .expect("covered");
+    assert_eq!(result.statistics.non_finite, 0);
+    let pixels = result.gradient.mean.pixels.iter();
+    let errors = result.gradient.standard_error.pixels.iter();
+    let sum: f64 = pixels.map(|p| p.x).sum();
+    let error = errors.map(|p| p.x * p.x).sum::<f64>().sqrt();
+    let (growth, error) = (sum / exact, error / exact.abs());
+    println!("{method:?}: {growth:.4} ± {error:.4}");
+    (result.gradient, (growth, error))
+}
+
+/// The bias falls with the number of auxiliary rays; with few of them it is there.
+#[test]
+fn more_rays_less_bias() {
+    let scene = card();
+    let bias = |rays: u32, antithetic: bool, spp: u32| {
+        let was = WasSettings {
+            rays,
+            antithetic,
+            ..WasSettings::default()
+        };
+        let (_, (growth, error)) = relative_growth(&scene, 32.0, was, spp);
+        (growth - 1.0, error)
+    };
+    let [few, more, many] = [(8, 2000), (32, 2000), (128, 600)].map(|(n, spp)| bias(n, false, spp));
+    assert!(few.0 < -0.2 && -few.0 > 10.0 * few.1, "{few:?}");
+    assert!(
+        more.0.abs() < 0.5 * few.0.abs() && -more.0 > Z * more.1,
+        "{more:?}"
+    );
+    assert!(many.0.abs() < 0.5 * more.0.abs() + many.1, "{many:?}");
+    assert!(many.0.abs() < Z * many.1 && many.1 < 0.03, "{many:?}");
+    // Opposite pairs have a bias of their own.
+    let [few, many] = [(8, 2000), (128, 600)].map(|(n, spp)| bias(n, true, spp));
+    assert!(few.0 > 0.05 && few.0 > Z * few.1, "{few:?}");
+    assert!(many.0.abs() < Z * many.1 && many.1 < 0.03, "{many:?}");
+}
+
+/// What finite differences say pixel by pixel, and how many standard errors the
+/// change of the area is from what it is.
+fn verdict(what: &str, exact: f64, was: WasSettings, spp: u32) -> (Verdict, f64) {
+    let scene = card();
+    let change = motion(&scene, what);
+    let reference = finite_difference(&scene, &change, 0.01, &options(60_000, 2), &Unwatched);
+    let reference = reference.expect("covered").gradient;
+    let (ours, (size, error)) = relative_change(&scene, what, exact, Method::Was(was), spp);
+    let result = compare(&ours, &reference);
+    let (z, slope) = (result.mean_z_squared, result.slope);
+    println!(
+        "{what}: mean z² {z:.2}, slope {slope:.3} ± {:.3}",
+        result.slope_error
+    );
+    (result.verdict, (size - 1.0) / error)
+}
+
+/// Roulette takes the bias away that is -28 % without: pixel by pixel, and in the
+/// sum.
+#[test]
+fn roulette_removes_the_bias() {
+    let with = |debias: bool| WasSettings {
+        antithetic: false,
+        debias,
+        ..WasSettings::default()
+    };
+    let (biased, z) = verdict("thing.scale", 32.0, with(false), 1000);
+    assert!(
+        matches!(biased, Verdict::Wrong { .. }) && z < -10.0,
+        "{biased:?}"
+    );
+    let (unbiased, z) = verdict("thing.scale", 32.0, with(true), 4000);
+    assert!(
+        unbiased == Verdict::Right && z.abs() < Z,
+        "{unbiased:?}, {z}"
+    );
+}
+
+/// A camera that comes nearer sees things grow, twice their area per distance; one
+/// that goes sideways sees them go the other way.
+#[test]
+fn eyes_move() {
+    let was = WasSettings {
+        rays: 64,
+        ..WasSettings::default()
+    };
+    let nearer = -2.0 * 16.0 / 4.0;
+    let (found, z) = verdict(
+        "sensor.translate.z + 0.3*sensor.translate.x",
+        nearer,
+        was,
+        1200,
+    );
+    assert!(found == Verdict::Right && z.abs() < Z, "{found:?}, {z}");
+}
+
+/// Light from a lamp, whose edges the field knows, too, past something; all of
+/// them move, and the ground under them. The size of the derivative, as seen by
+/// weights that do not come from it.
+#[test]
+fn shadows_and_lamps() {
+    let mut scene = with(triangle());
+    scene.film.size = [12; 2];
+    scene.film.crop_size = [12; 2];
+    let everything = "thing.translate.x + 0.3*lamp.translate.y - 0.4*floor.translate.x";
+    let motion = motion(&scene, everything);
+    let reference = finite_difference(&scene, &motion, 0.03, &options(8000, 2), &Unwatched);
+    let reference = reference.expect("covered").gradient;
+    let by = |method, spp, seed| {
+        let settings = GradientOptions {
+            method,
+            ..GradientOptions::new(options(spp, seed))
+        };
+        let result = gradient(
+            &Prepared::new(scene.clone()),
+            &motion,
+            &settings,
+            &Unwatched,
+        );
+        result.expect("covered").gradient
+    };
+    let weights = by(Method::Walk, 200, 3).mean.pixels;
+    let size = |picture: &Estimate| {
+        let pixels = picture
+            .mean
+            .pixels
+            .iter()
+            .zip(&picture.standard_error.pixels);
+        let terms = pixels
+            .zip(&weights)
+            .map(|((m, e), w)| (m.x * w.x, (e.x * w.x).powi(2)));
+        let (sum, squares) = terms.fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
+        (sum, squares.sqrt())
+    };
+    let (exact, exact_error) = size(&reference);
+    let was = WasSettings {
+        kappa: 1e4,
+        rays: 16,
+        ..WasSettings::default()
+    };
+    let (ours, error) = size(&by(Method::Was(was), 1500, 1));
+    let (ratio, error) = (ours / exact, error.hypot(exact_error) / exact);
+    println!("of differences: {ratio:.3} ± {error:.3}");
+    assert!((ratio - 1.0).abs() < Z * error && error < 0.06);
+}
+
+/// Normals tell where smooth surfaces end, and not where flat ones do, however
+/// many rays there are.
+#[test]
+fn normals_are_for_smooth_surfaces() {
+    let was = WasSettings {
+        rays: 128,
+        boundary: WasBoundary::Normals,
+        ..WasSettings::default()
+    };
+    let (_, (growth, error)) = relative_growth(&card(), 32.0, was, 600);
+    assert!(1.0 - growth > 0.4 && error < 0.03);
+    // The disk of a ball: of area 16, too, far away.
+    let radius = half_width() * (16.0 / std::f64::consts::PI).sqrt() / 4.0;
+    let (mesh, normals) = sphere(Affine::IDENTITY, Vec3::zero(), radius);
+    let (_, (growth, error)) = relative_growth(&mask(mesh, normals), 32.0, was, 600);
+    assert!((growth - 1.0).abs() < Z * error + 0.02 && error < 0.03);
+}
+
+/// A black card before a white triangle that fills the picture: what is seen of the
+/// triangle shrinks when the card grows.
+fn card_before_a_wall() -> Scene {
+    let mut scene = card();
+    let wall = capwalk_geometry::Mesh {
+        positions: vec![v(-1.7, -1.3, -1.0), v(1.9, -1.1, -0.7), v(0.1, 1.8, -1.2)],
+        faces: vec![[0, 1, 2]],
+    };
+    add(&mut scene, "wall", wall, ShadingNormals::Face, 1.0);
+    let black = scene
+        .textures
+        .iter_mut()
+        .find(|texture| texture.id == "thing.bsdf.reflectance");
+    black.expect("a reflectance").data.fill(0.0);
+    scene.settings.integrator = Integrator::Aov(Layer::Albedo);
+    scene.check().expect("a valid scene");
+    scene
+}
+
+/// In path space, too, the bias falls with the number of auxiliary rays, and roulette
+/// removes it. A thing's own border is at rest in its material: before nothing, there
+/// is no bias, and no noise but that of the picture.
+#[test]
+fn more_rays_less_bias_in_path_space() {
+    let scene = card_before_a_wall();
+    let bias = |rays: u32, debias: bool, spp: u32| {
+        let was = WasSettings {
+            rays,
+            debias,
+            antithetic: false,
+            ..WasSettings::default()
+        };
+        let method = Method::PsdrWas(was);
+        let (_, (growth, error)) = relative_change(&scene, "thing.scale", -32.0, method, spp);
+        (growth - 1.0, error)
+    };
+    let [few, more, many] = [(8, 2000), (32, 2000), (128, 600)].map(|(n, spp)| bias(n, false, spp));
+    assert!(few.0.abs() > Z * few.1, "{few:?}");
+    assert!(more.0.abs() < 0.5 * few.0.abs(), "{few:?} {more:?}");
+    assert!(many.0.abs() < Z * many.1 && many.1 < 0.03, "{many:?}");
+    // Roulette is noisier here, but tells.
+    let debiased = bias(8, true, 4000);
+    assert!(debiased.0.abs() < 3.0 * debiased.1 && debiased.1 < 0.1);
+
+    let own = Method::PsdrWas(WasSettings::default());
+    let (_, (growth, error)) = relative_change(&card(), "thing.scale", 32.0, own, 800);
+    assert!((growth - 1.0).abs() < Z * error && error < 0.02);
+}

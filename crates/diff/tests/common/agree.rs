@@ -1,0 +1,109 @@
+//! Runs a gradient and its finite differences, and demands agreement.
+
+use capwalk_diff::check::{Verdict, compare};
+use capwalk_diff::{
+    GradientOptions, Method, Options, Prepared, Unwatched, WalkSettings, finite_difference,
+    gradient,
+};
+use capwalk_scene::*;
+
+/// Sizes and seeds of a case.
+pub struct Case {
+    pub size: u32,
+    pub gradient_spp: u32,
+    pub reference_spp: u32,
+    pub step: f64,
+    /// Differences between the scene and two steps on, where steps back are not
+    /// allowed.
+    pub one_sided: bool,
+    pub method: Method,
+    pub walk: WalkSettings,
+    /// Pixels that must have noise.
+    pub min_pixels: usize,
+    /// By what factor more samples the verdict may want before it says "right",
+    /// where derivatives have heavy tails.
+    pub patience: f64,
+}
+
+impl Default for Case {
+    fn default() -> Self {
+        Self {
+            size: 36,
+            gradient_spp: 400,
+            reference_spp: 1024,
+            step: 3e-2,
+            one_sided: false,
+            method: Method::default(),
+            walk: WalkSettings::default(),
+            min_pixels: 1000,
+            patience: 1.0,
+        }
+    }
+}
+
+/// For the silhouette of a visible thing, which crosses pixels: short steps, so
+/// that the difference does not run over whole pixels.
+pub fn primary() -> Case {
+    Case {
+        size: 46,
+        step: 4e-3,
+        gradient_spp: 320,
+        reference_spp: 960,
+        ..Case::default()
+    }
+}
+
+/// Runs both and demands agreement.
+pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
+    scene.film.size = [case.size; 2];
+    scene.film.crop_size = [case.size; 2];
+    scene.check().expect("a valid scene");
+    let options = |spp: u32, seed: u64| Options { spp, seed };
+    let settings = GradientOptions {
+        method: case.method,
+        walk: case.walk,
+        ..GradientOptions::new(options(case.gradient_spp, 1))
+    };
+    let ours =
+        gradient(&Prepared::new(scene.clone()), motion, &settings, &Unwatched).expect("covered");
+    let middle = match case.one_sided {
+        true => scene.moved(motion, case.step),
+        false => scene.clone(),
+    };
+    let reference = finite_difference(
+        &middle,
+        motion,
+        case.step,
+        &options(case.reference_spp, 2),
+        &Unwatched,
+    )
+    .expect("covered");
+    assert_eq!(
+        ours.statistics.non_finite + reference.statistics.non_finite,
+        0,
+        "{name}"
+    );
+
+    let result = compare(&ours.gradient, &reference.gradient);
+    println!("{name}: {result}, worst {:?}", result.worst[0]);
+    match result.verdict {
+        Verdict::CouldNotTell { samples_factor } if samples_factor <= case.patience => {}
+        verdict => assert_eq!(verdict, Verdict::Right, "{name}"),
+    }
+    assert!(
+        result.pixels >= case.min_pixels,
+        "{name}: only {} pixels have noise",
+        result.pixels
+    );
+    let z2 = result.mean_z_squared;
+    assert!((0.8..=1.25).contains(&z2), "{name}: mean z² {z2}");
+    assert!(
+        result.sign.abs() < 4.0,
+        "{name}: systematic sign {}",
+        result.sign
+    );
+}
+
+pub fn motion(scene: &Scene, expression: &str) -> Motion {
+    params::motion(scene, expression).expect("a known name")
+}

@@ -1,0 +1,318 @@
+//! Gathered edges (METHOD 8) against finite differences, and against walks: each is
+//! the other's oracle. What is demanded of each case, and how often it raises a
+//! false alarm, is said in `phenomena_shadows.rs`. More phenomena are run by
+//! both methods in `cli/tests/phenomena`.
+
+mod common;
+
+use std::time::Instant;
+
+use capwalk_diff::check::{Verdict, compare};
+use capwalk_diff::{
+    GradientImage, GradientOptions, Method, Options, Prepared, Unwatched, gradient, with_threads,
+};
+use capwalk_geometry::Mesh;
+use capwalk_math::Affine;
+use capwalk_scene::primitive::{disk, icosphere, rectangle};
+use capwalk_scene::*;
+use common::agree::*;
+use common::stages::*;
+use common::*;
+
+fn edges(case: Case) -> Case {
+    Case {
+        method: Method::Edges,
+        ..case
+    }
+}
+
+fn shadow_case(name: &str, scene: Scene, expression: &str) {
+    let motion = motion(&scene, expression);
+    // Little noise: a longer step, which blurs what it looks at, would be seen.
+    let case = Case {
+        step: 1e-2,
+        gradient_spp: 128,
+        reference_spp: 1200,
+        min_pixels: 400,
+        ..Case::default()
+    };
+    agree(name, scene, &motion, edges(case));
+}
+
+/// A stage whose lamp is another one, above the thing.
+fn lit_by(mesh: Mesh, radiance: f64) -> Scene {
+    let mut scene = with(triangle());
+    scene.shapes.retain(|shape| shape.id != "lamp");
+    scene.emitters.clear();
+    add(&mut scene, "bulb", mesh, ShadingNormals::Face, 0.0);
+    light_up(&mut scene, radiance);
+    scene
+}
+
+fn down(size: f64) -> Affine {
+    let turn = Affine::rotate(v(1.0, 0.1, 0.0), std::f64::consts::PI);
+    Affine::translate(v(0.2, 0.1, 3.0)) * turn * Affine::scale(v(size, size, size))
+}
+
+#[test]
+fn shadow() {
+    shadow_case("shadow", with(triangle()), "thing.translate.y");
+}
+
+/// Faces that are seen edge-on, and the horizon of the floor's own edges.
+#[test]
+fn occluder_and_receiver() {
+    let scene = with(tilted_cube().0);
+    let expression = "thing.rotate.y + floor.translate.z + 0.5*floor.translate.x";
+    shadow_case("occluder and receiver", scene, expression);
+}
+
+#[test]
+fn lamp_moves() {
+    let expression = "lamp.translate.x + lamp.rotate.x";
+    shadow_case("lamp", with(small_ball()), expression);
+}
+
+/// One of three corners: its edges are not parallel.
+#[test]
+fn triangular_lamp() {
+    let corners = [[-0.5, -0.4, 0.0], [0.6, -0.3, 0.0], [-0.1, 0.7, 0.0]];
+    let mesh = Mesh {
+        positions: corners.map(|p| down(1.0).point(p.into())).to_vec(),
+        faces: vec![[0, 1, 2]],
+    };
+    let scene = lit_by(mesh, 10.0);
+    shadow_case(
+        "triangular lamp",
+        scene,
+        "thing.translate.x + bulb.translate.y",
+    );
+}
+
+/// More edges than are sampled one by one elsewhere; the window of a disk is a
+/// square.
+#[test]
+fn round_lamp() {
+    let scene = lit_by(disk(down(0.5)).0, 10.0);
+    shadow_case("disk", scene, "thing.translate.x + bulb.translate.y");
+}
+
+/// A lamp that is not flat, and shows its own silhouette.
+#[test]
+fn spherical_lamp() {
+    let mesh = placed(icosphere(5), down(0.4));
+    let scene = lit_by(mesh, 8.0);
+    shadow_case("ball", scene, "thing.translate.x - bulb.translate.y");
+}
+
+/// Lamps that hide each other, of which one is looked at at a time.
+#[test]
+fn two_lamps() {
+    let mut scene = with(triangle());
+    let (mesh, normals) = rectangle(down(0.3));
+    let mesh = placed(mesh, Affine::translate(v(0.1, 0.2, -0.7)));
+    add(&mut scene, "bulb", mesh, normals, 0.0);
+    light_up(&mut scene, 6.0);
+    let expression = "thing.translate.x + bulb.translate.y - lamp.translate.x";
+    shadow_case("two lamps", scene, expression);
+}
+
+/// A box of six rectangles: at each of its edges two edges lie on each other.
+#[test]
+fn edges_on_edges() {
+    let mut scene = shadow_stage();
+    let (mesh, _) = tilted_cube();
+    let mut parts = Vec::new();
+    for (i, faces) in mesh.faces.chunks(2).enumerate() {
+        let side = Mesh {
+            positions: mesh.positions.clone(),
+            faces: faces.to_vec(),
+        };
+        parts.push(format!("side{i}.translate.x"));
+        add(
+            &mut scene,
+            &format!("side{i}"),
+            side,
+            ShadingNormals::Face,
+            0.5,
+        );
+    }
+    let expression = parts.join(" + ");
+    shadow_case("edges on edges", scene, &expression);
+}
+
+/// Lamps before a sky: what one method samples is hidden by what the other does.
+#[test]
+fn lamp_before_a_sky() {
+    let mut scene = with(triangle());
+    let radiance = Texture::colour("sky.radiance", capwalk_math::Rgb::splat(0.6));
+    let radiance = scene.add_texture(radiance);
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: false,
+    };
+    let expression = "thing.translate.x + lamp.translate.y + 0.5*floor.translate.z";
+    shadow_case("lamp before a sky", scene, expression);
+}
+
+fn camera_case(name: &str, scene: Scene, expression: &str, case: Case) {
+    let motion = motion(&scene, expression);
+    agree(name, scene, &motion, edges(case));
+}
+
+/// An outline and a shadow.
+#[test]
+fn outlines() {
+    for filter in [Filter::Box, Filter::Gaussian { stddev: 0.5 }] {
+        let case = Case {
+            step: 3e-3,
+            gradient_spp: 128,
+            min_pixels: 700,
+            ..primary()
+        };
+        let name = format!("outline, {filter:?}");
+        camera_case(&name, visible_ball(filter), "ball.translate.x", case);
+    }
+}
+
+/// Every edge moves, and the picture between them.
+#[test]
+fn camera() {
+    let case = Case {
+        step: 1e-3,
+        gradient_spp: 128,
+        reference_spp: 1200,
+        ..primary()
+    };
+    let expression = "sensor.translate.x + 0.3*sensor.rotate.z + 0.2*sensor.x_fov";
+    camera_case("camera", visible_cube(), expression, case);
+}
+
+/// Each point of the lens has its own outlines.
+#[test]
+fn lens() {
+    let scene = through_lens(visible_ball(Filter::Gaussian { stddev: 0.5 }), 0.12, 2.9);
+    let expression = "ball.translate.x + 0.3*sensor.translate.x + 0.2*sensor.aperture_radius";
+    let case = Case {
+        step: 3e-3,
+        gradient_spp: 128,
+        ..primary()
+    };
+    camera_case("lens", scene, expression, case);
+}
+
+/// Edges between faces of which both are seen, and curves where surfaces cross,
+/// which belong to no mesh.
+#[test]
+fn crossing() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = capwalk_scene::primitive::cube(Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    let case = Case {
+        step: 2e-3,
+        gradient_spp: 128,
+        ..primary()
+    };
+    camera_case(
+        "crossing",
+        scene,
+        "thing.translate.x - blade.translate.z",
+        case,
+    );
+}
+
+/// The mirror's own edges are walked to, shadows in it are not.
+#[test]
+fn mirror() {
+    let mut scene = visible_cube();
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(3),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    let case = Case {
+        step: 2e-3,
+        gradient_spp: 200,
+        min_pixels: 300,
+        ..primary()
+    };
+    camera_case("mirror", scene, "thing.translate.x", case);
+}
+
+/// Lists that are kept change no bit.
+#[test]
+fn threads_change_nothing() {
+    let scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    let motion = motion(&scene, "ball.translate.x + sensor.translate.z");
+    let run = |threads| {
+        let options = Options { spp: 5, seed: 2 };
+        let settings = GradientOptions {
+            method: Method::Edges,
+            ..GradientOptions::new(options)
+        };
+        let prepared = Prepared::new(scene.clone());
+        let work = || gradient(&prepared, &motion, &settings, &Unwatched);
+        with_threads(threads, work)
+            .expect("covered")
+            .gradient
+            .mean
+            .pixels
+    };
+    assert_eq!(run(1), run(3));
+}
+
+fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> GradientImage {
+    let options = GradientOptions {
+        method,
+        ..GradientOptions::new(Options {
+            spp,
+            seed: u64::from(method == Method::Walk),
+        })
+    };
+    let started = Instant::now();
+    let result =
+        gradient(&Prepared::new(scene.clone()), motion, &options, &Unwatched).expect("covered");
+    let errors = result.gradient.standard_error.pixels.iter();
+    let variance: f64 = errors.map(|e| e.dot(*e) * f64::from(spp) / 3.0).sum();
+    let (pixels, seconds) = (
+        scene.film.pixel_count() as f64,
+        started.elapsed().as_secs_f64(),
+    );
+    println!(
+        "{method:?}: variance {:.3e}, {:.2} µs per sample",
+        variance / pixels,
+        1e6 * seconds / f64::from(spp) / pixels
+    );
+    result
+}
+
+/// Demands that both methods agree.
+fn meet(name: &str, mut scene: Scene, expression: &str, spp: u32) {
+    scene.film.crop_offset = [0, 0];
+    scene.film.size = [32; 2];
+    scene.film.crop_size = [32; 2];
+    let motion = motion(&scene, expression);
+    let ours = by(Method::Edges, &scene, &motion, spp);
+    let walk = by(Method::Walk, &scene, &motion, 2 * spp);
+    let result = compare(&ours.gradient, &walk.gradient);
+    println!("{name}: {result}");
+    assert_eq!(result.verdict, Verdict::Right, "{name}");
+    assert_eq!(ours.statistics.non_finite, 0, "{name}");
+}
+
+/// The built-in scenes as users get them, but small.
+#[test]
+fn walks_agree() {
+    let scene = |name| builtin::scene(name).expect("a built-in scene");
+    meet("leaf", scene("leaf"), "leaf.translate.x", 160);
+    meet("ball", scene("ball"), "ball.translate.x", 160);
+    let lattice = scene("lattice-shadow");
+    meet("lattice-shadow", lattice, "lattice.translate.x", 160);
+    meet("box-room", scene("box-room"), "box.translate.x", 160);
+}

@@ -1,0 +1,81 @@
+//! An environment map that is black in places; the other phenomena under a sky
+//! are in `tests/scenes`.
+
+mod common;
+
+use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, gradient};
+use capwalk_math::Affine;
+use capwalk_scene::emitter::EnvironmentMap;
+use capwalk_scene::*;
+use common::stages::*;
+use common::*;
+
+/// A sky of 8 x 4 colours, brighter above, instead of all lamps.
+fn under_a_sky(mut scene: Scene) -> Scene {
+    for shape in &mut scene.shapes {
+        shape.emitter = None;
+    }
+    scene.shapes.retain(|shape| shape.id != "lamp");
+    scene.emitters.clear();
+    let number = |i: usize| 0.2 + ((i * i * 5 + i * 11) % 13) as f64 / 4.0;
+    let data = scene.add_texture(Texture {
+        id: "sky".into(),
+        channels: 3,
+        data: (0..96).map(number).collect(),
+        pattern: Pattern::Environment,
+    });
+    let scale = scene.add_texture(Texture::number("sky.scale", 0.7));
+    scene.emitters.push(Emitter::EnvironmentMap {
+        id: "sky".into(),
+        map: EnvironmentMap {
+            width: 8,
+            height: 4,
+            world_from_map: Affine::rotate(v(1.0, 0.0, 0.0), 1.3),
+        },
+        data,
+        scale,
+    });
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: false,
+    };
+    scene
+}
+
+/// Black texels, drawn by nothing but the map.
+#[test]
+fn colours_of_a_black_sky() {
+    let mut scene = under_a_sky(visible_cube());
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 0,
+        hide_emitters: true,
+    };
+    let sky = scene
+        .textures
+        .iter()
+        .position(|t| t.id == "sky")
+        .expect("a sky");
+    scene.textures[sky].data[24..].fill(0.0);
+    let mut change = Motion::zero(&scene);
+    change.textures[sky] = Some(vec![1.0; 96]);
+    let options = Options { spp: 400, seed: 1 };
+    let settings = GradientOptions::new(options);
+    let sum = |estimate: &capwalk_diff::Estimate| -> f64 {
+        estimate.mean.pixels.iter().map(|p| p.x).sum()
+    };
+    let ours = gradient(
+        &Prepared::new(scene.clone()),
+        &change,
+        &settings,
+        &Unwatched,
+    )
+    .expect("covered");
+    // The picture is linear in the sky's colours.
+    let [before, after] = [scene.clone(), scene.moved(&change, 1.0)].map(|scene| {
+        sum(&capwalk_diff::render(&Prepared::new(scene.clone()), &options, &Unwatched).value)
+    });
+    let (found, expected) = (sum(&ours.gradient), after - before);
+    assert!((found / expected - 1.0).abs() < 0.03, "{found} {expected}");
+}

@@ -1,0 +1,113 @@
+//! Gradients against finite differences: light that comes from other surfaces
+//! (Algorithm 1 on every segment of a path), in built-in scenes and where paths
+//! carry nothing; the phenomena themselves are in `tests/scenes`.
+
+mod common;
+
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::primitive::rectangle;
+use capwalk_scene::*;
+use common::agree::*;
+use common::stages::*;
+use common::*;
+
+/// Paths of at most this many segments.
+fn deep(mut scene: Scene, max_depth: Option<u32>) -> Scene {
+    scene.settings.integrator = Integrator::Path {
+        max_depth,
+        rr_depth: 3,
+        hide_emitters: false,
+    };
+    scene
+}
+
+/// A floor that the camera looks at, lit by nothing but a ceiling, which a lamp
+/// below it shines at.
+fn bounced_light() -> Scene {
+    let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 36);
+    scene.sensor.near_clip = 5.6;
+    add_floor(&mut scene, 3.0);
+    let ceiling = Affine::translate(v(0.0, 0.0, 2.0))
+        * Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::PI)
+        * Affine::scale(v(0.6, 0.6, 1.0));
+    let (mesh, normals) = rectangle(ceiling);
+    add(&mut scene, "ceiling", mesh, normals, 0.8);
+    // It emits upwards only.
+    let up = Affine::translate(v(1.6, 0.0, 1.2)) * Affine::scale(v(0.5, 0.5, 1.0));
+    let (mesh, normals) = rectangle(up);
+    add(&mut scene, "lamp", mesh, normals, 0.0);
+    light_up(&mut scene, 40.0);
+    let low = placed(triangle(), Affine::translate(v(0.0, 0.0, -0.5)));
+    add(&mut scene, "thing", low, ShadingNormals::Face, 0.5);
+    deep(scene, Some(3))
+}
+
+/// PixelSilhouettes in the picture may only move by a small part of a pixel, or the
+/// differences smear them over pixel borders.
+fn visible_case(spp: u32) -> Case {
+    Case {
+        step: 2e-3,
+        gradient_spp: spp,
+        reference_spp: 2 * spp,
+        ..Case::default()
+    }
+}
+
+/// A smooth ball, any number of reflections, roulette.
+#[test]
+fn unlimited_depth() {
+    let scene = deep(visible_ball(Filter::Gaussian { stddev: 0.5 }), None);
+    let motion = motion(&scene, "ball.translate.x");
+    agree("unlimited depth", scene, &motion, visible_case(600));
+}
+
+/// The room of the paper's figure 9 with light that is reflected several times.
+#[test]
+fn box_in_a_room() {
+    let scene = deep(builtin::scene("box-room").expect("built in"), Some(4));
+    let parameter = builtin::default_parameter("box-room").expect("built in");
+    let motion = motion(&scene, parameter);
+    agree("box room, indirect", scene, &motion, visible_case(1200));
+}
+
+/// The camera moves past things that light each other.
+#[test]
+fn moving_camera() {
+    let scene = deep(visible_cube(), Some(3));
+    let motion = motion(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
+    agree("moving camera, indirect", scene, &motion, visible_case(600));
+}
+
+/// A black surface: paths that carry no light carry derivatives.
+#[test]
+fn black_reflector() {
+    let mut scene = bounced_light();
+    for id in 0..scene.textures.len() {
+        if scene.textures[id].id.starts_with("ceiling") {
+            scene.textures[id].data.fill(0.0);
+        }
+    }
+    let change = motion(&scene, "ceiling.bsdf.reflectance.value");
+    let settings = capwalk_diff::GradientOptions::new(capwalk_diff::Options { spp: 256, seed: 1 });
+    let nobody = &capwalk_diff::Unwatched;
+    let ours = capwalk_diff::gradient(
+        &capwalk_diff::Prepared::new(scene.clone()),
+        &change,
+        &settings,
+        nobody,
+    )
+    .expect("covered");
+    // Linear in the reflectance of a surface that is met once.
+    let lit = capwalk_diff::render(
+        &capwalk_diff::Prepared::new(scene.moved(&change, 1.0)),
+        &settings.options,
+        nobody,
+    );
+    let sum = |estimate: &capwalk_diff::Estimate| -> Vec3 {
+        let pixels = estimate.mean.pixels.iter();
+        pixels.fold(Vec3::zero(), |sum, &p| sum + p)
+    };
+    let (ours, expected) = (sum(&ours.gradient).x, sum(&lit.value).x);
+    assert!(expected > 1.0);
+    assert!((ours / expected - 1.0).abs() < 0.05, "{ours} {expected}");
+}

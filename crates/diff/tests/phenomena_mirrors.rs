@@ -1,0 +1,201 @@
+//! Gradients against finite differences, one scene per phenomenon: what moves in
+//! flat mirrors and behind panes. What is demanded of each case, and how often
+//! it raises a false alarm, is said in `phenomena_shadows.rs`.
+
+mod common;
+
+use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, gradient};
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::primitive::{cube, rectangle};
+use capwalk_scene::*;
+use common::agree::*;
+use common::materials::*;
+use common::stages::*;
+use common::*;
+
+fn paths(scene: &mut Scene, segments: u32) {
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(segments),
+        rr_depth: 100,
+        hide_emitters: false,
+    };
+}
+
+/// A block on a floor, seen from behind it; what it hides is seen in a leaning
+/// mirror. Nothing but the mirror and the block is inside the picture.
+fn block_before_a_mirror() -> Scene {
+    let mut scene = empty(v(0.35, -2.2, 1.3), v(0.05, 1.5, 0.75), 32.0, 36);
+    add_floor(&mut scene, 6.0);
+    add_lamp(&mut scene, v(0.6, -0.4, 3.0), 2.5, 0.3, 2.0);
+    let turn = Affine::rotate(v(0.1, 0.2, 1.0), 0.5);
+    let (block, normals) =
+        cube(Affine::translate(v(-0.1, 0.35, 0.5)) * turn * Affine::scale(v(0.22, 0.28, 0.35)));
+    add(&mut scene, "block", block, normals, 0.6);
+    let leaning = Affine::rotate(v(1.0, 0.15, 0.1), 1.72);
+    let (mirror, normals) =
+        rectangle(Affine::translate(v(0.1, 1.5, 0.8)) * leaning * Affine::scale(v(2.5, 2.2, 1.0)));
+    add(&mut scene, "mirror", mirror, normals, 0.5);
+    scene.film.filter = Filter::Gaussian { stddev: 0.5 };
+    make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+    paths(&mut scene, 3);
+    scene
+}
+
+fn add_sky(scene: &mut Scene) {
+    let radiance = scene.add_texture(Texture::colour("sky", v(0.6, 0.7, 1.0)));
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+}
+
+/// A step that moves outlines by less than 0.2 pixels, for a smooth filter.
+fn case(spp: u32) -> Case {
+    Case {
+        step: 6e-3,
+        gradient_spp: spp,
+        reference_spp: 2 * spp,
+        size: 28,
+        min_pixels: 300,
+        // PixelSilhouettes and their images cross.
+        patience: 3.0,
+        ..Case::default()
+    }
+}
+
+fn moves(name: &str, scene: Scene, expression: &str, case: Case) {
+    let motion = motion(&scene, expression);
+    agree(&format!("{name}, {expression}"), scene, &motion, case);
+}
+
+/// A block moves, seen directly and in a flat mirror.
+#[test]
+fn block_seen_in_a_mirror() {
+    let scene = block_before_a_mirror();
+    moves("mirror", scene, "block.translate.x", case(500));
+}
+
+/// The mirror turns and slides behind what hides it.
+#[test]
+fn moving_mirror() {
+    let scene = block_before_a_mirror();
+    let expression = "mirror.rotate.z + 0.3*mirror.translate.y";
+    moves("mirror", scene, expression, case(300));
+}
+
+/// One corner of a mirror moves: its halves bend against each other.
+#[test]
+fn corner_of_a_mirror() {
+    let scene = block_before_a_mirror();
+    let mut corners = vec![v(0.0, 0.0, 0.0); 4];
+    corners[1] = v(0.1, 1.0, 0.2);
+    let motion = params::vertex_motion(&scene, "mirror", corners).expect("a mirror");
+    agree("mirror, a corner", scene, &motion, case(1200));
+}
+
+/// The camera moves before a mirror.
+#[test]
+fn camera_before_a_mirror() {
+    let scene = block_before_a_mirror();
+    let expression = "sensor.translate.x + 0.3*sensor.rotate.z";
+    moves("mirror", scene, expression, case(600));
+}
+
+/// A second mirror stands across: the block is seen in each and in both, one
+/// after the other.
+#[test]
+fn two_mirrors() {
+    let mut scene = block_before_a_mirror();
+    let across = Affine::rotate(v(0.1, 1.0, 0.05), 1.5);
+    let (mirror, normals) =
+        rectangle(Affine::translate(v(-0.7, 0.3, 0.8)) * across * Affine::scale(v(2.2, 2.5, 1.0)));
+    add(&mut scene, "second", mirror, normals, 0.5);
+    make(&mut scene, "second", |n| Bsdf::Conductor(n.mirror()));
+    paths(&mut scene, 4);
+    let expression = "block.translate.x + 0.2*second.rotate.z";
+    moves("two mirrors", scene, expression, case(1500));
+}
+
+/// A block moves behind a pane that also shows the front of it.
+#[test]
+fn block_behind_a_pane() {
+    let mut scene = block_before_a_mirror();
+    make(&mut scene, "mirror", |n| Bsdf::ThinDielectric(n.glass()));
+    let (behind, normals) = tilted_cube();
+    let behind = placed(behind, Affine::translate(v(0.6, 2.6, -0.3)));
+    add(&mut scene, "behind", behind, normals, 0.7);
+    add_sky(&mut scene);
+    let expression = "behind.translate.x + 0.2*mirror.rotate.z";
+    moves("pane", scene, expression, case(900));
+}
+
+/// A block moves over a polished floor.
+#[test]
+fn block_over_a_polished_floor() {
+    let mut scene = block_before_a_mirror();
+    scene.shapes.pop();
+    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(false)));
+    moves("polished", scene, "block.translate.x", case(600));
+}
+
+/// A floor is lit directly and by way of a mirror; a triangle out of view moves
+/// between them.
+#[test]
+fn shadow_by_way_of_a_mirror() {
+    let mut scene = block_before_a_mirror();
+    let block = &mut scene.shapes[2];
+    block.mesh = placed(triangle(), Affine::translate(v(0.1, 0.2, 0.2)));
+    scene.sensor.world_from_camera =
+        Affine::look_at(v(0.2, 0.6, 0.8), v(0.1, -0.1, 0.0), v(0.0, 0.0, 1.0)).expect("upright");
+    scene.film.filter = Filter::Box;
+    let case = Case {
+        step: 2e-2,
+        gradient_spp: 1000,
+        reference_spp: 1000,
+        patience: 3.0,
+        ..Case::default()
+    };
+    moves("by way of a mirror", scene, "block.translate.y", case);
+}
+
+/// Halves of a mirror that rounding bends against each other by less than makes an
+/// edge are one mirror: what lies far behind the camera is seen across both.
+#[test]
+fn halves_of_a_mirror_are_one() {
+    let picture = |bend: f64| {
+        let mut scene = empty(v(0.05, 0.2, 0.3), v(0.05, 1.5, 0.3), 24.0, 12);
+        let mesh = Mesh {
+            positions: vec![
+                v(-1.2, 1.5, -1.0),
+                v(1.2, 1.5 + bend, -1.0),
+                v(1.2, 1.7, 1.4),
+                v(-1.2, 1.7, 1.4),
+            ],
+            faces: vec![[0, 1, 2], [0, 2, 3]],
+        };
+        add(&mut scene, "mirror", mesh, ShadingNormals::Face, 0.5);
+        make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+        let (block, normals) =
+            cube(Affine::translate(v(0.1, -5.0, 0.9)) * Affine::scale(Vec3::splat(0.8)));
+        add(&mut scene, "block", block, normals, 0.0);
+        light_up(&mut scene, 1.0);
+        paths(&mut scene, 2);
+        scene.check().expect("a valid scene");
+        let motion = motion(&scene, "block.translate.x");
+        let settings = GradientOptions::new(Options { spp: 32, seed: 1 });
+        let result = gradient(
+            &Prepared::new(scene.clone()),
+            &motion,
+            &settings,
+            &Unwatched,
+        )
+        .expect("covered");
+        result.gradient.mean.pixels
+    };
+    let (flat, bent) = (picture(0.0), picture(1.5e-6));
+    let size = |pixels: &[Vec3]| pixels.iter().map(|p| p.x.abs()).sum::<f64>();
+    let differences: Vec<Vec3> = flat.iter().zip(&bent).map(|(&a, &b)| a - b).collect();
+    let (off, all) = (size(&differences), size(&flat));
+    assert!(all > 0.0 && off < 1e-4 * all, "{off} of {all}");
+}

@@ -1,0 +1,94 @@
+//! Gradients against finite differences: shadows, with what scene files cannot
+//! say (walks of other kinds) and in built-in scenes; the phenomena themselves
+//! are in `tests/scenes`.
+//!
+//! In every case `check::compare` must say right: an error of a tenth would
+//! have been seen. Besides, the mean of z² must lie in [0.8, 1.25] over at
+//! least 1000 pixels, which are independent of each other, and their signs must
+//! cancel. The comparison's tests together raise a false alarm in about one
+//! case of 4000; the seeds are fixed, so a case that passes goes on passing.
+
+mod common;
+
+use capwalk_diff::WalkSettings;
+use capwalk_scene::*;
+use common::agree::*;
+use common::stages::*;
+
+fn shadow_case(name: &str, scene: Scene, expression: &str) {
+    let motion = motion(&scene, expression);
+    agree(name, scene, &motion, Case::default());
+}
+
+/// Paths of two segments are what direct light is.
+#[test]
+fn path_of_depth_two() {
+    let mut scene = with(triangle());
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(2),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    shadow_case("path, depth 2", scene, "thing.translate.y");
+}
+
+/// Several steps, antithetic, over a wide angle: another field, the same
+/// derivative.
+#[test]
+fn other_walks() {
+    let scene = with(triangle());
+    let motion = motion(&scene, "thing.translate.x");
+    for (steps, max_radius, antithetic) in [(2, 0.6, false), (1, 0.05, true), (3, 3.0, true)] {
+        let walk = WalkSettings {
+            steps,
+            max_radius,
+            antithetic,
+            ..Default::default()
+        };
+        let name = format!("M = {steps}, A_max = {max_radius}");
+        agree(
+            &name,
+            scene.clone(),
+            &motion,
+            Case {
+                size: 42,
+                walk,
+                ..Case::default()
+            },
+        );
+    }
+}
+
+fn builtin_case(scene: &str, expression: &str, case: Case) {
+    let name = format!("{scene}, {expression}");
+    let mut scene = builtin::scene(scene).expect("a built-in scene");
+    scene.film.crop_offset = [0, 0];
+    let motion = motion(&scene, expression);
+    agree(&name, scene, &motion, case);
+}
+
+#[test]
+fn lattice_shadow() {
+    // Its tubes are thin: a step of their size would blur their shadows.
+    for axis in ["x", "y", "z"] {
+        let case = Case {
+            step: 1e-2,
+            ..Case::default()
+        };
+        builtin_case("lattice-shadow", &format!("lattice.translate.{axis}"), case);
+    }
+}
+
+/// Correlated samples: their errors come from batches.
+#[test]
+fn sobol_points() {
+    let mut scene = with(triangle());
+    scene.settings.sampler = SamplerKind::Sobol;
+    let case = Case {
+        gradient_spp: 512,
+        reference_spp: 1024,
+        ..Case::default()
+    };
+    let motion = motion(&scene, "thing.translate.x");
+    agree("sobol", scene, &motion, case);
+}

@@ -1,0 +1,164 @@
+//! Gradients against finite differences: fields on triangles instead of on the
+//! sphere (`domain = triangle`, METHOD 1), for every kind of segment.
+//!
+//! Where a silhouette runs over the border of a triangle the field is singular
+//! and noisy. So most of these scenes have few triangles, and shadows that stay
+//! inside one: errors of a fourth are seen.
+
+mod common;
+
+use capwalk_diff::check::{Verdict, compare};
+use capwalk_diff::{GradientOptions, Method, Options, Prepared, Unwatched, WalkSettings, gradient};
+use capwalk_geometry::Mesh;
+use capwalk_scene::*;
+use common::agree::*;
+use common::stages::*;
+use common::*;
+
+/// A floor below a lamp of one large triangle, before which outlines pass.
+fn under_a_triangle(thing: Mesh) -> Scene {
+    let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 12.0, 40);
+    scene.sensor.near_clip = 5.6;
+    add_floor(&mut scene, 3.0);
+    let lamp = Mesh {
+        positions: vec![v(2.2, -1.2, 1.9), v(-2.2, -1.3, 2.0), v(0.1, 2.4, 1.85)],
+        faces: vec![[0, 1, 2]],
+    };
+    add(&mut scene, "lamp", lamp, ShadingNormals::Face, 0.0);
+    light_up(&mut scene, 3.0);
+    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
+    scene
+}
+
+fn on_triangles(name: &str, scene: Scene, expression: &str, case: Case) {
+    with_method(Method::TriangleWalk, name, scene, expression, case);
+}
+
+fn with_method(method: Method, name: &str, scene: Scene, expression: &str, case: Case) {
+    let motion = motion(&scene, expression);
+    agree(name, scene, &motion, Case { method, ..case });
+}
+
+fn few_pixels() -> Case {
+    Case {
+        size: 14,
+        gradient_spp: 2500,
+        reference_spp: 2500,
+        min_pixels: 120,
+        patience: 10.0,
+        ..Case::default()
+    }
+}
+
+/// A shadow alone, by one step and by two.
+#[test]
+fn outlines_inside_one_triangle() {
+    for steps in [1, 2] {
+        let walk = WalkSettings {
+            steps,
+            ..WalkSettings::default()
+        };
+        let case = Case {
+            walk,
+            ..few_pixels()
+        };
+        let scene = under_a_triangle(triangle());
+        on_triangles(&format!("M = {steps}"), scene, "thing.translate.x", case);
+    }
+}
+
+/// Occluder, receiver and lamp move at once.
+#[test]
+fn everything_moves_under_one_triangle() {
+    let scene = under_a_triangle(triangle());
+    let expression = "2*thing.translate.x + 0.2*floor.rotate.y + 0.2*lamp.rotate.z";
+    on_triangles("everything", scene, expression, few_pixels());
+}
+
+/// The shadow's outline crosses the lamp's border and its diagonal.
+#[test]
+fn outlines_cross_borders() {
+    let case = Case {
+        patience: 20.0,
+        ..few_pixels()
+    };
+    let scene = with(small_ball());
+    on_triangles("crossing", scene, "thing.translate.x", case);
+}
+
+/// PixelSilhouettes in the picture, and their interiors.
+#[test]
+fn picture_of_a_moving_thing() {
+    let case = Case {
+        step: 2e-3,
+        ..few_pixels()
+    };
+    let scene = visible_cube();
+    let expression = "thing.translate.x + 0.5*thing.rotate.z";
+    on_triangles("picture", scene, expression, case);
+}
+
+/// Light from everywhere, past the borders of all triangles, and from other surfaces.
+#[test]
+fn indirect_light_of_an_environment() {
+    let mut scene = visible_cube();
+    scene.shapes.retain(|shape| shape.emitter.is_none());
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    scene.emitters = vec![Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    }];
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(3),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    let case = Case {
+        step: 2e-3,
+        ..few_pixels()
+    };
+    on_triangles("environment", scene, "thing.translate.x", case);
+}
+
+/// Another field, on disks among all projected silhouettes, has the same derivative.
+#[test]
+fn walks_among_explicit_boundaries() {
+    let (scene, case) = (under_a_triangle(triangle()), few_pixels());
+    with_method(
+        Method::ExplicitWalk,
+        "explicit",
+        scene,
+        "thing.translate.x",
+        case,
+    );
+}
+
+/// Both meet each other as they meet differences: light and outlines together, from
+/// the camera and from surfaces.
+#[test]
+fn explicit_and_practical_walks_agree() {
+    let mut scene = visible_cube();
+    scene.film.size = [10; 2];
+    scene.film.crop_size = [10; 2];
+    let motion = motion(&scene, "thing.rotate.z + 0.3*sensor.translate.x");
+    let [practical, explicit] =
+        [(Method::TriangleWalk, 1), (Method::ExplicitWalk, 2)].map(|(method, seed)| {
+            let options = Options { spp: 1500, seed };
+            let options = GradientOptions {
+                method,
+                ..GradientOptions::new(options)
+            };
+            gradient(&Prepared::new(scene.clone()), &motion, &options, &Unwatched)
+                .expect("covered")
+                .gradient
+        });
+    let result = compare(&practical, &explicit);
+    println!("slope {} ± {}", result.slope, result.slope_error);
+    assert!(result.pixels > 60, "{result:?}");
+    assert!((0.7..1.4).contains(&result.mean_z_squared), "{result:?}");
+    assert!(result.sign.abs() < 4.0, "{result:?}");
+    assert!(
+        !matches!(result.verdict, Verdict::Wrong { .. }),
+        "{result:?}"
+    );
+}

@@ -1,0 +1,436 @@
+//! What moves in curved mirrors and behind glass that refracts is found and
+//! refused, however short the paths are; in flat mirrors it is not. So is what
+//! has no slope.
+
+mod common;
+
+use capwalk_diff::{
+    GradientOptions, Method, Options, Prepared, Unwatched, Wanted, WasSettings, backward, gradient,
+};
+use capwalk_geometry::Mesh;
+use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_scene::bsdf::{Glass, Metal, Principled};
+use capwalk_scene::lobe::Distribution;
+use capwalk_scene::primitive::{icosphere, rectangle};
+use capwalk_scene::texture::UvTransform;
+use capwalk_scene::*;
+use common::agree::motion;
+use common::materials::*;
+use common::stages::*;
+use common::*;
+
+fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
+    let found = scene.materials.iter_mut().find(|m| m.id == name);
+    found.expect("a material").bsdf = bsdf;
+}
+
+fn mirror(scene: &mut Scene) -> Bsdf {
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    Bsdf::Conductor(Metal {
+        eta: number("eta", 0.2),
+        k: number("k", 3.0),
+        specular_reflectance: number("tint", 1.0),
+    })
+}
+
+/// A mirror for a floor, flat but with normals of its own, and a lamp seen in it.
+fn mirror_floor() -> Scene {
+    let mut scene = empty(v(0.0, -3.0, 2.0), v(0.0, 0.0, 0.0), 30.0, 12);
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.0, 1.6, 1.2), 0.8, 0.3, 10.0);
+    let metal = mirror(&mut scene);
+    material(&mut scene, "floor.bsdf", metal);
+    let floor = &mut scene.shapes[0];
+    floor.normals = ShadingNormals::computed(&floor.mesh);
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: false,
+    };
+    scene
+}
+
+/// True if both modes refuse, by name.
+fn is_refused(scene: &Scene, name: &str) -> bool {
+    let reasons = refusals(scene, &motion(scene, name))
+        .map(|reason| reason.is_some_and(|reason| reason.contains("specular")));
+    assert_eq!(reasons[0], reasons[1], "{name}: only one mode refuses");
+    reasons[0]
+}
+
+/// Why forward and reverse mode refuse, if they do.
+fn refusals(scene: &Scene, motion: &Motion) -> [Option<String>; 2] {
+    refusals_with(scene, motion, Method::default())
+}
+
+fn refusals_with(scene: &Scene, motion: &Motion, method: Method) -> [Option<String>; 2] {
+    let settings = GradientOptions {
+        method,
+        ..GradientOptions::new(Options { spp: 64, seed: 1 })
+    };
+    let forward = gradient(&Prepared::new(scene.clone()), motion, &settings, &Unwatched);
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    let adjoint = Image {
+        width,
+        height,
+        pixels: vec![Rgb::splat(1.0); width * height],
+    };
+    let wanted = Wanted::by(motion);
+    let reverse = backward(
+        &Prepared::new(scene.clone()),
+        &adjoint,
+        &wanted,
+        &settings,
+        &Unwatched,
+    );
+    [forward.err(), reverse.err()].map(|refusal| refusal.map(|refusal| refusal.to_string()))
+}
+
+#[test]
+fn a_lamp_that_moves_in_a_mirror() {
+    let mut scene = mirror_floor();
+    assert!(is_refused(&scene, "lamp.translate.x"));
+    assert!(is_refused(&scene, "sensor.translate.x"));
+    assert!(is_refused(&scene, "floor.rotate.x"));
+    assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
+    scene.shapes[0].normals = ShadingNormals::Face;
+    assert!(!is_refused(&scene, "lamp.translate.x"));
+}
+
+/// Fields on triangles have no images, flat or not; who is told so is told what has.
+#[test]
+fn a_lamp_that_moves_in_a_flat_mirror() {
+    let mut scene = mirror_floor();
+    scene.shapes[0].normals = ShadingNormals::Face;
+    for name in ["lamp.translate.x", "sensor.translate.x", "floor.rotate.x"] {
+        let motion = motion(&scene, name);
+        for reason in refusals_with(&scene, &motion, Method::TriangleWalk) {
+            let reason = reason.expect("refused");
+            assert!(reason.contains("on the sphere"), "{name}: {reason}");
+        }
+    }
+}
+
+/// Explicit walks are for small scenes.
+#[test]
+fn too_many_edges_for_explicit_walks() {
+    let mut scene = visible_cube();
+    let method = Method::ExplicitWalk;
+    let translation = motion(&scene, "thing.translate.x");
+    scene.film.crop_size = [2, 2];
+    let reasons = refusals_with(&scene, &translation, method);
+    assert_eq!(reasons, [None, None]);
+    add(&mut scene, "ball", icosphere(12), ShadingNormals::Face, 0.5);
+    let translation = motion(&scene, "thing.translate.x");
+    for reason in refusals_with(&scene, &translation, method) {
+        let reason = reason.expect("refused");
+        assert!(
+            reason.contains("edges, and walks among explicit"),
+            "{reason}"
+        );
+        assert!(reason.contains("on triangles"), "{reason}");
+    }
+}
+
+/// A black ball hides the sky's reflection: it is met by the last segment, which
+/// carries no light.
+#[test]
+fn a_blocker_that_moves_in_a_mirror() {
+    let mut scene = mirror_floor();
+    scene.shapes.pop();
+    let radiance = scene.textures.len() as u32;
+    scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
+    scene.emitters = vec![Emitter::Constant {
+        id: "sky".into(),
+        radiance: TextureId(radiance),
+    }];
+    // Above the picture, seen in the mirror only.
+    let mut ball = icosphere(4);
+    ball.positions
+        .iter_mut()
+        .for_each(|p| *p = *p * 0.4 + v(0.0, 1.5, 1.6));
+    add(&mut scene, "ball", ball, ShadingNormals::Face, 0.0);
+    assert!(is_refused(&scene, "ball.translate.x"));
+}
+
+/// A thing behind the surface of a body of glass, lit through it.
+#[test]
+fn a_blocker_that_moves_in_glass() {
+    let mut scene = empty(v(0.0, -4.0, 0.5), v(0.0, 0.0, 0.0), 30.0, 12);
+    add_floor(&mut scene, 3.0);
+    add_lamp(&mut scene, v(0.0, 0.0, 3.0), 1.5, 0.3, 10.0);
+    let pane = Affine::translate(v(0.0, 0.0, 0.8)) * Affine::scale(v(3.0, 3.0, 1.0));
+    let (mesh, normals) = rectangle(pane);
+    add(&mut scene, "pane", mesh, normals, 0.0);
+    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
+    let glass = Bsdf::Dielectric(Glass {
+        int_ior: number("int_ior", 1.5),
+        ext_ior: number("ext_ior", 1.0),
+        specular_reflectance: number("reflected", 1.0),
+        specular_transmittance: number("transmitted", 1.0),
+    });
+    let shown = scene.shapes.last().expect("the pane").bsdf;
+    scene.materials[shown.0 as usize].bsdf = glass;
+    let thing = placed(triangle(), Affine::translate(Vec3::new(0.0, 0.0, 0.6)));
+    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
+    for depth in [3, 4] {
+        scene.settings.integrator = Integrator::Path {
+            max_depth: Some(depth),
+            rr_depth: 5,
+            hide_emitters: false,
+        };
+        assert!(is_refused(&scene, "thing.translate.x"), "depth {depth}");
+    }
+}
+
+/// What moves in a mirror, seen under parallel rays, is refused; what moves beside the
+/// mirror is not, nor are reflections at rest.
+#[test]
+fn mirrors_under_parallel_rays() {
+    let mut scene = mirror_floor();
+    scene.shapes[0].normals = ShadingNormals::Face;
+    assert!(!is_refused(&scene, "lamp.translate.x"));
+    scene.sensor.model = SensorModel::Orthographic;
+    for reason in refusals(&scene, &motion(&scene, "lamp.translate.x")) {
+        let reason = reason.expect("refused");
+        assert!(
+            reason.contains("mirrors by an orthographic sensor"),
+            "{reason}"
+        );
+    }
+    assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
+}
+
+/// Warped-area sampling has no rays around a point where all of them are parallel.
+#[test]
+fn warped_areas_under_parallel_rays() {
+    let mut scene = visible_cube();
+    scene.sensor.model = SensorModel::Orthographic;
+    let settings = GradientOptions {
+        method: Method::Was(WasSettings::default()),
+        ..exact::settings(2)
+    };
+    let moves = motion(&scene, "thing.translate.x");
+    let refusal = gradient(&Prepared::new(scene.clone()), &moves, &settings, &Unwatched)
+        .expect_err("refused");
+    assert!(refusal.to_string().contains("orthographic"), "{refusal}");
+}
+
+/// The plane in which the film of an orthographic sensor lies cuts what it passes
+/// through, too.
+#[test]
+fn surface_cut_by_the_film() {
+    let mut scene = visible_cube();
+    let run = |scene: &Scene| refusals(scene, &motion(scene, "thing.translate.x"));
+    scene.sensor.model = SensorModel::Orthographic;
+    assert_eq!(run(&scene), [None, None]);
+    let [.., forward] = scene.sensor.state().axes;
+    scene.sensor.world_from_camera.translation += forward * 4.2;
+    scene.sensor.near_clip = 0.0;
+    for reason in run(&scene) {
+        let reason = reason.expect("refused");
+        assert!(reason.contains("near_clip of 0 cuts"), "{reason}");
+    }
+}
+
+/// Square roots and hues of what is black have no derivative by it.
+#[test]
+fn numbers_without_a_slope() {
+    let run = |base: [f64; 3], glass: f64, name: &str| {
+        let mut scene = shadow_stage();
+        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+        make(&mut scene, "floor", |n| {
+            Bsdf::Principled(Principled {
+                base_color: n.colour("base_color", base),
+                ..n.principled(glass)
+            })
+        });
+        let motion = motion(&scene, &format!("floor.bsdf.{name}.value"));
+        refusals(&scene, &motion).map(|reason| reason.unwrap_or_default())
+    };
+    for (base, glass, name, why) in [
+        ([0.5, 0.0, 0.5], 0.4, "base_color", "square root"),
+        ([0.0, 0.0, 0.0], 0.0, "base_color", "hue"),
+        ([0.5, 0.0, 0.5], 0.0, "base_color", ""),
+        ([0.5, 0.2, 0.5], 0.4, "base_color", ""),
+        ([0.0, 0.0, 0.0], 0.4, "roughness", ""),
+    ] {
+        for reason in run(base, glass, name) {
+            let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
+            assert!(is_right, "{base:?} {glass} {name}: {reason}");
+        }
+    }
+}
+
+/// Lines where textures jump are boundaries, if there are not too many of them; the
+/// baselines know none.
+#[test]
+fn motion_beside_textures_that_jump() {
+    let run = |squares: f64, method: Method| {
+        let mut scene = shadow_stage();
+        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+        unit_square(&mut scene, "floor");
+        let id = scene.add_texture(Texture {
+            id: "squares".into(),
+            channels: 1,
+            data: vec![0.2, 0.7],
+            pattern: Pattern::Checkerboard {
+                to_uv: UvTransform {
+                    rows: [[squares, 0.0, 0.0], [0.0, squares, 0.0]],
+                },
+            },
+        });
+        material(&mut scene, "floor.bsdf", Bsdf::Diffuse { reflectance: id });
+        let reasons = refusals_with(&scene, &motion(&scene, "lamp.translate.x"), method);
+        reasons.map(|reason| reason.unwrap_or_default())
+    };
+    let was = || Method::Was(WasSettings::default());
+    for (squares, method, why) in [
+        (4.0, Method::Walk, ""),
+        (4.0, Method::Edges, ""),
+        (1e7, Method::Walk, "lines"),
+        (4.0, was(), "`was`"),
+        (4.0, Method::TriangleWalk, "the default method"),
+    ] {
+        for reason in run(squares, method) {
+            let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
+            assert!(is_right, "{squares} {method:?}: {reason}");
+        }
+    }
+}
+
+/// Maps that cut light off inside faces are refused when the cuts move: by the
+/// numbers of the map, by what moves, and not by anything else.
+#[test]
+fn maps_that_cut_light_off() {
+    let run = |flip_invalid: bool, shadowing: bool, name: &str| {
+        let mut scene = shadow_stage();
+        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+        unit_square(&mut scene, "floor");
+        make(&mut scene, "floor", |n| {
+            let nested = n.diffuse("nested", [0.5; 3]);
+            n.normal_map(nested)
+        });
+        for material in &mut scene.materials {
+            if let Bsdf::NormalMap { limits, .. } = &mut material.bsdf {
+                (limits.flip_invalid, limits.shadowing) = (flip_invalid, shadowing);
+            }
+        }
+        refusals(&scene, &motion(&scene, name)).map(|reason| reason.unwrap_or_default())
+    };
+    let (moves, turns, colours) = (
+        "lamp.translate.x",
+        "floor.bsdf.normalmap.data",
+        "lamp.emitter.radiance.value",
+    );
+    for (limits, name, why) in [
+        ([true, true], moves, ""),
+        ([true, true], turns, ""),
+        ([false, true], moves, "`flip_invalid_normals`"),
+        ([false, true], turns, "`flip_invalid_normals`"),
+        ([false, false], colours, ""),
+        ([true, false], moves, "`use_shadowing_function`"),
+        ([true, false], turns, ""),
+    ] {
+        for reason in run(limits[0], limits[1], name) {
+            let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
+            assert!(is_right, "{limits:?} {name}: {reason}");
+        }
+    }
+}
+
+/// A wall that the far plane cuts, seen only between posts.
+#[test]
+fn cuts_seen_between_posts_are_refused() {
+    let scene = |posts: &[f64]| {
+        let mut scene = empty(v(0.0, 0.0, 0.0), v(0.0, 1.0, 0.0), 40.0, 12);
+        scene.sensor.far_clip = 5.0;
+        let wall = Mesh {
+            positions: vec![v(-60.0, 4.0, -4.0), v(60.0, 4.0, -4.0), v(0.0, 8.0, 12.0)],
+            faces: vec![[0, 1, 2]],
+        };
+        add(&mut scene, "wall", wall, ShadingNormals::Face, 0.5);
+        for (i, &x) in posts.iter().enumerate() {
+            let place = Affine::translate(v(x, 2.0, 0.0))
+                * Affine::rotate(v(1.0, 0.0, 0.0), 1.57)
+                * Affine::scale(v(0.15, 3.0, 1.0));
+            let (post, normals) = rectangle(place);
+            add(&mut scene, &format!("post{i}"), post, normals, 0.5);
+        }
+        scene
+    };
+    let refused = |posts: &[f64]| {
+        let reasons = refusals(&scene(posts), &motion(&scene(posts), "wall.translate.x"));
+        reasons.map(|reason| reason.is_some_and(|reason| reason.contains("far_clip")))
+    };
+    assert_eq!(refused(&[-0.73, 0.0, 0.73]), [true; 2]);
+    // A fence without gaps.
+    let fence: Vec<f64> = (-10..=10).map(|i| 0.2 * f64::from(i)).collect();
+    assert_eq!(refused(&fence), [false; 2]);
+}
+
+/// A smooth sheet of brushed metal: texture coordinates say how it is brushed if they
+/// span its faces.
+#[test]
+fn collapsed_texture_coordinates_say_nothing() {
+    let mut scene = empty(v(0.0, -4.0, 0.0), v(0.0, 0.0, 0.0), 24.0, 8);
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let sheet = Mesh {
+        positions: corners.map(|[x, z]| v(x, 0.0, z)).to_vec(),
+        faces: vec![[0, 1, 2], [0, 2, 3]],
+    };
+    let normals = corners.map(|[_, z]| v(0.5, -0.7, 0.5 * z).normalized());
+    let normals = ShadingNormals::Given(normals.to_vec());
+    add(&mut scene, "sheet", sheet, normals, 0.5);
+    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
+    make(&mut scene, "sheet", |n| {
+        let mut facets = n.facets(Distribution::Ggx, 0.05);
+        facets.alpha[1] = n.number("alpha_v", 0.5);
+        Bsdf::RoughConductor(n.copper(), facets)
+    });
+    let mut refused = |scale: f64| {
+        let uvs = [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|i| corners[i].map(|x| x * scale)));
+        scene.shapes[0].uvs = Some(uvs.to_vec());
+        ["sheet.translate.z", "sheet.normals[2,0]"].map(|name| {
+            let reasons = refusals(&scene, &motion(&scene, name));
+            reasons.map(|reason| reason.is_some_and(|reason| reason.contains("without extent")))
+        })
+    };
+    assert_eq!(
+        [refused(1.0), refused(0.0)],
+        [[[false; 2]; 2], [[true; 2]; 2]]
+    );
+}
+
+/// No steps make a field that jumps (paper, Section 5.1), no angle makes none.
+#[test]
+fn walks_without_steps_or_reach() {
+    let scene = mirror_floor();
+    let motion = motion(&scene, "lamp.translate.x");
+    let mut wanted = GradientOptions::new(Options { spp: 2, seed: 1 });
+    for (steps, max_radius, expected) in [
+        (
+            0,
+            0.2,
+            "a walk of 0 steps gives a field that is not continuous",
+        ),
+        (1, 0.0, "the largest angle of a walk is 0"),
+    ] {
+        wanted.walk.steps = steps;
+        wanted.walk.max_radius = max_radius;
+        let refusal = gradient(&Prepared::new(scene.clone()), &motion, &wanted, &Unwatched)
+            .expect_err("it is refused");
+        assert!(refusal.to_string().starts_with(expected), "{refusal}");
+    }
+    for (rays, kappa) in [(0, 1e5), (8, 0.0), (8, f64::NAN)] {
+        wanted.method = Method::Was(WasSettings {
+            rays,
+            kappa,
+            ..WasSettings::default()
+        });
+        let refusal = gradient(&Prepared::new(scene.clone()), &motion, &wanted, &Unwatched)
+            .expect_err("it is refused");
+        let expected = format!("warped-area sampling with {rays} auxiliary rays");
+        assert!(refusal.to_string().starts_with(&expected), "{refusal}");
+    }
+}

@@ -1,0 +1,559 @@
+//! Reverse mode against forward mode: the same linear map, METHOD 5.
+//!
+//! With the same random numbers, `⟨δ, J θ̇⟩ = ⟨Jᵀ δ, θ̇⟩` up to rounding, for a
+//! motion of everything at once. Forward mode meets finite differences in the
+//! other tests.
+
+mod common;
+
+use capwalk_diff::{
+    Backward, GradientOptions, Method, Options, Prepared, Unwatched, Wanted, WasBoundary,
+    WasSettings, backward, gradient, with_threads,
+};
+use capwalk_math::{Affine, Vec3};
+use capwalk_scene::lobe::Distribution;
+use capwalk_scene::primitive::{cube, rectangle};
+use capwalk_scene::*;
+use common::agree::motion;
+use common::materials::*;
+use common::stages::*;
+use common::*;
+
+/// Numbers between -1 and 1 that look random.
+struct Numbers(u64);
+
+impl Numbers {
+    fn number(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
+    }
+    fn vector(&mut self) -> Vec3 {
+        v(self.number(), self.number(), self.number())
+    }
+    fn vectors(&mut self, count: usize) -> Vec<Vec3> {
+        (0..count).map(|_| self.vector()).collect()
+    }
+}
+
+/// Every number of the scene changes at a velocity of its own.
+fn everything(scene: &Scene, seed: u64) -> Motion {
+    let mut numbers = Numbers(seed);
+    let mut motion = Motion::zero(scene);
+    for (shape, motion) in scene.shapes.iter().zip(&mut motion.shapes) {
+        let count = shape.mesh.positions.len();
+        *motion = Some(ShapeMotion {
+            vertices: numbers.vectors(count),
+            normals: match &shape.normals {
+                ShadingNormals::Given(_) => Some(numbers.vectors(count)),
+                _ => None,
+            },
+        });
+    }
+    for (texture, motion) in scene.textures.iter().zip(&mut motion.textures) {
+        *motion = Some(texture.data.iter().map(|_| numbers.number()).collect());
+    }
+    motion.sensor = SensorMotion {
+        translation: numbers.vector(),
+        rotation: numbers.vector(),
+        axes: [0, 1, 2].map(|_| numbers.vector()),
+        optics: numbers.vector(),
+    };
+    motion
+}
+
+fn adjoint(scene: &Scene, seed: u64) -> Image {
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    Image {
+        width,
+        height,
+        pixels: Numbers(seed).vectors(width * height),
+    }
+}
+
+fn settings(spp: u32) -> GradientOptions {
+    GradientOptions::new(Options { spp, seed: 5 })
+}
+
+fn reverse(scene: &Scene, wanted: &Wanted, spp: u32) -> Backward {
+    let adjoint = adjoint(scene, 3);
+    let result = backward(
+        &Prepared::new(scene.clone()),
+        &adjoint,
+        wanted,
+        &settings(spp),
+        &Unwatched,
+    );
+    result.expect("covered")
+}
+
+/// `⟨δ, J θ̇⟩` in forward mode.
+fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
+    forward_by(scene, motion, &settings(spp))
+}
+
+fn forward_by(scene: &Scene, motion: &Motion, settings: &GradientOptions) -> f64 {
+    let result =
+        gradient(&Prepared::new(scene.clone()), motion, settings, &Unwatched).expect("covered");
+    let pixels = result.gradient.mean.pixels.iter();
+    let adjoint = adjoint(scene, 3);
+    pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
+}
+
+fn agree_in_both_modes(name: &str, mut scene: Scene, depth: u32) {
+    small(&mut scene, depth);
+    let motion = everything(&scene, 11);
+    agree_along(name, &scene, &motion);
+}
+
+/// Few pixels, paths of so many segments.
+fn small(scene: &mut Scene, depth: u32) {
+    scene.film.size = [12; 2];
+    scene.film.crop_size = [12; 2];
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(depth),
+        rr_depth: 3,
+        hide_emitters: false,
+    };
+    scene.check().expect("a valid scene");
+}
+
+fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
+    for method in [Method::Walk, Method::Edges] {
+        let settings = GradientOptions {
+            method,
+            ..settings(32)
+        };
+        agree_by(&format!("{name}, {method:?}"), scene, motion, &settings);
+    }
+}
+
+fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptions) {
+    let forward = forward_by(scene, motion, settings);
+    let wanted = Wanted::by(motion);
+    let reverse = backward(
+        &Prepared::new(scene.clone()),
+        &adjoint(scene, 3),
+        &wanted,
+        settings,
+        &Unwatched,
+    );
+    let (reverse, error) = reverse.expect("covered").along(motion);
+    println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
+    let difference = (forward - reverse).abs();
+    assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
+    assert!(
+        difference <= 1e-10 * forward.abs(),
+        "{name}: {difference:e}"
+    );
+}
+
+/// Smooth computed normals, a Gaussian filter, shadows.
+#[test]
+fn smooth_ball() {
+    let scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    agree_in_both_modes("ball, direct", scene.clone(), 2);
+    agree_in_both_modes("ball, indirect", scene, 4);
+}
+
+/// Normals given with the mesh, a box filter with its flux through borders.
+#[test]
+fn given_normals() {
+    let mut scene = visible_ball(Filter::Box);
+    for shape in &mut scene.shapes {
+        if let ShadingNormals::Computed(normals) = shape.normals.clone() {
+            shape.normals = ShadingNormals::Given(normals);
+        }
+    }
+    agree_in_both_modes("given normals", scene, 3);
+}
+
+/// Rays that start on a lens, filters that end abruptly or not.
+#[test]
+fn thin_lens() {
+    for filter in [Filter::Box, Filter::Tent { radius: 1.0 }] {
+        let mut scene = through_lens(visible_ball(filter), 0.2, 3.0);
+        agree_in_both_modes("thin lens", scene.clone(), 3);
+        small(&mut scene, 2);
+        // What is not wanted is constant in both modes.
+        for name in [
+            "sensor.translate.x",
+            "sensor.x_fov",
+            "sensor.aperture_radius",
+            "sensor.focus_distance",
+        ] {
+            let motion = params::motion(&scene, name).expect(name);
+            agree_along(name, &scene, &motion);
+        }
+    }
+}
+
+/// Parallel rays: everything moves, and single numbers of the sensor.
+#[test]
+fn parallel_rays() {
+    for filter in [Filter::Box, Filter::Tent { radius: 1.0 }] {
+        let mut scene = with_parallel_rays(visible_ball(filter), 0.85);
+        agree_in_both_modes("parallel rays", scene.clone(), 3);
+        small(&mut scene, 2);
+        let gathered = GradientOptions {
+            method: Method::Edges,
+            ..settings(16)
+        };
+        let motion = everything(&scene, 11);
+        agree_by("parallel rays, edges", &scene, &motion, &gathered);
+        for name in [
+            "ball.translate.x",
+            "sensor.translate.y - sensor.translate.x",
+            "sensor.rotate.x",
+            "sensor.to_world[0,2] - 0.4*sensor.to_world[1,1]",
+        ] {
+            let motion = params::motion(&scene, name).expect(name);
+            agree_along(name, &scene, &motion);
+        }
+    }
+}
+
+/// A field of another kind, also across the borders of a box filter and before a
+/// mirror, where it is biased in both modes alike.
+#[test]
+fn warped_area_sampling() {
+    let mut scene = visible_ball(Filter::Box);
+    make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    let debiased = WasSettings {
+        boundary: WasBoundary::Normals,
+        rays: 3,
+        debias: true,
+        ..WasSettings::default()
+    };
+    for was in [WasSettings::default(), debiased] {
+        for method in [Method::Was(was), Method::PsdrWas(was)] {
+            let settings = GradientOptions {
+                method,
+                ..settings(16)
+            };
+            agree_by(method.name(), &scene, &motion, &settings);
+        }
+    }
+}
+
+/// Two cubes that pass through each other.
+#[test]
+fn crossing_surfaces() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = cube(capwalk_math::Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    agree_in_both_modes("crossing", scene, 3);
+}
+
+/// An environment, and no lamp.
+#[test]
+fn constant_light() {
+    let mut scene = visible_cube();
+    scene.shapes.pop_if(|shape| shape.emitter.is_some());
+    let colour = Texture::colour("sky.radiance", v(0.5, 0.7, 1.0));
+    let radiance = scene.add_texture(colour);
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    agree_in_both_modes("constant light", scene, 4);
+}
+
+/// Fields on triangles, with surfaces that cross, directions that meet nothing, and
+/// pixels that end abruptly.
+#[test]
+fn fields_on_triangles() {
+    let mut scene = visible_cube();
+    let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
+    add(&mut scene, "blade", mesh, normals, 0.4);
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    scene.emitters.push(Emitter::Constant {
+        id: "sky".into(),
+        radiance,
+    });
+    small(&mut scene, 4);
+    let motion = everything(&scene, 11);
+    for (method, steps) in [
+        (Method::TriangleWalk, 1),
+        (Method::TriangleWalk, 2),
+        (Method::ExplicitWalk, 1),
+    ] {
+        let mut options = settings(32);
+        options.method = method;
+        options.walk.steps = steps;
+        let name = format!("{}, M = {steps}", method.name());
+        agree_by(&name, &scene, &motion, &options);
+    }
+}
+
+/// Materials of microfacets, blended and coated; glass where there was none.
+#[test]
+fn rough_materials() {
+    let mut scene = visible_cube();
+    make(&mut scene, "floor", |n| {
+        let metal = Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.3));
+        let metal = n.part("metal", metal);
+        Bsdf::Blend {
+            weight: n.number("weight", 0.0),
+            nested: [n.diffuse("paint", [0.8, 0.2, 0.1]), metal],
+        }
+    });
+    make(&mut scene, "thing", |n| Bsdf::Principled(n.principled(0.0)));
+    add_balls(&mut scene, ["glass", "plastic"]);
+    make(&mut scene, "glass", |n| {
+        Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Beckmann, 0.2))
+    });
+    make(&mut scene, "plastic", |n| Bsdf::RoughPlastic {
+        coat: n.coat(true),
+        distribution: Distribution::Ggx,
+        alpha: n.number("alpha", 0.2),
+    });
+    agree_in_both_modes("rough materials", scene, 4);
+}
+
+/// Maps of normals and bumps, one of them blended.
+#[test]
+fn maps_of_normals() {
+    let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    unit_square(&mut scene, "floor");
+    make(&mut scene, "floor", |n| {
+        let nested = n.glossy();
+        let bumps = n.bump_map(0.3, nested);
+        Bsdf::Blend {
+            weight: n.number("part", 0.3),
+            nested: [n.part("bumps", bumps), n.diffuse("dust", [0.5; 3])],
+        }
+    });
+    make(&mut scene, "ball", |n| {
+        let nested = n.glossy();
+        n.normal_map(nested)
+    });
+    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
+    ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
+    agree_in_both_modes("maps of normals", scene, 4);
+}
+
+/// Adds a ball on either side of the thing.
+fn add_balls(scene: &mut Scene, names: [&str; 2]) {
+    for (name, x) in names.into_iter().zip([-0.8, 0.9]) {
+        let ball = placed(small_ball(), Affine::translate(v(x, -0.4, -0.5)));
+        add(scene, name, ball, ShadingNormals::Face, 0.5);
+    }
+}
+
+/// Mirrors, panes and masks: their numbers change, nothing moves.
+#[test]
+fn numbers_of_specular_materials() {
+    let mut scene = visible_cube();
+    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(false)));
+    make(&mut scene, "thing", |n| Bsdf::ThinDielectric(n.glass()));
+    add_balls(&mut scene, ["metal", "leaf"]);
+    make(&mut scene, "metal", |n| Bsdf::Conductor(n.copper()));
+    make(&mut scene, "leaf", |n| Bsdf::Mask {
+        opacity: n.number("opacity", 1.0),
+        nested: n.diffuse("green", [0.2, 0.7, 0.1]),
+    });
+    small(&mut scene, 5);
+    let motion = Motion {
+        textures: everything(&scene, 11).textures,
+        ..Motion::zero(&scene)
+    };
+    agree_along("specular materials", &scene, &motion);
+}
+
+/// Flat mirrors across each other and a pane, everything moving.
+#[test]
+fn mirrors() {
+    let mut scene = visible_cube();
+    for (id, turn) in [("left", 1.3), ("right", -1.4), ("pane", 1.1)] {
+        let turn = Affine::rotate(v(0.1, 1.0, 0.2), turn);
+        let (mesh, normals) =
+            rectangle(Affine::translate(v(0.5 * turn.rows[0].z, 0.6, 0.5)) * turn);
+        add(&mut scene, id, mesh, normals, 0.5);
+    }
+    for id in ["left", "right"] {
+        make(&mut scene, id, |n| Bsdf::Conductor(n.copper()));
+    }
+    make(&mut scene, "pane", |n| Bsdf::ThinDielectric(n.glass()));
+    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(true)));
+    agree_in_both_modes("mirrors", scene, 5);
+}
+
+/// Gradients of single parameters are entries of the gradient of all, and
+/// what is not wanted is not there.
+#[test]
+fn single_parameters() {
+    let mut scene = visible_cube();
+    scene.film.size = [12; 2];
+    scene.film.crop_size = [12; 2];
+    for name in ["thing.translate.x", "lamp.rotate.y", "sensor.translate.z"] {
+        let motion = motion(&scene, name);
+        let wanted = Wanted::by(&motion);
+        let forward = forward(&scene, &motion, 16);
+        let result = reverse(&scene, &wanted, 16);
+        let (reverse, error) = result.along(&motion);
+        assert!(
+            (forward - reverse).abs() <= 1e-10 * forward.abs(),
+            "{name}: {forward} {reverse}"
+        );
+        assert!(
+            error > 0.0 && forward.abs() > 1e-6,
+            "{name}: {forward} ± {error}"
+        );
+        let present = result
+            .gradient()
+            .shapes
+            .iter()
+            .map(Option::is_some)
+            .collect::<Vec<_>>();
+        assert_eq!(present, wanted.shapes, "{name}");
+    }
+}
+
+/// The number of threads changes no bit.
+#[test]
+fn threads_change_nothing() {
+    let mut scene = visible_cube();
+    scene.film.size = [8; 2];
+    scene.film.crop_size = [8; 2];
+    let wanted = Wanted::all(&scene);
+    let [one, three] = [1, 3]
+        .map(|threads| with_threads(threads, || reverse(&scene, &wanted, 20).gradient().clone()));
+    assert_eq!(one, three);
+}
+
+/// Standard errors are those of independent repetitions (a ratio of variances
+/// of 40 and 40 · 15 degrees of freedom leaves the band once in 10⁴).
+#[test]
+fn standard_errors_are_right() {
+    let mut scene = visible_cube();
+    scene.film.size = [8; 2];
+    scene.film.crop_size = [8; 2];
+    let motion = motion(&scene, "thing.translate.x + 0.3*lamp.translate.y");
+    let (wanted, adjoint) = (Wanted::by(&motion), adjoint(&scene, 3));
+    let (mut spread, mut stated) = (capwalk_math::Moments::default(), 0.0);
+    for seed in 0..40 {
+        let mut settings = settings(32);
+        settings.options.seed = seed;
+        let result = backward(
+            &Prepared::new(scene.clone()),
+            &adjoint,
+            &wanted,
+            &settings,
+            &Unwatched,
+        )
+        .expect("covered");
+        let (value, error) = result.along(&motion);
+        spread.add(value);
+        stated += error * error / 40.0;
+        // The errors of all numbers, in the form of the gradient.
+        assert!(result.standard_error().dot(&result.standard_error()) > 0.0);
+    }
+    let ratio = stated / spread.variance();
+    assert!((0.45..2.6).contains(&ratio), "{ratio}");
+}
+
+/// Normals given with a mesh can be asked for without its vertices: the same
+/// numbers as in the gradient of all, and no curve moves for them.
+#[test]
+fn normals_alone() {
+    let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    scene.film.size = [12; 2];
+    scene.film.crop_size = [12; 2];
+    for shape in &mut scene.shapes {
+        if let ShadingNormals::Computed(normals) = shape.normals.clone() {
+            shape.normals = ShadingNormals::Given(normals);
+        }
+    }
+    let ball = scene.shapes.iter().position(|s| s.id == "ball");
+    let ball = ball.expect("a ball");
+    let mut turning = everything(&scene, 11);
+    turning.textures.fill(None);
+    turning.sensor = SensorMotion::default();
+    for (i, shape) in turning.shapes.iter_mut().enumerate() {
+        match shape {
+            Some(shape) if i == ball => shape.vertices.fill(Vec3::zero()),
+            _ => *shape = None,
+        }
+    }
+    let wanted = Wanted::by(&turning);
+    assert!(!wanted.geometry() && wanted.normals[ball]);
+    let alone = reverse(&scene, &wanted, 16);
+    let forward = forward(&scene, &turning, 16);
+    let (along, _) = alone.along(&turning);
+    assert!((along - forward).abs() <= 1e-10 * forward.abs() && forward.abs() > 1e-6);
+    assert_eq!(alone.statistics.cone_queries, 0);
+    let shape = alone.gradient().shapes[ball].clone().expect("wanted");
+    assert!(shape.vertices.iter().all(|&v| v == Vec3::zero()));
+}
+
+/// Numbers and errors of a linear map are those of the gradient itself.
+#[test]
+fn numbers_of_the_gradient() {
+    let mut scene = visible_cube();
+    scene.film.size = [8; 2];
+    scene.film.crop_size = [8; 2];
+    let result = reverse(&scene, &Wanted::all(&scene), 32);
+    let flat = |motion: &Motion| {
+        let shapes = motion.shapes.iter().flatten();
+        shapes
+            .flat_map(|shape| shape.vertices.iter().flat_map(|v| v.to_array()))
+            .collect::<Vec<f64>>()
+    };
+    let (numbers, errors) = result.numbers(flat);
+    assert_eq!(numbers, flat(result.gradient()));
+    let expected = flat(&result.standard_error());
+    assert!(errors.iter().any(|&e| e > 0.0));
+    for (a, b) in errors.iter().zip(&expected) {
+        assert!((a - b).abs() <= 1e-9 * b, "{a} {b}");
+    }
+}
+
+/// An adjoint that is not a number somewhere is refused with the place.
+#[test]
+fn adjoint_with_nan() {
+    let scene = visible_cube();
+    let mut bad = adjoint(&scene, 3);
+    bad.pixels[2 * 36 + 7].y = f64::NAN;
+    let wanted = Wanted::all(&scene);
+    let refusal = backward(
+        &Prepared::new(scene.clone()),
+        &bad,
+        &wanted,
+        &settings(2),
+        &Unwatched,
+    );
+    let reason = refusal.expect_err("refused").to_string();
+    assert!(
+        reason.contains("NaN") && reason.contains("column 7, row 2"),
+        "{reason}"
+    );
+}
+
+/// An adjoint of the wrong size is refused with both sizes.
+#[test]
+fn adjoint_of_another_size() {
+    let scene = visible_cube();
+    let small = Image {
+        width: 2,
+        height: 1,
+        pixels: vec![Vec3::zero(); 2],
+    };
+    let wanted = Wanted::all(&scene);
+    let refusal = backward(
+        &Prepared::new(scene.clone()),
+        &small,
+        &wanted,
+        &settings(2),
+        &Unwatched,
+    );
+    let reason = refusal.expect_err("refused").to_string();
+    assert!(
+        reason.contains("2 x 1") && reason.contains("36 x 36"),
+        "{reason}"
+    );
+}

@@ -1,0 +1,120 @@
+//! The silhouettes that the camera sees in each pixel, METHOD 8.
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use capwalk_boundary::{Field, SEEN, SilhouettePieces, clip, place};
+use capwalk_geometry::{ConeQuery, EdgeSelection};
+use capwalk_math::sphere;
+use capwalk_scene::Scene;
+use capwalk_scene::sensor::view::View;
+
+use crate::pixel::Support;
+
+/// The edges in pixels, as far as they are kept. What is kept changes no result.
+#[derive(Default)]
+pub struct PixelSilhouettes {
+    pixels: Vec<OnceLock<SilhouettePieces>>,
+    width: usize,
+    /// Pieces of edges that are kept in all of them.
+    kept: AtomicUsize,
+}
+
+/// Pieces of edges that are kept: some hundred megabytes.
+const MOST_KEPT: usize = 1 << 22;
+
+/// Longest piece of an edge that a weight is given to, pixels.
+const PIECE: f64 = 0.5;
+/// Least weight of the filter in the choice of pieces, in those of its mean.
+const LEAST_FILTER: f64 = 0.1;
+/// Weight of drawing no edge, in those of an outline across the filter's support:
+/// where there are creases alone, at which little light jumps, few are drawn.
+const NOTHING: f64 = 0.05;
+/// Radians by which cones are opened: more than rounding.
+const MARGIN: f64 = 1e-9;
+
+impl PixelSilhouettes {
+    /// Room for those of a scene's pixels, if its camera has no lens.
+    pub fn of(scene: &Scene) -> Self {
+        let [width, height] = scene.film.crop_size.map(|n| n as usize);
+        let count = match scene.sensor.model.has_lens() {
+            true => 0,
+            false => width * height,
+        };
+        Self {
+            pixels: (0..count).map(|_| OnceLock::new()).collect(),
+            width,
+            kept: AtomicUsize::new(0),
+        }
+    }
+
+    /// Passes on the outline of a pixel, made if it is not kept.
+    pub fn with<T>(
+        &self,
+        [x, y]: [u32; 2],
+        make: impl Fn() -> SilhouettePieces,
+        then: impl FnOnce(&SilhouettePieces) -> T,
+    ) -> T {
+        let index = y as usize * self.width + x as usize;
+        let cell = self.pixels.get(index);
+        if let Some(outline) = cell.and_then(OnceLock::get) {
+            return then(outline);
+        }
+        let outline = make();
+        if let Some(cell) = cell {
+            let kept = self.kept.fetch_add(outline.len(), Ordering::Relaxed);
+            if kept + outline.len() <= MOST_KEPT {
+                return then(cell.get_or_init(|| outline));
+            }
+            self.kept.fetch_sub(outline.len(), Ordering::Relaxed);
+        }
+        then(&outline)
+    }
+}
+
+/// The edges in the support of a pixel's filter, by their lengths on the film, the
+/// filter, and how much light may jump there.
+pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> SilhouettePieces {
+    let [x, y] = support.sides.map(|side| side.bounds);
+    let corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[i, k]| view.direction([x[i], y[k]]));
+    let axis = view.direction([0.5 * (x[0] + x[1]), 0.5 * (y[0] + y[1])]);
+    let widest = corners.iter().map(|&c| sphere::angle_between(axis, c));
+    let planes = [0, 1, 2, 3].map(|i| {
+        let normal = corners[i].cross(corners[(i + 1) % 4]).normalized();
+        normal * normal.dot(axis).signum()
+    });
+    let query = ConeQuery {
+        eye: view.eye,
+        axis,
+        max_angle: widest.fold(0.0, f64::max) + MARGIN,
+        edges: EdgeSelection::All,
+        groups: SEEN,
+        in_front_of: None,
+    };
+    let area = support.sides[0].width() * support.sides[1].width();
+    let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);
+    let mut outline = SilhouettePieces::default();
+    boundaries.tree().gather(&query, |edge, ends| {
+        let [a, b] = ends.map(|p| p - view.eye);
+        let Some([from, to]) = clip(&planes, 0.0, [a, b]) else {
+            return;
+        };
+        let [first, last] = [from, to].map(|t| a + (b - a) * t);
+        let [start, end] = [first, last].map(|p| view.film(p));
+        let length = (end[0] - start[0]).hypot(end[1] - start[1]);
+        let contrast = boundaries.contrast(edge, mesh, view.eye);
+        // Equal steps on the film, where depths shorten what is far.
+        let [near, far] = [first, last].map(|p| view.depth(view.eye + p));
+        let place = |part| place([from, to], [near, far], part);
+        let count = (length / PIECE).ceil().clamp(1.0, 1e3);
+        for i in 0..count as u32 {
+            let part = |k: f64| (f64::from(i) + k) / count;
+            let middle = [0, 1].map(|k| start[k] + (end[k] - start[k]) * part(0.5));
+            let filter = support.weight(middle) + LEAST_FILTER / area;
+            let range = [place(part(0.0)), place(part(1.0))];
+            outline.push(edge, range, contrast * filter * length / count);
+        }
+    });
+    outline.push_nothing(NOTHING / area.sqrt());
+    outline
+}

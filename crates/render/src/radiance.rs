@@ -1,0 +1,273 @@
+//! One path tracer for the picture and its derivatives.
+//!
+//! A pixel is an integral over paths. With a [`SceneEval`] at rest a sample of it is
+//! its value; with one that carries derivatives, every sampled direction moves
+//! with the velocity field around the point that it starts from, and the same
+//! code gives the integrand's derivative along the moved path (Algorithm 1).
+//! With `u` the field around the camera and `L` the radiance along the moved
+//! camera ray (METHOD 1 and 4)
+//!
+//! ```text
+//! ∫ [ d/dε (W L / J)(moved) + (W L / J) div u ] dω  -  ∮ W L ṡ·n dl
+//! ```
+//!
+//! where `W / J` is the filter times film area per solid angle, and the flux
+//! is taken where the filter ends without being zero, `ṡ` the film velocity of
+//! the moved direction. `L` itself is such an integral, over the directions
+//! from the surface, once for light that comes from emitters and once for
+//! light that comes from other surfaces.
+//!
+//! Sampling, weights and roulette see the scene at rest.
+
+use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
+use capwalk_geometry::{Hit, Ray};
+use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_scene::lobe::Event;
+use capwalk_scene::sensor::view::ViewRay;
+
+use crate::aov::layer_at;
+use crate::emitter_edge_term::emitter_edge_term;
+use crate::gathered_term::{self, gathered_term};
+use crate::light::{Continuation, emitter_towards, sample_lights};
+use crate::scene_eval::{SceneEval, Warped};
+use crate::shading::vertex_at;
+use crate::surface::{emitted_at, surface_at};
+use crate::tracer::{EDGE_NUMBERS, Moving, Tracer};
+use crate::vertex::Vertex;
+
+/// Largest probability that a path survives roulette.
+const RR_MAX: f64 = 0.95;
+/// Smallest one for derivatives: a path that carries no light may carry a
+/// derivative, such as that of a black material's reflectance.
+const RR_MIN: f64 = 0.05;
+
+/// The specular events since a direction was warped along a field.
+#[derive(Clone, Copy, Debug)]
+pub struct SpecularChain {
+    /// How many, if the field has the outlines that are seen behind them.
+    count: Option<u32>,
+    /// After which further ones at this place it has them, too.
+    here: FlatEvents,
+    /// True for fields in picture space, which have no images in mirrors.
+    is_parallel: bool,
+}
+
+impl Default for SpecularChain {
+    fn default() -> Self {
+        Self {
+            count: Some(0),
+            here: FlatEvents::default(),
+            is_parallel: false,
+        }
+    }
+}
+
+impl SpecularChain {
+    /// Their number with one more, if the field has the outlines behind it.
+    fn after(&self, event: Event) -> Option<u32> {
+        let is_missed = self.is_parallel && event == Event::Reflect;
+        let has = self.here.contains(event) && !is_missed;
+        let count = self.count.filter(|_| has)?;
+        (count < MAX_EVENTS).then_some(count + 1)
+    }
+}
+
+impl Tracer<'_> {
+    /// A sample of the radiance that arrives along a moving camera ray.
+    pub(crate) fn radiance<R: Real, W: SceneEval<R>>(
+        &self,
+        world: &W,
+        ray: ViewRay<R>,
+        draw: Draw,
+    ) -> Rgb<R> {
+        let (accel, plan) = (self.accel, &self.plan);
+        let ViewRay {
+            mut origin,
+            mut direction,
+            range: [t_min, t_max],
+        } = ray;
+        let mut hit = accel.first_hit_within(&Ray {
+            origin: origin.value(),
+            direction: direction.value(),
+            t_min,
+            t_max,
+        });
+        if let Some(layer) = plan.layer {
+            return hit.map_or(Rgb::zero(), |hit| {
+                let surface = surface_at(world, accel, &hit, origin, direction);
+                layer_at(world, accel, layer, &surface, origin, direction)
+            });
+        }
+        let mut light = Rgb::zero();
+        if plan.reaches(1)
+            && !plan.hide_emitters
+            && let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction.value())
+        {
+            light += emitted_at(world, accel, emitter, hit.as_ref(), origin, direction);
+        }
+        let mut throughput = Rgb::constant(Rgb::splat(1.0)); // over its density
+        let mut chain = SpecularChain {
+            is_parallel: accel.view.is_parallel(),
+            ..SpecularChain::default()
+        };
+        for depth in 0.. {
+            let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
+                break;
+            };
+            let surface = surface_at(world, accel, &found, origin, direction);
+            let Some(vertex) = vertex_at(world, accel, &surface, direction) else {
+                break;
+            };
+            chain.here = accel.flat_events(&found);
+            let (emitted, next) = self.emitted(world, &vertex, depth, chain, draw);
+            light += throughput.hadamard(emitted);
+            let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
+                break;
+            };
+            let over_density = R::constant(1.0 / next.pdf);
+            direction = match next.specular {
+                None => {
+                    // Light from another surface, along the field around this one.
+                    let events = self.events_behind(depth + 1);
+                    let eye =
+                        Viewpoint::towards_surfaces(vertex.position, vertex.face_normal, events);
+                    let (walk, numbers) = self.vertex_walk(depth, 1, draw);
+                    let warped = world.warp(&eye, next.direction, walk, numbers);
+                    let f = vertex.eval(warped.direction);
+                    throughput = throughput.hadamard(f * (warped.jacobian * over_density));
+                    chain = SpecularChain::default();
+                    warped.direction
+                }
+                Some(event) => {
+                    let (wo, fraction) = vertex.specular(event);
+                    throughput = throughput.hadamard(fraction * over_density);
+                    chain.count = chain.after(event.event);
+                    wo
+                }
+            };
+            if !W::MOVES && throughput == Rgb::zero() {
+                break;
+            }
+            if depth + 1 >= plan.rr_depth {
+                let least = if W::MOVES { RR_MIN } else { 0.0 };
+                let survival = throughput.value().max_component().clamp(least, RR_MAX);
+                let last = plan.vertex_numbers(depth + 1) - 1;
+                if draw.stream.number(last) >= survival {
+                    break;
+                }
+                throughput = throughput * R::constant(1.0 / survival);
+            }
+            origin = vertex.position;
+            hit = next.hit;
+        }
+        light
+    }
+
+    /// Counts a ray after a specular event that bends light if outlines seen there
+    /// can move against it: they bound no field.
+    fn count_uncovered<R: Real, W: SceneEval<R>>(
+        &self,
+        world: &W,
+        origin: Vec3<R>,
+        direction: Vec3<R>,
+        hit: &Option<Hit>,
+        draw: Draw,
+    ) {
+        let ray_moves = !origin.is_constant() || !direction.is_constant();
+        let surface_moves = || {
+            let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
+            let mut corners = corners.into_iter().flatten();
+            corners.any(|i| !world.vertex(i).is_constant())
+        };
+        if ray_moves || surface_moves() {
+            let uncovered = &draw.counts.uncovered;
+            uncovered.set(uncovered.get() + 1);
+        }
+    }
+
+    /// Light that arrives from emitters at a moving surface point and is
+    /// reflected there, and where a path could go on.
+    pub fn emitted<R: Real, W: SceneEval<R>>(
+        &self,
+        world: &W,
+        vertex: &Vertex<R>,
+        depth: u32,
+        chain: SpecularChain,
+        draw: Draw,
+    ) -> (Rgb<R>, Option<Continuation>) {
+        let mut light = Rgb::zero();
+        let eye = Viewpoint::towards_emitters(vertex.position, vertex.face_normal);
+        let primal = vertex.value();
+        let next = sample_lights(
+            self.accel,
+            self.emitters,
+            &primal,
+            self.plan.sampling,
+            draw.stream,
+            self.plan.vertex_numbers(depth),
+            |i, sample| {
+                let weight = R::constant(sample.weight);
+                let radiance = |direction: Vec3<R>| {
+                    let hit = sample.hit.as_ref();
+                    emitted_at(
+                        world,
+                        self.accel,
+                        sample.emitter,
+                        hit,
+                        vertex.position,
+                        direction,
+                    )
+                };
+                if let Some(event) = sample.specular {
+                    let (direction, fraction) = vertex.specular(event);
+                    light += fraction.hadamard(radiance(direction)) * weight;
+                    return;
+                }
+                let emitter = self.accel.scene.emitter(sample.emitter);
+                if let Some(delta) = emitter.delta_light(vertex.position, |id| world.texel(id, 0).x)
+                {
+                    let f = vertex.eval(delta.direction);
+                    let irradiance = world.texel(emitter.radiance(), 0) * delta.factor;
+                    light += f.hadamard(irradiance) * weight;
+                    return;
+                }
+                let warped = match self.gathers(sample.emitter) {
+                    true => Warped::still(sample.direction),
+                    false => {
+                        let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
+                        world.warp(&eye, sample.direction, walk, numbers)
+                    }
+                };
+                let f = vertex.eval(warped.direction);
+                light += f.hadamard(radiance(warped.direction)) * (warped.jacobian * weight);
+            },
+            |event, hit| {
+                if W::MOVES && (chain.after(event.event).is_none() || self.misses_mirrors()) {
+                    let (direction, _) = vertex.specular(event);
+                    self.count_uncovered(world, vertex.position, direction, hit, draw);
+                }
+            },
+        );
+        if W::MOVES
+            && self.plan.sampling.dimensions() > 0
+            && primal.bsdf.has_smooth()
+            && let Some(Moving { field, .. }) = &self.moving
+            && field.method.traits().is_spherical
+        {
+            let scene = &self.accel.scene;
+            if !field.method.traits().gathers || scene.environment().is_some() {
+                // What the field carries over the edges of lamps.
+                let u = draw.stream.number(self.emitter_edge_number(depth));
+                let (walk, numbers) = self.vertex_walk(depth, 0, draw);
+                let (boundaries, walks) = (field.boundaries, |id| !self.gathers(id));
+                light += emitter_edge_term(
+                    self.accel, boundaries, world, &eye, &primal, u, walk, numbers, walks,
+                );
+            }
+            // What moves across directions that stay.
+            let dimension = EDGE_NUMBERS + gathered_term::NUMBERS * (depth + 1);
+            light += gathered_term(field, world, &eye, &primal, draw, dimension);
+        }
+        (light, next)
+    }
+}

@@ -1,0 +1,135 @@
+//! The numbers of a scene, with or without derivatives. The same code evaluates
+//! a path, its forward and its reverse derivative, by asking one [`SceneEval`] or
+//! another.
+
+use capwalk_boundary::{Accel, Numbers, Viewpoint};
+use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_scene::sensor::SensorState;
+use capwalk_scene::{Scene, SurfacePoint, TextureId};
+use capwalk_walk::WalkSettings;
+
+/// What a path reads of a scene, and how its directions move.
+pub trait SceneEval<R: Real> {
+    /// False if nothing has a derivative: then what has the value zero need not
+    /// be computed.
+    const MOVES: bool;
+    /// Position of a vertex of the joined mesh.
+    fn vertex(&self, index: u32) -> Vec3<R>;
+    /// Unit shading normal of a vertex of a shape with vertex normals.
+    fn normal(&self, shape: usize, vertex: u32) -> Vec3<R>;
+    /// The scene whose numbers they are.
+    fn scene(&self) -> &Scene;
+    /// A texel of a texture.
+    fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
+    /// True if derivatives by the texels of a texture are asked for.
+    fn is_asked_for(&self, id: TextureId) -> bool;
+    /// The sensor's numbers.
+    fn sensor(&self) -> SensorState<R>;
+    /// Where a point of the boundaries is; asked only of worlds that move.
+    fn boundary_point(&self, index: u32) -> Vec3<R>;
+    /// True if no boundary moves against the eye.
+    fn is_still(&self, eye: &Viewpoint<R>) -> bool;
+    /// True if curves in the picture can move against the rays.
+    fn moves(&self) -> bool;
+    /// The unit direction `q` from a point, moving with the velocity field
+    /// around the point, an unbiased sample of it and of its divergence.
+    fn warp(&self, eye: &Viewpoint<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers)
+    -> Warped<R>;
+    /// The same without the divergence, for flows through curves.
+    fn warp_value(
+        &self,
+        eye: &Viewpoint<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Vec3<R>;
+
+    /// The value of a texture at a point of a surface.
+    #[inline]
+    fn lookup(&self, id: TextureId, at: &SurfacePoint<R>) -> Rgb<R> {
+        let scene = self.scene();
+        match scene.texture(id).is_constant() {
+            true => self.texel(id, 0),
+            false => scene.lookup(id, at, |id, index| self.texel(id, index)),
+        }
+    }
+}
+
+/// A sampled direction that moves.
+#[derive(Clone, Copy, Debug)]
+pub struct Warped<R> {
+    /// The direction; its value is the sampled one, of unit length.
+    pub direction: Vec3<R>,
+    /// One; its derivative is the divergence of the field.
+    pub jacobian: R,
+    /// True if a boundary is near: derivatives may be noisy there.
+    pub near_boundary: bool,
+}
+
+impl<R: Real> Warped<R> {
+    /// A direction that stays.
+    pub fn still(q: Vec3) -> Self {
+        Self {
+            direction: Vec3::constant(q),
+            jacobian: R::constant(1.0),
+            near_boundary: false,
+        }
+    }
+}
+
+/// The scene as it is.
+pub struct Primal<'a>(pub &'a Accel);
+
+impl SceneEval<f64> for Primal<'_> {
+    const MOVES: bool = false;
+    #[inline]
+    fn vertex(&self, index: u32) -> Vec3 {
+        self.0.mesh.positions[index as usize]
+    }
+    #[inline]
+    fn normal(&self, shape: usize, vertex: u32) -> Vec3 {
+        vertex_normal(&self.0.scene, shape, vertex)
+    }
+    #[inline]
+    fn scene(&self) -> &Scene {
+        &self.0.scene
+    }
+    #[inline]
+    fn texel(&self, id: TextureId, index: usize) -> Rgb {
+        self.0.scene.texture(id).texel(index)
+    }
+    #[inline]
+    fn is_asked_for(&self, _: TextureId) -> bool {
+        false
+    }
+    #[inline]
+    fn sensor(&self) -> SensorState<f64> {
+        self.0.scene.sensor.state()
+    }
+    #[inline]
+    fn boundary_point(&self, index: u32) -> Vec3 {
+        self.vertex(index)
+    }
+    #[inline]
+    fn is_still(&self, _: &Viewpoint<f64>) -> bool {
+        true
+    }
+    #[inline]
+    fn moves(&self) -> bool {
+        false
+    }
+    #[inline]
+    fn warp(&self, _: &Viewpoint<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Warped<f64> {
+        Warped::still(q)
+    }
+    #[inline]
+    fn warp_value(&self, _: &Viewpoint<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Vec3 {
+        q
+    }
+}
+
+/// The unit shading normal of a vertex, as it is.
+pub fn vertex_normal(scene: &Scene, shape: usize, vertex: u32) -> Vec3 {
+    let normals = scene.shapes[shape].normals.per_vertex();
+    normals.expect("asked only of shapes with vertex normals")[vertex as usize]
+}

@@ -1,0 +1,166 @@
+//! What a tracer of pixels holds, and which random numbers it takes for what.
+
+use capwalk_boundary::{Accel, Draw, Field, Numbers};
+use capwalk_scene::{Emitter, EmitterId};
+use capwalk_walk::WalkSettings;
+
+use crate::emitter_sampler::EmitterSampler;
+use crate::pixel::Supports;
+use crate::pixel_silhouettes::PixelSilhouettes;
+use crate::plan::Plan;
+use crate::prepared::Prepared;
+
+/// The numbers of gathered edges start here, behind all others: those of the
+/// camera, then of each vertex.
+pub const EDGE_NUMBERS: u32 = 1 << 30;
+
+/// How directions are warped.
+#[derive(Clone, Copy, Debug)]
+pub struct Walks {
+    /// On the film.
+    pub camera: WalkSettings,
+    /// Around surface points.
+    pub surface: WalkSettings,
+}
+
+/// The fields of a scene that moves, and the walks that sample them.
+#[derive(Clone, Copy)]
+pub struct Moving<'a> {
+    /// The fields.
+    pub field: Field<'a>,
+    /// The walks.
+    pub walks: Walks,
+}
+
+/// Samples pixels of a scene.
+pub struct Tracer<'a> {
+    /// The scene.
+    pub accel: &'a Accel,
+    /// How directions towards its emitters are drawn.
+    pub emitters: &'a [EmitterSampler],
+    /// The supports of its pixels.
+    pub supports: Supports,
+    /// Which paths are sampled.
+    pub plan: Plan,
+    /// How directions move; not needed for the primal image.
+    pub moving: Option<Moving<'a>>,
+    /// The silhouettes in each pixel, where the camera's rays all start from one point.
+    pub silhouettes: PixelSilhouettes,
+}
+
+impl<'a> Tracer<'a> {
+    /// A tracer of the primal image alone.
+    pub fn primal(prepared: &'a Prepared) -> Self {
+        let scene = prepared.scene();
+        Self {
+            accel: prepared.accel(),
+            emitters: prepared.emitters(),
+            supports: Supports::new(&scene.film),
+            plan: Plan::new(scene),
+            moving: None,
+            silhouettes: PixelSilhouettes::default(),
+        }
+    }
+
+    /// A tracer of derivatives, too, with the given walk around surfaces.
+    pub fn moving(prepared: &'a Prepared, field: Field<'a>, surface: WalkSettings) -> Self {
+        let camera = WalkSettings {
+            max_radius: surface.max_radius.min(camera_angle(prepared.accel())),
+            ..surface
+        };
+        let walks = Walks { camera, surface };
+        Self {
+            moving: Some(Moving { field, walks }),
+            silhouettes: PixelSilhouettes::of(prepared.scene()),
+            ..Self::primal(prepared)
+        }
+    }
+
+    /// The same with another plan.
+    pub fn with_plan(self, plan: Plan) -> Self {
+        Self { plan, ..self }
+    }
+
+    /// Most specular events behind which edges count.
+    pub(crate) fn events_behind(&self, segments: u32) -> u32 {
+        match self.accel.has_flat_events() {
+            true => self.plan.events_behind(segments),
+            false => 0,
+        }
+    }
+
+    /// True if directions towards an emitter stay, and edges before it are gathered.
+    pub(crate) fn gathers(&self, emitter: EmitterId) -> bool {
+        let gathers = |moving: &Moving| moving.field.method.traits().gathers;
+        self.moving.as_ref().is_some_and(gathers)
+            && matches!(self.accel.scene.emitter(emitter), Emitter::Area { .. })
+    }
+
+    /// True if the field knows nothing of what mirrors show.
+    pub(crate) fn misses_mirrors(&self) -> bool {
+        let is_spherical = |moving: &Moving| moving.field.method.traits().is_spherical;
+        !self.moving.as_ref().is_none_or(is_spherical)
+    }
+
+    /// Two numbers for a place on the border of a pixel; behind them those of
+    /// three walks: at a film point, opposite to it, at the border.
+    pub(crate) fn film_numbers(&self) -> u32 {
+        self.plan.first_walk()
+    }
+
+    /// The numbers of the `k`-th walk on the film.
+    pub(crate) fn film_walk<'d>(&self, k: u32, draw: Draw<'d>) -> (&WalkSettings, Numbers<'d>) {
+        let walk = &self.walks().camera;
+        let dimension = self.film_numbers() + 2 + k * walk.dimensions();
+        (walk, Numbers { draw, dimension })
+    }
+
+    /// The number for a place on the emitters' edges; behind it those of walks:
+    /// there, towards the next surface, and for each light sample.
+    pub(crate) fn emitter_edge_number(&self, depth: u32) -> u32 {
+        let walks = self.walks();
+        let film = self.film_numbers() + 2 + 3 * walks.camera.dimensions();
+        let sampling = self.plan.sampling;
+        let samples = sampling.emitter_samples + sampling.bsdf_samples;
+        film + depth * (1 + (2 + samples) * walks.surface.dimensions())
+    }
+
+    /// The numbers of the `k`-th walk around a vertex.
+    pub(crate) fn vertex_walk<'d>(
+        &self,
+        depth: u32,
+        k: u32,
+        draw: Draw<'d>,
+    ) -> (&WalkSettings, Numbers<'d>) {
+        let Some(Moving { walks, .. }) = &self.moving else {
+            // Asked for the primal image, where nobody walks.
+            return (&NO_WALK, Numbers { draw, dimension: 0 });
+        };
+        let walk = &walks.surface;
+        let dimension = self.emitter_edge_number(depth) + 1 + k * walk.dimensions();
+        (walk, Numbers { draw, dimension })
+    }
+
+    fn walks(&self) -> &Walks {
+        let moving = self.moving.as_ref();
+        &moving.expect("only scenes that move are walked in").walks
+    }
+}
+
+/// Largest angle of the camera's field, in pixels: beyond it everything visible
+/// stays where it is on the film. A field that reaches farther moves pixels without
+/// need, and their derivatives become noisy; one that reaches less far than a
+/// pixel has steep derivatives. Two pixels measured best on the built-in scenes.
+const CAMERA_PIXELS: f64 = 2.0;
+
+/// [`CAMERA_PIXELS`] as an angle, radians, in the middle of the film.
+fn camera_angle(accel: &Accel) -> f64 {
+    (CAMERA_PIXELS * accel.view.pixel_size()).atan()
+}
+
+const NO_WALK: WalkSettings = WalkSettings {
+    steps: 0,
+    max_radius: 0.0,
+    estimator: capwalk_walk::Estimator::Anchored,
+    antithetic: false,
+};
