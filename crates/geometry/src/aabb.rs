@@ -44,6 +44,12 @@ impl Aabb {
         }
     }
 
+    /// True if it contains nothing, not even a point.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.low[0] > self.high[0]
+    }
+
     /// Half the surface area; not finite or negative if empty.
     #[inline]
     pub fn half_area(&self) -> f32 {

@@ -7,6 +7,7 @@
 
 pub mod buckets;
 pub mod build;
+pub mod cost;
 mod gather;
 pub mod refit;
 pub mod traverse;

@@ -2,6 +2,25 @@
 //!
 //! Seams in normals or texture coordinates duplicate vertices; the surface
 //! does not end there. So vertices with bitwise equal positions are one.
+//!
+//! # What a motion of the vertices can invalidate
+//!
+//! Which faces meet where, how they are wound, and the order of the list follow
+//! from the indices. Positions decide three things, and a motion can change each:
+//!
+//! - Which vertices are one. Copies that move apart open the surface between them;
+//!   vertices that come to lie at one place close it.
+//! - Which faces have an area. One that loses it becomes a hole with open edges
+//!   around it, one that gains it fills a hole.
+//! - Which neighbours are coplanar. An edge appears where coplanar neighbours bend,
+//!   and disappears where neighbours become coplanar.
+//!
+//! (What `differ` in [`edges_with`] says may depend on positions, too.) Whether an
+//! old list still holds is therefore asked by listing the edges anew and comparing:
+//! `edges(&moved) == old`. This takes linear time but for a sort of the positions, a
+//! sixth of the time of [`SilhouetteTree::refit`](crate::SilhouetteTree::refit), and
+//! cannot disagree with what a new scene would have. If the lists are equal the tree
+//! can be refitted; else it has to be built for the new list.
 
 use capwalk_math::Vec3;
 use rayon::prelude::*;
@@ -282,6 +301,43 @@ mod tests {
         let expected = vec![[2, 4], [4, 1], [1, 2], [0, 1], [4, 0]];
         let vertices: Vec<_> = edges(&mesh).iter().map(|edge| edge.vertices).collect();
         assert_eq!(vertices, expected);
+    }
+
+    /// What a motion can invalidate, and that rigid and smooth motions do not.
+    #[test]
+    fn motions_that_invalidate_the_list() {
+        // A quad beside a tilted face; 5 is a copy of 1, on which a face stands
+        // whose corner 7 is at some distance of 6.
+        let mut mesh = mesh(
+            &CORNERS,
+            &[[0, 1, 2], [0, 2, 3], [2, 1, 4], [5, 6, 0], [7, 3, 0]],
+        );
+        mesh.positions[5] = mesh.positions[1];
+        mesh.positions
+            .extend([[0.5, -1.0, 0.0], [-1.0, 0.5, 0.3]].map(Vec3::from));
+        let before = edges(&mesh);
+        let after = |motion: &dyn Fn(usize, Vec3) -> Vec3| {
+            let positions = mesh.positions.iter().enumerate();
+            edges(&Mesh {
+                positions: positions.map(|(i, &p)| motion(i, p)).collect(),
+                faces: mesh.faces.clone(),
+            })
+        };
+        let turned = |p: Vec3| Vec3::new(0.6 * p.x - 0.8 * p.z, p.y, 0.8 * p.x + 0.6 * p.z);
+        assert_eq!(after(&|_, p| turned(p) + Vec3::new(5.0, 0.1, -3.0)), before);
+        assert_eq!(after(&|_, p| p * 1e-3), before);
+        let of_vertex = |vertex: usize, offset: Vec3| {
+            after(&move |i, p| if i == vertex { p + offset } else { p })
+        };
+        let up = Vec3::new(0.0, 0.0, 0.1);
+        assert_eq!(of_vertex(4, up), before);
+        // The quad bends; a copy moves away; two vertices meet; the tilted face
+        // becomes coplanar, or loses its area.
+        assert_ne!(of_vertex(3, up), before);
+        assert_ne!(of_vertex(5, up), before);
+        assert_ne!(of_vertex(7, mesh.positions[6] - mesh.positions[7]), before);
+        assert_ne!(of_vertex(4, Vec3::new(1.0, 0.0, -1.0)), before);
+        assert_ne!(of_vertex(4, mesh.positions[1] - mesh.positions[4]), before);
     }
 
     #[test]

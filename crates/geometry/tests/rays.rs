@@ -2,7 +2,7 @@
 
 mod common;
 
-use capwalk_geometry::{Mesh, Ray, RayTree, TreeError, oracle};
+use capwalk_geometry::{Mesh, Ray, RayTree, SilhouetteTree, TreeError, oracle};
 use capwalk_math::Vec3;
 use common::{Place, Spot};
 use proptest::prelude::*;
@@ -132,6 +132,59 @@ fn many_equal_triangles() {
     assert_eq!(tree.validate(&mesh), Ok(()));
     let ray = Ray::new(Vec3::new(0.3, -0.2, 1.0), Vec3::new(0.0, 0.0, -1.0));
     assert_eq!(tree.first_hit(&ray), oracle::first_hit(&mesh, &ray));
+}
+
+/// A tree that has followed one motion after another answers as a new one does,
+/// bit for bit, and knows how much slower it has become.
+#[test]
+fn refitted_trees_answer_like_new_ones() {
+    let mesh = common::ball(20, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
+    let mut tree = RayTree::build(&mesh);
+    assert_eq!(tree.degradation(), 1.0);
+    for (name, motion) in common::MOTIONS {
+        let moved = common::with_positions(&mesh, motion);
+        tree.refit(&moved);
+        assert_eq!(tree.validate(&moved), Ok(()), "{name}");
+        let new = RayTree::build(&moved);
+        let (low, high) = moved.bounds();
+        let above = Vec3::new(0.0, 0.0, 0.2 * (high - low).length());
+        let mut hits = 0;
+        for i in 0..2000 {
+            // From near and far, at points of faces.
+            let [a, b, c] = moved.corners((i * 97) % moved.faces.len());
+            let target = a * 0.2 + b * 0.3 + c * 0.5;
+            let start = mesh.positions[(i * 31) % mesh.positions.len()];
+            let origin = motion(start * [0.3, 1.0, 1.5, 40.0][i % 4]) + above;
+            let ray = Ray::new(origin, target - origin);
+            let found = tree.first_hit(&ray);
+            hits += usize::from(found.is_some());
+            assert_eq!(found, new.first_hit(&ray), "{name}, {ray:?}");
+            assert_eq!(tree.occluded(&ray), found.is_some(), "{name}, {ray:?}");
+            if i % 50 == 0 {
+                assert_eq!(found, oracle::first_hit(&moved, &ray), "{name}, {ray:?}");
+            }
+        }
+        let has_area = moved.area() > 0.0;
+        assert_eq!(hits > 500, has_area, "{name}: {hits} hits");
+        let degradation = tree.degradation();
+        let expected = match name {
+            "crumpled" => 1.5..20.0,
+            _ => 0.9..1.2,
+        };
+        let is_comparable = has_area && name != "flat";
+        assert!(
+            !is_comparable || expected.contains(&degradation),
+            "{name}: {degradation}"
+        );
+    }
+}
+
+/// Trees keep what they need, and threads may share them.
+#[test]
+fn trees_are_owned_and_shared() {
+    fn check<T: Send + Sync + 'static>() {}
+    check::<RayTree>();
+    check::<SilhouetteTree>();
 }
 
 /// A tree does not pass for another mesh's.

@@ -258,6 +258,54 @@ fn eyes_near_the_plane_of_a_face() {
     }
 }
 
+/// A tree that has followed one motion after another answers as a new one does,
+/// also where the cones of normals have become wide: the same closest
+/// silhouettes, bit for bit, and the same edges gathered.
+#[test]
+fn refitted_trees_answer_like_new_ones() {
+    let mesh = common::ball(20, |_| 1.0);
+    let edges = topology::edges(&mesh);
+    let mut tree = SilhouetteTree::build(&mesh, &edges);
+    assert_eq!(tree.degradation(), 1.0);
+    for (name, motion) in common::MOTIONS {
+        let moved = common::with_positions(&mesh, motion);
+        tree.refit(&moved);
+        assert_eq!(tree.validate(&moved, &edges), Ok(()), "{name}");
+        let new = SilhouetteTree::build(&moved, &edges);
+        for i in 0..400 {
+            let start = mesh.positions[(i * 31) % mesh.positions.len()];
+            let eye = motion(start * [0.3, 1.0, 1.5, 40.0][i % 4]);
+            let target = moved.positions[(i * 57) % moved.positions.len()];
+            let axis = (target - eye).normalized();
+            if !axis.is_finite() {
+                continue;
+            }
+            let mut query = query(eye, axis, [4.0, 0.3, 1e-3][i % 3]);
+            if i % 5 == 0 {
+                query.edges = EdgeSelection::All;
+            }
+            let found = tree.closest(&query);
+            assert_eq!(found, new.closest(&query), "{name}, {query:?}");
+            let counts = |point: &SilhouettePoint| point.edge % 3 == 0;
+            assert_eq!(
+                tree.closest_where(&query, counts),
+                new.closest_where(&query, counts),
+                "{name}, {query:?}"
+            );
+            let gathered = sorted(gathered(&tree, &query));
+            assert_eq!(gathered, sorted(self::gathered(&new, &query)), "{name}");
+            if i % 20 == 0 {
+                assert_eq!(found, oracle::closest_silhouette(&moved, &edges, &query));
+                assert_eq!(gathered, oracle::gather(&moved, &edges, &query));
+            }
+        }
+        if name == "crumpled" {
+            assert!(tree.degradation() > 1.5, "{}", tree.degradation());
+        }
+    }
+    assert_eq!(tree.degradation(), 1.0);
+}
+
 /// Nothing to find: no edges; an angle limit of zero; no groups.
 #[test]
 fn nothing_is_found() {

@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::ray_kernel::{self, LocalRay, RayNode, TriangleBlock};
 use crate::aabb::{Aabb, LocalFrame};
+use crate::bvh::cost::SurfaceCost;
 use crate::bvh::validate::{self, TreeError};
 use crate::bvh::{ChildKind, Topology, build, refit, traverse::Stack};
 use crate::mesh::Mesh;
@@ -23,6 +24,7 @@ pub struct RayTree {
     frame: LocalFrame,
     nodes: Vec<RayNode>,
     leaves: Vec<TriangleBlock>,
+    cost: SurfaceCost,
     instructions: Instructions,
 }
 
@@ -40,16 +42,19 @@ impl RayTree {
             frame,
             nodes: Vec::new(),
             leaves: Vec::new(),
+            cost: SurfaceCost::default(),
             instructions: Instructions::detect(),
         };
         tree.refit(mesh);
+        tree.cost.now_is_new();
         tree
     }
 
-    /// Follows moved vertices; the faces must be those it was built with.
+    /// Follows moved vertices; the faces must be those it was built with. Takes
+    /// time in proportion to their number, and no memory but for the boxes.
     ///
-    /// Answers stay exact however far vertices move; they only take longer the
-    /// less the mesh resembles the one the tree was built with.
+    /// Answers stay exact however far vertices move, bit for bit those of a new
+    /// tree; they only take longer, see [`degradation`](Self::degradation).
     pub fn refit(&mut self, mesh: &Mesh) {
         let topology = &self.topology;
         assert_eq!(
@@ -59,7 +64,8 @@ impl RayTree {
         );
         self.frame = frame_of(mesh);
         let frame = &self.frame;
-        let (leaves, leaf_bounds): (Vec<_>, Vec<_>) = (0..topology.leaf_count())
+        let mut leaf_bounds = Vec::new();
+        (0..topology.leaf_count())
             .into_par_iter()
             .with_min_len(256)
             .map(|leaf| {
@@ -69,13 +75,23 @@ impl RayTree {
                 });
                 (TriangleBlock::new(mesh, faces), bounds)
             })
-            .unzip();
-        self.leaves = leaves;
-        self.nodes = refit::child_bounds(topology, &leaf_bounds)
-            .iter()
-            .zip(&topology.nodes)
-            .map(|(bounds, &children)| RayNode::new(bounds, children))
-            .collect();
+            .unzip_into_vecs(&mut self.leaves, &mut leaf_bounds);
+        let bounds = refit::child_bounds(topology, &leaf_bounds);
+        self.nodes.clear();
+        self.nodes.extend(
+            bounds
+                .iter()
+                .zip(&topology.nodes)
+                .map(|(bounds, &children)| RayNode::new(bounds, children)),
+        );
+        self.cost.update(&bounds);
+    }
+
+    /// The expected number of nodes and leaves that a random line visits (the
+    /// surface-area cost), over that when the tree was built: 1 for a new tree,
+    /// and larger the less the mesh resembles the one it was built for.
+    pub fn degradation(&self) -> f64 {
+        self.cost.degradation()
     }
 
     /// Uses plain arithmetic from now on, whatever the processor can do: for

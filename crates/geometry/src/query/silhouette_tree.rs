@@ -1,5 +1,7 @@
 //! The tree of silhouettes: the closest one, Algorithm 5, and all in a cone.
 
+use std::ops::Range;
+
 use capwalk_math::Vec3;
 use rayon::prelude::*;
 
@@ -11,6 +13,7 @@ use super::edge_kernel;
 use super::gather::Gather;
 use super::tree_edge::TreeEdge;
 use crate::aabb::{Aabb, LocalFrame};
+use crate::bvh::cost::SurfaceCost;
 use crate::bvh::validate::{self, TreeError};
 use crate::bvh::{Topology, build, refit};
 use crate::edge::Edge;
@@ -96,6 +99,7 @@ pub struct SilhouetteTree {
     /// The edges in the order of the leaves: what queries need, and the rest.
     pub(super) edges: Vec<TreeEdge>,
     sources: Vec<Edge>,
+    cost: SurfaceCost,
     instructions: Instructions,
 }
 
@@ -124,50 +128,64 @@ impl SilhouetteTree {
             nodes: Vec::new(),
             leaves: Vec::new(),
             edges: Vec::new(),
+            cost: SurfaceCost::default(),
             instructions: Instructions::detect(),
         };
         tree.refit(mesh);
+        tree.cost.now_is_new();
         tree
     }
 
     /// Follows moved vertices; faces and edges must be those it was built with.
+    /// Takes time in proportion to the number of edges and the depth of the
+    /// tree, and memory for one copy of the edges.
     ///
-    /// Answers stay exact for these edges however far vertices move. But
-    /// [`topology::edges`](crate::topology::edges) leaves out edges between
-    /// coplanar faces: if a motion can bend such a pair, list the edges again
-    /// and build a new tree.
+    /// For these edges, answers stay exact however far vertices move: the closest
+    /// silhouettes are bit for bit those of a new tree, and the same edges are
+    /// gathered, in an order that may differ. They only take longer, see
+    /// [`degradation`](Self::degradation). Whether these still are the edges of
+    /// the mesh is another question, see [`topology`](crate::topology).
     pub fn refit(&mut self, mesh: &Mesh) {
         let topology = &self.topology;
-        self.edges = (&topology.order, &self.sources)
+        (&topology.order, &self.sources)
             .into_par_iter()
             .with_min_len(1024)
             .map(|(&id, edge)| TreeEdge::new(mesh, id, edge))
-            .collect();
+            .collect_into_vec(&mut self.edges);
         self.frame = LocalFrame::around(self.edges.iter().flat_map(|edge| edge.ends));
         let local: Vec<LocalEdge> = (&self.edges, &self.sources)
             .into_par_iter()
             .with_min_len(1024)
             .map(|(edge, source)| edge.local(&self.frame, source.groups))
             .collect();
-        self.leaves = (0..topology.leaf_count())
+        let below = |leaves: Range<u32>| {
+            let [start, end] =
+                [leaves.start, leaves.end].map(|leaf| topology.leaf_starts[leaf as usize] as usize);
+            (start, &local[start..end])
+        };
+        let mut leaf_bounds = Vec::new();
+        (0..topology.leaf_count() as u32)
             .into_par_iter()
             .with_min_len(256)
             .map(|leaf| {
-                let [start, end] = [leaf, leaf + 1].map(|i| topology.leaf_starts[i] as usize);
-                EdgeBlock::new(start, &local[start..end])
+                let (start, edges) = below(leaf..leaf + 1);
+                let bounds = Aabb::around(edges.iter().flat_map(|edge| edge.ends));
+                (EdgeBlock::new(start, edges), bounds)
             })
-            .collect();
-        let below = refit::child_leaves(topology);
-        self.nodes = (0..topology.nodes.len())
+            .unzip_into_vecs(&mut self.leaves, &mut leaf_bounds);
+        let leaves = refit::child_leaves(topology);
+        (&topology.nodes, &leaves)
             .into_par_iter()
-            .map(|index| {
-                ConeNode::new(&topology.nodes[index], |slot| {
-                    let [start, end] = [below[index][slot].start, below[index][slot].end]
-                        .map(|leaf| topology.leaf_starts[leaf as usize] as usize);
-                    &local[start..end]
-                })
-            })
-            .collect();
+            .map(|(children, leaves)| ConeNode::new(children, |slot| below(leaves[slot].clone()).1))
+            .collect_into_vec(&mut self.nodes);
+        self.cost
+            .update(&refit::child_bounds(topology, &leaf_bounds));
+    }
+
+    /// The surface-area cost of the tree over that when it was built: 1 for a new
+    /// tree, and larger the less the mesh resembles the one it was built for.
+    pub fn degradation(&self) -> f64 {
+        self.cost.degradation()
     }
 
     /// Uses plain arithmetic from now on, whatever the processor can do: for

@@ -227,3 +227,33 @@ pub fn moved(mesh: &Mesh, place: &Place, amount: f64, seed: u64) -> Mesh {
     }
     moved
 }
+
+/// Motions of a mesh about the size of 1, from harmless to ruinous: each is
+/// applied to the mesh at rest.
+pub const MOTIONS: [(&str, fn(Vec3) -> Vec3); 9] = [
+    ("a little", |p| p + Vec3::new(p.y, p.z, p.x) * 1e-3),
+    ("ripples", |p| {
+        p + p * (0.02 * (40.0 * p.x).sin() * (40.0 * p.y).sin())
+    }),
+    ("crumpled", |p| {
+        Vec3::new(
+            (5.0 * p.x + 3.0 * p.y).sin(),
+            (4.0 * p.y - 2.0 * p.z).sin(),
+            (6.0 * p.z + p.x).sin(),
+        )
+    }),
+    ("inside out", |p| -p),
+    ("flat", |p| Vec3::new(p.x, p.y, 0.0)),
+    ("a line", |p| Vec3::new(p.x, 0.0, 0.0)),
+    ("a point", |_| Vec3::splat(0.3)),
+    ("far and small", |p| p * 1e-3 + Vec3::new(1e6, -2e6, 3e5)),
+    ("as before", |p| p),
+];
+
+/// The mesh with every vertex moved.
+pub fn with_positions(mesh: &Mesh, motion: fn(Vec3) -> Vec3) -> Mesh {
+    Mesh {
+        positions: mesh.positions.iter().map(|&p| motion(p)).collect(),
+        faces: mesh.faces.clone(),
+    }
+}
