@@ -8,7 +8,7 @@
 //! in other mirrors lie behind these mirrors' outlines, which are boundaries.
 
 use capwalk_geometry::topology::COPLANAR;
-use capwalk_geometry::{ConeQuery, Hit, Plane, Ray, SilhouettePoint};
+use capwalk_geometry::{ConeQuery, HalfSpace, Hit, Ray, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_walk::{Domain, Nearest, Sphere};
@@ -80,7 +80,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
                     self.field.accel.surface_ray(eye, direction)
                 }
             },
-            eye: self.direct.eye,
+            eye: self.direct.origin,
             axis: direction,
             events: [Event::Pass; MAX_EVENTS as usize],
             mirrors: Mirrors::default(),
@@ -105,12 +105,12 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
             let normal = accel.mesh.face_cross(hit.face as usize);
             let side = normal.dot(behind.ray.direction).signum();
             let query = ConeQuery {
-                eye: behind.eye,
+                apex: behind.eye,
                 axis: behind.axis,
                 max_angle: best.map_or(limit, |nearest| nearest.distance),
                 edges: self.direct.edges,
                 groups: self.direct.groups,
-                in_front_of: (!is_parallel).then_some(Plane {
+                in_front_of: (!is_parallel).then_some(HalfSpace {
                     point: behind.ray.origin,
                     normal: normal * side,
                 }),

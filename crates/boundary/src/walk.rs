@@ -65,7 +65,7 @@ pub(crate) fn sphere<'e, R: Real>(
     ReflectedSphere {
         direct: Sphere {
             tree,
-            eye: apex,
+            origin: apex,
             edges: viewpoint.selection,
             groups: viewpoint.group,
             in_front_of: None,

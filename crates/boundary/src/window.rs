@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use capwalk_geometry::{ConeQuery, EdgeSelection, Mesh, Plane};
+use capwalk_geometry::{ConeQuery, EdgeSelection, HalfSpace, Mesh};
 use capwalk_math::{Frame, Vec3, sphere};
 use capwalk_scene::{Emitter, EmitterId, Scene};
 
@@ -91,7 +91,7 @@ impl AreaEmitter {
                 }
                 let size = |p: &Vec3| (*p - hull[0]).length();
                 let size = hull.iter().map(size).fold(0.0, f64::max);
-                in_front_of = Some(Plane {
+                in_front_of = Some(HalfSpace {
                     point: hull[0] - *normal * (MARGIN * size),
                     normal: *normal,
                 });
@@ -121,7 +121,7 @@ impl AreaEmitter {
         let (axis, max_angle) = if is_narrow { (axis, max_angle) } else { all };
         Some(Window {
             cone: ConeQuery {
-                eye,
+                apex: eye,
                 axis,
                 max_angle,
                 edges: EdgeSelection::Silhouettes,

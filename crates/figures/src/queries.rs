@@ -74,7 +74,7 @@ impl Subject {
         };
         let cone = |&(eye, axis): &(Vec3, Vec3), max_angle: f64| {
             let query = ConeQuery {
-                eye,
+                apex: eye,
                 axis,
                 max_angle,
                 edges: EdgeSelection::Silhouettes,

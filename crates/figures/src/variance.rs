@@ -7,7 +7,7 @@ use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
 use capwalk_walk::plane::CurvePoint;
 use capwalk_walk::{
-    Domain, Estimator, Outline, Plane, Sphere, Triangle, WalkSettings, sample_field,
+    Domain, Estimator, Plane, Sphere, Triangle, TriangleBoundary, WalkSettings, sample_field,
 };
 use rayon::prelude::*;
 
@@ -145,9 +145,9 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                     .map(|[x, y]| Vec3::new(x, y, BEHIND)),
             };
             let q = sphere::walk_along(foot, -inward, distance);
-            let velocity = |site: &Outline| match site {
-                Outline::Border => Vec3::zero(),
-                Outline::Silhouette(point) => {
+            let velocity = |site: &TriangleBoundary| match site {
+                TriangleBoundary::Border => Vec3::zero(),
+                TriangleBoundary::Silhouette(point) => {
                     // On the triangle's plane, Eq. (28), and as it is seen around
                     // the direction in which its divergence is asked for, Eq. (37).
                     let seen = point.direction;

@@ -80,11 +80,11 @@ struct Scene {
     yardstick_triangles: Vec<RtTriangle>,
 }
 
-/// An eye and a unit axis. The eyes lie around the mesh, evenly between 1.2 and
+/// A viewpoint and a unit axis. The viewpoints lie around the mesh, evenly between 1.2 and
 /// 3 times its radius; each looks at an even point within 1.1 times its radius,
 /// so some look past it.
 struct View {
-    eye: Vec3,
+    viewpoint: Vec3,
     axis: Vec3,
 }
 
@@ -102,11 +102,11 @@ impl Scene {
         let in_leaf_order = |&index: &u32| RtTriangle::from(&triangles[index as usize]);
         let mut random = Random::new(7);
         let views = (0..VIEWS).map(|_| {
-            let eye = random.direction() * (1.2 + 1.8 * random.unit());
+            let viewpoint = random.direction() * (1.2 + 1.8 * random.unit());
             let target = random.direction() * (1.1 * random.unit().cbrt());
             View {
-                eye,
-                axis: (target - eye).normalized(),
+                viewpoint,
+                axis: (target - viewpoint).normalized(),
             }
         });
         Self {
@@ -140,21 +140,24 @@ fn first_hit(scene: &Scene, views: &[View]) -> usize {
     count(views, |view| {
         scene
             .ray_tree
-            .first_hit(&Ray::new(view.eye, view.axis))
+            .first_hit(&Ray::new(view.viewpoint, view.axis))
             .is_some()
     })
 }
 
 fn occluded(scene: &Scene, views: &[View]) -> usize {
     count(views, |view| {
-        scene.ray_tree.occluded(&Ray::new(view.eye, view.axis))
+        scene
+            .ray_tree
+            .occluded(&Ray::new(view.viewpoint, view.axis))
     })
 }
 
 fn first_hit_yardstick(scene: &Scene, views: &[View]) -> usize {
     count(views, |view| {
-        let [eye, axis] = [view.eye, view.axis].map(|v| v.to_array().map(|c| c as f32).into());
-        let ray = YardstickRay::new_inf(eye, axis);
+        let [viewpoint, axis] =
+            [view.viewpoint, view.axis].map(|v| v.to_array().map(|c| c as f32).into());
+        let ray = YardstickRay::new_inf(viewpoint, axis);
         let mut hit = RayHit::none();
         scene.yardstick.ray_traverse(ray, &mut hit, |ray, index| {
             scene.yardstick_triangles[index].intersect(ray)
@@ -174,7 +177,7 @@ fn closest_silhouette_nearby(scene: &Scene, views: &[View]) -> usize {
 
 fn closest_within(scene: &Scene, view: &View, max_angle: f64) -> bool {
     let query = ConeQuery {
-        eye: view.eye,
+        apex: view.viewpoint,
         axis: view.axis,
         max_angle,
         edges: EdgeSelection::Silhouettes,

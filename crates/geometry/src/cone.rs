@@ -43,12 +43,12 @@ impl NormalCone {
 
     /// For edges within `radius` of a centre, and in planes that pass the centre
     /// within `height`: the number `k` such that none of the edges, if their
-    /// normals are in the cone, is a silhouette if the vector `v` from the eye
+    /// normals are in the cone, is a silhouette if the vector `v` from the viewpoint
     /// to the centre has
     ///
     ///   |axis · v| > sin |v| + k.
     ///
-    /// The eye lies on the same side of all planes if `n · v > height` for all
+    /// The viewpoint lies on the same side of all planes if `n · v > height` for all
     /// normals `n`. The least `n · v` is `x cos - √(v² - x²) sin` with
     /// `x = axis · v`; it vanishes at `x = sin |v|` and grows from there at
     /// least like `x cos`, hence `k = height / cos`. By the angle that the

@@ -32,44 +32,47 @@ pub enum Sides {
     },
 }
 
-/// A face whose plane passes the eye within this fraction of the coordinates'
-/// size is the face that the eye lies on, whose orientation test would be 0/0
+/// A face whose plane passes the viewpoint within this fraction of the coordinates'
+/// size is the face that the viewpoint lies on, whose orientation test would be 0/0
 /// (METHOD 1). Ray hits in double precision stay within some 1e-14 of it.
-pub const ON_PLANE: f64 = 1e-11;
+pub(crate) const ON_PLANE: f64 = 1e-11;
 
-/// 1 if the eye sees the front of a face, -1 if its back, 0 if it lies in its
+/// 1 if the viewpoint sees the front of a face, -1 if its back, 0 if it lies in its
 /// plane. The face has the normal `cross`, of any length, and contains `point`.
 #[inline]
-fn side_seen(cross: Vec3, point: Vec3, eye: Vec3) -> i32 {
-    let height = cross.dot(eye - point);
+fn side_seen(cross: Vec3, point: Vec3, viewpoint: Vec3) -> i32 {
+    let height = cross.dot(viewpoint - point);
     let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
-    let tolerance = ON_PLANE * (sum(eye) + sum(point)) * cross.length();
+    let tolerance = ON_PLANE * (sum(viewpoint) + sum(point)) * cross.length();
     i32::from(height > tolerance) - i32::from(height < -tolerance)
 }
 
 /// True if an edge through `point` between faces with these normals may bound
-/// what the eye sees: one face is seen from the front and the other from
-/// behind, or one has the eye in its plane. The latter is the eye's own face;
-/// its edges are the horizon, whichever side of the face the eye is on.
+/// what the viewpoint sees: one face is seen from the front and the other from
+/// behind, or one has the viewpoint in its plane. The latter is the viewpoint's own face;
+/// its edges are the horizon, whichever side of the face the viewpoint is on.
 #[inline]
-pub fn separates(crosses: [Vec3; 2], point: Vec3, flipped: bool, eye: Vec3) -> bool {
+pub(crate) fn separates(crosses: [Vec3; 2], point: Vec3, flipped: bool, viewpoint: Vec3) -> bool {
     let [first, second] = crosses;
-    let (first, second) = (side_seen(first, point, eye), side_seen(second, point, eye));
+    let (first, second) = (
+        side_seen(first, point, viewpoint),
+        side_seen(second, point, viewpoint),
+    );
     let second = if flipped { -second } else { second };
     first * second <= 0
 }
 
 impl Edge {
-    /// True if the visible surface ends or folds at this edge seen from `eye`.
+    /// True if the visible surface ends or folds at this edge seen from `viewpoint`.
     #[inline]
-    pub fn is_silhouette(&self, mesh: &Mesh, eye: Vec3) -> bool {
+    pub fn is_silhouette(&self, mesh: &Mesh, viewpoint: Vec3) -> bool {
         match self.sides {
             Sides::Open => true,
             Sides::Between { faces, flipped } => {
                 // On both faces, so both planes are met at the same point.
                 let point = mesh.positions[self.vertices[0] as usize];
                 let crosses = faces.map(|face| mesh.face_cross(face as usize));
-                separates(crosses, point, flipped, eye)
+                separates(crosses, point, flipped, viewpoint)
             }
         }
     }
@@ -88,9 +91,9 @@ pub struct ClosestDirection {
     pub angle: f64,
 }
 
-/// The point of the segment `a b` (relative to the eye) under the smallest
+/// The point of the segment `a b` (relative to the viewpoint) under the smallest
 /// angle to the unit vector `axis`, Eq. (30); `None` if the segment passes
-/// through the eye.
+/// through the viewpoint.
 ///
 /// The angle has full relative precision however small it is.
 #[inline]
@@ -144,31 +147,31 @@ mod tests {
 
     const AXIS: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 
-    /// Inside the segment, at either end, and behind the eye.
+    /// Inside the segment, at either end, and behind the viewpoint.
     #[test]
     fn closest_is_inside_or_an_end() {
         let at = |a: [f64; 3], b: [f64; 3]| closest_direction(a.into(), b.into(), AXIS);
-        let inside = at([-1.0, 1e-9, 1.0], [3.0, 1e-9, 1.0]).expect("does not meet the eye");
+        let inside = at([-1.0, 1e-9, 1.0], [3.0, 1e-9, 1.0]).expect("does not meet the viewpoint");
         assert_eq!(inside.t, 0.25);
         assert!((inside.angle / 1e-9 - 1.0).abs() < 1e-9);
-        let first = at([1.0, 0.0, 1.0], [3.0, 1.0, 1.0]).expect("does not meet the eye");
+        let first = at([1.0, 0.0, 1.0], [3.0, 1.0, 1.0]).expect("does not meet the viewpoint");
         assert_eq!((first.t, first.distance), (0.0, 2.0_f64.sqrt()));
-        let second = at([3.0, 1.0, 1.0], [1.0, 0.0, 1.0]).expect("does not meet the eye");
+        let second = at([3.0, 1.0, 1.0], [1.0, 0.0, 1.0]).expect("does not meet the viewpoint");
         assert_eq!((second.t, second.angle), (1.0, first.angle));
         // The line's nearest point lies behind: the segment is farthest there.
-        let behind = at([-1.0, 0.1, -1.0], [2.0, 0.1, -1.0]).expect("does not meet the eye");
+        let behind = at([-1.0, 0.1, -1.0], [2.0, 0.1, -1.0]).expect("does not meet the viewpoint");
         assert_eq!(behind.t, 1.0);
     }
 
-    /// Segments through the eye have no direction, whichever end comes first.
+    /// Segments through the viewpoint have no direction, whichever end comes first.
     #[test]
     fn segments_through_the_eye() {
         let (zero, p) = (Vec3::zero(), Vec3::new(1.0, 2.0, 3.0));
         for (a, b) in [(zero, p), (p, zero), (p, -p), (zero, zero)] {
             assert!(closest_direction(a, b, AXIS).is_none(), "{a:?} {b:?}");
         }
-        // Seen end-on, but not through the eye.
-        let end_on = closest_direction(p, p * 2.0, AXIS).expect("does not meet the eye");
+        // Seen end-on, but not through the viewpoint.
+        let end_on = closest_direction(p, p * 2.0, AXIS).expect("does not meet the viewpoint");
         assert!((end_on.direction - p.normalized()).length() < 1e-15);
         // A point.
         assert!(closest_direction(p, p, AXIS).is_some());
@@ -179,7 +182,7 @@ mod tests {
     #[test]
     fn closest_is_closest() {
         let [a, b] = [[0.3, -2.0, 1.0], [0.2, 1.5, -0.5]].map(Vec3::from);
-        let closest = closest_direction(a, b, AXIS).expect("does not meet the eye");
+        let closest = closest_direction(a, b, AXIS).expect("does not meet the viewpoint");
         let angle_at = |t: f64| sphere::angle_between(AXIS, (a + (b - a) * t).normalized());
         let least = (0..=1000)
             .map(|i| angle_at(1e-3 * f64::from(i)))

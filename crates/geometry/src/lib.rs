@@ -2,8 +2,10 @@
 //!
 //! Two trees answer everything: [`RayTree`] over triangles (first hit,
 //! occluded) and [`SilhouetteTree`] over edges (the boundary point seen under
-//! the smallest angle to an axis, Algorithm 5). Every accelerated query has a
-//! brute-force twin in [`oracle`].
+//! the smallest angle to an axis, Algorithm 5, and all boundary edges in a cone).
+//! They own what they need, can be shared between threads, and follow moving
+//! vertices by `refit`. Every accelerated query has a brute-force twin in
+//! [`oracle`].
 //!
 //! Nothing here knows about light or walks.
 
@@ -11,15 +13,17 @@ mod aabb;
 mod bvh;
 mod cone;
 pub mod edge;
-pub mod mesh;
+mod local_frame;
+mod mesh;
 pub mod oracle;
-pub mod query;
+mod query;
 pub mod ray;
 mod simd;
+#[cfg(test)]
+mod tests;
 pub mod topology;
 
-pub use bvh::validate::TreeError;
 pub use edge::{Edge, Sides};
 pub use mesh::{Mesh, MeshError};
-pub use query::{ConeQuery, EdgeSelection, Plane, RayTree, SilhouettePoint, SilhouetteTree};
+pub use query::{ConeQuery, EdgeSelection, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree};
 pub use ray::{Hit, Ray};

@@ -63,7 +63,7 @@ fn closest_points(
     let counts = |edge: &Edge| {
         let [a, b] = edge.vertices.map(|i| mesh.positions[i as usize]);
         edge.groups & query.groups != 0
-            && (query.edges == EdgeSelection::All || edge.is_silhouette(mesh, query.eye))
+            && (query.edges == EdgeSelection::All || edge.is_silhouette(mesh, query.apex))
             && !query.in_front_of.is_some_and(|plane| plane.hides([a, b]))
     };
     edges
@@ -73,7 +73,7 @@ fn closest_points(
         .filter_map(|(id, edge)| {
             let [a, b] = edge
                 .vertices
-                .map(|i| mesh.positions[i as usize] - query.eye);
+                .map(|i| mesh.positions[i as usize] - query.apex);
             let closest = closest_direction(a, b, query.axis)?;
             (closest.angle < query.max_angle).then_some(SilhouettePoint {
                 edge: id as u32,

@@ -84,7 +84,7 @@ pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> Silhou
         normal * normal.dot(axis).signum()
     });
     let query = ConeQuery {
-        eye: view.eye,
+        apex: view.eye,
         axis,
         max_angle: widest.fold(0.0, f64::max) + MARGIN,
         edges: EdgeSelection::All,

@@ -34,5 +34,5 @@ pub use interval::Interval;
 pub use plane::Plane;
 pub use random_step::{Arrival, ShellSettings, sample_harmonic};
 pub use sphere::Sphere;
-pub use triangle::{Outline, Triangle};
+pub use triangle::{Triangle, TriangleBoundary};
 pub use weighted_average::WeightedAverage;

@@ -2,23 +2,23 @@
 
 use std::cell::Cell;
 
-use capwalk_geometry::{ConeQuery, EdgeSelection, Plane, SilhouettePoint, SilhouetteTree};
+use capwalk_geometry::{ConeQuery, EdgeSelection, HalfSpace, SilhouettePoint, SilhouetteTree};
 use capwalk_math::{Frame, Vec3, sphere};
 
 use crate::domain::{Domain, Nearest};
 
-/// The sphere of directions around `eye`, bounded by the edges seen from it.
+/// The sphere of directions around a point, bounded by the edges seen from it.
 pub struct Sphere<'a, F = fn(&SilhouettePoint) -> bool> {
     /// The edges.
     pub tree: &'a SilhouetteTree,
     /// The shading point, the paper's `p_{K+1}`.
-    pub eye: Vec3,
+    pub origin: Vec3,
     /// Which edges are boundaries.
     pub edges: EdgeSelection,
     /// Only edges of these groups are.
     pub groups: u8,
     /// Edges wholly behind it are not (`domain = triangle`).
-    pub in_front_of: Option<Plane>,
+    pub in_front_of: Option<HalfSpace>,
     /// Which points of these edges count, for example only those that can be
     /// seen; `None` if all of them do.
     pub counts: Option<F>,
@@ -27,11 +27,11 @@ pub struct Sphere<'a, F = fn(&SilhouettePoint) -> bool> {
 }
 
 impl<'a> Sphere<'a> {
-    /// The sphere around an eye, bounded by all silhouettes that are seen from it.
-    pub fn of_silhouettes(tree: &'a SilhouetteTree, eye: Vec3) -> Self {
+    /// The sphere around a point, bounded by all silhouettes that are seen from it.
+    pub fn of_silhouettes(tree: &'a SilhouetteTree, origin: Vec3) -> Self {
         Self {
             tree,
-            eye,
+            origin,
             edges: EdgeSelection::Silhouettes,
             groups: u8::MAX,
             in_front_of: None,
@@ -49,7 +49,7 @@ impl<F: Fn(&SilhouettePoint) -> bool> Domain for Sphere<'_, F> {
     fn closest(&self, q: Vec3, limit: f64) -> Option<Nearest<SilhouettePoint, Vec3>> {
         self.queries.set(self.queries.get() + 1);
         let query = ConeQuery {
-            eye: self.eye,
+            apex: self.origin,
             axis: q,
             max_angle: limit,
             edges: self.edges,

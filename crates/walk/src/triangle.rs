@@ -8,18 +8,18 @@ use capwalk_math::Vec3;
 use crate::domain::{Domain, Nearest};
 use crate::sphere::Sphere;
 
-/// The directions from an eye to a triangle, bounded by the triangle's own border
+/// The directions from a point to a triangle, bounded by the triangle's own border
 /// and by the silhouettes before it. Walks that start inside stay inside.
 pub struct Triangle<'a, F> {
-    /// The sphere around the eye, with the edges that may be before the triangle.
+    /// The sphere around the point, with the edges that may be before the triangle.
     pub sphere: Sphere<'a, F>,
-    /// The corners relative to the eye.
+    /// The corners relative to the point.
     pub corners: [Vec3; 3],
 }
 
 /// A boundary point of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Outline {
+pub enum TriangleBoundary {
     /// On its own border: a topological boundary.
     Border,
     /// On a silhouette before it: a visibility boundary.
@@ -30,13 +30,13 @@ impl<F> Triangle<'_, F> {
     /// The closest point of the border: within this angle of a direction to the
     /// triangle everything lies on the triangle (the initial half-angle of
     /// Algorithm 6).
-    fn border(&self, q: Vec3) -> Option<Nearest<Outline, Vec3>> {
+    fn border(&self, q: Vec3) -> Option<Nearest<TriangleBoundary, Vec3>> {
         let [a, b, c] = self.corners;
         let sides = [[a, b], [b, c], [c, a]].into_iter();
         let closest = sides.filter_map(|[from, to]| closest_direction(from, to, q));
         let nearest = closest.min_by(|x, y| x.angle.total_cmp(&y.angle))?;
         Some(Nearest {
-            site: Outline::Border,
+            site: TriangleBoundary::Border,
             point: nearest.direction,
             distance: nearest.angle,
         })
@@ -45,13 +45,13 @@ impl<F> Triangle<'_, F> {
 
 impl<F: Fn(&SilhouettePoint) -> bool> Domain for Triangle<'_, F> {
     type Vector = Vec3;
-    type Site = Outline;
+    type Site = TriangleBoundary;
 
-    fn closest(&self, q: Vec3, limit: f64) -> Option<Nearest<Outline, Vec3>> {
+    fn closest(&self, q: Vec3, limit: f64) -> Option<Nearest<TriangleBoundary, Vec3>> {
         let border = self.border(q).filter(|border| border.distance < limit);
         let limit = border.map_or(limit, |border| border.distance);
         let silhouette = self.sphere.closest(q, limit).map(|nearest| Nearest {
-            site: Outline::Silhouette(nearest.site),
+            site: TriangleBoundary::Silhouette(nearest.site),
             point: nearest.point,
             distance: nearest.distance,
         });

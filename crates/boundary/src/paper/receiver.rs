@@ -16,7 +16,7 @@
 //! All of this is linear in the velocities of the triangle's corners, of the
 //! boundary points that `v` is made of, and of the eye: a [`Flow`].
 
-use capwalk_geometry::{Hit, Mesh, Plane};
+use capwalk_geometry::{HalfSpace, Hit, Mesh};
 use capwalk_math::{Frame, Vec3};
 
 use super::flow::{Flow, FlowSource};
@@ -74,10 +74,10 @@ impl Receiver {
 
     /// The triangle's plane, its front towards the eye, moved back by a distance:
     /// what lies behind hides nothing of the triangle (Section 6.1).
-    pub fn plane(&self, back: f64) -> Plane {
+    pub fn plane(&self, back: f64) -> HalfSpace {
         let towards = -self.cross.dot(self.direction).signum();
         let normal = self.cross.normalized() * towards;
-        Plane {
+        HalfSpace {
             point: self.corners[0] - normal * back,
             normal,
         }

@@ -14,7 +14,7 @@ use std::cell::Cell;
 
 use capwalk_geometry::{EdgeSelection, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
-use capwalk_walk::{Outline, Sphere, Triangle, WalkSettings, sample_field};
+use capwalk_walk::{Sphere, Triangle, TriangleBoundary, WalkSettings, sample_field};
 
 use super::flow::Flow;
 use super::receiver::{PlaneVelocity, Receiver};
@@ -84,7 +84,7 @@ impl Field<'_> {
         Triangle {
             sphere: Sphere {
                 tree: self.boundaries.tree(),
-                eye: position,
+                origin: position,
                 edges: EdgeSelection::Silhouettes,
                 groups: SEEN,
                 in_front_of: Some(receiver.plane(IN_PLANE * receiver.distance)),
@@ -110,7 +110,7 @@ impl Field<'_> {
         random.draw.count_queries(triangle.sphere.queries.get());
         let mut flow = receiver.material();
         for term in sample.terms() {
-            if let Outline::Silhouette(point) = &term.site {
+            if let TriangleBoundary::Silhouette(point) = &term.site {
                 let velocity = self.projected(eye, &receiver, point);
                 let divergence = receiver.divergence(term.slope);
                 receiver.add(&mut flow, &velocity, term.weight, divergence);
@@ -177,7 +177,7 @@ mod tests {
                 let (Some(a), Some(b)) = (nearest(step), nearest(step + 1)) else {
                     continue;
                 };
-                meets += u32::from(a.site != Outline::Border);
+                meets += u32::from(a.site != TriangleBoundary::Border);
                 let change = (a.distance - b.distance).abs();
                 let angle = triangle.distance(at(step), at(step + 1));
                 assert!(change < angle + 1e-12, "{row}, {step}: {change} > {angle}");

@@ -1,6 +1,6 @@
 //! Nearest first over the whole tree: children still to visit, sorted roughly.
 
-use super::Child;
+use super::hierarchy::Child;
 
 /// How many lists there are.
 const BUCKETS: usize = 64;

@@ -1,11 +1,12 @@
 //! Building a tree: binned surface-area splits (Wald 2007), then up to eight
-//! neighbouring subtrees gathered under one node (`gather.rs`).
+//! neighbouring subtrees gathered under one node (`widen.rs`).
 //!
 //! Large ranges are split in parallel. Which thread does what cannot change
 //! the result: each range of primitives has its own slots for its nodes.
 
-use super::gather;
-use super::{MAX_DEPTH, Topology};
+use super::binary::BinaryNode;
+use super::hierarchy::{Hierarchy, MAX_DEPTH};
+use super::widen::widen;
 use crate::aabb::Aabb;
 
 /// Bins per axis. More find slightly better splits and cost building time.
@@ -21,40 +22,17 @@ struct Primitive {
     id: u32,
 }
 
-/// A node of the binary tree. The `n` primitives from `start` on own the
-/// slots from `2 start` to `2 (start + n) - 2`; their node is the first.
-#[derive(Clone, Copy)]
-pub(super) struct BinaryNode {
-    pub half_area: f32,
-    pub start: u32,
-    /// Primitives in the left half; 0 for a leaf.
-    left: u32,
-}
-
-impl BinaryNode {
-    /// The slots of the two halves of the node at `slot`; `None` for a leaf.
-    pub fn halves(&self, slot: usize) -> Option<[usize; 2]> {
-        (self.left > 0).then(|| [slot + 1, slot + 2 * self.left as usize])
-    }
-}
-
-const UNUSED: BinaryNode = BinaryNode {
-    half_area: 0.0,
-    start: 0,
-    left: 0,
-};
-
 /// A tree over primitives with the given boxes, at most `leaf_size` to a leaf.
-pub fn build(bounds: &[Aabb], leaf_size: usize) -> Topology {
+pub fn build(bounds: &[Aabb], leaf_size: usize) -> Hierarchy {
     if bounds.is_empty() {
-        return Topology::default();
+        return Hierarchy::default();
     }
     let mut primitives: Vec<Primitive> = bounds
         .iter()
         .zip(0..)
         .map(|(&bounds, id)| Primitive { bounds, id })
         .collect();
-    let mut binary = vec![UNUSED; 2 * primitives.len() - 1];
+    let mut binary = vec![BinaryNode::UNUSED; 2 * primitives.len() - 1];
     let whole = Range {
         primitives: &mut primitives,
         nodes: &mut binary,
@@ -63,14 +41,14 @@ pub fn build(bounds: &[Aabb], leaf_size: usize) -> Topology {
     };
     split_recursively(whole, leaf_size);
 
-    let mut topology = Topology {
+    let mut hierarchy = Hierarchy {
         nodes: Vec::new(),
         order: primitives.iter().map(|primitive| primitive.id).collect(),
         leaf_starts: Vec::new(),
     };
-    gather::gather(&binary, &mut topology);
-    topology.leaf_starts.push(bounds.len() as u32);
-    topology
+    widen(&binary, &mut hierarchy);
+    hierarchy.leaf_starts.push(bounds.len() as u32);
+    hierarchy
 }
 
 /// A range of primitives with the node slots it owns.

@@ -1,7 +1,7 @@
 //! What a tree costs to traverse, so that a caller can tell when refitting has
 //! made it so much worse that building it anew pays.
 
-use super::WIDTH;
+use super::hierarchy::WIDTH;
 use crate::aabb::Aabb;
 
 /// The surface-area cost of a tree: how many nodes and leaves a random line that

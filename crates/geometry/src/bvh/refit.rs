@@ -2,18 +2,23 @@
 
 use std::ops::Range;
 
-use super::{Child, ChildKind, Topology, WIDTH};
+use super::hierarchy::{Child, ChildKind, Hierarchy, WIDTH};
 use crate::aabb::Aabb;
 
 /// The box of each child of each node; empty for empty slots.
-pub fn child_bounds(topology: &Topology, leaf_bounds: &[Aabb]) -> Vec<[Aabb; WIDTH]> {
-    fold_up(topology, Aabb::EMPTY, |leaf| leaf_bounds[leaf], Aabb::union)
+pub fn child_bounds(hierarchy: &Hierarchy, leaf_bounds: &[Aabb]) -> Vec<[Aabb; WIDTH]> {
+    fold_up(
+        hierarchy,
+        Aabb::EMPTY,
+        |leaf| leaf_bounds[leaf],
+        Aabb::union,
+    )
 }
 
 /// The leaves below each child of each node; `0..0` for empty slots.
-pub fn child_leaves(topology: &Topology) -> Vec<[Range<u32>; WIDTH]> {
+pub fn child_leaves(hierarchy: &Hierarchy) -> Vec<[Range<u32>; WIDTH]> {
     let leaf = |leaf: usize| leaf as u32..leaf as u32 + 1;
-    fold_up(topology, 0..0, leaf, |a, b| {
+    fold_up(hierarchy, 0..0, leaf, |a, b| {
         match (a.is_empty(), b.is_empty()) {
             (true, _) => b.clone(),
             (_, true) => a.clone(),
@@ -24,15 +29,15 @@ pub fn child_leaves(topology: &Topology) -> Vec<[Range<u32>; WIDTH]> {
 
 /// What `merge` makes of everything below each child.
 fn fold_up<T: Clone>(
-    topology: &Topology,
+    hierarchy: &Hierarchy,
     empty: T,
     leaf: impl Fn(usize) -> T,
     merge: impl Fn(&T, &T) -> T,
 ) -> Vec<[T; WIDTH]> {
     let none: [T; WIDTH] = std::array::from_fn(|_| empty.clone());
-    let mut folded = vec![none; topology.nodes.len()];
+    let mut folded = vec![none; hierarchy.nodes.len()];
     // Children come after their parents, so this meets them first.
-    for (node, children) in topology.nodes.iter().enumerate().rev() {
+    for (node, children) in hierarchy.nodes.iter().enumerate().rev() {
         for (i, child) in children
             .iter()
             .map(|child: &Child| child.kind())

@@ -1,6 +1,7 @@
 //! What holds for every tree, checked after the fact.
 
-use super::{ChildKind, MAX_DEPTH, Topology};
+use super::hierarchy::{ChildKind, Hierarchy, MAX_DEPTH};
+use super::refit::child_leaves;
 use crate::aabb::Aabb;
 
 /// A broken invariant of a tree, and where.
@@ -76,69 +77,17 @@ pub enum TreeError {
     },
 }
 
-impl std::fmt::Display for TreeError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::PrimitiveCount { primitive, leaves } => {
-                write!(
-                    f,
-                    "primitive {primitive} lies in {leaves} leaves; expected 1"
-                )
-            }
-            Self::ParentCount { child, parents } => {
-                write!(
-                    f,
-                    "{child:?} has {parents} parents; expected 1 (the root: 0)"
-                )
-            }
-            Self::BadChild { node, slot } => write!(
-                f,
-                "child {slot} of node {node} refers to nothing that comes after the node"
-            ),
-            Self::LeafSize { leaf, primitives } => {
-                write!(f, "leaf {leaf} has {primitives} primitives")
-            }
-            Self::TooDeep { node } => write!(
-                f,
-                "below node {node} the tree is deeper than {MAX_DEPTH}, more than stacks hold"
-            ),
-            Self::Bounds {
-                node,
-                slot,
-                primitive,
-            } => write!(
-                f,
-                "primitive {primitive} pokes out of the box of child {slot} of node {node}"
-            ),
-            Self::NormalCone { node, slot, edge } => write!(
-                f,
-                "a face of edge {edge} is not covered by the normals of child {slot} of node {node}"
-            ),
-            Self::Groups { node, slot, edge } => write!(
-                f,
-                "child {slot} of node {node} lacks a group of edge {edge} below it"
-            ),
-            Self::LeafContent { leaf, primitive } => write!(
-                f,
-                "leaf {leaf} holds other numbers for primitive {primitive} than the mesh"
-            ),
-        }
-    }
-}
-
-impl std::error::Error for TreeError {}
-
 /// Checks that the nodes form one tree, that no leaf is too deep or too full,
 /// and that each of `primitives` lies in exactly one leaf.
-pub fn check_topology(
-    topology: &Topology,
+pub fn check_hierarchy(
+    hierarchy: &Hierarchy,
     primitives: usize,
     leaf_size: usize,
 ) -> Result<(), TreeError> {
-    let mut node_parents = vec![0; topology.nodes.len()];
-    let mut leaf_parents = vec![0; topology.leaf_count()];
-    let mut depths = vec![0; topology.nodes.len()];
-    for (node, children) in topology.nodes.iter().enumerate() {
+    let mut node_parents = vec![0; hierarchy.nodes.len()];
+    let mut leaf_parents = vec![0; hierarchy.leaf_count()];
+    let mut depths = vec![0; hierarchy.nodes.len()];
+    for (node, children) in hierarchy.nodes.iter().enumerate() {
         if depths[node] >= MAX_DEPTH {
             return Err(TreeError::TooDeep { node });
         }
@@ -171,8 +120,8 @@ pub fn check_topology(
         }
     }
     let mut leaves_of = vec![0; primitives];
-    for leaf in 0..topology.leaf_count() {
-        let members = topology.leaf(leaf);
+    for leaf in 0..hierarchy.leaf_count() {
+        let members = hierarchy.leaf(leaf);
         if members.is_empty() || members.len() > leaf_size {
             let primitives = members.len();
             return Err(TreeError::LeafSize { leaf, primitives });
@@ -192,14 +141,14 @@ pub fn check_topology(
 
 /// Calls `check` for every child and every primitive below it.
 pub fn for_each_below<E>(
-    topology: &Topology,
+    hierarchy: &Hierarchy,
     mut check: impl FnMut(usize, usize, usize) -> Result<(), E>,
 ) -> Result<(), E> {
-    let leaves = super::refit::child_leaves(topology);
+    let leaves = child_leaves(hierarchy);
     for (node, ranges) in leaves.iter().enumerate() {
         for (slot, range) in ranges.iter().enumerate() {
             for leaf in range.clone() {
-                for &primitive in topology.leaf(leaf as usize) {
+                for &primitive in hierarchy.leaf(leaf as usize) {
                     check(node, slot, primitive as usize)?;
                 }
             }
@@ -210,11 +159,11 @@ pub fn for_each_below<E>(
 
 /// Checks that the boxes of the children contain the primitives below them.
 pub fn check_bounds(
-    topology: &Topology,
+    hierarchy: &Hierarchy,
     child_bounds: impl Fn(usize, usize) -> Aabb,
     primitive_fits: impl Fn(&Aabb, usize) -> bool,
 ) -> Result<(), TreeError> {
-    for_each_below(topology, |node, slot, primitive| {
+    for_each_below(hierarchy, |node, slot, primitive| {
         if primitive_fits(&child_bounds(node, slot), primitive) {
             Ok(())
         } else {

@@ -3,24 +3,49 @@
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
 
-use super::edge_kernel::LANES;
+use super::cone_query::{ConeQuery, SilhouettePoint};
+use super::edge_block::LANES;
 use super::local_cone::LocalCone;
 use super::pseudo_angle::{Limit, pseudo_angle};
-use super::silhouette_tree::{ConeQuery, SilhouettePoint, SilhouetteTree};
+use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Child, ChildKind, WIDTH};
 use crate::simd::{Job, Simd};
 
+impl SilhouetteTree {
+    /// The same, leaving out edges whose closest point `counts` rejects. It is
+    /// asked about edges in the order of their angles until it accepts one.
+    #[inline]
+    pub fn closest_where(
+        &self,
+        query: &ConeQuery,
+        counts: impl Fn(&SilhouettePoint) -> bool,
+    ) -> Option<SilhouettePoint> {
+        // Most closest points count, and the search for the closest of all is
+        // several times faster: what it finds limits it.
+        let closest = self.closest(query)?;
+        if counts(&closest) {
+            return Some(closest);
+        }
+        self.instructions.run(ClosestWhere {
+            tree: self,
+            query,
+            rejected: closest,
+            counts,
+        })
+    }
+}
+
 /// What was found cannot limit this search, as it may be rejected. So it goes
 /// strictly by bounds, and tests and offers edges no sooner than necessary.
-pub(super) struct ClosestWhere<'a, F> {
+struct ClosestWhere<'a, F> {
     /// The tree.
-    pub tree: &'a SilhouetteTree,
+    tree: &'a SilhouetteTree,
     /// The cone.
-    pub query: &'a ConeQuery,
+    query: &'a ConeQuery,
     /// The closest point of all, which was not accepted.
-    pub rejected: SilhouettePoint,
+    rejected: SilhouettePoint,
     /// Which closest points are accepted.
-    pub counts: F,
+    counts: F,
 }
 
 /// A part of the tree, or an edge, and the least pseudo-angle it may have.

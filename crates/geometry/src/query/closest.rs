@@ -1,24 +1,31 @@
 //! The closest silhouette, Algorithm 5.
 
 use super::cone_node::ConeNode;
-use super::edge_block::EdgeBlock;
-use super::edge_kernel::LANES;
+use super::cone_query::{ConeQuery, SilhouettePoint};
+use super::edge_block::{EdgeBlock, LANES};
 use super::local_cone::LocalCone;
 use super::pseudo_angle::{Limit, pseudo_angle};
-use super::silhouette_tree::{ConeQuery, SilhouettePoint, SilhouetteTree};
-use crate::bvh::buckets::Buckets;
-use crate::bvh::traverse::for_each_sorted;
-use crate::bvh::{ChildKind, WIDTH};
+use super::silhouette_tree::SilhouetteTree;
+use crate::bvh::{Buckets, ChildKind, WIDTH, for_each_sorted};
 use crate::simd::{Job, Simd};
+
+impl SilhouetteTree {
+    /// The boundary point under the smallest angle to the axis, Algorithm 5; of
+    /// equally near ones that of the lowest edge.
+    #[inline]
+    pub fn closest(&self, query: &ConeQuery) -> Option<SilhouettePoint> {
+        self.instructions.run(Closest { tree: self, query })
+    }
+}
 
 /// Nearest first. Bounds in single precision tell of most edges that they are
 /// boundaries, and how near; that limits the search at once. Only the nearest
 /// of those need the exact test, when the search is over.
-pub(super) struct Closest<'a> {
+struct Closest<'a> {
     /// The tree.
-    pub tree: &'a SilhouetteTree,
+    tree: &'a SilhouetteTree,
     /// The cone.
-    pub query: &'a ConeQuery,
+    query: &'a ConeQuery,
 }
 
 /// Edges that wait for the exact test.

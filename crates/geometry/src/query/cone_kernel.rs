@@ -33,7 +33,7 @@ impl<S: Simd> LocalCone<S> {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
         let mut mask = groups_mask(&node.groups, self.groups);
         let step = simd.splat(node.step);
-        let base = sub(splat(simd, node.origin), self.eye);
+        let base = sub(splat(simd, node.origin), self.apex);
         let centre = load_i16(simd, &node.centre);
         let view = [
             centre[0].mul_add(step, base[0]),

@@ -186,7 +186,11 @@ impl ConeNode {
         }
         cone.view_margin(radius_squared.sqrt(), height)
     }
+}
 
+/// What holds for every node.
+#[cfg(test)]
+impl ConeNode {
     /// True if no view is skipped for the child that can see a silhouette of
     /// the edge: the cone contains its normals, and its planes pass the centre
     /// near enough.

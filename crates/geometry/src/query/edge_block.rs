@@ -3,8 +3,10 @@
 
 use capwalk_math::Vec3;
 
-use super::edge_kernel::LANES;
 use crate::aabb::{Aabb, round_up};
+
+/// Edges in a leaf.
+pub const LANES: usize = 8;
 
 /// Up to eight edges, rounded to fixed point: half the memory, which only costs
 /// a little of the bounds' tightness.

@@ -1,16 +1,13 @@
 //! A view cone against the eight edges of a leaf: which may be boundaries, no
 //! nearer than where; and how near one certainly is.
 
-use super::edge_block::{EdgeBlock, NORMAL_ERROR, NORMAL_SCALE};
+use super::edge_block::{EdgeBlock, LANES, NORMAL_ERROR, NORMAL_SCALE};
 use super::lanes::{dot, groups_mask, load_i16, recip, reject, rsqrt, splat, sub};
 use super::local_cone::LocalCone;
 use super::pseudo_angle::BOUND_SHRINK;
 use crate::simd::{F32x8, Lanes, Simd};
 
-/// Edges in a leaf.
-pub const LANES: usize = 8;
-
-/// Edges are projected if they are farther in front of the eye than this, times
+/// Edges are projected if they are farther in front of the viewpoint than this, times
 /// the error of positions.
 const TOO_CLOSE: f32 = 4.0;
 /// For those, one over a distance less its error is at most this, times one over
@@ -28,7 +25,7 @@ pub struct EdgeBounds {
     pub mask: u32,
     /// Lower bounds of their pseudo-angles.
     pub least: [f32; LANES],
-    /// A bit for each edge that certainly is a boundary in front of the eye.
+    /// A bit for each edge that certainly is a boundary in front of the viewpoint.
     pub certain: u32,
     /// Upper bounds of the pseudo-angles of those.
     pub most: [f32; LANES],
@@ -51,7 +48,7 @@ impl<S: Simd> LocalCone<S> {
         let mut mask = groups_mask(&block.groups, self.groups);
         let zero = simd.splat(0.0);
         let step = simd.splat(block.step);
-        let base = sub(splat(simd, block.origin), self.eye);
+        let base = sub(splat(simd, block.origin), self.apex);
         let middle = load_i16(simd, &block.middle);
         let view = [
             middle[0].mul_add(step, base[0]),
@@ -86,7 +83,7 @@ impl<S: Simd> LocalCone<S> {
         let z = dot(self.axis, view);
         let z_half = dot(self.axis, half);
         let least_z = z - z_half.abs();
-        // Edges wholly in front of the eye are projected; the others, too close
+        // Edges wholly in front of the viewpoint are projected; the others, too close
         // or behind, are bounded like boxes.
         let too_close = simd.splat(TOO_CLOSE) * margin;
         let in_front = too_close.lt(least_z);
@@ -121,7 +118,7 @@ impl<S: Simd> LocalCone<S> {
         }
     }
 
-    /// Bounds of the pseudo-angles of segments in front of the eye: the smallest
+    /// Bounds of the pseudo-angles of segments in front of the viewpoint: the smallest
     /// and the largest that the nearest points can have.
     ///
     /// Projected on the plane at height 1, a segment stays a segment, and its

@@ -2,21 +2,35 @@
 
 use capwalk_math::Vec3;
 
-use super::edge_kernel::LANES;
+use super::cone_query::ConeQuery;
+use super::edge_block::LANES;
 use super::local_cone::LocalCone;
 use super::pseudo_angle::Limit;
-use super::silhouette_tree::{ConeQuery, SilhouetteTree};
+use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Child, ChildKind, MAX_DEPTH, WIDTH};
 use crate::simd::{Job, Simd};
 
+impl SilhouetteTree {
+    /// Calls `visit` with every boundary edge that meets the cone and its ends, in
+    /// an order that depends on the tree alone (METHOD 8).
+    #[inline]
+    pub fn gather(&self, query: &ConeQuery, visit: impl FnMut(u32, [Vec3; 2])) {
+        self.instructions.run(Gather {
+            tree: self,
+            query,
+            visit,
+        });
+    }
+}
+
 /// Depth first: nothing that is found limits the search.
-pub(super) struct Gather<'a, F> {
+struct Gather<'a, F> {
     /// The tree.
-    pub tree: &'a SilhouetteTree,
+    tree: &'a SilhouetteTree,
     /// The cone.
-    pub query: &'a ConeQuery,
+    query: &'a ConeQuery,
     /// Gets each edge and its ends.
-    pub visit: F,
+    visit: F,
 }
 
 /// A node on the way down leaves at most `WIDTH - 1` siblings behind; the last

@@ -2,14 +2,15 @@
 
 use capwalk_math::{Frame, Vec3};
 
+use super::cone_query::{ConeQuery, EdgeSelection};
 use super::lanes::splat;
-use super::silhouette_tree::{ConeQuery, EdgeSelection};
-use crate::aabb::{LocalFrame, round_up};
+use crate::aabb::round_up;
 use crate::edge::ON_PLANE;
+use crate::local_frame::LocalFrame;
 use crate::simd::Simd;
 
-/// A plane in local coordinates, relative to the eye, with unit normal `n`: in
-/// front is `n·(p - eye) >= offset`.
+/// A plane in local coordinates, relative to the apex, with unit normal `n`: in
+/// front is `n·(p - apex) >= offset`.
 #[derive(Clone, Copy)]
 pub struct LocalPlane {
     /// `n`.
@@ -21,21 +22,21 @@ pub struct LocalPlane {
 }
 
 /// Error of positions in local coordinates, and of what is computed from them,
-/// per local unit of distance from the eye. The numbers compared are sums of
+/// per local unit of distance from the apex. The numbers compared are sums of
 /// some thirty terms of at most that size, each rounded by at most 2⁻²⁴.
 const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
 
 /// A view cone in the coordinates of a tree.
 pub struct LocalCone<S: Simd> {
     /// Its apex.
-    pub eye: [S::F32x8; 3],
+    pub apex: [S::F32x8; 3],
     /// Its axis.
     pub axis: [S::F32x8; 3],
     /// Two unit vectors that complete the axis to a frame.
     pub across: [[S::F32x8; 3]; 2],
     /// Error of positions.
     pub margin: S::F32x8,
-    /// Distance from a face's plane below which the eye may count as in it.
+    /// Distance from a face's plane below which the apex may count as in it.
     pub plane_margin: S::F32x8,
     /// Whether all edges count, silhouettes or not.
     pub all_edges: bool,
@@ -50,11 +51,11 @@ impl<S: Simd> LocalCone<S> {
     #[inline(always)]
     pub fn new(simd: S, frame: &LocalFrame, query: &ConeQuery) -> Self {
         let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
-        let eye = frame.local_from_world(query.eye);
-        // Everything in the tree is nearer to the eye than this.
-        let range = sum(eye) + 3.0;
+        let apex = frame.local_from_world(query.apex);
+        // Everything in the tree is nearer to the apex than this.
+        let range = sum(apex) + 3.0;
         let margin = POSITION_MARGIN * range;
-        let on_plane = ON_PLANE * (sum(query.eye) + frame.reach) * frame.inverse_scale;
+        let on_plane = ON_PLANE * (sum(query.apex) + frame.reach) * frame.inverse_scale;
         let axis = query.axis;
         let Frame { s, t, .. } = Frame::from_normal(axis);
         let in_front_of = query.in_front_of.map(|plane| {
@@ -62,12 +63,12 @@ impl<S: Simd> LocalCone<S> {
             let offset = frame.local_from_world(plane.point).dot(normal);
             LocalPlane {
                 normal: [normal.x as f32, normal.y as f32, normal.z as f32],
-                offset: (offset - eye.dot(normal)) as f32,
+                offset: (offset - apex.dot(normal)) as f32,
                 margin: round_up(margin + POSITION_MARGIN * offset.abs()),
             }
         });
         Self {
-            eye: splat(simd, [eye.x as f32, eye.y as f32, eye.z as f32]),
+            apex: splat(simd, [apex.x as f32, apex.y as f32, apex.z as f32]),
             axis: splat(simd, [axis.x as f32, axis.y as f32, axis.z as f32]),
             across: [
                 splat(simd, [s.x as f32, s.y as f32, s.z as f32]),

@@ -2,7 +2,7 @@
 //! as precise near zero: for a point at height `z` along the axis and at
 //! distance `ρ` from it,
 //!
-//!   ρ / (ρ + z) in front of the eye, 1 + |z| / (ρ + |z|) behind it,
+//!   ρ / (ρ + z) in front of the viewpoint, 1 + |z| / (ρ + |z|) behind it,
 //!
 //! which grows with the angle, from 0 over 1 at a right angle to 2 at π.
 

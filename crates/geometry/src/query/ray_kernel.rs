@@ -1,8 +1,9 @@
 //! A ray against the eight children of a node, and against the four triangles
 //! of a leaf.
 
-use crate::aabb::{Aabb, LocalFrame, round_up};
+use crate::aabb::{Aabb, round_up};
 use crate::bvh::{Child, WIDTH};
+use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::ray::{EDGE_ON, Hit, Ray, RayShear};
 use crate::simd::{F32x8, F64x4, Lanes, Simd};
@@ -34,6 +35,7 @@ impl RayNode {
     }
 
     /// The box of one child.
+    #[cfg(test)]
     pub fn child_bounds(&self, slot: usize) -> Aabb {
         Aabb {
             low: std::array::from_fn(|axis| self.planes[axis][slot]),

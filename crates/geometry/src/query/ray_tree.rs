@@ -3,16 +3,15 @@
 use rayon::prelude::*;
 
 use super::ray_kernel::{self, LocalRay, RayNode, TriangleBlock};
-use crate::aabb::{Aabb, LocalFrame};
-use crate::bvh::cost::SurfaceCost;
-use crate::bvh::validate::{self, TreeError};
-use crate::bvh::{ChildKind, Topology, build, refit, traverse::Stack};
+use crate::aabb::Aabb;
+use crate::bvh::{ChildKind, Hierarchy, Stack, SurfaceCost, build, child_bounds};
+use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::ray::{Hit, Ray};
 use crate::simd::{Instructions, Job, Simd};
 
 /// Triangles per leaf: as many as are tested at a time.
-const LEAF_SIZE: usize = ray_kernel::LANES;
+pub(super) const LEAF_SIZE: usize = ray_kernel::LANES;
 
 /// A tree over the triangles of a mesh. It keeps what it needs of the mesh.
 ///
@@ -20,10 +19,10 @@ const LEAF_SIZE: usize = ray_kernel::LANES;
 /// on every processor: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct RayTree {
-    topology: Topology,
-    frame: LocalFrame,
-    nodes: Vec<RayNode>,
-    leaves: Vec<TriangleBlock>,
+    pub(super) hierarchy: Hierarchy,
+    pub(super) frame: LocalFrame,
+    pub(super) nodes: Vec<RayNode>,
+    pub(super) leaves: Vec<TriangleBlock>,
     cost: SurfaceCost,
     instructions: Instructions,
 }
@@ -38,7 +37,7 @@ impl RayTree {
             .map(|face| face_bounds(mesh, &frame, face))
             .collect();
         let mut tree = Self {
-            topology: build::build(&bounds, LEAF_SIZE),
+            hierarchy: build(&bounds, LEAF_SIZE),
             frame,
             nodes: Vec::new(),
             leaves: Vec::new(),
@@ -56,32 +55,32 @@ impl RayTree {
     /// Answers stay exact however far vertices move, bit for bit those of a new
     /// tree; they only take longer, see [`degradation`](Self::degradation).
     pub fn refit(&mut self, mesh: &Mesh) {
-        let topology = &self.topology;
+        let hierarchy = &self.hierarchy;
         assert_eq!(
-            topology.order.len(),
+            hierarchy.order.len(),
             mesh.faces.len(),
             "a tree is refitted with the faces it was built with"
         );
         self.frame = frame_of(mesh);
         let frame = &self.frame;
         let mut leaf_bounds = Vec::new();
-        (0..topology.leaf_count())
+        (0..hierarchy.leaf_count())
             .into_par_iter()
             .with_min_len(256)
             .map(|leaf| {
-                let faces = topology.leaf(leaf);
+                let faces = hierarchy.leaf(leaf);
                 let bounds = faces.iter().fold(Aabb::EMPTY, |bounds, &face| {
                     bounds.union(&face_bounds(mesh, frame, face as usize))
                 });
                 (TriangleBlock::new(mesh, faces), bounds)
             })
             .unzip_into_vecs(&mut self.leaves, &mut leaf_bounds);
-        let bounds = refit::child_bounds(topology, &leaf_bounds);
+        let bounds = child_bounds(hierarchy, &leaf_bounds);
         self.nodes.clear();
         self.nodes.extend(
             bounds
                 .iter()
-                .zip(&topology.nodes)
+                .zip(&hierarchy.nodes)
                 .map(|(bounds, &children)| RayNode::new(bounds, children)),
         );
         self.cost.update(&bounds);
@@ -94,8 +93,9 @@ impl RayTree {
         self.cost.degradation()
     }
 
-    /// Uses plain arithmetic from now on, whatever the processor can do: for
-    /// tests and comparisons. The answers stay the same.
+    /// Uses plain arithmetic from now on, whatever the processor can do. The
+    /// answers stay the same.
+    #[cfg(test)]
     pub fn without_simd(mut self) -> Self {
         self.instructions = Instructions::Scalar;
         self
@@ -112,27 +112,6 @@ impl RayTree {
     #[inline]
     pub fn occluded(&self, ray: &Ray) -> bool {
         self.instructions.run(Occluded { tree: self, ray })
-    }
-
-    /// Checks the tree against the mesh it should represent.
-    pub fn validate(&self, mesh: &Mesh) -> Result<(), TreeError> {
-        let topology = &self.topology;
-        validate::check_topology(topology, mesh.faces.len(), LEAF_SIZE)?;
-        for leaf in 0..topology.leaf_count() {
-            let faces = topology.leaf(leaf);
-            if self.leaves[leaf] != TriangleBlock::new(mesh, faces) {
-                let primitive = faces[0] as usize;
-                return Err(TreeError::LeafContent { leaf, primitive });
-            }
-        }
-        validate::check_bounds(
-            topology,
-            |node, slot| self.nodes[node].child_bounds(slot),
-            |bounds, face| {
-                let corners = mesh.corners(face).map(|p| self.frame.local_from_world(p));
-                corners.iter().all(|&p| bounds.contains_point(p))
-            },
-        )
     }
 }
 

@@ -2,87 +2,20 @@
 
 use std::ops::Range;
 
-use capwalk_math::Vec3;
 use rayon::prelude::*;
 
-use super::best_first::ClosestWhere;
-use super::closest::Closest;
 use super::cone_node::ConeNode;
-use super::edge_block::{EdgeBlock, LocalEdge};
-use super::edge_kernel;
-use super::gather::Gather;
+use super::edge_block::{self, EdgeBlock, LocalEdge};
 use super::tree_edge::TreeEdge;
-use crate::aabb::{Aabb, LocalFrame};
-use crate::bvh::cost::SurfaceCost;
-use crate::bvh::validate::{self, TreeError};
-use crate::bvh::{Topology, build, refit};
+use crate::aabb::Aabb;
+use crate::bvh::{Hierarchy, SurfaceCost, build, child_bounds, child_leaves};
 use crate::edge::Edge;
+use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::simd::Instructions;
 
 /// Edges per leaf: as many as are tested at a time.
-const LEAF_SIZE: usize = edge_kernel::LANES;
-
-/// Which edges count as boundaries.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum EdgeSelection {
-    /// Open edges, and edges with one face seen from the front and one from
-    /// behind.
-    Silhouettes,
-    /// Every edge, creases too.
-    All,
-}
-
-/// A plane; the side its normal points to is in front.
-#[derive(Clone, Copy, Debug)]
-pub struct Plane {
-    /// A point on it.
-    pub point: Vec3,
-    /// Its normal, of any length.
-    pub normal: Vec3,
-}
-
-impl Plane {
-    /// True if both points lie behind.
-    #[inline]
-    pub fn hides(&self, ends: [Vec3; 2]) -> bool {
-        let is_behind = |p: Vec3| (p - self.point).dot(self.normal) < 0.0;
-        ends.into_iter().all(is_behind)
-    }
-}
-
-/// A cone to search for boundaries.
-#[derive(Clone, Copy, Debug)]
-pub struct ConeQuery {
-    /// Apex of the cone.
-    pub eye: Vec3,
-    /// Unit axis.
-    pub axis: Vec3,
-    /// Half-angle in radians: only points at smaller angles are found. At
-    /// least π means no limit.
-    pub max_angle: f64,
-    /// Which edges count.
-    pub edges: EdgeSelection,
-    /// Only edges that share a bit with it count.
-    pub groups: u8,
-    /// Edges wholly behind this plane do not count (`domain = triangle`).
-    pub in_front_of: Option<Plane>,
-}
-
-/// A point on a boundary edge, seen from the eye of the query.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SilhouettePoint {
-    /// The edge.
-    pub edge: u32,
-    /// Position along it: 0 at its first vertex, 1 at its second.
-    pub t: f64,
-    /// Unit direction from the eye.
-    pub direction: Vec3,
-    /// Distance from the eye, world units.
-    pub distance: f64,
-    /// Angle to the axis, radians.
-    pub angle: f64,
-}
+pub(super) const LEAF_SIZE: usize = edge_block::LANES;
 
 /// A tree over the edges of a mesh, with cones of their faces' normals. It
 /// keeps what it needs of the mesh.
@@ -92,15 +25,15 @@ pub struct SilhouettePoint {
 /// processor: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct SilhouetteTree {
-    pub(super) topology: Topology,
+    pub(super) hierarchy: Hierarchy,
     pub(super) frame: LocalFrame,
     pub(super) nodes: Vec<ConeNode>,
     pub(super) leaves: Vec<EdgeBlock>,
     /// The edges in the order of the leaves: what queries need, and the rest.
     pub(super) edges: Vec<TreeEdge>,
-    sources: Vec<Edge>,
+    pub(super) sources: Vec<Edge>,
     cost: SurfaceCost,
-    instructions: Instructions,
+    pub(super) instructions: Instructions,
 }
 
 impl SilhouetteTree {
@@ -116,14 +49,14 @@ impl SilhouetteTree {
                 Aabb::around(ends.map(|p| frame.local_from_world(p)))
             })
             .collect();
-        let topology = build::build(&bounds, LEAF_SIZE);
+        let hierarchy = build(&bounds, LEAF_SIZE);
         let mut tree = Self {
-            sources: topology
+            sources: hierarchy
                 .order
                 .iter()
                 .map(|&id| edges[id as usize])
                 .collect(),
-            topology,
+            hierarchy,
             frame,
             nodes: Vec::new(),
             leaves: Vec::new(),
@@ -146,8 +79,8 @@ impl SilhouetteTree {
     /// [`degradation`](Self::degradation). Whether these still are the edges of
     /// the mesh is another question, see [`topology`](crate::topology).
     pub fn refit(&mut self, mesh: &Mesh) {
-        let topology = &self.topology;
-        (&topology.order, &self.sources)
+        let hierarchy = &self.hierarchy;
+        (&hierarchy.order, &self.sources)
             .into_par_iter()
             .with_min_len(1024)
             .map(|(&id, edge)| TreeEdge::new(mesh, id, edge))
@@ -159,12 +92,12 @@ impl SilhouetteTree {
             .map(|(edge, source)| edge.local(&self.frame, source.groups))
             .collect();
         let below = |leaves: Range<u32>| {
-            let [start, end] =
-                [leaves.start, leaves.end].map(|leaf| topology.leaf_starts[leaf as usize] as usize);
+            let [start, end] = [leaves.start, leaves.end]
+                .map(|leaf| hierarchy.leaf_starts[leaf as usize] as usize);
             (start, &local[start..end])
         };
         let mut leaf_bounds = Vec::new();
-        (0..topology.leaf_count() as u32)
+        (0..hierarchy.leaf_count() as u32)
             .into_par_iter()
             .with_min_len(256)
             .map(|leaf| {
@@ -173,13 +106,12 @@ impl SilhouetteTree {
                 (EdgeBlock::new(start, edges), bounds)
             })
             .unzip_into_vecs(&mut self.leaves, &mut leaf_bounds);
-        let leaves = refit::child_leaves(topology);
-        (&topology.nodes, &leaves)
+        let leaves = child_leaves(hierarchy);
+        (&hierarchy.nodes, &leaves)
             .into_par_iter()
             .map(|(children, leaves)| ConeNode::new(children, |slot| below(leaves[slot].clone()).1))
             .collect_into_vec(&mut self.nodes);
-        self.cost
-            .update(&refit::child_bounds(topology, &leaf_bounds));
+        self.cost.update(&child_bounds(hierarchy, &leaf_bounds));
     }
 
     /// The surface-area cost of the tree over that when it was built: 1 for a new
@@ -188,93 +120,12 @@ impl SilhouetteTree {
         self.cost.degradation()
     }
 
-    /// Uses plain arithmetic from now on, whatever the processor can do: for
-    /// tests and comparisons. The answers stay the same.
+    /// Uses plain arithmetic from now on, whatever the processor can do. The
+    /// answers stay the same.
+    #[cfg(test)]
     pub fn without_simd(mut self) -> Self {
         self.instructions = Instructions::Scalar;
         self
-    }
-
-    /// The boundary point under the smallest angle to the axis, Algorithm 5; of
-    /// equally near ones that of the lowest edge.
-    #[inline]
-    pub fn closest(&self, query: &ConeQuery) -> Option<SilhouettePoint> {
-        self.instructions.run(Closest { tree: self, query })
-    }
-
-    /// The same, leaving out edges whose closest point `counts` rejects. It is
-    /// asked about edges in the order of their angles until it accepts one.
-    #[inline]
-    pub fn closest_where(
-        &self,
-        query: &ConeQuery,
-        counts: impl Fn(&SilhouettePoint) -> bool,
-    ) -> Option<SilhouettePoint> {
-        // Most closest points count, and the search for the closest of all is
-        // several times faster: what it finds limits it.
-        let closest = self.closest(query)?;
-        if counts(&closest) {
-            return Some(closest);
-        }
-        self.instructions.run(ClosestWhere {
-            tree: self,
-            query,
-            rejected: closest,
-            counts,
-        })
-    }
-
-    /// Calls `visit` with every boundary edge that meets the cone and its ends, in
-    /// an order that depends on the tree alone (METHOD 8).
-    #[inline]
-    pub fn gather(&self, query: &ConeQuery, visit: impl FnMut(u32, [Vec3; 2])) {
-        self.instructions.run(Gather {
-            tree: self,
-            query,
-            visit,
-        });
-    }
-
-    /// Checks the tree against the mesh and edges it should represent.
-    pub fn validate(&self, mesh: &Mesh, edges: &[Edge]) -> Result<(), TreeError> {
-        let topology = &self.topology;
-        validate::check_topology(topology, edges.len(), LEAF_SIZE)?;
-        let expected = |id: u32| TreeEdge::new(mesh, id, &edges[id as usize]);
-        for leaf in 0..topology.leaf_count() {
-            let mut local = Vec::new();
-            for (place, &id) in (topology.leaf_starts[leaf] as usize..).zip(topology.leaf(leaf)) {
-                let edge = expected(id);
-                if self.edges[place] != edge || self.sources[place] != edges[id as usize] {
-                    let primitive = id as usize;
-                    return Err(TreeError::LeafContent { leaf, primitive });
-                }
-                local.push(edge.local(&self.frame, edges[id as usize].groups));
-            }
-            let start = topology.leaf_starts[leaf] as usize;
-            if self.leaves[leaf] != EdgeBlock::new(start, &local) {
-                let primitive = topology.leaf(leaf)[0] as usize;
-                return Err(TreeError::LeafContent { leaf, primitive });
-            }
-        }
-        validate::for_each_below(topology, |node, slot, edge| {
-            let local = expected(edge as u32).local(&self.frame, edges[edge].groups);
-            let child = &self.nodes[node];
-            if !child.contains(slot, &local) {
-                let primitive = edge;
-                return Err(TreeError::Bounds {
-                    node,
-                    slot,
-                    primitive,
-                });
-            }
-            if !child.covers(slot, &local) {
-                return Err(TreeError::NormalCone { node, slot, edge });
-            }
-            if child.groups(slot) & local.groups != local.groups {
-                return Err(TreeError::Groups { node, slot, edge });
-            }
-            Ok(())
-        })
     }
 }
 

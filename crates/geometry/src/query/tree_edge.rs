@@ -2,10 +2,10 @@
 
 use capwalk_math::Vec3;
 
+use super::cone_query::{ConeQuery, EdgeSelection, SilhouettePoint};
 use super::edge_block::LocalEdge;
-use super::silhouette_tree::{ConeQuery, EdgeSelection, SilhouettePoint};
-use crate::aabb::LocalFrame;
 use crate::edge::{Edge, Sides, closest_direction, separates};
+use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 
 /// What queries need of an edge, in two cache lines.
@@ -48,10 +48,12 @@ impl TreeEdge {
 
     /// As [`Edge::is_silhouette`].
     #[inline(always)]
-    fn is_silhouette(&self, eye: Vec3) -> bool {
+    fn is_silhouette(&self, viewpoint: Vec3) -> bool {
         match self.kind {
             EdgeKind::Open => true,
-            EdgeKind::Between { flipped } => separates(self.crosses, self.ends[0], flipped, eye),
+            EdgeKind::Between { flipped } => {
+                separates(self.crosses, self.ends[0], flipped, viewpoint)
+            }
         }
     }
 
@@ -75,7 +77,7 @@ impl TreeEdge {
 
     /// The unit normal of a face; `None` if the face is degenerate, or so thin
     /// that rounding tilts its normal against the edge: the orientation towards
-    /// an eye then depends on where along the edge it is measured.
+    /// a viewpoint then depends on where along the edge it is measured.
     fn usable_normal(&self, frame: &LocalFrame, cross: Vec3) -> Option<Vec3> {
         let normal = cross.normalized();
         let [a, b] = self.ends;
@@ -92,7 +94,7 @@ impl TreeEdge {
         query: &ConeQuery,
         best: Option<&SilhouettePoint>,
     ) -> Option<SilhouettePoint> {
-        let counts = query.edges == EdgeSelection::All || self.is_silhouette(query.eye);
+        let counts = query.edges == EdgeSelection::All || self.is_silhouette(query.apex);
         if !counts
             || query
                 .in_front_of
@@ -100,7 +102,7 @@ impl TreeEdge {
         {
             return None;
         }
-        let [a, b] = self.ends.map(|p| p - query.eye);
+        let [a, b] = self.ends.map(|p| p - query.apex);
         let closest = closest_direction(a, b, query.axis)?;
         let is_nearer = match best {
             Some(best) => (closest.angle, self.id) < (best.angle, best.edge),

@@ -8,7 +8,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::{F32x8, F64x4, Job, Lanes, Simd};
+use super::vectors::{F32x8, F64x4, Job, Lanes, Simd};
 
 /// Proof that the processor has AVX2 and fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

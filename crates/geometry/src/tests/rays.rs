@@ -1,10 +1,9 @@
 //! The ray tree against brute force.
 
-mod common;
-
-use capwalk_geometry::{Mesh, Ray, RayTree, SilhouetteTree, TreeError, oracle};
+use super::meshes::{self, Place, Spot};
+use crate::bvh::validate::TreeError;
+use crate::{Mesh, Ray, RayTree, SilhouetteTree, oracle};
 use capwalk_math::Vec3;
-use common::{Place, Spot};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
@@ -19,8 +18,8 @@ struct Aim {
 
 fn aim() -> impl Strategy<Value = Aim> {
     let towards = prop_oneof![
-        common::spot().prop_map(Ok),
-        common::direction().prop_map(Err)
+        meshes::spot().prop_map(Ok),
+        meshes::direction().prop_map(Err)
     ];
     let length = prop_oneof![Just(1.0), Just(1e-9), Just(1e12), 0.1..10.0_f64];
     let bounds = prop_oneof![
@@ -28,7 +27,7 @@ fn aim() -> impl Strategy<Value = Aim> {
         1 => Just([f64::NEG_INFINITY, f64::INFINITY]),
         1 => (0.0..1.0_f64, 0.0..3.0_f64).prop_map(|(near, more)| [near, near + more]),
     ];
-    (common::spot(), towards, length, bounds).prop_map(|(from, towards, length, bounds)| Aim {
+    (meshes::spot(), towards, length, bounds).prop_map(|(from, towards, length, bounds)| Aim {
         from,
         towards,
         length,
@@ -54,7 +53,7 @@ impl Aim {
 
 fn check(tree: &RayTree, mesh: &Mesh, rays: &[Ray]) -> Result<(), TestCaseError> {
     tree.validate(mesh)
-        .map_err(|error| TestCaseError::fail(error.to_string()))?;
+        .map_err(|error| TestCaseError::fail(format!("{error:?}")))?;
     let scalar = tree.clone().without_simd();
     for ray in rays {
         let expected = oracle::first_hit(mesh, ray);
@@ -73,14 +72,14 @@ proptest! {
     /// moved.
     #[test]
     fn tree_is_brute_force(
-        (mesh, place) in common::mesh(),
+        (mesh, place) in meshes::mesh(),
         aims in prop::collection::vec(aim(), 20),
         seed in 1..u64::MAX,
     ) {
         let rays_at = |mesh: &Mesh| aims.iter().map(|aim| aim.ray(mesh, &place)).collect::<Vec<_>>();
         let mut tree = RayTree::build(&mesh);
         check(&tree, &mesh, &rays_at(&mesh))?;
-        let moved = common::moved(&mesh, &place, 1.0, seed);
+        let moved = meshes::moved(&mesh, &place, 1.0, seed);
         tree.refit(&moved);
         check(&tree, &moved, &rays_at(&moved))?;
     }
@@ -92,7 +91,7 @@ proptest! {
 #[test]
 fn closed_meshes_are_watertight() {
     for (n, offset, size) in [(1, 0.0, 1.0), (4, 0.0, 1.0), (9, 1e5, 1e-2), (7, 0.0, 1e-6)] {
-        let mut mesh = common::ball(n, |d| 1.0 + 0.2 * (5.0 * d.x + 3.0 * d.y).sin());
+        let mut mesh = meshes::ball(n, |d| 1.0 + 0.2 * (5.0 * d.x + 3.0 * d.y).sin());
         for p in &mut mesh.positions {
             *p = *p * size + Vec3::splat(offset);
         }
@@ -125,7 +124,7 @@ fn empty_mesh() {
 /// All triangles in one place, where no split helps: still a tree.
 #[test]
 fn many_equal_triangles() {
-    let mut mesh = common::sheet(1, |_, _| 0.0);
+    let mut mesh = meshes::sheet(1, |_, _| 0.0);
     let faces = mesh.faces[0];
     mesh.faces = vec![faces; 5000];
     let tree = RayTree::build(&mesh);
@@ -138,11 +137,11 @@ fn many_equal_triangles() {
 /// bit for bit, and knows how much slower it has become.
 #[test]
 fn refitted_trees_answer_like_new_ones() {
-    let mesh = common::ball(20, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
+    let mesh = meshes::ball(20, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
     let mut tree = RayTree::build(&mesh);
     assert_eq!(tree.degradation(), 1.0);
-    for (name, motion) in common::MOTIONS {
-        let moved = common::with_positions(&mesh, motion);
+    for (name, motion) in meshes::MOTIONS {
+        let moved = meshes::with_positions(&mesh, motion);
         tree.refit(&moved);
         assert_eq!(tree.validate(&moved), Ok(()), "{name}");
         let new = RayTree::build(&moved);
@@ -190,9 +189,9 @@ fn trees_are_owned_and_shared() {
 /// A tree does not pass for another mesh's.
 #[test]
 fn validation_notices_moved_vertices() {
-    let mesh = common::ball(3, |_| 1.0);
+    let mesh = meshes::ball(3, |_| 1.0);
     let mut tree = RayTree::build(&mesh);
-    let moved = common::ball(3, |d| 1.0 + 0.1 * d.x);
+    let moved = meshes::ball(3, |d| 1.0 + 0.1 * d.x);
     assert!(matches!(
         tree.validate(&moved),
         Err(TreeError::LeafContent { .. })

@@ -1,20 +1,19 @@
 //! The silhouette tree against brute force.
 
-mod common;
-
-use capwalk_geometry::{
-    ConeQuery, Edge, EdgeSelection, Mesh, Plane, SilhouettePoint, SilhouetteTree, TreeError,
-    oracle, topology,
+use super::meshes::{self, Place, Spot};
+use crate::bvh::validate::TreeError;
+use crate::{
+    ConeQuery, Edge, EdgeSelection, HalfSpace, Mesh, SilhouettePoint, SilhouetteTree, oracle,
+    topology,
 };
 use capwalk_math::Vec3;
-use common::{Place, Spot};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 /// A query in words.
 #[derive(Clone, Copy, Debug)]
 struct View {
-    eye: Spot,
+    viewpoint: Spot,
     towards: Result<Spot, Vec3>,
     max_angle: f64,
     edges: EdgeSelection,
@@ -24,8 +23,8 @@ struct View {
 
 fn view() -> impl Strategy<Value = View> {
     let towards = prop_oneof![
-        common::spot().prop_map(Ok),
-        common::direction().prop_map(Err)
+        meshes::spot().prop_map(Ok),
+        meshes::direction().prop_map(Err)
     ];
     let max_angle = prop_oneof![
         3 => Just(std::f64::consts::PI),
@@ -35,10 +34,10 @@ fn view() -> impl Strategy<Value = View> {
     ];
     let edges = prop_oneof![3 => Just(EdgeSelection::Silhouettes), 1 => Just(EdgeSelection::All)];
     let groups = prop_oneof![2 => Just(u8::MAX), 1 => any::<u8>()];
-    let plane = prop::option::weighted(0.3, (common::spot(), common::point()));
-    (common::spot(), towards, max_angle, edges, groups, plane).prop_map(
-        |(eye, towards, max_angle, edges, groups, plane)| View {
-            eye,
+    let plane = prop::option::weighted(0.3, (meshes::spot(), meshes::point()));
+    (meshes::spot(), towards, max_angle, edges, groups, plane).prop_map(
+        |(viewpoint, towards, max_angle, edges, groups, plane)| View {
+            viewpoint,
             towards,
             max_angle,
             edges,
@@ -50,13 +49,13 @@ fn view() -> impl Strategy<Value = View> {
 
 impl View {
     fn query(&self, mesh: &Mesh, place: &Place) -> ConeQuery {
-        let eye = self.eye.position(mesh, place);
+        let viewpoint = self.viewpoint.position(mesh, place);
         let axis = match self.towards {
-            Ok(spot) => (spot.position(mesh, place) - eye).normalized(),
+            Ok(spot) => (spot.position(mesh, place) - viewpoint).normalized(),
             Err(direction) => direction,
         };
         ConeQuery {
-            eye,
+            apex: viewpoint,
             axis: if axis.is_finite() {
                 axis
             } else {
@@ -65,7 +64,7 @@ impl View {
             max_angle: self.max_angle,
             edges: self.edges,
             groups: self.groups,
-            in_front_of: self.plane.map(|(spot, normal)| Plane {
+            in_front_of: self.plane.map(|(spot, normal)| HalfSpace {
                 point: spot.position(mesh, place),
                 normal,
             }),
@@ -115,9 +114,9 @@ fn close_calls(mesh: &Mesh, edges: &[Edge], query: &ConeQuery, found: u32) -> Ve
         true => ends[0],
         false => ends[1],
     };
-    let size = (highest - query.eye).length();
+    let size = (highest - query.apex).length();
     let cut = [-1e-6, 0.0, 1e-12, 1e-6].map(|lift| ConeQuery {
-        in_front_of: Some(Plane {
+        in_front_of: Some(HalfSpace {
             point: highest + normal * (lift * size),
             normal,
         }),
@@ -138,7 +137,7 @@ fn check(
     queries: &[ConeQuery],
 ) -> Result<(), TestCaseError> {
     tree.validate(mesh, edges)
-        .map_err(|error| TestCaseError::fail(error.to_string()))?;
+        .map_err(|error| TestCaseError::fail(format!("{error:?}")))?;
     let scalar = tree.clone().without_simd();
     for (i, query) in queries.iter().enumerate() {
         let expected = oracle::closest_silhouette(mesh, edges, query);
@@ -168,7 +167,7 @@ proptest! {
     /// moved.
     #[test]
     fn tree_is_brute_force(
-        (mesh, place) in common::mesh(),
+        (mesh, place) in meshes::mesh(),
         views in prop::collection::vec(view(), 20),
         groups in prop::collection::vec(any::<u8>(), 5),
         seed in 1..u64::MAX,
@@ -181,15 +180,15 @@ proptest! {
             |mesh: &Mesh| views.iter().map(|view| view.query(mesh, &place)).collect::<Vec<_>>();
         let mut tree = SilhouetteTree::build(&mesh, &edges);
         check(&tree, &mesh, &edges, &queries_at(&mesh))?;
-        let moved = common::moved(&mesh, &place, 1.0, seed);
+        let moved = meshes::moved(&mesh, &place, 1.0, seed);
         tree.refit(&moved);
         check(&tree, &moved, &edges, &queries_at(&moved))?;
     }
 }
 
-fn query(eye: Vec3, axis: Vec3, max_angle: f64) -> ConeQuery {
+fn query(viewpoint: Vec3, axis: Vec3, max_angle: f64) -> ConeQuery {
     ConeQuery {
-        eye,
+        apex: viewpoint,
         axis,
         max_angle,
         edges: EdgeSelection::Silhouettes,
@@ -198,11 +197,11 @@ fn query(eye: Vec3, axis: Vec3, max_angle: f64) -> ConeQuery {
     }
 }
 
-/// Larger meshes than above, with several levels of nodes, from eyes on and
+/// Larger meshes than above, with several levels of nodes, from viewpoints on and
 /// near the surface, looking along it, at silhouettes down to 1e-9 radians.
 #[test]
 fn deep_trees_are_brute_force() {
-    let mesh = common::ball(20, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
+    let mesh = meshes::ball(20, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
     let edges = topology::edges(&mesh);
     let tree = SilhouetteTree::build(&mesh, &edges);
     assert_eq!(tree.validate(&mesh, &edges), Ok(()));
@@ -210,9 +209,9 @@ fn deep_trees_are_brute_force() {
         let face = (i * 97) % mesh.faces.len();
         let [a, b, c] = mesh.corners(face);
         let height = [0.0, 1e-3, 0.5, 3.0][i % 4];
-        let eye = (a + b + c) / 3.0 * (1.0 + height);
-        let axis = (mesh.positions[(i * 31) % mesh.positions.len()] - eye).normalized();
-        let wide = query(eye, axis, 4.0);
+        let viewpoint = (a + b + c) / 3.0 * (1.0 + height);
+        let axis = (mesh.positions[(i * 31) % mesh.positions.len()] - viewpoint).normalized();
+        let wide = query(viewpoint, axis, 4.0);
         let found = oracle::closest_silhouette(&mesh, &edges, &wide);
         assert_eq!(tree.closest(&wide), found);
         // Aimed past the silhouette by a little.
@@ -230,7 +229,7 @@ fn deep_trees_are_brute_force() {
         for digits in [3, 6, 9] {
             let aside = Vec3::new(0.3, -0.8, 0.5) * 10_f64.powi(-digits);
             let axis = (point.direction + aside).normalized();
-            let query = query(eye, axis, [4.0, 1e-2][i % 2]);
+            let query = query(viewpoint, axis, [4.0, 1e-2][i % 2]);
             assert_eq!(
                 tree.closest(&query),
                 oracle::closest_silhouette(&mesh, &edges, &query)
@@ -239,20 +238,20 @@ fn deep_trees_are_brute_force() {
     }
 }
 
-/// Eyes a hair off the plane of a face that they look at: in single precision
+/// Viewpoints a hair off the plane of a face that they look at: in single precision
 /// its edges may or may not be silhouettes, and must not limit the search.
 #[test]
 fn eyes_near_the_plane_of_a_face() {
-    let mesh = common::ball(9, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
+    let mesh = meshes::ball(9, |d| 1.0 + 0.1 * (9.0 * d.x).sin() * (7.0 * d.y).sin());
     let edges = topology::edges(&mesh);
     let tree = SilhouetteTree::build(&mesh, &edges);
     for i in 0..2000 {
         let [a, b, c] = mesh.corners((i * 97) % mesh.faces.len());
         let normal = (b - a).cross(c - a).normalized();
         let height = [1e-7, -1e-7, 1e-8, -1e-8, 1e-6][i % 5];
-        let eye = a + (a - b) * (3.0 + (i % 7) as f64) + (a - c) * 2.0 + normal * height;
-        let axis = (b * 0.4 + c * 0.6 - eye).normalized();
-        let query = query(eye, axis, 4.0);
+        let viewpoint = a + (a - b) * (3.0 + (i % 7) as f64) + (a - c) * 2.0 + normal * height;
+        let axis = (b * 0.4 + c * 0.6 - viewpoint).normalized();
+        let query = query(viewpoint, axis, 4.0);
         let expected = oracle::closest_silhouette(&mesh, &edges, &query);
         assert_eq!(tree.closest(&query), expected, "{query:?}");
     }
@@ -263,30 +262,30 @@ fn eyes_near_the_plane_of_a_face() {
 /// silhouettes, bit for bit, and the same edges gathered.
 #[test]
 fn refitted_trees_answer_like_new_ones() {
-    let mesh = common::ball(20, |_| 1.0);
+    let mesh = meshes::ball(20, |_| 1.0);
     let edges = topology::edges(&mesh);
     let mut tree = SilhouetteTree::build(&mesh, &edges);
     assert_eq!(tree.degradation(), 1.0);
-    for (name, motion) in common::MOTIONS {
-        let moved = common::with_positions(&mesh, motion);
+    for (name, motion) in meshes::MOTIONS {
+        let moved = meshes::with_positions(&mesh, motion);
         tree.refit(&moved);
         assert_eq!(tree.validate(&moved, &edges), Ok(()), "{name}");
         let new = SilhouetteTree::build(&moved, &edges);
         for i in 0..400 {
             let start = mesh.positions[(i * 31) % mesh.positions.len()];
-            let eye = motion(start * [0.3, 1.0, 1.5, 40.0][i % 4]);
+            let viewpoint = motion(start * [0.3, 1.0, 1.5, 40.0][i % 4]);
             let target = moved.positions[(i * 57) % moved.positions.len()];
-            let axis = (target - eye).normalized();
+            let axis = (target - viewpoint).normalized();
             if !axis.is_finite() {
                 continue;
             }
-            let mut query = query(eye, axis, [4.0, 0.3, 1e-3][i % 3]);
+            let mut query = query(viewpoint, axis, [4.0, 0.3, 1e-3][i % 3]);
             if i % 5 == 0 {
                 query.edges = EdgeSelection::All;
             }
             let found = tree.closest(&query);
             assert_eq!(found, new.closest(&query), "{name}, {query:?}");
-            let counts = |point: &SilhouettePoint| point.edge % 3 == 0;
+            let counts = |point: &SilhouettePoint| point.edge.is_multiple_of(3);
             assert_eq!(
                 tree.closest_where(&query, counts),
                 new.closest_where(&query, counts),
@@ -312,27 +311,27 @@ fn nothing_is_found() {
     let axis = Vec3::new(0.0, 0.0, 1.0);
     let empty = SilhouetteTree::build(&Mesh::default(), &[]);
     assert_eq!(empty.closest(&query(Vec3::zero(), axis, 4.0)), None);
-    let mesh = common::sheet(2, |_, _| 0.0);
+    let mesh = meshes::sheet(2, |_, _| 0.0);
     let tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
-    let eye = Vec3::new(0.1, 0.2, -1.0);
-    assert!(tree.closest(&query(eye, axis, 4.0)).is_some());
+    let viewpoint = Vec3::new(0.1, 0.2, -1.0);
+    assert!(tree.closest(&query(viewpoint, axis, 4.0)).is_some());
     for max_angle in [0.0, -1.0, f64::NAN] {
-        assert_eq!(tree.closest(&query(eye, axis, max_angle)), None);
-        assert!(gathered(&tree, &query(eye, axis, max_angle)).is_empty());
+        assert_eq!(tree.closest(&query(viewpoint, axis, max_angle)), None);
+        assert!(gathered(&tree, &query(viewpoint, axis, max_angle)).is_empty());
     }
     let no_groups = ConeQuery {
         groups: 0,
-        ..query(eye, axis, 4.0)
+        ..query(viewpoint, axis, 4.0)
     };
     assert_eq!(tree.closest(&no_groups), None);
     assert!(gathered(&tree, &no_groups).is_empty());
-    assert!(gathered(&empty, &query(eye, axis, 4.0)).is_empty());
+    assert!(gathered(&empty, &query(viewpoint, axis, 4.0)).is_empty());
 }
 
 /// A tree does not pass for another mesh's, nor for other groups.
 #[test]
 fn validation_notices_changes() {
-    let mesh = common::ball(3, |_| 1.0);
+    let mesh = meshes::ball(3, |_| 1.0);
     let edges = topology::edges(&mesh);
     let mut tree = SilhouetteTree::build(&mesh, &edges);
     let mut regrouped = edges.clone();
@@ -341,7 +340,7 @@ fn validation_notices_changes() {
         tree.validate(&mesh, &regrouped),
         Err(TreeError::LeafContent { .. })
     ));
-    let moved = common::ball(3, |d| 1.0 + 0.1 * d.x);
+    let moved = meshes::ball(3, |d| 1.0 + 0.1 * d.x);
     assert!(matches!(
         tree.validate(&moved, &edges),
         Err(TreeError::LeafContent { .. })

@@ -1,7 +1,6 @@
 //! Meshes to test on: small, and as nasty as real ones can be.
-#![allow(dead_code)] // each test program uses a part
 
-use capwalk_geometry::Mesh;
+use crate::Mesh;
 use capwalk_math::Vec3;
 use proptest::prelude::*;
 
@@ -228,9 +227,12 @@ pub fn moved(mesh: &Mesh, place: &Place, amount: f64, seed: u64) -> Mesh {
     moved
 }
 
+/// Where a point moves to.
+pub type Motion = fn(Vec3) -> Vec3;
+
 /// Motions of a mesh about the size of 1, from harmless to ruinous: each is
 /// applied to the mesh at rest.
-pub const MOTIONS: [(&str, fn(Vec3) -> Vec3); 9] = [
+pub const MOTIONS: [(&str, Motion); 9] = [
     ("a little", |p| p + Vec3::new(p.y, p.z, p.x) * 1e-3),
     ("ripples", |p| {
         p + p * (0.02 * (40.0 * p.x).sin() * (40.0 * p.y).sin())
@@ -251,7 +253,7 @@ pub const MOTIONS: [(&str, fn(Vec3) -> Vec3); 9] = [
 ];
 
 /// The mesh with every vertex moved.
-pub fn with_positions(mesh: &Mesh, motion: fn(Vec3) -> Vec3) -> Mesh {
+pub fn with_positions(mesh: &Mesh, motion: Motion) -> Mesh {
     Mesh {
         positions: mesh.positions.iter().map(|&p| motion(p)).collect(),
         faces: mesh.faces.clone(),

@@ -6,8 +6,8 @@
 //! costs as one tree, and opened to two, three, ... trees among which its parent
 //! can choose (Ylitie, Karras, Laine 2017, section 3.2).
 
-use super::build::BinaryNode;
-use super::{Child, Topology, WIDTH};
+use super::binary::BinaryNode;
+use super::hierarchy::{Child, Hierarchy, WIDTH};
 
 /// What a subtree costs, by the largest number of trees it may come as, less
 /// one.
@@ -19,9 +19,9 @@ struct Plan {
     left: [u8; WIDTH],
 }
 
-/// Fills the topology with nodes and leaves; leaves in the order of their
+/// Fills the hierarchy with nodes and leaves; leaves in the order of their
 /// primitives.
-pub(super) fn gather(binary: &[BinaryNode], topology: &mut Topology) {
+pub fn widen(binary: &[BinaryNode], hierarchy: &mut Hierarchy) {
     // Leaves cost the same whatever is above them.
     let leaf = Plan {
         cost: [0.0; WIDTH],
@@ -29,7 +29,7 @@ pub(super) fn gather(binary: &[BinaryNode], topology: &mut Topology) {
     };
     let mut plans = vec![leaf; binary.len()];
     plan(binary, &mut plans, 0);
-    push_node(binary, &plans, 0, topology);
+    push_node(binary, &plans, 0, hierarchy);
 }
 
 fn plan(binary: &[BinaryNode], plans: &mut [Plan], slot: usize) {
@@ -67,7 +67,12 @@ fn plan(binary: &[BinaryNode], plans: &mut [Plan], slot: usize) {
 
 /// Appends the wide node for the binary node at `slot`, and all below it; its
 /// index.
-fn push_node(binary: &[BinaryNode], plans: &[Plan], slot: usize, topology: &mut Topology) -> usize {
+fn push_node(
+    binary: &[BinaryNode],
+    plans: &[Plan],
+    slot: usize,
+    hierarchy: &mut Hierarchy,
+) -> usize {
     let mut children = Vec::with_capacity(WIDTH);
     match binary[slot].halves(slot) {
         Some([left, right]) => {
@@ -77,15 +82,15 @@ fn push_node(binary: &[BinaryNode], plans: &[Plan], slot: usize, topology: &mut 
         }
         None => children.push(slot), // everything is in one leaf
     }
-    let index = topology.nodes.len();
-    topology.nodes.push([Child::NONE; WIDTH]);
+    let index = hierarchy.nodes.len();
+    hierarchy.nodes.push([Child::NONE; WIDTH]);
     for (i, &child) in children.iter().enumerate() {
         let node = &binary[child];
-        topology.nodes[index][i] = if node.halves(child).is_none() {
-            topology.leaf_starts.push(node.start);
-            Child::leaf(topology.leaf_starts.len() - 1)
+        hierarchy.nodes[index][i] = if node.halves(child).is_none() {
+            hierarchy.leaf_starts.push(node.start);
+            Child::leaf(hierarchy.leaf_starts.len() - 1)
         } else {
-            Child::node(push_node(binary, plans, child, topology))
+            Child::node(push_node(binary, plans, child, hierarchy))
         };
     }
     index

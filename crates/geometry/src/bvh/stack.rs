@@ -1,6 +1,6 @@
 //! Nearest first, down one branch of a tree after the other.
 
-use super::{Child, WIDTH};
+use super::hierarchy::{Child, WIDTH};
 
 /// Entries at the top of a stack: more than nearly every ray needs, and so few
 /// that making them costs nothing beside a node.

@@ -4,6 +4,7 @@ mod best_first;
 mod closest;
 mod cone_kernel;
 mod cone_node;
+mod cone_query;
 mod edge_block;
 mod edge_kernel;
 mod gather;
@@ -15,6 +16,9 @@ mod ray_kernel;
 mod ray_tree;
 mod silhouette_tree;
 mod tree_edge;
+#[cfg(test)]
+mod validate;
 
+pub use cone_query::{ConeQuery, EdgeSelection, HalfSpace, SilhouettePoint};
 pub use ray_tree::RayTree;
-pub use silhouette_tree::{ConeQuery, EdgeSelection, Plane, SilhouettePoint, SilhouetteTree};
+pub use silhouette_tree::SilhouetteTree;

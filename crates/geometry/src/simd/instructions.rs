@@ -1,0 +1,37 @@
+//! Which instruction set a computation runs on.
+
+#[cfg(target_arch = "x86_64")]
+use super::avx2::Avx2;
+use super::scalar::Scalar;
+use super::vectors::Job;
+
+/// An instruction set.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Instructions {
+    /// Plain Rust, runs everywhere.
+    Scalar,
+    /// AVX2 with fused multiply-add.
+    #[cfg(target_arch = "x86_64")]
+    Avx2(Avx2),
+}
+
+impl Instructions {
+    /// The fastest that this processor has.
+    pub fn detect() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(avx2) = Avx2::detect() {
+            return Self::Avx2(avx2);
+        }
+        Self::Scalar
+    }
+
+    /// Runs the job compiled for these instructions.
+    #[inline]
+    pub fn run<J: Job>(self, job: J) -> J::Output {
+        match self {
+            Self::Scalar => job.run(Scalar),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2(avx2) => avx2.run(job),
+        }
+    }
+}

@@ -1,0 +1,5 @@
+//! The trees against brute force.
+
+mod meshes;
+mod rays;
+mod silhouettes;
