@@ -54,7 +54,6 @@ impl Aabb {
         x * y + y * z + z * x
     }
 
-    /// The side lengths.
     #[inline]
     pub fn extent(&self) -> [f32; 3] {
         std::array::from_fn(|i| self.high[i] - self.low[i])

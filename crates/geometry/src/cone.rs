@@ -5,7 +5,7 @@ use capwalk_math::Vec3;
 /// A cone that contains normals of faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalCone {
-    /// Its unit axis.
+    /// Unit vector.
     pub axis: Vec3,
     /// Sine of the largest angle between the axis and a normal, at most a
     /// right angle; infinite if there is no such cone.

@@ -8,15 +8,15 @@ use crate::mesh::Mesh;
 /// edge between them: it could never be a boundary.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
-    /// Its two end points, as vertex indices of the mesh.
+    /// Vertices at its ends, indices into [`Mesh::positions`].
     pub vertices: [u32; 2],
-    /// What lies on its sides.
+    /// Decides from where it is a silhouette.
     pub sides: Sides,
     /// Bits that a query can select edges by (see `ConeQuery::groups`).
     pub groups: u8,
 }
 
-/// The faces at an edge.
+/// What the surface does at an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Sides {
     /// One face, more than two, or a degenerate one: always a boundary.
@@ -24,7 +24,7 @@ pub enum Sides {
     /// Two faces: a silhouette where one is seen from the front and the other
     /// from behind.
     Between {
-        /// The two faces.
+        /// Indices into [`Mesh::faces`].
         faces: [u32; 2],
         /// True if they are wound against each other, so that the second one's
         /// normal counts reversed.
@@ -83,9 +83,9 @@ impl Edge {
 pub struct ClosestDirection {
     /// Position along the segment, 0 at `a`, 1 at `b`.
     pub t: f64,
-    /// Unit direction of that point.
+    /// Unit direction from the viewpoint to that point.
     pub direction: Vec3,
-    /// Distance of that point.
+    /// Distance of that point from the viewpoint, world units.
     pub distance: f64,
     /// Its angle to the axis, radians.
     pub angle: f64,

@@ -2,10 +2,10 @@
 
 use capwalk_math::Vec3;
 
-/// A triangle mesh.
+/// Triangles that share vertices; no topology beyond the indices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Vertex positions, in world units.
+    /// One position for each vertex, world units.
     pub positions: Vec<Vec3>,
     /// Corner indices of each triangle, counter-clockwise seen from outside.
     pub faces: Vec<[u32; 3]>,
@@ -20,7 +20,7 @@ pub enum MeshError {
     NonFinitePosition {
         /// Index of the first such vertex.
         vertex: usize,
-        /// Its position.
+        /// Where it is, world units; at least one coordinate is not finite.
         position: Vec3,
     },
     /// A face names a vertex that does not exist.
@@ -85,7 +85,7 @@ impl Mesh {
         Ok(())
     }
 
-    /// The three corners of a face.
+    /// Positions of a face's corners in world units, in the order of its indices.
     #[inline]
     pub fn corners(&self, face: usize) -> [Vec3; 3] {
         self.faces[face].map(|i| self.positions[i as usize])
@@ -98,14 +98,15 @@ impl Mesh {
         (b - a).cross(c - a)
     }
 
-    /// Total area.
+    /// Total area of the faces, square world units; one-sided.
     pub fn area(&self) -> f64 {
         (0..self.faces.len())
             .map(|face| 0.5 * self.face_cross(face).length())
             .sum()
     }
 
-    /// Smallest and largest coordinates of the vertices.
+    /// Smallest and largest coordinates of the vertices, world units, used by a face or
+    /// not; infinite and reversed without vertices.
     pub fn bounds(&self) -> (Vec3, Vec3) {
         let start = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
         self.positions
@@ -113,7 +114,7 @@ impl Mesh {
             .fold(start, |(low, high), &p| (low.min(p), high.max(p)))
     }
 
-    /// Adds another mesh's vertices and faces behind one's own.
+    /// Appends another mesh's vertices and faces; its indices are shifted to match.
     pub fn append(&mut self, other: &Mesh) {
         let offset = self.positions.len() as u32;
         self.positions.extend_from_slice(&other.positions);

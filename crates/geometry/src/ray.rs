@@ -5,13 +5,13 @@ use capwalk_math::Vec3;
 /// A ray and the part of it that counts.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it starts.
+    /// World units.
     pub origin: Vec3,
-    /// Where it goes; distances are in multiples of its length.
+    /// Of any length; distances along the ray are in multiples of it.
     pub direction: Vec3,
-    /// Nearer intersections do not count.
+    /// Intersections at smaller distances do not count, those at it do.
     pub t_min: f64,
-    /// Farther intersections do not count.
+    /// Intersections at larger distances do not count, those at it do.
     pub t_max: f64,
 }
 
@@ -36,9 +36,9 @@ impl Ray {
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// The face.
+    /// Index into [`Mesh::faces`](crate::Mesh::faces).
     pub face: u32,
-    /// The distance, in multiples of the ray direction's length.
+    /// Distance, in multiples of the length of the ray's direction.
     pub t: f64,
     /// Weights of the face's second and third corner; the first has the rest.
     pub barycentric: [f64; 2],

@@ -114,11 +114,14 @@ impl Tape {
     pub fn sweep(&self, adjoints: &mut Adjoints, places: Range<usize>) {
         let Operations { operands, ends } = &*self.operations.borrow();
         let begin = |place: usize| place.checked_sub(1).map_or(0, |before| ends[before]);
+        // Everything computed from a number comes after it: going backwards, its
+        // adjoint is complete when it is reached.
         for place in places.rev() {
             let adjoint = adjoints.0[place];
             if adjoint == 0.0 {
-                continue;
+                continue; // Nothing that counts was computed from it.
             }
+            // The chain rule: x̄ += ∂y/∂x ȳ for each operand x of y.
             for operand in &operands[begin(place) as usize..ends[place] as usize] {
                 adjoints.0[operand.place as usize] += operand.slope * adjoint;
             }

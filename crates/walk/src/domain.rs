@@ -13,7 +13,7 @@ pub trait Vector:
     + Neg<Output = Self>
     + Mul<f64, Output = Self>
 {
-    /// The zero vector.
+    /// All components 0.
     const ZERO: Self;
     /// Inner product.
     fn dot(self, other: Self) -> f64;
@@ -47,7 +47,7 @@ impl Vector for Vec3 {
 pub struct Nearest<S, V> {
     /// The boundary point, as the domain names it.
     pub site: S,
-    /// Where it is.
+    /// Its place in the domain.
     pub point: V,
     /// Its distance along the domain.
     pub distance: f64,
@@ -61,13 +61,13 @@ pub struct Nearest<S, V> {
 pub trait Domain {
     /// Points and tangents.
     type Vector: Vector;
-    /// A boundary point.
+    /// How a boundary point is named: enough for a caller to know its velocity.
     type Site: Copy;
 
     /// The closest boundary point nearer than `limit`, Eqs. (15) and (29).
     fn closest(&self, x: Self::Vector, limit: f64) -> Option<Nearest<Self::Site, Self::Vector>>;
 
-    /// Distance of two points along the domain.
+    /// Distance of two points along the domain: radians on the sphere.
     fn distance(&self, x: Self::Vector, y: Self::Vector) -> f64;
 
     /// The unit tangent at `x` towards `y`.

@@ -5,7 +5,7 @@ use crate::domain::Vector;
 /// One boundary point's share of a field sample.
 #[derive(Clone, Copy, Debug)]
 pub struct Term<S, V> {
-    /// The boundary point.
+    /// The boundary point, as its domain names it.
     pub site: S,
     /// Weight of its velocity in the field's value.
     pub weight: f64,
@@ -34,9 +34,9 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
         }
     }
 
-    /// Adds a boundary point's share; a point that does not exist moves with
-    /// velocity zero and is left out.
-    pub(crate) fn add(&mut self, site: Option<S>, weight: f64, slope: V) {
+    /// Adds a boundary point's share, the fifth at most; a point that does not exist
+    /// moves with velocity zero and is left out.
+    pub fn add(&mut self, site: Option<S>, weight: f64, slope: V) {
         let Some(site) = site else { return };
         let free = self.terms.iter_mut().find(|term| term.is_none());
         *free.expect("no estimator uses more than five boundary points") = Some(Term {

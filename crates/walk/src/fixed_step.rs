@@ -14,7 +14,15 @@
 //! with `κ = |rim|/|ball|`, `e(z)` the unit tangent towards the rim point `z`,
 //! and `g = ∇A` pointing away from the closest boundary point (Eqs. 27 and 34
 //! after working out the rim's motion). Summed over an orthonormal basis of
-//! tangents this is the divergence, Eq. (21), up to the domain's curvature.
+//! tangents this is the divergence, Eq. (21), up to the domain's curvature:
+//!
+//! ```text
+//! div v = κ { E_rim[ v(z)·(e(z) + g) ] - g·E_ball[ v(y) ] - c·E_rim[ e(z) ] }
+//! ```
+//!
+//! One sample replaces each mean by one random point, `z` on the rim and `y` inside,
+//! and each velocity by that of the boundary point where a walk from there ends. What
+//! is returned are these boundary points with their covectors.
 //!
 //! The radius is limited to `max_radius`, and boundaries beyond it count as
 //! absent with velocity zero: the field stays continuous and exact on the
@@ -23,7 +31,7 @@
 use crate::domain::{Domain, Nearest, Vector};
 use crate::field::FieldSample;
 
-/// How the field is built and its divergence estimated.
+/// How the field is built, and its divergence estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WalkSettings {
     /// Number of steps `M`, at least 1: with none the field is not continuous.
@@ -93,14 +101,16 @@ pub fn sample_field<D: Domain>(
         "the field of no steps is not continuous"
     );
     let mut sample = FieldSample::zero(domain.curvature(x));
-    // A ball around x of radius at most max_radius and the balls around its
-    // points see no boundary beyond twice that.
-    let Some(nearest) = domain.closest(x, reach(settings, settings.steps)) else {
+    // The largest empty ball around x, Eqs. (15) and (29). If no boundary lies within
+    // the distance of the whole walk, the field is zero in all of the ball.
+    let Some(nearest) = domain.closest(x, max_distance(settings, settings.steps)) else {
         return sample;
     };
     let within = nearest.distance < settings.max_radius;
-    let radius = nearest.distance.min(settings.max_radius);
-    let kappa = domain.rim_over_ball(radius);
+    let radius = nearest.distance.min(settings.max_radius); // A
+    let kappa = domain.rim_over_ball(radius); // κ = |rim|/|ball|
+    // g = ∇A: the radius grows away from the closest boundary point. A limited radius
+    // does not change with x.
     let g = match within {
         true => -domain.towards(x, nearest.point),
         false => D::Vector::ZERO,
@@ -111,6 +121,7 @@ pub fn sample_field<D: Domain>(
         random: &random,
     };
 
+    // One azimuth, or two opposite ones that each count half.
     let azimuth = random(0);
     let pair = [azimuth, (azimuth + 0.5) % 1.0];
     let azimuths = &pair[..if settings.antithetic { 2 } else { 1 }];
@@ -119,8 +130,9 @@ pub fn sample_field<D: Domain>(
     for &azimuth in azimuths {
         let e = domain.tangent(x, azimuth);
         mean_e = mean_e + e * share;
-        // The literal estimator's value sample has an azimuth and later steps of its
-        // own. Anchored walks share theirs: what both have in common cancels.
+        // y inside the ball and z on its rim. Anchored, they share azimuth and later
+        // steps, so that v(z) - v(y) is small where the ball is, and κ large. The
+        // literal estimator draws both independently, as printed.
         let (e_inside, later) = match settings.estimator {
             Estimator::Anchored => (e, LATER),
             Estimator::Literal => {
@@ -131,6 +143,9 @@ pub fn sample_field<D: Domain>(
         let inside = domain.radius_inside(radius, random(1));
         let y = domain.walk(x, e_inside, inside);
         let z = domain.walk(x, e, radius);
+        // The velocities at y and z are those of the field of one step less. That at y
+        // samples the mean over the ball: it is the value, Eqs. (20) and (32), and in
+        // the derivative it has the covector -κ g. That at z has κ (e + g).
         let steps = settings.steps - 1;
         let slope_y = g * (-kappa * share);
         let value_y = walker.value(y, steps, Some(nearest), later);
@@ -139,6 +154,8 @@ pub fn sample_field<D: Domain>(
         let value_z = walker.value(z, steps, Some(nearest), LATER);
         sample.add(value_z, 0.0, slope_z);
     }
+    // The anchor c is the velocity at the closest boundary point, Eq. (18): its covector
+    // is -κ E[e]. Beyond the largest radius it is zero, like that of absent boundaries.
     if settings.estimator == Estimator::Anchored && within {
         sample.add(Some(nearest.site), 0.0, mean_e * -kappa);
     }
@@ -161,11 +178,10 @@ pub fn sample_value<D: Domain>(
     walker.value(x, settings.steps, None, 0)
 }
 
-/// Boundaries farther than this from the start do not matter to the field of
-/// `steps` steps that is not zero everywhere in the first ball: the walk moves
-/// at most `max_radius` each step, and looks `max_radius` ahead. One query
-/// with this reach decides whether the sample is zero.
-fn reach(settings: &WalkSettings, steps: u32) -> f64 {
+/// The distance within which a walk of `steps` steps can end: each step moves it by at
+/// most `max_radius`, and the last query asks as far. If there is no boundary within,
+/// the field of `steps` steps is zero.
+fn max_distance(settings: &WalkSettings, steps: u32) -> f64 {
     settings.max_radius * f64::from(steps + 1)
 }
 
@@ -188,24 +204,29 @@ impl<D: Domain, R: Fn(u32) -> f64> Walker<'_, D, R> {
     ) -> Option<D::Site> {
         let max_radius = self.settings.max_radius;
         for step in (0..=steps).rev() {
-            // The last look only asks what is within max_radius; the looks
-            // before it also decide whether the rest can be skipped.
-            let far = reach(self.settings, step);
+            // The last query only asks what is within max_radius; those before it also
+            // decide whether the rest of the walk can be skipped.
+            let far = max_distance(self.settings, step);
             let bound = match known {
                 Some(nearest) => far.min(self.domain.distance(x, nearest.point)),
                 None => far,
             };
             let found = self.domain.closest(x, bound);
-            // Nothing nearer than a known point within reach: it is the one.
+            // The closest boundary point: the one found, or the known one if nothing is
+            // nearer and it is within reach. Without either the velocity is zero.
             let nearest = found.or_else(|| {
                 known.filter(|_| bound < far).map(|nearest| Nearest {
                     distance: bound,
                     ..nearest
                 })
             })?;
+            // After the last step the walk ends at the closest boundary point, Eqs. (18)
+            // and (31).
             if step == 0 {
                 return Some(nearest.site);
             }
+            // Otherwise it jumps to a uniform point of the largest empty ball, Eqs. (20)
+            // and (32).
             known = Some(nearest);
             let radius = nearest.distance.min(max_radius);
             let e = self.domain.tangent(x, (self.random)(dimension));

@@ -9,20 +9,20 @@ use crate::domain::{Domain, Nearest};
 
 /// The sphere of directions around a point, bounded by the edges seen from it.
 pub struct Sphere<'a, F = fn(&SilhouettePoint) -> bool> {
-    /// The edges.
+    /// Of all edges that may be boundaries.
     pub tree: &'a SilhouetteTree,
-    /// The shading point, the paper's `p_{K+1}`.
+    /// The shading point, the paper's `p_{K+1}`, or the camera. World units.
     pub origin: Vec3,
     /// Which edges are boundaries.
     pub edges: EdgeSelection,
     /// Only edges of these groups are.
     pub groups: u8,
-    /// Edges wholly behind it are not (`domain = triangle`).
+    /// Edges wholly outside are not (`domain = triangle`).
     pub in_front_of: Option<HalfSpace>,
     /// Which points of these edges count, for example only those that can be
     /// seen; `None` if all of them do.
     pub counts: Option<F>,
-    /// Counts the queries.
+    /// How many closest-silhouette queries were made.
     pub queries: Cell<u64>,
 }
 

@@ -67,6 +67,8 @@ fn split_recursively(range: Range, leaf_size: usize) {
         depth,
     } = range;
     let count = primitives.len();
+    // The box around the primitives decides how often the node is visited, that around
+    // their centres where it can be split.
     let mut bounds = Aabb::EMPTY;
     let mut centres = Aabb::EMPTY;
     for primitive in primitives.iter() {
@@ -92,6 +94,7 @@ fn split_recursively(range: Range, leaf_size: usize) {
     } else {
         None
     };
+    // The primitives on the left of the split come first in the range.
     let left = match split {
         Some(split) => partition(primitives, |p| split.is_left(p)),
         None => count / 2, // all centres equal, or too deep
@@ -170,6 +173,7 @@ impl Bins {
 /// bin on every axis.
 fn best_split(primitives: &[Primitive], centres: &Aabb, leaf_size: usize) -> Option<Split> {
     let bins = Bins::new(centres);
+    // What falls into each bin of each axis: a box, and how many.
     let mut filled = [[(Aabb::EMPTY, 0_usize); BINS]; 3];
     for primitive in primitives {
         let centre = primitive.bounds.centre2();
@@ -183,6 +187,7 @@ fn best_split(primitives: &[Primitive], centres: &Aabb, leaf_size: usize) -> Opt
     let cost = |bounds: &Aabb, count: usize| bounds.half_area() * count.div_ceil(leaf_size) as f32;
     let mut best: Option<(f32, Split)> = None;
     for (axis, filled) in filled.iter().enumerate() {
+        // From the right: the cost of everything from each bin on.
         let mut right_costs = [0.0; BINS];
         let (mut bounds, mut count) = (Aabb::EMPTY, 0);
         for bin in (1..BINS).rev() {
@@ -194,6 +199,8 @@ fn best_split(primitives: &[Primitive], centres: &Aabb, leaf_size: usize) -> Opt
                 cost(&bounds, count)
             };
         }
+        // From the left: the cost of everything before each bin. A split must leave
+        // something on both sides.
         let (mut bounds, mut count) = (Aabb::EMPTY, 0);
         for bin in 1..BINS {
             bounds = bounds.union(&filled[bin - 1].0);

@@ -15,22 +15,19 @@ pub struct Child(u32);
 const LEAF_BIT: u32 = 1 << 31;
 
 impl Child {
-    /// The empty slot.
     pub const NONE: Self = Self(u32::MAX);
 
-    /// An inner node.
     pub fn node(index: usize) -> Self {
         debug_assert!(index < LEAF_BIT as usize);
         Self(index as u32)
     }
 
-    /// A leaf.
     pub fn leaf(index: usize) -> Self {
         debug_assert!(index < (LEAF_BIT - 1) as usize);
         Self(index as u32 | LEAF_BIT)
     }
 
-    /// What the slot holds.
+    /// What the slot holds; `None` if it is empty.
     #[inline]
     pub fn kind(self) -> Option<ChildKind> {
         match self {

@@ -8,73 +8,36 @@ use crate::aabb::Aabb;
 #[derive(Clone, Debug, PartialEq)]
 pub enum TreeError {
     /// A primitive lies in no leaf, or in several.
-    PrimitiveCount {
-        /// The primitive: a face or an edge.
-        primitive: usize,
-        /// In how many leaves it lies.
-        leaves: usize,
-    },
+    PrimitiveCount { primitive: usize, leaves: usize },
     /// A node or leaf hangs below no parent, or below several.
-    ParentCount {
-        /// What it is.
-        child: ChildKind,
-        /// How many parents it has.
-        parents: usize,
-    },
+    ParentCount { child: ChildKind, parents: usize },
     /// A child refers to a node or leaf that does not exist, or to a node
     /// before its parent.
-    BadChild {
-        /// The node.
-        node: usize,
-        /// Which of its children.
-        slot: usize,
-    },
+    BadChild { node: usize, slot: usize },
     /// A leaf has too many primitives, or none.
-    LeafSize {
-        /// The leaf.
-        leaf: usize,
-        /// How many primitives it has.
-        primitives: usize,
-    },
+    LeafSize { leaf: usize, primitives: usize },
     /// A leaf lies deeper than traversal stacks allow.
-    TooDeep {
-        /// The node at which the limit is passed.
-        node: usize,
-    },
+    TooDeep { node: usize },
     /// Something below a child pokes out of the child's box.
     Bounds {
-        /// The node.
         node: usize,
-        /// Which of its children.
         slot: usize,
-        /// The primitive that pokes out.
         primitive: usize,
     },
     /// A child's cone of normals or view test misses a face normal.
     NormalCone {
-        /// The node.
         node: usize,
-        /// Which of its children.
         slot: usize,
-        /// The edge with that face.
         edge: usize,
     },
     /// A child lacks a group that an edge below it has.
     Groups {
-        /// The node.
         node: usize,
-        /// Which of its children.
         slot: usize,
-        /// The edge with that group.
         edge: usize,
     },
     /// The copy of a primitive in its leaf is not what the mesh has.
-    LeafContent {
-        /// The leaf.
-        leaf: usize,
-        /// The primitive.
-        primitive: usize,
-    },
+    LeafContent { leaf: usize, primitive: usize },
 }
 
 /// Checks that the nodes form one tree, that no leaf is too deep or too full,

@@ -40,7 +40,8 @@ fn plan(binary: &[BinaryNode], plans: &mut [Plan], slot: usize) {
         plan(binary, plans, half);
         plans[half].cost
     });
-    // As at most `count` trees that are not one.
+    // The least cost of the two halves as `count` trees together, and how many of them
+    // come from the left.
     let opened = |count: usize| {
         let cost = |of_left: usize| left[of_left - 1] + right[count - of_left - 1];
         (1..count)
@@ -48,6 +49,7 @@ fn plan(binary: &[BinaryNode], plans: &mut [Plan], slot: usize) {
             .min_by(|a, b| a.0.total_cmp(&b.0))
             .expect("two trees are one on each side")
     };
+    // As one tree, the subtree is a node with eight children: its own surface, and theirs.
     let (below, of_left) = opened(WIDTH);
     let as_one = binary[slot].half_area + below;
     let mut plan = Plan {
@@ -55,6 +57,7 @@ fn plan(binary: &[BinaryNode], plans: &mut [Plan], slot: usize) {
         left: [0; WIDTH],
     };
     plan.left[0] = of_left;
+    // As several, it has no node of its own; where that costs more it stays one.
     for count in 2..=WIDTH {
         let (cost, of_left) = opened(count);
         if cost <= as_one {

@@ -1,4 +1,11 @@
-//! Closest silhouettes among those that a caller accepts.
+//! The closest silhouette among those that a caller accepts: usually those whose
+//! closest point nothing hides.
+//!
+//! What was found cannot limit this search, since the caller may reject it. So the
+//! search is strictly best first over nodes, leaves and edges alike: whatever has
+//! the least lower bound is opened next, and a tested point is offered to the caller
+//! once nothing unopened can be nearer. The caller is asked in the order of angles,
+//! and no more often than necessary: each answer costs a ray.
 
 use std::cmp::{Ordering, Reverse};
 use std::collections::BinaryHeap;
@@ -35,12 +42,9 @@ impl SilhouetteTree {
     }
 }
 
-/// What was found cannot limit this search, as it may be rejected. So it goes
-/// strictly by bounds, and tests and offers edges no sooner than necessary.
+/// The search as a job for whichever instructions the processor has.
 struct ClosestWhere<'a, F> {
-    /// The tree.
     tree: &'a SilhouetteTree,
-    /// The cone.
     query: &'a ConeQuery,
     /// The closest point of all, which was not accepted.
     rejected: SilhouettePoint,
@@ -104,14 +108,17 @@ impl<F: Fn(&SilhouettePoint) -> bool> Job for ClosestWhere<'_, F> {
         } = self;
         let cone = LocalCone::new(simd, &tree.frame, query);
         let limit = Limit::of_angle(query.max_angle);
+        // What is unopened, by the least pseudo-angle it may have.
         let mut queue = BinaryHeap::with_capacity(64);
         queue.push(queued(0.0, What::Below(Child::node(0).bits())));
+        // Exact closest points that the caller has not been asked about.
         let mut tested: BinaryHeap<Tested> = BinaryHeap::new();
         loop {
             let next = queue
                 .peek()
                 .map(|Queued(Reverse((least, _)))| f32::from_bits(*least));
-            // A tested point is the nearest of all if what is left is farther.
+            // If all that is unopened is farther than the nearest tested point, that
+            // is the nearest of all: it is the answer if the caller accepts it.
             if tested
                 .peek()
                 .is_some_and(|nearest| next.is_none_or(|least| nearest.bound < least))
@@ -122,6 +129,8 @@ impl<F: Fn(&SilhouettePoint) -> bool> Job for ClosestWhere<'_, F> {
                 }
                 continue;
             }
+            // Otherwise the nearest unopened thing is opened: an edge by its exact test,
+            // Eq. (30), a node or leaf by the bounds of what it contains.
             let Queued(Reverse((_, what))) = queue.pop()?;
             let child = match what {
                 What::Edge(edge) => {

@@ -1,4 +1,13 @@
 //! The closest silhouette, Algorithm 5.
+//!
+//! The search goes down the tree nearest first. Of most edges in a leaf, bounds in
+//! single precision already tell that they are boundaries, and between which two
+//! angles their closest points lie: the upper one limits the search at once, and
+//! the lower one says whether the edge is worth its exact test (Eq. 30 in double
+//! precision), which is put off until the limit is as low as it gets. Bounds decide
+//! what is tested, never what is found, so the answer is that of brute force.
+//!
+//! Angles are compared as pseudo-angles, see `pseudo_angle.rs`.
 
 use super::cone_node::ConeNode;
 use super::cone_query::{ConeQuery, SilhouettePoint};
@@ -18,26 +27,23 @@ impl SilhouetteTree {
     }
 }
 
-/// Nearest first. Bounds in single precision tell of most edges that they are
-/// boundaries, and how near; that limits the search at once. Only the nearest
-/// of those need the exact test, when the search is over.
+/// The search as a job for whichever instructions the processor has.
 struct Closest<'a> {
-    /// The tree.
     tree: &'a SilhouetteTree,
-    /// The cone.
     query: &'a ConeQuery,
 }
 
-/// Edges that wait for the exact test.
+/// So many edges wait for their exact test before one round of tests is made: more
+/// than nearly every search has.
 const WAITING: usize = 32;
 
-/// The edges that may be the closest.
+/// The state of a search.
 struct Search<'a> {
     tree: &'a SilhouetteTree,
     query: &'a ConeQuery,
-    /// No edge beyond it is the closest.
+    /// The closest point lies no farther from the axis than this.
     limit: Limit,
-    /// The closest that was tested.
+    /// The closest point among the edges tested.
     best: Option<SilhouettePoint>,
     /// Edges to be tested, each with a lower bound of its pseudo-angle in the
     /// upper half: numbers compare like bounds, as these are not negative.
@@ -46,7 +52,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Puts children of a node into the queue.
+    /// Puts the children whose bit is set into the queue, and fetches them: by the
+    /// time their turn comes they are in the cache.
     #[inline(always)]
     fn push<S: Simd>(
         &self,
@@ -68,23 +75,25 @@ impl Search<'_> {
         }
     }
 
-    /// Finds how near the edges of a leaf are, as far as they are boundaries.
+    /// Lowers the limit by what is known of a leaf's eight edges.
     #[inline(always)]
     fn visit_leaf<S: Simd>(&mut self, simd: S, cone: &LocalCone<S>, block: &EdgeBlock) {
         let bounds = cone.edges(simd, block, self.limit.pseudo);
         let start = block.start as usize;
+        // A certain boundary lowers the limit to its upper bound without being
+        // tested. The test is only needed if it turns out to be the closest.
         let mut certain = bounds.certain;
         while certain != 0 {
             let lane = certain.trailing_zeros() as usize % LANES;
             certain &= certain - 1;
-            // Not if it is NaN.
             self.limit.lower_to(bounds.most[lane]);
             if bounds.least[lane] <= self.limit.pseudo {
                 simd.prefetch(&self.tree.edges[start + lane]);
                 self.wait(start + lane, bounds.least[lane]);
             }
         }
-        // The others need the exact test to limit anything.
+        // Where rounding might decide whether an edge is a boundary, only the exact
+        // test may lower the limit. The nearest goes first: it may spare the others.
         let uncertain = bounds.mask & !bounds.certain;
         for_each_sorted(uncertain, &bounds.least, |lane, least| {
             if least <= self.limit.pseudo {
@@ -93,7 +102,8 @@ impl Search<'_> {
         });
     }
 
-    /// Tests an edge exactly.
+    /// Tests an edge exactly, Eq. (30), and keeps its closest point if that is
+    /// nearer than the best; of equally near ones the lowest edge's.
     #[inline(always)]
     fn test(&mut self, edge: usize) {
         let edge = &self.tree.edges[edge];
@@ -105,7 +115,7 @@ impl Search<'_> {
         }
     }
 
-    /// Leaves an edge to be tested later.
+    /// Puts an edge's test off; `least` is the lower bound of its pseudo-angle.
     #[inline(always)]
     fn wait(&mut self, edge: usize, least: f32) {
         if self.waiting_count == WAITING {
@@ -115,7 +125,8 @@ impl Search<'_> {
         self.waiting_count += 1;
     }
 
-    /// Tests those waiting that may be the closest, the nearest first.
+    /// Tests those that wait and may be the closest, the nearest first. Each test can
+    /// lower the limit, which strikes out others.
     #[inline(always)]
     fn test_waiting(&mut self) {
         loop {
@@ -125,7 +136,6 @@ impl Search<'_> {
             for i in 0..self.waiting_count {
                 let entry = self.waiting[i];
                 if f32::from_bits((entry >> 32) as u32) <= limit {
-                    // All but the nearest stay.
                     let farther = entry.max(nearest);
                     nearest = entry.min(nearest);
                     if farther != u64::MAX {
@@ -160,10 +170,14 @@ impl Job for Closest<'_> {
             waiting: [0; WAITING],
             waiting_count: 0,
         };
+        // Nodes and leaves still to visit, nearest first.
         let mut queue = Buckets::with_root(search.limit.pseudo);
-        let mut held = None; // a node that waits for another
+        // A node that waits for a second one: two are tested at a time, since each
+        // by itself would mostly wait for its own results.
+        let mut held = None;
         loop {
             let node = match queue.pop() {
+                // The limit has fallen below everything in there.
                 Some((bound, _)) if bound > search.limit.pseudo => continue,
                 Some((_, child)) => match child.kind() {
                     Some(ChildKind::Node(node)) => node,
@@ -173,7 +187,7 @@ impl Job for Closest<'_> {
                     }
                     None => continue,
                 },
-                // The last one is its own partner.
+                // Nothing else to visit: the node held is its own partner.
                 None => match held {
                     Some(node) => node,
                     None => break,
@@ -183,8 +197,8 @@ impl Job for Closest<'_> {
                 held = Some(node);
                 continue;
             };
-            // Two at a time: each by itself would mostly wait for its own
-            // results.
+            // Of the children, those come into the queue whose normal cones allow a
+            // silhouette and whose boxes reach within the limit.
             let [first, second] = [&tree.nodes[other], &tree.nodes[node]];
             let (first_mask, first_bounds) = cone.children(simd, first, &search.limit);
             let (second_mask, second_bounds) = cone.children(simd, second, &search.limit);
@@ -193,6 +207,7 @@ impl Job for Closest<'_> {
                 search.push(simd, &mut queue, second, second_mask, &second_bounds);
             }
         }
+        // Now that the limit is final, few of those waiting are left to be tested.
         search.test_waiting();
         search.best
     }

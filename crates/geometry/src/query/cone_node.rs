@@ -33,7 +33,7 @@ pub struct ConeNode {
     pub(super) sin: [i16; WIDTH],
     /// `NormalCone::view_margin` of the box.
     pub(super) view_margin: [i16; WIDTH],
-    /// The children.
+    /// In the order of the bounds.
     pub children: [Child; WIDTH],
     /// All groups of the edges below each child; 0 for empty slots.
     pub(super) groups: [u8; WIDTH],

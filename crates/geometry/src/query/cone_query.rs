@@ -12,17 +12,17 @@ pub enum EdgeSelection {
     All,
 }
 
-/// A plane; the side its normal points to is in front.
+/// What lies in front of a plane: on the side that its normal points to.
 #[derive(Clone, Copy, Debug)]
 pub struct HalfSpace {
-    /// A point on it.
+    /// Any point of the plane, world units.
     pub point: Vec3,
-    /// Its normal, of any length.
+    /// Of any length.
     pub normal: Vec3,
 }
 
 impl HalfSpace {
-    /// True if both points lie behind.
+    /// True if both ends of an edge, and so all of it, lie behind the plane.
     #[inline]
     pub fn hides(&self, ends: [Vec3; 2]) -> bool {
         let is_behind = |p: Vec3| (p - self.point).dot(self.normal) < 0.0;
@@ -33,9 +33,9 @@ impl HalfSpace {
 /// A cone to search for boundaries.
 #[derive(Clone, Copy, Debug)]
 pub struct ConeQuery {
-    /// Apex of the cone.
+    /// The viewpoint: a shading point, or the camera. World units.
     pub apex: Vec3,
-    /// Unit axis.
+    /// Unit vector.
     pub axis: Vec3,
     /// Half-angle in radians: only points at smaller angles are found. At
     /// least π means no limit.
@@ -44,14 +44,14 @@ pub struct ConeQuery {
     pub edges: EdgeSelection,
     /// Only edges that share a bit with it count.
     pub groups: u8,
-    /// Edges wholly behind this plane do not count (`domain = triangle`).
+    /// Edges wholly outside do not count (`domain = triangle`, mirrors).
     pub in_front_of: Option<HalfSpace>,
 }
 
 /// A point on a boundary edge, seen from the viewpoint of the query.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SilhouettePoint {
-    /// The edge.
+    /// Index in the list that the tree was built with.
     pub edge: u32,
     /// Position along it: 0 at its first vertex, 1 at its second.
     pub t: f64,

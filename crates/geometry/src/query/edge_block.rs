@@ -42,14 +42,12 @@ pub(super) const NORMAL_ERROR: f32 = 0.5 + 1.0 / (1 << 6) as f32;
 /// An edge as blocks and nodes see it, in local coordinates.
 #[derive(Clone, Copy, Debug)]
 pub struct LocalEdge {
-    /// Its ends.
     pub ends: [Vec3; 2],
     /// Unit normals of its two faces, towards the same side of the surface;
     /// `None` if it may be a silhouette whatever the view.
     pub normals: Option<[Vec3; 2]>,
     /// True if it is a silhouette whatever the view.
     pub open: bool,
-    /// Its groups.
     pub groups: u8,
 }
 

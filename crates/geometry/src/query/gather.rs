@@ -1,4 +1,7 @@
 //! All boundaries in a cone: the silhouette tree's second question, METHOD 8.
+//!
+//! Nothing that is found limits the search, so it goes depth first, with the same
+//! tests of nodes and leaves as the closest silhouette and a limit that stays.
 
 use capwalk_math::Vec3;
 
@@ -23,11 +26,9 @@ impl SilhouetteTree {
     }
 }
 
-/// Depth first: nothing that is found limits the search.
+/// The search as a job for whichever instructions the processor has.
 struct Gather<'a, F> {
-    /// The tree.
     tree: &'a SilhouetteTree,
-    /// The cone.
     query: &'a ConeQuery,
     /// Gets each edge and its ends.
     visit: F,
@@ -46,7 +47,7 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) {
         let Self { tree, query, .. } = self;
-        // Not for NaN.
+        // A cone of no angle, or of an angle that is not a number, contains nothing.
         let is_open = query.max_angle > 0.0;
         if tree.nodes.is_empty() || !is_open {
             return;
@@ -62,7 +63,7 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
                     let (mask, _) = cone.children(simd, node, &limit);
-                    // The first child is visited first.
+                    // Pushed in reverse, children are visited in their order.
                     for i in (0..WIDTH).rev().filter(|i| mask >> i & 1 != 0) {
                         stack[len] = node.children[i];
                         len += 1;
@@ -75,6 +76,8 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
                     while mask != 0 {
                         let lane = mask.trailing_zeros() as usize % LANES;
                         mask &= mask - 1;
+                        // Certainly a boundary, and certainly inside the cone? Else
+                        // the exact test decides, as brute force would.
                         let edge = &tree.edges[block.start as usize + lane];
                         let is_certain =
                             bounds.certain >> lane & 1 != 0 && bounds.most[lane] < certainly;

@@ -28,9 +28,7 @@ const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
 
 /// A view cone in the coordinates of a tree.
 pub struct LocalCone<S: Simd> {
-    /// Its apex.
     pub apex: [S::F32x8; 3],
-    /// Its axis.
     pub axis: [S::F32x8; 3],
     /// Two unit vectors that complete the axis to a frame.
     pub across: [[S::F32x8; 3]; 2],
@@ -47,7 +45,7 @@ pub struct LocalCone<S: Simd> {
 }
 
 impl<S: Simd> LocalCone<S> {
-    /// The cone of a query.
+    /// The cone of a query, in a tree's coordinates and single precision.
     #[inline(always)]
     pub fn new(simd: S, frame: &LocalFrame, query: &ConeQuery) -> Self {
         let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();

@@ -56,11 +56,9 @@ impl Axes {
 /// A box: the points `centre + Σ x_i axis_i` with `|x_i| <= half_i`.
 #[derive(Clone, Copy, Debug)]
 pub struct OrientedBox {
-    /// Its axes.
     pub axes: Axes,
-    /// Its centre.
     pub centre: Vec3,
-    /// Half its extents.
+    /// In units of the axes.
     pub half: [f64; 3],
 }
 

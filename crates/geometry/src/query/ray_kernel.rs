@@ -18,7 +18,7 @@ pub struct RayNode {
     /// Low x, y, z, then high x, y, z, of each child. Empty slots have
     /// `low > high`.
     planes: [[f32; WIDTH]; 6],
-    /// The children.
+    /// In the order of the boxes.
     pub children: [Child; WIDTH],
 }
 

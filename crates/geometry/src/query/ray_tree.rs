@@ -1,4 +1,8 @@
 //! Rays against triangles.
+//!
+//! Boxes are tested in single precision and in the tree's own coordinates, with
+//! margins for all rounding; triangles in double precision and in the world's
+//! (Woop, Benthin and Wald 2013), exactly as brute force does it.
 
 use rayon::prelude::*;
 
@@ -138,11 +142,14 @@ impl Job for FirstHit<'_> {
             return None;
         }
         let local = LocalRay::new(simd, &tree.frame, self.ray)?;
-        let mut bounds = [self.ray.t_min, self.ray.t_max]; // shortened by every hit
+        // The part of the ray that can still have a nearer hit, in its own units, and
+        // its end in those of the boxes. Every hit shortens both.
+        let mut bounds = [self.ray.t_min, self.ray.t_max];
         let mut limit = local.limit(bounds[1]);
         let mut best: Option<Hit> = None;
         let mut stack = Stack::with_root();
         while let Some((near, child)) = stack.pop() {
+            // The ray enters this box behind a hit found since it was pushed.
             if near > limit {
                 continue;
             }
@@ -154,6 +161,8 @@ impl Job for FirstHit<'_> {
                 }
                 Some(ChildKind::Leaf(leaf)) => {
                     tree.leaves[leaf].intersect(simd, &local, bounds, |hit| {
+                        // Of hits at one distance the lowest face counts, in whatever
+                        // order the leaves come.
                         let is_nearer = |best: Hit| (hit.t, hit.face) < (best.t, best.face);
                         if best.is_none_or(is_nearer) {
                             best = Some(hit);
@@ -187,6 +196,7 @@ impl Job for Occluded<'_> {
         };
         let bounds = [self.ray.t_min, self.ray.t_max];
         let limit = local.limit(bounds[1]);
+        // Any hit will do. Near boxes still come first: they are the likelier ones.
         let mut stack = Stack::with_root();
         while let Some((_, child)) = stack.pop() {
             match child.kind() {

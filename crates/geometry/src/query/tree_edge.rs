@@ -12,11 +12,11 @@ use crate::mesh::Mesh;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub(super) struct TreeEdge {
-    /// Its ends.
+    /// World units.
     pub(super) ends: [Vec3; 2],
     /// `Mesh::face_cross` of its two faces; zero if it is open.
     crosses: [Vec3; 2],
-    /// Its number.
+    /// Index in the list that the tree was built with.
     pub(super) id: u32,
     kind: EdgeKind,
 }
