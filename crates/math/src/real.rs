@@ -29,7 +29,7 @@ pub trait Real:
     /// True if its derivatives are known to be zero.
     fn is_constant(self) -> bool;
     /// A function of some numbers by the chain rule: its value here, and the numbers
-    /// with its slope in each.
+    /// with its partial derivative in each.
     fn chain<const N: usize>(value: f64, terms: [(Self, f64); N]) -> Self;
 
     /// Square root.

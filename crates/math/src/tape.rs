@@ -1,10 +1,10 @@
 //! Reverse-mode derivatives: numbers that record how they were computed.
 //!
-//! A [`Tape`] lists every operation with its slopes; walking it backwards turns
-//! the adjoint of a result (the derivative of some final number by it) into the
-//! adjoints of all that it was computed from. An operation may have any number of
-//! operands: an inner product is one. Constants are not recorded, and a number plus
-//! a constant shares the number's place.
+//! A [`Tape`] lists every operation with its partial derivatives; walking it
+//! backwards turns the adjoint of a result (the derivative of some final number with
+//! respect to it) into the adjoints of all that it was computed from. An operation
+//! may have any number of operands: an inner product is one. Constants are not
+//! recorded, and a number plus a constant shares the number's place.
 //!
 //! ```
 //! use capwalk_math::tape::Tape;
@@ -40,11 +40,12 @@ struct Operations {
     ends: Vec<u32>,
 }
 
-/// A number that another was computed from, and the other's slope in it.
+/// A number that another was computed from, and the other's partial derivative with
+/// respect to it.
 #[derive(Clone, Copy, Default)]
 struct Operand {
     place: u32,
-    slope: f64,
+    derivative: f64,
 }
 
 /// The place of constants.
@@ -123,7 +124,7 @@ impl Tape {
             }
             // The chain rule: x̄ += ∂y/∂x ȳ for each operand x of y.
             for operand in &operands[begin(place) as usize..ends[place] as usize] {
-                adjoints.0[operand.place as usize] += operand.slope * adjoint;
+                adjoints.0[operand.place as usize] += operand.derivative * adjoint;
             }
         }
     }
@@ -307,10 +308,10 @@ impl Real for Var<'_> {
         };
         let operations = &mut *tape.operations.borrow_mut();
         let mut operands = [Operand::default(); N];
-        for (operand, (x, slope)) in operands.iter_mut().zip(terms) {
+        for (operand, (x, derivative)) in operands.iter_mut().zip(terms) {
             *operand = Operand {
                 place: x.index,
-                slope,
+                derivative,
             };
         }
         operations.operands.extend_from_slice(&operands);

@@ -9,9 +9,9 @@ pub struct Term<S, V> {
     pub site: S,
     /// Weight of its velocity in the field's value.
     pub weight: f64,
-    /// The weight's slope: along a tangent `d`, the velocity's weight in the
-    /// field's directional derivative is `slope·d`.
-    pub slope: V,
+    /// The weight's gradient: along a tangent `d`, the velocity's weight in the
+    /// field's directional derivative is `gradient·d`.
+    pub gradient: V,
 }
 
 /// An unbiased sample of a field and its derivatives at one point, linear in
@@ -36,13 +36,13 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
 
     /// Adds a boundary point's share, the fifth at most; a point that does not exist
     /// moves with velocity zero and is left out.
-    pub fn add(&mut self, site: Option<S>, weight: f64, slope: V) {
+    pub fn add(&mut self, site: Option<S>, weight: f64, gradient: V) {
         let Some(site) = site else { return };
         let free = self.terms.iter_mut().find(|term| term.is_none());
         *free.expect("no estimator uses more than five boundary points") = Some(Term {
             site,
             weight,
-            slope,
+            gradient,
         });
     }
 
@@ -54,7 +54,7 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
                 term.map(|term| Term {
                     site: f(&term.site),
                     weight: term.weight,
-                    slope: term.slope,
+                    gradient: term.gradient,
                 })
             }),
             curvature: self.curvature,
@@ -77,7 +77,7 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
     /// projected field, Eq. (21).
     #[inline]
     pub fn divergence_covector(&self, term: &Term<S, V>) -> V {
-        term.slope + self.curvature * term.weight
+        term.gradient + self.curvature * term.weight
     }
 
     /// The field's value and divergence for the given boundary velocities; on
@@ -98,9 +98,9 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
     /// Value and gradient of the field of a scalar given on the boundary.
     #[inline]
     pub fn scalar(&self, value: impl Fn(&S) -> f64) -> (f64, V) {
-        self.terms().fold((0.0, V::ZERO), |(sum, slope), term| {
+        self.terms().fold((0.0, V::ZERO), |(sum, gradient), term| {
             let u = value(&term.site);
-            (sum + u * term.weight, slope + term.slope * u)
+            (sum + u * term.weight, gradient + term.gradient * u)
         })
     }
 
@@ -109,7 +109,7 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
     pub fn directional_derivative(&self, d: V, velocity: impl Fn(&S) -> V) -> V {
         let terms = self.terms();
         terms.fold(V::ZERO, |sum, term| {
-            sum + velocity(&term.site) * term.slope.dot(d)
+            sum + velocity(&term.site) * term.gradient.dot(d)
         })
     }
 }

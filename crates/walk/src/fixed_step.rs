@@ -147,12 +147,12 @@ pub fn sample_field<D: Domain>(
         // samples the mean over the ball: it is the value, Eqs. (20) and (32), and in
         // the derivative it has the covector -κ g. That at z has κ (e + g).
         let steps = settings.steps - 1;
-        let slope_y = g * (-kappa * share);
+        let gradient_y = g * (-kappa * share);
         let value_y = walker.value(y, steps, Some(nearest), later);
-        sample.add(value_y, share, slope_y);
-        let slope_z = (e + g) * (kappa * share);
+        sample.add(value_y, share, gradient_y);
+        let gradient_z = (e + g) * (kappa * share);
         let value_z = walker.value(z, steps, Some(nearest), LATER);
-        sample.add(value_z, 0.0, slope_z);
+        sample.add(value_z, 0.0, gradient_z);
     }
     // The anchor c is the velocity at the closest boundary point, Eq. (18): its covector
     // is -κ E[e]. Beyond the largest radius it is zero, like that of absent boundaries.

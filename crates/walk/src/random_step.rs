@@ -62,14 +62,14 @@ pub fn sample_harmonic<D: Domain>(
     let nearest = domain.closest(x, f64::INFINITY)?;
     let e = domain.tangent(x, random(0));
     // Eq. (17); the first jump is made even inside the shell.
-    let slope = e * domain.rim_over_ball(nearest.distance);
+    let gradient = e * domain.rim_over_ball(nearest.distance);
     let first = domain.walk(x, e, nearest.distance);
     let (site, steps) = arrive(domain, first, settings, random)?;
 
     let mut sample = FieldSample::zero(domain.curvature(x));
-    sample.add(Some(site), 1.0, slope);
+    sample.add(Some(site), 1.0, gradient);
     if settings.estimator == Estimator::Anchored {
-        sample.add(Some(nearest.site), 0.0, -slope);
+        sample.add(Some(nearest.site), 0.0, -gradient);
     }
     Some(Arrival { sample, steps })
 }

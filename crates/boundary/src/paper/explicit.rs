@@ -163,7 +163,7 @@ impl Field<'_> {
             let ends = self.ends(&self.boundaries.edges()[shadow.edge as usize]);
             let point = shadow.point(&receiver, ends, term.site.t);
             let velocity = self.projected(eye, &receiver, &point);
-            let divergence = frame.s * term.slope.x + frame.t * term.slope.y;
+            let divergence = frame.s * term.gradient.x + frame.t * term.gradient.y;
             receiver.add(&mut flow, &velocity, term.weight, divergence);
         }
         Some(flow)

@@ -112,7 +112,7 @@ impl Field<'_> {
         for term in sample.terms() {
             if let TriangleBoundary::Silhouette(point) = &term.site {
                 let velocity = self.projected(eye, &receiver, point);
-                let divergence = receiver.divergence(term.slope);
+                let divergence = receiver.divergence(term.gradient);
                 receiver.add(&mut flow, &velocity, term.weight, divergence);
             }
         }
