@@ -19,8 +19,9 @@ use crate::bvh::{Child, ChildKind, WIDTH};
 use crate::simd::{Job, Simd};
 
 impl SilhouetteTree {
-    /// The same, leaving out edges whose closest point `counts` rejects. It is
-    /// asked about edges in the order of their angles until it accepts one.
+    /// As [`closest`](Self::closest), among the edges whose closest point `counts`
+    /// accepts. It is asked about edges in the order of their angles, of equal ones
+    /// in that of the edges, until it accepts one.
     #[inline]
     pub fn closest_where(
         &self,
