@@ -149,7 +149,7 @@ mod tests {
     fn the_scenes_exist() {
         for known in &DEVIATIONS {
             let file = format!("tests/parity/{}.xml", known.scene);
-            assert!(crate::root().join(&file).exists(), "{file}");
+            assert!(crate::shell::root().join(&file).exists(), "{file}");
         }
     }
 }

@@ -8,7 +8,7 @@ use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 
 use crate::deviation::{Deviation, Finding};
-use crate::{cargo, root, step};
+use crate::shell::{cargo, root, step};
 
 /// Samples per pixel of capwalk's picture.
 const SPP: u32 = 1024;

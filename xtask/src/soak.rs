@@ -4,7 +4,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 
-use crate::{cargo, root, step};
+use crate::shell::{cargo, root, step};
 
 /// Address space of the readers, in KiB: what a damaged file of a few kilobytes
 /// makes a reader reserve beyond that is a fault of the reader.
