@@ -53,7 +53,7 @@ pub fn run(names: &[String]) -> Result<()> {
             100.0 * number("relative_mean_difference"),
             if right { "equal" } else { "DIFFERENT" }
         );
-        let Some(known) = Deviation::of(&name) else {
+        let Some(known) = Deviation::of(&name)? else {
             if !right {
                 differing.push(name);
             }
