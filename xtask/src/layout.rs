@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 
-use crate::shell::{cargo, root};
+use crate::shell::{packages, root};
 use circles::circles;
 use imports::imports;
 use source::Crate;
@@ -170,12 +170,9 @@ fn shown(file: &Path) -> String {
 
 /// The libraries and programs of the workspace.
 fn members() -> Result<Vec<Member>> {
-    let output = cargo(&["metadata", "--no-deps", "--format-version", "1"]).output()?;
-    let metadata: Value =
-        serde_json::from_slice(&output.stdout).context("cargo metadata gave no JSON")?;
     let list = |value: &Value| value.as_array().cloned().unwrap_or_default();
     let mut members = Vec::new();
-    for package in list(&metadata["packages"]) {
+    for package in packages()? {
         for target in list(&package["targets"]) {
             let kinds = list(&target["kind"]);
             if !kinds.iter().any(|kind| kind == "lib" || kind == "bin") {
@@ -195,6 +192,5 @@ fn members() -> Result<Vec<Member>> {
             });
         }
     }
-    ensure!(!members.is_empty(), "cargo metadata named no crate");
     Ok(members)
 }

@@ -2,16 +2,18 @@
 //!
 //! | task | does |
 //! |---|---|
-//! | `test` | everything a change must pass: layout, format, lints, documentation, all tests |
+//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests |
 //! | `layout` | finds circles of files, and names that mean two things |
+//! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
 //! | `soak` | random scenes and damaged files, for a minute each |
-//! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares |
+//! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
 
 #[cfg(test)]
 mod code_map;
 mod deviation;
 mod layout;
+mod package;
 mod parity;
 mod shell;
 mod soak;
@@ -27,13 +29,15 @@ const HELP: &str = "\
 usage: cargo xtask <task>
 
 tasks:
-  test     layout, format, lints, documentation, and all tests
+  test     layout, format, lints, packages, documentation, and all tests
   layout   files that import each other in a circle, and names that mean two
            things (further arguments: crates, as `geometry`)
+  package  pack every crate that may be published, and build it from its package
   bench    the benchmarks (further arguments go to them)
   soak     read damaged files for a minute, then render and differentiate random
            scenes for a minute (further arguments: seconds of each, first seed)
-  parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare
+  parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
+           with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)
 ";
 
@@ -47,6 +51,7 @@ fn main() -> ExitCode {
         "test" => test::run(),
         "bench" => bench(rest),
         "layout" => layout::run(rest),
+        "package" => package::run(true),
         "soak" => soak::run(rest),
         "parity" => parity::run(rest),
         "help" | "--help" | "-h" => {

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::layout;
 use crate::shell::{cargo, start};
+use crate::{layout, package};
 
 /// Runs the quick steps first, stops at the first that fails, and ends with
 /// the time that each took.
@@ -29,10 +29,11 @@ pub fn run() -> Result<()> {
 
 type Step = fn() -> Result<()>;
 
-const STEPS: [(&str, Step); 5] = [
+const STEPS: [(&str, Step); 6] = [
     ("layout", || layout::run(&[])),
     ("format", format),
     ("lints", lints),
+    ("packages", || package::run(false)),
     ("documentation", documentation),
     ("tests", tests),
 ];
