@@ -1,5 +1,10 @@
 //! `cargo xtask layout`: no files of a crate import each other in a circle, and
-//! no name means two things.
+//! no name means two things. Takes 0.3 s for all crates.
+//!
+//! Why not `cargo modules dependencies --acyclic` (0.27): whatever its options leave
+//! out, it stops at the first type and its own method (`Vec3` and `Vec3::new`) and
+//! calls them a circle, where files are meant here. Its installation took nine
+//! minutes of processor time, each crate two to eight seconds.
 
 mod circles;
 mod imports;
@@ -27,9 +32,11 @@ const TOLERATED: &[&str] = &[
     "cli, file name used twice: method.rs",
     "exported twice: Bsdf",
     "exported twice: Curve",
+    "exported twice: End",
     "exported twice: Layer",
     "exported twice: Measured",
     "exported twice: Moments",
+    "exported twice: Numbers",
     "exported twice: Part",
     "exported twice: Plane",
     "exported twice: Principled",
@@ -42,12 +49,6 @@ const TOLERATED: &[&str] = &[
     "geometry, circle",
     "geometry, file name used twice: gather.rs",
     "inverse, circle",
-    "render, circle",
-    "render, file name used twice: outline.rs",
-    "render, file name used twice: pixel.rs",
-    "render, file name used twice: slope.rs",
-    "render, type defined twice: Lamp",
-    "render, type defined twice: Source",
     "scene, circle",
     "scene, file name used twice: bsdf.rs",
     "scene, type defined twice: Bsdf",

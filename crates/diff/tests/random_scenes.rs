@@ -411,13 +411,14 @@ struct Tally {
     non_finite: u64,
 }
 
-/// Largest share of the scenes that may go without a comparison, and the share
-/// that did among the first 10,000 seeds. A change that refuses more than it did is seen here.
+/// Largest shares of the scenes that may go without a comparison. Among seeds 1 to
+/// 4172, 56.1 % were refused, with a standard error of 2.9 % for 300 seeds, and none
+/// was anything else that prevents a comparison.
 const SHARES: [(&str, fn(&Tally) -> u32, f64); 4] = [
-    ("invalid", |tally| tally.invalid, 0.5),
-    ("refused", |tally| tally.refused, 0.5),
-    ("refused in reverse", |tally| tally.refused_in_reverse, 0.5),
-    ("inconclusive", |tally| tally.inconclusive, 0.5),
+    ("invalid", |tally| tally.invalid, 0.01),
+    ("refused", |tally| tally.refused, 0.68),
+    ("refused in reverse", |tally| tally.refused_in_reverse, 0.01),
+    ("inconclusive", |tally| tally.inconclusive, 0.01),
 ];
 
 /// Scenes of which these shares are asked: those of a shorter run scatter too much.
@@ -514,7 +515,10 @@ fn random_scenes() {
     for (what, count, at_most) in SHARES {
         let share = f64::from(count(&tally)) / f64::from(tally.scenes.max(1));
         println!("{what}: {:.2} %", 100.0 * share);
-        assert!(tally.scenes < ENOUGH || share <= at_most, "{what}: {tally:?}");
+        assert!(
+            tally.scenes < ENOUGH || share <= at_most,
+            "{what}: {tally:?}"
+        );
     }
     let share = tally.non_finite as f64 / tally.samples as f64;
     assert!(share <= 1e-6, "{tally:?}");
