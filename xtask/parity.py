@@ -31,12 +31,19 @@ PASSING_PIXELS = 0.9975
 PICTURE_LEVEL = 0.01
 
 
-def mitsuba_picture(scene_file, spp, seeds):
-    """Mean and standard error of independent renderings."""
+def mitsuba_pictures(scene_file, spp, seeds):
+    """Independent renderings of a scene, as (seed, height, width, channel)."""
+    mi.set_variant("scalar_rgb")
+    mi.set_log_level(mi.LogLevel.Error)
     scene = mi.load_file(scene_file)
     render = lambda seed: np.array(mi.render(scene, spp=spp, seed=1000 + seed))
     pictures = np.stack([render(seed)[..., :3] for seed in range(seeds)])
-    pictures = pictures.astype(np.float64)
+    return pictures.astype(np.float64)
+
+
+def mean_and_error(pictures):
+    """Mean and standard error of independent renderings."""
+    seeds = len(pictures)
     return pictures.mean(axis=0), pictures.std(axis=0, ddof=1) / math.sqrt(seeds)
 
 
@@ -96,10 +103,8 @@ def compare(ours, ours_error, theirs, theirs_error):
 
 def main():
     scene_file, capwalk_file, spp, seeds, folder = sys.argv[1:]
-    mi.set_variant("scalar_rgb")
-    mi.set_log_level(mi.LogLevel.Error)
     ours = np.load(capwalk_file)
-    theirs, theirs_error = mitsuba_picture(scene_file, int(spp), int(seeds))
+    theirs, theirs_error = mean_and_error(mitsuba_pictures(scene_file, int(spp), int(seeds)))
     if ours["value"].shape != theirs.shape:
         sys.exit(f"sizes differ: {ours['value'].shape} and {theirs.shape}")
     result, z = compare(
@@ -119,4 +124,5 @@ def main():
     print(json.dumps(result))
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
-use crate::root;
+use crate::shell::root;
 
 /// The heading above the map, and the next one.
 const MAP: [&str; 2] = ["\n## Code map\n", "\n## "];

@@ -1,37 +1,23 @@
 //! Scenes in which capwalk differs from Mitsuba on purpose, and by how much it
-//! may: a difference that grows is a fault like any other.
+//! may: a difference that grows is a fault like any other. They are listed in
+//! `tests/parity/deviations.json`, where the golden images find them, too.
+
+use std::fs;
 
 use anyhow::{Context, Result};
 use serde_json::Value;
 
+use crate::shell::root;
+
 /// A difference on purpose, and its bounds.
 pub struct Deviation {
-    /// The scene's file in `tests/parity`, without its ending.
-    pub scene: &'static str,
     /// Why it differs.
-    pub reason: &'static str,
+    pub reason: String,
     /// Largest share of pixels that may fail their z-test.
-    pub failing: f64,
+    failing: f64,
     /// Largest relative difference of the mean brightness, either sign.
-    pub brightness: f64,
+    brightness: f64,
 }
-
-/// Bounds are two and a half times what was measured (docs/benchmarks.md).
-pub const DEVIATIONS: [Deviation; 2] = [
-    Deviation {
-        scene: "coarse_normals",
-        reason: "the face decides which side is seen, not the interpolated normal (docs/scene-files.md)",
-        failing: 0.01,     // measured: 0.39 %
-        brightness: 0.003, // measured: 0.12 %
-    },
-    Deviation {
-        scene: "turned_normals",
-        reason: "normals of maps that turn away from the viewer are not turned back, which would \
-                 be a jump (docs/scene-files.md)",
-        failing: 0.06,    // measured: 2.38 %
-        brightness: 0.01, // measured: -0.39 %
-    },
-];
 
 /// Standard errors of the sum of all differences within which a picture counts
 /// as equal by a wide margin; a difference is called one at four.
@@ -49,9 +35,24 @@ pub enum Finding {
 }
 
 impl Deviation {
-    /// That of this scene, if it may differ.
-    pub fn of(scene: &str) -> Option<&'static Self> {
-        DEVIATIONS.iter().find(|known| known.scene == scene)
+    /// That of the scene with this name, if it may differ.
+    pub fn of(scene: &str) -> Result<Option<Self>> {
+        let file = root().join("tests/parity/deviations.json");
+        let text =
+            fs::read_to_string(&file).with_context(|| format!("cannot read {}", file.display()))?;
+        let all: Value = serde_json::from_str(&text)?;
+        let Some(known) = all.get(scene) else {
+            return Ok(None);
+        };
+        let at_most = |key: &str| {
+            let bound = known[key]["at_most"].as_f64();
+            bound.with_context(|| format!("{}: no bound for \"{key}\"", file.display()))
+        };
+        Ok(Some(Self {
+            reason: known["reason"].as_str().unwrap_or_default().to_owned(),
+            failing: at_most("failing_pixels")?,
+            brightness: at_most("brightness")?,
+        }))
     }
 
     /// Judges what `parity.py` found; an error if a number is missing.
@@ -92,12 +93,13 @@ mod tests {
 
     use super::*;
 
-    const KNOWN: Deviation = Deviation {
-        scene: "a",
-        reason: "b",
-        failing: 0.01,
-        brightness: 0.003,
-    };
+    fn known() -> Deviation {
+        Deviation {
+            reason: "b".into(),
+            failing: 0.01,
+            brightness: 0.003,
+        }
+    }
 
     fn judge(passing: f64, brightness: f64, sign: f64, right: bool) -> Finding {
         let result = json!({
@@ -106,7 +108,7 @@ mod tests {
             "sign": sign,
             "right": right,
         });
-        KNOWN.judge(&result).expect("all numbers are there")
+        known().judge(&result).expect("all numbers are there")
     }
 
     #[test]
@@ -142,14 +144,19 @@ mod tests {
     #[test]
     fn missing_numbers_are_errors() {
         let result = json!({ "passing": null, "relative_mean_difference": 0.0 });
-        assert!(KNOWN.judge(&result).is_err());
+        assert!(known().judge(&result).is_err());
     }
 
     #[test]
-    fn the_scenes_exist() {
-        for known in &DEVIATIONS {
-            let file = format!("tests/parity/{}.xml", known.scene);
-            assert!(crate::root().join(&file).exists(), "{file}");
+    fn the_file_is_complete() {
+        let folder = root().join("tests/parity");
+        let text = fs::read_to_string(folder.join("deviations.json")).unwrap();
+        let all: Value = serde_json::from_str(&text).unwrap();
+        for scene in all.as_object().unwrap().keys() {
+            assert!(folder.join(format!("{scene}.xml")).exists(), "{scene}");
+            let known = Deviation::of(scene).unwrap().unwrap();
+            assert!(!known.reason.is_empty(), "{scene}");
         }
+        assert!(Deviation::of("no such scene").unwrap().is_none());
     }
 }

@@ -2,33 +2,42 @@
 //!
 //! | task | does |
 //! |---|---|
-//! | `test` | everything a change must pass: format, lints, documentation, all tests |
+//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests |
+//! | `layout` | finds circles of files, and names that mean two things |
+//! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
 //! | `soak` | random scenes and damaged files, for a minute each |
-//! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares |
+//! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
 
 #[cfg(test)]
 mod code_map;
 mod deviation;
+mod layout;
+mod package;
 mod parity;
+mod shell;
 mod soak;
 mod test;
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
-use std::time::Instant;
+use std::process::ExitCode;
 
-use anyhow::{Context, Result, bail};
+use anyhow::Result;
+
+use shell::{cargo, step};
 
 const HELP: &str = "\
 usage: cargo xtask <task>
 
 tasks:
-  test     format, lints, documentation, and all tests
+  test     layout, format, lints, packages, documentation, and all tests
+  layout   files that import each other in a circle, and names that mean two
+           things (further arguments: crates, as `geometry`)
+  package  pack every crate that may be published, and build it from its package
   bench    the benchmarks (further arguments go to them)
   soak     read damaged files for a minute, then render and differentiate random
            scenes for a minute (further arguments: seconds of each, first seed)
-  parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare
+  parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
+           with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)
 ";
 
@@ -41,6 +50,8 @@ fn main() -> ExitCode {
     let result = match task {
         "test" => test::run(),
         "bench" => bench(rest),
+        "layout" => layout::run(rest),
+        "package" => package::run(true),
         "soak" => soak::run(rest),
         "parity" => parity::run(rest),
         "help" | "--help" | "-h" => {
@@ -67,40 +78,4 @@ fn bench(rest: &[String]) -> Result<()> {
         command.arg("--").args(rest);
     }
     step("bench", command)
-}
-
-/// The root of the workspace.
-fn root() -> PathBuf {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    here.parent()
-        .expect("xtask is a folder in the workspace")
-        .to_owned()
-}
-
-/// A call of the cargo that runs this task, in the root of the workspace.
-fn cargo(arguments: &[&str]) -> Command {
-    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
-    let mut command = Command::new(cargo);
-    command.args(arguments).current_dir(root());
-    command
-}
-
-/// Runs a command under a heading, fails if it fails, and says how long it took.
-fn step(name: &str, command: Command) -> Result<()> {
-    let started = Instant::now();
-    last_step(name, command)?;
-    println!("    {name}: {:.0} s", started.elapsed().as_secs_f64());
-    Ok(())
-}
-
-/// The same without a word behind it: the command's own summary ends the output.
-fn last_step(name: &str, mut command: Command) -> Result<()> {
-    println!("--- {name}");
-    let status = command
-        .status()
-        .with_context(|| format!("cannot start {:?}", command.get_program()))?;
-    if !status.success() {
-        bail!("{name} failed ({status})");
-    }
-    Ok(())
 }

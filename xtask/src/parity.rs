@@ -1,4 +1,5 @@
-//! `cargo xtask parity`: the same scenes in capwalk and in Mitsuba 3.
+//! `cargo xtask parity`: the same scenes in capwalk and in Mitsuba 3; with
+//! `--golden`, Mitsuba's images for tests that do without it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,7 +9,7 @@ use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 
 use crate::deviation::{Deviation, Finding};
-use crate::{cargo, root, step};
+use crate::shell::{cargo, root, step};
 
 /// Samples per pixel of capwalk's picture.
 const SPP: u32 = 1024;
@@ -16,15 +17,47 @@ const SPP: u32 = 1024;
 /// enough for an error of its own to a fifth.
 const MITSUBA_SPP: u32 = 64;
 const MITSUBA_SEEDS: u32 = 16;
+/// Samples per pixel of each of the renderings behind a golden image: with as many
+/// seeds eight times as many as the tests take, so that their own noise rules.
+const GOLDEN_SPP: u32 = 128;
 /// The release compared with.
 const MITSUBA: &str = "mitsuba==3.9.1";
 
-/// Renders every scene of `tests/parity`, or those named, with both programs.
-pub fn run(names: &[String]) -> Result<()> {
+/// Renders every scene of `tests/parity`, or those named, with both programs and
+/// compares; after `--golden`, with Mitsuba alone, into golden images.
+pub fn run(arguments: &[String]) -> Result<()> {
+    let (golden, names) = match arguments.split_first() {
+        Some((first, names)) if first == "--golden" => (true, names),
+        _ => (false, arguments),
+    };
     let scenes = scenes(names)?;
     let work = root().join("target/parity");
     fs::create_dir_all(&work)?;
     let python = environment(&work.join("venv"))?;
+    match golden {
+        true => make_golden(&python, &scenes),
+        false => compare_all(&python, &scenes, &work),
+    }
+}
+
+/// Renders the scenes with Mitsuba into the images that tests compare with.
+fn make_golden(python: &Path, scenes: &[PathBuf]) -> Result<()> {
+    println!("--- golden images by {MITSUBA}, scalar_rgb");
+    for scene in scenes {
+        let name = stem(scene);
+        let file = root().join(format!("tests/parity/golden/{name}.npz"));
+        let mut command = Command::new(python);
+        command
+            .arg(root().join("xtask/golden.py"))
+            .arg(scene)
+            .arg(file)
+            .args([GOLDEN_SPP.to_string(), MITSUBA_SEEDS.to_string()]);
+        step(&name, command)?;
+    }
+    Ok(())
+}
+
+fn compare_all(python: &Path, scenes: &[PathBuf], work: &Path) -> Result<()> {
     step(
         "build",
         cargo(&["build", "--release", "--package", "capwalk-cli"]),
@@ -37,10 +70,10 @@ pub fn run(names: &[String]) -> Result<()> {
         "scene"
     );
     let mut differing = Vec::new();
-    for scene in &scenes {
+    for scene in scenes {
         let name = stem(scene);
         let result =
-            compare(&python, scene, &work).with_context(|| format!("scene {}", scene.display()))?;
+            compare(python, scene, work).with_context(|| format!("scene {}", scene.display()))?;
         let number = |key: &str| result[key].as_f64().unwrap_or(f64::NAN);
         let right = result["right"].as_bool().unwrap_or(false);
         println!(
@@ -53,7 +86,7 @@ pub fn run(names: &[String]) -> Result<()> {
             100.0 * number("relative_mean_difference"),
             if right { "equal" } else { "DIFFERENT" }
         );
-        let Some(known) = Deviation::of(&name) else {
+        let Some(known) = Deviation::of(&name)? else {
             if !right {
                 differing.push(name);
             }

@@ -4,7 +4,7 @@ use std::process::Command;
 
 use anyhow::{Context, Result};
 
-use crate::{cargo, root, step};
+use crate::shell::{cargo, root, step};
 
 /// Address space of the readers, in KiB: what a damaged file of a few kilobytes
 /// makes a reader reserve beyond that is a fault of the reader.
@@ -35,7 +35,7 @@ pub fn run(rest: &[String]) -> Result<()> {
         step(name, command)
     };
     run("damaged files", "capwalk-scene-io", "reading", "damaged")?;
-    run("random scenes", "capwalk-render", "random_scenes", "random")
+    run("random scenes", "capwalk-diff", "random_scenes", "random")
 }
 
 /// The command with little memory, where a shell can say so.

@@ -1,46 +1,93 @@
 //! `cargo xtask test`: what every change must pass.
 
-use std::process::{Command, Stdio};
+use std::process::Stdio;
+use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::{cargo, last_step, step};
+use crate::shell::{cargo, start};
+use crate::{layout, package};
 
 /// Runs the quick steps first, stops at the first that fails, and ends with
-/// the tests' own summary lines.
+/// the time that each took.
 pub fn run() -> Result<()> {
-    component("fmt", "rustfmt", &["fmt", "--all", "--check"], &[])?;
-    component(
-        "lints",
+    let mut times = Vec::new();
+    let result = STEPS.iter().try_for_each(|(name, step)| {
+        let started = Instant::now();
+        let result = step();
+        times.push((*name, started.elapsed()));
+        result
+    });
+    println!("--- time");
+    for (name, time) in &times {
+        println!("    {name:14}{:>5}", clock(*time));
+    }
+    let whole = times.iter().map(|(_, time)| *time).sum();
+    println!("    {:14}{:>5} minutes", "in all", clock(whole));
+    result
+}
+
+type Step = fn() -> Result<()>;
+
+const STEPS: [(&str, Step); 6] = [
+    ("layout", || layout::run(&[])),
+    ("format", format),
+    ("lints", lints),
+    ("packages", || package::run(false)),
+    ("documentation", documentation),
+    ("tests", tests),
+];
+
+fn format() -> Result<()> {
+    component("rustfmt", &["fmt", "--all", "--check"])
+}
+
+fn lints() -> Result<()> {
+    let all = [
         "clippy",
-        &["clippy", "--workspace", "--all-targets"],
-        &["--", "-D", "warnings"],
-    )?;
-    let mut doc = cargo(&[
+        "--workspace",
+        "--all-targets",
+        "--",
+        "-D",
+        "warnings",
+    ];
+    component("clippy", &all)
+}
+
+fn documentation() -> Result<()> {
+    let all = [
         "doc",
         "--workspace",
         "--no-deps",
         "--document-private-items",
-    ]);
+    ];
+    let mut doc = cargo(&all);
     doc.env("RUSTDOCFLAGS", "-D warnings");
-    step("documentation", doc)?;
-    last_step("tests", cargo(&["test", "--workspace", "--no-fail-fast"]))
+    start("documentation", doc)
+}
+
+fn tests() -> Result<()> {
+    start("tests", cargo(&["test", "--workspace", "--no-fail-fast"]))
 }
 
 /// A step that needs a component of the toolchain; says so and goes on where
 /// that is not installed.
-fn component(name: &str, component: &str, arguments: &[&str], rest: &[&str]) -> Result<()> {
+fn component(component: &str, arguments: &[&str]) -> Result<()> {
     let installed = cargo(&[arguments[0], "--version"])
         .stdout(Stdio::null())
         .stderr(Stdio::null())
         .status()
         .is_ok_and(|status| status.success());
     if !installed {
-        println!("--- {name}");
+        println!("--- {component}");
         println!("    SKIPPED: {component} is not installed (`rustup component add {component}`)");
         return Ok(());
     }
-    let mut command: Command = cargo(arguments);
-    command.args(rest);
-    step(name, command)
+    start(component, cargo(arguments))
+}
+
+/// Minutes and seconds.
+fn clock(time: Duration) -> String {
+    let seconds = time.as_secs_f64().round() as u64;
+    format!("{}:{:02}", seconds / 60, seconds % 60)
 }

@@ -393,24 +393,46 @@ fn random_motion(scene: &Scene, random: &mut Random) -> Motion {
     motion
 }
 
-/// What became of a scene.
+/// What became of the scenes.
 #[derive(Debug, Default)]
 struct Tally {
     scenes: u32,
-    differentiated: u32,
+    /// Contradict themselves and are not rendered.
+    invalid: u32,
+    /// Differentiation is refused in both modes.
     refused: u32,
+    /// Reverse mode alone refuses: it cannot know that two motions cancel.
+    refused_in_reverse: u32,
+    /// A sample is not finite, which counts as zero in one mode and not the other.
+    inconclusive: u32,
+    /// Forward and reverse mode agree.
+    agreeing: u32,
     samples: u64,
     non_finite: u64,
 }
 
+/// Largest shares of the scenes that may go without a comparison. Among seeds 1 to
+/// 4172, 56.1 % were refused, with a standard error of 2.9 % for 300 seeds, and none
+/// was anything else that prevents a comparison.
+const SHARES: [(&str, fn(&Tally) -> u32, f64); 4] = [
+    ("invalid", |tally| tally.invalid, 0.01),
+    ("refused", |tally| tally.refused, 0.68),
+    ("refused in reverse", |tally| tally.refused_in_reverse, 0.01),
+    ("inconclusive", |tally| tally.inconclusive, 0.01),
+];
+
+/// Scenes of which these shares are asked: those of a shorter run scatter too much.
+const ENOUGH: u32 = 300;
+
 fn run(seed: u64, tally: &mut Tally) {
+    tally.scenes += 1;
     let scene = random_scene(seed);
     if let Err(error) = scene.check() {
         // Blends of contradicting materials, for example.
         println!("{seed}: {error}");
+        tally.invalid += 1;
         return;
     }
-    tally.scenes += 1;
     let options = Options { spp: 4, seed };
     let picture = render(&Prepared::new(scene.clone()), &options, &Unwatched);
     let is_finite = |image: &Image| image.pixels.iter().all(|p| p.is_finite());
@@ -432,7 +454,6 @@ fn run(seed: u64, tally: &mut Tally) {
         tally.refused += 1;
         return;
     };
-    tally.differentiated += 1;
     tally.samples += forward.statistics.samples;
     tally.non_finite += forward.statistics.non_finite;
     assert!(
@@ -451,11 +472,12 @@ fn run(seed: u64, tally: &mut Tally) {
         &settings,
         &Unwatched,
     ) else {
-        // It cannot know that two motions cancel.
+        tally.refused_in_reverse += 1;
         return;
     };
     if forward.statistics.non_finite + reverse.statistics.non_finite > 0 {
-        return; // different samples count as zero
+        tally.inconclusive += 1;
+        return;
     }
     let pixels = forward.gradient.mean.pixels.iter().zip(&adjoint.pixels);
     let expected: f64 = pixels.map(|(a, &b)| a.dot(b)).sum();
@@ -467,6 +489,7 @@ fn run(seed: u64, tally: &mut Tally) {
         (found - expected).abs() <= 1e-6 * scale + 1e-12,
         "{seed}: forward {expected}, reverse {found}"
     );
+    tally.agreeing += 1;
 }
 
 #[test]
@@ -479,7 +502,7 @@ fn random_scenes() {
     for seed in first.. {
         let enough = match seconds {
             Some(seconds) => started.elapsed() >= Duration::from_secs(seconds),
-            None => seed >= first + 300,
+            None => seed >= first + u64::from(ENOUGH),
         };
         if enough {
             break;
@@ -489,7 +512,14 @@ fn random_scenes() {
         assert!(before.elapsed() < Duration::from_secs(60), "{seed} hangs");
     }
     println!("{tally:?}");
-    assert!(tally.differentiated > tally.scenes / 5, "{tally:?}");
+    for (what, count, at_most) in SHARES {
+        let share = f64::from(count(&tally)) / f64::from(tally.scenes.max(1));
+        println!("{what}: {:.2} %", 100.0 * share);
+        assert!(
+            tally.scenes < ENOUGH || share <= at_most,
+            "{what}: {tally:?}"
+        );
+    }
     let share = tally.non_finite as f64 / tally.samples as f64;
     assert!(share <= 1e-6, "{tally:?}");
 }

@@ -1,0 +1,51 @@
+//! `cargo xtask package`: what would be published is complete.
+
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+
+use crate::shell::{cargo, packages, root, start};
+
+/// Files of the workspace that every crate's folder has a link to.
+const LICENCES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
+
+/// Packs every crate that may be published, and demands a description, the readme
+/// and the licences. With `verify`, also builds each from its package alone, which
+/// takes as long as building everything.
+pub fn run(verify: bool) -> Result<()> {
+    let published = packages()?;
+    let published = published
+        .iter()
+        .filter(|package| package["publish"].is_null());
+    let mut arguments = vec!["package", "--allow-dirty", "--offline", "--quiet"];
+    let mut wanting = Vec::new();
+    for package in published {
+        let name = package["name"]
+            .as_str()
+            .context("a package without a name")?;
+        arguments.extend(["--package", name]);
+        for key in ["description", "readme"] {
+            if package[key].is_null() {
+                wanting.push(format!("{name} has no {key} in its Cargo.toml"));
+            }
+        }
+        let manifest = package["manifest_path"].as_str();
+        let manifest = Path::new(manifest.context("a package without a file")?);
+        for licence in LICENCES {
+            let link = manifest.with_file_name(licence);
+            if !link.exists() {
+                let link = link.strip_prefix(root()).unwrap_or(&link).display();
+                wanting.push(format!("{link} is missing: `ln -s ../../{licence} {link}`"));
+            }
+        }
+    }
+    ensure!(
+        wanting.is_empty(),
+        "packages are incomplete:\n{}",
+        wanting.join("\n")
+    );
+    if !verify {
+        arguments.push("--no-verify");
+    }
+    start("packages", cargo(&arguments))
+}

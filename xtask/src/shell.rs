@@ -1,0 +1,53 @@
+//! Starting programs from the root of the workspace, each under a heading.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::time::Instant;
+
+use anyhow::{Context, Result, bail};
+use serde_json::Value;
+
+/// The root of the workspace.
+pub fn root() -> PathBuf {
+    // Cargo says at run time in which checkout it runs.
+    let here = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let here = here.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    here.parent().unwrap_or(Path::new(".")).to_owned()
+}
+
+/// A call of the cargo that runs this task, in the root of the workspace.
+pub fn cargo(arguments: &[&str]) -> Command {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(arguments).current_dir(root());
+    command
+}
+
+/// The packages of the workspace, as `cargo metadata` describes them.
+pub fn packages() -> Result<Vec<Value>> {
+    let output = cargo(&["metadata", "--no-deps", "--format-version", "1"]).output()?;
+    let metadata: Value =
+        serde_json::from_slice(&output.stdout).context("cargo metadata gave no JSON")?;
+    let packages = metadata["packages"].as_array().cloned();
+    packages.context("cargo metadata named no packages")
+}
+
+/// Runs a command under a heading; fails if it fails.
+pub fn start(name: &str, mut command: Command) -> Result<()> {
+    println!("--- {name}");
+    let status = command
+        .status()
+        .with_context(|| format!("cannot start {:?}", command.get_program()))?;
+    if !status.success() {
+        bail!("{name} failed ({status})");
+    }
+    Ok(())
+}
+
+/// The same, and says how long it took.
+pub fn step(name: &str, command: Command) -> Result<()> {
+    let started = Instant::now();
+    start(name, command)?;
+    println!("    {name}: {:.0} s", started.elapsed().as_secs_f64());
+    Ok(())
+}
