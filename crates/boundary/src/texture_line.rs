@@ -267,7 +267,7 @@ mod tests {
             let texture = textures_of(&scene, shape)[0];
             let value = |[u, v]: [f64; 2]| {
                 let uv = shape.uv(0, [1.0 - u - v, u, v]);
-                texture.lookup(uv, |i| Rgb::splat(i as f64)).x
+                texture.lookup(uv, |i| Rgb::splat(i as f64)).r
             };
             for i in 0..40 {
                 // Inside the triangle, in the weights of two corners.

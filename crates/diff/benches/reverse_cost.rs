@@ -23,7 +23,7 @@ use std::time::Instant;
 use capwalk_diff::{
     GradientOptions, Options, Prepared, Statistics, Unwatched, Wanted, backward, gradient, render,
 };
-use capwalk_math::Vec3;
+use capwalk_math::Rgb;
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::{Image, Motion, Scene, ShadingNormals, params};
 use common::{add, add_floor, add_lamp, empty, v};
@@ -151,7 +151,7 @@ impl Bench {
         scene.check().expect("a valid scene");
         let motion = params::motion(&scene, "ball.translate.x").expect("a shape");
         let size = SIZE as usize;
-        let slopes = (0..size * size).map(|i| Vec3::splat((0.1 * i as f64).sin()));
+        let slopes = (0..size * size).map(|i| Rgb::splat((0.1 * i as f64).sin()));
         let adjoint = Image {
             width: size,
             height: size,

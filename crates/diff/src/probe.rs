@@ -79,8 +79,8 @@ pub fn irradiance(
                 counts: &Counts::default(),
             };
             let (light, _) = tracer.emitted(&world, &vertex, 0, SpecularChain::default(), draw);
-            irradiance.value.add(light.x.value);
-            irradiance.gradient.add(light.x.tangent[0]);
+            irradiance.value.add(light.r.value);
+            irradiance.gradient.add(light.r.tangent[0]);
         }
         irradiance
     };
@@ -116,7 +116,7 @@ pub fn difference(
                 tracers[i]
                     .emitted(&world, &vertex, 0, SpecularChain::default(), draw)
                     .0
-                    .x
+                    .r
             });
             moments.add(above - below);
         }

@@ -56,7 +56,7 @@ fn nothing_moves(name: &str, scene: &Scene, dark: &Scene, expression: &str, spp:
         .expect("covered")
     };
     let seen = run(dark, 64).gradient.mean.pixels;
-    let size = seen.iter().map(|p| p.x.abs()).sum::<f64>() / seen.len() as f64;
+    let size = seen.iter().map(|p| p.r.abs()).sum::<f64>() / seen.len() as f64;
     let still = run(scene, spp);
     for (mean, error) in means(&still.value) {
         meets(name, mean, error, 1.0, 0.01);
@@ -154,7 +154,7 @@ fn albedo_in_a_furnace() {
         let adjoint = Image {
             width: 12,
             height: 12,
-            pixels: vec![v(1.0 / 144.0, 0.0, 0.0); 144],
+            pixels: vec![Rgb::new(1.0 / 144.0, 0.0, 0.0); 144],
         };
         let wanted = Wanted::by(&motion);
         let reverse = backward(

@@ -63,7 +63,7 @@ fn colours_of_a_black_sky() {
     let options = Options { spp: 400, seed: 1 };
     let settings = GradientOptions::new(options);
     let sum = |estimate: &capwalk_diff::Estimate| -> f64 {
-        estimate.mean.pixels.iter().map(|p| p.x).sum()
+        estimate.mean.pixels.iter().map(|p| p.r).sum()
     };
     let ours = gradient(
         &Prepared::new(scene.clone()),

@@ -10,7 +10,7 @@ use capwalk_diff::{
     Backward, GradientOptions, Method, Options, Prepared, Unwatched, Wanted, WasBoundary,
     WasSettings, backward, gradient, with_threads,
 };
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
@@ -69,7 +69,11 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
     Image {
         width,
         height,
-        pixels: Numbers(seed).vectors(width * height),
+        pixels: Numbers(seed)
+            .vectors(width * height)
+            .into_iter()
+            .map(|v| Rgb::from(v.to_array()))
+            .collect(),
     }
 }
 
@@ -254,7 +258,7 @@ fn crossing_surfaces() {
 fn constant_light() {
     let mut scene = visible_cube();
     scene.shapes.pop_if(|shape| shape.emitter.is_some());
-    let colour = Texture::colour("sky.radiance", v(0.5, 0.7, 1.0));
+    let colour = Texture::colour("sky.radiance", Rgb::new(0.5, 0.7, 1.0));
     let radiance = scene.add_texture(colour);
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
@@ -270,7 +274,7 @@ fn fields_on_triangles() {
     let mut scene = visible_cube();
     let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
     add(&mut scene, "blade", mesh, normals, 0.4);
-    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::new(0.5, 0.7, 1.0)));
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
         radiance,
@@ -518,7 +522,7 @@ fn numbers_of_the_gradient() {
 fn adjoint_with_nan() {
     let scene = visible_cube();
     let mut bad = adjoint(&scene, 3);
-    bad.pixels[2 * 36 + 7].y = f64::NAN;
+    bad.pixels[2 * 36 + 7].g = f64::NAN;
     let wanted = Wanted::all(&scene);
     let refusal = backward(
         &Prepared::new(scene.clone()),
@@ -541,7 +545,7 @@ fn adjoint_of_another_size() {
     let small = Image {
         width: 2,
         height: 1,
-        pixels: vec![Vec3::zero(); 2],
+        pixels: vec![Rgb::zero(); 2],
     };
     let wanted = Wanted::all(&scene);
     let refusal = backward(

@@ -109,7 +109,7 @@ impl Run {
     pub fn variance(&self) -> Measured {
         let mut variance = Moments::default();
         for error in &self.gradient().standard_error.pixels {
-            variance.add(f64::from(self.spp) * error.length_squared() / 3.0);
+            variance.add(f64::from(self.spp) * error.dot(*error) / 3.0);
         }
         variance.into()
     }

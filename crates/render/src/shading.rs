@@ -138,7 +138,7 @@ mod tests {
             surface: &surface,
             frame,
         };
-        let [by_s, by_t] = textures.gradient(heights).map(|slope| slope.x);
+        let [by_s, by_t] = textures.gradient(heights).map(|slope| slope.r);
         let rise = |i: usize| 2.0 * (uvs[i][0] - uvs[0][0]) - 3.0 * (uvs[i][1] - uvs[0][1]);
         for i in [1, 2] {
             let way = corners[i] - corners[0];

@@ -34,7 +34,7 @@ impl Scene {
                 if !constants.iter().all(|&id| self.texture(id).is_constant()) {
                     return Err(bad("a rough coat must have one roughness everywhere"));
                 }
-                let [alpha, inside, outside] = constants.map(|id| self.texture(id).texel(0).x);
+                let [alpha, inside, outside] = constants.map(|id| self.texture(id).texel(0).r);
                 if inside == outside {
                     return Err(bad("a rough coat must not have the index of its outside"));
                 }

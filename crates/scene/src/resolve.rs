@@ -40,13 +40,10 @@ pub struct Resolved<R> {
     pub flipped: bool,
 }
 
-/// Weights of red, green and blue in a grey (Rec. 709), as in Mitsuba.
-const LUMINANCE: [f64; 3] = [0.212671, 0.715160, 0.072169];
-
 impl Resolver {
     /// The tables for a checked scene.
     pub fn new(scene: &Scene) -> Self {
-        let number = |id: TextureId| scene.texture(id).texel(0).x;
+        let number = |id: TextureId| scene.texture(id).texel(0).r;
         let coats = scene
             .materials
             .iter()
@@ -143,7 +140,7 @@ impl Resolver {
                 limits,
             } => {
                 let normal = textures.value(*normals) * R::constant(2.0) - Rgb::splat(one);
-                parts.tilt = Some(Tilt::new(normal, *limits));
+                parts.tilt = Some(Tilt::new(Vec3::from(normal.to_array()), *limits));
                 self.add(scene, *nested, side, weight, textures, parts);
                 parts.tilt = None;
             }
@@ -197,11 +194,10 @@ fn number<R: Real>(scene: &Scene, id: TextureId, textures: &mut impl TexturesAt<
 
 /// A value of a texture, or a change of it, as one number.
 fn grey<R: Real>(scene: &Scene, id: TextureId, value: Rgb<R>) -> R {
-    if scene.texture(id).channels == 1 {
-        return value.x;
+    match scene.texture(id).channels {
+        1 => value.r,
+        _ => value.luminance(),
     }
-    let [r, g, b] = LUMINANCE.map(R::constant);
-    value.x * r + value.y * g + value.z * b
 }
 
 /// The lobe of a material that is not made of others. `is_opaque` if nothing may

@@ -182,7 +182,7 @@ impl Texture {
         }
         SceneError::BadNumber {
             name,
-            value: format!("({}, {}, {})", value.x, value.y, value.z),
+            value: format!("({}, {}, {})", value.r, value.g, value.b),
             expected,
         }
     }

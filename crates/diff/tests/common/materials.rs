@@ -20,8 +20,7 @@ impl Slots<'_> {
     }
     pub fn colour(&mut self, slot: &str, rgb: [f64; 3]) -> TextureId {
         let id = format!("{}.{slot}", self.material);
-        let [r, g, b] = rgb;
-        self.scene.add_texture(Texture::colour(id, v(r, g, b)))
+        self.scene.add_texture(Texture::colour(id, Rgb::from(rgb)))
     }
     pub fn copper(&mut self) -> Metal {
         Metal {

@@ -36,7 +36,7 @@ fn environment_maps() {
         panic!("an environment map");
     };
     assert_eq!((map.width, map.height), (4, 3));
-    assert_eq!(scene.texture(*scale).texel(0).x, 2.0);
+    assert_eq!(scene.texture(*scale).texel(0).r, 2.0);
     for (direction, expected) in MITSUBA {
         let direction = Vec3::from(direction).normalized();
         let value = map.lookup(direction, |i| scene.texture(*data).texel(i)) * 2.0;

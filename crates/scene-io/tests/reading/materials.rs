@@ -24,7 +24,7 @@ fn bsdf<'s>(scene: &'s Scene, id: &str) -> &'s Bsdf {
 fn number(scene: &Scene, id: TextureId) -> f64 {
     let texture = scene.texture(id);
     assert_eq!(texture.channels, 1, "{}", texture.id);
-    texture.texel(0).x
+    texture.texel(0).r
 }
 
 fn colour(scene: &Scene, id: TextureId) -> Rgb {

@@ -96,15 +96,12 @@ pub struct EnvironmentTable {
     densities: Vec<f64>,
 }
 
-/// Weights of red, green and blue in a grey (Rec. 709), as in Mitsuba.
-const LUMINANCE: Vec3 = Vec3::new(0.212671, 0.715160, 0.072169);
-
 impl EnvironmentTable {
     /// The table of a map with these texels, or `None` if it is black.
     pub fn new(map: &EnvironmentMap, texture: &Texture) -> Option<Self> {
         let (width, height) = (map.width as usize, map.height as usize);
         let luminance =
-            |x: usize, y: usize| texture.texel(y * width + x % width).dot(LUMINANCE).max(0.0);
+            |x: usize, y: usize| texture.texel(y * width + x % width).luminance().max(0.0);
         let mut densities = Vec::with_capacity(width * (height - 1));
         let (mut rows, mut cells) = (Vec::new(), Vec::new());
         let mut total = 0.0;

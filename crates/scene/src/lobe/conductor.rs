@@ -22,15 +22,15 @@ impl<R: Real> Conductor<R> {
         let reflectance = fresnel_conductor(wi.z, self.eta, self.k);
         (
             local::reflected(wi),
-            reflectance.hadamard(self.specular_reflectance),
+            reflectance * self.specular_reflectance,
         )
     }
 
     pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Conductor<S> {
         Conductor {
-            eta: local::map_rgb(self.eta, f),
-            k: local::map_rgb(self.k, f),
-            specular_reflectance: local::map_rgb(self.specular_reflectance, f),
+            eta: self.eta.map(&mut *f),
+            k: self.k.map(&mut *f),
+            specular_reflectance: self.specular_reflectance.map(&mut *f),
         }
     }
 }

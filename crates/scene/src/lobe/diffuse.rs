@@ -25,7 +25,7 @@ impl<R: Real> Diffuse<R> {
 
     pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Diffuse<S> {
         Diffuse {
-            reflectance: local::map_rgb(self.reflectance, f),
+            reflectance: self.reflectance.map(&mut *f),
         }
     }
 }

@@ -31,9 +31,9 @@ pub fn fresnel_dielectric<R: Real>(cos_i: R, eta: R) -> R {
 #[inline]
 pub fn fresnel_conductor<R: Real>(cos_i: R, eta: Rgb<R>, k: Rgb<R>) -> Rgb<R> {
     Rgb::new(
-        conductor_channel(cos_i, eta.x, k.x),
-        conductor_channel(cos_i, eta.y, k.y),
-        conductor_channel(cos_i, eta.z, k.z),
+        conductor_channel(cos_i, eta.r, k.r),
+        conductor_channel(cos_i, eta.g, k.g),
+        conductor_channel(cos_i, eta.b, k.b),
     )
 }
 

@@ -39,12 +39,6 @@ pub fn turned_outside<R: Real>(wi: Vec3<R>, wo: Vec3<R>, eta: R) -> (Vec3<R>, Ve
     }
 }
 
-/// `f` of each channel, in order.
-pub fn map_rgb<R: Real, S: Real>(c: Rgb<R>, f: &mut impl FnMut(R) -> S) -> Rgb<S> {
-    let (x, y, z) = (f(c.x), f(c.y), f(c.z));
-    Rgb::new(x, y, z)
-}
-
 /// Draws a direction with density `cos / π`: a uniform point of the unit disk
 /// lifted to the hemisphere (Malley).
 #[inline]
@@ -69,5 +63,5 @@ pub fn lerp<R: Real>(a: R, b: R, t: R) -> R {
 /// Mean of the channels.
 #[inline]
 pub fn mean(c: Rgb) -> f64 {
-    (c.x + c.y + c.z) / 3.0
+    (c.r + c.g + c.b) / 3.0
 }

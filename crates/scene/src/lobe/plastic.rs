@@ -75,8 +75,8 @@ impl<R: Real> Plastic<R> {
     pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Plastic<S> {
         Plastic {
             eta: f(self.eta),
-            diffuse_reflectance: local::map_rgb(self.diffuse_reflectance, f),
-            specular_reflectance: local::map_rgb(self.specular_reflectance, f),
+            diffuse_reflectance: self.diffuse_reflectance.map(&mut *f),
+            specular_reflectance: self.specular_reflectance.map(&mut *f),
             nonlinear: self.nonlinear,
         }
     }

@@ -172,8 +172,7 @@ impl<R: Real> Principled<R> {
     /// The base colour at luminance one; white for black.
     #[inline]
     fn hue(&self) -> Rgb<R> {
-        let weights = Vec3::constant(Vec3::new(0.212671, 0.715160, 0.072169));
-        let luminance = self.base_color.dot(weights);
+        let luminance = self.base_color.luminance();
         if luminance.value() > 0.0 {
             self.base_color / luminance
         } else {
@@ -225,7 +224,7 @@ impl<R: Real> Principled<R> {
 
     pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Principled<S> {
         Principled {
-            base_color: local::map_rgb(self.base_color, f),
+            base_color: self.base_color.map(&mut *f),
             roughness: f(self.roughness),
             anisotropic: f(self.anisotropic),
             metallic: f(self.metallic),

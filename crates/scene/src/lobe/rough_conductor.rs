@@ -26,15 +26,15 @@ impl<R: Real> RoughConductor<R> {
         let wi = local::raised(wi);
         let h = (wi + wo).normalized();
         let reflectance = fresnel_conductor(wi.dot(h), self.eta, self.k);
-        reflectance.hadamard(self.specular_reflectance) * self.microfacets.reflection(wi, wo, h)
+        reflectance * self.specular_reflectance * self.microfacets.reflection(wi, wo, h)
     }
 
     pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> RoughConductor<S> {
         RoughConductor {
             microfacets: self.microfacets.map(f),
-            eta: local::map_rgb(self.eta, f),
-            k: local::map_rgb(self.k, f),
-            specular_reflectance: local::map_rgb(self.specular_reflectance, f),
+            eta: self.eta.map(&mut *f),
+            k: self.k.map(&mut *f),
+            specular_reflectance: self.specular_reflectance.map(&mut *f),
         }
     }
 }

@@ -39,8 +39,8 @@ impl<R: Real> RoughDielectric<R> {
         RoughDielectric {
             microfacets: self.microfacets.map(f),
             eta: f(self.eta),
-            specular_reflectance: local::map_rgb(self.specular_reflectance, f),
-            specular_transmittance: local::map_rgb(self.specular_transmittance, f),
+            specular_reflectance: self.specular_reflectance.map(&mut *f),
+            specular_transmittance: self.specular_transmittance.map(&mut *f),
         }
     }
 }

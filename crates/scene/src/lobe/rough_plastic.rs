@@ -60,8 +60,8 @@ impl<R: Real> RoughPlastic<R> {
         RoughPlastic {
             eta: f(self.eta),
             alpha: f(self.alpha),
-            diffuse_reflectance: local::map_rgb(self.diffuse_reflectance, f),
-            specular_reflectance: local::map_rgb(self.specular_reflectance, f),
+            diffuse_reflectance: self.diffuse_reflectance.map(&mut *f),
+            specular_reflectance: self.specular_reflectance.map(&mut *f),
             nonlinear: self.nonlinear,
             transmittance: Arc::clone(&self.transmittance),
         }

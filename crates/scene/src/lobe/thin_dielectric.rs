@@ -41,8 +41,8 @@ impl<R: Real> ThinDielectric<R> {
     pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> ThinDielectric<S> {
         ThinDielectric {
             eta: f(self.eta),
-            specular_reflectance: local::map_rgb(self.specular_reflectance, f),
-            specular_transmittance: local::map_rgb(self.specular_transmittance, f),
+            specular_reflectance: self.specular_reflectance.map(&mut *f),
+            specular_transmittance: self.specular_transmittance.map(&mut *f),
         }
     }
 }

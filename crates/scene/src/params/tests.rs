@@ -106,7 +106,7 @@ pub(super) fn numbers(scene: &Scene) -> Vec<Vec3> {
         numbers.extend(shape.normals.per_vertex().into_iter().flatten());
     }
     for texture in &scene.textures {
-        numbers.extend((0..texture.texels()).map(|i| texture.texel(i)));
+        numbers.extend((0..texture.texels()).map(|i| Vec3::from(texture.texel(i).to_array())));
     }
     let camera = &scene.sensor.world_from_camera;
     numbers.extend([[0.0; 3], [1.0, 0.0, 0.0], [0.3, -0.2, 2.0]].map(|p| camera.point(p.into())));

@@ -112,7 +112,7 @@ fn two_sided_materials_turn_over() {
     );
     // From behind, the frame has been turned over: it is seen from its front.
     let (wi, wo) = (Vec3::new(0.0, 0.6, 0.8), Vec3::new(0.6, 0.0, 0.8));
-    assert!(back.bsdf.eval(wi, wo).x > 0.1);
+    assert!(back.bsdf.eval(wi, wo).r > 0.1);
     // A one-sided material is black from behind, a clear one is not.
     let behind = materials.resolve(BsdfId(0), Side::Back);
     assert_eq!((weights(&behind).len(), behind.flipped), (0, false));

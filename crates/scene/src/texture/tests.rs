@@ -165,7 +165,7 @@ fn checkerboard_alternates() {
             to_uv: UvTransform::from_affine(&Affine::scale(Vec3::new(2.0, 1.0, 1.0))),
         },
     };
-    let at = |u, v| texture.lookup([u, v], |i| texture.texel(i)).x;
+    let at = |u, v| texture.lookup([u, v], |i| texture.texel(i)).r;
     for (uv, expected) in [
         ([0.05, 0.1], 0.4),
         ([0.3, 0.1], 0.2),
@@ -206,9 +206,9 @@ fn attributes_of_shapes() {
     };
     let value = |id| scene.lookup(id, &at, |id, i| scene.texture(id).texel(i));
     // The corners of face 1 are the vertices 0, 2 and 3.
-    assert_eq!(value(by_vertex).x, 0.5 * 1.0 + 0.3 * 3.0 + 0.2 * 4.0);
+    assert_eq!(value(by_vertex).r, 0.5 * 1.0 + 0.3 * 3.0 + 0.2 * 4.0);
     assert_eq!(value(by_face), Rgb::new(0.4, 0.5, 0.6));
-    assert_eq!(value(by_name), Rgb::splat(10.0 * value(by_vertex).x));
+    assert_eq!(value(by_name), Rgb::splat(10.0 * value(by_vertex).r));
     // Derivatives by the vertices' numbers are the weights.
     let moving = SurfacePoint {
         shape: at.shape,

@@ -1,6 +1,6 @@
 //! Estimates by sampling have the mean that they should have.
 
-use capwalk_math::{Moments, Vec3};
+use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_scene::lobe::*;
 
 use crate::table;
@@ -27,7 +27,7 @@ fn mean_of_eval_over_pdf_is_the_integral_of_eval() {
                 let drawn = bsdf.sample(wi, random.next(), random.pair());
                 let estimate = match drawn.filter(|sample| sample.specular.is_none()) {
                     Some(sample) => bsdf.eval(wi, sample.wo) * (light(sample.wo) / sample.pdf),
-                    None => Vec3::zero(),
+                    None => Rgb::zero(),
                 };
                 for (moments, x) in moments.iter_mut().zip(estimate.to_array()) {
                     moments.add(x);

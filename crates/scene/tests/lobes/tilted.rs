@@ -50,13 +50,13 @@ fn tilted_lobes_draw_by_their_density() {
             let mut moments = [[Moments::default(); 2]; 2];
             for _ in 0..SAMPLES {
                 let wo = uniform(&mut random);
-                let value = bsdf.eval(wi, wo).x * light(wo);
+                let value = bsdf.eval(wi, wo).r * light(wo);
                 moments[0][0].add(value * 4.0 * PI);
                 moments[0][1].add(bsdf.pdf(wi, wo) * 4.0 * PI);
                 let drawn = bsdf.sample(wi, random.next(), random.pair());
                 let drawn = drawn.filter(|sample| sample.specular.is_none());
                 moments[1][0]
-                    .add(drawn.map_or(0.0, |s| bsdf.eval(wi, s.wo).x * light(s.wo) / s.pdf));
+                    .add(drawn.map_or(0.0, |s| bsdf.eval(wi, s.wo).r * light(s.wo) / s.pdf));
                 moments[1][1].add(f64::from(u8::from(drawn.is_some())));
             }
             let [uniform, drawn] = moments;
@@ -134,7 +134,7 @@ fn tilts_have_derivatives() {
             bsdf.push_tilted(D::constant(1.0), lobe.map(&mut D::constant), Some(tilt));
             let value = bsdf.eval(dual(3), dual(6));
             assert_eq!(bsdf.value().eval(wi, wo), value.value(), "{name}");
-            assert!(value.x.value > 0.0, "{name}: nothing to see");
+            assert!(value.r.value > 0.0, "{name}: nothing to see");
             for i in 0..numbers.len() {
                 let step = |by: f64| {
                     let mut x = numbers.clone();
@@ -160,7 +160,7 @@ fn normals_that_turn_away() {
     let behind = direction(0.2, (-NORMAL.y).atan2(-NORMAL.x));
     assert!(behind.dot(NORMAL) < 0.0);
     let wo = direction(0.9, 1.0);
-    assert!(tilted(&lobe, LIMITS).eval(behind, wo).x > 0.05);
+    assert!(tilted(&lobe, LIMITS).eval(behind, wo).r > 0.05);
     let limits = NormalLimits {
         flip_invalid: false,
         ..LIMITS
