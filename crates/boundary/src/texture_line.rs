@@ -219,7 +219,7 @@ mod tests {
         let bsdf = scene.shapes[0].bsdf;
         let mut shape = Shape::new("skewed", mesh, ShadingNormals::Face, bsdf);
         shape.uvs = Some(vec![[[-0.5, 0.25], [1.75, 0.5], [0.3, 2.0]]]);
-        scene.shapes = vec![shape];
+        scene.shapes = vec![shape.into()];
         scene.emitters.clear();
         let slot = scene.slots_below(bsdf)[0].texture;
         *scene.texture_mut(slot) = Texture {

@@ -183,7 +183,7 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
 /// turns by twice as much as the mirror that it meets.
 fn mirrored_speed(scene: &Scene, motion: &Motion) -> f64 {
     let is_specular = |shape: &Shape| may_be_specular(scene, shape.bsdf);
-    if !scene.shapes.iter().any(is_specular) {
+    if !scene.shapes.iter().any(|shape| is_specular(shape)) {
         return 0.0;
     }
     let view = scene.sensor.view(&scene.film);

@@ -245,10 +245,8 @@ fn card_before_a_wall() -> Scene {
         faces: vec![[0, 1, 2]],
     };
     add(&mut scene, "wall", wall, ShadingNormals::Face, 1.0);
-    let black = scene
-        .textures
-        .iter_mut()
-        .find(|texture| texture.id == "thing.bsdf.reflectance");
+    let mut textures = scene.textures.iter_mut().map(std::sync::Arc::make_mut);
+    let black = textures.find(|texture| texture.id == "thing.bsdf.reflectance");
     black.expect("a reflectance").data.fill(0.0);
     scene.settings.integrator = Integrator::Aov(Layer::Albedo);
     scene.check().expect("a valid scene");

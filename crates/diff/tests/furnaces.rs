@@ -82,7 +82,7 @@ fn nothing_moves_in_a_furnace() {
 fn nothing_moves_under_a_white_sky() {
     let white_sky = |albedo: f64| {
         let mut scene = furnace([1.0, 0.0], [albedo, 0.0]);
-        let low = &mut scene.shapes[0];
+        let low = scene.shape_mut(ShapeId(0));
         let (mesh, normals) = cube(Affine::scale(v(0.6, 0.5, 0.1)));
         low.mesh = placed(mesh, Affine::translate(v(0.2, 0.1, -0.8)));
         (low.normals, low.emitter) = (normals, None);

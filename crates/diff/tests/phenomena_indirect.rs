@@ -84,7 +84,7 @@ fn black_reflector() {
     let mut scene = bounced_light();
     for id in 0..scene.textures.len() {
         if scene.textures[id].id.starts_with("ceiling") {
-            scene.textures[id].data.fill(0.0);
+            scene.texture_mut(TextureId(id as u32)).data.fill(0.0);
         }
     }
     let change = motion(&scene, "ceiling.bsdf.reflectance.value");

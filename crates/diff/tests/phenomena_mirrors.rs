@@ -144,7 +144,7 @@ fn block_over_a_polished_floor() {
 #[test]
 fn shadow_by_way_of_a_mirror() {
     let mut scene = block_before_a_mirror();
-    let block = &mut scene.shapes[2];
+    let block = scene.shape_mut(ShapeId(2));
     block.mesh = placed(triangle(), Affine::translate(v(0.1, 0.2, 0.2)));
     scene.sensor.world_from_camera =
         Affine::look_at(v(0.2, 0.6, 0.8), v(0.1, -0.1, 0.0), v(0.0, 0.0, 1.0)).expect("upright");

@@ -230,7 +230,7 @@ impl Builder {
         let faces = 0..shape.mesh.faces.len();
         let uvs = faces.map(|_| [(); 3].map(|()| uv(&mut self.random)));
         shape.uvs = Some(uvs.collect());
-        self.scene.shapes.push(shape);
+        self.scene.add_shape(shape);
         ShapeId(self.scene.shapes.len() as u32 - 1)
     }
 
@@ -282,7 +282,7 @@ impl Builder {
             },
             _ => {
                 let shape = self.shape();
-                self.scene.shapes[shape.0 as usize].emitter = Some(number);
+                self.scene.shape_mut(shape).emitter = Some(number);
                 Emitter::Area {
                     shape,
                     radiance: self.colour(),

@@ -166,7 +166,7 @@ fn smooth_ball() {
 #[test]
 fn given_normals() {
     let mut scene = visible_ball(Filter::Box);
-    for shape in &mut scene.shapes {
+    for shape in scene.shapes_mut() {
         if let ShadingNormals::Computed(normals) = shape.normals.clone() {
             shape.normals = ShadingNormals::Given(normals);
         }
@@ -336,7 +336,7 @@ fn maps_of_normals() {
         let nested = n.glossy();
         n.normal_map(nested)
     });
-    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
+    let ball = scene.shapes_mut().find(|shape| shape.id == "ball");
     ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
     agree_in_both_modes("maps of normals", scene, 4);
 }
@@ -468,7 +468,7 @@ fn normals_alone() {
     let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
     scene.film.size = [12; 2];
     scene.film.crop_size = [12; 2];
-    for shape in &mut scene.shapes {
+    for shape in scene.shapes_mut() {
         if let ShadingNormals::Computed(normals) = shape.normals.clone() {
             shape.normals = ShadingNormals::Given(normals);
         }

@@ -107,7 +107,7 @@ mod tests {
         let bsdf = scene.shapes[0].bsdf;
         let mut shape = Shape::new("skewed", mesh, ShadingNormals::Face, bsdf);
         shape.uvs = Some(vec![uvs]);
-        scene.shapes = vec![shape];
+        scene.shapes = vec![shape.into()];
         scene.emitters.clear();
         // 2 u - 3 v at the centres of 8 x 8 texels.
         let centre = |i: usize| (i as f64 + 0.5) / 8.0;

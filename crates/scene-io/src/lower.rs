@@ -14,6 +14,7 @@ mod texture;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use capwalk_math::Vec3;
 use capwalk_scene::scene::BsdfId;
@@ -175,10 +176,10 @@ impl Lowering<'_> {
             self.context.warn(root, message);
         }
         let scene = Scene {
-            shapes: self.shapes,
+            shapes: self.shapes.into_iter().map(Arc::new).collect(),
             materials: self.materials,
             emitters: self.emitters,
-            textures: self.textures,
+            textures: self.textures.into_iter().map(Arc::new).collect(),
             sensor,
             film,
             settings: Settings {

@@ -2,6 +2,7 @@
 //! for a unit change of the parameter.
 
 use std::array;
+use std::sync::Arc;
 
 use capwalk_math::{Rgb, Vec3};
 
@@ -190,7 +191,8 @@ impl Scene {
     /// The scene after the motion has gone on for `step`: vertices, normals
     /// and numbers along straight lines, the sensor turning rigidly. Its
     /// derivative at `step = 0` is the motion; differences of it are what
-    /// derivatives are checked against.
+    /// derivatives are checked against. Shapes and textures at rest are shared with
+    /// this scene.
     pub fn moved(&self, motion: &Motion, step: f64) -> Scene {
         let mut scene = self.clone();
         let along = |values: &mut [Vec3], velocities: &[Vec3]| {
@@ -201,6 +203,7 @@ impl Scene {
         };
         for (shape, motion) in scene.shapes.iter_mut().zip(&motion.shapes) {
             let Some(motion) = motion else { continue };
+            let shape = Arc::make_mut(shape);
             along(&mut shape.mesh.positions, &motion.vertices);
             match (&mut shape.normals, &motion.normals) {
                 (ShadingNormals::Given(normals), Some(velocities)) => {
@@ -214,8 +217,10 @@ impl Scene {
             }
         }
         for (texture, velocities) in scene.textures.iter_mut().zip(&motion.textures) {
-            let velocities = velocities.iter().flatten();
-            let numbers = texture.data.iter_mut().zip(velocities);
+            let Some(velocities) = velocities else {
+                continue;
+            };
+            let numbers = Arc::make_mut(texture).data.iter_mut().zip(velocities);
             numbers.for_each(|(x, &v)| *x += v * step);
         }
         scene.sensor.move_along(&motion.sensor, step);
@@ -242,6 +247,29 @@ impl Scene {
                 let normals = vertex_normals(&moving, &shape.mesh.faces);
                 Some(normals.into_iter().map(|n| n.tangent(0)).collect())
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::builtin;
+    use crate::params;
+
+    /// A scene that moves copies what moves, and shares everything else.
+    #[test]
+    fn what_stays_is_shared() {
+        let scene = builtin::scene("leaf").expect("built in");
+        let expression = "leaf.translate.x + lamp.emitter.radiance.value";
+        let motion = params::motion(&scene, expression).expect("parameters");
+        let moved = scene.moved(&motion, 0.5);
+        for (i, shape) in scene.shapes.iter().enumerate() {
+            assert_eq!(Arc::ptr_eq(shape, &moved.shapes[i]), shape.id != "leaf");
+        }
+        for (i, texture) in scene.textures.iter().enumerate() {
+            let stays = texture.id != "lamp.emitter.radiance";
+            assert_eq!(Arc::ptr_eq(texture, &moved.textures[i]), stays);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The whole scene: flat lists that refer to each other by id.
 
 use std::fmt;
+use std::sync::Arc;
 
 use capwalk_geometry::MeshError;
 
@@ -24,16 +25,19 @@ pub struct BsdfId(pub u32);
 pub struct EmitterId(pub u32);
 
 /// A scene, in world coordinates.
+///
+/// Shapes and textures are shared: a clone costs no mesh, and a change copies only
+/// what changes ([`Scene::shape_mut`], [`Scene::texture_mut`], [`Arc::make_mut`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Shapes; their ids are unique.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<Arc<Shape>>,
     /// Materials that shapes refer to.
     pub materials: Vec<Material>,
     /// Light sources. At most one of them is an environment.
     pub emitters: Vec<Emitter>,
     /// The numbers of materials and emitters.
-    pub textures: Vec<Texture>,
+    pub textures: Vec<Arc<Texture>>,
     /// The camera.
     pub sensor: Sensor,
     /// Its film.
@@ -327,6 +331,22 @@ impl Scene {
     /// The shape with this id.
     pub fn shape(&self, id: ShapeId) -> &Shape {
         &self.shapes[id.0 as usize]
+    }
+
+    /// The shape with this id, to be changed; copied first if another scene has it, too.
+    pub fn shape_mut(&mut self, id: ShapeId) -> &mut Shape {
+        Arc::make_mut(&mut self.shapes[id.0 as usize])
+    }
+
+    /// All shapes, to be changed; each that another scene has, too, is copied first.
+    pub fn shapes_mut(&mut self) -> impl Iterator<Item = &mut Shape> {
+        self.shapes.iter_mut().map(Arc::make_mut)
+    }
+
+    /// Adds a shape, behind all others.
+    pub fn add_shape(&mut self, shape: Shape) -> ShapeId {
+        self.shapes.push(Arc::new(shape));
+        ShapeId(self.shapes.len() as u32 - 1)
     }
 
     /// The material with this id.

@@ -7,6 +7,8 @@ mod lookup;
 pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
 pub use lookup::SurfacePoint;
 
+use std::sync::Arc;
+
 use capwalk_math::{Real, Rgb};
 
 use crate::scene::{Scene, SceneError};
@@ -219,14 +221,14 @@ impl Scene {
         &self.textures[id.0 as usize]
     }
 
-    /// The texture with this id, to be changed.
+    /// The texture with this id, to be changed; copied first if another scene has it, too.
     pub fn texture_mut(&mut self, id: TextureId) -> &mut Texture {
-        &mut self.textures[id.0 as usize]
+        Arc::make_mut(&mut self.textures[id.0 as usize])
     }
 
-    /// Adds a texture.
+    /// Adds a texture, behind all others.
     pub fn add_texture(&mut self, texture: Texture) -> TextureId {
-        self.textures.push(texture);
+        self.textures.push(Arc::new(texture));
         TextureId(self.textures.len() as u32 - 1)
     }
 }

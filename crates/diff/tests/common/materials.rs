@@ -106,7 +106,7 @@ pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) ->
     );
     scene.materials[place].bsdf = bsdf;
     if is_clear {
-        let shape = scene.shapes.iter_mut().find(|s| s.id == shape);
+        let shape = scene.shapes_mut().find(|s| s.id == shape);
         shape.expect("a shape").bsdf = BsdfId(place as u32);
         scene.materials[place + 1].bsdf = Bsdf::Null; // not of this shape any more
     }

@@ -17,7 +17,7 @@ fn transform(steps: &str) -> [[f64; 4]; 3] {
     let text = scene(&format!(
         "<shape type=\"cube\"><transform name=\"to_world\">{steps}</transform></shape>"
     ));
-    let corners = load(&text).shapes.remove(0).mesh.positions;
+    let corners = load(&text).shapes[0].mesh.positions.clone();
     let axis = |bit: usize| (corners[1 << bit] - corners[0]) * 0.5;
     let origin = (corners[0] + corners[7]) * 0.5;
     let columns = [axis(0), axis(1), axis(2), origin];

@@ -70,8 +70,7 @@ pub fn add(
             material(scene, format!("{id}.bsdf"), Bsdf::TwoSided { front, back })
         }
     };
-    scene.shapes.push(Shape::new(id, mesh, normals, bsdf));
-    ShapeId(scene.shapes.len() as u32 - 1)
+    scene.add_shape(Shape::new(id, mesh, normals, bsdf))
 }
 
 fn material(scene: &mut Scene, id: String, bsdf: Bsdf) -> BsdfId {
@@ -106,7 +105,7 @@ pub fn add_lamp(scene: &mut Scene, centre: Vec3, half_width: f64, radiance: f64)
     let lamp = rectangle(centre, x, z);
     let shape = add(scene, "lamp", lamp, Rgb::splat(0.5), Sides::Front);
     let emitter = EmitterId(scene.emitters.len() as u32);
-    scene.shapes[shape.0 as usize].emitter = Some(emitter);
+    scene.shape_mut(shape).emitter = Some(emitter);
     let texture = Texture::colour("lamp.emitter.radiance", Rgb::splat(radiance));
     let radiance = scene.add_texture(texture);
     scene.emitters.push(Emitter::Area { shape, radiance });

@@ -252,9 +252,9 @@ impl ArrayParameter {
         self.check(scene, numbers)?;
         match self.place {
             Place::Positions(id) => {
-                let shape = &mut scene.shapes[id.0 as usize];
-                let positions = vectors(numbers);
+                let (shape, positions) = (scene.shape(id), vectors(numbers));
                 refuse_tears(&shape.id, &shape.mesh.positions, &positions)?;
+                let shape = scene.shape_mut(id);
                 shape.mesh.positions = positions;
                 if let ShadingNormals::Computed(normals) = &mut shape.normals {
                     *normals = vertex_normals(&shape.mesh.positions, &shape.mesh.faces);
@@ -262,14 +262,14 @@ impl ArrayParameter {
             }
             Place::Normals(id) => {
                 let normals = vectors(numbers).into_iter().map(Vec3::normalized).collect();
-                scene.shapes[id.0 as usize].normals = ShadingNormals::Given(normals);
+                scene.shape_mut(id).normals = ShadingNormals::Given(normals);
             }
             Place::Texels(id, part) => {
                 let range = numbers_of(scene, id, part);
                 scene.texture_mut(id).data[range].copy_from_slice(numbers);
             }
             Place::ShapeToWorld(id) => {
-                matrix::place(&mut scene.shapes[id.0 as usize], matrix::affine(numbers));
+                matrix::place(scene.shape_mut(id), matrix::affine(numbers));
             }
             Place::SensorTranslation | Place::SensorRotation => {
                 *scene = scene.moved(&self.motion(scene, numbers), 1.0);

@@ -1,6 +1,7 @@
 //! The names of all parameters, and what each of them refers to.
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use super::{Parameter, ParameterKind};
 use crate::emitter::Emitter;
@@ -380,7 +381,7 @@ pub(super) fn users(scene: &Scene, id: TextureId) -> String {
         emitter.is_some_and(|emitter| emitter.radiance() == id)
     };
     let has = |shape: &Shape| shape.attributes.iter().any(|a| a.texture == id);
-    let uses = |shape: &&Shape| shows(shape.bsdf) || emits(shape) || has(shape);
+    let uses = |shape: &&Arc<Shape>| shows(shape.bsdf) || emits(shape) || has(shape);
     let shapes = scene.shapes.iter().filter(uses);
     let elsewhere = scene.emitters.iter().filter(|emitter| {
         let is_area = matches!(emitter, Emitter::Area { .. });

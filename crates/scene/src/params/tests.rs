@@ -9,6 +9,8 @@ use crate::sensor::{Sensor, SensorModel};
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
 use crate::texture::{Texture, TextureId};
+use std::sync::Arc;
+
 use capwalk_math::{Affine, Rgb, Vec3};
 
 /// A ball, a lamp, and a sheet whose id holds all that could confuse a parser.
@@ -41,14 +43,16 @@ pub(super) fn example() -> Scene {
         },
     };
     Scene {
-        shapes: vec![
+        shapes: [
             Shape {
                 world_from_object: place,
                 ..shape("ball", ball, ShadingNormals::Given(given), 2, None)
             },
             shape("lamp", lamp, ShadingNormals::Face, 1, Some(EmitterId(0))),
             shape("-a.b+2*c", sheet, computed, 3, None),
-        ],
+        ]
+        .map(Arc::new)
+        .to_vec(),
         materials: vec![
             diffuse("red", 0),
             diffuse("lamp.bsdf", 1),
@@ -65,12 +69,14 @@ pub(super) fn example() -> Scene {
                 radiance: TextureId(3),
             },
         ],
-        textures: vec![
+        textures: [
             Texture::colour("red.reflectance", Rgb::new(0.8, 0.1, 0.2)),
             Texture::colour("lamp.bsdf.reflectance", Rgb::splat(0.5)),
             Texture::colour("lamp.emitter.radiance", Rgb::new(5.0, 6.0, 7.0)),
             Texture::colour("sky.radiance", Rgb::splat(0.25)),
-        ],
+        ]
+        .map(Arc::new)
+        .to_vec(),
         sensor: Sensor {
             id: "eye".into(),
             world_from_camera: Affine::translate(Vec3::new(0.0, 1.0, -5.0))
@@ -138,7 +144,7 @@ fn changed(scene: &Scene, parameter: &Parameter, h: f64) -> Scene {
         _ => Affine::IDENTITY,
     });
     if let (Some(map), Some(i)) = (map, shape) {
-        let shape = &mut scene.shapes[i];
+        let shape = scene.shape_mut(ShapeId(i as u32));
         shape
             .mesh
             .positions
@@ -174,7 +180,9 @@ fn changed(scene: &Scene, parameter: &Parameter, h: f64) -> Scene {
         ParameterKind::Radiance | ParameterKind::Reflectance => {
             let holders = ["red", "lamp.bsdf", "lamp.emitter", "sky"];
             let texture = holders.iter().position(|id| name.starts_with(id));
-            let data = &mut scene.textures[texture.expect("one of them")].data;
+            let data = &mut scene
+                .texture_mut(TextureId(texture.expect("one of them") as u32))
+                .data;
             (0..3).for_each(|i| data[i] += axis[i] * h);
         }
         _ => {}
@@ -376,7 +384,7 @@ fn placement_of_emitters_is_explained() {
 #[test]
 fn one_name_for_two_things_is_refused() {
     let mut scene = example();
-    scene.shapes[0].id = "sensor".into();
+    scene.shape_mut(ShapeId(0)).id = "sensor".into();
     let error = motion(&scene, "sensor.translate.x").expect_err("ambiguous");
     assert!(error.to_string().contains("two different things"));
     assert!(motion(&scene, "eye.translate.x").is_ok());
@@ -404,7 +412,7 @@ fn vertices_move_unless_the_mesh_would_tear() {
     bad[7].y = f64::NAN;
     assert!(message(&scene, "ball", bad).contains("vertex 7"));
     // A seam: the last vertex lies on the first.
-    let positions = &mut scene.shapes[0].mesh.positions;
+    let positions = &mut scene.shape_mut(ShapeId(0)).mesh.positions;
     positions[count - 1] = positions[0];
     let torn = message(&scene, "ball", velocities);
     assert!(
@@ -420,7 +428,7 @@ fn vertices_move_unless_the_mesh_would_tear() {
 #[test]
 fn a_shared_texture_is_one_parameter() {
     let mut scene = example();
-    scene.textures[0].id = "paint".into();
+    scene.texture_mut(TextureId(0)).id = "paint".into();
     scene.materials[1].bsdf = Bsdf::Diffuse {
         reflectance: TextureId(0),
     };

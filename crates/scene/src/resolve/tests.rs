@@ -1,6 +1,7 @@
 use super::*;
 use crate::bsdf::{Material, Metal, NormalLimits};
 use crate::lobe::Distribution;
+use crate::scene::ShapeId;
 use crate::shape::Shape;
 use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
 use capwalk_math::{Affine, Dual};
@@ -358,7 +359,8 @@ fn contradictions_are_refused() {
         (
             |m| {
                 m.normal_map(BsdfId(0));
-                m.0.textures.last_mut().expect("its normal").data = vec![0.5; 3];
+                let normal = TextureId(m.0.textures.len() as u32 - 1);
+                m.0.texture_mut(normal).data = vec![0.5; 3];
             },
             "a normal in its map is 0",
         ),
@@ -415,10 +417,10 @@ fn maps_need_texture_coordinates() {
     let bsdf = materials.normal_map(BsdfId(0));
     let mut scene = materials.0;
     let (mesh, normals) = crate::primitive::rectangle(Affine::IDENTITY);
-    scene.shapes = vec![Shape::new("floor", mesh, normals, bsdf)];
+    scene.shapes = vec![Shape::new("floor", mesh, normals, bsdf).into()];
     let message = scene.check().expect_err("no coordinates").to_string();
     assert!(message.contains("\"floor\" has none"), "{message}");
     let uvs = crate::primitive::rectangle_uvs(Affine::IDENTITY);
-    scene.shapes[0].uvs = Some(uvs);
+    scene.shape_mut(ShapeId(0)).uvs = Some(uvs);
     assert_eq!(scene.check(), Ok(()));
 }

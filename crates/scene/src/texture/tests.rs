@@ -1,4 +1,5 @@
 use super::*;
+use crate::ShapeId;
 use capwalk_math::{Affine, Dual, Vec3};
 
 #[test]
@@ -258,7 +259,7 @@ fn scene_with_attributes() -> (Scene, [TextureId; 3]) {
     ]
     .map(|texture| scene.add_texture(texture));
     let names = ["vertex_heat", "face_color"];
-    scene.shapes[0].attributes = names
+    scene.shape_mut(ShapeId(0)).attributes = names
         .into_iter()
         .zip(ids)
         .map(|(name, texture)| crate::shape::Attribute {
@@ -279,13 +280,13 @@ fn shapes_must_have_what_textures_ask_for() {
     };
     set(&mut scene, by_name);
     assert_eq!(scene.check(), Ok(()));
-    let heat = scene.shapes[0].attributes.remove(0);
+    let heat = scene.shape_mut(ShapeId(0)).attributes.remove(0);
     let message = scene.check().expect_err("no heat").to_string();
     assert!(message.contains("asks for \"vertex_heat\""), "{message}");
     assert!(message.contains("has only face_color"), "{message}");
     // Its range is that of its use.
     scene.texture_mut(heat.texture).data[2] = -1.0;
-    scene.shapes[0].attributes.push(heat);
+    scene.shape_mut(ShapeId(0)).attributes.push(heat);
     let message = scene.check().expect_err("negative").to_string();
     assert!(
         message.starts_with("floor.vertex_heat, texel 2 is (-1"),
@@ -297,7 +298,7 @@ fn shapes_must_have_what_textures_ask_for() {
     let message = scene.check().expect_err("no coordinates").to_string();
     assert!(message.contains("needs texture coordinates"), "{message}");
     let uvs = crate::primitive::rectangle_uvs(Affine::IDENTITY);
-    scene.shapes[0].uvs = Some(uvs);
+    scene.shape_mut(ShapeId(0)).uvs = Some(uvs);
     assert_eq!(scene.check(), Ok(()));
     scene.texture_mut(wood).data[4] = -0.5;
     let message = scene.check().expect_err("negative").to_string();

@@ -8,7 +8,7 @@ use crate::texture::{Bitmap, TexelFilter, Texture, UvTransform, Wrap};
 /// The example with a seam: the last vertex of the ball lies on the first.
 fn with_seam() -> Scene {
     let mut scene = example();
-    let positions = &mut scene.shapes[0].mesh.positions;
+    let positions = &mut scene.shape_mut(ShapeId(0)).mesh.positions;
     *positions.last_mut().expect("a ball") = positions[0];
     scene
 }
@@ -17,8 +17,8 @@ fn with_seam() -> Scene {
 fn with_textures() -> Scene {
     let mut scene = with_seam();
     let data = |count: usize| random(count, 9).iter().map(|x| x * x).collect();
-    let mut form = |id: usize, channels, data, pattern| {
-        let texture = &mut scene.textures[id];
+    let mut form = |id: u32, channels, data, pattern| {
+        let texture = scene.texture_mut(TextureId(id));
         (texture.channels, texture.data, texture.pattern) = (channels, data, pattern);
     };
     let to_uv = UvTransform::IDENTITY;
@@ -32,13 +32,13 @@ fn with_textures() -> Scene {
     };
     form(1, 1, data(6), Pattern::Bitmap(bitmap));
     form(3, 1, data(1), Pattern::Constant);
-    scene.textures.push(Texture {
+    scene.add_texture(Texture {
         id: "ball.vertex_color".into(),
         channels: 3,
         data: data(42 * 3),
         pattern: Pattern::PerVertex,
     });
-    scene.shapes[0].attributes.push(Attribute {
+    scene.shape_mut(ShapeId(0)).attributes.push(Attribute {
         name: "vertex_color".into(),
         texture: TextureId(4),
     });
@@ -332,7 +332,7 @@ fn requests_are_arrays_or_expressions() {
     let scalar = super::super::motion(&scene, "ball.positions").expect_err("an array");
     assert!(scalar.to_string().contains("capwalk backward"), "{scalar}");
     let mut twice = example();
-    twice.textures[2].id = "sky.radiance".into();
+    twice.texture_mut(TextureId(2)).id = "sky.radiance".into();
     let error = request(&twice, "sky.radiance.value").expect_err("ambiguous");
     assert!(
         error.to_string().contains("two different things"),
