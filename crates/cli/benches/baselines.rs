@@ -84,7 +84,9 @@ fn measure(folder: &Folder) {
     let Some((parameter, step)) = check else {
         return;
     };
-    let motion = params::motion(&scene, &parameter).expect("a parameter of the scene");
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, &parameter)
+        .expect("a parameter of the scene");
     let options = |spp, seed| Options { spp, seed };
     let run = |method, seed| {
         let settings = GradientOptions {

@@ -383,7 +383,7 @@ fn random_motion(scene: &Scene, random: &mut Random) -> Motion {
         motion.sensor.translation = random.vector(1.0);
         motion.sensor.rotation = random.vector(1.0);
     }
-    for array in params::arrays(scene) {
+    for array in params::Registry::new(scene).arrays() {
         let is_of_sensor = array.name.starts_with("sensor.");
         if (is_of_sensor || array.name.ends_with(".to_world")) && random.chance(0.1) {
             let velocities = (0..array.count()).map(|_| random.number(-1.0, 1.0));

@@ -188,7 +188,9 @@ fn thin_lens() {
             "sensor.aperture_radius",
             "sensor.focus_distance",
         ] {
-            let motion = params::motion(&scene, name).expect(name);
+            let motion = params::Registry::new(&scene)
+                .motion(&scene, name)
+                .expect(name);
             agree_along(name, &scene, &motion);
         }
     }
@@ -213,7 +215,9 @@ fn parallel_rays() {
             "sensor.rotate.x",
             "sensor.to_world[0,2] - 0.4*sensor.to_world[1,1]",
         ] {
-            let motion = params::motion(&scene, name).expect(name);
+            let motion = params::Registry::new(&scene)
+                .motion(&scene, name)
+                .expect(name);
             agree_along(name, &scene, &motion);
         }
     }

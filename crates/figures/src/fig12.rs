@@ -363,7 +363,8 @@ fn find(
         ..Wish::default()
     };
     let unusable = |error: String| Failure::Unusable(format!("figure 12: {error}"));
-    let variable = variable(&start, &wish).map_err(|error| unusable(error.to_string()))?;
+    let variable = variable(&start, &capwalk_scene::params::Registry::new(&start), &wish)
+        .map_err(|error| unusable(error.to_string()))?;
     let variables =
         Variables::new(&start, vec![variable]).map_err(|error| unusable(error.to_string()))?;
     let problem = Problem {

@@ -40,7 +40,7 @@ impl Subject {
         step: f64,
     ) -> Result<Self, Failure> {
         scene.film = Film::new(width, height, Filter::Box);
-        let motion = params::motion(&scene, parameter);
+        let motion = params::Registry::new(&scene).motion(&scene, parameter);
         Ok(Self {
             motion: motion.map_err(|error| Failure::Unusable(error.to_string()))?,
             scene,

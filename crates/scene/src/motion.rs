@@ -262,7 +262,9 @@ mod tests {
     fn what_stays_is_shared() {
         let scene = builtin::scene("leaf").expect("built in");
         let expression = "leaf.translate.x + lamp.emitter.radiance.value";
-        let motion = params::motion(&scene, expression).expect("parameters");
+        let motion = params::Registry::new(&scene)
+            .motion(&scene, expression)
+            .expect("parameters");
         let moved = scene.moved(&motion, 0.5);
         for (i, shape) in scene.shapes.iter().enumerate() {
             assert_eq!(Arc::ptr_eq(shape, &moved.shapes[i]), shape.id != "leaf");

@@ -15,11 +15,11 @@ use crate::{console, moving, report, source};
 
 pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
-    let parameters = params::list(&scene);
-    let arrays = params::arrays(&scene);
+    let registry = params::Registry::new(&scene);
+    let (parameters, arrays) = (registry.scalars(&scene), registry.arrays());
     let refusal = capwalk_diff::refusal(&capwalk_diff::Prepared::new(scene.clone()));
     if args.json {
-        console::print_json(&to_json(&scene, &parameters, &arrays, refusal.as_ref()))?;
+        console::print_json(&to_json(&scene, &parameters, arrays, refusal.as_ref()))?;
     } else {
         // Before the tables, which are long.
         let refused = refusal.as_ref().map(|refusal| {

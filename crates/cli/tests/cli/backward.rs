@@ -62,7 +62,11 @@ fn arrays_and_scalars_belong_together() {
     ));
     let file = read(&capwalk, "g.npz");
     let scene = builtin::scene("ball").expect("built in");
-    let motion = |name: &str| params::motion(&scene, name).expect("known");
+    let motion = |name: &str| {
+        params::Registry::new(&scene)
+            .motion(&scene, name)
+            .expect("known")
+    };
     let ball = scene.shapes.iter().position(|s| s.id == "ball");
     let velocities = |motion: &Motion| -> Vec<f64> {
         let ball = motion.shapes[ball.expect("a ball")].as_ref();

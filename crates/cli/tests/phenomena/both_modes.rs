@@ -40,7 +40,9 @@ fn dot(a: &Image, b: &Image) -> f64 {
 pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
-    let motion = params::motion(&scene, parameter).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, parameter)
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
     let settings = GradientOptions::new(Options {
         spp: SPP,
         seed: SEED,

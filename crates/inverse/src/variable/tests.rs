@@ -48,9 +48,9 @@ pub(crate) fn ball() -> Scene {
 }
 
 pub(crate) fn variables(scene: &Scene, wishes: &[Wish]) -> Variables {
-    let made = wishes
-        .iter()
-        .map(|wish| variable(scene, wish).expect("fine"));
+    let made = wishes.iter().map(|wish| {
+        variable(scene, &capwalk_scene::params::Registry::new(scene), wish).expect("fine")
+    });
     Variables::new(scene, made.collect()).expect("they fit")
 }
 
@@ -364,7 +364,12 @@ fn rim_of_a_disk_in_its_plane() {
         vertices: Some(Selection::Indices((1..26).collect())),
         ..wish
     };
-    let same = super::variable(&scene, &indices).expect("fine");
+    let same = super::variable(
+        &scene,
+        &capwalk_scene::params::Registry::new(&scene),
+        &indices,
+    )
+    .expect("fine");
     assert_eq!(same.initial.len(), 50);
     let moved = variables.apply(&scene, &random(50, 9)).expect("a scene");
     let heights = moved.shapes[index].mesh.positions.iter().map(|p| p.y);
@@ -374,7 +379,15 @@ fn rim_of_a_disk_in_its_plane() {
 #[test]
 fn names_and_values_are_those_of_the_scene() {
     let scene = ball();
-    let initial = |name: &str| variable(&scene, &wish(name)).expect("fine").initial;
+    let initial = |name: &str| {
+        variable(
+            &scene,
+            &capwalk_scene::params::Registry::new(&scene),
+            &wish(name),
+        )
+        .expect("fine")
+        .initial
+    };
     assert_eq!(initial("ball.scale"), [1.0]);
     assert_eq!(initial("ball.rotate.y"), [0.0]);
     assert_eq!(initial("lamp.emitter.radiance.value"), [34.0; 3]);
@@ -396,7 +409,10 @@ fn names_and_values_are_those_of_the_scene() {
 #[track_caller]
 pub(crate) fn refused(wishes: &[Wish], part: &str) {
     let scene = ball();
-    let made: Result<Vec<_>, _> = wishes.iter().map(|wish| variable(&scene, wish)).collect();
+    let made: Result<Vec<_>, _> = wishes
+        .iter()
+        .map(|wish| variable(&scene, &capwalk_scene::params::Registry::new(&scene), wish))
+        .collect();
     let error = made
         .and_then(|made| Variables::new(&scene, made))
         .expect_err(part);

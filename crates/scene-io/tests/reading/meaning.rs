@@ -504,9 +504,9 @@ fn to_world_is_that_of_the_file() {
     );
     let scene = load(&text);
     let matrix = |name: &str| {
-        let arrays = capwalk_scene::params::arrays(&scene);
-        let array = arrays.iter().find(|array| array.name == name);
-        array.expect(name).get(&scene)
+        let registry = capwalk_scene::params::Registry::new(&scene);
+        let array = registry.array(name).expect("one array").expect(name);
+        array.get(&scene)
     };
     let rows = |diagonal: [f64; 3], translation: [f64; 3]| {
         let mut numbers = vec![0.0; 16];

@@ -3,7 +3,9 @@ use crate::bsdf::{Bsdf, Material};
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::filter::Filter;
+use crate::motion::Motion;
 use crate::primitive;
+use crate::scene::Scene;
 use crate::scene::{BsdfId, EmitterId, ShapeId};
 use crate::sensor::{Sensor, SensorModel};
 use crate::settings::{Integrator, SamplerKind, Settings};
@@ -12,6 +14,18 @@ use crate::texture::{Texture, TextureId};
 use std::sync::Arc;
 
 use capwalk_math::{Affine, Rgb, Vec3};
+
+fn list(scene: &Scene) -> Vec<Parameter> {
+    Registry::new(scene).scalars(scene)
+}
+
+fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
+    Registry::new(scene).motion(scene, expression)
+}
+
+fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
+    Registry::new(scene).request(scene, text)
+}
 
 /// A ball, a lamp, and a sheet whose id holds all that could confuse a parser.
 pub(super) fn example() -> Scene {
@@ -347,7 +361,7 @@ fn suggestions_stay_with_the_object() {
         "floor.positions",
         "wall.bsdf.reflectance.value",
     ];
-    let near = |wanted: &str| error::near(wanted, names.into_iter());
+    let near = |wanted: &str| near::near(wanted, names.into_iter());
     assert!(near("spot.translate.x").is_empty());
     assert_eq!(near("flor.translate.x"), ["floor.translate.x"]);
     assert_eq!(near("floor.vertex_positions"), ["floor.positions"]);
@@ -460,4 +474,44 @@ fn one_texel(scene: &Scene, texture: usize, velocity: [f64; 3]) -> Vec<Option<Ve
     let mut textures = vec![None; scene.textures.len()];
     textures[texture] = Some(velocity.to_vec());
     textures
+}
+
+/// Shapes with a material and a texture each. If every texture were looked for in all
+/// materials, and every material in all shapes, this would take minutes.
+#[test]
+fn registries_take_time_in_proportion_to_scenes() {
+    const SHAPES: u32 = 20_000;
+    let mut scene = example();
+    scene.shapes.clear();
+    scene.emitters.clear();
+    scene.materials.clear();
+    scene.textures.clear();
+    for i in 0..SHAPES {
+        let name = format!("shape{i}");
+        let colour = Texture::colour(format!("{name}.bsdf.reflectance"), Rgb::splat(0.5));
+        let reflectance = scene.add_texture(colour);
+        scene.materials.push(Material {
+            id: format!("{name}.bsdf"),
+            bsdf: Bsdf::Diffuse { reflectance },
+        });
+        let (mesh, normals) = primitive::rectangle(Affine::IDENTITY);
+        scene.add_shape(Shape::new(name, mesh, normals, BsdfId(i)));
+    }
+    let start = std::time::Instant::now();
+    let registry = Registry::new(&scene);
+    let (scalars, arrays) = (registry.scalars(&scene), registry.arrays());
+    assert_eq!(scalars.len(), 20_000 * (7 + 4) + 2 * 9);
+    assert_eq!(arrays.len(), 20_000 * 3 + 2 * 6);
+    let sum = "shape19999.scale - 2*shape7.bsdf.reflectance.value.r + shape0.positions[2]";
+    assert!(registry.motion(&scene, sum).is_ok());
+    let unknown = registry.motion(&scene, "shape19999.bsdf.reflectence.value");
+    let message = unknown.expect_err("misspelt").to_string();
+    assert!(
+        message.contains("`shape19999.bsdf.reflectance.value`"),
+        "{message}"
+    );
+    let nothing = registry.motion(&scene, "no such thing");
+    assert!(nothing.is_err());
+    let seconds = start.elapsed().as_secs_f64();
+    assert!(seconds < 5.0, "{seconds} s");
 }

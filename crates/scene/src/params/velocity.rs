@@ -3,8 +3,10 @@
 use capwalk_geometry::topology::weld;
 use capwalk_math::Vec3;
 
-use super::error::{ParameterError, near};
-use super::registry::{Target, optic_scale};
+use super::error::ParameterError;
+use super::near::near;
+use super::optic::optic_scale;
+use super::target::Target;
 use crate::motion::{Motion, ShapeMotion};
 use crate::scene::{Scene, ShapeId};
 use crate::shape::ShadingNormals;

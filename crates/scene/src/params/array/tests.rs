@@ -1,9 +1,9 @@
 use super::super::tests::{example, numbers};
-use super::super::{Request, request};
+use super::super::{Registry, Request};
 use super::*;
 use crate::motion::SensorMotion;
 use crate::shape::Attribute;
-use crate::texture::{Bitmap, TexelFilter, Texture, UvTransform, Wrap};
+use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
 
 /// The example with a seam: the last vertex of the ball lies on the first.
 fn with_seam() -> Scene {
@@ -75,7 +75,17 @@ fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
 }
 
 fn named(scene: &Scene, name: &str) -> ArrayParameter {
-    find(scene, name).expect("one thing").expect(name)
+    let registry = Registry::new(scene);
+    let array = registry.array(name).expect("one thing").expect(name);
+    array.clone()
+}
+
+fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
+    Registry::new(scene).motion(scene, expression)
+}
+
+fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
+    Registry::new(scene).request(scene, text)
 }
 
 fn stepped(scene: &Scene, array: &ArrayParameter, velocities: &[f64], step: f64) -> Scene {
@@ -92,7 +102,8 @@ fn stepped(scene: &Scene, array: &ArrayParameter, velocities: &[f64], step: f64)
 
 #[test]
 fn arrays_are_listed_in_the_order_of_parameters() {
-    let listed: Vec<(String, String)> = arrays(&example())
+    let listed: Vec<(String, String)> = Registry::new(&example())
+        .arrays()
         .iter()
         .map(|array| (array.name.clone(), array.shape_text()))
         .collect();
@@ -145,7 +156,7 @@ fn arrays_are_listed_in_the_order_of_parameters() {
         assert_eq!(named(&scene, name).shape_text(), shape, "{name}");
     }
     // The short name of a single number is a scalar's.
-    assert_eq!(find(&scene, "sky.radiance"), Ok(None));
+    assert_eq!(Registry::new(&scene).array("sky.radiance"), Ok(None));
 }
 
 /// Each array has numbers of its own.
@@ -165,7 +176,7 @@ fn parts_of_a_texture_are_apart() {
 fn every_array_means_what_it_says() {
     let scene = with_textures();
     let h = 1e-5;
-    for array in arrays(&scene) {
+    for array in Registry::new(&scene).arrays() {
         assert_eq!(array.get(&scene).len(), array.count(), "{}", array.name);
         let velocities = admissible(&scene, &array);
         let motion = array.motion(&scene, &velocities);
@@ -226,7 +237,7 @@ fn gradients_are_transposed_motions() {
         axes: [0, 1, 2].map(|i| vectors(&random(9, 6))[i]),
         optics: vectors(&random(3, 8))[0],
     };
-    for array in arrays(&scene) {
+    for array in Registry::new(&scene).arrays() {
         let velocities = admissible(&scene, &array);
         let read = array.gradient(&scene, &gradient);
         let dot: f64 = read.iter().zip(&velocities).map(|(a, b)| a * b).sum();
@@ -329,7 +340,7 @@ fn requests_are_arrays_or_expressions() {
     ] {
         assert!(message(text).contains(part), "{text}: {}", message(text));
     }
-    let scalar = super::super::motion(&scene, "ball.positions").expect_err("an array");
+    let scalar = motion(&scene, "ball.positions").expect_err("an array");
     assert!(scalar.to_string().contains("capwalk backward"), "{scalar}");
     let mut twice = example();
     twice.texture_mut(TextureId(2)).id = "sky.radiance".into();
@@ -345,11 +356,7 @@ fn requests_are_arrays_or_expressions() {
 #[test]
 fn elements_are_parameters() {
     let scene = example();
-    let motion = |scene: &Scene, text: &str| super::super::motion(scene, text).expect(text);
-    let array = |scene: &Scene, name: &str| {
-        let found = find(scene, name).expect("one meaning");
-        found.expect("it is there")
-    };
+    let motion = |scene: &Scene, text: &str| motion(scene, text).expect(text);
     for (text, name, numbers) in [
         ("ball.positions[7,2]", "ball.positions", vec![(23, 1.0)]),
         (
@@ -373,7 +380,7 @@ fn elements_are_parameters() {
             vec![(12, 1.0)],
         ),
     ] {
-        let array = array(&scene, name);
+        let array = named(&scene, name);
         let mut velocities = vec![0.0; array.count()];
         for (index, velocity) in numbers {
             velocities[index] = velocity;
