@@ -8,7 +8,7 @@ pub use environment::{EnvironmentMap, EnvironmentTable};
 
 use capwalk_math::{Affine, Vec3};
 
-use crate::bsdf::Slot;
+use crate::material::bsdf::Slot;
 use crate::quantity::Quantity;
 use crate::scene::{Scene, ShapeId};
 use crate::texture::TextureId;
@@ -136,7 +136,13 @@ impl Emitter {
 
     /// True if it surrounds the scene.
     pub fn is_environment(&self) -> bool {
-        matches!(self, Self::Constant { .. } | Self::EnvironmentMap { .. })
+        match self {
+            Self::Constant { .. } | Self::EnvironmentMap { .. } => true,
+            Self::Area { .. }
+            | Self::Point { .. }
+            | Self::Spot { .. }
+            | Self::Directional { .. } => false,
+        }
     }
 
     /// What users call it: `<shape>.emitter`, or its own id.

@@ -4,33 +4,29 @@
 //! A [`Scene`] never changes while it is rendered. Nothing here opens a file,
 //! knows an integrator, or casts a ray.
 
-pub mod bsdf;
 pub mod builtin;
 pub mod emitter;
 pub mod film;
 pub mod filter;
 pub mod image;
-pub mod lobe;
-mod makeup;
+pub mod material;
 pub mod motion;
 pub mod params;
 pub mod primitive;
 pub mod quantity;
-pub mod resolve;
 pub mod scene;
 pub mod sensor;
 pub mod settings;
 pub mod shape;
 pub mod texture;
 
-pub use bsdf::{Bsdf, Material};
 pub use emitter::Emitter;
 pub use film::Film;
 pub use filter::Filter;
 pub use image::Image;
+pub use material::{Bsdf, Material, Resolved, Resolver, bsdf, lobe, resolve};
 pub use motion::{Motion, SensorMotion, ShapeMotion};
 pub use quantity::Quantity;
-pub use resolve::{Resolved, Resolver};
 pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
 pub use sensor::{Optic, Sensor, SensorModel};
 pub use settings::{Integrator, Layer, SamplerKind, Settings};

@@ -213,7 +213,7 @@ impl Scene {
                 (ShadingNormals::Computed(normals), _) => {
                     *normals = vertex_normals(&shape.mesh.positions, &shape.mesh.faces);
                 }
-                _ => {}
+                (ShadingNormals::Face | ShadingNormals::Given(_), _) => {}
             }
         }
         for (texture, velocities) in scene.textures.iter_mut().zip(&motion.textures) {

@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use capwalk_geometry::MeshError;
 
-use crate::bsdf::{Material, Slot};
 use crate::emitter::Emitter;
 use crate::film::Film;
+use crate::material::bsdf::{Material, Slot};
 use crate::quantity::Quantity;
 use crate::sensor::Sensor;
 use crate::settings::Settings;

@@ -237,7 +237,9 @@ impl Sensor {
                 format!("{offset:?}"),
                 "finite numbers",
             ),
-            _ => Ok(()),
+            SensorModel::Perspective { .. }
+            | SensorModel::ThinLens { .. }
+            | SensorModel::Orthographic => Ok(()),
         }
     }
 }

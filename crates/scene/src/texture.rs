@@ -110,15 +110,27 @@ impl Texture {
 
     /// True if it depends on texture coordinates.
     pub fn needs_uv(&self) -> bool {
-        matches!(
-            self.pattern,
-            Pattern::Bitmap(_) | Pattern::Checkerboard { .. }
-        )
+        match self.pattern {
+            Pattern::Bitmap(_) | Pattern::Checkerboard { .. } => true,
+            Pattern::Constant
+            | Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => false,
+        }
     }
 
     /// True if its slopes are known: if it is a bitmap of interpolated texels.
     pub fn has_slopes(&self) -> bool {
-        matches!(&self.pattern, Pattern::Bitmap(bitmap) if bitmap.filter == TexelFilter::Bilinear)
+        match &self.pattern {
+            Pattern::Bitmap(bitmap) => bitmap.filter == TexelFilter::Bilinear,
+            Pattern::Constant
+            | Pattern::Checkerboard { .. }
+            | Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => false,
+        }
     }
 
     /// Its value at texture coordinates `uv`. `texel` gives its texels, with

@@ -3,10 +3,10 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 
-use crate::bsdf::{Bsdf, Material};
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::filter::Filter;
+use crate::material::bsdf::{Bsdf, Material};
 use crate::primitive;
 use crate::scene::{BsdfId, EmitterId, Scene, ShapeId};
 use crate::sensor::{Sensor, SensorModel};

@@ -18,7 +18,12 @@ pub(super) fn describe(
     let shape = |id: ShapeId| &scene.shape(id).id;
     let moves_discontinuities = match target {
         Target::Texels(_, _, quantity, _) => quantity.moves_edges(),
-        _ => true,
+        Target::Translate(..)
+        | Target::Rotate(..)
+        | Target::Scale(_)
+        | Target::TranslateSensor(_)
+        | Target::RotateSensor(_)
+        | Target::SensorOptic(_) => true,
     };
     let (kind, value, unit, description) = match target {
         Target::Translate(id, axis) => {

@@ -1,8 +1,8 @@
 use super::*;
-use crate::bsdf::{Bsdf, Material};
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::filter::Filter;
+use crate::material::bsdf::{Bsdf, Material};
 use crate::motion::Motion;
 use crate::primitive;
 use crate::scene::Scene;

@@ -55,7 +55,8 @@ fn add_rigid(scene: &Scene, id: ShapeId, translation: Vec3, rotation: Vec3, moti
         ShadingNormals::Given(normals) if rotation != Vec3::zero() => {
             Some(normals.iter().map(|&n| rotation.cross(n)).collect())
         }
-        _ => None,
+        // A translation turns no normal, and computed ones follow by themselves.
+        ShadingNormals::Given(_) | ShadingNormals::Face | ShadingNormals::Computed(_) => None,
     };
     motion.add_to_shape(id, ShapeMotion { vertices, normals });
 }

@@ -32,7 +32,12 @@ impl Scene {
                 let attribute = shape.attribute(name);
                 attribute.expect("scenes are checked for attributes")
             }
-            _ => id,
+            Pattern::Constant
+            | Pattern::Bitmap(_)
+            | Pattern::Checkerboard { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => id,
         }
     }
 

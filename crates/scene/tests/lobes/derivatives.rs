@@ -78,7 +78,7 @@ fn compare(
 fn eval_has_right_derivatives() {
     let mut count = 0;
     for (name, lobe) in table::smooth().into_iter().chain(table::sharp()) {
-        let bsdf = Bsdf::from(lobe.clone());
+        let bsdf = LocalBsdf::from(lobe.clone());
         for wi in table::views(&lobe) {
             let mut others = vec![
                 direction(0.7, 2.0),
@@ -127,8 +127,8 @@ fn specular_has_right_derivatives() {
 #[test]
 fn weights_have_derivatives() {
     let (wi, wo) = (direction(0.6, 1.0), direction(0.8, 3.0));
-    let mut bsdf = Bsdf::<Dual<1>>::default();
-    let mut at_rest = Bsdf::default();
+    let mut bsdf = LocalBsdf::<Dual<1>>::default();
+    let mut at_rest = LocalBsdf::default();
     for (place, (_, lobe)) in table::smooth().into_iter().take(2).enumerate() {
         let weight = [0.3, 0.7][place];
         bsdf.push(
@@ -153,7 +153,7 @@ fn lobes_of_weight_zero_are_explored() {
         reflectance: Rgb::splat(0.0),
     };
     for explores in [false, true] {
-        let mut bsdf = Bsdf::default();
+        let mut bsdf = LocalBsdf::default();
         bsdf.push(1.0, Lobe::Diffuse(black));
         bsdf.push(0.0, Lobe::Null(Null));
         let bsdf = if explores { bsdf.explored() } else { bsdf };

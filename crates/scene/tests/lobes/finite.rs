@@ -45,7 +45,7 @@ fn lobes() -> Vec<(&'static str, Lobe)> {
 #[test]
 fn eval_and_pdf_are_finite() {
     for (name, lobe) in lobes() {
-        let bsdf = Bsdf::from(lobe.clone());
+        let bsdf = LocalBsdf::from(lobe.clone());
         let moving = lobe.map(&mut |x| Dual::new(x, [1.0]));
         for wi in directions() {
             for wo in directions() {
@@ -81,8 +81,8 @@ fn samples_are_finite() {
         .into_iter()
         .map(|(name, lobe, _)| (name, lobe));
     for (name, lobe) in lobes().into_iter().chain(specular) {
-        let bsdf = Bsdf::from(lobe.clone());
-        let moving = Bsdf::from(lobe.map(&mut |x| Dual::new(x, [1.0])));
+        let bsdf = LocalBsdf::from(lobe.clone());
+        let moving = LocalBsdf::from(lobe.map(&mut |x| Dual::new(x, [1.0])));
         for wi in directions() {
             for choice in numbers {
                 for u in numbers.into_iter().flat_map(|u| numbers.map(|v| [u, v])) {

@@ -13,7 +13,7 @@ fn one_sided_lobes_are_continuous_across_the_horizon() {
         if lobe.is_two_sided() {
             continue;
         }
-        let bsdf = Bsdf::from(lobe);
+        let bsdf = LocalBsdf::from(lobe);
         let wo = direction(0.5, 1.0);
         let [above, below] = [1e-9, -1e-9].map(|cos| direction(cos, 2.0));
         let (a, b) = (bsdf.eval(above, wo), bsdf.eval(below, wo));
@@ -29,8 +29,8 @@ fn one_sided_lobes_are_continuous_across_the_horizon() {
 fn the_side_that_is_seen_can_be_told() {
     let (inside, outside) = (direction(-0.2, 2.0), direction(0.2, 2.0));
     for (name, lobe) in table::smooth() {
-        let front = Bsdf::from(lobe.clone()).seen_from(Side::Front);
-        let back = Bsdf::from(lobe.clone()).seen_from(Side::Back);
+        let front = LocalBsdf::from(lobe.clone()).seen_from(Side::Front);
+        let back = LocalBsdf::from(lobe.clone()).seen_from(Side::Back);
         for wo in [direction(0.5, 1.0), direction(-0.4, 5.0)] {
             assert_eq!(front.eval(inside, wo), lobe.eval(outside, wo), "{name}");
             assert_eq!(front.pdf(inside, wo), lobe.pdf(outside, wo), "{name}");

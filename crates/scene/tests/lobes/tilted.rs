@@ -17,8 +17,8 @@ const LIMITS: NormalLimits = NormalLimits {
 /// A tilt by about 30 degrees.
 const NORMAL: Vec3 = Vec3::new(0.4, -0.35, 0.9);
 
-fn tilted(lobe: &Lobe, limits: NormalLimits) -> Bsdf {
-    let mut bsdf = Bsdf::default();
+fn tilted(lobe: &Lobe, limits: NormalLimits) -> LocalBsdf {
+    let mut bsdf = LocalBsdf::default();
     bsdf.push_tilted(0.6, lobe.clone(), Some(Tilt::new(NORMAL, limits)));
     bsdf
 }
@@ -117,7 +117,7 @@ fn tilts_have_derivatives() {
             let numbers: Vec<f64> = [NORMAL, wi, wo].iter().flat_map(|v| v.to_array()).collect();
             let vector = |x: &[f64], i: usize| Vec3::new(x[i], x[i + 1], x[i + 2]);
             let at = |x: &[f64]| {
-                let mut bsdf = Bsdf::default();
+                let mut bsdf = LocalBsdf::default();
                 let tilt = Tilt::new(vector(x, 0), LIMITS);
                 bsdf.push_tilted(1.0, lobe.clone(), Some(tilt));
                 bsdf.eval(vector(x, 3), vector(x, 6))
@@ -129,7 +129,7 @@ fn tilts_have_derivatives() {
                     D::variable(numbers[i + 2], i + 2),
                 )
             };
-            let mut bsdf = Bsdf::<D>::default();
+            let mut bsdf = LocalBsdf::<D>::default();
             let tilt = Tilt::new(dual(0), LIMITS);
             bsdf.push_tilted(D::constant(1.0), lobe.map(&mut D::constant), Some(tilt));
             let value = bsdf.eval(dual(3), dual(6));
@@ -169,9 +169,9 @@ fn normals_that_turn_away() {
     assert_eq!(bsdf.eval(behind, wo), Rgb::zero());
     assert_eq!(bsdf.pdf(behind, wo), 0.0);
     assert!(bsdf.sample(behind, 0.5, [0.5, 0.5]).is_none());
-    let plain = Bsdf::from(lobe);
+    let plain = LocalBsdf::from(lobe);
     let level = plain.eval(behind, wo);
-    let mut untilted = Bsdf::default();
+    let mut untilted = LocalBsdf::default();
     let up = Vec3::new(0.0, 0.0, 2.0);
     let Some((_, lobe)) = plain.lobes().next() else {
         panic!("one lobe");

@@ -1,7 +1,7 @@
 //! Materials: what a file says of a surface. What it does to light at a point is
 //! in [`crate::lobe`]. To add one: add a variant here, and follow the compiler.
 
-use crate::lobe::Distribution;
+use super::lobe::Distribution;
 use crate::quantity::Quantity;
 use crate::scene::BsdfId;
 use crate::texture::TextureId;
@@ -208,15 +208,6 @@ impl Bsdf {
         }
     }
 
-    /// What is done about normals that go too far, if it is a map of normals or
-    /// heights.
-    pub fn normal_limits(&self) -> Option<NormalLimits> {
-        match self {
-            Self::NormalMap { limits, .. } | Self::BumpMap { limits, .. } => Some(*limits),
-            _ => None,
-        }
-    }
-
     /// The textures that stand in it.
     pub fn slots(&self) -> Vec<Slot> {
         use Quantity::*;
@@ -257,48 +248,6 @@ impl Bsdf {
             }
         }
         slots
-    }
-
-    /// The materials that it is made of.
-    pub fn parts(&self) -> Vec<BsdfId> {
-        let parts = self.named_parts().into_iter();
-        parts.map(|(_, part)| part).collect()
-    }
-
-    /// The materials that it is made of, and their names in it.
-    pub fn named_parts(&self) -> Vec<(&'static str, BsdfId)> {
-        match *self {
-            Self::TwoSided { front, back } => vec![("brdf_0", front), ("brdf_1", back)],
-            Self::Blend {
-                nested: [first, second],
-                ..
-            } => vec![("bsdf_0", first), ("bsdf_1", second)],
-            Self::Mask { nested, .. }
-            | Self::NormalMap { nested, .. }
-            | Self::BumpMap { nested, .. } => vec![("nested_bsdf", nested)],
-            Self::Diffuse { .. }
-            | Self::Conductor(_)
-            | Self::RoughConductor(..)
-            | Self::Dielectric(_)
-            | Self::RoughDielectric(..)
-            | Self::ThinDielectric(_)
-            | Self::Plastic(_)
-            | Self::RoughPlastic { .. }
-            | Self::Principled(_)
-            | Self::Null => Vec::new(),
-        }
-    }
-
-    /// The one material whose look it has on all sides that it shows, if it is
-    /// made of one.
-    pub fn shown_part(&self) -> Option<BsdfId> {
-        match *self {
-            Self::TwoSided { front, back } => (front == back).then_some(front),
-            Self::Mask { nested, .. }
-            | Self::NormalMap { nested, .. }
-            | Self::BumpMap { nested, .. } => Some(nested),
-            _ => None,
-        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use capwalk_math::{Frame, Real, Vec3};
 
-use crate::bsdf::NormalLimits;
+use crate::material::bsdf::NormalLimits;
 
 /// The frame of a lobe within the shading frame: the surface looks as if it were
 /// tilted, but stays where it is.

@@ -2,7 +2,7 @@
 
 use capwalk_math::Vec3;
 
-use super::{Drawn, Event};
+use super::event::{Drawn, Event};
 
 /// Lets all light pass straight on.
 #[derive(Clone, Copy, Debug, PartialEq)]

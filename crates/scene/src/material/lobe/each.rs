@@ -1,95 +1,18 @@
-//! Lobes: the ways in which a surface scatters light, as pure arithmetic. To
-//! add one: write its struct in a file of its own under `lobe/`, add a variant
-//! to [`Lobe`], follow the compiler, and add it to the table of
-//! `tests/lobes/table.rs`, which tests it.
-//!
-//! Formulas are those of Mitsuba 3's plugins of the same names. They differ in
-//! four places: shadowing of Beckmann's facets is the integral and not a fit
-//! to it (up to 0.35 % for each direction); refraction by facets that stand
-//! upright fades out and does not jump (0.05 % of what a GGX surface of
-//! roughness 0.3 transmits); the transmittance of rough coats is integrated
-//! more exactly (0.1 %, for `eta` below 1 0.3 %); sheen is also on a
-//! [`Principled`] of nothing but glass, as in Mitsuba's vectorised variants.
-//!
-//! A lobe has its numbers in it and knows nothing of textures, frames or faces.
-//! All directions are unit vectors in the shading frame, normal `+z`, and point
-//! away from the surface: `wi` to where the path comes from (the viewer), `wo`
-//! to where it goes on (the light).
-//!
-//! ```
-//! use capwalk_math::{Rgb, Vec3};
-//! use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe};
-//! let mut bsdf = Bsdf::default();
-//! bsdf.push(1.0, Lobe::Diffuse(Diffuse { reflectance: Rgb::splat(0.5) }));
-//! let wi = Vec3::new(0.0, 0.6, 0.8);
-//! let sample = bsdf.sample(wi, 0.3, [0.1, 0.7]).expect("a diffuse surface reflects everywhere");
-//! let throughput = bsdf.eval(wi, sample.wo) / sample.pdf;
-//! assert!((throughput.x - 0.5).abs() < 1e-12);
-//! ```
-//!
-//! # Sides
-//!
-//! One-sided lobes (everything but [`Dielectric`], [`RoughDielectric`],
-//! [`ThinDielectric`], [`Null`], and a [`Principled`] that transmits) are seen
-//! from the front: whether the face shows its front is for the caller to
-//! decide, by [`Bsdf::seen_from`] or by not asking. Interpolated normals can
-//! turn away from a face that is seen. Then `wi.z <= 0`, and one-sided lobes
-//! answer for the direction mirrored at the surface, `(wi.x, wi.y, |wi.z|)`,
-//! which is continuous where a black back would be a jump that no edge carries.
-//! [`Diffuse`] does not look at `wi`. They reflect to `wo.z > 0` only.
-//!
-//! Two-sided lobes take `wi.z < 0` for the inside, unless [`Bsdf::seen_from`]
-//! says otherwise.
-//!
-//! # Derivatives
-//!
-//! `eval` and `specular` are continuous in directions and numbers, and smooth
-//! but for these:
-//!
-//! * where total reflection begins, Fresnel's equations have an infinite slope,
-//!   seen from the denser side. It can be integrated; its square, the variance,
-//!   only just not;
-//! * [`RoughPlastic`] interpolates a table linearly in the cosine: kinks;
-//! * a lobe of weight zero is only sampled with [`Bsdf::explored`], and parts of a
-//!   [`Principled`] that it has none of only if they are
-//!   [explored](Principled::explored).
-
-mod bsdf;
-mod conductor;
-mod dielectric;
-mod diffuse;
-mod fresnel;
-mod local;
-mod microfacets;
-mod null;
-mod plastic;
-mod principled;
-mod rough_conductor;
-mod rough_dielectric;
-mod rough_plastic;
-mod rough_transmittance;
-mod thin_dielectric;
-mod tilt;
-mod visible_facets;
-
-pub use bsdf::{Bsdf, BsdfSample, Event, Side, Specular};
-pub use conductor::Conductor;
-pub use dielectric::Dielectric;
-pub use diffuse::Diffuse;
-pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_diffuse};
-pub use local::{cosine_pdf, sample_cosine};
-pub use microfacets::{Distribution, Microfacets};
-pub use null::Null;
-pub use plastic::Plastic;
-pub use principled::{Explored, Principled};
-pub use rough_conductor::RoughConductor;
-pub use rough_dielectric::RoughDielectric;
-pub use rough_plastic::RoughPlastic;
-pub use rough_transmittance::RoughTransmittance;
-pub use thin_dielectric::ThinDielectric;
-pub use tilt::Tilt;
+//! Any lobe, and what all of them answer.
 
 use capwalk_math::{Real, Rgb, Vec3};
+
+use super::conductor::Conductor;
+use super::dielectric::Dielectric;
+use super::diffuse::Diffuse;
+use super::event::{Drawn, Event, Specular};
+use super::null::Null;
+use super::plastic::Plastic;
+use super::principled::Principled;
+use super::rough_conductor::RoughConductor;
+use super::rough_dielectric::RoughDielectric;
+use super::rough_plastic::RoughPlastic;
+use super::thin_dielectric::ThinDielectric;
 
 /// One way in which a surface scatters light, with its numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,15 +37,6 @@ pub enum Lobe<R = f64> {
     Principled(Principled<R>),
     /// Nothing: light passes.
     Null(Null),
-}
-
-/// What a lobe drew.
-#[derive(Clone, Copy, Debug)]
-pub(crate) enum Drawn {
-    /// A direction with a density.
-    Smooth(Vec3),
-    /// A perfectly specular event and its probability.
-    Specular(Event, f64),
 }
 
 /// The same expression for whichever lobe it is.
@@ -168,7 +82,7 @@ impl<R: Real> Lobe<R> {
     ///
     /// # Panics
     ///
-    /// If the lobe has no such event; [`Bsdf::sample`] never returns one.
+    /// If the lobe has no such event; [`LocalBsdf::sample`](super::LocalBsdf::sample) never returns one.
     #[inline]
     pub fn specular(&self, event: Specular, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
         match (self, event.event) {
@@ -237,7 +151,7 @@ impl<R: Real> Lobe<R> {
 }
 
 impl Lobe {
-    /// Density per solid angle of the smooth directions that [`Bsdf::sample`]
+    /// Density per solid angle of the smooth directions that [`LocalBsdf::sample`](super::LocalBsdf::sample)
     /// draws from this lobe, including the probability that it draws one.
     #[inline]
     pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {

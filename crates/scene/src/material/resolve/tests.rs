@@ -1,6 +1,6 @@
 use super::*;
-use crate::bsdf::{Material, Metal, NormalLimits};
-use crate::lobe::Distribution;
+use crate::material::bsdf::{Material, Metal, NormalLimits};
+use crate::material::lobe::Distribution;
 use crate::scene::ShapeId;
 use crate::shape::Shape;
 use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
@@ -224,7 +224,7 @@ fn maps_tilt_what_is_in_them() {
     });
     let resolved = materials.resolve(veil, Side::Front);
     let tilt = Tilt::new(Vec3::new(0.0, 0.5, 1.0), LIMITS);
-    let mut expected = lobe::Bsdf::default();
+    let mut expected = lobe::LocalBsdf::default();
     expected.push_tilted(0.25, diffuse(FIRST), Some(tilt));
     expected.push(0.25, diffuse(SECOND));
     expected.push(0.5, Lobe::Null(lobe::Null));
@@ -236,7 +236,7 @@ fn maps_tilt_what_is_in_them() {
     });
     let map = materials.normal_map(veil);
     let resolved = materials.resolve(map, Side::Front);
-    let mut expected = lobe::Bsdf::default();
+    let mut expected = lobe::LocalBsdf::default();
     expected.push_tilted(0.5, diffuse(FIRST), Some(tilt));
     expected.push(0.5, Lobe::Null(lobe::Null));
     assert_eq!(resolved.bsdf, expected.seen_from(Side::Front));
@@ -267,7 +267,7 @@ fn heights_tilt_against_their_slope() {
     });
     let resolved = materials.resolve(map, Side::Front);
     let [x, y] = [0.25, -0.5].map(|slope| -2.0 * slope);
-    let mut expected = lobe::Bsdf::default();
+    let mut expected = lobe::LocalBsdf::default();
     let tilt = Tilt::new(Vec3::new(x, y, 1.0), LIMITS);
     expected.push_tilted(1.0, diffuse(SECOND), Some(tilt));
     assert_eq!(resolved.bsdf, expected.seen_from(Side::Front));

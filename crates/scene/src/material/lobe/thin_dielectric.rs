@@ -2,7 +2,9 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::{Drawn, Event, fresnel_dielectric, local};
+use super::event::{Drawn, Event};
+use super::fresnel::fresnel_dielectric;
+use super::local;
 
 /// A pane of glass without thickness: light that is not reflected, after any
 /// number of reflections inside, goes straight on.

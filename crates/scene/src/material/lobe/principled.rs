@@ -6,9 +6,12 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 use capwalk_math::{Real, Rgb, Vec3};
 
+use super::event::Drawn;
+use super::fresnel::fresnel_dielectric;
+use super::local;
 use super::local::{lerp, mirrored, turned_outside};
+use super::microfacets::{Distribution, Microfacets};
 use super::rough_dielectric::{refracted_about, refracting_normal, transmission, transmission_pdf};
-use super::{Distribution, Drawn, Microfacets, fresnel_dielectric, local};
 
 /// Diffuse base, metal, glass, sheen and a clear coat, blended. All numbers but
 /// `eta` are from 0 to 1.

@@ -1,17 +1,19 @@
-//! Several lobes at once.
+//! Several lobes at once: the BSDF at a point.
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::{Drawn, Lobe, Tilt};
+use super::each::Lobe;
+use super::event::{Drawn, Event, Side, Specular};
+use super::tilt::Tilt;
 
-/// Up to [`Bsdf::MAX_LOBES`] lobes with weights: what a surface does to light
+/// Up to [`LocalBsdf::MAX_LOBES`] lobes with weights: what a surface does to light
 /// at a point.
 ///
 /// Sampling chooses a lobe in proportion to the values of the weights (negative
 /// ones count as zero), and a density is that of the whole choice. With
-/// [`Bsdf::explored`], lobes are chosen even at weight zero.
+/// [`LocalBsdf::explored`], lobes are chosen even at weight zero.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Bsdf<R = f64> {
+pub struct LocalBsdf<R = f64> {
     lobes: [Option<(R, Lobe<R>)>; 4],
     /// Lobes that have normals of their own.
     tilts: [Option<Box<Tilt<R>>>; 4],
@@ -24,67 +26,20 @@ pub struct Bsdf<R = f64> {
 /// even where the weight is zero.
 const LEAST_CHANCE: f64 = 0.1;
 
-/// The side of a surface that is seen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Side {
-    /// The normal of the face points to the viewer.
-    Front,
-    /// It points away.
-    Back,
-}
-
-impl Side {
-    /// The direction, or its mirror image, that is on this side of the surface.
-    #[inline]
-    fn put<R: Real>(self, w: Vec3<R>) -> Vec3<R> {
-        // What is seen along the surface is on no side: put on the right one.
-        const MIN_COS: f64 = 1e-12;
-        let mut height = w.z.abs();
-        if height.value() < MIN_COS {
-            height = R::constant(MIN_COS);
-        }
-        let z = match self {
-            Side::Front => height,
-            Side::Back => -height,
-        };
-        Vec3::new(w.x, w.y, z)
-    }
-}
-
-/// What a perfectly specular surface can do to a path.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Event {
-    /// It goes back to its side, as from a mirror.
-    Reflect,
-    /// It is refracted to the other side.
-    Transmit,
-    /// It goes straight on.
-    Pass,
-}
-
-/// A perfectly specular event at a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Specular {
-    /// The place of the lobe, in the order of [`Bsdf::push`].
-    pub lobe: usize,
-    /// What it does.
-    pub event: Event,
-}
-
 /// A direction drawn by a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BsdfSample {
     /// The direction to continue in.
     pub wo: Vec3,
-    /// Its density per solid angle, [`Bsdf::pdf`]; for a specular event its
+    /// Its density per solid angle, [`LocalBsdf::pdf`]; for a specular event its
     /// probability. Positive.
     pub pdf: f64,
     /// `None` if `wo` comes from a density. Otherwise the throughput is that of
-    /// [`Bsdf::specular`] over `pdf`.
+    /// [`LocalBsdf::specular`] over `pdf`.
     pub specular: Option<Specular>,
 }
 
-impl<R: Real> Default for Bsdf<R> {
+impl<R: Real> Default for LocalBsdf<R> {
     /// A black surface: no lobes, to be seen from both sides.
     fn default() -> Self {
         Self {
@@ -96,7 +51,7 @@ impl<R: Real> Default for Bsdf<R> {
     }
 }
 
-impl<R: Real> From<Lobe<R>> for Bsdf<R> {
+impl<R: Real> From<Lobe<R>> for LocalBsdf<R> {
     /// One lobe of weight one.
     fn from(lobe: Lobe<R>) -> Self {
         let mut bsdf = Self::default();
@@ -105,7 +60,7 @@ impl<R: Real> From<Lobe<R>> for Bsdf<R> {
     }
 }
 
-impl<R: Real> Bsdf<R> {
+impl<R: Real> LocalBsdf<R> {
     /// How many lobes there is place for.
     pub const MAX_LOBES: usize = 4;
 
@@ -137,7 +92,7 @@ impl<R: Real> Bsdf<R> {
         self
     }
 
-    /// The tilts of the lobes, in the order of [`Bsdf::lobes`].
+    /// The tilts of the lobes, in the order of [`LocalBsdf::lobes`].
     fn tilts(&self) -> impl Iterator<Item = Option<&Tilt<R>>> {
         self.tilts.iter().map(Option::as_deref)
     }
@@ -217,7 +172,7 @@ impl<R: Real> Bsdf<R> {
     ///
     /// # Panics
     ///
-    /// If the surface has no such event; [`Bsdf::sample`] never returns one.
+    /// If the surface has no such event; [`LocalBsdf::sample`] never returns one.
     pub fn specular(&self, event: Specular, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
         let (weight, lobe) = self.lobes[event.lobe]
             .as_ref()
@@ -237,11 +192,11 @@ impl<R: Real> Bsdf<R> {
     }
 
     /// The surface with `f` of each weight and number, in order.
-    pub fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Bsdf<S> {
-        let mut mapped = Bsdf {
+    pub fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> LocalBsdf<S> {
+        let mut mapped = LocalBsdf {
             side: self.side,
             is_explored: self.is_explored,
-            ..Bsdf::default()
+            ..LocalBsdf::default()
         };
         for ((weight, lobe), tilt) in self.lobes().zip(self.tilts()) {
             let weight = f(*weight);
@@ -252,7 +207,7 @@ impl<R: Real> Bsdf<R> {
     }
 
     /// The surface at rest: without derivatives.
-    pub fn value(&self) -> Bsdf {
+    pub fn value(&self) -> LocalBsdf {
         self.map(&mut R::value)
     }
 
@@ -272,14 +227,14 @@ impl<R: Real> Bsdf<R> {
     }
 }
 
-impl Bsdf {
+impl LocalBsdf {
     /// Sum of the weights that are chosen by.
     #[inline]
     fn total_chance(&self) -> f64 {
         self.chances().map(|(chance, _)| chance).sum()
     }
 
-    /// Density per solid angle of the smooth directions that [`Bsdf::sample`]
+    /// Density per solid angle of the smooth directions that [`LocalBsdf::sample`]
     /// draws, including the probability that it draws one.
     pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
         let total = self.total_chance();

@@ -2,7 +2,10 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::{Drawn, Microfacets, fresnel_conductor, local};
+use super::event::Drawn;
+use super::fresnel::fresnel_conductor;
+use super::local;
+use super::microfacets::Microfacets;
 
 /// Metal mirrors as microfacets.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,7 +4,9 @@ use std::f64::consts::FRAC_1_PI;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::{Drawn, Event, fresnel_dielectric, fresnel_diffuse, local};
+use super::event::{Drawn, Event};
+use super::fresnel::{fresnel_dielectric, fresnel_diffuse};
+use super::local;
 
 /// A smooth dielectric over a diffuse base: a mirror image, and light that
 /// enters, is scattered below any number of times, and leaves.

@@ -2,8 +2,8 @@
 
 use capwalk_math::Rgb;
 
-use crate::bsdf::Bsdf;
-use crate::lobe;
+use super::bsdf::Bsdf;
+use super::lobe;
 use crate::scene::{BsdfId, Scene, SceneError};
 
 /// How deep materials may be made of materials.
@@ -11,7 +11,7 @@ const MAX_DEPTH: usize = 8;
 
 /// What matters of a material when others are made of it.
 #[derive(Clone, Copy, Default)]
-struct Makeup {
+struct Summary {
     lobes: usize,
     /// Some part of it shows the same to both sides of itself, but not alike.
     has_inside: bool,
@@ -28,28 +28,28 @@ impl Scene {
                 material: material.id.clone(),
                 problem,
             };
-            self.makeup(BsdfId(i as u32), 0).map_err(bad)?;
-            if let Bsdf::RoughPlastic { coat, alpha, .. } = &material.bsdf {
-                let constants = [*alpha, coat.int_ior, coat.ext_ior];
-                if !constants.iter().all(|&id| self.texture(id).is_constant()) {
-                    return Err(bad("a rough coat must have one roughness everywhere"));
-                }
-                let [alpha, inside, outside] = constants.map(|id| self.texture(id).texel(0).r);
-                if inside == outside {
-                    return Err(bad("a rough coat must not have the index of its outside"));
-                }
-                if alpha == 0.0 {
-                    return Err(bad("a rough coat must not be smooth; write plastic"));
-                }
-            }
-            self.check_map(&material.bsdf).map_err(bad)?;
+            self.summary(BsdfId(i as u32), 0).map_err(bad)?;
+            self.check_numbers(&material.bsdf).map_err(bad)?;
         }
         Ok(())
     }
 
-    /// Checks that a map can say where normals are.
-    fn check_map(&self, bsdf: &Bsdf) -> Result<(), &'static str> {
+    /// Checks what the range of each number alone does not say.
+    fn check_numbers(&self, bsdf: &Bsdf) -> Result<(), &'static str> {
         match bsdf {
+            Bsdf::RoughPlastic { coat, alpha, .. } => {
+                let constants = [*alpha, coat.int_ior, coat.ext_ior];
+                if !constants.iter().all(|&id| self.texture(id).is_constant()) {
+                    return Err("a rough coat must have one roughness everywhere");
+                }
+                let [alpha, inside, outside] = constants.map(|id| self.texture(id).texel(0).r);
+                if inside == outside {
+                    return Err("a rough coat must not have the index of its outside");
+                }
+                if alpha == 0.0 {
+                    return Err("a rough coat must not be smooth; write plastic");
+                }
+            }
             Bsdf::NormalMap { normals, .. } => {
                 let normals = self.texture(*normals);
                 let no_normal = |i: usize| normals.texel(i) == Rgb::splat(0.5);
@@ -71,17 +71,28 @@ impl Scene {
                     return Err("the scale of a bump map must be one number");
                 }
             }
-            _ => {}
+            Bsdf::Diffuse { .. }
+            | Bsdf::Conductor(_)
+            | Bsdf::RoughConductor(..)
+            | Bsdf::Dielectric(_)
+            | Bsdf::RoughDielectric(..)
+            | Bsdf::ThinDielectric(_)
+            | Bsdf::Plastic(_)
+            | Bsdf::Principled(_)
+            | Bsdf::Null
+            | Bsdf::TwoSided { .. }
+            | Bsdf::Mask { .. }
+            | Bsdf::Blend { .. } => {}
         }
         Ok(())
     }
 
-    fn makeup(&self, id: BsdfId, depth: usize) -> Result<Makeup, &'static str> {
+    fn summary(&self, id: BsdfId, depth: usize) -> Result<Summary, &'static str> {
         if depth > MAX_DEPTH {
             return Err("materials stand inside each other too deep; at most 8 may");
         }
-        let below = |id: BsdfId| self.makeup(id, depth + 1);
-        let makeup = match &self.material(id).bsdf {
+        let below = |id: BsdfId| self.summary(id, depth + 1);
+        let summary = match &self.material(id).bsdf {
             Bsdf::TwoSided { front, back } => {
                 let (front, back) = (below(*front)?, below(*back)?);
                 if front.is_two_sided || back.is_two_sided {
@@ -90,16 +101,16 @@ impl Scene {
                 if front.has_inside || back.has_inside {
                     return Err("a two-sided material must not be made of clear ones");
                 }
-                Makeup {
+                Summary {
                     lobes: front.lobes.max(back.lobes),
                     is_two_sided: true,
                     is_perturbed: front.is_perturbed || back.is_perturbed,
-                    ..Makeup::default()
+                    ..Summary::default()
                 }
             }
             Bsdf::Mask { nested, .. } => {
                 let nested = below(*nested)?;
-                Makeup {
+                Summary {
                     lobes: nested.lobes + 1,
                     ..nested
                 }
@@ -109,7 +120,7 @@ impl Scene {
                 if a.is_two_sided && b.has_inside || b.is_two_sided && a.has_inside {
                     return Err("a blend must not be made of a two-sided and a clear material");
                 }
-                Makeup {
+                Summary {
                     lobes: a.lobes + b.lobes,
                     has_inside: a.has_inside || b.has_inside,
                     is_two_sided: a.is_two_sided || b.is_two_sided,
@@ -127,22 +138,22 @@ impl Scene {
                                 the two-sided material",
                     );
                 }
-                Makeup {
+                Summary {
                     is_perturbed: true,
                     ..nested
                 }
             }
-            Bsdf::Dielectric(_) | Bsdf::RoughDielectric(..) | Bsdf::ThinDielectric(_) => Makeup {
+            Bsdf::Dielectric(_) | Bsdf::RoughDielectric(..) | Bsdf::ThinDielectric(_) => Summary {
                 lobes: 1,
                 has_inside: true,
-                ..Makeup::default()
+                ..Summary::default()
             },
             Bsdf::Principled(principled) => {
                 let glass = &self.texture(principled.spec_trans);
-                Makeup {
+                Summary {
                     lobes: 1,
                     has_inside: !glass.is_constant() || glass.data.iter().any(|&x| x > 0.0),
-                    ..Makeup::default()
+                    ..Summary::default()
                 }
             }
             Bsdf::Diffuse { .. }
@@ -150,14 +161,14 @@ impl Scene {
             | Bsdf::RoughConductor(..)
             | Bsdf::Plastic(_)
             | Bsdf::RoughPlastic { .. }
-            | Bsdf::Null => Makeup {
+            | Bsdf::Null => Summary {
                 lobes: 1,
-                ..Makeup::default()
+                ..Summary::default()
             },
         };
-        match makeup.lobes > lobe::Bsdf::<f64>::MAX_LOBES {
+        match summary.lobes > lobe::LocalBsdf::<f64>::MAX_LOBES {
             true => Err("it is made of too many materials; at most 4 may be mixed"),
-            false => Ok(makeup),
+            false => Ok(summary),
         }
     }
 }

@@ -6,7 +6,7 @@ use capwalk_math::Vec3;
 use capwalk_math::quadrature::gauss_legendre;
 
 use super::microfacets::MIN_ALPHA;
-use super::{Distribution, Microfacets};
+use super::microfacets::{Distribution, Microfacets};
 
 /// Beckmann's slopes are not steeper than this, in units of the roughness: the
 /// rest is one in 1e16.
@@ -163,7 +163,7 @@ fn roots(a: f64, b: f64, c: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lobe::{fresnel_dielectric, local};
+    use crate::material::lobe::{fresnel_dielectric, local};
 
     const CASES: [(Distribution, f64); 4] = [
         (Distribution::Beckmann, 0.02),

@@ -2,9 +2,12 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
+use super::event::Drawn;
 use super::fresnel::cos_refracted;
+use super::fresnel::fresnel_dielectric;
+use super::local;
 use super::local::{mirrored, turned_outside};
-use super::{Drawn, Microfacets, fresnel_dielectric, local};
+use super::microfacets::Microfacets;
 
 /// Clear facets that reflect and refract; `+z` points out of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,8 +5,12 @@ use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
+use super::event::Drawn;
+use super::fresnel::fresnel_dielectric;
+use super::local;
+use super::microfacets::Microfacets;
 use super::plastic::{base, base_probability};
-use super::{Drawn, Microfacets, RoughTransmittance, fresnel_dielectric, local};
+use super::rough_transmittance::RoughTransmittance;
 
 /// A rough dielectric over a diffuse base. The coat's facets are isotropic.
 #[derive(Clone, Debug, PartialEq)]

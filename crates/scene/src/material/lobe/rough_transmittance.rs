@@ -3,9 +3,11 @@
 use capwalk_math::Real;
 use capwalk_math::Vec3;
 
+use super::fresnel::fresnel_dielectric;
+use super::local;
+use super::microfacets::Distribution;
 use super::rough_dielectric::refracted_about;
 use super::visible_facets::VisibleFacets;
-use super::{Distribution, fresnel_dielectric, local};
 
 /// Cosines in the table, from 0 to 1, as many as in Mitsuba.
 const NODES: usize = 64;
@@ -150,7 +152,7 @@ fn internal_reflectance(facets: &VisibleFacets, eta: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::lobe::fresnel_diffuse;
+    use crate::material::lobe::fresnel_diffuse;
     use capwalk_math::Dual;
 
     /// What passes smooth glass is known.

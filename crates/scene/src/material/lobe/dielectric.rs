@@ -2,8 +2,10 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
+use super::event::{Drawn, Event};
 use super::fresnel::cos_refracted;
-use super::{Drawn, Event, fresnel_dielectric, local};
+use super::fresnel::fresnel_dielectric;
+use super::local;
 
 /// Reflects and refracts at one surface; `+z` points out of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,9 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::{Drawn, Event, fresnel_conductor, local};
+use super::event::{Drawn, Event};
+use super::fresnel::fresnel_conductor;
+use super::local;
 
 /// A mirror that reflects as much as a metal does.
 #[derive(Clone, Copy, Debug, PartialEq)]

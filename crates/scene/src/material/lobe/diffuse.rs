@@ -4,7 +4,8 @@ use std::f64::consts::FRAC_1_PI;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::{Drawn, local};
+use super::event::Drawn;
+use super::local;
 
 /// Reflects the same radiance to all directions in front of it.
 #[derive(Clone, Copy, Debug, PartialEq)]

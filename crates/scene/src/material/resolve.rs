@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use crate::bsdf::{Bsdf, Coat, Facets, Glass, Principled, PrincipledIndex};
-use crate::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
+use super::bsdf::{Bsdf, Coat, Facets, Glass, Principled, PrincipledIndex};
+use super::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
+use super::traits::Composition;
 use crate::scene::{BsdfId, Scene};
 use crate::texture::TextureId;
 
@@ -34,7 +35,7 @@ pub struct Resolver {
 #[derive(Clone, Debug)]
 pub struct Resolved<R> {
     /// The lobes, which know the side that is seen.
-    pub bsdf: lobe::Bsdf<R>,
+    pub bsdf: lobe::LocalBsdf<R>,
     /// True if the shading frame is to be turned over: the back of a two-sided
     /// material is the front of another.
     pub flipped: bool,
@@ -47,22 +48,26 @@ impl Resolver {
         let coats = scene
             .materials
             .iter()
-            .map(|material| match &material.bsdf {
-                Bsdf::RoughPlastic {
+            .map(|material| {
+                let Bsdf::RoughPlastic {
                     coat,
                     distribution,
                     alpha,
-                } => {
-                    let eta = number(coat.int_ior) / number(coat.ext_ior);
-                    let table = RoughTransmittance::new(*distribution, number(*alpha), eta);
-                    Some(Arc::new(table))
-                }
-                _ => None,
+                } = &material.bsdf
+                else {
+                    return None;
+                };
+                let eta = number(coat.int_ior) / number(coat.ext_ior);
+                let table = RoughTransmittance::new(*distribution, number(*alpha), eta);
+                Some(Arc::new(table))
             })
             .collect();
         let is_two_sided = |id| {
             let mut parts = scene.materials_below(id).into_iter();
-            parts.any(|part| matches!(scene.material(part).bsdf, Bsdf::TwoSided { .. }))
+            parts.any(|part| {
+                let composition = scene.material(part).bsdf.traits().composition;
+                matches!(composition, Composition::Sides { .. })
+            })
         };
         let ids = (0..scene.materials.len() as u32).map(BsdfId);
         let two_sided = ids.map(is_two_sided).collect();
@@ -79,13 +84,13 @@ impl Resolver {
         textures: &mut impl TexturesAt<R>,
     ) -> Resolved<R> {
         let mut parts = Parts {
-            lobes: Vec::with_capacity(lobe::Bsdf::<R>::MAX_LOBES),
+            lobes: Vec::with_capacity(lobe::LocalBsdf::<R>::MAX_LOBES),
             flipped: false,
             is_opaque: self.two_sided[id.0 as usize],
             tilt: None,
         };
         self.add(scene, id, side, R::constant(1.0), textures, &mut parts);
-        let mut bsdf = lobe::Bsdf::default();
+        let mut bsdf = lobe::LocalBsdf::default();
         for (weight, lobe, tilt) in parts.lobes {
             bsdf.push_tilted(weight, lobe, tilt);
         }
