@@ -17,7 +17,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use capwalk_math::Vec3;
-use capwalk_scene::scene::BsdfId;
+use capwalk_scene::BsdfId;
 use capwalk_scene::{
     Emitter, Integrator, Material, Quantity, Scene, SceneError, SensorModel, Settings, Shape,
     Texture, TextureId,

@@ -1,17 +1,15 @@
 //! Light sources.
 
-mod delta;
+pub mod delta;
 mod environment;
 
-pub use delta::DeltaLight;
 pub use environment::{EnvironmentMap, EnvironmentTable};
 
 use capwalk_math::{Affine, Vec3};
 
-use crate::material::bsdf::Slot;
+use crate::ids::{ShapeId, TextureId};
 use crate::quantity::Quantity;
-use crate::scene::{Scene, ShapeId};
-use crate::texture::TextureId;
+use crate::slot::Slot;
 
 /// A light source.
 #[derive(Clone, Debug, PartialEq)]
@@ -143,27 +141,5 @@ impl Emitter {
             | Self::Spot { .. }
             | Self::Directional { .. } => false,
         }
-    }
-
-    /// What users call it: `<shape>.emitter`, or its own id.
-    pub fn name(&self, scene: &Scene) -> String {
-        match self {
-            Self::Area { shape, .. } => format!("{}.emitter", scene.shape(*shape).id),
-            Self::Constant { id, .. }
-            | Self::EnvironmentMap { id, .. }
-            | Self::Point { id, .. }
-            | Self::Spot { id, .. }
-            | Self::Directional { id, .. } => id.clone(),
-        }
-    }
-}
-
-impl Scene {
-    /// The environment map that has these texels.
-    pub fn environment_map_of(&self, texels: TextureId) -> Option<&EnvironmentMap> {
-        self.emitters.iter().find_map(|emitter| match emitter {
-            Emitter::EnvironmentMap { map, data, .. } if *data == texels => Some(map),
-            _ => None,
-        })
     }
 }

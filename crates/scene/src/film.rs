@@ -1,7 +1,7 @@
 //! The film: how many pixels, and what part of the picture.
 
 use crate::filter::Filter;
-use crate::scene::SceneError;
+use crate::scene_error::SceneError;
 
 /// The film of a sensor. Film coordinates are in pixels, `x` to the right and
 /// `y` down, `(0, 0)` at the upper left corner of the whole film.
@@ -49,6 +49,7 @@ impl Film {
         if pixels == 0 || pixels > Self::MAX_PIXELS || whole == 0 {
             return Err(SceneError::PictureSize {
                 size: self.crop_size,
+                most: Self::MAX_PIXELS,
             });
         }
         for axis in 0..2 {

@@ -2,7 +2,7 @@
 
 use capwalk_math::Real;
 
-use crate::scene::SceneError;
+use crate::scene_error::SceneError;
 
 /// A separable filter, in pixels around the pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -4,12 +4,13 @@
 use std::array;
 use std::sync::Arc;
 
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::{Affine, Dual, Rgb, Vec3};
 
+use crate::ids::TextureId;
 use crate::scene::Scene;
-use crate::sensor::Optic;
+use crate::sensor::{Optic, Sensor, SensorState};
 use crate::shape::{ShadingNormals, vertex_normals};
-use crate::texture::{TextureId, texel};
+use crate::texture::texel;
 
 /// Velocities of everything that can move or change.
 #[derive(Clone, Debug, PartialEq)]
@@ -183,6 +184,42 @@ impl ShapeMotion {
             (Some(own), Some(others)) => add(own, others),
             (own @ None, Some(others)) => *own = Some(others.clone()),
             (_, None) => {}
+        }
+    }
+}
+
+impl Sensor {
+    /// Its numbers with their velocities.
+    pub fn moving_state(&self, motion: &SensorMotion) -> SensorState<Dual<1>> {
+        let SensorState {
+            axes,
+            origin,
+            optics,
+        } = self.state();
+        let turning = |i: usize| motion.rotation.cross(axes[i]) + motion.axes[i];
+        SensorState {
+            axes: [0, 1, 2].map(|i| axes[i].with_tangent(turning(i))),
+            origin: origin.with_tangent(motion.translation),
+            optics: optics.with_tangent(motion.optics),
+        }
+    }
+
+    /// Moves on along a motion for `step`, turning rigidly where it turns.
+    fn move_along(&mut self, motion: &SensorMotion, step: f64) {
+        let camera = &mut self.world_from_camera;
+        let origin = camera.translation + motion.translation * step;
+        let rate = motion.rotation.length();
+        if rate > 0.0 {
+            *camera = Affine::rotate(motion.rotation, rate * step) * *camera;
+        }
+        for (i, row) in camera.rows.iter_mut().enumerate() {
+            *row += Vec3::from(motion.axes.map(|axis| axis[i])) * step;
+        }
+        camera.translation = origin;
+        for optic in Optic::ALL {
+            if let Some(number) = self.model.optic_mut(optic) {
+                *number += motion.optics[optic as usize] * step;
+            }
         }
     }
 }

@@ -3,8 +3,7 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Real, Vec3};
 
-use crate::scene::{BsdfId, EmitterId};
-use crate::texture::TextureId;
+use crate::ids::{BsdfId, EmitterId, TextureId};
 
 /// A shape.
 #[derive(Clone, Debug, PartialEq)]

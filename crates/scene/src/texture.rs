@@ -2,20 +2,12 @@
 //! that is the same everywhere is a texture with one texel.
 
 mod bitmap;
-mod lookup;
 
 pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
-pub use lookup::SurfacePoint;
-
-use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb};
 
-use crate::scene::{Scene, SceneError};
-
-/// Index into [`Scene::textures`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct TextureId(pub u32);
+use crate::scene_error::SceneError;
 
 /// Numbers, and how they cover a surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -138,7 +130,7 @@ impl Texture {
     /// picture, as in Mitsuba.
     ///
     /// # Panics
-    /// If it depends on more than texture coordinates ([`Scene::lookup`]).
+    /// If it depends on more than texture coordinates ([`Scene::lookup`](crate::Scene::lookup)).
     pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
         match &self.pattern {
             Pattern::Constant => texel(0),
@@ -223,25 +215,6 @@ pub fn texel(data: &[f64], channels: usize, index: usize) -> Rgb {
     match channels {
         1 => Rgb::splat(data[index]),
         _ => Rgb::new(data[3 * index], data[3 * index + 1], data[3 * index + 2]),
-    }
-}
-
-impl Scene {
-    /// The texture with this id.
-    #[inline]
-    pub fn texture(&self, id: TextureId) -> &Texture {
-        &self.textures[id.0 as usize]
-    }
-
-    /// The texture with this id, to be changed; copied first if another scene has it, too.
-    pub fn texture_mut(&mut self, id: TextureId) -> &mut Texture {
-        Arc::make_mut(&mut self.textures[id.0 as usize])
-    }
-
-    /// Adds a texture, behind all others.
-    pub fn add_texture(&mut self, texture: Texture) -> TextureId {
-        self.textures.push(Arc::new(texture));
-        TextureId(self.textures.len() as u32 - 1)
     }
 }
 

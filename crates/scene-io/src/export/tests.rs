@@ -3,7 +3,7 @@ use std::sync::Arc;
 use super::*;
 use crate::load_scene;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::scene::BsdfId;
+use capwalk_scene::BsdfId;
 use capwalk_scene::{
     Bsdf, Emitter, Filter, Integrator, Material, Optic, SamplerKind, SensorModel, ShadingNormals,
     Texture, TextureId, builtin, primitive,

@@ -3,7 +3,7 @@
 use capwalk_math::{Affine, Real, Vec3};
 
 use super::Emitter;
-use crate::texture::TextureId;
+use crate::ids::TextureId;
 
 /// What a surface point receives of a light without extent.
 #[derive(Clone, Copy, Debug)]

@@ -2,9 +2,9 @@
 //! in [`crate::lobe`]. To add one: add a variant here, and follow the compiler.
 
 use super::lobe::Distribution;
+use crate::ids::{BsdfId, TextureId};
 use crate::quantity::Quantity;
-use crate::scene::BsdfId;
-use crate::texture::TextureId;
+use crate::slot::Slot;
 
 /// A material and its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -173,17 +173,6 @@ pub struct NormalLimits {
     pub flip_invalid: bool,
     /// True if light fades where the surface would hide itself.
     pub shadowing: bool,
-}
-
-/// A place for a texture in a material.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Slot {
-    /// Its name.
-    pub name: &'static str,
-    /// What stands there.
-    pub texture: TextureId,
-    /// What its numbers are.
-    pub quantity: Quantity,
 }
 
 impl Bsdf {

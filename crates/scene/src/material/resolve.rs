@@ -7,8 +7,8 @@ use capwalk_math::{Real, Rgb, Vec3};
 use super::bsdf::{Bsdf, Coat, Facets, Glass, Principled, PrincipledIndex};
 use super::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
 use super::traits::Composition;
-use crate::scene::{BsdfId, Scene};
-use crate::texture::TextureId;
+use crate::ids::{BsdfId, TextureId};
+use crate::scene::Scene;
 
 /// The textures at a point of a surface.
 pub trait TexturesAt<R> {

@@ -1,8 +1,7 @@
 //! What follows from a material for all who trace paths and look for boundaries.
 
 use super::bsdf::{Bsdf, NormalLimits};
-use crate::scene::BsdfId;
-use crate::texture::TextureId;
+use crate::ids::{BsdfId, TextureId};
 
 /// The answers that every material must give, whatever its numbers are.
 ///

@@ -4,7 +4,9 @@ use capwalk_math::Rgb;
 
 use super::bsdf::Bsdf;
 use super::lobe;
-use crate::scene::{BsdfId, Scene, SceneError};
+use crate::ids::BsdfId;
+use crate::scene::Scene;
+use crate::scene_error::SceneError;
 
 /// How deep materials may be made of materials.
 const MAX_DEPTH: usize = 8;

@@ -11,11 +11,12 @@ use super::error::ParameterError;
 use super::matrix;
 use super::optic::{optic_scale, optic_value};
 use super::parameter::ParameterKind;
+use crate::ids::{ShapeId, TextureId};
 use crate::motion::{Motion, ShapeMotion};
-use crate::scene::{Scene, ShapeId};
+use crate::scene::Scene;
 use crate::sensor::Optic;
 use crate::shape::{ShadingNormals, vertex_normals};
-use crate::texture::{Part, TextureId};
+use crate::texture::Part;
 
 /// An array of numbers of the scene, each of which may change by itself.
 #[derive(Clone, Debug, PartialEq)]

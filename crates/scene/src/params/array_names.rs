@@ -5,7 +5,8 @@ use super::names::{Entry, Names};
 use super::optic::optic_text;
 use super::parameter::ParameterKind;
 use super::target::{Channel, Target};
-use crate::scene::{Scene, ShapeId};
+use crate::ids::ShapeId;
+use crate::scene::Scene;
 use crate::shape::ShadingNormals;
 use crate::texture::Pattern;
 

@@ -5,10 +5,10 @@ use std::iter;
 use std::sync::Arc;
 
 use super::target::{AXES, Channel, Target};
+use crate::ids::{BsdfId, ShapeId, TextureId};
 use crate::quantity::Quantity;
-use crate::scene::{BsdfId, Scene, ShapeId};
+use crate::scene::Scene;
 use crate::sensor::Optic;
-use crate::texture::TextureId;
 
 /// All names, shape by shape, then emitters, materials and the sensor; other names
 /// directly behind the one they stand for. A name appears twice only if the scene

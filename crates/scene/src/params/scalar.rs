@@ -3,7 +3,8 @@
 use super::optic::{optic_text, optic_value};
 use super::parameter::{Parameter, ParameterKind};
 use super::target::{AXES, Target};
-use crate::scene::{Scene, ShapeId};
+use crate::ids::ShapeId;
+use crate::scene::Scene;
 
 /// What a user reads about the scalar that is called `name`. `users` says of each
 /// texture where it is.

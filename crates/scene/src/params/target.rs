@@ -1,9 +1,9 @@
 //! The numbers that the name of a scalar parameter refers to.
 
+use crate::ids::{ShapeId, TextureId};
 use crate::quantity::Quantity;
-use crate::scene::ShapeId;
 use crate::sensor::Optic;
-use crate::texture::{Part, TextureId};
+use crate::texture::Part;
 
 /// What a name refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

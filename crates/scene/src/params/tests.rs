@@ -2,15 +2,15 @@ use super::*;
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::filter::Filter;
+use crate::ids::{BsdfId, EmitterId, ShapeId, TextureId};
 use crate::material::bsdf::{Bsdf, Material};
 use crate::motion::Motion;
 use crate::primitive;
 use crate::scene::Scene;
-use crate::scene::{BsdfId, EmitterId, ShapeId};
 use crate::sensor::{Sensor, SensorModel};
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
-use crate::texture::{Texture, TextureId};
+use crate::texture::Texture;
 use std::sync::Arc;
 
 use capwalk_math::{Affine, Rgb, Vec3};

@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use crate::emitter::Emitter;
-use crate::scene::{BsdfId, Scene};
-use crate::texture::TextureId;
+use crate::ids::{BsdfId, TextureId};
+use crate::scene::Scene;
 
 /// How many names are listed before the others are only counted.
 const LISTED: usize = 3;

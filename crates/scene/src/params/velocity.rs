@@ -7,8 +7,9 @@ use super::error::ParameterError;
 use super::near::near;
 use super::optic::optic_scale;
 use super::target::Target;
+use crate::ids::ShapeId;
 use crate::motion::{Motion, ShapeMotion};
-use crate::scene::{Scene, ShapeId};
+use crate::scene::Scene;
 use crate::shape::ShadingNormals;
 
 /// Adds `factor` times a parameter's velocities to a motion.

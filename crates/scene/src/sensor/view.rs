@@ -54,6 +54,13 @@ pub struct ViewRay<R> {
     pub range: [f64; 2],
 }
 
+impl Sensor {
+    /// What it sees from the middle of its lens.
+    pub fn view(&self, film: &Film) -> View<f64> {
+        View::new(self, film, &self.state(), [0.0; 2])
+    }
+}
+
 impl<R: Real> View<R> {
     /// The view from the point of the lens that `lens` is on the unit disk.
     /// `state` holds the numbers of the sensor.

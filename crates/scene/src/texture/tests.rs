@@ -1,5 +1,5 @@
 use super::*;
-use crate::ShapeId;
+use crate::{Scene, ShapeId, SurfacePoint, TextureId};
 use capwalk_math::{Affine, Dual, Vec3};
 
 #[test]
@@ -200,7 +200,7 @@ fn transforms_of_texture_coordinates() {
 fn attributes_of_shapes() {
     let (scene, [by_vertex, by_face, by_name]) = scene_with_attributes();
     let at = SurfacePoint {
-        shape: crate::scene::ShapeId(0),
+        shape: ShapeId(0),
         face: 1,
         barycentric: [0.5, 0.3, 0.2],
         uv: [0.0, 0.0],

@@ -1,7 +1,7 @@
 use super::*;
+use crate::ids::ShapeId;
 use crate::material::bsdf::{Material, Metal, NormalLimits};
 use crate::material::lobe::Distribution;
-use crate::scene::ShapeId;
 use crate::shape::Shape;
 use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
 use capwalk_math::{Affine, Dual};

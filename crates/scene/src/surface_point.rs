@@ -1,10 +1,11 @@
-//! Textures at a point of a surface.
+//! The textures of a scene at a point of a surface.
 
 use capwalk_math::{Real, Rgb};
 
-use super::{Pattern, TextureId};
-use crate::scene::{Scene, ShapeId};
+use crate::ids::{ShapeId, TextureId};
+use crate::scene::Scene;
 use crate::shape::Shape;
+use crate::texture::Pattern;
 
 /// A point of a surface, as textures see it. It may move over the surface.
 #[derive(Clone, Copy, Debug)]
