@@ -179,3 +179,58 @@ fn insert<K: Eq + std::hash::Hash>(
         },
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use capwalk_math::{Affine, Rgb};
+
+    use super::super::tests::example;
+    use super::*;
+    use crate::ids::BsdfId;
+    use crate::material::{Bsdf, Material};
+    use crate::primitive;
+    use crate::shape::Shape;
+    use crate::texture::Texture;
+
+    /// Shapes with a material and a texture each. If every texture were looked for in all
+    /// materials, and every material in all shapes, this would take minutes.
+    #[test]
+    fn registries_take_time_in_proportion_to_scenes() {
+        const SHAPES: u32 = 20_000;
+        let mut scene = example();
+        scene.shapes.clear();
+        scene.emitters.clear();
+        scene.materials.clear();
+        scene.textures.clear();
+        for i in 0..SHAPES {
+            let name = format!("shape{i}");
+            let colour = Texture::colour(format!("{name}.bsdf.reflectance"), Rgb::splat(0.5));
+            let reflectance = scene.add_texture(colour);
+            scene.materials.push(Material {
+                id: format!("{name}.bsdf"),
+                bsdf: Bsdf::Diffuse { reflectance },
+            });
+            let (mesh, normals) = primitive::rectangle(Affine::IDENTITY);
+            scene.add_shape(Shape::new(name, mesh, normals, BsdfId(i)));
+        }
+        let start = Instant::now();
+        let registry = Registry::new(&scene);
+        let (scalars, arrays) = (registry.scalars(&scene), registry.arrays());
+        assert_eq!(scalars.len(), 20_000 * (7 + 4) + 2 * 9);
+        assert_eq!(arrays.len(), 20_000 * 3 + 2 * 6);
+        let sum = "shape19999.scale - 2*shape7.bsdf.reflectance.value.r + shape0.positions[2]";
+        assert!(registry.motion(&scene, sum).is_ok());
+        let unknown = registry.motion(&scene, "shape19999.bsdf.reflectence.value");
+        let message = unknown.expect_err("misspelt").to_string();
+        assert!(
+            message.contains("`shape19999.bsdf.reflectance.value`"),
+            "{message}"
+        );
+        let nothing = registry.motion(&scene, "no such thing");
+        assert!(nothing.is_err());
+        let seconds = start.elapsed().as_secs_f64();
+        assert!(seconds < 5.0, "{seconds} s");
+    }
+}
