@@ -290,7 +290,7 @@ impl Places {
             | SceneError::NoTextureCoordinates { shape, .. }
             | SceneError::NoDirections { shape, .. }
             | SceneError::NoAttribute { shape, .. } => shape_span(shape),
-            SceneError::ZeroAreaLamp { shape } => {
+            SceneError::ZeroAreaEmitter { shape } => {
                 let lamp = scene.shapes.iter().find(|s| s.id == *shape);
                 let emitter = lamp.and_then(|s| s.emitter);
                 emitter.map(|e| self.emitters[e.0 as usize])
@@ -299,7 +299,7 @@ impl Places {
                 let index = scene.materials.iter().position(|m| m.id == *material);
                 index.map(|i| self.materials[i])
             }
-            SceneError::PictureSize { .. } => self.film,
+            SceneError::ImageSize { .. } => self.film,
             SceneError::BadNumber { name, .. } => {
                 // `wood.data, texel 5` stands where `wood.data` does.
                 let number = name.split(", texel ").next().unwrap_or(name);
@@ -310,6 +310,7 @@ impl Places {
                 let mut environments = emitters.filter(|(e, _)| e.is_environment());
                 environments.nth(1).map(|(_, span)| *span)
             }
+            _ => None,
         };
         Problem::new(span.unwrap_or(root), error.to_string())
     }

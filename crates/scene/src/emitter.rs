@@ -21,18 +21,18 @@ pub enum Emitter {
         /// What it emits.
         radiance: TextureId,
     },
-    /// The same radiance from every direction that meets no shape.
+    /// The same radiance from every direction in which no shape is hit.
     Constant {
         /// Name of the emitter, for parameters.
         id: String,
         /// What it emits.
         radiance: TextureId,
     },
-    /// Radiance from a picture of all directions.
+    /// Radiance from an image of all directions.
     EnvironmentMap {
         /// Name of the emitter, for parameters.
         id: String,
-        /// The picture's form and place.
+        /// The image's size and rotation.
         map: EnvironmentMap,
         /// Its texels.
         data: TextureId,

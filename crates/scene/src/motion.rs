@@ -15,7 +15,7 @@ use crate::texture::texel;
 /// Velocities of everything that can move or change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// One per shape; `None` is at rest.
+    /// One per shape; `None` does not move.
     pub shapes: Vec<Option<ShapeMotion>>,
     /// Change of each texture's data, in their form; `None` does not change.
     pub textures: Vec<Option<Vec<f64>>>,
@@ -34,7 +34,7 @@ pub struct ShapeMotion {
     pub normals: Option<Vec<Vec3>>,
 }
 
-/// A motion of the sensor; at rest by default.
+/// A motion of the sensor; zero by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorMotion {
     /// Velocity of its origin, world units.
@@ -85,7 +85,7 @@ impl SensorMotion {
 }
 
 impl Motion {
-    /// Everything at rest.
+    /// Nothing moves or changes.
     pub fn zero(scene: &Scene) -> Self {
         Self {
             shapes: vec![None; scene.shapes.len()],
@@ -228,7 +228,7 @@ impl Scene {
     /// The scene after the motion has gone on for `step`: vertices, normals
     /// and numbers along straight lines, the sensor turning rigidly. Its
     /// derivative at `step = 0` is the motion; differences of it are what
-    /// derivatives are checked against. Shapes and textures at rest are shared with
+    /// derivatives are checked against. Shapes and textures that stay are shared with
     /// this scene.
     pub fn moved(&self, motion: &Motion, step: f64) -> Scene {
         let mut scene = self.clone();
@@ -265,7 +265,7 @@ impl Scene {
     }
 
     /// Velocities of a shape's unit shading normals, one per vertex; `None` if
-    /// its triangles are flat or it is at rest.
+    /// its triangles are flat or it does not move.
     pub fn normal_velocities(&self, motion: &Motion, shape: usize) -> Option<Vec<Vec3>> {
         let velocities = motion.shapes[shape].as_ref()?;
         let shape = &self.shapes[shape];

@@ -2,7 +2,7 @@
 //! `rectangle`, `cube`, `disk` and `sphere`.
 //!
 //! Everything that can be seen or cast a shadow is a mesh here, so that one
-//! set of silhouette queries serves all. Curved outlines are tessellated until
+//! set of silhouette queries serves all. Curved silhouettes are tessellated until
 //! they deviate by less than [`OUTLINE_ERROR`].
 
 mod icosphere;

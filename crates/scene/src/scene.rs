@@ -61,7 +61,7 @@ impl Scene {
                 });
             }
             if shape.emitter.is_some() && shape.mesh.area() <= 0.0 {
-                return Err(SceneError::ZeroAreaLamp {
+                return Err(SceneError::ZeroAreaEmitter {
                     shape: shape.id.clone(),
                 });
             }

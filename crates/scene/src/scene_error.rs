@@ -6,6 +6,7 @@ use capwalk_geometry::MeshError;
 
 /// Why a scene cannot be rendered.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum SceneError {
     /// A shape's mesh is unusable.
     Mesh {
@@ -14,13 +15,13 @@ pub enum SceneError {
         /// What is wrong.
         error: MeshError,
     },
-    /// A lamp has no area to emit from.
-    ZeroAreaLamp {
+    /// A shape that emits has no area.
+    ZeroAreaEmitter {
         /// The shape.
         shape: String,
     },
-    /// The picture has no pixels, or too many.
-    PictureSize {
+    /// The image has no pixels, or too many.
+    ImageSize {
         /// Width and height.
         size: [u32; 2],
         /// How many pixels there may be.
@@ -80,14 +81,14 @@ impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Mesh { shape, error } => write!(f, "shape \"{shape}\": {error}"),
-            Self::ZeroAreaLamp { shape } => write!(
+            Self::ZeroAreaEmitter { shape } => write!(
                 f,
-                "the lamp \"{shape}\" has no area and cannot emit; give its mesh at least one \
+                "the emitter \"{shape}\" has no area and cannot emit; give its mesh at least one \
                  triangle with area, or remove its emitter"
             ),
-            Self::PictureSize { size: [w, h], most } => write!(
+            Self::ImageSize { size: [w, h], most } => write!(
                 f,
-                "the picture has {w} x {h} pixels; expected at least 1 x 1 and at most {most} in all"
+                "the image has {w} x {h} pixels; expected at least 1 x 1 and at most {most} in all"
             ),
             Self::DuplicateId { id } => {
                 write!(f, "two shapes have the id \"{id}\"; give each its own")

@@ -1,7 +1,7 @@
 //! Sensors, with Mitsuba's conventions.
 //!
 //! Camera space: `+z` looks forward, `+y` is up, `+x` points to the left of
-//! the picture. How a film point looks into it is in [`view`].
+//! the image. How a film point looks into it is in [`view`].
 
 pub mod view;
 

@@ -19,7 +19,7 @@ pub struct Shape {
     pub normals: ShadingNormals,
     /// Its material.
     pub bsdf: BsdfId,
-    /// What it emits, if it is a lamp.
+    /// What it emits, if anything.
     pub emitter: Option<EmitterId>,
     /// Texture coordinates of the corners of each triangle. Two triangles may
     /// give a vertex that they share different ones.

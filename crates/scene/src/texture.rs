@@ -112,8 +112,9 @@ impl Texture {
         }
     }
 
-    /// True if its slopes are known: if it is a bitmap of interpolated texels.
-    pub fn has_slopes(&self) -> bool {
+    /// True if its derivatives along the surface are known: if it is a bitmap of
+    /// interpolated texels.
+    pub fn has_derivatives(&self) -> bool {
         match &self.pattern {
             Pattern::Bitmap(bitmap) => bitmap.filter == TexelFilter::Bilinear,
             Pattern::Constant

@@ -1,4 +1,4 @@
-//! Pictures of all directions, as Mitsuba 3.9 maps them: the polar angle from
+//! Images of all directions, as Mitsuba 3.9 maps them: the polar angle from
 //! `+y` over the rows, from the first to the last; the azimuth over the columns,
 //! whose centres are at `(i + 0.5) / width`, with `-z` at 0 and `+x` at 1/4.
 
@@ -21,7 +21,7 @@ pub struct EnvironmentMap {
 
 impl EnvironmentMap {
     /// The texels' mean at a unit direction of the world, bilinear. Continuous,
-    /// also where the azimuth jumps; at the poles only in value.
+    /// also where the azimuth wraps around; at the poles only in value.
     pub fn lookup<R: Real>(
         &self,
         direction: Vec3<R>,

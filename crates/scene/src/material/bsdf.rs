@@ -57,7 +57,7 @@ pub enum Bsdf {
     },
     /// Partly there.
     Mask {
-        /// Fraction of light that meets the material; the rest passes.
+        /// Fraction of light that interacts with the material; the rest passes.
         opacity: TextureId,
         /// The material.
         nested: BsdfId,
@@ -78,7 +78,7 @@ pub enum Bsdf {
         /// What is done about normals that go too far.
         limits: NormalLimits,
     },
-    /// Normals from the slopes of a texture.
+    /// Normals from the derivatives of a texture.
     BumpMap {
         /// Heights, in world units.
         heights: TextureId,

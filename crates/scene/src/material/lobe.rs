@@ -6,7 +6,7 @@
 //! Formulas are those of Mitsuba 3's plugins of the same names. They differ in
 //! four places: shadowing of Beckmann's facets is the integral and not a fit
 //! to it (up to 0.35 % for each direction); refraction by facets that stand
-//! upright fades out and does not jump (0.05 % of what a GGX surface of
+//! upright fades out continuously (0.05 % of what a GGX surface of
 //! roughness 0.3 transmits); the transmittance of rough coats is integrated
 //! more exactly (0.1 %, for `eta` below 1 0.3 %); sheen is also on a
 //! [`Principled`] of nothing but glass, as in Mitsuba's vectorised variants.
@@ -35,7 +35,7 @@
 //! decide, by [`LocalBsdf::seen_from`] or by not asking. Interpolated normals can
 //! turn away from a face that is seen. Then `wi.z <= 0`, and one-sided lobes
 //! answer for the direction mirrored at the surface, `(wi.x, wi.y, |wi.z|)`,
-//! which is continuous where a black back would be a jump that no edge carries.
+//! which is continuous where a black back would be a discontinuity that is on no edge.
 //! [`Diffuse`] does not look at `wi`. They reflect to `wo.z > 0` only.
 //!
 //! Two-sided lobes take `wi.z < 0` for the inside, unless [`LocalBsdf::seen_from`]
@@ -46,7 +46,7 @@
 //! `eval` and `specular` are continuous in directions and numbers, and smooth
 //! but for these:
 //!
-//! * where total reflection begins, Fresnel's equations have an infinite slope,
+//! * where total reflection begins, Fresnel's equations have an infinite derivative,
 //!   seen from the denser side. It can be integrated; its square, the variance,
 //!   only just not;
 //! * [`RoughPlastic`] interpolates a table linearly in the cosine: kinks;

@@ -63,7 +63,7 @@ impl Scene {
                 }
             }
             Bsdf::BumpMap { heights, scale, .. } => {
-                if !self.texture(*heights).has_slopes() {
+                if !self.texture(*heights).has_derivatives() {
                     return Err(
                         "the heights of a bump map must be a bitmap with the filter \
                                 bilinear",

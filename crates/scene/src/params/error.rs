@@ -6,6 +6,7 @@ use capwalk_math::Vec3;
 
 /// Why an expression or a list of velocities means no motion.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum ParameterError {
     /// Nothing has this name.
     Unknown {
@@ -125,8 +126,7 @@ impl fmt::Display for ParameterError {
         match self {
             Self::Unknown { name, near } => {
                 write!(f, "the scene has no parameter \"{name}\"")?;
-                did_you_mean(f, near)?;
-                write!(f, "; `capwalk info` lists all parameters")
+                did_you_mean(f, near)
             }
             Self::NoParameter { name, reason } => {
                 write!(f, "\"{name}\" is not a parameter: {reason}")
@@ -134,7 +134,7 @@ impl fmt::Display for ParameterError {
             Self::Missing => write!(
                 f,
                 "expected a parameter's name, such as `ball.translate.x`, but the expression \
-                 ends; `capwalk info` lists all parameters"
+                 ends"
             ),
             Self::BadFactor { text } => write!(
                 f,
@@ -148,17 +148,16 @@ impl fmt::Display for ParameterError {
             Self::TwoSides { name } => write!(
                 f,
                 "\"{name}\" belongs to a material that is made of different ones; name one of \
-                 them instead; `capwalk info` lists all parameters"
+                 them instead"
             ),
             Self::UnknownShape { shape, near } => {
                 write!(f, "the scene has no shape \"{shape}\"")?;
-                did_you_mean(f, near)?;
-                write!(f, "; `capwalk info` lists all shapes")
+                did_you_mean(f, near)
             }
             Self::Array { name } => write!(
                 f,
-                "\"{name}\" is an array, not one number that could be differentiated by or \
-                 stand in a sum; `capwalk backward` gives its gradient by that name alone, and \
+                "\"{name}\" is an array, not one number that could stand in a sum or have \
+                 a derivative; reverse mode gives the gradient with respect to all of it, and \
                  `{name}[0]` is a part of it"
             ),
             Self::BadIndex {

@@ -8,9 +8,9 @@ use capwalk_math::{Affine, Vec3};
 use super::icosphere::icosphere;
 use crate::shape::ShadingNormals;
 
-/// The largest distance between the outline of a tessellated disk or sphere
+/// The largest distance between the silhouette of a tessellated disk or sphere
 /// and the true one, in radii: a tenth of a pixel for a disk that fills a
-/// picture of 2000 pixels.
+/// image of 2000 pixels.
 pub const OUTLINE_ERROR: f64 = 1e-4;
 
 /// Straight segments around a disk. A regular n-gon is off by `1 - cos(π/n)`;
@@ -94,7 +94,7 @@ pub fn sphere(world_from_object: Affine, centre: Vec3, radius: f64) -> (Mesh, Sh
 }
 
 /// The unit sphere. The icosahedron's edges lie in planes of symmetry. Turned at
-/// random they do not line up with axes, cameras and lamps. It stays symmetric
+/// random they do not line up with axes, cameras and emitters. It stays symmetric
 /// about its centre, so the bounding box keeps its centre there.
 pub(super) fn turned_icosphere() -> Mesh {
     let mut mesh = icosphere(SPHERE_FREQUENCY);

@@ -14,10 +14,10 @@
 //! they are and in `c`.
 //!
 //! Parallel rays have no point that all of them start from. There, "directions"
-//! are those of picture space, in which the film point `(x, y)` lies in the
+//! are those of image space, in which the film point `(x, y)` lies in the
 //! direction above with `f = w / 2`: the camera-space point `(X, Y, Z)` is seen
 //! along `(X, Y, 1)`. Mapped so, straight edges stay straight, points divide them
-//! as before, and all rays meet in the origin of picture space; depths are lost.
+//! as before, and all rays meet in the origin of image space; depths are lost.
 
 use capwalk_math::{Real, Vec3};
 

@@ -113,12 +113,12 @@ impl<R: Real> Lobe<R> {
         }
     }
 
-    /// The lobe at rest: without derivatives.
+    /// The primal lobe: without derivatives.
     pub fn value(&self) -> Lobe {
         self.map(&mut R::value)
     }
 
-    /// True if it has parts that are not perfectly specular: worth sampling lamps.
+    /// True if it has parts that are not perfectly specular: worth sampling emitters.
     pub fn has_smooth(&self) -> bool {
         match self {
             Lobe::Diffuse(_)

@@ -206,7 +206,7 @@ impl<R: Real> LocalBsdf<R> {
         mapped
     }
 
-    /// The surface at rest: without derivatives.
+    /// The primal BSDF: without derivatives.
     pub fn value(&self) -> LocalBsdf {
         self.map(&mut R::value)
     }
@@ -220,7 +220,7 @@ impl<R: Real> LocalBsdf<R> {
     }
 
     /// True if it can be drawn anything that is not perfectly specular: worth
-    /// sampling lamps.
+    /// sampling emitters.
     pub fn has_smooth(&self) -> bool {
         self.chances()
             .any(|(chance, lobe)| chance > 0.0 && lobe.has_smooth())

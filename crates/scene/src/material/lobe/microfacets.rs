@@ -92,7 +92,7 @@ impl<R: Real> Microfacets<R> {
     /// itself vanishes.
     ///
     /// For Beckmann this is Smith's integral itself; Mitsuba evaluates a fit to
-    /// it that is off by up to 0.35 % and has a jump.
+    /// it that is off by up to 0.35 % and is discontinuous.
     #[inline]
     pub fn visible_over_cos(&self, w: Vec3<R>) -> R {
         let (alpha_u, alpha_v) = self.alphas();

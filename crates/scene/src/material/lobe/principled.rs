@@ -244,7 +244,7 @@ impl<R: Real> Principled<R> {
     }
 }
 
-/// The square root; zero with derivative zero where there is no slope.
+/// The square root; zero with derivative zero where the derivative is infinite.
 #[inline]
 fn root<R: Real>(x: R) -> R {
     if x.value() > 0.0 {

@@ -10,7 +10,7 @@ use crate::material::bsdf::NormalLimits;
 /// Light comes and goes on the side of both normals, the shading normal and this
 /// one, as in Mitsuba 3's `normalmap` and `bumpmap`. A viewer whom the normal
 /// turns away from sees the lobe mirrored at it, like one behind an interpolated
-/// normal: Mitsuba turns the normal over, which would be a jump that no edge
+/// normal: Mitsuba turns the normal over, which would be a discontinuity that no edge
 /// carries.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tilt<R = f64> {
