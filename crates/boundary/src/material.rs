@@ -3,15 +3,14 @@
 
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::Event;
-use capwalk_scene::{
-    Bsdf as Plugin, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId,
-};
+use capwalk_scene::material::Anisotropy;
+use capwalk_scene::{Bsdf, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId};
 
 /// True if it matters, for the value or a derivative, how a material is turned
 /// about the normal.
 pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
     any_part(scene, id, |bsdf| {
-        matches!(bsdf, Plugin::Principled(_)) || is_anisotropic(scene, bsdf)
+        bsdf.traits().anisotropy != Anisotropy::Isotropic
     }) || scene.map_in(id).is_some()
 }
 
@@ -29,42 +28,24 @@ pub fn looks_turned(scene: &Scene, id: BsdfId) -> bool {
     any_part(scene, id, |bsdf| is_anisotropic(scene, bsdf))
 }
 
-fn is_anisotropic(scene: &Scene, bsdf: &Plugin) -> bool {
-    match bsdf {
-        Plugin::RoughConductor(_, facets) | Plugin::RoughDielectric(_, facets) => {
-            facets.alpha[0] != facets.alpha[1]
+fn is_anisotropic(scene: &Scene, bsdf: &Bsdf) -> bool {
+    match bsdf.traits().anisotropy {
+        Anisotropy::Isotropic => false,
+        Anisotropy::Anisotropic => true,
+        Anisotropy::By(amount) => {
+            let amount = scene.texture(amount);
+            let is_attribute = matches!(amount.pattern, Pattern::MeshAttribute { .. });
+            is_attribute || amount.data.iter().any(|&x| x != 0.0)
         }
-        Plugin::Principled(principled) => {
-            let anisotropic = scene.texture(principled.anisotropic);
-            let is_attribute = matches!(anisotropic.pattern, Pattern::MeshAttribute { .. });
-            is_attribute || anisotropic.data.iter().any(|&x| x != 0.0)
-        }
-        _ => false,
     }
-}
-
-/// True if a plugin reflects in one direction alone; what refracts so does, too.
-fn is_mirror(bsdf: &Plugin) -> bool {
-    matches!(
-        bsdf,
-        Plugin::Conductor(_)
-            | Plugin::Dielectric(_)
-            | Plugin::ThinDielectric(_)
-            | Plugin::Plastic(_)
-    )
-}
-
-/// True if a plugin lets light pass straight on.
-fn is_pane(bsdf: &Plugin) -> bool {
-    matches!(
-        bsdf,
-        Plugin::ThinDielectric(_) | Plugin::Mask { .. } | Plugin::Null
-    )
 }
 
 /// True if a material can reflect, refract or pass light in one direction alone.
 pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
-    any_part(scene, id, |bsdf| is_mirror(bsdf) || is_pane(bsdf))
+    any_part(scene, id, |bsdf| {
+        let traits = bsdf.traits();
+        traits.is_specular || traits.passes_light
+    })
 }
 
 /// Which perfectly specular events at a shape keep images in shape.
@@ -101,13 +82,13 @@ pub fn flat_events(scene: &Scene, shape: &Shape) -> FlatEvents {
     let turns = scene.map_in(shape.bsdf).is_some();
     let is_flat = shape.normals.per_vertex().is_none() && !turns;
     FlatEvents {
-        reflects: is_flat && any_part(scene, shape.bsdf, is_mirror),
-        passes: any_part(scene, shape.bsdf, is_pane),
+        reflects: is_flat && any_part(scene, shape.bsdf, |bsdf| bsdf.traits().is_specular),
+        passes: any_part(scene, shape.bsdf, |bsdf| bsdf.traits().passes_light),
     }
 }
 
 /// True if something holds for a material, or one that it is made of.
-fn any_part(scene: &Scene, id: BsdfId, holds: impl Fn(&Plugin) -> bool) -> bool {
+fn any_part(scene: &Scene, id: BsdfId, holds: impl Fn(&Bsdf) -> bool) -> bool {
     let mut parts = scene.materials_below(id).into_iter();
     parts.any(|part| holds(&scene.material(part).bsdf))
 }

@@ -219,7 +219,7 @@ mod tests {
         let bsdf = scene.shapes[0].bsdf;
         let mut shape = Shape::new("skewed", mesh, ShadingNormals::Face, bsdf);
         shape.uvs = Some(vec![[[-0.5, 0.25], [1.75, 0.5], [0.3, 2.0]]]);
-        scene.shapes = vec![shape];
+        scene.shapes = vec![shape.into()];
         scene.emitters.clear();
         let slot = scene.slots_below(bsdf)[0].texture;
         *scene.texture_mut(slot) = Texture {
@@ -267,7 +267,7 @@ mod tests {
             let texture = textures_of(&scene, shape)[0];
             let value = |[u, v]: [f64; 2]| {
                 let uv = shape.uv(0, [1.0 - u - v, u, v]);
-                texture.lookup(uv, |i| Rgb::splat(i as f64)).x
+                texture.lookup(uv, |i| Rgb::splat(i as f64)).r
             };
             for i in 0..40 {
                 // Inside the triangle, in the weights of two corners.

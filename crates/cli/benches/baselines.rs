@@ -84,7 +84,9 @@ fn measure(folder: &Folder) {
     let Some((parameter, step)) = check else {
         return;
     };
-    let motion = params::motion(&scene, &parameter).expect("a parameter of the scene");
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, &parameter)
+        .expect("a parameter of the scene");
     let options = |spp, seed| Options { spp, seed };
     let run = |method, seed| {
         let settings = GradientOptions {
@@ -133,7 +135,7 @@ fn size(picture: &GradientImage, weights: &GradientImage) -> (f64, f64) {
     let sum: f64 = means.map(|(g, &w)| g.dot(w)).sum();
     // Channels of a pixel share their samples: at worst their errors add up.
     let error = |e: &capwalk_math::Rgb, w: &capwalk_math::Rgb| {
-        (e.x * w.x).abs() + (e.y * w.y).abs() + (e.z * w.z).abs()
+        (e.r * w.r).abs() + (e.g * w.g).abs() + (e.b * w.b).abs()
     };
     let squares: f64 = errors.map(|(e, w)| error(e, w).powi(2)).sum();
     (sum, squares.sqrt())

@@ -75,7 +75,9 @@ fn measure_all() {
 /// Variance times seconds of a sample, of the three ways.
 fn measure(folder: &Folder, parameter: &str, step: f64) -> [f64; 3] {
     let scene = folder.scene();
-    let motion = params::motion(&scene, parameter).expect("a parameter of the scene");
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, parameter)
+        .expect("a parameter of the scene");
     let ways = [
         Way::Walk(Estimator::Anchored),
         Way::Walk(Estimator::Literal),

@@ -3,6 +3,7 @@
 use std::fs;
 use std::process::ExitCode;
 
+use capwalk_scene::params::ParameterError;
 use capwalk_scene_io::LoadError;
 
 /// How a command that wrote its results ended.
@@ -54,7 +55,23 @@ pub fn describe(error: &anyhow::Error) -> String {
         }
         last = cause;
     }
+    let of_parameter = error.chain().find_map(|cause| cause.downcast_ref());
+    if let Some(hint) = of_parameter.and_then(hint) {
+        text += &format!("\n  help: {hint}");
+    }
     text
+}
+
+/// The command that lists what a parameter could have been called.
+fn hint(error: &ParameterError) -> Option<&'static str> {
+    match error {
+        ParameterError::Unknown { .. }
+        | ParameterError::Missing
+        | ParameterError::TwoSides { .. } => Some("`capwalk info SCENE` lists all parameters"),
+        ParameterError::UnknownShape { .. } => Some("`capwalk info SCENE` lists all shapes"),
+        ParameterError::Array { .. } => Some("`capwalk backward` gives gradients of arrays"),
+        _ => None,
+    }
 }
 
 /// The longest part of a source line that is shown, characters.

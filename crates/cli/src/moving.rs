@@ -15,7 +15,7 @@ use crate::args::MotionArgs;
 /// The motion that the command line asks for.
 pub fn motion(scene: &Scene, args: &MotionArgs) -> Result<Motion> {
     let mut motion = match &args.param {
-        Some(expression) => params::motion(scene, expression)?,
+        Some(expression) => params::Registry::new(scene).motion(scene, expression)?,
         None => Motion::zero(scene),
     };
     for (shape, file) in &args.motion {
@@ -183,7 +183,7 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
 /// turns by twice as much as the mirror that it meets.
 fn mirrored_speed(scene: &Scene, motion: &Motion) -> f64 {
     let is_specular = |shape: &Shape| may_be_specular(scene, shape.bsdf);
-    if !scene.shapes.iter().any(is_specular) {
+    if !scene.shapes.iter().any(|shape| is_specular(shape)) {
         return 0.0;
     }
     let view = scene.sensor.view(&scene.film);
@@ -328,7 +328,9 @@ mod tests {
     fn steps_follow_the_film() {
         let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
         let step = |scene: &Scene, expression: &str| {
-            let motion = params::motion(scene, expression).unwrap();
+            let motion = params::Registry::new(scene)
+                .motion(scene, expression)
+                .unwrap();
             default_step(scene, &motion)
         };
         // The middle of the picture turns by this many pixels per radian.
@@ -340,7 +342,9 @@ mod tests {
             "{turn}"
         );
         // With another field of view, the corners move farthest.
-        let fov = params::motion(&scene, "sensor.x_fov").unwrap();
+        let fov = params::Registry::new(&scene)
+            .motion(&scene, "sensor.x_fov")
+            .unwrap();
         let zoomed = scene.moved(&fov, default_step(&scene, &fov)).sensor;
         let corner = scene.sensor.view(&scene.film).direction([0.0, 0.0]);
         let [x, y] = zoomed.view(&scene.film).film(corner);
@@ -359,7 +363,7 @@ mod tests {
     #[test]
     fn normals_alone() {
         let scene = capwalk_scene::builtin::scene("ball").unwrap();
-        let motion = |text| params::motion(&scene, text).unwrap();
+        let motion = |text| params::Registry::new(&scene).motion(&scene, text).unwrap();
         let turning = motion("ball.normals[7,2]");
         assert!(!is_zero(&turning));
         let step = default_step(&scene, &turning);
@@ -372,7 +376,9 @@ mod tests {
     fn steps_follow_what_mirrors_show() {
         let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
         let step = |scene: &Scene| {
-            let motion = params::motion(scene, "floor.rotate.z").unwrap();
+            let motion = params::Registry::new(scene)
+                .motion(scene, "floor.rotate.z")
+                .unwrap();
             default_step(scene, &motion)
         };
         let dull = step(&scene);
@@ -389,7 +395,9 @@ mod tests {
     fn steps_follow_the_size_of_what_moves() {
         let scene = capwalk_scene::builtin::scene("leaf").unwrap();
         let step = |expression: &str| {
-            let motion = params::motion(&scene, expression).unwrap();
+            let motion = params::Registry::new(&scene)
+                .motion(&scene, expression)
+                .unwrap();
             default_step(&scene, &motion)
         };
         let leaf = scene.shapes.iter().find(|s| s.id == "leaf").unwrap();

@@ -164,7 +164,7 @@ pub fn read_layer(
         image.height
     );
     if let Some(index) = image.pixels.iter().position(|pixel| !pixel.is_finite()) {
-        let Rgb { x: r, y: g, z: b } = image.pixels[index];
+        let Rgb { r, g, b } = image.pixels[index];
         bail!(
             "{} is ({r}, {g}, {b}) in column {}, row {}, counted from 0 at the upper left; \
              expected finite numbers",

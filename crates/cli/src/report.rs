@@ -183,7 +183,7 @@ pub fn outcome(statistics: &[&Statistics]) -> Outcome {
 pub fn mean_colour(image: &Image) -> [f64; 3] {
     let sum = image.pixels.iter().fold(Rgb::zero(), |sum, &p| sum + p);
     let mean = sum / image.pixels.len() as f64;
-    [mean.x, mean.y, mean.z]
+    [mean.r, mean.g, mean.b]
 }
 
 /// Variance of one sample of a pixel: squared standard errors times the

@@ -43,7 +43,9 @@ pub fn load(args: &SceneArgs) -> Result<Scene> {
         "{}: {} shapes, {triangles} triangles, {} parameters",
         args.scene,
         scene.shapes.len(),
-        capwalk_scene::params::list(&scene).len()
+        capwalk_scene::params::Registry::new(&scene)
+            .scalars(&scene)
+            .len()
     );
     Ok(scene)
 }

@@ -138,7 +138,9 @@ fn measure_all() {
         scene.film.size = [SIZE; 2];
         scene.film.crop_size = [SIZE; 2];
         scene.check().expect("a valid scene");
-        let motion = params::motion(&scene, parameter).expect("a parameter of the scene");
+        let motion = params::Registry::new(&scene)
+            .motion(&scene, parameter)
+            .expect("a parameter of the scene");
         let [walk, edges] = measure(&scene, &motion);
         println!(
             "| {name} | `{parameter}` | {} | {} | {} | {} | {} |",

@@ -16,7 +16,9 @@ const SAMPLES: u32 = 4_000;
 
 fn main() {
     let scene = common::reference_scene();
-    let motion = params::motion(&scene, "ball.translate.x").expect("a known name");
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, "ball.translate.x")
+        .expect("a known name");
     let points = common::reference_points();
     println!("{SAMPLES} samples at each of {} floor points", points.len());
     println!("estimator   A_max   variance   largest of a point   µs/sample   variance × µs");

@@ -23,7 +23,7 @@ use std::time::Instant;
 use capwalk_diff::{
     GradientOptions, Options, Prepared, Statistics, Unwatched, Wanted, backward, gradient, render,
 };
-use capwalk_math::Vec3;
+use capwalk_math::Rgb;
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::{Image, Motion, Scene, ShadingNormals, params};
 use common::{add, add_floor, add_lamp, empty, v};
@@ -111,13 +111,19 @@ const WAYS: [(&str, Way); 6] = [
         result.expect("covered").statistics
     }),
     ("reverse, colours: same queries", |bench, spp| {
-        let colour = |name| params::motion(&bench.scene, name).expect("a colour");
+        let colour = |name| {
+            params::Registry::new(&bench.scene)
+                .motion(&bench.scene, name)
+                .expect("a colour")
+        };
         let mut colours = colour("ball.bsdf.reflectance.value");
         colours.add(&colour("floor.bsdf.reflectance.value"));
         bench.backward(&Wanted::by(&colours), spp)
     }),
     ("reverse, the lamp's 4 vertices", |bench, spp| {
-        let lamp = params::motion(&bench.scene, "lamp.translate.x").expect("a shape");
+        let lamp = params::Registry::new(&bench.scene)
+            .motion(&bench.scene, "lamp.translate.x")
+            .expect("a shape");
         bench.backward(&Wanted::by(&lamp), spp)
     }),
     ("reverse, the mesh's vertices", |bench, spp| {
@@ -149,9 +155,11 @@ impl Bench {
         add(&mut scene, "ball", ball, normals, 0.6);
         add_lamp(&mut scene, v(0.8, -0.6, 3.5), 0.9, 0.3, 12.0);
         scene.check().expect("a valid scene");
-        let motion = params::motion(&scene, "ball.translate.x").expect("a shape");
+        let motion = params::Registry::new(&scene)
+            .motion(&scene, "ball.translate.x")
+            .expect("a shape");
         let size = SIZE as usize;
-        let slopes = (0..size * size).map(|i| Vec3::splat((0.1 * i as f64).sin()));
+        let slopes = (0..size * size).map(|i| Rgb::splat((0.1 * i as f64).sin()));
         let adjoint = Image {
             width: size,
             height: size,

@@ -302,12 +302,12 @@ fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usi
             wrong.len(),
             first.index % width,
             first.index / width,
-            g.x,
-            g.y,
-            g.z,
-            r.x,
-            r.y,
-            r.z
+            g.r,
+            g.g,
+            g.b,
+            r.r,
+            r.g,
+            r.b
         ));
     }
     reasons

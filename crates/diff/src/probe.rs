@@ -9,7 +9,7 @@ use capwalk_math::{Frame, Moments, Real, Rgb, Vec3};
 use capwalk_render::{
     FIRST_VERTEX, LightSampling, Plan, Prepared, Primal, SpecularChain, Tracer, Vertex,
 };
-use capwalk_scene::lobe::{Bsdf, Diffuse, Lobe};
+use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf};
 use capwalk_scene::{Motion, Scene};
 use capwalk_walk::WalkSettings;
 
@@ -26,7 +26,7 @@ fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
         normal,
         Frame::from_normal(unit),
         unit,
-        Bsdf::from(lobe),
+        LocalBsdf::from(lobe),
     )
 }
 
@@ -79,8 +79,8 @@ pub fn irradiance(
                 counts: &Counts::default(),
             };
             let (light, _) = tracer.emitted(&world, &vertex, 0, SpecularChain::default(), draw);
-            irradiance.value.add(light.x.value);
-            irradiance.gradient.add(light.x.tangent[0]);
+            irradiance.value.add(light.r.value);
+            irradiance.gradient.add(light.r.tangent[0]);
         }
         irradiance
     };
@@ -116,7 +116,7 @@ pub fn difference(
                 tracers[i]
                     .emitted(&world, &vertex, 0, SpecularChain::default(), draw)
                     .0
-                    .x
+                    .r
             });
             moments.add(above - below);
         }

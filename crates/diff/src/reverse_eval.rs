@@ -99,7 +99,7 @@ impl<'a, 't> Reverse<'a, 't> {
     ) {
         covectors.clear();
         adjoints.reset(self.tape);
-        adjoints.add_vector(result, adjoint);
+        adjoints.add_colour(result, adjoint);
         let mut end = self.tape.len();
         for mark in self.marks.into_inner().into_iter().rev() {
             // What was recorded behind the mark passes its adjoints on to the mark.
@@ -153,7 +153,9 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
     fn texel(&self, id: TextureId, index: usize) -> Rgb<Var<'t>> {
         let value = self.accel.scene.texture(id).texel(index);
         let wanted = self.is_asked_for(id);
-        self.variables(wanted, value, Origin::Scene(Target::Texel(id, index)))
+        let value = Vec3::from(value.to_array());
+        let texel = self.variables(wanted, value, Origin::Scene(Target::Texel(id, index)));
+        Rgb::from(texel.to_array())
     }
     #[inline]
     fn is_asked_for(&self, id: TextureId) -> bool {

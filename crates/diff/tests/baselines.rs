@@ -78,8 +78,8 @@ fn relative_change(
     assert_eq!(result.statistics.non_finite, 0);
     let pixels = result.gradient.mean.pixels.iter();
     let errors = result.gradient.standard_error.pixels.iter();
-    let sum: f64 = pixels.map(|p| p.x).sum();
-    let error = errors.map(|p| p.x * p.x).sum::<f64>().sqrt();
+    let sum: f64 = pixels.map(|p| p.r).sum();
+    let error = errors.map(|p| p.r * p.r).sum::<f64>().sqrt();
     let (growth, error) = (sum / exact, error / exact.abs());
     println!("{method:?}: {growth:.4} ± {error:.4}");
     (result.gradient, (growth, error))
@@ -202,7 +202,7 @@ fn shadows_and_lamps() {
             .zip(&picture.standard_error.pixels);
         let terms = pixels
             .zip(&weights)
-            .map(|((m, e), w)| (m.x * w.x, (e.x * w.x).powi(2)));
+            .map(|((m, e), w)| (m.r * w.r, (e.r * w.r).powi(2)));
         let (sum, squares) = terms.fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
         (sum, squares.sqrt())
     };
@@ -245,10 +245,8 @@ fn card_before_a_wall() -> Scene {
         faces: vec![[0, 1, 2]],
     };
     add(&mut scene, "wall", wall, ShadingNormals::Face, 1.0);
-    let black = scene
-        .textures
-        .iter_mut()
-        .find(|texture| texture.id == "thing.bsdf.reflectance");
+    let mut textures = scene.textures.iter_mut().map(std::sync::Arc::make_mut);
+    let black = textures.find(|texture| texture.id == "thing.bsdf.reflectance");
     black.expect("a reflectance").data.fill(0.0);
     scene.settings.integrator = Integrator::Aov(Layer::Albedo);
     scene.check().expect("a valid scene");

@@ -9,7 +9,7 @@ use capwalk_diff::probe::irradiance;
 use capwalk_diff::{Prepared, Unwatched, WalkSettings, Wanted, backward, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::quadrature::gauss_legendre;
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{disk, rectangle};
 use capwalk_scene::*;
 use common::agree::motion;
@@ -246,7 +246,7 @@ fn a_point_in_a_picture() {
     let adjoint = Image {
         width: 2,
         height: 2,
-        pixels: vec![v(0.25, 0.0, 0.0); 4],
+        pixels: vec![Rgb::new(0.25, 0.0, 0.0); 4],
     };
     let wanted = Wanted::all(&scene);
     let reverse = backward(

@@ -56,7 +56,7 @@ fn nothing_moves(name: &str, scene: &Scene, dark: &Scene, expression: &str, spp:
         .expect("covered")
     };
     let seen = run(dark, 64).gradient.mean.pixels;
-    let size = seen.iter().map(|p| p.x.abs()).sum::<f64>() / seen.len() as f64;
+    let size = seen.iter().map(|p| p.r.abs()).sum::<f64>() / seen.len() as f64;
     let still = run(scene, spp);
     for (mean, error) in means(&still.value) {
         meets(name, mean, error, 1.0, 0.01);
@@ -82,7 +82,7 @@ fn nothing_moves_in_a_furnace() {
 fn nothing_moves_under_a_white_sky() {
     let white_sky = |albedo: f64| {
         let mut scene = furnace([1.0, 0.0], [albedo, 0.0]);
-        let low = &mut scene.shapes[0];
+        let low = scene.shape_mut(ShapeId(0));
         let (mesh, normals) = cube(Affine::scale(v(0.6, 0.5, 0.1)));
         low.mesh = placed(mesh, Affine::translate(v(0.2, 0.1, -0.8)));
         (low.normals, low.emitter) = (normals, None);
@@ -154,7 +154,7 @@ fn albedo_in_a_furnace() {
         let adjoint = Image {
             width: 12,
             height: 12,
-            pixels: vec![v(1.0 / 144.0, 0.0, 0.0); 144],
+            pixels: vec![Rgb::new(1.0 / 144.0, 0.0, 0.0); 144],
         };
         let wanted = Wanted::by(&motion);
         let reverse = backward(

@@ -12,7 +12,7 @@ use common::*;
 
 /// A sky of 8 x 4 colours, brighter above, instead of all lamps.
 fn under_a_sky(mut scene: Scene) -> Scene {
-    for shape in &mut scene.shapes {
+    for shape in scene.shapes_mut() {
         shape.emitter = None;
     }
     scene.shapes.retain(|shape| shape.id != "lamp");
@@ -57,13 +57,13 @@ fn colours_of_a_black_sky() {
         .iter()
         .position(|t| t.id == "sky")
         .expect("a sky");
-    scene.textures[sky].data[24..].fill(0.0);
+    scene.texture_mut(TextureId(sky as u32)).data[24..].fill(0.0);
     let mut change = Motion::zero(&scene);
     change.textures[sky] = Some(vec![1.0; 96]);
     let options = Options { spp: 400, seed: 1 };
     let settings = GradientOptions::new(options);
     let sum = |estimate: &capwalk_diff::Estimate| -> f64 {
-        estimate.mean.pixels.iter().map(|p| p.x).sum()
+        estimate.mean.pixels.iter().map(|p| p.r).sum()
     };
     let ours = gradient(
         &Prepared::new(scene.clone()),

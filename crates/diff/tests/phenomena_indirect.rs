@@ -4,7 +4,7 @@
 
 mod common;
 
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::rectangle;
 use capwalk_scene::*;
 use common::agree::*;
@@ -84,7 +84,7 @@ fn black_reflector() {
     let mut scene = bounced_light();
     for id in 0..scene.textures.len() {
         if scene.textures[id].id.starts_with("ceiling") {
-            scene.textures[id].data.fill(0.0);
+            scene.texture_mut(TextureId(id as u32)).data.fill(0.0);
         }
     }
     let change = motion(&scene, "ceiling.bsdf.reflectance.value");
@@ -103,11 +103,11 @@ fn black_reflector() {
         &settings.options,
         nobody,
     );
-    let sum = |estimate: &capwalk_diff::Estimate| -> Vec3 {
+    let sum = |estimate: &capwalk_diff::Estimate| -> Rgb {
         let pixels = estimate.mean.pixels.iter();
-        pixels.fold(Vec3::zero(), |sum, &p| sum + p)
+        pixels.fold(Rgb::zero(), |sum, &p| sum + p)
     };
-    let (ours, expected) = (sum(&ours.gradient).x, sum(&lit.value).x);
+    let (ours, expected) = (sum(&ours.gradient).r, sum(&lit.value).r);
     assert!(expected > 1.0);
     assert!((ours / expected - 1.0).abs() < 0.05, "{ours} {expected}");
 }

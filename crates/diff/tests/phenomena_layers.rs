@@ -102,9 +102,9 @@ fn area_of_a_disk() {
         nobody,
     )
     .expect("covered");
-    let sum: f64 = result.gradient.mean.pixels.iter().map(|p| p.x).sum();
+    let sum: f64 = result.gradient.mean.pixels.iter().map(|p| p.r).sum();
     let errors = result.gradient.standard_error.pixels.iter();
-    let error = errors.map(|p| p.x * p.x).sum::<f64>().sqrt();
+    let error = errors.map(|p| p.r * p.r).sum::<f64>().sqrt();
     println!("area: {sum:.3} ± {error:.3}, expected {expected:.3}");
     // 4.5 standard errors; the mesh is within 1e-4 of the sphere.
     assert!((sum - expected).abs() < 4.5 * error + 1e-3 * expected);

@@ -110,7 +110,7 @@ fn mapped_cushion_moves() {
     scene.sensor.world_from_camera =
         capwalk_math::Affine::look_at(v(0.3, -2.4, 0.7), v(0.0, 0.0, 0.0), v(0.0, 0.0, 1.0))
             .expect("not along the up vector");
-    let floor = scene.shapes.iter_mut().find(|shape| shape.id == "floor");
+    let floor = scene.shapes_mut().find(|shape| shape.id == "floor");
     let floor = floor.expect("a floor");
     let outward = |p: &Vec3| v(0.1 * p.x, 0.1 * p.y, 1.0).normalized();
     let normals = floor.mesh.positions.iter().map(outward).collect();

@@ -166,7 +166,7 @@ fn weights_at_their_limits() {
 fn at_the_ends(scene: &mut Scene, id: &str, ends: [f64; 2]) -> Motion {
     let index = scene.textures.iter().position(|texture| texture.id == id);
     let index = index.expect("a texture");
-    let texture = &mut scene.textures[index];
+    let texture = scene.texture_mut(TextureId(index as u32));
     texture.pattern = Pattern::Bitmap(Bitmap {
         width: 4,
         height: 4,

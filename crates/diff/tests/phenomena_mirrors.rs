@@ -6,7 +6,7 @@ mod common;
 
 use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, gradient};
 use capwalk_geometry::Mesh;
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
 use common::agree::*;
@@ -43,7 +43,7 @@ fn block_before_a_mirror() -> Scene {
 }
 
 fn add_sky(scene: &mut Scene) {
-    let radiance = scene.add_texture(Texture::colour("sky", v(0.6, 0.7, 1.0)));
+    let radiance = scene.add_texture(Texture::colour("sky", Rgb::new(0.6, 0.7, 1.0)));
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
         radiance,
@@ -144,7 +144,7 @@ fn block_over_a_polished_floor() {
 #[test]
 fn shadow_by_way_of_a_mirror() {
     let mut scene = block_before_a_mirror();
-    let block = &mut scene.shapes[2];
+    let block = scene.shape_mut(ShapeId(2));
     block.mesh = placed(triangle(), Affine::translate(v(0.1, 0.2, 0.2)));
     scene.sensor.world_from_camera =
         Affine::look_at(v(0.2, 0.6, 0.8), v(0.1, -0.1, 0.0), v(0.0, 0.0, 1.0)).expect("upright");
@@ -194,8 +194,8 @@ fn halves_of_a_mirror_are_one() {
         result.gradient.mean.pixels
     };
     let (flat, bent) = (picture(0.0), picture(1.5e-6));
-    let size = |pixels: &[Vec3]| pixels.iter().map(|p| p.x.abs()).sum::<f64>();
-    let differences: Vec<Vec3> = flat.iter().zip(&bent).map(|(&a, &b)| a - b).collect();
+    let size = |pixels: &[Rgb]| pixels.iter().map(|p| p.r.abs()).sum::<f64>();
+    let differences: Vec<Rgb> = flat.iter().zip(&bent).map(|(&a, &b)| a - b).collect();
     let (off, all) = (size(&differences), size(&flat));
     assert!(all > 0.0 && off < 1e-4 * all, "{off} of {all}");
 }

@@ -6,7 +6,7 @@ mod common;
 
 use capwalk_diff::{Prepared, Unwatched, gradient};
 use capwalk_geometry::Mesh;
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::rectangle;
 use capwalk_scene::*;
 use common::agree::*;
@@ -28,7 +28,7 @@ fn triangle_under_sky(filter: Filter) -> Scene {
         faces: vec![[0, 1, 2]],
     };
     add(&mut scene, "thing", mesh, ShadingNormals::Face, 0.0);
-    let radiance = scene.add_texture(Texture::colour("sky.radiance", Vec3::splat(1.0)));
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
         radiance,

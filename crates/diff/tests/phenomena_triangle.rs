@@ -10,6 +10,7 @@ mod common;
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{GradientOptions, Method, Options, Prepared, Unwatched, WalkSettings, gradient};
 use capwalk_geometry::Mesh;
+use capwalk_math::Rgb;
 use capwalk_scene::*;
 use common::agree::*;
 use common::stages::*;
@@ -103,7 +104,7 @@ fn picture_of_a_moving_thing() {
 fn indirect_light_of_an_environment() {
     let mut scene = visible_cube();
     scene.shapes.retain(|shape| shape.emitter.is_none());
-    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::new(0.5, 0.7, 1.0)));
     scene.emitters = vec![Emitter::Constant {
         id: "sky".into(),
         radiance,

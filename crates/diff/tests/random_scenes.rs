@@ -230,7 +230,7 @@ impl Builder {
         let faces = 0..shape.mesh.faces.len();
         let uvs = faces.map(|_| [(); 3].map(|()| uv(&mut self.random)));
         shape.uvs = Some(uvs.collect());
-        self.scene.shapes.push(shape);
+        self.scene.add_shape(shape);
         ShapeId(self.scene.shapes.len() as u32 - 1)
     }
 
@@ -282,7 +282,7 @@ impl Builder {
             },
             _ => {
                 let shape = self.shape();
-                self.scene.shapes[shape.0 as usize].emitter = Some(number);
+                self.scene.shape_mut(shape).emitter = Some(number);
                 Emitter::Area {
                     shape,
                     radiance: self.colour(),
@@ -383,7 +383,7 @@ fn random_motion(scene: &Scene, random: &mut Random) -> Motion {
         motion.sensor.translation = random.vector(1.0);
         motion.sensor.rotation = random.vector(1.0);
     }
-    for array in params::arrays(scene) {
+    for array in params::Registry::new(scene).arrays() {
         let is_of_sensor = array.name.starts_with("sensor.");
         if (is_of_sensor || array.name.ends_with(".to_world")) && random.chance(0.1) {
             let velocities = (0..array.count()).map(|_| random.number(-1.0, 1.0));

@@ -30,7 +30,9 @@ fn differences(scene: &Scene, motion: &Motion) -> Vec<Moments> {
 #[test]
 fn anchored_is_unbiased_and_has_the_promised_variance() {
     let scene = reference_scene();
-    let motion = params::motion(&scene, "ball.translate.x").expect("a known name");
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, "ball.translate.x")
+        .expect("a known name");
     let walk = WalkSettings {
         max_radius: 0.6,
         ..Default::default()
@@ -63,7 +65,9 @@ fn anchored_is_unbiased_and_has_the_promised_variance() {
 #[test]
 fn literal_has_a_variance_beyond_use() {
     let scene = reference_scene();
-    let motion = params::motion(&scene, "ball.translate.x").expect("a known name");
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, "ball.translate.x")
+        .expect("a known name");
     let walk = WalkSettings {
         estimator: Estimator::Literal,
         max_radius: 0.6,

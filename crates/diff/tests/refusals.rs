@@ -40,7 +40,7 @@ fn mirror_floor() -> Scene {
     add_lamp(&mut scene, v(0.0, 1.6, 1.2), 0.8, 0.3, 10.0);
     let metal = mirror(&mut scene);
     material(&mut scene, "floor.bsdf", metal);
-    let floor = &mut scene.shapes[0];
+    let floor = scene.shape_mut(ShapeId(0));
     floor.normals = ShadingNormals::computed(&floor.mesh);
     scene.settings.integrator = Integrator::Direct {
         emitter_samples: 1,
@@ -93,7 +93,7 @@ fn a_lamp_that_moves_in_a_mirror() {
     assert!(is_refused(&scene, "sensor.translate.x"));
     assert!(is_refused(&scene, "floor.rotate.x"));
     assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
-    scene.shapes[0].normals = ShadingNormals::Face;
+    scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     assert!(!is_refused(&scene, "lamp.translate.x"));
 }
 
@@ -101,7 +101,7 @@ fn a_lamp_that_moves_in_a_mirror() {
 #[test]
 fn a_lamp_that_moves_in_a_flat_mirror() {
     let mut scene = mirror_floor();
-    scene.shapes[0].normals = ShadingNormals::Face;
+    scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     for name in ["lamp.translate.x", "sensor.translate.x", "floor.rotate.x"] {
         let motion = motion(&scene, name);
         for reason in refusals_with(&scene, &motion, Method::TriangleWalk) {
@@ -188,7 +188,7 @@ fn a_blocker_that_moves_in_glass() {
 #[test]
 fn mirrors_under_parallel_rays() {
     let mut scene = mirror_floor();
-    scene.shapes[0].normals = ShadingNormals::Face;
+    scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     assert!(!is_refused(&scene, "lamp.translate.x"));
     scene.sensor.model = SensorModel::Orthographic;
     for reason in refusals(&scene, &motion(&scene, "lamp.translate.x")) {
@@ -390,7 +390,7 @@ fn collapsed_texture_coordinates_say_nothing() {
     });
     let mut refused = |scale: f64| {
         let uvs = [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|i| corners[i].map(|x| x * scale)));
-        scene.shapes[0].uvs = Some(uvs.to_vec());
+        scene.shape_mut(ShapeId(0)).uvs = Some(uvs.to_vec());
         ["sheet.translate.z", "sheet.normals[2,0]"].map(|name| {
             let reasons = refusals(&scene, &motion(&scene, name));
             reasons.map(|reason| reason.is_some_and(|reason| reason.contains("without extent")))

@@ -10,7 +10,7 @@ use capwalk_diff::{
     Backward, GradientOptions, Method, Options, Prepared, Unwatched, Wanted, WasBoundary,
     WasSettings, backward, gradient, with_threads,
 };
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
@@ -69,7 +69,11 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
     Image {
         width,
         height,
-        pixels: Numbers(seed).vectors(width * height),
+        pixels: Numbers(seed)
+            .vectors(width * height)
+            .into_iter()
+            .map(|v| Rgb::from(v.to_array()))
+            .collect(),
     }
 }
 
@@ -162,7 +166,7 @@ fn smooth_ball() {
 #[test]
 fn given_normals() {
     let mut scene = visible_ball(Filter::Box);
-    for shape in &mut scene.shapes {
+    for shape in scene.shapes_mut() {
         if let ShadingNormals::Computed(normals) = shape.normals.clone() {
             shape.normals = ShadingNormals::Given(normals);
         }
@@ -184,7 +188,9 @@ fn thin_lens() {
             "sensor.aperture_radius",
             "sensor.focus_distance",
         ] {
-            let motion = params::motion(&scene, name).expect(name);
+            let motion = params::Registry::new(&scene)
+                .motion(&scene, name)
+                .expect(name);
             agree_along(name, &scene, &motion);
         }
     }
@@ -209,7 +215,9 @@ fn parallel_rays() {
             "sensor.rotate.x",
             "sensor.to_world[0,2] - 0.4*sensor.to_world[1,1]",
         ] {
-            let motion = params::motion(&scene, name).expect(name);
+            let motion = params::Registry::new(&scene)
+                .motion(&scene, name)
+                .expect(name);
             agree_along(name, &scene, &motion);
         }
     }
@@ -254,7 +262,7 @@ fn crossing_surfaces() {
 fn constant_light() {
     let mut scene = visible_cube();
     scene.shapes.pop_if(|shape| shape.emitter.is_some());
-    let colour = Texture::colour("sky.radiance", v(0.5, 0.7, 1.0));
+    let colour = Texture::colour("sky.radiance", Rgb::new(0.5, 0.7, 1.0));
     let radiance = scene.add_texture(colour);
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
@@ -270,7 +278,7 @@ fn fields_on_triangles() {
     let mut scene = visible_cube();
     let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
     add(&mut scene, "blade", mesh, normals, 0.4);
-    let radiance = scene.add_texture(Texture::colour("sky.radiance", v(0.5, 0.7, 1.0)));
+    let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::new(0.5, 0.7, 1.0)));
     scene.emitters.push(Emitter::Constant {
         id: "sky".into(),
         radiance,
@@ -332,7 +340,7 @@ fn maps_of_normals() {
         let nested = n.glossy();
         n.normal_map(nested)
     });
-    let ball = scene.shapes.iter_mut().find(|shape| shape.id == "ball");
+    let ball = scene.shapes_mut().find(|shape| shape.id == "ball");
     ball.expect("a ball").uvs = Some(primitive::sphere_uvs());
     agree_in_both_modes("maps of normals", scene, 4);
 }
@@ -464,7 +472,7 @@ fn normals_alone() {
     let mut scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
     scene.film.size = [12; 2];
     scene.film.crop_size = [12; 2];
-    for shape in &mut scene.shapes {
+    for shape in scene.shapes_mut() {
         if let ShadingNormals::Computed(normals) = shape.normals.clone() {
             shape.normals = ShadingNormals::Given(normals);
         }
@@ -518,7 +526,7 @@ fn numbers_of_the_gradient() {
 fn adjoint_with_nan() {
     let scene = visible_cube();
     let mut bad = adjoint(&scene, 3);
-    bad.pixels[2 * 36 + 7].y = f64::NAN;
+    bad.pixels[2 * 36 + 7].g = f64::NAN;
     let wanted = Wanted::all(&scene);
     let refusal = backward(
         &Prepared::new(scene.clone()),
@@ -541,7 +549,7 @@ fn adjoint_of_another_size() {
     let small = Image {
         width: 2,
         height: 1,
-        pixels: vec![Vec3::zero(); 2],
+        pixels: vec![Rgb::zero(); 2],
     };
     let wanted = Wanted::all(&scene);
     let refusal = backward(

@@ -210,7 +210,7 @@ fn part(of: &Estimate, one: &Estimate, two: &Estimate) -> Measured {
     let whole = product(&one.mean, &two.mean);
     let pairs = of.standard_error.pixels.iter().zip(&one.mean.pixels);
     let variance: f64 = pairs
-        .map(|(error, value)| error.hadamard(*value).length_squared())
+        .map(|(&error, &value)| (error * value).dot(error * value))
         .sum();
     Measured {
         value: product(&of.mean, &one.mean) / whole,

@@ -44,7 +44,7 @@ fn radius(vertex: usize, flower: bool) -> f64 {
 fn scene(flower: bool, size: [u32; 2]) -> Result<Scene, Failure> {
     let missing = || Failure::Unusable("the built-in scene leaf has no leaf".into());
     let mut scene = builtin::scene("leaf").ok_or_else(missing)?;
-    let leaf = scene.shapes.iter_mut().find(|shape| shape.id == "leaf");
+    let leaf = scene.shapes_mut().find(|shape| shape.id == "leaf");
     let rim = (0..RIM).map(|i| {
         let (sin, cos) = (TAU * (i as f64 + 0.2) / RIM as f64).sin_cos();
         CENTRE + Vec3::new(cos, 0.0, sin) * radius(i, flower)
@@ -363,7 +363,8 @@ fn find(
         ..Wish::default()
     };
     let unusable = |error: String| Failure::Unusable(format!("figure 12: {error}"));
-    let variable = variable(&start, &wish).map_err(|error| unusable(error.to_string()))?;
+    let variable = variable(&start, &capwalk_scene::params::Registry::new(&start), &wish)
+        .map_err(|error| unusable(error.to_string()))?;
     let variables =
         Variables::new(&start, vec![variable]).map_err(|error| unusable(error.to_string()))?;
     let problem = Problem {

@@ -40,7 +40,7 @@ impl Subject {
         step: f64,
     ) -> Result<Self, Failure> {
         scene.film = Film::new(width, height, Filter::Box);
-        let motion = params::motion(&scene, parameter);
+        let motion = params::Registry::new(&scene).motion(&scene, parameter);
         Ok(Self {
             motion: motion.map_err(|error| Failure::Unusable(error.to_string()))?,
             scene,
@@ -109,7 +109,7 @@ impl Run {
     pub fn variance(&self) -> Measured {
         let mut variance = Moments::default();
         for error in &self.gradient().standard_error.pixels {
-            variance.add(f64::from(self.spp) * error.length_squared() / 3.0);
+            variance.add(f64::from(self.spp) * error.dot(*error) / 3.0);
         }
         variance.into()
     }

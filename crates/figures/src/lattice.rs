@@ -110,9 +110,7 @@ pub fn in_mirror([width, height]: [u32; 2]) -> Result<Subject, Failure> {
         * Affine::rotate(Vec3::new(0.0, 1.0, 0.0), 0.01)
         * Affine::scale(Vec3::new(3.5, 1.4, 1.0));
     let (mesh, normals) = primitive::rectangle(place);
-    scene
-        .shapes
-        .push(Shape::new("mirror", mesh, normals, material));
+    scene.add_shape(Shape::new("mirror", mesh, normals, material));
     Subject::new(scene, "lattice.translate.x", [width, height], STEP)
 }
 
@@ -122,7 +120,7 @@ impl Caster {
     }
 
     fn shape<'a>(&self, scene: &'a mut Scene) -> Result<&'a mut Shape, Failure> {
-        let mut shapes = scene.shapes.iter_mut();
+        let mut shapes = scene.shapes_mut();
         shapes
             .find(|shape| shape.id == self.shape)
             .ok_or_else(|| self.missing())

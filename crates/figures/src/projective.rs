@@ -163,7 +163,7 @@ mod tests {
         assert_eq!(found.mean.at(1, 0), Rgb::new(38.0, 39.0, 40.0));
         // Of 0, 10, ..., 70: the standard deviation is 10 √6.
         let expected = 10.0 * 6.0_f64.sqrt() / 8.0_f64.sqrt();
-        assert!((found.standard_error.at(0, 0).x - expected).abs() < 1e-9);
+        assert!((found.standard_error.at(0, 0).r - expected).abs() < 1e-9);
         assert!(estimate(&bytes, 2, 2).is_none());
     }
 }

@@ -105,7 +105,7 @@ impl Loss {
         while levels.len() < self.levels as usize && !levels[levels.len() - 1].is_one_pixel() {
             levels.push(levels[levels.len() - 1].halved());
         }
-        let whole: f64 = levels[0].weights.iter().map(|w| w.x + w.y + w.z).sum();
+        let whole: f64 = levels[0].weights.iter().map(|w| w.r + w.g + w.b).sum();
         let share = 1.0 / (whole * levels.len() as f64);
         let (mut value, mut noise) = (0.0, Some(0.0));
         // From the coarsest level to the picture itself.

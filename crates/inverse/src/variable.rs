@@ -20,6 +20,7 @@ mod overlap;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
+use std::sync::Arc;
 
 use capwalk_diff::Wanted;
 use capwalk_math::Vec3;
@@ -171,7 +172,7 @@ impl Variables {
         }
         let mut scene = base.moved(&line, 1.0);
         for (shape, pose) in self.poses(values) {
-            pose.apply(&base.shapes[shape], &mut scene.shapes[shape]);
+            pose.apply(&base.shapes[shape], Arc::make_mut(&mut scene.shapes[shape]));
         }
         for (variable, range) in self.iter() {
             if let Map::Array(array) = &variable.map {

@@ -44,9 +44,9 @@ fn problem() -> Problem {
         wish("lamp.rotate.x"),
         wish("lamp.scale"),
     ];
-    let variables = wishes
-        .iter()
-        .map(|wish| variable(&scene, wish).expect("fine"));
+    let variables = wishes.iter().map(|wish| {
+        variable(&scene, &capwalk_scene::params::Registry::new(&scene), wish).expect("fine")
+    });
     let variables = Variables::new(&scene, variables.collect()).expect("they fit");
     let target = |scene: &Scene, seed: u64| {
         let options = Options { spp: 64, seed };

@@ -23,6 +23,7 @@ use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Range, Sub};
 
 use crate::real::Real;
+use crate::rgb::Rgb;
 use crate::vec3::Vec3;
 
 /// What was computed, in order. The first place stands for all constants: what
@@ -171,6 +172,14 @@ impl Adjoints {
         self.add(v.x, adjoint.x);
         self.add(v.y, adjoint.y);
         self.add(v.z, adjoint.z);
+    }
+
+    /// Adds to the adjoints of a colour's channels.
+    #[inline]
+    pub fn add_colour(&mut self, c: Rgb<Var<'_>>, adjoint: Rgb) {
+        self.add(c.r, adjoint.r);
+        self.add(c.g, adjoint.g);
+        self.add(c.b, adjoint.b);
     }
 
     /// The adjoint of a number; zero for constants.

@@ -17,14 +17,17 @@ pub struct Vec3<R = f64> {
     pub z: R,
 }
 
-/// Linear radiance, reflectance or their derivatives: red, green, blue.
-pub type Rgb<R = f64> = Vec3<R>;
-
 impl<R> Vec3<R> {
     /// A vector from its components.
     #[inline]
     pub const fn new(x: R, y: R, z: R) -> Self {
         Self { x, y, z }
+    }
+
+    /// The components as an array.
+    #[inline]
+    pub fn to_array(self) -> [R; 3] {
+        [self.x, self.y, self.z]
     }
 }
 
@@ -82,12 +85,6 @@ impl<R: Real> Vec3<R> {
             determinant([self.z, self.x], [b.z, b.x]),
             determinant([self.x, self.y], [b.x, b.y]),
         )
-    }
-
-    /// Component-wise product, for colours.
-    #[inline]
-    pub fn hadamard(self, b: Self) -> Self {
-        Self::new(self.x * b.x, self.y * b.y, self.z * b.z)
     }
 
     /// Squared Euclidean length.
@@ -166,12 +163,6 @@ impl Vec3 {
         self.x.max(self.y).max(self.z)
     }
 
-    /// The components as an array.
-    #[inline]
-    pub fn to_array(self) -> [f64; 3] {
-        [self.x, self.y, self.z]
-    }
-
     /// A vector that carries the velocity `tangent`.
     #[inline]
     pub fn with_tangent(self, tangent: Vec3) -> Vec3<Dual<1>> {
@@ -191,8 +182,8 @@ impl<const N: usize> Vec3<Dual<N>> {
     }
 }
 
-impl From<[f64; 3]> for Vec3 {
-    fn from([x, y, z]: [f64; 3]) -> Self {
+impl<R> From<[R; 3]> for Vec3<R> {
+    fn from([x, y, z]: [R; 3]) -> Self {
         Self::new(x, y, z)
     }
 }

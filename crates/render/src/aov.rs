@@ -21,13 +21,13 @@ pub fn layer_at<R: Real, W: SceneEval<R>>(
 ) -> Rgb<R> {
     match layer {
         Layer::Depth => Rgb::splat((surface.position - origin).length()),
-        Layer::Position => surface.position,
+        Layer::Position => Rgb::from(surface.position.to_array()),
         Layer::Uv => {
             let [u, v] = surface.point.uv;
             Rgb::new(u, v, R::constant(0.0))
         }
-        Layer::GeometricNormal => surface.geometric(),
-        Layer::ShadingNormal => surface.outward,
+        Layer::GeometricNormal => Rgb::from(surface.geometric().to_array()),
+        Layer::ShadingNormal => Rgb::from(surface.outward.to_array()),
         Layer::Albedo => {
             let Some(vertex) = vertex_at(world, accel, surface, direction) else {
                 return Rgb::zero();

@@ -89,5 +89,5 @@ pub fn emitted_and_reflected(
     };
     let world = Primal(accel);
     let radiance = emitted_at(&world, accel, emitter, hit.as_ref(), origin, direction);
-    vertex.eval(direction).hadamard(radiance)
+    vertex.eval(direction) * radiance
 }

@@ -120,7 +120,7 @@ impl Tracer<'_> {
             };
             chain.here = accel.flat_events(&found);
             let (emitted, next) = self.emitted(world, &vertex, depth, chain, draw);
-            light += throughput.hadamard(emitted);
+            light += throughput * emitted;
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
                 break;
             };
@@ -134,13 +134,13 @@ impl Tracer<'_> {
                     let (walk, numbers) = self.vertex_walk(depth, 1, draw);
                     let warped = world.warp(&eye, next.direction, walk, numbers);
                     let f = vertex.eval(warped.direction);
-                    throughput = throughput.hadamard(f * (warped.jacobian * over_density));
+                    throughput = throughput * (f * (warped.jacobian * over_density));
                     chain = SpecularChain::default();
                     warped.direction
                 }
                 Some(event) => {
                     let (wo, fraction) = vertex.specular(event);
-                    throughput = throughput.hadamard(fraction * over_density);
+                    throughput = throughput * (fraction * over_density);
                     chain.count = chain.after(event.event);
                     wo
                 }
@@ -220,15 +220,15 @@ impl Tracer<'_> {
                 };
                 if let Some(event) = sample.specular {
                     let (direction, fraction) = vertex.specular(event);
-                    light += fraction.hadamard(radiance(direction)) * weight;
+                    light += fraction * radiance(direction) * weight;
                     return;
                 }
                 let emitter = self.accel.scene.emitter(sample.emitter);
-                if let Some(delta) = emitter.delta_light(vertex.position, |id| world.texel(id, 0).x)
+                if let Some(delta) = emitter.delta_light(vertex.position, |id| world.texel(id, 0).r)
                 {
                     let f = vertex.eval(delta.direction);
                     let irradiance = world.texel(emitter.radiance(), 0) * delta.factor;
-                    light += f.hadamard(irradiance) * weight;
+                    light += f * irradiance * weight;
                     return;
                 }
                 let warped = match self.gathers(sample.emitter) {
@@ -239,7 +239,7 @@ impl Tracer<'_> {
                     }
                 };
                 let f = vertex.eval(warped.direction);
-                light += f.hadamard(radiance(warped.direction)) * (warped.jacobian * weight);
+                light += f * radiance(warped.direction) * (warped.jacobian * weight);
             },
             |event, hit| {
                 if W::MOVES && (chain.after(event.event).is_none() || self.misses_mirrors()) {

@@ -107,7 +107,7 @@ mod tests {
         let bsdf = scene.shapes[0].bsdf;
         let mut shape = Shape::new("skewed", mesh, ShadingNormals::Face, bsdf);
         shape.uvs = Some(vec![uvs]);
-        scene.shapes = vec![shape];
+        scene.shapes = vec![shape.into()];
         scene.emitters.clear();
         // 2 u - 3 v at the centres of 8 x 8 texels.
         let centre = |i: usize| (i as f64 + 0.5) / 8.0;
@@ -138,7 +138,7 @@ mod tests {
             surface: &surface,
             frame,
         };
-        let [by_s, by_t] = textures.gradient(heights).map(|slope| slope.x);
+        let [by_s, by_t] = textures.gradient(heights).map(|slope| slope.r);
         let rise = |i: usize| 2.0 * (uvs[i][0] - uvs[0][0]) - 3.0 * (uvs[i][1] - uvs[0][1]);
         for i in [1, 2] {
             let way = corners[i] - corners[0];

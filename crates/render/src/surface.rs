@@ -149,7 +149,7 @@ pub fn emitted_at<R: Real, W: SceneEval<R>>(
             _,
         ) => {
             let texels = map.lookup(direction, |index| world.texel(*data, index));
-            texels.hadamard(world.texel(*scale, 0))
+            texels * world.texel(*scale, 0)
         }
         (Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }, _) => {
             unreachable!("no ray meets a light without extent")

@@ -200,7 +200,7 @@ mod tests {
         assert!(statistics.too_many_non_finite() && statistics.complete);
         let picture = averages.estimate(&scene, 0).mean;
         assert!(picture.pixels.iter().all(|pixel| pixel.is_finite()));
-        let mean = picture.pixels.iter().map(|pixel| pixel.x).sum::<f64>() / 48.0;
+        let mean = picture.pixels.iter().map(|pixel| pixel.r).sum::<f64>() / 48.0;
         assert!((mean - (1.0 - share)).abs() < 1e-12, "{mean}");
     }
 }

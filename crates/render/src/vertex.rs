@@ -1,7 +1,7 @@
 //! A vertex of a path.
 
 use capwalk_math::{Frame, Real, Rgb, Vec3};
-use capwalk_scene::lobe::{Bsdf, Specular};
+use capwalk_scene::lobe::{LocalBsdf, Specular};
 
 /// A surface point that scatters light.
 #[derive(Clone, Debug)]
@@ -15,7 +15,7 @@ pub struct Vertex<R> {
     /// Unit direction to the viewer in that frame.
     pub wi: Vec3<R>,
     /// What it does to light.
-    pub bsdf: Bsdf<R>,
+    pub bsdf: LocalBsdf<R>,
     /// True if light can come from both sides.
     pub transmits: bool,
 }
@@ -27,7 +27,7 @@ impl<R: Real> Vertex<R> {
         face_normal: Vec3,
         frame: Frame<R>,
         wi: Vec3<R>,
-        bsdf: Bsdf<R>,
+        bsdf: LocalBsdf<R>,
     ) -> Self {
         let transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
         Self {

@@ -14,9 +14,10 @@ mod texture;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use capwalk_math::Vec3;
-use capwalk_scene::scene::BsdfId;
+use capwalk_scene::BsdfId;
 use capwalk_scene::{
     Emitter, Integrator, Material, Quantity, Scene, SceneError, SensorModel, Settings, Shape,
     Texture, TextureId,
@@ -175,10 +176,10 @@ impl Lowering<'_> {
             self.context.warn(root, message);
         }
         let scene = Scene {
-            shapes: self.shapes,
+            shapes: self.shapes.into_iter().map(Arc::new).collect(),
             materials: self.materials,
             emitters: self.emitters,
-            textures: self.textures,
+            textures: self.textures.into_iter().map(Arc::new).collect(),
             sensor,
             film,
             settings: Settings {
@@ -289,7 +290,7 @@ impl Places {
             | SceneError::NoTextureCoordinates { shape, .. }
             | SceneError::NoDirections { shape, .. }
             | SceneError::NoAttribute { shape, .. } => shape_span(shape),
-            SceneError::ZeroAreaLamp { shape } => {
+            SceneError::ZeroAreaEmitter { shape } => {
                 let lamp = scene.shapes.iter().find(|s| s.id == *shape);
                 let emitter = lamp.and_then(|s| s.emitter);
                 emitter.map(|e| self.emitters[e.0 as usize])
@@ -298,7 +299,7 @@ impl Places {
                 let index = scene.materials.iter().position(|m| m.id == *material);
                 index.map(|i| self.materials[i])
             }
-            SceneError::PictureSize { .. } => self.film,
+            SceneError::ImageSize { .. } => self.film,
             SceneError::BadNumber { name, .. } => {
                 // `wood.data, texel 5` stands where `wood.data` does.
                 let number = name.split(", texel ").next().unwrap_or(name);
@@ -309,6 +310,7 @@ impl Places {
                 let mut environments = emitters.filter(|(e, _)| e.is_environment());
                 environments.nth(1).map(|(_, span)| *span)
             }
+            _ => None,
         };
         Problem::new(span.unwrap_or(root), error.to_string())
     }

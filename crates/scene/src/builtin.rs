@@ -102,7 +102,9 @@ mod tests {
             let scene = scene(name).expect("it is listed");
             scene.check().expect(name);
             let parameter = default_parameter(name).expect("it is listed");
-            let motion = params::motion(&scene, parameter).expect(parameter);
+            let motion = params::Registry::new(&scene)
+                .motion(&scene, parameter)
+                .expect(parameter);
             assert!(motion.shapes.iter().any(Option::is_some), "{name}");
             assert!(description(name).is_some_and(|text| text.len() < 100));
             assert_eq!(

@@ -1,17 +1,15 @@
 //! Light sources.
 
-mod delta;
+pub mod delta;
 mod environment;
 
-pub use delta::DeltaLight;
 pub use environment::{EnvironmentMap, EnvironmentTable};
 
 use capwalk_math::{Affine, Vec3};
 
-use crate::bsdf::Slot;
+use crate::ids::{ShapeId, TextureId};
 use crate::quantity::Quantity;
-use crate::scene::{Scene, ShapeId};
-use crate::texture::TextureId;
+use crate::slot::Slot;
 
 /// A light source.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,18 +21,18 @@ pub enum Emitter {
         /// What it emits.
         radiance: TextureId,
     },
-    /// The same radiance from every direction that meets no shape.
+    /// The same radiance from every direction in which no shape is hit.
     Constant {
         /// Name of the emitter, for parameters.
         id: String,
         /// What it emits.
         radiance: TextureId,
     },
-    /// Radiance from a picture of all directions.
+    /// Radiance from an image of all directions.
     EnvironmentMap {
         /// Name of the emitter, for parameters.
         id: String,
-        /// The picture's form and place.
+        /// The image's size and rotation.
         map: EnvironmentMap,
         /// Its texels.
         data: TextureId,
@@ -136,28 +134,12 @@ impl Emitter {
 
     /// True if it surrounds the scene.
     pub fn is_environment(&self) -> bool {
-        matches!(self, Self::Constant { .. } | Self::EnvironmentMap { .. })
-    }
-
-    /// What users call it: `<shape>.emitter`, or its own id.
-    pub fn name(&self, scene: &Scene) -> String {
         match self {
-            Self::Area { shape, .. } => format!("{}.emitter", scene.shape(*shape).id),
-            Self::Constant { id, .. }
-            | Self::EnvironmentMap { id, .. }
-            | Self::Point { id, .. }
-            | Self::Spot { id, .. }
-            | Self::Directional { id, .. } => id.clone(),
+            Self::Constant { .. } | Self::EnvironmentMap { .. } => true,
+            Self::Area { .. }
+            | Self::Point { .. }
+            | Self::Spot { .. }
+            | Self::Directional { .. } => false,
         }
-    }
-}
-
-impl Scene {
-    /// The environment map that has these texels.
-    pub fn environment_map_of(&self, texels: TextureId) -> Option<&EnvironmentMap> {
-        self.emitters.iter().find_map(|emitter| match emitter {
-            Emitter::EnvironmentMap { map, data, .. } if *data == texels => Some(map),
-            _ => None,
-        })
     }
 }

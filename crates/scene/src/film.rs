@@ -1,7 +1,7 @@
-//! The film: how many pixels, and what part of the picture.
+//! The film: how many pixels, and what part of the image.
 
 use crate::filter::Filter;
-use crate::scene::SceneError;
+use crate::scene_error::SceneError;
 
 /// The film of a sensor. Film coordinates are in pixels, `x` to the right and
 /// `y` down, `(0, 0)` at the upper left corner of the whole film.
@@ -11,7 +11,7 @@ pub struct Film {
     pub size: [u32; 2],
     /// Upper left pixel of the part that is rendered.
     pub crop_offset: [u32; 2],
-    /// Width and height of the part that is rendered: the picture's size.
+    /// Width and height of the part that is rendered: the image's size.
     pub crop_size: [u32; 2],
     /// The reconstruction filter.
     pub filter: Filter,
@@ -22,7 +22,7 @@ pub struct Film {
 }
 
 impl Film {
-    /// The most pixels a picture may have (a gradient keeps about 200 bytes
+    /// The most pixels an image may have (a gradient keeps about 200 bytes
     /// for each).
     pub const MAX_PIXELS: u64 = 1 << 26;
 
@@ -37,7 +37,7 @@ impl Film {
         }
     }
 
-    /// How many pixels the picture has.
+    /// How many pixels the image has.
     pub fn pixel_count(&self) -> usize {
         self.crop_size[0] as usize * self.crop_size[1] as usize
     }
@@ -47,8 +47,9 @@ impl Film {
         let pixels = u64::from(w) * u64::from(h);
         let whole = u64::from(self.size[0]) * u64::from(self.size[1]);
         if pixels == 0 || pixels > Self::MAX_PIXELS || whole == 0 {
-            return Err(SceneError::PictureSize {
+            return Err(SceneError::ImageSize {
                 size: self.crop_size,
+                most: Self::MAX_PIXELS,
             });
         }
         for axis in 0..2 {

@@ -2,12 +2,12 @@
 
 use capwalk_math::Real;
 
-use crate::scene::SceneError;
+use crate::scene_error::SceneError;
 
 /// A separable filter, in pixels around the pixel's centre.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Filter {
-    /// One within the pixel, zero outside. It jumps at its border.
+    /// One within the pixel, zero outside. Discontinuous at its border.
     Box,
     /// `1 - |x| / radius`.
     Tent {

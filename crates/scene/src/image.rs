@@ -2,7 +2,7 @@
 
 use capwalk_math::Rgb;
 
-/// A picture of linear colours, row by row from the upper left.
+/// An image of linear colours, row by row from the upper left.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// Pixels in a row.
@@ -14,7 +14,7 @@ pub struct Image {
 }
 
 impl Image {
-    /// A black picture.
+    /// A black image.
     pub fn new(width: usize, height: usize) -> Self {
         Self {
             width,

@@ -4,35 +4,40 @@
 //! A [`Scene`] never changes while it is rendered. Nothing here opens a file,
 //! knows an integrator, or casts a ray.
 
-pub mod bsdf;
 pub mod builtin;
 pub mod emitter;
 pub mod film;
 pub mod filter;
+pub mod ids;
 pub mod image;
-pub mod lobe;
-mod makeup;
+pub mod material;
 pub mod motion;
 pub mod params;
 pub mod primitive;
 pub mod quantity;
-pub mod resolve;
 pub mod scene;
+mod scene_error;
 pub mod sensor;
 pub mod settings;
 pub mod shape;
+pub mod slot;
+mod surface_point;
 pub mod texture;
 
-pub use bsdf::{Bsdf, Material};
 pub use emitter::Emitter;
+pub use emitter::delta::DeltaLight;
 pub use film::Film;
 pub use filter::Filter;
+pub use ids::{BsdfId, EmitterId, ShapeId, TextureId};
 pub use image::Image;
+pub use material::{Bsdf, Material, Resolved, Resolver, bsdf, lobe, resolve};
 pub use motion::{Motion, SensorMotion, ShapeMotion};
 pub use quantity::Quantity;
-pub use resolve::{Resolved, Resolver};
-pub use scene::{BsdfId, EmitterId, Scene, SceneError, ShapeId};
+pub use scene::Scene;
+pub use scene_error::SceneError;
 pub use sensor::{Optic, Sensor, SensorModel};
 pub use settings::{Integrator, Layer, SamplerKind, Settings};
 pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, normal_sums, vertex_normals};
-pub use texture::{Pattern, SurfacePoint, Texture, TextureId};
+pub use slot::Slot;
+pub use surface_point::SurfacePoint;
+pub use texture::{Pattern, Texture};

@@ -2,18 +2,20 @@
 //! for a unit change of the parameter.
 
 use std::array;
+use std::sync::Arc;
 
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::{Affine, Dual, Rgb, Vec3};
 
+use crate::ids::TextureId;
 use crate::scene::Scene;
-use crate::sensor::Optic;
+use crate::sensor::{Optic, Sensor, SensorState};
 use crate::shape::{ShadingNormals, vertex_normals};
-use crate::texture::{TextureId, texel};
+use crate::texture::texel;
 
 /// Velocities of everything that can move or change.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// One per shape; `None` is at rest.
+    /// One per shape; `None` does not move.
     pub shapes: Vec<Option<ShapeMotion>>,
     /// Change of each texture's data, in their form; `None` does not change.
     pub textures: Vec<Option<Vec<f64>>>,
@@ -32,7 +34,7 @@ pub struct ShapeMotion {
     pub normals: Option<Vec<Vec3>>,
 }
 
-/// A motion of the sensor; at rest by default.
+/// A motion of the sensor; zero by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SensorMotion {
     /// Velocity of its origin, world units.
@@ -83,7 +85,7 @@ impl SensorMotion {
 }
 
 impl Motion {
-    /// Everything at rest.
+    /// Nothing moves or changes.
     pub fn zero(scene: &Scene) -> Self {
         Self {
             shapes: vec![None; scene.shapes.len()],
@@ -186,11 +188,48 @@ impl ShapeMotion {
     }
 }
 
+impl Sensor {
+    /// Its numbers with their velocities.
+    pub fn moving_state(&self, motion: &SensorMotion) -> SensorState<Dual<1>> {
+        let SensorState {
+            axes,
+            origin,
+            optics,
+        } = self.state();
+        let turning = |i: usize| motion.rotation.cross(axes[i]) + motion.axes[i];
+        SensorState {
+            axes: [0, 1, 2].map(|i| axes[i].with_tangent(turning(i))),
+            origin: origin.with_tangent(motion.translation),
+            optics: optics.with_tangent(motion.optics),
+        }
+    }
+
+    /// Moves on along a motion for `step`, turning rigidly where it turns.
+    fn move_along(&mut self, motion: &SensorMotion, step: f64) {
+        let camera = &mut self.world_from_camera;
+        let origin = camera.translation + motion.translation * step;
+        let rate = motion.rotation.length();
+        if rate > 0.0 {
+            *camera = Affine::rotate(motion.rotation, rate * step) * *camera;
+        }
+        for (i, row) in camera.rows.iter_mut().enumerate() {
+            *row += Vec3::from(motion.axes.map(|axis| axis[i])) * step;
+        }
+        camera.translation = origin;
+        for optic in Optic::ALL {
+            if let Some(number) = self.model.optic_mut(optic) {
+                *number += motion.optics[optic as usize] * step;
+            }
+        }
+    }
+}
+
 impl Scene {
     /// The scene after the motion has gone on for `step`: vertices, normals
     /// and numbers along straight lines, the sensor turning rigidly. Its
     /// derivative at `step = 0` is the motion; differences of it are what
-    /// derivatives are checked against.
+    /// derivatives are checked against. Shapes and textures that stay are shared with
+    /// this scene.
     pub fn moved(&self, motion: &Motion, step: f64) -> Scene {
         let mut scene = self.clone();
         let along = |values: &mut [Vec3], velocities: &[Vec3]| {
@@ -201,6 +240,7 @@ impl Scene {
         };
         for (shape, motion) in scene.shapes.iter_mut().zip(&motion.shapes) {
             let Some(motion) = motion else { continue };
+            let shape = Arc::make_mut(shape);
             along(&mut shape.mesh.positions, &motion.vertices);
             match (&mut shape.normals, &motion.normals) {
                 (ShadingNormals::Given(normals), Some(velocities)) => {
@@ -210,12 +250,14 @@ impl Scene {
                 (ShadingNormals::Computed(normals), _) => {
                     *normals = vertex_normals(&shape.mesh.positions, &shape.mesh.faces);
                 }
-                _ => {}
+                (ShadingNormals::Face | ShadingNormals::Given(_), _) => {}
             }
         }
         for (texture, velocities) in scene.textures.iter_mut().zip(&motion.textures) {
-            let velocities = velocities.iter().flatten();
-            let numbers = texture.data.iter_mut().zip(velocities);
+            let Some(velocities) = velocities else {
+                continue;
+            };
+            let numbers = Arc::make_mut(texture).data.iter_mut().zip(velocities);
             numbers.for_each(|(x, &v)| *x += v * step);
         }
         scene.sensor.move_along(&motion.sensor, step);
@@ -223,7 +265,7 @@ impl Scene {
     }
 
     /// Velocities of a shape's unit shading normals, one per vertex; `None` if
-    /// its triangles are flat or it is at rest.
+    /// its triangles are flat or it does not move.
     pub fn normal_velocities(&self, motion: &Motion, shape: usize) -> Option<Vec<Vec3>> {
         let velocities = motion.shapes[shape].as_ref()?;
         let shape = &self.shapes[shape];
@@ -242,6 +284,31 @@ impl Scene {
                 let normals = vertex_normals(&moving, &shape.mesh.faces);
                 Some(normals.into_iter().map(|n| n.tangent(0)).collect())
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::builtin;
+    use crate::params;
+
+    /// A scene that moves copies what moves, and shares everything else.
+    #[test]
+    fn what_stays_is_shared() {
+        let scene = builtin::scene("leaf").expect("built in");
+        let expression = "leaf.translate.x + lamp.emitter.radiance.value";
+        let motion = params::Registry::new(&scene)
+            .motion(&scene, expression)
+            .expect("parameters");
+        let moved = scene.moved(&motion, 0.5);
+        for (i, shape) in scene.shapes.iter().enumerate() {
+            assert_eq!(Arc::ptr_eq(shape, &moved.shapes[i]), shape.id != "leaf");
+        }
+        for (i, texture) in scene.textures.iter().enumerate() {
+            let stays = texture.id != "lamp.emitter.radiance";
+            assert_eq!(Arc::ptr_eq(texture, &moved.textures[i]), stays);
         }
     }
 }

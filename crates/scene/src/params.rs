@@ -1,5 +1,15 @@
 //! Which numbers of a scene can be differentiated, what they are called, and
-//! the [`Motion`] that each of them means.
+//! the [`Motion`](crate::Motion) that each of them means. A [`Registry`] knows all
+//! names of a scene:
+//!
+//! ```
+//! use capwalk_scene::{builtin, params::Registry};
+//! let scene = builtin::scene("ball").expect("built in");
+//! let registry = Registry::new(&scene);
+//! let motion = registry.motion(&scene, "ball.translate.x - 2*ball.scale")?;
+//! assert!(motion.textures.iter().all(Option::is_none));
+//! # Ok::<(), capwalk_scene::params::ParameterError>(())
+//! ```
 //!
 //! | name | unit change |
 //! |---|---|
@@ -20,7 +30,7 @@
 //!
 //! A texture with an id is called by it: `<texture>.value`, `<texture>.data`.
 //!
-//! Arrays, whose numbers each may change by themselves ([`arrays`]):
+//! Arrays, whose numbers each may change by themselves ([`Registry::arrays`]):
 //!
 //! | name | shape | numbers |
 //! |---|---|---|
@@ -52,166 +62,29 @@
 //! are matched whole and the longest wins, so ids may contain any of `.+-*`.
 
 mod array;
+mod array_names;
 mod element;
 mod error;
 mod expression;
 mod matrix;
 mod missing;
+mod names;
+mod near;
+mod optic;
+mod parameter;
 mod registry;
+mod request;
+mod scalar;
+mod target;
+mod users;
 mod velocity;
 
-pub use array::{ArrayParameter, arrays};
+pub use array::ArrayParameter;
 pub use error::ParameterError;
+pub use parameter::{Parameter, ParameterKind};
+pub use registry::Registry;
+pub use request::Request;
 pub use velocity::vertex_motion;
-
-use crate::motion::Motion;
-use crate::scene::Scene;
-use expression::Named;
-
-/// A number of the scene, or three that change together.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Parameter {
-    /// What it is called in expressions.
-    pub name: String,
-    /// What sort of change it is.
-    pub kind: ParameterKind,
-    /// What it is now: 0 for translations and rotations, 1 for scales, a
-    /// colour (three numbers) or one channel of it. Empty for the texels of a
-    /// bitmap and for attributes of meshes.
-    pub value: Vec<f64>,
-    /// Unit of the value, and of the derivative's denominator.
-    pub unit: &'static str,
-    /// True if edges move, seen from somewhere: the derivative then has a
-    /// boundary part.
-    pub moves_discontinuities: bool,
-    /// What changes, in a few words.
-    pub description: String,
-    /// The name under which the same parameter is listed first, if this is
-    /// only another name for it.
-    pub alias_of: Option<String>,
-}
-
-/// Sorts of parameters.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ParameterKind {
-    /// Position of a shape along a world axis.
-    Translation,
-    /// Angle of a shape about a world axis through its centre.
-    Rotation,
-    /// Size of a shape relative to what it is.
-    Scale,
-    /// What an emitter emits.
-    Radiance,
-    /// What a light without extent emits, per solid angle.
-    Intensity,
-    /// What parallel light brings, per area.
-    Irradiance,
-    /// A factor.
-    Factor,
-    /// How much a material reflects.
-    Reflectance,
-    /// Vertices of a shape.
-    Positions,
-    /// Shading normals given with a shape.
-    Normals,
-    /// Something that comes with a mesh, per vertex or per face.
-    Attribute,
-    /// How much a material transmits.
-    Transmittance,
-    /// How rough a surface is.
-    Roughness,
-    /// A refractive index, or the real part of one.
-    RefractiveIndex,
-    /// The imaginary part of a refractive index.
-    Extinction,
-    /// A number from 0 to 1: opacity, weight, metallic ...
-    Fraction,
-    /// An angle of a light.
-    Angle,
-    /// Normals from a texture.
-    Normal,
-    /// Heights from a texture.
-    Height,
-    /// Position of the sensor along a world axis.
-    SensorTranslation,
-    /// Angle of the sensor about a world axis through its origin.
-    SensorRotation,
-    /// The matrix that puts a shape in the world.
-    ToWorld,
-    /// The matrix that puts the sensor in the world.
-    SensorToWorld,
-    /// Horizontal field of view of the sensor.
-    FieldOfView,
-    /// Radius of the sensor's lens.
-    ApertureRadius,
-    /// Depth at which the sensor is sharp.
-    FocusDistance,
-}
-
-/// Every parameter of the scene, shape by shape, then emitters, materials and
-/// the sensor; other names directly behind the one they stand for.
-pub fn list(scene: &Scene) -> Vec<Parameter> {
-    registry::entries(scene)
-        .into_iter()
-        .filter_map(|entry| entry.describe(scene))
-        .collect()
-}
-
-/// The motion that an expression means: a parameter's name, or several with
-/// factors. See the module's table.
-pub fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
-    let entries = registry::entries(scene);
-    let mut motion = Motion::zero(scene);
-    let terms = expression::parse(scene, &entries, expression).map_err(|error| match error {
-        ParameterError::Unknown { name, .. } => unknown(scene, name),
-        error => error,
-    })?;
-    for term in terms {
-        match term.named {
-            Named::Target(target) => {
-                velocity::accumulate(scene, target, term.factor, &mut motion);
-            }
-            Named::Element(element) => {
-                motion.add(&element.motion(scene).scaled(term.factor));
-            }
-        }
-    }
-    Ok(motion)
-}
-
-/// What a gradient can be asked for by one text.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Request {
-    /// An array, by its name.
-    Array(ArrayParameter),
-    /// One number, by an expression.
-    Motion(Motion),
-}
-
-/// What a text asks for. A name that is both means the array: `<id>.value` is
-/// three numbers, `1*<id>.value` all of them together.
-pub fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
-    if let Some(array) = array::find(scene, text.trim())? {
-        return Ok(Request::Array(array));
-    }
-    motion(scene, text).map(Request::Motion)
-}
-
-/// What is wrong with a name that is no scalar's.
-fn unknown(scene: &Scene, name: String) -> ParameterError {
-    let mut names: Vec<String> = arrays(scene).into_iter().map(|a| a.name).collect();
-    if names.contains(&name) {
-        return ParameterError::Array { name };
-    }
-    if let Some(reason) = missing::reason(scene, &name) {
-        return ParameterError::NoParameter { name, reason };
-    }
-    let scalars = list(scene).into_iter().map(|parameter| parameter.name);
-    let scalars: Vec<String> = scalars.filter(|name| !names.contains(name)).collect();
-    names.extend(scalars);
-    let near = error::near(&name, names.iter().map(String::as_str));
-    ParameterError::Unknown { name, near }
-}
 
 #[cfg(test)]
 mod tests;

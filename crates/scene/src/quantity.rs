@@ -126,7 +126,21 @@ impl Quantity {
     pub fn moves_edges(self) -> bool {
         match self {
             Self::RefractiveIndex { bends } => bends,
-            _ => false,
+            Self::Radiance
+            | Self::Intensity
+            | Self::Irradiance
+            | Self::Factor
+            | Self::SignedFactor
+            | Self::Reflectance
+            | Self::Transmittance
+            | Self::Roughness
+            | Self::MetalIndex
+            | Self::Extinction
+            | Self::Fraction
+            | Self::Angle
+            | Self::Normal
+            | Self::Height
+            | Self::Attribute => false,
         }
     }
 }

@@ -1,39 +1,33 @@
 //! The whole scene: flat lists that refer to each other by id.
 
-use std::fmt;
+use std::sync::Arc;
 
-use capwalk_geometry::MeshError;
-
-use crate::bsdf::{Material, Slot};
-use crate::emitter::Emitter;
+use crate::emitter::{Emitter, EnvironmentMap};
 use crate::film::Film;
+use crate::ids::{BsdfId, EmitterId, ShapeId, TextureId};
+use crate::material::bsdf::Material;
 use crate::quantity::Quantity;
+use crate::scene_error::SceneError;
 use crate::sensor::Sensor;
 use crate::settings::Settings;
 use crate::shape::Shape;
-use crate::texture::{Pattern, Texture, TextureId};
-
-/// Index into [`Scene::shapes`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct ShapeId(pub u32);
-/// Index into [`Scene::materials`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct BsdfId(pub u32);
-/// Index into [`Scene::emitters`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct EmitterId(pub u32);
+use crate::slot::Slot;
+use crate::texture::{Pattern, Texture};
 
 /// A scene, in world coordinates.
+///
+/// Shapes and textures are shared: a clone costs no mesh, and a change copies only
+/// what changes ([`Scene::shape_mut`], [`Scene::texture_mut`], [`Arc::make_mut`]).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
     /// Shapes; their ids are unique.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<Arc<Shape>>,
     /// Materials that shapes refer to.
     pub materials: Vec<Material>,
     /// Light sources. At most one of them is an environment.
     pub emitters: Vec<Emitter>,
     /// The numbers of materials and emitters.
-    pub textures: Vec<Texture>,
+    pub textures: Vec<Arc<Texture>>,
     /// The camera.
     pub sensor: Sensor,
     /// Its film.
@@ -41,145 +35,6 @@ pub struct Scene {
     /// How to render it.
     pub settings: Settings,
 }
-
-/// Why a scene cannot be rendered.
-#[derive(Clone, Debug, PartialEq)]
-pub enum SceneError {
-    /// A shape's mesh is unusable.
-    Mesh {
-        /// The shape.
-        shape: String,
-        /// What is wrong.
-        error: MeshError,
-    },
-    /// A lamp has no area to emit from.
-    ZeroAreaLamp {
-        /// The shape.
-        shape: String,
-    },
-    /// The picture has no pixels, or more than [`Film::MAX_PIXELS`].
-    PictureSize {
-        /// Width and height.
-        size: [u32; 2],
-    },
-    /// Two shapes have the same id.
-    DuplicateId {
-        /// The id.
-        id: String,
-    },
-    /// A number is infinite, NaN, or outside its range.
-    BadNumber {
-        /// Which number, for example `floor.bsdf.reflectance.value`.
-        name: String,
-        /// What it is.
-        value: String,
-        /// What it should be.
-        expected: &'static str,
-    },
-    /// There is more than one environment emitter.
-    SeveralEnvironments,
-    /// A material contradicts itself.
-    Material {
-        /// The material.
-        material: String,
-        /// What is wrong, and what to do.
-        problem: &'static str,
-    },
-    /// A texture needs texture coordinates that the shape does not have.
-    NoTextureCoordinates {
-        /// The shape.
-        shape: String,
-        /// The texture.
-        texture: String,
-    },
-    /// A map of normals needs texture coordinates that the shape does not have.
-    NoDirections {
-        /// The shape.
-        shape: String,
-        /// The material with the map.
-        material: String,
-    },
-    /// A texture asks for an attribute that the shape does not have.
-    NoAttribute {
-        /// The shape.
-        shape: String,
-        /// The texture.
-        texture: String,
-        /// The attribute.
-        attribute: String,
-        /// Those that the shape has.
-        known: Vec<String>,
-    },
-}
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Mesh { shape, error } => write!(f, "shape \"{shape}\": {error}"),
-            Self::ZeroAreaLamp { shape } => write!(
-                f,
-                "the lamp \"{shape}\" has no area and cannot emit; give its mesh at least one \
-                 triangle with area, or remove its emitter"
-            ),
-            Self::PictureSize { size: [w, h] } => write!(
-                f,
-                "the picture has {w} x {h} pixels; expected at least 1 x 1 and at most {} in all",
-                Film::MAX_PIXELS
-            ),
-            Self::DuplicateId { id } => {
-                write!(f, "two shapes have the id \"{id}\"; give each its own")
-            }
-            Self::BadNumber {
-                name,
-                value,
-                expected,
-            } => {
-                write!(f, "{name} is {value}; expected {expected}")
-            }
-            Self::SeveralEnvironments => {
-                write!(
-                    f,
-                    "there is more than one emitter around the scene (constant, envmap); keep one"
-                )
-            }
-            Self::Material { material, problem } => {
-                write!(
-                    f,
-                    "the material \"{material}\" cannot be rendered: {problem}"
-                )
-            }
-            Self::NoTextureCoordinates { shape, texture } => write!(
-                f,
-                "the texture \"{texture}\" needs texture coordinates, but the mesh of \"{shape}\" \
-                 has none; add them to all corners of the mesh, or give one colour"
-            ),
-            Self::NoDirections { shape, material } => write!(
-                f,
-                "the map of normals \"{material}\" needs texture coordinates to say in which \
-                 directions they turn, but the mesh of \"{shape}\" has none; add them to all \
-                 corners of the mesh, or use the material inside the map"
-            ),
-            Self::NoAttribute {
-                shape,
-                texture,
-                attribute,
-                known,
-            } => {
-                write!(
-                    f,
-                    "the texture \"{texture}\" asks for \"{attribute}\", but the mesh of \
-                     \"{shape}\" "
-                )?;
-                match known[..] {
-                    [] => write!(f, "has no attributes"),
-                    _ => write!(f, "has only {}", known.join(", ")),
-                }
-            }
-        }
-    }
-}
-
-impl std::error::Error for SceneError {}
 
 impl Scene {
     /// Checks everything that rendering relies on. Call it on every scene that
@@ -206,7 +61,7 @@ impl Scene {
                 });
             }
             if shape.emitter.is_some() && shape.mesh.area() <= 0.0 {
-                return Err(SceneError::ZeroAreaLamp {
+                return Err(SceneError::ZeroAreaEmitter {
                     shape: shape.id.clone(),
                 });
             }
@@ -329,6 +184,22 @@ impl Scene {
         &self.shapes[id.0 as usize]
     }
 
+    /// The shape with this id, to be changed; copied first if another scene has it, too.
+    pub fn shape_mut(&mut self, id: ShapeId) -> &mut Shape {
+        Arc::make_mut(&mut self.shapes[id.0 as usize])
+    }
+
+    /// All shapes, to be changed; each that another scene has, too, is copied first.
+    pub fn shapes_mut(&mut self) -> impl Iterator<Item = &mut Shape> {
+        self.shapes.iter_mut().map(Arc::make_mut)
+    }
+
+    /// Adds a shape, behind all others.
+    pub fn add_shape(&mut self, shape: Shape) -> ShapeId {
+        self.shapes.push(Arc::new(shape));
+        ShapeId(self.shapes.len() as u32 - 1)
+    }
+
     /// The material with this id.
     pub fn material(&self, id: BsdfId) -> &Material {
         &self.materials[id.0 as usize]
@@ -343,5 +214,44 @@ impl Scene {
     pub fn environment(&self) -> Option<EmitterId> {
         let index = self.emitters.iter().position(Emitter::is_environment)?;
         Some(EmitterId(index as u32))
+    }
+
+    /// The texture with this id.
+    #[inline]
+    pub fn texture(&self, id: TextureId) -> &Texture {
+        &self.textures[id.0 as usize]
+    }
+
+    /// The texture with this id, to be changed; copied first if another scene has it, too.
+    pub fn texture_mut(&mut self, id: TextureId) -> &mut Texture {
+        Arc::make_mut(&mut self.textures[id.0 as usize])
+    }
+
+    /// Adds a texture, behind all others.
+    pub fn add_texture(&mut self, texture: Texture) -> TextureId {
+        self.textures.push(Arc::new(texture));
+        TextureId(self.textures.len() as u32 - 1)
+    }
+
+    /// The environment map that has these texels.
+    pub fn environment_map_of(&self, texels: TextureId) -> Option<&EnvironmentMap> {
+        self.emitters.iter().find_map(|emitter| match emitter {
+            Emitter::EnvironmentMap { map, data, .. } if *data == texels => Some(map),
+            _ => None,
+        })
+    }
+}
+
+impl Emitter {
+    /// What users call it: `<shape>.emitter`, or its own id.
+    pub fn name(&self, scene: &Scene) -> String {
+        match self {
+            Self::Area { shape, .. } => format!("{}.emitter", scene.shape(*shape).id),
+            Self::Constant { id, .. }
+            | Self::EnvironmentMap { id, .. }
+            | Self::Point { id, .. }
+            | Self::Spot { id, .. }
+            | Self::Directional { id, .. } => id.clone(),
+        }
     }
 }

@@ -1,16 +1,13 @@
 //! Sensors, with Mitsuba's conventions.
 //!
 //! Camera space: `+z` looks forward, `+y` is up, `+x` points to the left of
-//! the picture. How a film point looks into it is in [`view`].
+//! the image. How a film point looks into it is in [`view`].
 
 pub mod view;
 
-use capwalk_math::{Affine, Dual, Vec3};
+use capwalk_math::{Affine, Vec3};
 
-use crate::film::Film;
-use crate::motion::SensorMotion;
-use crate::scene::SceneError;
-use view::View;
+use crate::scene_error::SceneError;
 
 /// A sensor.
 #[derive(Clone, Debug, PartialEq)]
@@ -146,45 +143,6 @@ impl Sensor {
         }
     }
 
-    /// Its numbers with their velocities.
-    pub fn moving_state(&self, motion: &SensorMotion) -> SensorState<Dual<1>> {
-        let SensorState {
-            axes,
-            origin,
-            optics,
-        } = self.state();
-        let turning = |i: usize| motion.rotation.cross(axes[i]) + motion.axes[i];
-        SensorState {
-            axes: [0, 1, 2].map(|i| axes[i].with_tangent(turning(i))),
-            origin: origin.with_tangent(motion.translation),
-            optics: optics.with_tangent(motion.optics),
-        }
-    }
-
-    /// Moves on along a motion for `step`, turning rigidly where it turns.
-    pub(crate) fn move_along(&mut self, motion: &SensorMotion, step: f64) {
-        let camera = &mut self.world_from_camera;
-        let origin = camera.translation + motion.translation * step;
-        let rate = motion.rotation.length();
-        if rate > 0.0 {
-            *camera = Affine::rotate(motion.rotation, rate * step) * *camera;
-        }
-        for (i, row) in camera.rows.iter_mut().enumerate() {
-            *row += Vec3::from(motion.axes.map(|axis| axis[i])) * step;
-        }
-        camera.translation = origin;
-        for optic in Optic::ALL {
-            if let Some(number) = self.model.optic_mut(optic) {
-                *number += motion.optics[optic as usize] * step;
-            }
-        }
-    }
-
-    /// What it sees from the middle of its lens.
-    pub fn view(&self, film: &Film) -> View<f64> {
-        View::new(self, film, &self.state(), [0.0; 2])
-    }
-
     pub(crate) fn check(&self) -> Result<(), SceneError> {
         let bad = |name: &str, value: String, expected| {
             let name = format!("{}.{name}", self.id);
@@ -237,7 +195,9 @@ impl Sensor {
                 format!("{offset:?}"),
                 "finite numbers",
             ),
-            _ => Ok(()),
+            SensorModel::Perspective { .. }
+            | SensorModel::ThinLens { .. }
+            | SensorModel::Orthographic => Ok(()),
         }
     }
 }

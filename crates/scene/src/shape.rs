@@ -3,8 +3,7 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Real, Vec3};
 
-use crate::scene::{BsdfId, EmitterId};
-use crate::texture::TextureId;
+use crate::ids::{BsdfId, EmitterId, TextureId};
 
 /// A shape.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,7 +19,7 @@ pub struct Shape {
     pub normals: ShadingNormals,
     /// Its material.
     pub bsdf: BsdfId,
-    /// What it emits, if it is a lamp.
+    /// What it emits, if anything.
     pub emitter: Option<EmitterId>,
     /// Texture coordinates of the corners of each triangle. Two triangles may
     /// give a vertex that they share different ones.

@@ -2,18 +2,12 @@
 //! that is the same everywhere is a texture with one texel.
 
 mod bitmap;
-mod lookup;
 
 pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
-pub use lookup::SurfacePoint;
 
 use capwalk_math::{Real, Rgb};
 
-use crate::scene::{Scene, SceneError};
-
-/// Index into [`Scene::textures`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct TextureId(pub u32);
+use crate::scene_error::SceneError;
 
 /// Numbers, and how they cover a surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,15 +102,28 @@ impl Texture {
 
     /// True if it depends on texture coordinates.
     pub fn needs_uv(&self) -> bool {
-        matches!(
-            self.pattern,
-            Pattern::Bitmap(_) | Pattern::Checkerboard { .. }
-        )
+        match self.pattern {
+            Pattern::Bitmap(_) | Pattern::Checkerboard { .. } => true,
+            Pattern::Constant
+            | Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => false,
+        }
     }
 
-    /// True if its slopes are known: if it is a bitmap of interpolated texels.
-    pub fn has_slopes(&self) -> bool {
-        matches!(&self.pattern, Pattern::Bitmap(bitmap) if bitmap.filter == TexelFilter::Bilinear)
+    /// True if its derivatives along the surface are known: if it is a bitmap of
+    /// interpolated texels.
+    pub fn has_derivatives(&self) -> bool {
+        match &self.pattern {
+            Pattern::Bitmap(bitmap) => bitmap.filter == TexelFilter::Bilinear,
+            Pattern::Constant
+            | Pattern::Checkerboard { .. }
+            | Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => false,
+        }
     }
 
     /// Its value at texture coordinates `uv`. `texel` gives its texels, with
@@ -124,7 +131,7 @@ impl Texture {
     /// picture, as in Mitsuba.
     ///
     /// # Panics
-    /// If it depends on more than texture coordinates ([`Scene::lookup`]).
+    /// If it depends on more than texture coordinates ([`Scene::lookup`](crate::Scene::lookup)).
     pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
         match &self.pattern {
             Pattern::Constant => texel(0),
@@ -182,7 +189,7 @@ impl Texture {
         }
         SceneError::BadNumber {
             name,
-            value: format!("({}, {}, {})", value.x, value.y, value.z),
+            value: format!("({}, {}, {})", value.r, value.g, value.b),
             expected,
         }
     }
@@ -209,25 +216,6 @@ pub fn texel(data: &[f64], channels: usize, index: usize) -> Rgb {
     match channels {
         1 => Rgb::splat(data[index]),
         _ => Rgb::new(data[3 * index], data[3 * index + 1], data[3 * index + 2]),
-    }
-}
-
-impl Scene {
-    /// The texture with this id.
-    #[inline]
-    pub fn texture(&self, id: TextureId) -> &Texture {
-        &self.textures[id.0 as usize]
-    }
-
-    /// The texture with this id, to be changed.
-    pub fn texture_mut(&mut self, id: TextureId) -> &mut Texture {
-        &mut self.textures[id.0 as usize]
-    }
-
-    /// Adds a texture.
-    pub fn add_texture(&mut self, texture: Texture) -> TextureId {
-        self.textures.push(texture);
-        TextureId(self.textures.len() as u32 - 1)
     }
 }
 

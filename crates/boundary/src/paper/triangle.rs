@@ -153,7 +153,7 @@ mod tests {
         let corner = |[x, y, distance]: [f64; 3]| {
             view.eye + view.direction([width * x, height * y]) * distance
         };
-        let leaf = scene.shapes.iter_mut().find(|shape| shape.id == "leaf");
+        let leaf = scene.shapes_mut().find(|shape| shape.id == "leaf");
         let corners = [[0.1, 0.3, 0.3], [0.9, 0.5, 1.0], [0.4, 0.7, 0.9]];
         leaf.expect("it is there").mesh.positions = corners.map(corner).to_vec();
         scene.sensor.near_clip = 0.6;

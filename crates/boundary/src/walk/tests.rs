@@ -21,7 +21,7 @@ fn mirrored() -> Scene {
     };
     let floor = scene.shapes[0].bsdf;
     scene.materials[floor.0 as usize].bsdf = Bsdf::Conductor(metal);
-    for shape in &mut scene.shapes {
+    for shape in scene.shapes_mut() {
         shape.normals = ShadingNormals::Face;
         shape.uvs = None;
     }
@@ -32,11 +32,11 @@ fn mirrored() -> Scene {
 fn doubled() -> Scene {
     let mut scene = mirrored();
     let eye = scene.sensor.origin();
-    let floor = &mut scene.shapes[0].mesh;
+    let floor = &mut scene.shape_mut(capwalk_scene::ShapeId(0)).mesh;
     // Out of sight, above the eye.
     let away = |p: &Vec3| *p * 1e-3 + eye * 50.0;
     floor.positions = floor.positions.iter().map(away).collect();
-    for shape in &mut scene.shapes[1..] {
+    for shape in scene.shapes_mut().skip(1) {
         let mut image = shape.mesh.clone();
         image.positions.iter_mut().for_each(|p| p.y = -p.y);
         shape.mesh.append(&image);

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail, ensure};
 use capwalk_diff::{GradientOptions, Prepared, Wanted};
-use capwalk_scene::params::{self, ArrayParameter, Request};
+use capwalk_scene::params::{ArrayParameter, Registry, Request};
 use capwalk_scene::{Motion, Scene};
 use capwalk_scene_io::arrays::{self, Array, Arrays, METADATA};
 use serde_json::{Value, json};
@@ -114,8 +114,9 @@ struct Parameter {
 /// All arrays that can be differentiated by, under their first names, and a
 /// warning that names the others.
 fn all_parameters(scene: &Scene) -> Result<(Vec<Parameter>, String)> {
-    let arrays = params::arrays(scene).into_iter();
-    let first_names = arrays.filter(|array| array.alias_of.is_none());
+    let registry = Registry::new(scene);
+    let arrays = registry.arrays().iter();
+    let first_names = arrays.filter(|array| array.alias_of.is_none()).cloned();
     let parameters = |arrays: Vec<ArrayParameter>| -> Vec<Parameter> {
         let arrays = arrays.into_iter();
         let parameter = |array: ArrayParameter| Parameter {
@@ -143,9 +144,10 @@ fn all_parameters(scene: &Scene) -> Result<(Vec<Parameter>, String)> {
 
 /// What was asked for.
 fn parameters(scene: &Scene, names: &[String]) -> Result<Vec<Parameter>> {
+    let registry = Registry::new(scene);
     let mut parameters = Vec::new();
     for name in names {
-        let request = params::request(scene, name)?;
+        let request = registry.request(scene, name)?;
         if let Request::Motion(motion) = &request {
             ensure!(
                 !moving::is_zero(motion),

@@ -56,7 +56,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         filter: None,
     })?;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
-    let motion = params::motion(&scene, parameter)?;
+    let motion = params::Registry::new(&scene).motion(&scene, parameter)?;
     let file = |what: &str| {
         let stem = args.output.join(format!("{SCENE}{what}"));
         Files::new(&[], &stem.display().to_string(), &["exr", "png"])

@@ -2,7 +2,6 @@
 
 use anyhow::Result;
 use capwalk_diff::Refusal;
-use capwalk_math::Vec3;
 use capwalk_scene::params::{self, ArrayParameter, Parameter};
 use capwalk_scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
@@ -16,11 +15,11 @@ use crate::{console, moving, report, source};
 
 pub fn run(args: &Info) -> Result<Outcome> {
     let scene = source::load(&args.scene)?;
-    let parameters = params::list(&scene);
-    let arrays = params::arrays(&scene);
+    let registry = params::Registry::new(&scene);
+    let (parameters, arrays) = (registry.scalars(&scene), registry.arrays());
     let refusal = capwalk_diff::refusal(&capwalk_diff::Prepared::new(scene.clone()));
     if args.json {
-        console::print_json(&to_json(&scene, &parameters, &arrays, refusal.as_ref()))?;
+        console::print_json(&to_json(&scene, &parameters, arrays, refusal.as_ref()))?;
     } else {
         // Before the tables, which are long.
         let refused = refusal.as_ref().map(|refusal| {
@@ -79,7 +78,7 @@ fn summary(name: &str, scene: &Scene) -> String {
             format!(
                 "{} at {}",
                 sensor(&scene.sensor.model),
-                vector(scene.sensor.origin())
+                triple(scene.sensor.origin().to_array())
             ),
         ),
         (
@@ -92,7 +91,10 @@ fn summary(name: &str, scene: &Scene) -> String {
                 report::counted(scene.emitters.len(), "emitter")
             ),
         ),
-        ("extent", format!("{} to {}", vector(low), vector(high))),
+        (
+            "extent",
+            format!("{} to {}", triple(low.to_array()), triple(high.to_array())),
+        ),
     ])
 }
 
@@ -137,8 +139,8 @@ fn integrator(integrator: &Integrator) -> String {
     }
 }
 
-fn vector(v: Vec3) -> String {
-    let [x, y, z] = [v.x, v.y, v.z].map(report::number);
+fn triple(numbers: [f64; 3]) -> String {
+    let [x, y, z] = numbers.map(report::number);
     format!("({x}, {y}, {z})")
 }
 
@@ -183,10 +185,10 @@ fn shapes(scene: &Scene) -> String {
 fn texture(scene: &Scene, id: TextureId) -> String {
     let texture = scene.texture(id);
     match &texture.pattern {
-        Pattern::Constant => vector(texture.texel(0)),
+        Pattern::Constant => triple(texture.texel(0).to_array()),
         Pattern::Bitmap(bitmap) => format!("bitmap of {} x {}", bitmap.width, bitmap.height),
         Pattern::Checkerboard { .. } => {
-            let [first, second] = [0, 1].map(|i| vector(texture.texel(i)));
+            let [first, second] = [0, 1].map(|i| triple(texture.texel(i).to_array()));
             format!("checkerboard of {first}, {second}")
         }
         Pattern::MeshAttribute { name, .. } => format!("attribute {name}"),
@@ -344,7 +346,7 @@ fn to_json(
         "spp": scene.settings.spp,
         "seed": scene.settings.seed,
         "integrator": integrator(&scene.settings.integrator),
-        "bounds": [array(low), array(high)],
+        "bounds": [low.to_array(), high.to_array()],
         "triangles": scene.shapes.iter().map(|s| s.mesh.faces.len()).sum::<usize>(),
         "shapes": shapes.collect::<Vec<_>>(),
         "parameters": parameters.collect::<Vec<_>>(),
@@ -357,11 +359,7 @@ fn to_json(
 fn emits(scene: &Scene, id: EmitterId) -> Value {
     let radiance = scene.emitter(id).radiance();
     match scene.texture(radiance).is_constant() {
-        true => json!(array(scene.texture(radiance).texel(0))),
+        true => json!(scene.texture(radiance).texel(0).to_array()),
         false => json!(texture(scene, radiance)),
     }
-}
-
-fn array(v: Vec3) -> [f64; 3] {
-    [v.x, v.y, v.z]
 }

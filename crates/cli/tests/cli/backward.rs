@@ -1,6 +1,6 @@
 //! `capwalk backward`: arrays, scalars, losses and what is refused.
 
-use capwalk_math::{Moments, Vec3};
+use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_scene::{Image, Motion, builtin, params};
 use capwalk_scene_io::arrays::{self, Array, Arrays};
 use capwalk_scene_io::image::{self, Picture, Preview};
@@ -62,7 +62,11 @@ fn arrays_and_scalars_belong_together() {
     ));
     let file = read(&capwalk, "g.npz");
     let scene = builtin::scene("ball").expect("built in");
-    let motion = |name: &str| params::motion(&scene, name).expect("known");
+    let motion = |name: &str| {
+        params::Registry::new(&scene)
+            .motion(&scene, name)
+            .expect("known")
+    };
     let ball = scene.shapes.iter().position(|s| s.id == "ball");
     let velocities = |motion: &Motion| -> Vec<f64> {
         let ball = motion.shapes[ball.expect("a ball")].as_ref();
@@ -143,7 +147,7 @@ fn forward_and_reverse_agree_within_their_errors() {
     // Brighter to the right: the two sides of the shadow do not cancel.
     write_adjoint(&capwalk, "a.exr", "value", |image| {
         for (i, pixel) in image.pixels.iter_mut().enumerate() {
-            *pixel = Vec3::new(1.0, 0.5, -0.2) * ((i % 16) as f64 - 7.5);
+            *pixel = Rgb::new(1.0, 0.5, -0.2) * ((i % 16) as f64 - 7.5);
         }
     });
     let name = "leaf.translate.x-0.3*lamp.translate.y";
@@ -270,10 +274,10 @@ fn losses_and_their_gradients() {
 fn texels_of_a_bitmap() {
     let capwalk = Capwalk::new("backward_bitmap");
     write_adjoint(&capwalk, "a.npz", "adjoint", |image| {
-        image.pixels.fill(Vec3::new(1.0, 2.0, 3.0));
+        image.pixels.fill(Rgb::new(1.0, 2.0, 3.0));
     });
     let mut bitmap = Picture::default();
-    let pixels = (1..=6).map(|i| Vec3::splat(0.1 * f64::from(i)));
+    let pixels = (1..=6).map(|i| Rgb::splat(0.1 * f64::from(i)));
     let image = Image {
         width: 3,
         height: 2,
@@ -377,7 +381,7 @@ fn adjoints_that_do_not_fit() {
     let capwalk = Capwalk::new("backward_adjoints");
     write_adjoint(&capwalk, "a.npz", "adjoint", |_| {});
     write_adjoint(&capwalk, "nan.npz", "adjoint", |image| {
-        image.pixels[16 * 2 + 7].y = f64::NAN
+        image.pixels[16 * 2 + 7].g = f64::NAN
     });
     write_adjoint(&capwalk, "layer.npz", "gradient", |_| {});
     let leaf = |rest: &str| capwalk.error(&format!("backward leaf --spp 4 {rest}"));

@@ -92,7 +92,7 @@ fn the_files_have_the_right_shape() {
         for layer in layers {
             let image = picture.layer(layer).expect(layer);
             assert_eq!((image.width, image.height), (16, 12), "{file} {layer}");
-            let not_zero = image.pixels.iter().any(|p| p.x != 0.0);
+            let not_zero = image.pixels.iter().any(|p| p.r != 0.0);
             assert!(not_zero, "{file}: {layer} is empty");
         }
         assert_eq!(metadata(&picture, "complete"), "true", "{file}");

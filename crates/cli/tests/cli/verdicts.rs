@@ -17,7 +17,7 @@ fn a_right_gradient_is_right() {
     // The plain mean of z² is that of the picture's own z.
     let picture = capwalk_scene_io::image::read(&capwalk.path("c.npz")).expect("readable");
     let z = picture.layer("z").expect("a layer").pixels.iter();
-    let sum: f64 = z.map(|pixel| pixel.x.powi(2)).sum();
+    let sum: f64 = z.map(|pixel| pixel.r.powi(2)).sum();
     let pixels = comparison["pixels"].as_f64().expect("a count");
     let plain = comparison["mean_z_squared_plain"].as_f64();
     let plain = plain.expect("a number");

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, Wanted, backward, gradient};
-use capwalk_math::Vec3;
+use capwalk_math::Rgb;
 use capwalk_scene::{Image, params};
 use capwalk_scene_io::arrays;
 use capwalk_scene_io::image::{self, Picture, Preview};
@@ -23,7 +23,7 @@ const SINGLE: f64 = 1e-4;
 /// Numbers between -1 and 1 that look random and are exact in single precision.
 fn weights(width: usize, height: usize) -> Image {
     let number = |i: usize| f64::from(((12.9898 * i as f64).sin() * 437.585).sin() as f32);
-    let pixel = |i: usize| Vec3::new(number(3 * i), number(3 * i + 1), number(3 * i + 2));
+    let pixel = |i: usize| Rgb::new(number(3 * i), number(3 * i + 1), number(3 * i + 2));
     Image {
         width,
         height,
@@ -40,7 +40,9 @@ fn dot(a: &Image, b: &Image) -> f64 {
 pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
-    let motion = params::motion(&scene, parameter).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, parameter)
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
     let settings = GradientOptions::new(Options {
         spp: SPP,
         seed: SEED,

@@ -17,7 +17,9 @@ const FEW: u32 = 4;
 pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     let name = format!("{}, {parameter}, edges", folder.name);
     let scene = folder.scene();
-    let motion = params::motion(&scene, parameter).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, parameter)
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
     let is_at_rest = motion.shapes.iter().all(Option::is_none);
     if is_at_rest && motion.sensor == SensorMotion::default() {
         return;

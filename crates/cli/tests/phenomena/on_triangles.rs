@@ -13,7 +13,9 @@ use crate::methods::{by, meets};
 pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
     let name = format!("{}, {parameter}, triangles", folder.name);
     let scene = folder.scene();
-    let motion = params::motion(&scene, parameter).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, parameter)
+        .unwrap_or_else(|e| panic!("{name}: {e}"));
     let spp = scene.settings.spp;
     meets(
         &name,

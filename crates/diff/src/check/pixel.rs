@@ -1,6 +1,6 @@
 //! One number per pixel, its errors, and a weight that does not know it.
 
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::Rgb;
 
 use capwalk_render::Estimate;
 
@@ -152,7 +152,7 @@ fn guarded_variance(own: [f64; 2], around: [f64; 2]) -> f64 {
 
 /// One channel of a colour.
 pub(super) fn channel(colour: Rgb, c: usize) -> f64 {
-    [colour.x, colour.y, colour.z][c]
+    colour[c]
 }
 
 /// Sums of variances over rectangles of a picture.
@@ -173,8 +173,8 @@ impl Surroundings {
             .pixels
             .iter()
             .map(|e| match e.is_finite() {
-                true => Vec3::new(e.x * e.x, e.y * e.y, e.z * e.z),
-                false => Vec3::zero(), // left out
+                true => *e * *e,
+                false => Rgb::zero(), // left out
             })
             .collect();
         let stride = width + 1;

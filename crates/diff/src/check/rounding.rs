@@ -1,6 +1,6 @@
 //! Differences that are rounding, and nothing else.
 
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::Rgb;
 
 use capwalk_render::{Estimate, GradientImage};
 
@@ -18,7 +18,7 @@ const ROUNDING: f64 = 1e-12;
 /// from.
 pub fn without_rounding(reference: &GradientImage, step: f64) -> Estimate {
     let values = reference.value.mean.pixels.iter();
-    let values = values.flat_map(|p| [p.x, p.y, p.z]);
+    let values = values.flat_map(|p| [p.r, p.g, p.b]);
     let finite = values.filter(|x| x.is_finite());
     let largest = finite.fold(0.0, |largest: f64, x| largest.max(x.abs()));
     let level = ROUNDING * largest / step.abs();
@@ -33,5 +33,5 @@ pub fn without_rounding(reference: &GradientImage, step: f64) -> Estimate {
 /// A colour whose channels below a level are zero.
 fn above(colour: Rgb, level: f64) -> Rgb {
     let channel = |x: f64| if x.abs() < level { 0.0 } else { x };
-    Vec3::new(channel(colour.x), channel(colour.y), channel(colour.z))
+    Rgb::new(channel(colour.r), channel(colour.g), channel(colour.b))
 }

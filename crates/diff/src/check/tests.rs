@@ -1,6 +1,6 @@
 //! Synthetic pictures with known truth, fixed seeds, counted failures.
 
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
 use super::*;
@@ -65,8 +65,8 @@ fn picture(mut pixel: impl FnMut(usize, usize) -> (f64, f64)) -> Estimate {
     let mut standard_error = Image::new(SIZE, SIZE);
     for (y, x) in (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (y, x))) {
         let (value, error) = pixel(x, y);
-        mean.pixels[y * SIZE + x] = Vec3::splat(value);
-        standard_error.pixels[y * SIZE + x] = Vec3::splat(error);
+        mean.pixels[y * SIZE + x] = Rgb::splat(value);
+        standard_error.pixels[y * SIZE + x] = Rgb::splat(error);
     }
     Estimate {
         mean,
@@ -180,7 +180,7 @@ fn one_wrong_pixel_is_found() {
     let mut noise = Noise(1);
     let reference = gaussian(&mut noise, 0.3, 1.0, 0.0, 1.0);
     let mut gradient = gaussian(&mut noise, 0.3, 1.0, 0.0, 1.0);
-    gradient.mean.pixels[7 * SIZE + 30] += Vec3::splat(8.0);
+    gradient.mean.pixels[7 * SIZE + 30] += Rgb::splat(8.0);
     let comparison = compare(&gradient, &reference);
     assert_eq!((comparison.worst[0].0, comparison.worst[0].1), (30, 7));
     let Verdict::Wrong { reason } = comparison.verdict else {
@@ -294,8 +294,8 @@ fn pixels_without_an_error_are_left_out() {
     let reference = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
     let mut gradient = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
     for index in 0..SIZE * SIZE / 3 {
-        gradient.mean.pixels[index] = Vec3::splat(0.0);
-        gradient.standard_error.pixels[index] = Vec3::splat(f64::NAN);
+        gradient.mean.pixels[index] = Rgb::splat(0.0);
+        gradient.standard_error.pixels[index] = Rgb::splat(f64::NAN);
     }
     let comparison = compare(&gradient, &reference);
     assert_eq!(comparison.left_out, SIZE * SIZE / 3);
@@ -338,9 +338,9 @@ fn every_channel_is_looked_at() {
         for pixel in &mut gradient.mean.pixels {
             let factors = std::array::from_fn::<_, 3, _>(|i| 1.0 + 0.5 * f64::from(i as u64 == c));
             *pixel = Rgb::new(
-                pixel.x * factors[0],
-                pixel.y * factors[1],
-                pixel.z * factors[2],
+                pixel.r * factors[0],
+                pixel.g * factors[1],
+                pixel.b * factors[2],
             );
         }
         let verdict = compare(&gradient, &reference).verdict;
@@ -365,8 +365,8 @@ fn rounding_counts_as_zero() {
             true => (value, error),
             false => {
                 let i = y * SIZE + x;
-                let error = estimate.standard_error.pixels[i].x;
-                (estimate.mean.pixels[i].x, error)
+                let error = estimate.standard_error.pixels[i].r;
+                (estimate.mean.pixels[i].r, error)
             }
         })
     };

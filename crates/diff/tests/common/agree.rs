@@ -105,5 +105,7 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
 }
 
 pub fn motion(scene: &Scene, expression: &str) -> Motion {
-    params::motion(scene, expression).expect("a known name")
+    params::Registry::new(scene)
+        .motion(scene, expression)
+        .expect("a known name")
 }

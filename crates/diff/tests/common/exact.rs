@@ -26,8 +26,8 @@ pub fn means(picture: &Estimate) -> [(f64, f64); 5] {
         let (mut sum, mut variance, mut count) = (0.0, 0.0, 0.0);
         for (i, pixel) in picture.mean.pixels.iter().enumerate() {
             if is_in(i % width, i / width) {
-                sum += pixel.x;
-                variance += picture.standard_error.pixels[i].x.powi(2);
+                sum += pixel.r;
+                variance += picture.standard_error.pixels[i].r.powi(2);
                 count += 1.0;
             }
         }

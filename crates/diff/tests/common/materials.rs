@@ -20,8 +20,7 @@ impl Slots<'_> {
     }
     pub fn colour(&mut self, slot: &str, rgb: [f64; 3]) -> TextureId {
         let id = format!("{}.{slot}", self.material);
-        let [r, g, b] = rgb;
-        self.scene.add_texture(Texture::colour(id, v(r, g, b)))
+        self.scene.add_texture(Texture::colour(id, Rgb::from(rgb)))
     }
     pub fn copper(&mut self) -> Metal {
         Metal {
@@ -107,7 +106,7 @@ pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) ->
     );
     scene.materials[place].bsdf = bsdf;
     if is_clear {
-        let shape = scene.shapes.iter_mut().find(|s| s.id == shape);
+        let shape = scene.shapes_mut().find(|s| s.id == shape);
         shape.expect("a shape").bsdf = BsdfId(place as u32);
         scene.materials[place + 1].bsdf = Bsdf::Null; // not of this shape any more
     }

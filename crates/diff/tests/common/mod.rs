@@ -72,7 +72,7 @@ pub fn add(scene: &mut Scene, id: &str, mesh: Mesh, normals: ShadingNormals, gre
         },
     });
     let outer = BsdfId(inner.0 + 1);
-    scene.shapes.push(Shape::new(id, mesh, normals, outer));
+    scene.add_shape(Shape::new(id, mesh, normals, outer));
 }
 
 /// Makes the last shape added a lamp.
@@ -82,7 +82,7 @@ pub fn light_up(scene: &mut Scene, radiance: f64) {
     let name = format!("{}.emitter.radiance", scene.shape(shape).id);
     let radiance = scene.add_texture(Texture::colour(name, Rgb::splat(radiance)));
     scene.emitters.push(Emitter::Area { shape, radiance });
-    scene.shapes[shape.0 as usize].emitter = Some(id);
+    scene.shape_mut(shape).emitter = Some(id);
 }
 
 /// A floor in the plane z = 0, of the given half width.

@@ -94,11 +94,7 @@ pub fn with_parallel_rays(mut scene: Scene, half_width: f64) -> Scene {
 
 /// Texture coordinates from corner to corner of a horizontal rectangle.
 pub fn unit_square(scene: &mut Scene, shape: &str) {
-    let shape = scene
-        .shapes
-        .iter_mut()
-        .find(|s| s.id == shape)
-        .expect("a shape");
+    let shape = scene.shapes_mut().find(|s| s.id == shape).expect("a shape");
     let uv = |i: u32| {
         let p = shape.mesh.positions[i as usize];
         let (low, high) = shape.mesh.bounds();

@@ -18,9 +18,7 @@ pub fn bumpy_sphere(n: usize) -> Mesh {
             for j in 0..=n - i {
                 let k = n - i - j;
                 let p = Vec3::new(i as f64, j as f64, k as f64);
-                let p = p
-                    .hadamard(Vec3::new(sign(0), sign(1), sign(2)))
-                    .normalized();
+                let p = Vec3::new(p.x * sign(0), p.y * sign(1), p.z * sign(2)).normalized();
                 let wave = (7.0 * p.x).sin() * (5.0 * p.y + 1.0).sin() * (6.0 * p.z).cos();
                 mesh.positions.push(p * (0.95 + 0.08 * wave));
             }

@@ -71,16 +71,15 @@ impl Level {
         }
         for pixel in 0..self.values.len() {
             let (parent, share) = (self.parent(pixel), self.share(&half, pixel));
-            let times = |a: Rgb, b: Rgb| Rgb::new(a.x * b.x, a.y * b.y, a.z * b.z);
             // What counts nothing has no part, whatever it is.
             let part = |a: Rgb, factor: Rgb| {
-                let products = times(a, factor).to_array();
+                let products = (a * factor).to_array();
                 let kept = [0, 1, 2].map(|c| if factor[c] == 0.0 { 0.0 } else { products[c] });
                 Rgb::from(kept)
             };
             half.values[parent] += part(self.values[pixel], share);
             half.targets[parent] += part(self.targets[pixel], share);
-            half.variances[parent] += part(self.variances[pixel], times(share, share));
+            half.variances[parent] += part(self.variances[pixel], share * share);
         }
         half
     }
@@ -99,7 +98,7 @@ impl Level {
     pub fn pulled_back(&self, half: &Self, adjoint: &[Rgb]) -> Vec<Rgb> {
         let of = |pixel: usize| {
             let (share, slope) = (self.share(half, pixel), adjoint[self.parent(pixel)]);
-            Rgb::from([0, 1, 2].map(|c| share[c] * slope[c]))
+            share * slope
         };
         (0..self.values.len()).map(of).collect()
     }

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use capwalk_scene::params::{self, ArrayParameter, ParameterKind, Request};
+use capwalk_scene::params::{ArrayParameter, ParameterKind, Registry, Request};
 use capwalk_scene::{Motion, Scene, SensorMotion};
 
 use super::pose::Part;
@@ -78,14 +78,20 @@ impl std::error::Error for VariableError {}
 const MAX_LAMBDA: f64 = 1e12;
 
 /// The variable that is wished for.
-pub fn variable(scene: &Scene, wish: &Wish) -> Result<Variable, VariableError> {
-    let request = params::request(scene, &wish.name).map_err(|error| VariableError {
-        message: error.to_string(),
-        help: None,
-    })?;
+pub fn variable(
+    scene: &Scene,
+    registry: &Registry,
+    wish: &Wish,
+) -> Result<Variable, VariableError> {
+    let request = registry
+        .request(scene, &wish.name)
+        .map_err(|error| VariableError {
+            message: error.to_string(),
+            help: None,
+        })?;
     let (map, rest) = match request {
         Request::Array(array) => array_map(scene, wish, array)?,
-        Request::Motion(motion) => scalar_map(scene, wish, motion)?,
+        Request::Motion(motion) => scalar_map(scene, registry, wish, motion)?,
     };
     if !matches!(map, Map::Vertices(_)) {
         let only = [
@@ -160,11 +166,12 @@ fn array_map(
 /// Of a single number, and its value in the scene.
 fn scalar_map(
     scene: &Scene,
+    registry: &Registry,
     wish: &Wish,
     motion: Motion,
 ) -> Result<(Map, Vec<f64>), VariableError> {
     let name = wish.name.trim();
-    let listed = params::list(scene).into_iter().find(|p| p.name == name);
+    let listed = registry.scalar(scene, name);
     let axis = ["x", "y", "z"]
         .iter()
         .position(|a| name.ends_with(&format!(".{a}")));
@@ -187,7 +194,7 @@ fn scalar_map(
         (listed, _) => {
             let value = match listed.as_ref().map(|listed| &listed.value[..]) {
                 Some(&[value]) => Some(value),
-                _ => element(scene, name),
+                _ => element(scene, registry, name),
             };
             let turns = motion.shapes.iter().flatten().any(|s| s.normals.is_some());
             if turns || motion.sensor.rotation != SensorMotion::default().rotation {
@@ -209,17 +216,12 @@ fn scalar_map(
 
 /// What the number is now that a name such as `ball.positions[12,0]` means; `None`
 /// if it is something else, or several numbers.
-fn element(scene: &Scene, name: &str) -> Option<f64> {
-    let (array, indices) = params::arrays(scene)
-        .into_iter()
-        .filter_map(|array| {
-            let inside = name.strip_prefix(array.name.as_str())?;
-            let inside = inside.strip_prefix('[')?.strip_suffix(']')?;
-            let indices = inside.split(',').map(|index| index.trim().parse().ok());
-            let indices: Vec<usize> = indices.collect::<Option<_>>()?;
-            Some((array, indices))
-        })
-        .max_by_key(|(array, _)| array.name.len())?;
+fn element(scene: &Scene, registry: &Registry, name: &str) -> Option<f64> {
+    let (array, inside) = name.rsplit_once('[')?;
+    let array = registry.array(array).ok()??;
+    let indices = inside.strip_suffix(']')?.split(',');
+    let indices = indices.map(|index| index.trim().parse().ok());
+    let indices: Vec<usize> = indices.collect::<Option<_>>()?;
     if array.shape[indices.len().min(array.shape.len())..]
         .iter()
         .any(|&side| side != 1)
@@ -354,7 +356,11 @@ mod tests {
                 assert_eq!(made[0], made[1]);
             }
         }
-        let initial = |name: &str| variable(&scene, &wish(name)).expect("fine").initial;
+        let initial = |name: &str| {
+            variable(&scene, &Registry::new(&scene), &wish(name))
+                .expect("fine")
+                .initial
+        };
         let vertex = scene.shapes.iter().find(|shape| shape.id == "ball");
         let vertex = vertex.expect("a ball").mesh.positions[12];
         assert_eq!(initial("ball.positions[12, 1]"), [vertex.y]);

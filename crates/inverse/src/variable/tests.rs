@@ -18,8 +18,7 @@ pub(crate) fn ball() -> Scene {
     const SECTORS: u32 = 10;
     let mut scene = builtin::scene("ball").expect("built in");
     let ball = scene
-        .shapes
-        .iter_mut()
+        .shapes_mut()
         .find(|shape| shape.id == "ball")
         .expect("a ball");
     let centre = ball.centre();
@@ -49,9 +48,9 @@ pub(crate) fn ball() -> Scene {
 }
 
 pub(crate) fn variables(scene: &Scene, wishes: &[Wish]) -> Variables {
-    let made = wishes
-        .iter()
-        .map(|wish| variable(scene, wish).expect("fine"));
+    let made = wishes.iter().map(|wish| {
+        variable(scene, &capwalk_scene::params::Registry::new(scene), wish).expect("fine")
+    });
     Variables::new(scene, made.collect()).expect("they fit")
 }
 
@@ -312,7 +311,7 @@ fn seams_are_one_unknown() {
         .iter()
         .position(|s| s.id == "ball")
         .expect("a ball");
-    let mesh = &mut scene.shapes[index].mesh;
+    let mesh = &mut scene.shape_mut(capwalk_scene::ShapeId(index as u32)).mesh;
     let count = mesh.positions.len();
     let copy = mesh.positions[5];
     mesh.positions.push(copy);
@@ -322,7 +321,9 @@ fn seams_are_one_unknown() {
         .position(|face| face.contains(&5))
         .expect("it is used");
     mesh.faces[with_it] = mesh.faces[with_it].map(|i| if i == 5 { count as u32 } else { i });
-    scene.shapes[index].normals = ShadingNormals::Face;
+    scene
+        .shape_mut(capwalk_scene::ShapeId(index as u32))
+        .normals = ShadingNormals::Face;
     let variables = variables(&scene, &[wish("ball.positions")]);
     assert_eq!(variables.count(), 3 * count);
     let mut values = vec![0.0; 3 * count];
@@ -346,7 +347,7 @@ fn rim_of_a_disk_in_its_plane() {
         let (sin, cos) = (f64::from(i) / 25.0 * std::f64::consts::TAU).sin_cos();
         Vec3::new(cos, 1.5, sin)
     });
-    let mesh = &mut scene.shapes[index].mesh;
+    let mesh = &mut scene.shape_mut(capwalk_scene::ShapeId(index as u32)).mesh;
     mesh.positions = std::iter::once(Vec3::new(0.0, 1.5, 0.0))
         .chain(rim)
         .collect();
@@ -363,7 +364,12 @@ fn rim_of_a_disk_in_its_plane() {
         vertices: Some(Selection::Indices((1..26).collect())),
         ..wish
     };
-    let same = super::variable(&scene, &indices).expect("fine");
+    let same = super::variable(
+        &scene,
+        &capwalk_scene::params::Registry::new(&scene),
+        &indices,
+    )
+    .expect("fine");
     assert_eq!(same.initial.len(), 50);
     let moved = variables.apply(&scene, &random(50, 9)).expect("a scene");
     let heights = moved.shapes[index].mesh.positions.iter().map(|p| p.y);
@@ -373,7 +379,15 @@ fn rim_of_a_disk_in_its_plane() {
 #[test]
 fn names_and_values_are_those_of_the_scene() {
     let scene = ball();
-    let initial = |name: &str| variable(&scene, &wish(name)).expect("fine").initial;
+    let initial = |name: &str| {
+        variable(
+            &scene,
+            &capwalk_scene::params::Registry::new(&scene),
+            &wish(name),
+        )
+        .expect("fine")
+        .initial
+    };
     assert_eq!(initial("ball.scale"), [1.0]);
     assert_eq!(initial("ball.rotate.y"), [0.0]);
     assert_eq!(initial("lamp.emitter.radiance.value"), [34.0; 3]);
@@ -395,7 +409,10 @@ fn names_and_values_are_those_of_the_scene() {
 #[track_caller]
 pub(crate) fn refused(wishes: &[Wish], part: &str) {
     let scene = ball();
-    let made: Result<Vec<_>, _> = wishes.iter().map(|wish| variable(&scene, wish)).collect();
+    let made: Result<Vec<_>, _> = wishes
+        .iter()
+        .map(|wish| variable(&scene, &capwalk_scene::params::Registry::new(&scene), wish))
+        .collect();
     let error = made
         .and_then(|made| Variables::new(&scene, made))
         .expect_err(part);

@@ -1,7 +1,9 @@
+use std::sync::Arc;
+
 use super::*;
 use crate::load_scene;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::scene::BsdfId;
+use capwalk_scene::BsdfId;
 use capwalk_scene::{
     Bsdf, Emitter, Filter, Integrator, Material, Optic, SamplerKind, SensorModel, ShadingNormals,
     Texture, TextureId, builtin, primitive,
@@ -25,11 +27,7 @@ impl Drop for Directory {
 #[test]
 fn mesh_files_have_plain_and_different_names() {
     let mut scene = builtin::scene("box-room").expect("built in");
-    for (shape, id) in scene
-        .shapes
-        .iter_mut()
-        .zip(["a/b", "A b", "a_b", "../x", "é.1"])
-    {
+    for (shape, id) in scene.shapes_mut().zip(["a/b", "A b", "a_b", "../x", "é.1"]) {
         shape.id = id.into();
     }
     let names = file_names(scene.shapes.iter().map(|s| s.id.as_str()), "ply");
@@ -67,7 +65,7 @@ fn check_round_trip(scene: &Scene, name: &str) {
         *fov_x = expected;
     }
     other.world_from_camera.rows = own.world_from_camera.rows;
-    for (a, b) in scene.shapes.iter().zip(&mut loaded.shapes) {
+    for (a, b) in scene.shapes.iter().zip(loaded.shapes_mut()) {
         // Not printed: they may be long.
         assert!(a.mesh == b.mesh, "{name}: {}", a.id);
         if let (ShadingNormals::Given(a), ShadingNormals::Given(b)) = (&a.normals, &mut b.normals) {
@@ -116,7 +114,7 @@ fn every_setting_comes_back() {
             Rgb::new(r, 0.1 + 0.2, 1.0 / 3.0),
         ),
     };
-    scene.textures = colours.map(texture).to_vec();
+    scene.textures = colours.map(|colour| texture(colour).into()).to_vec();
     for emitter in &mut scene.emitters {
         if let Emitter::Area { radiance, .. } = emitter {
             *radiance = TextureId(3);
@@ -148,12 +146,12 @@ fn every_setting_comes_back() {
             bsdf: two_sided(4, 5),
         },
     ];
-    for (shape, bsdf) in scene.shapes.iter_mut().zip([3, 0, 6]) {
+    for (shape, bsdf) in scene.shapes_mut().zip([3, 0, 6]) {
         shape.bsdf = BsdfId(bsdf);
     }
     let mut add = |id: &str, mesh, normals, bsdf| {
         let shape = capwalk_scene::Shape::new(id, mesh, normals, BsdfId(bsdf));
-        scene.shapes.push(shape);
+        scene.add_shape(shape);
     };
     let mesh = primitive::icosphere(3);
     let normals = ShadingNormals::computed(&mesh);
@@ -246,7 +244,7 @@ value="1 2 3 0.1 5 6 7 0.2 9 10 11 0.3 0 0 0 1"/></transform></texture>
 value="1 2 3"/></texture></emitter></shape></scene>"#;
     let mut scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
     // Texels are written in single precision.
-    for texture in &mut scene.textures {
+    for texture in scene.textures.iter_mut().map(Arc::make_mut) {
         texture
             .data
             .iter_mut()

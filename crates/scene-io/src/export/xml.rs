@@ -3,9 +3,9 @@
 use std::fmt::Write;
 
 use capwalk_math::{Affine, Vec3};
+use capwalk_scene::BsdfId;
 use capwalk_scene::bsdf::NormalLimits;
 use capwalk_scene::lobe::Distribution;
-use capwalk_scene::scene::BsdfId;
 use capwalk_scene::texture::{TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
     Bsdf, Emitter, Film, Filter, Integrator, Optic, Pattern, SamplerKind, Scene, Sensor,

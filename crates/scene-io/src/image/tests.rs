@@ -68,15 +68,15 @@ fn exr_and_npz_give_back_what_was_written() {
 #[test]
 fn non_finite_pixels_are_counted_and_kept() {
     let mut picture = example();
-    picture.layers[0].image.pixels[3].y = f64::NAN;
-    picture.layers[1].image.pixels[4].x = f64::NEG_INFINITY;
+    picture.layers[0].image.pixels[3].g = f64::NAN;
+    picture.layers[1].image.pixels[4].r = f64::NEG_INFINITY;
     for (ending, count) in [("exr", 2), ("npz", 2), ("png", 1)] {
         let file = Temporary::new(&format!("nan.{ending}"));
         let written = write(&file.0, &picture, &Preview::default()).expect("writable");
         assert_eq!(written.non_finite_pixels, count, "{ending}");
         if ending != "png" {
             let back = read(&file.0).expect("readable");
-            assert!(back.layers[0].image.pixels[3].y.is_nan());
+            assert!(back.layers[0].image.pixels[3].g.is_nan());
         }
     }
 }
@@ -121,7 +121,7 @@ fn panels_show_non_finite_pixels() {
     let file = Temporary::new("panels.png");
     let picture = example();
     let mut broken = picture.layers[1].image.clone();
-    broken.pixels[0].x = f64::NAN;
+    broken.pixels[0].r = f64::NAN;
     let panel = |title, image, style| Panel {
         title,
         image,

@@ -56,7 +56,7 @@ pub(super) fn diverging(value: f64, limit: f64) -> [u8; 3] {
 
 /// The number that stands for a colour in false colours: its mean.
 pub(super) fn mean(colour: Rgb) -> f64 {
-    (colour.x + colour.y + colour.z) / 3.0
+    (colour.r + colour.g + colour.b) / 3.0
 }
 
 /// The fraction of coloured pixels that false colours show without clamping.

@@ -1,9 +1,9 @@
 //! Materials, one function per plugin or two that are alike.
 
 use capwalk_math::Rgb;
+use capwalk_scene::BsdfId;
 use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
 use capwalk_scene::lobe::Distribution;
-use capwalk_scene::scene::BsdfId;
 use capwalk_scene::{Bsdf, Material, Quantity, Texture, TextureId};
 
 use super::texture::choice;

@@ -27,7 +27,7 @@ pub(super) fn reflectance(
             if rgb.max_component() > 1.0 {
                 return Err(Problem::new(
                     span,
-                    format!("\"{name}\" is ({}, {}, {})", rgb.x, rgb.y, rgb.z),
+                    format!("\"{name}\" is ({}, {}, {})", rgb.r, rgb.g, rgb.b),
                 )
                 .help(
                     "expected numbers from 0 to 1: a surface cannot reflect more than it receives",
@@ -82,12 +82,12 @@ pub(super) fn unbounded(fields: &Fields, name: &'static str, default: Rgb) -> Re
 }
 
 fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
-    if colour.min(Rgb::zero()) == Rgb::zero() {
+    if !colour.to_array().iter().any(|&channel| channel < 0.0) {
         return Ok(());
     }
     Err(Problem::new(
         span,
-        format!("\"{name}\" is ({}, {}, {})", colour.x, colour.y, colour.z),
+        format!("\"{name}\" is ({}, {}, {})", colour.r, colour.g, colour.b),
     )
     .help("expected numbers of at least 0"))
 }

@@ -2,8 +2,8 @@
 
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::emitter::EnvironmentMap;
-use capwalk_scene::scene::{EmitterId, ShapeId};
 use capwalk_scene::{Emitter, Pattern, Quantity, Texture, TextureId};
+use capwalk_scene::{EmitterId, ShapeId};
 
 use super::Lowering;
 use super::sensor::RIGID;

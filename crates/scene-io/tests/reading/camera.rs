@@ -318,7 +318,7 @@ fn picture_of_no_pixels() {
     check(
         &film(r#"<integer name="width" value="0"/><integer name="height" value="48"/>"#),
         &[
-            "scene.xml:3:80: the picture has 0 x 48 pixels; expected at least 1 x 1 and at most 67108864 in all",
+            "scene.xml:3:80: the image has 0 x 48 pixels; expected at least 1 x 1 and at most 67108864 in all",
         ],
     );
 }
@@ -328,7 +328,7 @@ fn picture_of_too_many_pixels() {
     check(
         &film(r#"<integer name="width" value="100000"/><integer name="height" value="10000"/>"#),
         &[
-            "scene.xml:3:30: the picture has 100000 x 10000 pixels; expected at least 1 x 1 and at most 67108864 in all",
+            "scene.xml:3:30: the image has 100000 x 10000 pixels; expected at least 1 x 1 and at most 67108864 in all",
         ],
     );
 }

@@ -36,7 +36,7 @@ fn environment_maps() {
         panic!("an environment map");
     };
     assert_eq!((map.width, map.height), (4, 3));
-    assert_eq!(scene.texture(*scale).texel(0).x, 2.0);
+    assert_eq!(scene.texture(*scale).texel(0).r, 2.0);
     for (direction, expected) in MITSUBA {
         let direction = Vec3::from(direction).normalized();
         let value = map.lookup(direction, |i| scene.texture(*data).texel(i)) * 2.0;
@@ -48,7 +48,7 @@ fn environment_maps() {
         ("sky.data.b", ParameterKind::Radiance),
         ("sky.scale", ParameterKind::Factor),
     ] {
-        let parameters = params::list(&scene);
+        let parameters = params::Registry::new(&scene).scalars(&scene);
         let found = parameters.iter().find(|p| p.name == name).expect(name);
         assert_eq!((found.kind, found.moves_discontinuities), (kind, false));
     }
@@ -65,7 +65,9 @@ fn points_and_spots() {
         if id == "point" && *position == Vec3::new(1.0, 2.0, 3.0))
     );
     assert_eq!(emitted(&scene), Rgb::new(4.0, 5.0, 6.0));
-    params::motion(&scene, "point.intensity.value.g").expect("listed");
+    params::Registry::new(&scene)
+        .motion(&scene, "point.intensity.value.g")
+        .expect("listed");
 
     let scene = load(&with(
         "<emitter type=\"spot\"><transform name=\"to_world\">\
@@ -85,7 +87,9 @@ fn points_and_spots() {
     assert!((axis - Vec3::new(0.0, -1.0, 0.0)).length() < 1e-15);
     assert_eq!(scene.texture(*cutoff_angle).data, [20.0]);
     assert_eq!(scene.texture(*beam_width).data, [15.0]);
-    let widening = params::motion(&scene, "spot.cutoff_angle").expect("listed");
+    let widening = params::Registry::new(&scene)
+        .motion(&scene, "spot.cutoff_angle")
+        .expect("listed");
     let wide = scene
         .moved(&widening, -5.0)
         .check()
@@ -96,7 +100,9 @@ fn points_and_spots() {
     );
     assert_eq!(
         widening,
-        params::motion(&scene, "spot.cutoff_angle.value").expect("listed")
+        params::Registry::new(&scene)
+            .motion(&scene, "spot.cutoff_angle.value")
+            .expect("listed")
     );
 }
 

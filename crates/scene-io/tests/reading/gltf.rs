@@ -33,12 +33,12 @@ fn shape_of(name: &str, bytes: &[u8], properties: &str) -> Shape {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
     std::fs::write(&path, bytes).expect("a folder for temporary files");
     let plugin = if name.ends_with("obj") { "obj" } else { "gltf" };
-    let mut scene = load(&scene(&format!(
+    let scene = load(&scene(&format!(
         "<shape type=\"{plugin}\" id=\"s\"><string name=\"filename\" value=\"{}\"/>{properties}\
          </shape>",
         path.display()
     )));
-    scene.shapes.remove(0)
+    Shape::clone(&scene.shapes[0])
 }
 
 /// What must be equal where numbers were multiplied in another order.

@@ -24,7 +24,7 @@ fn bsdf<'s>(scene: &'s Scene, id: &str) -> &'s Bsdf {
 fn number(scene: &Scene, id: TextureId) -> f64 {
     let texture = scene.texture(id);
     assert_eq!(texture.channels, 1, "{}", texture.id);
-    texture.texel(0).x
+    texture.texel(0).r
 }
 
 fn colour(scene: &Scene, id: TextureId) -> Rgb {
@@ -123,7 +123,7 @@ fn parameters_have_the_names_that_users_type() {
          <bsdf type=\"mask\" id=\"veil\"><bsdf type=\"principled\"/></bsdf>\
          <shape type=\"cube\" id=\"box\"><ref id=\"veil\"/></shape>",
     ));
-    let parameters = params::list(&scene);
+    let parameters = params::Registry::new(&scene).scalars(&scene);
     for (name, kind, moves) in [
         ("metal.alpha.value", ParameterKind::Roughness, false),
         ("metal.alpha", ParameterKind::Roughness, false),
@@ -152,7 +152,9 @@ fn parameters_have_the_names_that_users_type() {
             (kind, moves),
             "{name}"
         );
-        let motion = params::motion(&scene, name).expect(name);
+        let motion = params::Registry::new(&scene)
+            .motion(&scene, name)
+            .expect(name);
         assert_eq!(motion.textures.iter().flatten().count(), 1, "{name}");
     }
 }

@@ -17,7 +17,7 @@ fn transform(steps: &str) -> [[f64; 4]; 3] {
     let text = scene(&format!(
         "<shape type=\"cube\"><transform name=\"to_world\">{steps}</transform></shape>"
     ));
-    let corners = load(&text).shapes.remove(0).mesh.positions;
+    let corners = load(&text).shapes[0].mesh.positions.clone();
     let axis = |bit: usize| (corners[1 << bit] - corners[0]) * 0.5;
     let origin = (corners[0] + corners[7]) * 0.5;
     let columns = [axis(0), axis(1), axis(2), origin];
@@ -504,9 +504,9 @@ fn to_world_is_that_of_the_file() {
     );
     let scene = load(&text);
     let matrix = |name: &str| {
-        let arrays = capwalk_scene::params::arrays(&scene);
-        let array = arrays.iter().find(|array| array.name == name);
-        array.expect(name).get(&scene)
+        let registry = capwalk_scene::params::Registry::new(&scene);
+        let array = registry.array(name).expect("one array").expect(name);
+        array.get(&scene)
     };
     let rows = |diagonal: [f64; 3], translation: [f64; 3]| {
         let mut numbers = vec![0.0; 16];

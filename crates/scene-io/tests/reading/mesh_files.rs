@@ -46,7 +46,7 @@ fn zero_area_lamp() {
     check(
         &mesh("obj", "line.obj", "<emitter type=\"area\"/>"),
         &[
-            "scene.xml:5:63: the lamp \"line\" has no area and cannot emit; give its mesh at \
+            "scene.xml:5:63: the emitter \"line\" has no area and cannot emit; give its mesh at \
              least one triangle with area, or remove its emitter",
         ],
     );

@@ -6,7 +6,7 @@ use crate::common::*;
 
 fn shape_ids(objects: &str) -> Vec<String> {
     let scene = load(&scene(objects));
-    scene.shapes.into_iter().map(|shape| shape.id).collect()
+    scene.shapes.iter().map(|shape| shape.id.clone()).collect()
 }
 
 #[test]

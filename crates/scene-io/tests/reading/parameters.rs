@@ -1,6 +1,6 @@
 //! `<default>`, `$name`, -D, `<include>`, `<path>`, `<alias>`.
 
-use capwalk_math::Vec3;
+use capwalk_math::Rgb;
 use capwalk_scene::Bsdf;
 
 use crate::common::*;
@@ -82,7 +82,7 @@ fn includes_bring_objects_and_use_parameters() {
         panic!("diffuse");
     };
     let reflectance = scene.texture(reflectance).texel(0);
-    assert_eq!(reflectance, Vec3::new(0.25, 0.0, 0.0));
+    assert_eq!(reflectance, Rgb::new(0.25, 0.0, 0.0));
     assert_eq!(scene.materials[1].id, "grey");
 }
 

@@ -101,7 +101,9 @@ fn bitmaps_have_their_form_and_names() {
     };
     assert_eq!((*width, *height), (4, 3));
     assert_eq!((*filter, *wrap), (TexelFilter::Nearest, Wrap::Clamp));
-    let motion = params::motion(&scene, "box.bsdf.reflectance.data.g").expect("listed");
+    let motion = params::Registry::new(&scene)
+        .motion(&scene, "box.bsdf.reflectance.data.g")
+        .expect("listed");
     let velocities = motion.textures.iter().flatten().next().expect("moves");
     let expected: Vec<f64> = [0.0, 1.0, 0.0].repeat(12);
     assert_eq!(*velocities, expected);
@@ -118,7 +120,9 @@ fn references_share_one_texture() {
     let ids: Vec<&str> = scene.textures.iter().map(|t| t.id.as_str()).collect();
     assert_eq!(ids, ["wood", "environment.radiance"]);
     for name in ["wood.data", "a.reflectance.data.r", "b.reflectance.data"] {
-        params::motion(&scene, name).unwrap_or_else(|error| panic!("{error}"));
+        params::Registry::new(&scene)
+            .motion(&scene, name)
+            .unwrap_or_else(|error| panic!("{error}"));
     }
 }
 
@@ -129,7 +133,9 @@ fn checkerboards_have_two_colours() {
     let scene = load(&textured(board));
     let texture = reflectance(&scene);
     assert_eq!(texture.data, [0.4, 0.4, 0.4, 0.1, 0.2, 0.3]);
-    let second = params::motion(&scene, "box.bsdf.reflectance.color1.value.b").expect("listed");
+    let second = params::Registry::new(&scene)
+        .motion(&scene, "box.bsdf.reflectance.color1.value.b")
+        .expect("listed");
     let velocities = second.textures.iter().flatten().next().expect("moves");
     assert_eq!(*velocities, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
     check(
@@ -164,7 +170,9 @@ fn meshes_bring_attributes() {
     assert_eq!(data("face_tint_color"), tints);
     let uvs = shape.uvs.as_ref().expect("s and t");
     assert_eq!(uvs[1], [[0.0, 0.0], [1.0, 0.75], [0.0, 1.0]]);
-    params::motion(&scene, "sheet.vertex_color.r + sheet.vertex_heat").expect("listed");
+    params::Registry::new(&scene)
+        .motion(&scene, "sheet.vertex_color.r + sheet.vertex_heat")
+        .expect("listed");
 }
 
 /// In OBJ files v points up, rows of bitmaps go down.

@@ -3,12 +3,13 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 
-use crate::bsdf::{Bsdf, Material};
 use crate::emitter::Emitter;
 use crate::film::Film;
 use crate::filter::Filter;
+use crate::ids::{BsdfId, EmitterId, ShapeId};
+use crate::material::bsdf::{Bsdf, Material};
 use crate::primitive;
-use crate::scene::{BsdfId, EmitterId, Scene, ShapeId};
+use crate::scene::Scene;
 use crate::sensor::{Sensor, SensorModel};
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
@@ -70,8 +71,7 @@ pub fn add(
             material(scene, format!("{id}.bsdf"), Bsdf::TwoSided { front, back })
         }
     };
-    scene.shapes.push(Shape::new(id, mesh, normals, bsdf));
-    ShapeId(scene.shapes.len() as u32 - 1)
+    scene.add_shape(Shape::new(id, mesh, normals, bsdf))
 }
 
 fn material(scene: &mut Scene, id: String, bsdf: Bsdf) -> BsdfId {
@@ -106,7 +106,7 @@ pub fn add_lamp(scene: &mut Scene, centre: Vec3, half_width: f64, radiance: f64)
     let lamp = rectangle(centre, x, z);
     let shape = add(scene, "lamp", lamp, Rgb::splat(0.5), Sides::Front);
     let emitter = EmitterId(scene.emitters.len() as u32);
-    scene.shapes[shape.0 as usize].emitter = Some(emitter);
+    scene.shape_mut(shape).emitter = Some(emitter);
     let texture = Texture::colour("lamp.emitter.radiance", Rgb::splat(radiance));
     let radiance = scene.add_texture(texture);
     scene.emitters.push(Emitter::Area { shape, radiance });

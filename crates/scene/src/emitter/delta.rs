@@ -3,7 +3,7 @@
 use capwalk_math::{Affine, Real, Vec3};
 
 use super::Emitter;
-use crate::texture::TextureId;
+use crate::ids::TextureId;
 
 /// What a surface point receives of a light without extent.
 #[derive(Clone, Copy, Debug)]
@@ -83,8 +83,8 @@ fn falloff<R: Real>(cos: R, cutoff_angle: R, beam_width: R) -> Option<R> {
     }
     // d acos(x) = -dx / sin, and sin is not zero here: the angle is above
     // `beam_width` and below `cutoff_angle`.
-    let slope = R::constant(-1.0 / angle.sin());
-    let moving = R::constant(angle) + (cos - R::constant(cos.value())) * slope;
+    let derivative = R::constant(-1.0 / angle.sin());
+    let moving = R::constant(angle) + (cos - R::constant(cos.value())) * derivative;
     Some((cutoff_angle - moving) / (cutoff_angle - beam_width))
 }
 

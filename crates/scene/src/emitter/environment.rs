@@ -1,4 +1,4 @@
-//! Pictures of all directions, as Mitsuba 3.9 maps them: the polar angle from
+//! Images of all directions, as Mitsuba 3.9 maps them: the polar angle from
 //! `+y` over the rows, from the first to the last; the azimuth over the columns,
 //! whose centres are at `(i + 0.5) / width`, with `-z` at 0 and `+x` at 1/4.
 
@@ -21,7 +21,7 @@ pub struct EnvironmentMap {
 
 impl EnvironmentMap {
     /// The texels' mean at a unit direction of the world, bilinear. Continuous,
-    /// also where the azimuth jumps; at the poles only in value.
+    /// also where the azimuth wraps around; at the poles only in value.
     pub fn lookup<R: Real>(
         &self,
         direction: Vec3<R>,
@@ -96,15 +96,12 @@ pub struct EnvironmentTable {
     densities: Vec<f64>,
 }
 
-/// Weights of red, green and blue in a grey (Rec. 709), as in Mitsuba.
-const LUMINANCE: Vec3 = Vec3::new(0.212671, 0.715160, 0.072169);
-
 impl EnvironmentTable {
     /// The table of a map with these texels, or `None` if it is black.
     pub fn new(map: &EnvironmentMap, texture: &Texture) -> Option<Self> {
         let (width, height) = (map.width as usize, map.height as usize);
         let luminance =
-            |x: usize, y: usize| texture.texel(y * width + x % width).dot(LUMINANCE).max(0.0);
+            |x: usize, y: usize| texture.texel(y * width + x % width).luminance().max(0.0);
         let mut densities = Vec::with_capacity(width * (height - 1));
         let (mut rows, mut cells) = (Vec::new(), Vec::new());
         let mut total = 0.0;

@@ -7,17 +7,16 @@ use std::ops::Range;
 use capwalk_geometry::topology::weld;
 use capwalk_math::Vec3;
 
-use super::ParameterKind;
 use super::error::ParameterError;
 use super::matrix;
-use super::registry::{
-    Channel, Entry, Target, entries, optic_scale, optic_text, optic_value, users,
-};
+use super::optic::{optic_scale, optic_value};
+use super::parameter::ParameterKind;
+use crate::ids::{ShapeId, TextureId};
 use crate::motion::{Motion, ShapeMotion};
-use crate::scene::{Scene, ShapeId};
+use crate::scene::Scene;
 use crate::sensor::Optic;
 use crate::shape::{ShadingNormals, vertex_normals};
-use crate::texture::{Part, Pattern, TextureId};
+use crate::texture::Part;
 
 /// An array of numbers of the scene, each of which may change by itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,159 +51,6 @@ pub(super) enum Place {
     SensorRotation,
     SensorToWorld,
     SensorOptic(Optic),
-}
-
-/// Every array of the scene, in the order of [`super::list`].
-pub fn arrays(scene: &Scene) -> Vec<ArrayParameter> {
-    let entries = entries(scene);
-    let arrays = entries.iter().flat_map(|entry| behind(scene, entry));
-    arrays.collect()
-}
-
-/// The array with this name, or `None` if there is none.
-pub(super) fn find(scene: &Scene, name: &str) -> Result<Option<ArrayParameter>, ParameterError> {
-    let mut found = arrays(scene).into_iter().filter(|array| array.name == name);
-    let first = found.next();
-    if found.any(|other| Some(other.place) != first.as_ref().map(|first| first.place)) {
-        return Err(ParameterError::Ambiguous { name: name.into() });
-    }
-    Ok(first)
-}
-
-/// The arrays that are listed at the first of the scalars that change them.
-fn behind(scene: &Scene, entry: &Entry) -> Vec<ArrayParameter> {
-    let Some(target) = entry.target else {
-        return Vec::new();
-    };
-    match target {
-        Target::Translate(id, 0) => of_shape(scene, id),
-        // A single number has a short name too, which stays a scalar's.
-        Target::Texels(id, part, quantity, Channel::All) if entry.name.ends_with(part.name) => {
-            let texture = scene.texture(id);
-            let mut shape = match (&texture.pattern, part.count) {
-                (Pattern::Bitmap(bitmap), _) => vec![bitmap.height as usize, bitmap.width as usize],
-                (Pattern::PerVertex | Pattern::PerFace, count) => vec![count],
-                (Pattern::Constant | Pattern::Checkerboard { .. }, _) => Vec::new(),
-                (Pattern::Environment, count) => match scene.environment_map_of(id) {
-                    Some(map) => vec![map.height as usize, map.width as usize],
-                    None => vec![count],
-                },
-                (Pattern::MeshAttribute { .. }, _) => unreachable!("its numbers are the shape's"),
-            };
-            shape.push(texture.channels);
-            vec![ArrayParameter {
-                name: entry.name.clone(),
-                kind: quantity.into(),
-                shape,
-                unit: quantity.unit(),
-                moves_discontinuities: quantity.moves_edges(),
-                description: format!("{} of {}", quantity.name(), users(scene, id)),
-                alias_of: entry.alias_of.clone(),
-                place: Place::Texels(id, part),
-            }]
-        }
-        Target::TranslateSensor(0) => vec![ArrayParameter {
-            kind: ParameterKind::SensorTranslation,
-            unit: "world units",
-            description: "moves the sensor, world axes".into(),
-            ..of_sensor(entry, Place::SensorTranslation)
-        }],
-        Target::RotateSensor(0) => vec![
-            ArrayParameter {
-                kind: ParameterKind::SensorRotation,
-                unit: "radians",
-                description: "turns the sensor about its origin, world axes".into(),
-                ..of_sensor(entry, Place::SensorRotation)
-            },
-            sensor_to_world(of_sensor(entry, Place::SensorToWorld)),
-        ],
-        Target::SensorOptic(optic) => {
-            let (kind, unit, description) = optic_text(optic);
-            vec![ArrayParameter {
-                kind,
-                shape: vec![1],
-                unit,
-                description: description.into(),
-                ..of_sensor(entry, Place::SensorOptic(optic))
-            }]
-        }
-        Target::Translate(..)
-        | Target::Rotate(..)
-        | Target::Scale(_)
-        | Target::Texels(..)
-        | Target::TranslateSensor(_)
-        | Target::RotateSensor(_) => Vec::new(),
-    }
-}
-
-fn of_shape(scene: &Scene, id: ShapeId) -> Vec<ArrayParameter> {
-    let shape = scene.shape(id);
-    let name = &shape.id;
-    let positions = ArrayParameter {
-        name: format!("{name}.positions"),
-        kind: ParameterKind::Positions,
-        shape: vec![shape.mesh.positions.len(), 3],
-        unit: "world units",
-        moves_discontinuities: true,
-        description: format!("vertices of {name}"),
-        alias_of: None,
-        place: Place::Positions(id),
-    };
-    let normals = ArrayParameter {
-        name: format!("{name}.normals"),
-        kind: ParameterKind::Normals,
-        unit: "length 1",
-        // They decide what a mirror shows.
-        moves_discontinuities: true,
-        description: format!("shading normals given with {name}"),
-        place: Place::Normals(id),
-        ..positions.clone()
-    };
-    let to_world = ArrayParameter {
-        name: format!("{name}.to_world"),
-        kind: ParameterKind::ToWorld,
-        shape: vec![4, 4],
-        unit: MATRIX,
-        description: format!("matrix that puts {name} in the world"),
-        place: Place::ShapeToWorld(id),
-        ..positions.clone()
-    };
-    match shape.normals {
-        ShadingNormals::Given(_) => vec![positions, normals, to_world],
-        ShadingNormals::Face | ShadingNormals::Computed(_) => vec![positions, to_world],
-    }
-}
-
-/// Unit of the numbers of a matrix.
-const MATRIX: &str = "matrix entries";
-
-fn sensor_to_world(rotation: ArrayParameter) -> ArrayParameter {
-    let named = |name: &String| format!("{}.to_world", name.trim_end_matches(".rotate"));
-    ArrayParameter {
-        name: named(&rotation.name),
-        alias_of: rotation.alias_of.as_ref().map(named),
-        kind: ParameterKind::SensorToWorld,
-        shape: vec![4, 4],
-        unit: MATRIX,
-        description: "matrix that puts the sensor in the world".into(),
-        ..rotation
-    }
-}
-
-/// What both arrays of the sensor have in common. The names are those of their
-/// first entries, without the axis.
-fn of_sensor(entry: &Entry, place: Place) -> ArrayParameter {
-    let whole = |name: &String| name.trim_end_matches(".x").to_owned();
-    ArrayParameter {
-        name: whole(&entry.name),
-        kind: ParameterKind::SensorTranslation,
-        shape: vec![3],
-        unit: "",
-        moves_discontinuities: true,
-        description: String::new(),
-        alias_of: entry.alias_of.as_ref().map(whole),
-        place,
-    }
 }
 
 impl ArrayParameter {
@@ -252,9 +98,9 @@ impl ArrayParameter {
         self.check(scene, numbers)?;
         match self.place {
             Place::Positions(id) => {
-                let shape = &mut scene.shapes[id.0 as usize];
-                let positions = vectors(numbers);
+                let (shape, positions) = (scene.shape(id), vectors(numbers));
                 refuse_tears(&shape.id, &shape.mesh.positions, &positions)?;
+                let shape = scene.shape_mut(id);
                 shape.mesh.positions = positions;
                 if let ShadingNormals::Computed(normals) = &mut shape.normals {
                     *normals = vertex_normals(&shape.mesh.positions, &shape.mesh.faces);
@@ -262,14 +108,14 @@ impl ArrayParameter {
             }
             Place::Normals(id) => {
                 let normals = vectors(numbers).into_iter().map(Vec3::normalized).collect();
-                scene.shapes[id.0 as usize].normals = ShadingNormals::Given(normals);
+                scene.shape_mut(id).normals = ShadingNormals::Given(normals);
             }
             Place::Texels(id, part) => {
                 let range = numbers_of(scene, id, part);
                 scene.texture_mut(id).data[range].copy_from_slice(numbers);
             }
             Place::ShapeToWorld(id) => {
-                matrix::place(&mut scene.shapes[id.0 as usize], matrix::affine(numbers));
+                matrix::place(scene.shape_mut(id), matrix::affine(numbers));
             }
             Place::SensorTranslation | Place::SensorRotation => {
                 *scene = scene.moved(&self.motion(scene, numbers), 1.0);

@@ -5,8 +5,9 @@ use std::ops::Range;
 
 use capwalk_geometry::topology::weld;
 
-use super::array::{ArrayParameter, Place, arrays, find};
+use super::array::{ArrayParameter, Place};
 use super::error::ParameterError;
+use super::registry::Registry;
 use crate::motion::Motion;
 use crate::scene::Scene;
 
@@ -20,21 +21,15 @@ pub(super) struct Element {
 /// The element that `text` starts with, if it is an array's name and a bracket,
 /// and what stands behind it.
 pub(super) fn leading<'a>(
-    scene: &Scene,
+    registry: &Registry,
     text: &'a str,
 ) -> Result<Option<(Element, &'a str)>, ParameterError> {
-    let names = arrays(scene).into_iter().map(|array| array.name);
-    let opened = names.filter(|name| {
-        let after = text.strip_prefix(name.as_str());
-        after.is_some_and(|after| after.starts_with('['))
-    });
-    let Some(name) = opened.max_by_key(String::len) else {
+    let Some((name, array)) = registry.array_before_bracket(text)? else {
         return Ok(None);
     };
-    let array = find(scene, &name)?.expect("it is one of them");
     let inside = &text[name.len() + 1..];
     let bad = |indices: String| ParameterError::BadIndex {
-        name: name.clone(),
+        name: name.into(),
         indices,
         shape: array.shape_text(),
     };
@@ -45,6 +40,7 @@ pub(super) fn leading<'a>(
     let ends = after.is_empty() || after.starts_with(['+', '-']);
     let numbers = numbers(&array.shape, indices).filter(|_| ends);
     let numbers = numbers.ok_or_else(|| bad(format!("[{indices}]")))?;
+    let array = array.clone();
     Ok(Some((Element { array, numbers }, after)))
 }
 

@@ -2,8 +2,8 @@
 
 use super::element::{self, Element};
 use super::error::ParameterError;
-use super::registry::{Entry, Target};
-use crate::scene::Scene;
+use super::registry::Registry;
+use super::target::Target;
 
 /// A parameter times a number.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,11 +21,7 @@ pub(super) enum Named {
 
 /// The terms of a sum. A name is the longest registered one at its place that
 /// ends where the text or the term ends, so ids may contain signs and dots.
-pub(super) fn parse(
-    scene: &Scene,
-    entries: &[Entry],
-    text: &str,
-) -> Result<Vec<Term>, ParameterError> {
+pub(super) fn parse(registry: &Registry, text: &str) -> Result<Vec<Term>, ParameterError> {
     let mut terms = Vec::new();
     let mut rest = text.trim_start();
     loop {
@@ -33,10 +29,10 @@ pub(super) fn parse(
         // A sign before a term joins it to the ones before it; without one
         // only the first term may stand. Names are tried first.
         let (named, after) = loop {
-            if let Some(name) = longest_name(entries, rest) {
-                break (Named::Target(target(entries, name)?), &rest[name.len()..]);
+            if let Some((target, after)) = registry.leading_scalar(rest)? {
+                break (Named::Target(target), after);
             }
-            if let Some((element, after)) = element::leading(scene, rest)? {
+            if let Some((element, after)) = element::leading(registry, rest)? {
                 break (Named::Element(element), after);
             }
             if let Some(after) = rest.strip_prefix('-') {
@@ -74,27 +70,6 @@ fn split_factor(text: &str) -> Result<Option<(f64, &str)>, ParameterError> {
             text: before.into(),
         }),
     }
-}
-
-/// The longest name that `text` starts with and that a sign, white space and a
-/// sign, or nothing follows.
-fn longest_name<'a>(entries: &'a [Entry], text: &str) -> Option<&'a str> {
-    let fits = |name: &&str| {
-        let after = text.strip_prefix(name).map(str::trim_start);
-        after.is_some_and(|after| after.is_empty() || after.starts_with(['+', '-']))
-    };
-    let names = entries.iter().map(|entry| entry.name.as_str());
-    names.filter(fits).max_by_key(|name| name.len())
-}
-
-/// What a registered name refers to, if it is one thing.
-fn target(entries: &[Entry], name: &str) -> Result<Target, ParameterError> {
-    let mut targets = entries.iter().filter(|e| e.name == name).map(|e| e.target);
-    let first = targets.next().expect("the name is registered");
-    if targets.any(|other| other != first) {
-        return Err(ParameterError::Ambiguous { name: name.into() });
-    }
-    first.ok_or_else(|| ParameterError::TwoSides { name: name.into() })
 }
 
 /// An error that says what was asked for; names like it are for the caller to

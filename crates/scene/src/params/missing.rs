@@ -31,18 +31,18 @@ fn placement(scene: &Scene, emitter: &Emitter, name: &str) -> Option<String> {
     if !PLACEMENT.contains(&what) {
         return None;
     }
-    let other_scene = "for a check, compare pictures of two scenes, which `-D name=value` makes \
-                       of one file with `$name` where the light stands";
+    let other_scene = "to check such a derivative, compare images of two scenes that differ in \
+                       where the emitter stands";
     match emitter {
         Emitter::Area { .. } | Emitter::Constant { .. } => None,
         Emitter::EnvironmentMap { .. } => Some(format!(
-            "derivatives by how an environment map is turned are not implemented. `{id}.data`, \
+            "derivatives with respect to the rotation of an environment map are not implemented. `{id}.data`, \
              its texels, is a parameter; {other_scene}"
         )),
         Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
             Some(format!(
                 "a light without extent casts hard shadows. Their edges lie on surfaces, where no \
-                 method here integrates over areas. Use a small area lamp (a shape with an \
+                 method here integrates over areas. Use a small area emitter (a shape with an \
                  <emitter type=\"area\">), which has all of these parameters; {other_scene}"
             ))
         }
@@ -56,7 +56,7 @@ fn texture_coordinates(scene: &Scene, name: &str) -> Option<String> {
         part.is_some_and(|part| matches!(part, "texcoords" | "vertex_texcoords" | "uv" | "uvs"))
     };
     shapes.any(|shape| asked(&shape.id)).then(|| {
-        "derivatives by texture coordinates are not implemented; the texels of a bitmap \
+        "derivatives with respect to texture coordinates are not implemented; the texels of a bitmap \
          (`.data`) are parameters"
             .into()
     })

@@ -1,400 +1,236 @@
-//! The names of all parameters, and what each of them refers to.
+//! All parameters of a scene, found by name.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry::{Occupied, Vacant};
+use std::iter;
+use std::sync::Arc;
 
-use super::{Parameter, ParameterKind};
-use crate::emitter::Emitter;
-use crate::quantity::Quantity;
-use crate::scene::{BsdfId, Scene, ShapeId};
-use crate::sensor::Optic;
-use crate::shape::Shape;
-use crate::texture::{Part, TextureId};
+use super::array::ArrayParameter;
+use super::array_names::behind;
+use super::error::ParameterError;
+use super::names::{Entry, Names};
+use super::parameter::Parameter;
+use super::scalar::describe;
+use super::target::Target;
+use super::users::users;
+use crate::scene::Scene;
 
-/// What a name refers to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Target {
-    Translate(ShapeId, usize),
-    Rotate(ShapeId, usize),
-    Scale(ShapeId),
-    /// Some texels of a texture together.
-    Texels(TextureId, Part, Quantity, Channel),
-    TranslateSensor(usize),
-    RotateSensor(usize),
-    SensorOptic(Optic),
-}
-
-/// Which channels of a colour change.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Channel {
-    All,
-    One(usize),
-}
-
-impl Channel {
-    const EACH: [Self; 4] = [Self::All, Self::One(0), Self::One(1), Self::One(2)];
-
-    /// The ones that a texture has.
-    fn of_texture(channels: usize) -> &'static [Self] {
-        match channels {
-            1 => &Self::EACH[..1],
-            _ => &Self::EACH,
-        }
-    }
-
-    /// True if this channel is among them.
-    pub(super) fn contains(self, channel: usize) -> bool {
-        matches!(self, Self::All) || self == Self::One(channel)
-    }
-
-    fn suffix(self) -> &'static str {
-        match self {
-            Self::All => "",
-            Self::One(channel) => [".r", ".g", ".b"][channel],
-        }
-    }
-
-    fn values(self, texel: &[f64]) -> Vec<f64> {
-        match self {
-            Self::All => texel.to_vec(),
-            Self::One(channel) => vec![texel[channel]],
-        }
-    }
-
-    fn of(self, what: &str, channels: usize) -> String {
-        match self {
-            Self::All if channels == 1 => what.to_owned(),
-            Self::All => format!("{what}, all channels together"),
-            Self::One(channel) => format!("{what}, {} channel", ["red", "green", "blue"][channel]),
-        }
-    }
-}
-
-const AXES: [&str; 3] = ["x", "y", "z"];
-
-/// A name and what it refers to.
+/// The parameters of a scene by their names, in time linear in the scene to make.
+///
+/// It stays right when numbers of the scene change, but not when shapes, materials,
+/// emitters or textures are added, or get other names.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
-    pub name: String,
-    /// `None` for the reflectance of a material whose two sides differ: that
-    /// is not one number.
-    pub target: Option<Target>,
-    pub alias_of: Option<String>,
+pub struct Registry {
+    names: Names,
+    scalars: HashMap<Arc<str>, Found>,
+    arrays: Vec<ArrayParameter>,
+    arrays_by_name: HashMap<String, Found>,
+    /// Of each texture, where it is seen.
+    users: Vec<String>,
 }
 
-/// All names, in the order of [`super::list`]. A name appears twice only if
-/// the scene uses one id for two things.
-pub(super) fn entries(scene: &Scene) -> Vec<Entry> {
-    let mut entries = Vec::new();
-    for (i, shape) in scene.shapes.iter().enumerate() {
-        let id = ShapeId(i as u32);
-        let name = &shape.id;
-        let mut add = |name: String, target| entries.push(Entry::new(name, target));
-        for (axis, letter) in AXES.iter().enumerate() {
-            add(
-                format!("{name}.translate.{letter}"),
-                Target::Translate(id, axis),
-            );
-        }
-        for (axis, letter) in AXES.iter().enumerate() {
-            add(format!("{name}.rotate.{letter}"), Target::Rotate(id, axis));
-        }
-        add(format!("{name}.scale"), Target::Scale(id));
-        for attribute in &shape.attributes {
-            add_texture(scene, attribute.texture, Quantity::Attribute, &mut entries);
-        }
-    }
-    let mut listed = HashSet::new();
-    for emitter in &scene.emitters {
-        for slot in emitter.slots() {
-            if listed.insert(slot.texture) {
-                add_texture(scene, slot.texture, slot.quantity, &mut entries);
-            }
-        }
-    }
-    for (i, material) in scene.materials.iter().enumerate() {
-        for slot in material.bsdf.slots() {
-            if listed.insert(slot.texture) {
-                add_texture(scene, slot.texture, slot.quantity, &mut entries);
-            }
-        }
-        add_contradiction(scene, BsdfId(i as u32), &mut entries);
-    }
-    add_sensor(scene, &mut entries);
-    entries
+/// What has a name: the place in a list.
+#[derive(Clone, Copy, Debug)]
+enum Found {
+    One(u32),
+    /// Different things have this name.
+    Several,
 }
 
-/// The names of a texture: its own, then those by the emitters and materials
-/// that it stands in.
-fn add_texture(scene: &Scene, id: TextureId, quantity: Quantity, entries: &mut Vec<Entry>) {
-    let texture = scene.texture(id);
-    let mut names = vec![texture.id.clone()];
-    for emitter in &scene.emitters {
-        for slot in emitter.slots().iter().filter(|s| s.texture == id) {
-            names.push(match slot.name {
-                "" => emitter.name(scene),
-                slot => format!("{}.{slot}", emitter.name(scene)),
-            });
+impl Registry {
+    /// The parameters of a scene.
+    pub fn new(scene: &Scene) -> Self {
+        let (names, users) = (Names::new(scene), users(scene));
+        let mut scalars = HashMap::new();
+        let entries: Vec<&Entry> = names.iter().collect();
+        for (i, entry) in entries.iter().enumerate() {
+            let same = |first: u32| entries[first as usize].target == entry.target;
+            insert(&mut scalars, entry.name.clone(), i, same);
         }
-    }
-    for (i, material) in scene.materials.iter().enumerate() {
-        for slot in material.bsdf.slots().iter().filter(|s| s.texture == id) {
-            for name in material_names(scene, BsdfId(i as u32)) {
-                names.push(format!("{name}.{}", slot.name));
-            }
+        let arrays = names
+            .iter()
+            .flat_map(|entry| behind(scene, &names, entry, &users));
+        let arrays: Vec<ArrayParameter> = arrays.collect();
+        let mut arrays_by_name = HashMap::new();
+        for (i, array) in arrays.iter().enumerate() {
+            let same = |first: u32| arrays[first as usize].place == array.place;
+            insert(&mut arrays_by_name, array.name.clone(), i, same);
         }
-    }
-    // `floor.bsdf` is often both the material's id and the shape's path.
-    let mut seen = HashSet::new();
-    names.retain(|name| seen.insert(name.clone()));
-    for part in texture.parts() {
-        for &channel in Channel::of_texture(texture.channels) {
-            let suffix = channel.suffix();
-            let full = |name: &String| match part.name {
-                "" => format!("{name}{suffix}"),
-                part => format!("{name}.{part}{suffix}"),
-            };
-            let first = full(&names[0]);
-            let mut names: Vec<String> = names
-                .iter()
-                .flat_map(|name| {
-                    // A single number is called by the name of its slot, too.
-                    let short = texture.channels == 1 && part.name == "value";
-                    std::iter::once(full(name)).chain(short.then(|| name.clone()))
-                })
-                .collect();
-            for (i, name) in names.drain(..).enumerate() {
-                entries.push(Entry {
-                    name,
-                    target: Some(Target::Texels(id, part, quantity, channel)),
-                    alias_of: (i > 0).then(|| first.clone()),
-                });
-            }
-        }
-    }
-}
-
-/// What a material is called: its own name, then those of materials that show
-/// it on all sides they show, then those by the shapes that have any of them.
-fn material_names(scene: &Scene, id: BsdfId) -> Vec<String> {
-    let shows_it = |other: BsdfId| {
-        let parts = |id: &BsdfId| scene.material(*id).bsdf.shown_part();
-        std::iter::successors(Some(other), parts).any(|part| part == id)
-    };
-    let others = (0..scene.materials.len() as u32).map(BsdfId);
-    let mut names = vec![scene.material(id).id.clone()];
-    for other in others.filter(|&other| other != id && shows_it(other)) {
-        names.push(scene.material(other).id.clone());
-    }
-    for shape in scene.shapes.iter().filter(|shape| shows_it(shape.bsdf)) {
-        names.push(format!("{}.bsdf", shape.id));
-    }
-    names
-}
-
-/// The names that a material made of several would have if they were one. They
-/// refer to nothing, but the message can say why.
-fn add_contradiction(scene: &Scene, id: BsdfId, entries: &mut Vec<Entry>) {
-    let bsdf = &scene.material(id).bsdf;
-    if bsdf.parts().is_empty() || bsdf.shown_part().is_some() {
-        return;
-    }
-    let own: Vec<&str> = bsdf.slots().iter().map(|slot| slot.name).collect();
-    let slots = scene.slots_below(id);
-    let mut slots: Vec<&str> = slots.iter().map(|slot| slot.name).collect();
-    slots.retain(|slot| !own.contains(slot));
-    slots.sort_unstable();
-    slots.dedup();
-    for name in material_names(scene, id) {
-        for slot in &slots {
-            for channel in Channel::EACH {
-                entries.push(Entry {
-                    name: format!("{name}.{slot}.value{}", channel.suffix()),
-                    target: None,
-                    alias_of: None,
-                });
-            }
-        }
-    }
-}
-
-fn add_sensor(scene: &Scene, entries: &mut Vec<Entry>) {
-    let own = &scene.sensor.id;
-    let mut add = |number: String, target| {
-        let name = format!("sensor.{number}");
-        entries.push(Entry::new(name.clone(), target));
-        if own != "sensor" {
-            entries.push(Entry {
-                name: format!("{own}.{number}"),
-                target: Some(target),
-                alias_of: Some(name),
-            });
-        }
-    };
-    let motions = [
-        ("translate", Target::TranslateSensor as fn(usize) -> Target),
-        ("rotate", Target::RotateSensor),
-    ];
-    for (verb, target) in motions {
-        for (axis, letter) in AXES.iter().enumerate() {
-            add(format!("{verb}.{letter}"), target(axis));
-        }
-    }
-    for optic in Optic::ALL {
-        if scene.sensor.model.optic(optic).is_some() {
-            add(optic.name().into(), Target::SensorOptic(optic));
-        }
-    }
-}
-
-/// The sort, the unit and a description of a number of the sensor.
-pub(super) fn optic_text(optic: Optic) -> (ParameterKind, &'static str, &'static str) {
-    use ParameterKind::*;
-    match optic {
-        Optic::FovX => (
-            FieldOfView,
-            "degrees",
-            "horizontal field of view of the film",
-        ),
-        Optic::ApertureRadius => (ApertureRadius, "world units", "radius of the lens"),
-        Optic::FocusDistance => (FocusDistance, "world units", "depth that is sharp"),
-    }
-}
-
-/// How much the sensor's own number changes for a unit of the parameter: users
-/// have fields of view in degrees.
-pub(super) fn optic_scale(optic: Optic) -> f64 {
-    match optic {
-        Optic::FovX => 1.0_f64.to_radians(),
-        Optic::ApertureRadius | Optic::FocusDistance => 1.0,
-    }
-}
-
-/// What a number of the sensor is now, in the parameter's unit.
-pub(super) fn optic_value(scene: &Scene, optic: Optic) -> f64 {
-    let number = scene.sensor.model.optic(optic);
-    number.unwrap_or(0.0) / optic_scale(optic)
-}
-
-impl Entry {
-    fn new(name: String, target: Target) -> Self {
         Self {
-            name,
-            target: Some(target),
-            alias_of: None,
+            scalars,
+            names,
+            arrays,
+            arrays_by_name,
+            users,
         }
     }
 
-    /// What a user reads about it; `None` if it is not a parameter.
-    pub(super) fn describe(self, scene: &Scene) -> Option<Parameter> {
-        use ParameterKind::*;
-        let shape = |id: ShapeId| &scene.shape(id).id;
-        let moves_discontinuities = match self.target? {
-            Target::Texels(_, _, quantity, _) => quantity.moves_edges(),
-            _ => true,
-        };
-        let (kind, value, unit, description) = match self.target? {
-            Target::Translate(id, axis) => {
-                let what = format!("moves {} along world {}", shape(id), AXES[axis]);
-                (Translation, vec![0.0], "world units", what)
-            }
-            Target::Rotate(id, axis) => {
-                let what = format!("turns {} about its centre, world {}", shape(id), AXES[axis]);
-                (Rotation, vec![0.0], "radians", what)
-            }
-            Target::Scale(id) => {
-                let what = format!("scales {} about its centre", shape(id));
-                (Scale, vec![1.0], "times its size", what)
-            }
-            Target::Texels(id, part, quantity, channel) => {
-                let texture = scene.texture(id);
-                let which = match part.count {
-                    1 => String::new(),
-                    n => format!(", all {n} texels together"),
-                };
-                let what = format!("{} of {}{which}", quantity.name(), users(scene, id));
-                let what = channel.of(&what, texture.channels);
-                let values = match part.count {
-                    1 => {
-                        let first = part.first * texture.channels;
-                        channel.values(&texture.data[first..first + texture.channels])
-                    }
-                    _ => Vec::new(),
-                };
-                (quantity.into(), values, quantity.unit(), what)
-            }
-            Target::TranslateSensor(axis) => {
-                let what = format!("moves the sensor along world {}", AXES[axis]);
-                (SensorTranslation, vec![0.0], "world units", what)
-            }
-            Target::RotateSensor(axis) => {
-                let what = format!("turns the sensor about its origin, world {}", AXES[axis]);
-                (SensorRotation, vec![0.0], "radians", what)
-            }
-            Target::SensorOptic(optic) => {
-                let (kind, unit, what) = optic_text(optic);
-                (kind, vec![optic_value(scene, optic)], unit, what.to_owned())
-            }
-        };
-        Some(Parameter {
-            name: self.name,
-            kind,
-            value,
-            unit,
-            moves_discontinuities,
-            description,
-            alias_of: self.alias_of,
-        })
+    /// Every scalar parameter with its value in `scene`, shape by shape, then emitters,
+    /// materials and the sensor; other names directly behind the one they stand for.
+    pub fn scalars(&self, scene: &Scene) -> Vec<Parameter> {
+        let entries = self.names.iter();
+        entries
+            .filter_map(|entry| self.describe(scene, entry))
+            .collect()
     }
-}
 
-impl From<Quantity> for ParameterKind {
-    fn from(quantity: Quantity) -> Self {
-        match quantity {
-            Quantity::Radiance => Self::Radiance,
-            Quantity::Intensity => Self::Intensity,
-            Quantity::Irradiance => Self::Irradiance,
-            Quantity::Factor | Quantity::SignedFactor => Self::Factor,
-            Quantity::Reflectance => Self::Reflectance,
-            Quantity::Attribute => Self::Attribute,
-            Quantity::Transmittance => Self::Transmittance,
-            Quantity::Roughness => Self::Roughness,
-            Quantity::RefractiveIndex { .. } | Quantity::MetalIndex => Self::RefractiveIndex,
-            Quantity::Extinction => Self::Extinction,
-            Quantity::Fraction => Self::Fraction,
-            Quantity::Angle => Self::Angle,
-            Quantity::Normal => Self::Normal,
-            Quantity::Height => Self::Height,
+    /// Every array, in the order of the scalars.
+    pub fn arrays(&self) -> &[ArrayParameter] {
+        &self.arrays
+    }
+
+    /// The scalar with this name and its value in `scene`; `None` if there is none, or
+    /// several.
+    pub fn scalar(&self, scene: &Scene, name: &str) -> Option<Parameter> {
+        match self.scalars.get(name)? {
+            Found::One(place) => self.describe(scene, self.names.get(*place)),
+            Found::Several => None,
         }
     }
+
+    /// The array with this name, or `None` if there is none.
+    pub fn array(&self, name: &str) -> Result<Option<&ArrayParameter>, ParameterError> {
+        match self.arrays_by_name.get(name) {
+            None => Ok(None),
+            Some(Found::One(place)) => Ok(Some(&self.arrays[*place as usize])),
+            Some(Found::Several) => Err(ParameterError::Ambiguous { name: name.into() }),
+        }
+    }
+
+    /// True if an array, or several, have this name.
+    pub(super) fn has_array(&self, name: &str) -> bool {
+        self.arrays_by_name.contains_key(name)
+    }
+
+    /// The longest name of an array that `text` starts with and a bracket follows.
+    pub(super) fn array_before_bracket<'a>(
+        &self,
+        text: &'a str,
+    ) -> Result<Option<(&'a str, &ArrayParameter)>, ParameterError> {
+        for (bracket, _) in text.rmatch_indices('[') {
+            let name = &text[..bracket];
+            if let Some(array) = self.array(name)? {
+                return Ok(Some((name, array)));
+            }
+        }
+        Ok(None)
+    }
+
+    /// What the longest name of a scalar refers to that `text` starts with and that a
+    /// sign, white space and a sign, or nothing follows; and the text behind the name.
+    pub(super) fn leading_scalar<'a>(
+        &self,
+        text: &'a str,
+    ) -> Result<Option<(Target, &'a str)>, ParameterError> {
+        let signs = text.rmatch_indices(['+', '-']).map(|(sign, _)| sign);
+        // White space before a sign may belong to the name or not.
+        let ends = iter::once(text.len()).chain(signs).flat_map(|end| {
+            let least = text[..end].trim_end().len();
+            (least..=end)
+                .rev()
+                .filter(|&end| text.is_char_boundary(end))
+        });
+        let mut names = ends.map(|end| text.split_at(end));
+        let Some((name, after)) = names.find(|(name, _)| self.scalars.contains_key(*name)) else {
+            return Ok(None);
+        };
+        match self.scalars[name] {
+            Found::Several => Err(ParameterError::Ambiguous { name: name.into() }),
+            Found::One(place) => match self.names.get(place).target {
+                None => Err(ParameterError::TwoSides { name: name.into() }),
+                Some(target) => Ok(Some((target, after))),
+            },
+        }
+    }
+
+    /// All names: those of arrays, then those of scalars that are no arrays.
+    pub(super) fn all_names(&self) -> impl Iterator<Item = &str> {
+        let scalars = self.names.iter().filter(|entry| entry.target.is_some());
+        let scalars = scalars.map(|entry| &*entry.name);
+        let only_scalars = scalars.filter(|&name| !self.has_array(name));
+        let arrays = self.arrays.iter().map(|array| array.name.as_str());
+        arrays.chain(only_scalars)
+    }
+
+    fn describe(&self, scene: &Scene, entry: &Entry) -> Option<Parameter> {
+        let alias_of = self.names.alias_of(entry).map(String::from);
+        let name = entry.name.to_string();
+        Some(describe(scene, entry.target?, &self.users, name, alias_of))
+    }
 }
 
-/// The shapes whose look a texture decides, and environments; or its own id if
-/// there are none.
-pub(super) fn users(scene: &Scene, id: TextureId) -> String {
-    let shows = |bsdf: BsdfId| {
-        let mut slots = scene.slots_below(bsdf).into_iter();
-        slots.any(|slot| slot.texture == id)
-    };
-    let emits = |shape: &Shape| {
-        let emitter = shape.emitter.map(|emitter| scene.emitter(emitter));
-        emitter.is_some_and(|emitter| emitter.radiance() == id)
-    };
-    let has = |shape: &Shape| shape.attributes.iter().any(|a| a.texture == id);
-    let uses = |shape: &&Shape| shows(shape.bsdf) || emits(shape) || has(shape);
-    let shapes = scene.shapes.iter().filter(uses);
-    let elsewhere = scene.emitters.iter().filter(|emitter| {
-        let is_area = matches!(emitter, Emitter::Area { .. });
-        !is_area && emitter.slots().iter().any(|slot| slot.texture == id)
-    });
-    let elsewhere: Vec<String> = elsewhere.map(|emitter| emitter.name(scene)).collect();
-    let names: Vec<&str> = shapes
-        .map(|shape| &shape.id)
-        .chain(&elsewhere)
-        .map(String::as_str)
-        .collect();
-    match names.len() {
-        0 => format!("{} (unused)", scene.texture(id).id),
-        1..=3 => names.join(", "),
-        n => format!("{} and {} more", names[..2].join(", "), n - 2),
+/// Remembers the place of a name; `is_same` says whether an earlier place of it means
+/// the same.
+fn insert<K: Eq + std::hash::Hash>(
+    found: &mut HashMap<K, Found>,
+    name: K,
+    place: usize,
+    is_same: impl Fn(u32) -> bool,
+) {
+    match found.entry(name) {
+        Vacant(entry) => {
+            entry.insert(Found::One(place as u32));
+        }
+        Occupied(mut entry) => match *entry.get() {
+            Found::One(first) if is_same(first) => {}
+            Found::One(_) | Found::Several => {
+                entry.insert(Found::Several);
+            }
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Instant;
+
+    use capwalk_math::{Affine, Rgb};
+
+    use super::super::tests::example;
+    use super::*;
+    use crate::ids::BsdfId;
+    use crate::material::{Bsdf, Material};
+    use crate::primitive;
+    use crate::shape::Shape;
+    use crate::texture::Texture;
+
+    /// Shapes with a material and a texture each. If every texture were looked for in all
+    /// materials, and every material in all shapes, this would take minutes.
+    #[test]
+    fn registries_take_time_in_proportion_to_scenes() {
+        const SHAPES: u32 = 20_000;
+        let mut scene = example();
+        scene.shapes.clear();
+        scene.emitters.clear();
+        scene.materials.clear();
+        scene.textures.clear();
+        for i in 0..SHAPES {
+            let name = format!("shape{i}");
+            let colour = Texture::colour(format!("{name}.bsdf.reflectance"), Rgb::splat(0.5));
+            let reflectance = scene.add_texture(colour);
+            scene.materials.push(Material {
+                id: format!("{name}.bsdf"),
+                bsdf: Bsdf::Diffuse { reflectance },
+            });
+            let (mesh, normals) = primitive::rectangle(Affine::IDENTITY);
+            scene.add_shape(Shape::new(name, mesh, normals, BsdfId(i)));
+        }
+        let start = Instant::now();
+        let registry = Registry::new(&scene);
+        let (scalars, arrays) = (registry.scalars(&scene), registry.arrays());
+        assert_eq!(scalars.len(), 20_000 * (7 + 4) + 2 * 9);
+        assert_eq!(arrays.len(), 20_000 * 3 + 2 * 6);
+        let sum = "shape19999.scale - 2*shape7.bsdf.reflectance.value.r + shape0.positions[2]";
+        assert!(registry.motion(&scene, sum).is_ok());
+        let unknown = registry.motion(&scene, "shape19999.bsdf.reflectence.value");
+        let message = unknown.expect_err("misspelt").to_string();
+        assert!(
+            message.contains("`shape19999.bsdf.reflectance.value`"),
+            "{message}"
+        );
+        let nothing = registry.motion(&scene, "no such thing");
+        assert!(nothing.is_err());
+        let seconds = start.elapsed().as_secs_f64();
+        assert!(seconds < 5.0, "{seconds} s");
     }
 }

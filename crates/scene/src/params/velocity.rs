@@ -3,10 +3,13 @@
 use capwalk_geometry::topology::weld;
 use capwalk_math::Vec3;
 
-use super::error::{ParameterError, near};
-use super::registry::{Target, optic_scale};
+use super::error::ParameterError;
+use super::near::near;
+use super::optic::optic_scale;
+use super::target::Target;
+use crate::ids::ShapeId;
 use crate::motion::{Motion, ShapeMotion};
-use crate::scene::{Scene, ShapeId};
+use crate::scene::Scene;
 use crate::shape::ShadingNormals;
 
 /// Adds `factor` times a parameter's velocities to a motion.
@@ -53,7 +56,8 @@ fn add_rigid(scene: &Scene, id: ShapeId, translation: Vec3, rotation: Vec3, moti
         ShadingNormals::Given(normals) if rotation != Vec3::zero() => {
             Some(normals.iter().map(|&n| rotation.cross(n)).collect())
         }
-        _ => None,
+        // A translation turns no normal, and computed ones follow by themselves.
+        ShadingNormals::Given(_) | ShadingNormals::Face | ShadingNormals::Computed(_) => None,
     };
     motion.add_to_shape(id, ShapeMotion { vertices, normals });
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use capwalk_math::{Affine, Vec3};
 
-use super::{DISK_SEGMENTS, cube, rectangle, turned_icosphere};
+use super::tessellated::{DISK_SEGMENTS, cube, rectangle, turned_icosphere};
 
 /// Texture coordinates of the three corners of each face.
 pub type FaceUvs = Vec<[[f64; 2]; 3]>;
@@ -92,7 +92,7 @@ fn wound(mut uvs: FaceUvs, world_from_object: Affine) -> FaceUvs {
 mod tests {
     use super::super::{disk, sphere};
     use super::*;
-    use crate::scene::BsdfId;
+    use crate::ids::BsdfId;
     use crate::shape::{ShadingNormals, Shape};
     use capwalk_geometry::oracle::first_hit;
     use capwalk_geometry::{Mesh, Ray};

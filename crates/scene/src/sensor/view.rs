@@ -14,10 +14,10 @@
 //! they are and in `c`.
 //!
 //! Parallel rays have no point that all of them start from. There, "directions"
-//! are those of picture space, in which the film point `(x, y)` lies in the
+//! are those of image space, in which the film point `(x, y)` lies in the
 //! direction above with `f = w / 2`: the camera-space point `(X, Y, Z)` is seen
 //! along `(X, Y, 1)`. Mapped so, straight edges stay straight, points divide them
-//! as before, and all rays meet in the origin of picture space; depths are lost.
+//! as before, and all rays meet in the origin of image space; depths are lost.
 
 use capwalk_math::{Real, Vec3};
 
@@ -52,6 +52,13 @@ pub struct ViewRay<R> {
     pub direction: Vec3<R>,
     /// Distances along it between which something is seen.
     pub range: [f64; 2],
+}
+
+impl Sensor {
+    /// What it sees from the middle of its lens.
+    pub fn view(&self, film: &Film) -> View<f64> {
+        View::new(self, film, &self.state(), [0.0; 2])
+    }
 }
 
 impl<R: Real> View<R> {

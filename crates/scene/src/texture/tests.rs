@@ -1,4 +1,5 @@
 use super::*;
+use crate::{Scene, ShapeId, SurfacePoint, TextureId};
 use capwalk_math::{Affine, Dual, Vec3};
 
 #[test]
@@ -165,7 +166,7 @@ fn checkerboard_alternates() {
             to_uv: UvTransform::from_affine(&Affine::scale(Vec3::new(2.0, 1.0, 1.0))),
         },
     };
-    let at = |u, v| texture.lookup([u, v], |i| texture.texel(i)).x;
+    let at = |u, v| texture.lookup([u, v], |i| texture.texel(i)).r;
     for (uv, expected) in [
         ([0.05, 0.1], 0.4),
         ([0.3, 0.1], 0.2),
@@ -199,16 +200,16 @@ fn transforms_of_texture_coordinates() {
 fn attributes_of_shapes() {
     let (scene, [by_vertex, by_face, by_name]) = scene_with_attributes();
     let at = SurfacePoint {
-        shape: crate::scene::ShapeId(0),
+        shape: ShapeId(0),
         face: 1,
         barycentric: [0.5, 0.3, 0.2],
         uv: [0.0, 0.0],
     };
     let value = |id| scene.lookup(id, &at, |id, i| scene.texture(id).texel(i));
     // The corners of face 1 are the vertices 0, 2 and 3.
-    assert_eq!(value(by_vertex).x, 0.5 * 1.0 + 0.3 * 3.0 + 0.2 * 4.0);
+    assert_eq!(value(by_vertex).r, 0.5 * 1.0 + 0.3 * 3.0 + 0.2 * 4.0);
     assert_eq!(value(by_face), Rgb::new(0.4, 0.5, 0.6));
-    assert_eq!(value(by_name), Rgb::splat(10.0 * value(by_vertex).x));
+    assert_eq!(value(by_name), Rgb::splat(10.0 * value(by_vertex).r));
     // Derivatives by the vertices' numbers are the weights.
     let moving = SurfacePoint {
         shape: at.shape,
@@ -258,7 +259,7 @@ fn scene_with_attributes() -> (Scene, [TextureId; 3]) {
     ]
     .map(|texture| scene.add_texture(texture));
     let names = ["vertex_heat", "face_color"];
-    scene.shapes[0].attributes = names
+    scene.shape_mut(ShapeId(0)).attributes = names
         .into_iter()
         .zip(ids)
         .map(|(name, texture)| crate::shape::Attribute {
@@ -279,13 +280,13 @@ fn shapes_must_have_what_textures_ask_for() {
     };
     set(&mut scene, by_name);
     assert_eq!(scene.check(), Ok(()));
-    let heat = scene.shapes[0].attributes.remove(0);
+    let heat = scene.shape_mut(ShapeId(0)).attributes.remove(0);
     let message = scene.check().expect_err("no heat").to_string();
     assert!(message.contains("asks for \"vertex_heat\""), "{message}");
     assert!(message.contains("has only face_color"), "{message}");
     // Its range is that of its use.
     scene.texture_mut(heat.texture).data[2] = -1.0;
-    scene.shapes[0].attributes.push(heat);
+    scene.shape_mut(ShapeId(0)).attributes.push(heat);
     let message = scene.check().expect_err("negative").to_string();
     assert!(
         message.starts_with("floor.vertex_heat, texel 2 is (-1"),
@@ -297,7 +298,7 @@ fn shapes_must_have_what_textures_ask_for() {
     let message = scene.check().expect_err("no coordinates").to_string();
     assert!(message.contains("needs texture coordinates"), "{message}");
     let uvs = crate::primitive::rectangle_uvs(Affine::IDENTITY);
-    scene.shapes[0].uvs = Some(uvs);
+    scene.shape_mut(ShapeId(0)).uvs = Some(uvs);
     assert_eq!(scene.check(), Ok(()));
     scene.texture_mut(wood).data[4] = -0.5;
     let message = scene.check().expect_err("negative").to_string();

@@ -20,7 +20,7 @@ const FALSE_ALARM: f64 = 1e-8;
 fn samples_are_distributed_like_their_density() {
     for (name, lobe) in table::smooth() {
         for (place, wi) in table::views(&lobe).into_iter().enumerate() {
-            let bsdf = Bsdf::from(lobe.clone());
+            let bsdf = LocalBsdf::from(lobe.clone());
             let seed = 1000 + place as u64;
             // Where the density jumps inside bins, the coarse integrals are not
             // good enough; the fine ones take long.
@@ -38,7 +38,7 @@ fn samples_are_distributed_like_their_density() {
 /// The density of a blend is that of its parts and of the choice.
 #[test]
 fn blends_are_distributed_like_their_density() {
-    let mut bsdf = Bsdf::default();
+    let mut bsdf = LocalBsdf::default();
     for (place, (_, lobe)) in table::smooth().into_iter().step_by(3).take(3).enumerate() {
         bsdf.push([0.2, 0.5, 0.1][place], lobe);
     }
@@ -51,7 +51,7 @@ fn blends_are_distributed_like_their_density() {
 
 /// Probability of a histogram as uneven as this. Expected counts are integrals
 /// of `pieces` by `pieces` tiles per bin.
-fn p_value(bsdf: &Bsdf, wi: Vec3, seed: u64, pieces: usize) -> f64 {
+fn p_value(bsdf: &LocalBsdf, wi: Vec3, seed: u64, pieces: usize) -> f64 {
     const SAMPLES: usize = 100_000;
     let mut random = Random::new(seed);
     let mut counts = vec![0.0; COSINES * AZIMUTHS + 1];

@@ -7,7 +7,7 @@ use crate::table;
 
 /// Area element of `u -> wo`, by central differences; `None` where a step
 /// leaves the square or draws something else.
-fn area_element(lobe: &Bsdf, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<f64> {
+fn area_element(lobe: &LocalBsdf, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<f64> {
     const STEP: f64 = 1e-6; // error of the order of its square
     let at = |du: f64, dv: f64| {
         let sample = lobe.sample(wi, choice, [u[0] + du, u[1] + dv])?;
@@ -47,7 +47,7 @@ fn area_element_of_sample_is_one_over_pdf() {
         ) {
             continue;
         }
-        let bsdf = Bsdf::from(lobe.clone());
+        let bsdf = LocalBsdf::from(lobe.clone());
         for wi in table::views(&lobe) {
             for u in [[0.3, 0.7], [0.02, 0.2], [0.85, 0.9], [0.5, 0.4]] {
                 for choice in [0.001, 0.999] {

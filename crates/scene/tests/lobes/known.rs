@@ -2,7 +2,7 @@
 //! numbers of the table, and what `sample` gives for specular events, times its
 //! probability.
 
-use capwalk_math::Vec3;
+use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::lobe::*;
 
 use crate::table;
@@ -86,7 +86,7 @@ fn eval_and_pdf_are_those_of_mitsuba() {
         let (_, lobe) = lobes.iter().find(|(other, _)| other == name).expect(name);
         let (wi, wo) = (Vec3::from(*wi), Vec3::from(*wo));
         let found = lobe.eval(wi, wo);
-        let error = (found - Vec3::from(*value)).length() / found.length();
+        let error = (found - Rgb::from(*value)).length() / found.length();
         assert!(
             error < allowed(name),
             "{name}, {wo:?}: {found:?}, {error:e}"
@@ -118,7 +118,7 @@ fn specular_events_are_those_of_mitsuba() {
             "{name}: {found:?}"
         );
         assert!(
-            (found.1 - Vec3::from(*throughput)).length() < 1e-6,
+            (found.1 - Rgb::from(*throughput)).length() < 1e-6,
             "{name}: {found:?}"
         );
     }

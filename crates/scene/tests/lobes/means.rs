@@ -1,6 +1,6 @@
 //! Estimates by sampling have the mean that they should have.
 
-use capwalk_math::{Moments, Vec3};
+use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_scene::lobe::*;
 
 use crate::table;
@@ -15,7 +15,7 @@ const MOST_SIGMA: f64 = 6.0;
 fn mean_of_eval_over_pdf_is_the_integral_of_eval() {
     let light = |wo: Vec3| 1.0 + 0.5 * wo.x - 0.3 * wo.y * wo.z;
     for (name, lobe) in table::smooth() {
-        let bsdf = Bsdf::from(lobe.clone());
+        let bsdf = LocalBsdf::from(lobe.clone());
         for wi in table::views(&lobe) {
             let integral = sphere_integral(24, |wo| {
                 let value = bsdf.eval(wi, wo) * light(wo);
@@ -27,7 +27,7 @@ fn mean_of_eval_over_pdf_is_the_integral_of_eval() {
                 let drawn = bsdf.sample(wi, random.next(), random.pair());
                 let estimate = match drawn.filter(|sample| sample.specular.is_none()) {
                     Some(sample) => bsdf.eval(wi, sample.wo) * (light(sample.wo) / sample.pdf),
-                    None => Vec3::zero(),
+                    None => Rgb::zero(),
                 };
                 for (moments, x) in moments.iter_mut().zip(estimate.to_array()) {
                     moments.add(x);
@@ -51,7 +51,7 @@ fn mean_of_eval_over_pdf_is_the_integral_of_eval() {
 #[test]
 fn specular_events_have_their_probability() {
     for (name, lobe, events) in table::specular() {
-        let mut bsdf = Bsdf::default();
+        let mut bsdf = LocalBsdf::default();
         bsdf.push(0.3, Lobe::Null(Null));
         bsdf.push(0.6, lobe.clone());
         for wi in table::views(&lobe) {

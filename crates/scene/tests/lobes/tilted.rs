@@ -17,8 +17,8 @@ const LIMITS: NormalLimits = NormalLimits {
 /// A tilt by about 30 degrees.
 const NORMAL: Vec3 = Vec3::new(0.4, -0.35, 0.9);
 
-fn tilted(lobe: &Lobe, limits: NormalLimits) -> Bsdf {
-    let mut bsdf = Bsdf::default();
+fn tilted(lobe: &Lobe, limits: NormalLimits) -> LocalBsdf {
+    let mut bsdf = LocalBsdf::default();
     bsdf.push_tilted(0.6, lobe.clone(), Some(Tilt::new(NORMAL, limits)));
     bsdf
 }
@@ -50,13 +50,13 @@ fn tilted_lobes_draw_by_their_density() {
             let mut moments = [[Moments::default(); 2]; 2];
             for _ in 0..SAMPLES {
                 let wo = uniform(&mut random);
-                let value = bsdf.eval(wi, wo).x * light(wo);
+                let value = bsdf.eval(wi, wo).r * light(wo);
                 moments[0][0].add(value * 4.0 * PI);
                 moments[0][1].add(bsdf.pdf(wi, wo) * 4.0 * PI);
                 let drawn = bsdf.sample(wi, random.next(), random.pair());
                 let drawn = drawn.filter(|sample| sample.specular.is_none());
                 moments[1][0]
-                    .add(drawn.map_or(0.0, |s| bsdf.eval(wi, s.wo).x * light(s.wo) / s.pdf));
+                    .add(drawn.map_or(0.0, |s| bsdf.eval(wi, s.wo).r * light(s.wo) / s.pdf));
                 moments[1][1].add(f64::from(u8::from(drawn.is_some())));
             }
             let [uniform, drawn] = moments;
@@ -117,7 +117,7 @@ fn tilts_have_derivatives() {
             let numbers: Vec<f64> = [NORMAL, wi, wo].iter().flat_map(|v| v.to_array()).collect();
             let vector = |x: &[f64], i: usize| Vec3::new(x[i], x[i + 1], x[i + 2]);
             let at = |x: &[f64]| {
-                let mut bsdf = Bsdf::default();
+                let mut bsdf = LocalBsdf::default();
                 let tilt = Tilt::new(vector(x, 0), LIMITS);
                 bsdf.push_tilted(1.0, lobe.clone(), Some(tilt));
                 bsdf.eval(vector(x, 3), vector(x, 6))
@@ -129,12 +129,12 @@ fn tilts_have_derivatives() {
                     D::variable(numbers[i + 2], i + 2),
                 )
             };
-            let mut bsdf = Bsdf::<D>::default();
+            let mut bsdf = LocalBsdf::<D>::default();
             let tilt = Tilt::new(dual(0), LIMITS);
             bsdf.push_tilted(D::constant(1.0), lobe.map(&mut D::constant), Some(tilt));
             let value = bsdf.eval(dual(3), dual(6));
             assert_eq!(bsdf.value().eval(wi, wo), value.value(), "{name}");
-            assert!(value.x.value > 0.0, "{name}: nothing to see");
+            assert!(value.r.value > 0.0, "{name}: nothing to see");
             for i in 0..numbers.len() {
                 let step = |by: f64| {
                     let mut x = numbers.clone();
@@ -160,7 +160,7 @@ fn normals_that_turn_away() {
     let behind = direction(0.2, (-NORMAL.y).atan2(-NORMAL.x));
     assert!(behind.dot(NORMAL) < 0.0);
     let wo = direction(0.9, 1.0);
-    assert!(tilted(&lobe, LIMITS).eval(behind, wo).x > 0.05);
+    assert!(tilted(&lobe, LIMITS).eval(behind, wo).r > 0.05);
     let limits = NormalLimits {
         flip_invalid: false,
         ..LIMITS
@@ -169,9 +169,9 @@ fn normals_that_turn_away() {
     assert_eq!(bsdf.eval(behind, wo), Rgb::zero());
     assert_eq!(bsdf.pdf(behind, wo), 0.0);
     assert!(bsdf.sample(behind, 0.5, [0.5, 0.5]).is_none());
-    let plain = Bsdf::from(lobe);
+    let plain = LocalBsdf::from(lobe);
     let level = plain.eval(behind, wo);
-    let mut untilted = Bsdf::default();
+    let mut untilted = LocalBsdf::default();
     let up = Vec3::new(0.0, 0.0, 2.0);
     let Some((_, lobe)) = plain.lobes().next() else {
         panic!("one lobe");

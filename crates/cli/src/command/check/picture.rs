@@ -3,7 +3,7 @@
 
 use anyhow::Result;
 use capwalk_diff::check::Comparison;
-use capwalk_math::Vec3;
+use capwalk_math::Rgb;
 use capwalk_scene::Image;
 use capwalk_scene_io::image::{self, Panel, Picture, Style};
 
@@ -62,7 +62,7 @@ fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
 fn z_picture(comparison: &Comparison, like: &Image) -> Image {
     let z = comparison.z.iter();
     Image {
-        pixels: z.map(|&z| Vec3::splat(z)).collect(),
+        pixels: z.map(|&z| Rgb::splat(z)).collect(),
         ..*like
     }
 }

@@ -7,7 +7,8 @@ use capwalk_diff::{Options, Prepared, render};
 use capwalk_inverse::seed::{Purpose, seed};
 use capwalk_inverse::variable::{Variables, select::Wish, variable};
 use capwalk_inverse::{Problem, View};
-use capwalk_scene::{Film, Image, Scene, Sensor, builtin, params};
+use capwalk_scene::params::Registry;
+use capwalk_scene::{Film, Image, Scene, Sensor, builtin};
 use capwalk_scene_io::toml::{Document, Place};
 use capwalk_scene_io::{LoadError, LoadOptions, image, load_scene_with};
 
@@ -188,9 +189,10 @@ fn variables(
     scene: &Scene,
     wishes: &[(Wish, Place)],
 ) -> Result<Variables, LoadError> {
+    let registry = Registry::new(scene);
     let mut made = Vec::new();
     for (wish, place) in wishes {
-        let made_of = variable(scene, wish);
+        let made_of = variable(scene, &registry, wish);
         made.push(made_of.map_err(|error| document.error(*place, error.to_string()))?);
     }
     // Two of them get in each other's way: the last one is where it is seen.
@@ -236,9 +238,8 @@ fn sensor(
     };
     let set = |own: &mut Scene, name: &str, numbers: &[f64], place: Place| {
         let name = format!("{}.{name}", own.sensor.id);
-        let array = params::arrays(own)
-            .into_iter()
-            .find(|array| array.name == name);
+        let registry = Registry::new(own);
+        let array = registry.array(&name).ok().flatten();
         let array = array.ok_or_else(|| document.error(place, "the sensor has no such number"))?;
         let changed = array.set(own, numbers);
         changed.map_err(|error| document.error(place, error.to_string()))?;
@@ -257,8 +258,9 @@ fn sensor(
 
 /// Where the first parameter is that moves the sensor.
 fn moved_sensor(scene: &Scene, job: &Job, variables: &Variables) -> Option<Place> {
+    let registry = Registry::new(scene);
     let alone = |(wish, place): &(Wish, Place)| {
-        let variables = Variables::new(scene, vec![variable(scene, wish).ok()?]).ok()?;
+        let variables = Variables::new(scene, vec![variable(scene, &registry, wish).ok()?]).ok()?;
         variables.moves_sensor(scene).then_some(*place)
     };
     variables

@@ -1,14 +1,14 @@
 use super::super::tests::{example, numbers};
-use super::super::{Request, request};
+use super::super::{Registry, Request};
 use super::*;
 use crate::motion::SensorMotion;
 use crate::shape::Attribute;
-use crate::texture::{Bitmap, TexelFilter, Texture, UvTransform, Wrap};
+use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
 
 /// The example with a seam: the last vertex of the ball lies on the first.
 fn with_seam() -> Scene {
     let mut scene = example();
-    let positions = &mut scene.shapes[0].mesh.positions;
+    let positions = &mut scene.shape_mut(ShapeId(0)).mesh.positions;
     *positions.last_mut().expect("a ball") = positions[0];
     scene
 }
@@ -17,8 +17,8 @@ fn with_seam() -> Scene {
 fn with_textures() -> Scene {
     let mut scene = with_seam();
     let data = |count: usize| random(count, 9).iter().map(|x| x * x).collect();
-    let mut form = |id: usize, channels, data, pattern| {
-        let texture = &mut scene.textures[id];
+    let mut form = |id: u32, channels, data, pattern| {
+        let texture = scene.texture_mut(TextureId(id));
         (texture.channels, texture.data, texture.pattern) = (channels, data, pattern);
     };
     let to_uv = UvTransform::IDENTITY;
@@ -32,13 +32,13 @@ fn with_textures() -> Scene {
     };
     form(1, 1, data(6), Pattern::Bitmap(bitmap));
     form(3, 1, data(1), Pattern::Constant);
-    scene.textures.push(Texture {
+    scene.add_texture(Texture {
         id: "ball.vertex_color".into(),
         channels: 3,
         data: data(42 * 3),
         pattern: Pattern::PerVertex,
     });
-    scene.shapes[0].attributes.push(Attribute {
+    scene.shape_mut(ShapeId(0)).attributes.push(Attribute {
         name: "vertex_color".into(),
         texture: TextureId(4),
     });
@@ -75,7 +75,17 @@ fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
 }
 
 fn named(scene: &Scene, name: &str) -> ArrayParameter {
-    find(scene, name).expect("one thing").expect(name)
+    let registry = Registry::new(scene);
+    let array = registry.array(name).expect("one thing").expect(name);
+    array.clone()
+}
+
+fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
+    Registry::new(scene).motion(scene, expression)
+}
+
+fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
+    Registry::new(scene).request(scene, text)
 }
 
 fn stepped(scene: &Scene, array: &ArrayParameter, velocities: &[f64], step: f64) -> Scene {
@@ -92,7 +102,8 @@ fn stepped(scene: &Scene, array: &ArrayParameter, velocities: &[f64], step: f64)
 
 #[test]
 fn arrays_are_listed_in_the_order_of_parameters() {
-    let listed: Vec<(String, String)> = arrays(&example())
+    let listed: Vec<(String, String)> = Registry::new(&example())
+        .arrays()
         .iter()
         .map(|array| (array.name.clone(), array.shape_text()))
         .collect();
@@ -145,7 +156,7 @@ fn arrays_are_listed_in_the_order_of_parameters() {
         assert_eq!(named(&scene, name).shape_text(), shape, "{name}");
     }
     // The short name of a single number is a scalar's.
-    assert_eq!(find(&scene, "sky.radiance"), Ok(None));
+    assert_eq!(Registry::new(&scene).array("sky.radiance"), Ok(None));
 }
 
 /// Each array has numbers of its own.
@@ -165,11 +176,11 @@ fn parts_of_a_texture_are_apart() {
 fn every_array_means_what_it_says() {
     let scene = with_textures();
     let h = 1e-5;
-    for array in arrays(&scene) {
+    for array in Registry::new(&scene).arrays() {
         assert_eq!(array.get(&scene).len(), array.count(), "{}", array.name);
-        let velocities = admissible(&scene, &array);
+        let velocities = admissible(&scene, array);
         let motion = array.motion(&scene, &velocities);
-        let set = [h, -h].map(|h| numbers(&stepped(&scene, &array, &velocities, h)));
+        let set = [h, -h].map(|h| numbers(&stepped(&scene, array, &velocities, h)));
         let moved = [h, -h].map(|h| numbers(&scene.moved(&motion, h)));
         let mut moves = false;
         for i in 0..set[0].len() {
@@ -226,8 +237,8 @@ fn gradients_are_transposed_motions() {
         axes: [0, 1, 2].map(|i| vectors(&random(9, 6))[i]),
         optics: vectors(&random(3, 8))[0],
     };
-    for array in arrays(&scene) {
-        let velocities = admissible(&scene, &array);
+    for array in Registry::new(&scene).arrays() {
+        let velocities = admissible(&scene, array);
         let read = array.gradient(&scene, &gradient);
         let dot: f64 = read.iter().zip(&velocities).map(|(a, b)| a * b).sum();
         let expected = gradient.dot(&array.motion(&scene, &velocities));
@@ -235,7 +246,7 @@ fn gradients_are_transposed_motions() {
         assert!((dot - expected).abs() < 1e-12, "{name}: {dot} {expected}");
         assert!(expected.abs() > 1e-3, "{name}: nothing to compare");
         // A step along it is admissible.
-        stepped(&scene, &array, &read, -0.01);
+        stepped(&scene, array, &read, -0.01);
         let nothing = array.gradient(&scene, &Motion::zero(&scene));
         assert_eq!(nothing, vec![0.0; array.count()], "{name}");
     }
@@ -315,7 +326,7 @@ fn requests_are_arrays_or_expressions() {
         ("ball.vertex_positions", "did you mean `ball.positions`?"),
         (
             "ball.vertex_texcoords",
-            "\"ball.vertex_texcoords\" is not a parameter: derivatives by texture coordinates",
+            "\"ball.vertex_texcoords\" is not a parameter: derivatives with respect to texture coordinates",
         ),
         ("2*ball.positions", "\"ball.positions\" is an array"),
         ("ball.positions[42]", "(42, 3)"),
@@ -329,10 +340,10 @@ fn requests_are_arrays_or_expressions() {
     ] {
         assert!(message(text).contains(part), "{text}: {}", message(text));
     }
-    let scalar = super::super::motion(&scene, "ball.positions").expect_err("an array");
-    assert!(scalar.to_string().contains("capwalk backward"), "{scalar}");
+    let scalar = motion(&scene, "ball.positions").expect_err("an array");
+    assert!(scalar.to_string().contains("is an array"), "{scalar}");
     let mut twice = example();
-    twice.textures[2].id = "sky.radiance".into();
+    twice.texture_mut(TextureId(2)).id = "sky.radiance".into();
     let error = request(&twice, "sky.radiance.value").expect_err("ambiguous");
     assert!(
         error.to_string().contains("two different things"),
@@ -345,11 +356,7 @@ fn requests_are_arrays_or_expressions() {
 #[test]
 fn elements_are_parameters() {
     let scene = example();
-    let motion = |scene: &Scene, text: &str| super::super::motion(scene, text).expect(text);
-    let array = |scene: &Scene, name: &str| {
-        let found = find(scene, name).expect("one meaning");
-        found.expect("it is there")
-    };
+    let motion = |scene: &Scene, text: &str| motion(scene, text).expect(text);
     for (text, name, numbers) in [
         ("ball.positions[7,2]", "ball.positions", vec![(23, 1.0)]),
         (
@@ -373,7 +380,7 @@ fn elements_are_parameters() {
             vec![(12, 1.0)],
         ),
     ] {
-        let array = array(&scene, name);
+        let array = named(&scene, name);
         let mut velocities = vec![0.0; array.count()];
         for (index, velocity) in numbers {
             velocities[index] = velocity;

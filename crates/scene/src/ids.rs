@@ -1,0 +1,14 @@
+//! Places in the lists of a scene.
+
+/// Index into [`Scene::shapes`](crate::Scene::shapes).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ShapeId(pub u32);
+/// Index into [`Scene::materials`](crate::Scene::materials).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BsdfId(pub u32);
+/// Index into [`Scene::emitters`](crate::Scene::emitters).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct EmitterId(pub u32);
+/// Index into [`Scene::textures`](crate::Scene::textures).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TextureId(pub u32);

@@ -1,0 +1,307 @@
+//! Several lobes at once: the BSDF at a point.
+
+use capwalk_math::{Real, Rgb, Vec3};
+
+use super::each::Lobe;
+use super::event::{Drawn, Event, Side, Specular};
+use super::tilt::Tilt;
+
+/// Up to [`LocalBsdf::MAX_LOBES`] lobes with weights: what a surface does to light
+/// at a point.
+///
+/// Sampling chooses a lobe in proportion to the values of the weights (negative
+/// ones count as zero), and a density is that of the whole choice. With
+/// [`LocalBsdf::explored`], lobes are chosen even at weight zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LocalBsdf<R = f64> {
+    lobes: [Option<(R, Lobe<R>)>; 4],
+    /// Lobes that have normals of their own.
+    tilts: [Option<Box<Tilt<R>>>; 4],
+    /// Lobes that are chosen with [`LEAST_CHANCE`] at least.
+    is_explored: [bool; 4],
+    side: Option<Side>,
+}
+
+/// Smallest chance of a lobe whose weight may have a derivative, which is there
+/// even where the weight is zero.
+const LEAST_CHANCE: f64 = 0.1;
+
+/// A direction drawn by a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BsdfSample {
+    /// The direction to continue in.
+    pub wo: Vec3,
+    /// Its density per solid angle, [`LocalBsdf::pdf`]; for a specular event its
+    /// probability. Positive.
+    pub pdf: f64,
+    /// `None` if `wo` comes from a density. Otherwise the throughput is that of
+    /// [`LocalBsdf::specular`] over `pdf`.
+    pub specular: Option<Specular>,
+}
+
+impl<R: Real> Default for LocalBsdf<R> {
+    /// A black surface: no lobes, to be seen from both sides.
+    fn default() -> Self {
+        Self {
+            lobes: [const { None }; 4],
+            tilts: [const { None }; 4],
+            is_explored: [false; 4],
+            side: None,
+        }
+    }
+}
+
+impl<R: Real> From<Lobe<R>> for LocalBsdf<R> {
+    /// One lobe of weight one.
+    fn from(lobe: Lobe<R>) -> Self {
+        let mut bsdf = Self::default();
+        bsdf.push(R::constant(1.0), lobe);
+        bsdf
+    }
+}
+
+impl<R: Real> LocalBsdf<R> {
+    /// How many lobes there is place for.
+    pub const MAX_LOBES: usize = 4;
+
+    /// Adds a lobe.
+    ///
+    /// # Panics
+    ///
+    /// If there is no place; refuse such materials when reading them.
+    pub fn push(&mut self, weight: R, lobe: Lobe<R>) {
+        self.push_tilted(weight, lobe, None);
+    }
+
+    /// Adds a lobe that may have a normal of its own.
+    ///
+    /// # Panics
+    ///
+    /// If there is no place; refuse such materials when reading them.
+    pub fn push_tilted(&mut self, weight: R, lobe: Lobe<R>, tilt: Option<Tilt<R>>) {
+        let place = self.lobes.iter().position(Option::is_none);
+        let place = place.expect("materials of more lobes are refused when read");
+        self.lobes[place] = Some((weight, lobe));
+        self.tilts[place] = tilt.map(Box::new);
+    }
+
+    /// The same surface, all lobes about the shading normal.
+    #[must_use]
+    pub fn levelled(mut self) -> Self {
+        self.tilts = [const { None }; 4];
+        self
+    }
+
+    /// The tilts of the lobes, in the order of [`LocalBsdf::lobes`].
+    fn tilts(&self) -> impl Iterator<Item = Option<&Tilt<R>>> {
+        self.tilts.iter().map(Option::as_deref)
+    }
+
+    /// The lobes and their weights, in the order in which they were added.
+    pub fn lobes(&self) -> impl Iterator<Item = &(R, Lobe<R>)> {
+        self.lobes.iter().flatten()
+    }
+
+    /// The same surface, of which the face shows the given side, whatever the
+    /// sign of `wi.z`: for directions that an interpolated normal puts on the
+    /// other side, lobes answer for the mirrored direction. On the back,
+    /// one-sided lobes are black.
+    ///
+    /// Without it, two-sided lobes take the side from the sign of `wi.z`, and
+    /// one-sided ones count as seen from the front.
+    #[must_use]
+    pub fn seen_from(mut self, side: Side) -> Self {
+        self.side = Some(side);
+        self
+    }
+
+    /// `wi` in a lobe's frame, on the side that is seen; `None` if the lobe shows
+    /// nothing there.
+    #[inline]
+    fn seen(&self, wi: Vec3<R>, tilt: Option<&Tilt<R>>) -> Option<Vec3<R>> {
+        let Some(tilt) = tilt else {
+            return Some(match self.side {
+                None => wi,
+                Some(side) => side.put(wi),
+            });
+        };
+        let side = self.side.unwrap_or(match wi.z.value() < 0.0 {
+            true => Side::Back,
+            false => Side::Front,
+        });
+        let wi = side.put(wi);
+        (!tilt.is_turned_away(wi)).then(|| side.put(tilt.turned(wi)))
+    }
+
+    /// True if the lobe shows something to the side that is seen.
+    #[inline]
+    fn shows(&self, lobe: &Lobe<R>) -> bool {
+        self.side != Some(Side::Back) || lobe.is_two_sided()
+    }
+
+    /// The lobes and the weights with which they are chosen, up to a common
+    /// factor.
+    #[inline]
+    fn chances(&self) -> impl Iterator<Item = (f64, &Lobe<R>)> {
+        let lobes = self.lobes().zip(self.is_explored);
+        lobes.map(|((weight, lobe), is_explored)| {
+            let least = if is_explored { LEAST_CHANCE } else { 0.0 };
+            let chance = weight.value().max(least);
+            (if self.shows(lobe) { chance } else { 0.0 }, lobe)
+        })
+    }
+
+    /// `f(wi, wo) |cos wo|` of everything but perfectly specular parts.
+    pub fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+        let parts = self.lobes().zip(self.tilts());
+        let parts = parts.filter(|((_, lobe), _)| self.shows(lobe));
+        parts.fold(Rgb::zero(), |sum, ((weight, lobe), tilt)| {
+            let Some(wi) = self.seen(wi, tilt) else {
+                return sum;
+            };
+            sum + match tilt {
+                None => lobe.eval(wi, wo) * *weight,
+                Some(tilt) => lobe.eval(wi, tilt.turned(wo)) * (*weight * tilt.shown(wo)),
+            }
+        })
+    }
+
+    /// Where a perfectly specular event sends `wi`, and how much radiance
+    /// comes back from there: `weight · Fresnel · tint · scaling of radiance`,
+    /// as smooth functions.
+    ///
+    /// # Panics
+    ///
+    /// If the surface has no such event; [`LocalBsdf::sample`] never returns one.
+    pub fn specular(&self, event: Specular, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
+        let (weight, lobe) = self.lobes[event.lobe]
+            .as_ref()
+            .expect("events come from lobes that are there");
+        let tilt = self.tilts[event.lobe].as_deref();
+        let seen = self.seen(wi, tilt);
+        let seen = seen.expect("events come from lobes that are seen");
+        let (own, throughput) = lobe.specular(event, seen);
+        let wo = match (event.event, tilt) {
+            // Straight on, whatever the normals.
+            (Event::Pass, _) => -wi,
+            (_, Some(tilt)) => tilt.turned_back(own),
+            (_, None) => own,
+        };
+        let shown = tilt.map_or(R::constant(1.0), |tilt| tilt.shown(wo));
+        (wo, throughput * (*weight * shown))
+    }
+
+    /// The surface with `f` of each weight and number, in order.
+    pub fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> LocalBsdf<S> {
+        let mut mapped = LocalBsdf {
+            side: self.side,
+            is_explored: self.is_explored,
+            ..LocalBsdf::default()
+        };
+        for ((weight, lobe), tilt) in self.lobes().zip(self.tilts()) {
+            let weight = f(*weight);
+            let lobe = lobe.map(f);
+            mapped.push_tilted(weight, lobe, tilt.map(|tilt| tilt.map(f)));
+        }
+        mapped
+    }
+
+    /// The primal BSDF: without derivatives.
+    pub fn value(&self) -> LocalBsdf {
+        self.map(&mut R::value)
+    }
+
+    /// The same surface, of which every lobe is drawn, also those of weight zero:
+    /// their weights may have derivatives.
+    #[must_use]
+    pub fn explored(mut self) -> Self {
+        self.is_explored = [true; 4];
+        self
+    }
+
+    /// True if it can be drawn anything that is not perfectly specular: worth
+    /// sampling emitters.
+    pub fn has_smooth(&self) -> bool {
+        self.chances()
+            .any(|(chance, lobe)| chance > 0.0 && lobe.has_smooth())
+    }
+}
+
+impl LocalBsdf {
+    /// Sum of the weights that are chosen by.
+    #[inline]
+    fn total_chance(&self) -> f64 {
+        self.chances().map(|(chance, _)| chance).sum()
+    }
+
+    /// Density per solid angle of the smooth directions that [`LocalBsdf::sample`]
+    /// draws, including the probability that it draws one.
+    pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+        let total = self.total_chance();
+        if total <= 0.0 {
+            return 0.0;
+        }
+        let parts = self.chances().zip(self.tilts());
+        let sum: f64 = parts
+            .filter(|((chance, _), _)| *chance > 0.0)
+            .map(|((chance, lobe), tilt)| {
+                let Some(wi) = self.seen(wi, tilt) else {
+                    return 0.0;
+                };
+                chance
+                    * match tilt {
+                        None => lobe.pdf(wi, wo),
+                        Some(tilt) if tilt.is_on_one_side(wo) => lobe.pdf(wi, tilt.turned(wo)),
+                        Some(_) => 0.0,
+                    }
+            })
+            .sum();
+        sum / total
+    }
+
+    /// Draws a direction or a specular event; `None` if the path ends.
+    /// `u_choice` and `u` are uniform in `[0, 1)`.
+    pub fn sample(&self, wi: Vec3, u_choice: f64, u: [f64; 2]) -> Option<BsdfSample> {
+        // The lobe; what is left of the random number chooses within it.
+        let total = self.total_chance();
+        let mut left = u_choice * total;
+        let mut chosen = None;
+        for (place, (chance, lobe)) in self.chances().enumerate() {
+            if chance <= 0.0 {
+                continue;
+            }
+            // The last one takes what rounding leaves over.
+            chosen = Some((place, lobe, chance, (left / chance).min(1.0 - f64::EPSILON)));
+            if left < chance {
+                break;
+            }
+            left -= chance;
+        }
+        let (place, lobe, chance, choice) = chosen?;
+        let tilt = self.tilts[place].as_deref();
+        let is_shown = |wo| tilt.is_none_or(|tilt| tilt.is_on_one_side(wo));
+        match lobe.sample(self.seen(wi, tilt)?, choice, u)? {
+            Drawn::Smooth(wo) => {
+                let wo = tilt.map_or(wo, |tilt| tilt.turned_back(wo));
+                if !is_shown(wo) {
+                    return None;
+                }
+                let pdf = self.pdf(wi, wo);
+                (pdf > 0.0).then_some(BsdfSample {
+                    wo,
+                    pdf,
+                    specular: None,
+                })
+            }
+            Drawn::Specular(event, probability) => {
+                let specular = Specular { lobe: place, event };
+                let wo = self.specular(specular, wi).0;
+                is_shown(wo).then_some(BsdfSample {
+                    wo,
+                    pdf: probability * chance / total,
+                    specular: Some(specular),
+                })
+            }
+        }
+    }
+}

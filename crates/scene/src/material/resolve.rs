@@ -1,0 +1,335 @@
+//! From a material and its textures at a point of a surface to lobes.
+
+use std::sync::Arc;
+
+use capwalk_math::{Real, Rgb, Vec3};
+
+use super::bsdf::{Bsdf, Coat, Facets, Glass, Principled, PrincipledIndex};
+use super::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
+use super::traits::Composition;
+use crate::ids::{BsdfId, TextureId};
+use crate::scene::Scene;
+
+/// The textures at a point of a surface.
+pub trait TexturesAt<R> {
+    /// The value of one.
+    fn value(&mut self, id: TextureId) -> Rgb<R>;
+    /// How the value of a bitmap changes along the first two axes of the shading
+    /// frame, per unit of length.
+    fn gradient(&mut self, id: TextureId) -> [Rgb<R>; 2];
+    /// True if derivatives by its texels may be asked for: also where there is
+    /// none of something, its amount is a number that can change.
+    fn may_change(&self, id: TextureId) -> bool;
+}
+
+/// What resolving needs besides the scene: what takes long to find out.
+#[derive(Clone, Debug, Default)]
+pub struct Resolver {
+    /// A table for each material with a rough coat.
+    coats: Vec<Option<Arc<RoughTransmittance>>>,
+    /// Which materials have a two-sided one in them.
+    two_sided: Vec<bool>,
+}
+
+/// What a surface does to light at a point, to a viewer on one side.
+#[derive(Clone, Debug)]
+pub struct Resolved<R> {
+    /// The lobes, which know the side that is seen.
+    pub bsdf: lobe::LocalBsdf<R>,
+    /// True if the shading frame is to be turned over: the back of a two-sided
+    /// material is the front of another.
+    pub flipped: bool,
+}
+
+impl Resolver {
+    /// The tables for a checked scene.
+    pub fn new(scene: &Scene) -> Self {
+        let number = |id: TextureId| scene.texture(id).texel(0).r;
+        let coats = scene
+            .materials
+            .iter()
+            .map(|material| {
+                let Bsdf::RoughPlastic {
+                    coat,
+                    distribution,
+                    alpha,
+                } = &material.bsdf
+                else {
+                    return None;
+                };
+                let eta = number(coat.int_ior) / number(coat.ext_ior);
+                let table = RoughTransmittance::new(*distribution, number(*alpha), eta);
+                Some(Arc::new(table))
+            })
+            .collect();
+        let is_two_sided = |id| {
+            let mut parts = scene.materials_below(id).into_iter();
+            parts.any(|part| {
+                let composition = scene.material(part).bsdf.traits().composition;
+                matches!(composition, Composition::Sides { .. })
+            })
+        };
+        let ids = (0..scene.materials.len() as u32).map(BsdfId);
+        let two_sided = ids.map(is_two_sided).collect();
+        Self { coats, two_sided }
+    }
+
+    /// What a material does to light at a point, to a viewer on the given side of
+    /// the face.
+    pub fn resolve<R: Real>(
+        &self,
+        scene: &Scene,
+        id: BsdfId,
+        side: Side,
+        textures: &mut impl TexturesAt<R>,
+    ) -> Resolved<R> {
+        let mut parts = Parts {
+            lobes: Vec::with_capacity(lobe::LocalBsdf::<R>::MAX_LOBES),
+            flipped: false,
+            is_opaque: self.two_sided[id.0 as usize],
+            tilt: None,
+        };
+        self.add(scene, id, side, R::constant(1.0), textures, &mut parts);
+        let mut bsdf = lobe::LocalBsdf::default();
+        for (weight, lobe, tilt) in parts.lobes {
+            bsdf.push_tilted(weight, lobe, tilt);
+        }
+        let side = if parts.flipped { Side::Front } else { side };
+        Resolved {
+            bsdf: bsdf.seen_from(side),
+            flipped: parts.flipped,
+        }
+    }
+
+    fn add<R: Real>(
+        &self,
+        scene: &Scene,
+        id: BsdfId,
+        side: Side,
+        weight: R,
+        textures: &mut impl TexturesAt<R>,
+        parts: &mut Parts<R>,
+    ) {
+        let one = R::constant(1.0);
+        match &scene.material(id).bsdf {
+            Bsdf::TwoSided { front, .. } if side == Side::Front => {
+                self.add(scene, *front, side, weight, textures, parts);
+            }
+            Bsdf::TwoSided { back, .. } => {
+                parts.flipped = true;
+                self.add(scene, *back, Side::Front, weight, textures, parts);
+            }
+            Bsdf::Mask { opacity, nested } => {
+                let opacity = number(scene, *opacity, textures);
+                self.add(scene, *nested, side, weight * opacity, textures, parts);
+                parts.push(weight * (one - opacity), Lobe::Null(lobe::Null));
+            }
+            Bsdf::Blend {
+                weight: second,
+                nested,
+            } => {
+                let second = number(scene, *second, textures);
+                self.add(
+                    scene,
+                    nested[0],
+                    side,
+                    weight * (one - second),
+                    textures,
+                    parts,
+                );
+                self.add(scene, nested[1], side, weight * second, textures, parts);
+            }
+            Bsdf::NormalMap {
+                normals,
+                nested,
+                limits,
+            } => {
+                let normal = textures.value(*normals) * R::constant(2.0) - Rgb::splat(one);
+                parts.tilt = Some(Tilt::new(Vec3::from(normal.to_array()), *limits));
+                self.add(scene, *nested, side, weight, textures, parts);
+                parts.tilt = None;
+            }
+            Bsdf::BumpMap {
+                heights,
+                scale,
+                nested,
+                limits,
+            } => {
+                let scale = number(scene, *scale, textures);
+                let slopes = textures.gradient(*heights);
+                let [x, y] = slopes.map(|slope| -grey(scene, *heights, slope) * scale);
+                parts.tilt = Some(Tilt::new(Vec3::new(x, y, one), *limits));
+                self.add(scene, *nested, side, weight, textures, parts);
+                parts.tilt = None;
+            }
+            one_sided => {
+                let coat = self.coats.get(id.0 as usize).and_then(Option::as_ref);
+                let lobe = lobe(scene, one_sided, coat, parts.is_opaque, textures);
+                if side == Side::Front || lobe.is_two_sided() {
+                    parts.push(weight, lobe);
+                }
+            }
+        }
+    }
+}
+
+/// What has been put together so far.
+struct Parts<R> {
+    lobes: Vec<(R, Lobe<R>, Option<Tilt<R>>)>,
+    flipped: bool,
+    /// There is a two-sided material: nothing may transmit, whatever changes.
+    is_opaque: bool,
+    /// That of the map which is looked into.
+    tilt: Option<Tilt<R>>,
+}
+
+impl<R: Real> Parts<R> {
+    fn push(&mut self, weight: R, lobe: Lobe<R>) {
+        // What passes goes straight on, whatever the normal.
+        let passes = matches!(lobe, Lobe::Null(_));
+        let tilt = self.tilt.filter(|_| !passes);
+        self.lobes.push((weight, lobe, tilt));
+    }
+}
+
+/// A texture as one number: the luminance if it is a colour.
+fn number<R: Real>(scene: &Scene, id: TextureId, textures: &mut impl TexturesAt<R>) -> R {
+    grey(scene, id, textures.value(id))
+}
+
+/// A value of a texture, or a change of it, as one number.
+fn grey<R: Real>(scene: &Scene, id: TextureId, value: Rgb<R>) -> R {
+    match scene.texture(id).channels {
+        1 => value.r,
+        _ => value.luminance(),
+    }
+}
+
+/// The lobe of a material that is not made of others. `is_opaque` if nothing may
+/// transmit, whatever changes.
+fn lobe<R: Real>(
+    scene: &Scene,
+    bsdf: &Bsdf,
+    coat_table: Option<&Arc<RoughTransmittance>>,
+    is_opaque: bool,
+    textures: &mut impl TexturesAt<R>,
+) -> Lobe<R> {
+    match bsdf {
+        Bsdf::Diffuse { reflectance } => Lobe::Diffuse(lobe::Diffuse {
+            reflectance: textures.value(*reflectance),
+        }),
+        Bsdf::Conductor(metal) => Lobe::Conductor(lobe::Conductor {
+            eta: textures.value(metal.eta),
+            k: textures.value(metal.k),
+            specular_reflectance: textures.value(metal.specular_reflectance),
+        }),
+        Bsdf::RoughConductor(metal, facets) => Lobe::RoughConductor(lobe::RoughConductor {
+            microfacets: microfacets(scene, facets, textures),
+            eta: textures.value(metal.eta),
+            k: textures.value(metal.k),
+            specular_reflectance: textures.value(metal.specular_reflectance),
+        }),
+        Bsdf::Dielectric(glass) => Lobe::Dielectric(lobe::Dielectric {
+            eta: relative_index(scene, glass, textures),
+            specular_reflectance: textures.value(glass.specular_reflectance),
+            specular_transmittance: textures.value(glass.specular_transmittance),
+        }),
+        Bsdf::RoughDielectric(glass, facets) => Lobe::RoughDielectric(lobe::RoughDielectric {
+            microfacets: microfacets(scene, facets, textures),
+            eta: relative_index(scene, glass, textures),
+            specular_reflectance: textures.value(glass.specular_reflectance),
+            specular_transmittance: textures.value(glass.specular_transmittance),
+        }),
+        Bsdf::ThinDielectric(glass) => Lobe::ThinDielectric(lobe::ThinDielectric {
+            eta: relative_index(scene, glass, textures),
+            specular_reflectance: textures.value(glass.specular_reflectance),
+            specular_transmittance: textures.value(glass.specular_transmittance),
+        }),
+        Bsdf::Plastic(coat) => Lobe::Plastic(lobe::Plastic {
+            eta: coat_index(scene, coat, textures),
+            diffuse_reflectance: textures.value(coat.diffuse_reflectance),
+            specular_reflectance: textures.value(coat.specular_reflectance),
+            nonlinear: coat.nonlinear,
+        }),
+        Bsdf::RoughPlastic { coat, alpha, .. } => {
+            let table = coat_table.expect("the resolver is that of the scene");
+            Lobe::RoughPlastic(lobe::RoughPlastic {
+                eta: coat_index(scene, coat, textures),
+                alpha: number(scene, *alpha, textures),
+                diffuse_reflectance: textures.value(coat.diffuse_reflectance),
+                specular_reflectance: textures.value(coat.specular_reflectance),
+                nonlinear: coat.nonlinear,
+                transmittance: Arc::clone(table),
+            })
+        }
+        Bsdf::Principled(principled) => {
+            Lobe::Principled(principled_lobe(scene, principled, is_opaque, textures))
+        }
+        Bsdf::Null => Lobe::Null(lobe::Null),
+        Bsdf::TwoSided { .. }
+        | Bsdf::Mask { .. }
+        | Bsdf::Blend { .. }
+        | Bsdf::NormalMap { .. }
+        | Bsdf::BumpMap { .. } => unreachable!("materials made of others are taken apart before"),
+    }
+}
+
+fn microfacets<R: Real>(
+    scene: &Scene,
+    facets: &Facets,
+    textures: &mut impl TexturesAt<R>,
+) -> Microfacets<R> {
+    let [alpha_u, alpha_v] = facets.alpha.map(|id| number(scene, id, textures));
+    Microfacets {
+        distribution: facets.distribution,
+        alpha_u,
+        alpha_v,
+    }
+}
+
+fn relative_index<R: Real>(scene: &Scene, glass: &Glass, textures: &mut impl TexturesAt<R>) -> R {
+    number(scene, glass.int_ior, textures) / number(scene, glass.ext_ior, textures)
+}
+
+fn coat_index<R: Real>(scene: &Scene, coat: &Coat, textures: &mut impl TexturesAt<R>) -> R {
+    number(scene, coat.int_ior, textures) / number(scene, coat.ext_ior, textures)
+}
+
+fn principled_lobe<R: Real>(
+    scene: &Scene,
+    principled: &Principled,
+    is_opaque: bool,
+    textures: &mut impl TexturesAt<R>,
+) -> lobe::Principled<R> {
+    let base_color = textures.value(principled.base_color);
+    let glass_changes =
+        textures.may_change(principled.metallic) || textures.may_change(principled.spec_trans);
+    let coat_changes = textures.may_change(principled.clearcoat);
+    let mut number = |id| number(scene, id, textures);
+    let eta = match principled.index {
+        PrincipledIndex::Eta(eta) => number(eta),
+        PrincipledIndex::Specular(specular) => lobe::Principled::eta_of_specular(number(specular)),
+    };
+    lobe::Principled {
+        base_color,
+        roughness: number(principled.roughness),
+        anisotropic: number(principled.anisotropic),
+        metallic: number(principled.metallic),
+        spec_trans: number(principled.spec_trans),
+        eta,
+        spec_tint: number(principled.spec_tint),
+        sheen: number(principled.sheen),
+        sheen_tint: number(principled.sheen_tint),
+        flatness: number(principled.flatness),
+        clearcoat: number(principled.clearcoat),
+        clearcoat_gloss: number(principled.clearcoat_gloss),
+        explored: lobe::Explored {
+            base: glass_changes,
+            glass: glass_changes && !is_opaque,
+            coat: coat_changes,
+        },
+    }
+}
+
+#[cfg(test)]
+mod tests;

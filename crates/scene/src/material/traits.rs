@@ -1,0 +1,150 @@
+//! What follows from a material for all who trace paths and look for boundaries.
+
+use super::bsdf::{Bsdf, NormalLimits};
+use crate::ids::{BsdfId, TextureId};
+
+/// The answers that every material must give, whatever its numbers are.
+///
+/// They are for the material alone, not for those that it is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MaterialTraits {
+    /// Reflects some light in one direction alone, as mirrors do. What refracts light in
+    /// one direction alone reflects so, too.
+    pub is_specular: bool,
+    /// Lets some light pass straight on.
+    pub passes_light: bool,
+    /// Whether it matters how it is turned about the normal.
+    pub anisotropy: Anisotropy,
+    /// Other materials that it is made of.
+    pub composition: Composition,
+}
+
+/// Whether it matters how a material is turned about the normal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Anisotropy {
+    /// It does not.
+    Isotropic,
+    /// It does.
+    Anisotropic,
+    /// It does where this texture is not zero; where it is, for derivatives with
+    /// respect to the texture.
+    By(TextureId),
+}
+
+/// How a material is made of others.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Composition {
+    /// It is not.
+    Plain,
+    /// One on each side.
+    Sides {
+        /// Of the side that the normal points to.
+        front: BsdfId,
+        /// Of the other side.
+        back: BsdfId,
+    },
+    /// Two, mixed.
+    Mixture([BsdfId; 2]),
+    /// One, of which less is seen.
+    Partial(BsdfId),
+    /// One, about other normals.
+    Perturbed {
+        /// The material.
+        nested: BsdfId,
+        /// What is done about normals that go too far.
+        limits: NormalLimits,
+    },
+}
+
+impl Bsdf {
+    /// What must be known of every material.
+    pub fn traits(&self) -> MaterialTraits {
+        use Anisotropy::*;
+        let plain = MaterialTraits {
+            is_specular: false,
+            passes_light: false,
+            anisotropy: Isotropic,
+            composition: Composition::Plain,
+        };
+        let specular = MaterialTraits {
+            is_specular: true,
+            ..plain
+        };
+        let made_of = |composition| MaterialTraits {
+            composition,
+            ..plain
+        };
+        match *self {
+            Self::Diffuse { .. } | Self::RoughPlastic { .. } => plain,
+            Self::Conductor(_) | Self::Dielectric(_) | Self::Plastic(_) => specular,
+            Self::RoughConductor(_, facets) | Self::RoughDielectric(_, facets) => MaterialTraits {
+                anisotropy: match facets.alpha[0] == facets.alpha[1] {
+                    true => Isotropic,
+                    false => Anisotropic,
+                },
+                ..plain
+            },
+            Self::ThinDielectric(_) => MaterialTraits {
+                passes_light: true,
+                ..specular
+            },
+            Self::Principled(principled) => MaterialTraits {
+                anisotropy: By(principled.anisotropic),
+                ..plain
+            },
+            Self::Null => MaterialTraits {
+                passes_light: true,
+                ..plain
+            },
+            Self::TwoSided { front, back } => made_of(Composition::Sides { front, back }),
+            Self::Mask { nested, .. } => MaterialTraits {
+                passes_light: true,
+                ..made_of(Composition::Partial(nested))
+            },
+            Self::Blend { nested, .. } => made_of(Composition::Mixture(nested)),
+            Self::NormalMap { nested, limits, .. } | Self::BumpMap { nested, limits, .. } => {
+                made_of(Composition::Perturbed { nested, limits })
+            }
+        }
+    }
+
+    /// What is done about normals that go too far, if it is a map of normals or
+    /// heights.
+    pub fn normal_limits(&self) -> Option<NormalLimits> {
+        match self.traits().composition {
+            Composition::Perturbed { limits, .. } => Some(limits),
+            Composition::Plain
+            | Composition::Sides { .. }
+            | Composition::Mixture(_)
+            | Composition::Partial(_) => None,
+        }
+    }
+
+    /// The materials that it is made of.
+    pub fn parts(&self) -> Vec<BsdfId> {
+        let parts = self.named_parts().into_iter();
+        parts.map(|(_, part)| part).collect()
+    }
+
+    /// The materials that it is made of, and their names in it.
+    pub fn named_parts(&self) -> Vec<(&'static str, BsdfId)> {
+        match self.traits().composition {
+            Composition::Plain => Vec::new(),
+            Composition::Sides { front, back } => vec![("brdf_0", front), ("brdf_1", back)],
+            Composition::Mixture([first, second]) => vec![("bsdf_0", first), ("bsdf_1", second)],
+            Composition::Partial(nested) | Composition::Perturbed { nested, .. } => {
+                vec![("nested_bsdf", nested)]
+            }
+        }
+    }
+
+    /// The one material whose look it has on all sides that it shows, if it is
+    /// made of one.
+    pub fn shown_part(&self) -> Option<BsdfId> {
+        match self.traits().composition {
+            Composition::Sides { front, back } => (front == back).then_some(front),
+            Composition::Partial(nested) | Composition::Perturbed { nested, .. } => Some(nested),
+            Composition::Plain | Composition::Mixture(_) => None,
+        }
+    }
+}

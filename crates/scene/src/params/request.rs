@@ -1,0 +1,64 @@
+//! What a text asks for: an array, or a motion.
+
+use super::array::ArrayParameter;
+use super::error::ParameterError;
+use super::expression::{self, Named};
+use super::missing;
+use super::near::near;
+use super::registry::Registry;
+use super::velocity;
+use crate::motion::Motion;
+use crate::scene::Scene;
+
+/// What a gradient can be asked for by one text.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Request {
+    /// An array, by its name.
+    Array(ArrayParameter),
+    /// One number, by an expression.
+    Motion(Motion),
+}
+
+impl Registry {
+    /// The motion of `scene` that an expression means: a parameter's name, or several
+    /// with factors. See [the table](crate::params).
+    pub fn motion(&self, scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
+        let mut motion = Motion::zero(scene);
+        let terms = expression::parse(self, expression).map_err(|error| match error {
+            ParameterError::Unknown { name, .. } => self.unknown(scene, name),
+            error => error,
+        })?;
+        for term in terms {
+            match term.named {
+                Named::Target(target) => {
+                    velocity::accumulate(scene, target, term.factor, &mut motion);
+                }
+                Named::Element(element) => {
+                    motion.add(&element.motion(scene).scaled(term.factor));
+                }
+            }
+        }
+        Ok(motion)
+    }
+
+    /// What a text asks for. A name that is both means the array: `<id>.value` is
+    /// three numbers, `1*<id>.value` all of them together.
+    pub fn request(&self, scene: &Scene, text: &str) -> Result<Request, ParameterError> {
+        if let Some(array) = self.array(text.trim())? {
+            return Ok(Request::Array(array.clone()));
+        }
+        self.motion(scene, text).map(Request::Motion)
+    }
+
+    /// What is wrong with a name that is no scalar's.
+    fn unknown(&self, scene: &Scene, name: String) -> ParameterError {
+        if self.has_array(&name) {
+            return ParameterError::Array { name };
+        }
+        if let Some(reason) = missing::reason(scene, &name) {
+            return ParameterError::NoParameter { name, reason };
+        }
+        let near = near(&name, self.all_names());
+        ParameterError::Unknown { name, near }
+    }
+}
