@@ -6,22 +6,26 @@ use std::cell::{Cell, RefCell};
 use capwalk_math::{Affine, Vec3};
 
 use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
-use crate::source::{Problem, Sources, Span};
+use crate::problem::Problem;
 use crate::suggest::{nearest, snake_case};
+use crate::texts::{Span, Texts};
 use crate::upgrade::upgraded_name;
+use crate::warning::Warning;
 
 /// What every stage of lowering reads.
 pub(crate) struct Context<'a> {
-    pub sources: &'a Sources,
+    pub texts: &'a Texts,
     pub graph: &'a Graph,
     /// What does not change the picture but should be known.
-    pub warnings: RefCell<Vec<String>>,
+    pub warnings: RefCell<Vec<Warning>>,
 }
 
 impl Context<'_> {
     pub fn warn(&self, span: Span, message: &str) {
-        let warning = format!("{}: {message}", self.sources.place(span));
-        self.warnings.borrow_mut().push(warning);
+        self.warnings.borrow_mut().push(Warning {
+            location: self.texts.location(span),
+            message: message.into(),
+        });
     }
 }
 
@@ -96,15 +100,15 @@ impl<'a> Fields<'a> {
             _ => None,
         })?;
         match number {
-            Some(i) if !range.contains(&i) => {
-                Err(
-                    Problem::new(self.span_of(name), format!("\"{name}\" is {i}")).help(format!(
-                        "expected a whole number from {} to {}",
-                        range.start(),
-                        range.end()
-                    )),
-                )
-            }
+            Some(i) if !range.contains(&i) => Err(Problem::invalid(
+                self.span_of(name),
+                format!("\"{name}\" is {i}"),
+            )
+            .help(format!(
+                "expected a whole number from {} to {}",
+                range.start(),
+                range.end()
+            ))),
             _ => Ok(number),
         }
     }
@@ -161,7 +165,7 @@ impl<'a> Fields<'a> {
         read(&property.value).map(Some).ok_or_else(|| {
             let given = property.value.tag();
             let written = self.as_written(property);
-            Problem::new(property.value_span, format!("{written} is a <{given}>"))
+            Problem::invalid(property.value_span, format!("{written} is a <{given}>"))
                 .help(format!("expected <{tag} name=\"{name}\" .../>"))
         })
     }
@@ -190,7 +194,7 @@ impl<'a> Fields<'a> {
         match children[..] {
             [] => Ok(None),
             [child] => Ok(Some(child)),
-            [_, second, ..] => Err(Problem::new(
+            [_, second, ..] => Err(Problem::invalid(
                 second.span,
                 format!("{} has more than one {}", self.title(), kind.tag()),
             )
@@ -224,7 +228,7 @@ impl<'a> Fields<'a> {
     /// The name of a property in quotes, as the file has it: files for old
     /// versions have old names.
     fn as_written(&self, property: &Property) -> String {
-        let written = self.context.sources.text(property.name_span);
+        let written = self.context.texts.slice(property.name_span);
         match written != property.name && upgraded_name(written) == property.name {
             true => format!("\"{written}\" (now \"{}\")", property.name),
             false => format!("\"{}\"", property.name),
@@ -250,7 +254,7 @@ impl<'a> Fields<'a> {
             true => "an",
             false => "a",
         };
-        Problem::new(
+        Problem::invalid(
             property.value_span,
             format!("{} cannot have {article} {tag}", self.title()),
         )
@@ -262,7 +266,7 @@ impl<'a> Fields<'a> {
         let mut properties = self.node.properties.iter();
         match properties.find(|p| names.contains(&p.name.as_str())) {
             None => Ok(()),
-            Some(property) => Err(Problem::new(
+            Some(property) => Err(Problem::unsupported(
                 property.name_span,
                 format!("{} is not supported", self.as_written(property)),
             )
@@ -292,7 +296,7 @@ impl<'a> Fields<'a> {
         }
         let known = self.known.borrow();
         let name = &property.name;
-        let problem = Problem::new(
+        let problem = Problem::unknown(
             property.name_span,
             format!(
                 "unknown property {} of {}",
@@ -329,7 +333,7 @@ impl<'a> Fields<'a> {
     pub fn unknown_plugin(&self, known: &[&str]) -> Problem {
         let kind = self.node.kind.tag();
         let plugin = &self.node.plugin;
-        Problem::new(
+        Problem::unknown(
             self.node.plugin_span,
             format!("unknown {kind} plugin \"{plugin}\""),
         )

@@ -4,28 +4,40 @@ use std::path::{Path, PathBuf};
 
 use capwalk_scene::Scene;
 
-use crate::error::LoadError;
+use crate::error::{Diagnostic, LoadError};
+use crate::expand::expand;
 use crate::fields::Context;
-use crate::lower;
+use crate::files::read_text;
+use crate::location::Location;
+use crate::lower::lower;
 use crate::mitsuba;
-use crate::resolve::{read_source, resolve};
-use crate::source::{Source, Sources};
+use crate::problem::Problem;
+use crate::texts::{Text, Texts};
+use crate::warning::Warning;
 
 /// What a scene is loaded with besides its file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LoadOptions {
-    /// Values of `$name`, as `-D name=value` gives them.
+    /// Names and values: what `$name` in the file stands for.
     pub defines: Vec<(String, String)>,
     /// Which of the scene's sensors to take, counted from 0.
     pub sensor: usize,
 }
 
-/// The scene in a Mitsuba 3 XML file. `defines` gives values to `$name` in it
-/// and wins over `<default>`.
-///
-/// What Mitsuba allows and does not change the picture is warned of through
-/// `log`; everything else that is not understood is an error.
-pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Scene, LoadError> {
+/// A scene, and what its file says in vain.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// What Mitsuba allows and does not change the image, and what makes the
+    /// image other than the file seems to ask for. Everything else that is not
+    /// understood is an error.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads a Mitsuba 3 XML file. `defines` gives values to `$name` in it and wins
+/// over `<default>`.
+pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Loaded, LoadError> {
     let options = LoadOptions {
         defines: defines.to_vec(),
         sensor: 0,
@@ -34,70 +46,76 @@ pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Scene, Lo
 }
 
 /// [`load_scene`] with a choice of the sensor.
-pub fn load_scene_with(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
-    let source = read_source(path, None).map_err(|message| {
-        LoadError::whole_file(path.display().to_string(), message)
-            .with_help("expected a Mitsuba scene in XML")
+pub fn load_scene_with(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let text = read_text(path, None).map_err(|message| {
+        LoadError::Unreadable(Box::new(Diagnostic {
+            location: Location {
+                name: path.display().to_string(),
+                path: Some(path.to_owned()),
+                position: None,
+            },
+            message,
+            help: Some("expected a Mitsuba scene in XML".into()),
+            near: Vec::new(),
+            notes: Vec::new(),
+        }))
     })?;
-    load(source, options)
+    load(text, options)
 }
 
-/// The scene in a text. Files in it are relative to `base_dir`, and messages
-/// call the text `name`.
+/// Reads a scene from a text in memory. Files in it are relative to `base_dir`,
+/// and messages call the text `name`.
 pub fn load_scene_str(
     text: &str,
     base_dir: &Path,
     name: &str,
     defines: &[(String, String)],
-) -> Result<Scene, LoadError> {
-    let source = Source {
+) -> Result<Loaded, LoadError> {
+    let text = Text {
         name: name.into(),
+        path: None,
         directory: base_dir.into(),
-        text: text.into(),
+        content: text.into(),
         included_at: None,
     };
     let options = LoadOptions {
         defines: defines.to_vec(),
         sensor: 0,
     };
-    load(source, &options)
+    load(text, &options)
 }
 
-fn load(source: Source, options: &LoadOptions) -> Result<Scene, LoadError> {
-    let (scene, warnings) = load_and_collect(source, options)?;
-    for warning in warnings {
-        log::warn!("{warning}");
-    }
-    Ok(scene)
+fn load(text: Text, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let mut texts = Texts::default();
+    stages(&mut texts, text, options).map_err(|problem| problem.locate(&texts))
 }
 
-/// The scene and everything there is to warn of.
-fn load_and_collect(
-    source: Source,
-    options: &LoadOptions,
-) -> Result<(Scene, Vec<String>), LoadError> {
-    let mut sources = Sources::default();
-    let main = sources.add(source);
-    let resolved = resolve(&mut sources, main, &options.defines)?;
-    let located = |problem| sources.error(problem);
-    let graph = mitsuba::parse(&sources, &resolved.root).map_err(located)?;
+/// All stages; problems refer to `texts`.
+fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded, Problem> {
+    let main = texts.add(text);
+    let expanded = expand(texts, main, &options.defines)?;
+    let texts = &*texts;
+    let graph = mitsuba::parse(texts, &expanded.root)?;
     let context = Context {
-        sources: &sources,
+        texts,
         graph: &graph,
         warnings: Default::default(),
     };
-    for upgraded in &resolved.upgraded {
+    for upgraded in &expanded.upgraded {
         context.warn(upgraded.span, &upgraded.message);
     }
-    for &stray in &resolved.stray {
+    for &stray in &expanded.stray {
         context.warn(stray, "text outside of an attribute means nothing");
     }
-    let mut directories = resolved.search_directories;
-    directories.push(sources.main().directory.clone());
+    let mut directories = expanded.search_directories;
+    directories.push(texts.main().directory.clone());
     // As Mitsuba does, last of all in the working directory.
     directories.push(PathBuf::new());
-    let scene = lower::lower(&context, directories, options.sensor).map_err(located)?;
-    Ok((scene, context.warnings.into_inner()))
+    let scene = lower(&context, directories, options.sensor)?;
+    Ok(Loaded {
+        scene,
+        warnings: context.warnings.into_inner(),
+    })
 }
 
 #[cfg(test)]
@@ -105,14 +123,9 @@ mod tests {
     use super::*;
 
     fn warnings(text: &str) -> Vec<String> {
-        let source = Source {
-            name: "scene.xml".into(),
-            directory: "".into(),
-            text: text.into(),
-            included_at: None,
-        };
-        let loaded = load_and_collect(source, &LoadOptions::default());
-        loaded.unwrap_or_else(|error| panic!("{error}")).1
+        let loaded = load_scene_str(text, "".as_ref(), "scene.xml", &[]);
+        let loaded = loaded.unwrap_or_else(|error| panic!("{error}"));
+        loaded.warnings.iter().map(Warning::to_string).collect()
     }
 
     /// A file for an old version says what was renamed, once.

@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
-use crate::source::{Problem, Sources, Span};
+use crate::problem::Problem;
 use crate::suggest::nearest;
+use crate::texts::{Span, Texts};
 use crate::value;
 use crate::xml::{Attribute, Element};
 
@@ -24,15 +25,15 @@ const PROPERTY_TAGS: [&str; 11] = [
 ];
 
 /// The objects of a resolved file.
-pub(crate) fn parse(sources: &Sources, root: &Element) -> Result<Graph, Problem> {
+pub(crate) fn parse(texts: &Texts, root: &Element) -> Result<Graph, Problem> {
     if root.tag != "scene" {
         return Err(
-            Problem::new(root.span, format!("the file describes a <{}>", root.tag))
+            Problem::invalid(root.span, format!("the file describes a <{}>", root.tag))
                 .help("expected <scene version=\"3.0.0\"> around everything"),
         );
     }
     let mut parser = Parser {
-        sources,
+        texts,
         nodes: Vec::new(),
         ids: BTreeMap::new(),
         aliases: Vec::new(),
@@ -52,7 +53,7 @@ pub(crate) fn parse(sources: &Sources, root: &Element) -> Result<Graph, Problem>
 }
 
 struct Parser<'a> {
-    sources: &'a Sources,
+    texts: &'a Texts,
     nodes: Vec<Node>,
     /// Named objects and where their names stand.
     ids: BTreeMap<String, (NodeId, Span)>,
@@ -127,7 +128,7 @@ impl Parser<'_> {
         if let Some(kind) = kind {
             if kind == Kind::Scene {
                 return Err(
-                    Problem::new(element.span, "a <scene> stands inside another")
+                    Problem::invalid(element.span, "a <scene> stands inside another")
                         .help("remove it, or <include> it as a file"),
                 );
             }
@@ -148,7 +149,7 @@ impl Parser<'_> {
             && PROPERTY_TAGS.contains(&element.tag.as_str())
             && let Some(child) = element.children.first()
         {
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 child.span,
                 format!("<{}> cannot stand inside <{}>", child.tag, element.tag),
             )
@@ -177,12 +178,12 @@ impl Parser<'_> {
     }
 
     fn duplicate(&self, id: &Attribute, first: Span) -> Problem {
-        Problem::new(
+        Problem::invalid(
             id.value_span,
             format!(
                 "the id \"{}\" is taken: an object at {} has it",
                 id.value,
-                self.sources.place(first)
+                self.texts.location(first)
             ),
         )
         .help("give each object its own id")
@@ -191,7 +192,7 @@ impl Parser<'_> {
     fn target(&self, id: &Attribute) -> Result<NodeId, Problem> {
         let found = self.ids.get(&id.value).map(|(node, _)| *node);
         found.ok_or_else(|| {
-            Problem::new(
+            Problem::unknown(
                 id.value_span,
                 format!("there is no object with the id \"{}\"", id.value),
             )
@@ -261,17 +262,20 @@ fn typed_property(element: &Element) -> Result<Property, Problem> {
             (Value::Transform(value::transform(element)?), element.span)
         }
         "translate" | "rotate" | "scale" | "lookat" | "matrix" => {
-            return Err(
-                Problem::new(element.span, format!("<{tag}> stands outside a transform"))
-                    .help("write <transform name=\"to_world\"> around it"),
-            );
+            return Err(Problem::invalid(
+                element.span,
+                format!("<{tag}> stands outside a transform"),
+            )
+            .help("write <transform name=\"to_world\"> around it"));
         }
         _ => {
             let tags = Kind::ALL.iter().map(|k| k.tag()).chain(PROPERTY_TAGS);
             let others = ["default", "include", "path"];
-            return Err(Problem::new(element.span, format!("unknown tag <{tag}>"))
-                .help("expected an object such as <shape> or a property such as <float>")
-                .near(nearest(tag, tags.chain(others))));
+            return Err(
+                Problem::unknown(element.span, format!("unknown tag <{tag}>"))
+                    .help("expected an object such as <shape> or a property such as <float>")
+                    .near(nearest(tag, tags.chain(others))),
+            );
         }
     };
     let name = element.required("name")?;
@@ -287,7 +291,7 @@ fn refuse_duplicates(properties: &[Property]) -> Result<(), Problem> {
     let mut seen = BTreeSet::new();
     for property in properties.iter().filter(|p| !p.name.is_empty()) {
         if !seen.insert(&property.name) {
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 property.name_span,
                 format!("the property \"{}\" is given twice", property.name),
             )
@@ -322,7 +326,7 @@ fn refuse_cycles(graph: &Graph) -> Result<(), Problem> {
             };
             if !on_path.insert(child) {
                 return Err(
-                    Problem::new(property.value_span, "this object contains itself")
+                    Problem::invalid(property.value_span, "this object contains itself")
                         .help("remove this reference"),
                 );
             }

@@ -2,7 +2,7 @@
 
 use capwalk_math::{Affine, Rgb, Vec3};
 
-use crate::source::Span;
+use crate::texts::Span;
 
 /// Index into [`Graph::nodes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

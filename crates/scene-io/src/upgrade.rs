@@ -2,7 +2,7 @@
 //! Mitsuba's loader does for versions below 2.0, and two renamings that it
 //! leaves to others (`ldrfilm`, `<lookAt>`).
 
-use crate::source::Span;
+use crate::texts::Span;
 use crate::xml::{Attribute, Element};
 
 /// What was renamed in one file.

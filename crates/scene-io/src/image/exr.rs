@@ -11,7 +11,7 @@ use exr::prelude::{
     ImageAttributes, LayerAttributes, LineOrder, ReadChannels, ReadLayers, Text, Vec2,
 };
 
-use super::{Layer, Picture, VALUE};
+use super::picture::{Layer, Picture, VALUE};
 
 /// Metadata keys get this prefix, so that they cannot meet EXR's own names.
 const PREFIX: &str = "capwalk:";

@@ -6,10 +6,11 @@ use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
 use super::canvas::{Canvas, text_width};
-use super::{
-    Format, GRADIENT, ImageError, Picture, Preview, VALUE, Written, format, png, robust_limit,
-    save, tone, write_error,
-};
+use super::error::ImageError;
+use super::format::{Format, format, save};
+use super::picture::{GRADIENT, Picture, VALUE};
+use super::tone::robust_limit;
+use super::{png, tone};
 
 /// A picture of a panel.
 #[derive(Clone, Debug)]
@@ -36,6 +37,27 @@ pub enum Style {
         /// The number at either end.
         limit: f64,
     },
+}
+
+/// How a PNG preview looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Preview {
+    /// The value is multiplied by `2^exposure` before the sRGB curve; what is
+    /// above 1 is white then.
+    pub exposure: f64,
+    /// Where the false colours of a gradient end on both sides; `None` chooses
+    /// [`robust_limit`].
+    pub limit: Option<f64>,
+}
+
+/// What there is to say about a file that was written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Written {
+    /// Pixels with an infinity or a NaN in the value or the gradient (in the
+    /// layer that a PNG shows, where they are magenta).
+    pub non_finite_pixels: usize,
+    /// Where the false colours of a PNG end.
+    pub limit: Option<f64>,
 }
 
 /// Writes pictures side by side into a PNG file, and returns how many of their
@@ -75,7 +97,7 @@ pub fn pixels_as_png(image: &Image, style: Style) -> Result<Vec<u8>, ImageError>
         height: image.height,
         pixels: pixels.collect(),
     };
-    png::encode(&canvas, &[]).map_err(|reason| write_error(path, reason))
+    png::encode(&canvas, &[]).map_err(|reason| ImageError::write(path, reason))
 }
 
 /// The colours of [`Style::Diverging`] from its negative limit, at the left, to
@@ -139,7 +161,7 @@ fn check_limit(path: &Path, limit: f64) -> Result<(), ImageError> {
         true => Ok(()),
         false => {
             let reason = format!("the limit of its colours is {limit}; expected a number above 0");
-            Err(write_error(path, reason))
+            Err(ImageError::write(path, reason))
         }
     }
 }
@@ -149,7 +171,7 @@ fn save_canvas(
     canvas: &Canvas,
     metadata: &[(String, String)],
 ) -> Result<(), ImageError> {
-    let bytes = png::encode(canvas, metadata).map_err(|reason| write_error(path, reason))?;
+    let bytes = png::encode(canvas, metadata).map_err(|reason| ImageError::write(path, reason))?;
     save(path, &bytes)
 }
 

@@ -1,6 +1,7 @@
 use super::*;
 use capwalk_math::Rgb;
-use std::path::PathBuf;
+use capwalk_scene::Image;
+use std::path::{Path, PathBuf};
 
 /// A path in the temporary directory; the file is removed at the end.
 struct Temporary(PathBuf);

@@ -4,7 +4,8 @@ use capwalk_math::Rgb;
 
 use crate::fields::{Context, Fields};
 use crate::node::{Spectrum, Value};
-use crate::source::{Problem, Span};
+use crate::problem::Problem;
+use crate::texts::Span;
 
 /// Linear sRGB of a spectrum that is 1 everywhere, which is not white: the
 /// white of sRGB is daylight (D65). `xyz_to_srgb(1, 1, 1)` of Mitsuba.
@@ -25,7 +26,7 @@ pub(super) fn reflectance(
         Value::Rgb(rgb) => {
             // Mitsuba refuses these as well.
             if rgb.max_component() > 1.0 {
-                return Err(Problem::new(
+                return Err(Problem::invalid(
                     span,
                     format!("\"{name}\" is ({}, {}, {})", rgb.x, rgb.y, rgb.z),
                 )
@@ -85,7 +86,7 @@ fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
     if colour.min(Rgb::zero()) == Rgb::zero() {
         return Ok(());
     }
-    Err(Problem::new(
+    Err(Problem::invalid(
         span,
         format!("\"{name}\" is ({}, {}, {})", colour.x, colour.y, colour.z),
     )
@@ -95,10 +96,10 @@ fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
 fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
     match value {
         Value::Object { .. } => {
-            Problem::new(span, format!("\"{name}\" is an object of another kind"))
+            Problem::invalid(span, format!("\"{name}\" is an object of another kind"))
                 .help("expected a <texture>, or <rgb name=\"...\" value=\"r, g, b\"/>")
         }
-        Value::Spectrum(Spectrum::Sampled) => Problem::new(
+        Value::Spectrum(Spectrum::Sampled) => Problem::unsupported(
             span,
             format!("\"{name}\" depends on the wavelength"),
         )
@@ -106,7 +107,7 @@ fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
             "light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> \
                  or a <spectrum> with one number",
         ),
-        other => Problem::new(span, format!("\"{name}\" is a <{}>", other.tag()))
+        other => Problem::invalid(span, format!("\"{name}\" is a <{}>", other.tag()))
             .help(format!("expected <rgb name=\"{name}\" value=\"r, g, b\"/>")),
     }
 }

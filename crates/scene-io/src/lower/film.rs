@@ -2,10 +2,10 @@
 
 use capwalk_scene::{Film, Filter};
 
-use super::Lowering;
+use super::lowering::Lowering;
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
-use crate::source::Problem;
+use crate::problem::Problem;
 
 /// Mitsuba's size of a film that gives none.
 const DEFAULT_SIZE: [u32; 2] = [768, 576];
@@ -111,7 +111,7 @@ fn output_format(fields: &Fields) -> Result<(), Problem> {
         };
         let format = text.to_ascii_lowercase();
         if !known.contains(&format.as_str()) {
-            return Err(Problem::new(
+            return Err(Problem::unknown(
                 fields.span_of(name),
                 format!("\"{text}\" is not a {name} of Mitsuba's"),
             )

@@ -5,7 +5,7 @@ use capwalk_scene::{Integrator, Layer};
 
 use crate::fields::Fields;
 use crate::node::Kind;
-use crate::source::Problem;
+use crate::problem::Problem;
 
 /// The plugins.
 const INTEGRATORS: [&str; 3] = ["aov", "direct", "path"];
@@ -69,8 +69,10 @@ pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
         && timeout > 0.0
     {
         let span = fields.span_of("timeout");
-        return Err(Problem::new(span, format!("\"timeout\" is {timeout}"))
-            .help("rendering until a time has passed is not reproducible; choose sample_count"));
+        return Err(
+            Problem::unsupported(span, format!("\"timeout\" is {timeout}"))
+                .help("rendering until a time has passed is not reproducible; choose sample_count"),
+        );
     }
     fields.finish()?;
     Ok(integrator)
@@ -81,7 +83,7 @@ fn direct(fields: &Fields) -> Result<Integrator, Problem> {
     let emitter = fields.integer("emitter_samples", 0..=MOST)?;
     let bsdf = fields.integer("bsdf_samples", 0..=MOST)?;
     if shading.is_some() && (emitter.is_some() || bsdf.is_some()) {
-        return Err(Problem::new(
+        return Err(Problem::invalid(
             fields.span_of("shading_samples"),
             "\"shading_samples\" is given together with \"emitter_samples\" or \"bsdf_samples\"",
         )
@@ -90,7 +92,7 @@ fn direct(fields: &Fields) -> Result<Integrator, Problem> {
     let shading = shading.unwrap_or(1);
     let (emitter, bsdf) = (emitter.unwrap_or(shading), bsdf.unwrap_or(shading));
     if emitter + bsdf == 0 {
-        return Err(Problem::new(
+        return Err(Problem::invalid(
             fields.node.span,
             "the integrator \"direct\" takes neither emitter nor material samples",
         )
@@ -147,14 +149,14 @@ fn aov(fields: &Fields) -> Result<Integrator, Problem> {
     let known = || Layer::ALL.map(Layer::name).join(", ");
     let Some(text) = fields.string("aovs")? else {
         return Err(
-            Problem::new(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(format!(
+            Problem::missing(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(format!(
                 "add for example <string name=\"aovs\" value=\"depth:depth\"/>; known layers: {}",
                 known()
             )),
         );
     };
     let wrong =
-        |what: String, help: String| Err(Problem::new(fields.span_of("aovs"), what).help(help));
+        |what: String, help: String| Err(Problem::invalid(fields.span_of("aovs"), what).help(help));
     let entries: Vec<&str> = text.split(',').map(str::trim).collect();
     let &[entry] = entries.as_slice() else {
         return wrong(

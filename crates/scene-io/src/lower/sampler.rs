@@ -4,7 +4,7 @@
 use capwalk_scene::SamplerKind;
 
 use crate::fields::Fields;
-use crate::source::Problem;
+use crate::problem::Problem;
 
 /// The plugins.
 const SAMPLERS: [&str; 3] = ["independent", "ldsampler", "sobol"];

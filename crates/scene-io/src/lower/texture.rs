@@ -4,11 +4,13 @@ use capwalk_math::{Affine, Rgb};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 
-use super::{Lowering, colour};
+use super::colour;
+use super::lowering::Lowering;
 use crate::bitmap::{self, BitmapFile};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId, Spectrum, Value};
-use crate::source::{Problem, Span};
+use crate::problem::Problem;
+use crate::texts::Span;
 
 /// The plugins.
 const TEXTURES: [&str; 3] = ["bitmap", "checkerboard", "mesh_attribute"];
@@ -79,7 +81,7 @@ impl Lowering<'_> {
             Some(other) => {
                 let message = format!("\"{slot}\" is a <{}>", other.tag());
                 let help = format!("expected <float name=\"{slot}\" .../> or a <texture>");
-                return Err(Problem::new(span, message).help(help));
+                return Err(Problem::invalid(span, message).help(help));
             }
         };
         // Out of its range it is an error of the finished scene.
@@ -169,7 +171,7 @@ impl Lowering<'_> {
         let ending = ending.unwrap_or("").to_ascii_lowercase();
         let file = bitmap::read(&bytes, &ending, raw).map_err(|error| {
             let shown = path.display();
-            Problem::new(span, format!("cannot read \"{shown}\": {error}")).help(format!(
+            Problem::image(span, format!("cannot read \"{shown}\": {error}")).help(format!(
                 "give an image file that ends in {}",
                 bitmap::ENDINGS.join(", ")
             ))
@@ -188,7 +190,7 @@ impl Lowering<'_> {
             if let Some(property) = fields.get(slot)
                 && matches!(property.value, Value::Object { .. })
             {
-                return Err(Problem::new(
+                return Err(Problem::invalid(
                     property.value_span,
                     format!("\"{slot}\" of a checkerboard is a texture"),
                 )
@@ -213,7 +215,7 @@ fn mesh_attribute(fields: &Fields, id: String) -> Result<Texture, Problem> {
     if !name.starts_with("vertex_") && !name.starts_with("face_") {
         let span = fields.span_of("name");
         return Err(
-            Problem::new(span, format!("\"{name}\" is not the name of an attribute")).help(
+            Problem::invalid(span, format!("\"{name}\" is not the name of an attribute")).help(
                 "expected <string name=\"name\" value=\"vertex_color\"/>, or another name that \
                  begins with vertex_ or face_",
             ),
@@ -239,7 +241,7 @@ pub(super) fn choice<'a>(
     match fields.string(name)? {
         None => Ok(words[0]),
         Some(given) if words.contains(&given) => Ok(given),
-        Some(given) => Err(Problem::new(
+        Some(given) => Err(Problem::invalid(
             fields.span_of(name),
             format!("\"{name}\" is \"{given}\""),
         )

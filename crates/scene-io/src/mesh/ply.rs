@@ -4,9 +4,10 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
+use super::error::{MeshFileError, MeshPlace};
+use super::file::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::ply_attribute::{self, Group};
 use super::ply_header::{self, Element, Format, Scalar};
-use super::{FileAttribute, MeshFile, MeshFileError, fan, finish, finite_position, unit_normal};
 
 /// The names of the list of corners.
 const CORNER_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
@@ -34,8 +35,8 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
             "vertex" => vertices = Some(read_vertices(&mut body, element, want_normals)?),
             "face" => faces = Some(read_faces(&mut body, element, vertex_count)?),
             "tristrips" => {
-                return Err(MeshFileError::new(
-                    "",
+                return Err(MeshFileError::unsupported(
+                    MeshPlace::File,
                     "the file has triangle strips",
                     "expected faces; convert the strips to triangles",
                 ));
@@ -52,7 +53,7 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
     body.end()?;
     let missing = |what: &str, message: &str| {
         let help = format!("expected \"element {what} COUNT\" in the header");
-        MeshFileError::new("", message, help)
+        MeshFileError::invalid(MeshPlace::File, message, help)
     };
     let vertices = vertices.ok_or_else(|| missing("vertex", "the file has no vertices"))?;
     let faces = faces.ok_or_else(|| missing("face", "the file has no faces"))?;
@@ -101,10 +102,11 @@ impl Body<'_> {
         self.bytes.len() - self.position
     }
 
-    fn place(&self) -> String {
+    /// Of the next number.
+    fn place(&self) -> MeshPlace {
         match self.format {
-            Format::Ascii => format!("line {}", self.line),
-            _ => format!("byte {}", self.position),
+            Format::Ascii => MeshPlace::Line(self.line),
+            _ => MeshPlace::Byte(self.position),
         }
     }
 
@@ -116,7 +118,7 @@ impl Body<'_> {
         if least <= self.remaining() as u128 + 1 {
             return Ok(());
         }
-        Err(MeshFileError::new(
+        Err(MeshFileError::damaged(
             self.place(),
             format!(
                 "the header announces {} elements \"{}\", which take at least {least} bytes, but \
@@ -181,7 +183,7 @@ impl Body<'_> {
             } else {
                 "a number"
             };
-            MeshFileError::new(
+            MeshFileError::damaged(
                 self.place(),
                 format!("\"{}\" is not {kind}", String::from_utf8_lossy(word)),
                 "expected what the header announces",
@@ -210,7 +212,7 @@ impl Body<'_> {
         if self.remaining() == 0 {
             return Ok(());
         }
-        Err(MeshFileError::new(
+        Err(MeshFileError::damaged(
             self.place(),
             format!("{} bytes follow the last element", self.remaining()),
             "the header announces too few elements or the wrong types",
@@ -227,7 +229,7 @@ fn read_element(
     mut visit: impl FnMut(usize, Number),
 ) -> Result<(), MeshFileError> {
     let cut_off = |body: &Body| {
-        MeshFileError::new(
+        MeshFileError::damaged(
             body.place(),
             format!(
                 "the file ends within {} {index} of {}",
@@ -242,7 +244,7 @@ fn read_element(
             let place = body.place();
             let given = body.number(scalar)?.ok_or_else(|| cut_off(body))?;
             let Number::Integer(n @ 0..) = given else {
-                return Err(MeshFileError::new(
+                return Err(MeshFileError::damaged(
                     place,
                     format!(
                         "the list \"{}\" of {} {index} has the length {}",
@@ -327,8 +329,8 @@ fn read_vertices(
     want_normals: bool,
 ) -> Result<Vertices, MeshFileError> {
     let position_at = numbers(element, ["x", "y", "z"]).ok_or_else(|| {
-        MeshFileError::new(
-            "",
+        MeshFileError::invalid(
+            MeshPlace::File,
             "the vertices have no positions",
             "expected the properties x, y and z in the header",
         )
@@ -344,21 +346,15 @@ fn read_vertices(
     let mut uvs = uv_at.map(|_| Vec::with_capacity(count));
     let mut values = vec![0.0; element.properties.len()];
     for index in 0..element.count {
-        let place = match body.format {
-            Format::Ascii => {
-                body.pass_blanks();
-                body.line
-            }
-            _ => body.position,
-        };
+        if body.format == Format::Ascii {
+            body.pass_blanks();
+        }
+        let start = body.place();
         read_element(body, element, index, |i, number| {
             values[i] = number.as_f64()
         })?;
         let vector = |at: [usize; 3]| Vec3::from(at.map(|i| values[i]));
-        let place = || match body.format {
-            Format::Ascii => format!("line {place}"),
-            _ => format!("byte {place}"),
-        };
+        let place = || start.clone();
         let vertex = index as usize;
         positions.push(finite_position(vector(position_at), vertex, &place)?);
         if let (Some(normals), Some(at)) = (&mut normals, normal_at) {
@@ -368,7 +364,11 @@ fn read_vertices(
             let uv = [values[u], values[v]];
             if !uv.iter().all(|x| x.is_finite()) {
                 let message = format!("vertex {vertex} has the texture coordinates {uv:?}");
-                return Err(MeshFileError::new(place(), message, "expected finite ones"));
+                return Err(MeshFileError::invalid(
+                    place(),
+                    message,
+                    "expected finite ones",
+                ));
             }
             uvs.push(uv);
         }
@@ -392,8 +392,8 @@ fn read_faces(body: &mut Body, element: &Element, vertices: u64) -> Result<Faces
             property.length.is_some() && property.scalar.is_integer()
         });
     let list = list.ok_or_else(|| {
-        MeshFileError::new(
-            "",
+        MeshFileError::invalid(
+            MeshPlace::File,
             "the faces have no list of corners",
             "expected \"property list uchar int vertex_indices\" in the header",
         )
@@ -419,15 +419,15 @@ fn read_faces(body: &mut Body, element: &Element, vertices: u64) -> Result<Faces
             }
         })?;
         if let Some(corner) = bad_corner {
-            return Err(MeshFileError::new(
-                format!("face {index}"),
+            return Err(MeshFileError::invalid(
+                MeshPlace::Face(index),
                 format!("it refers to vertex {corner}"),
                 format!("there are {vertices} vertices (counted from 0)"),
             ));
         }
         if polygon.len() < 3 {
-            return Err(MeshFileError::new(
-                format!("face {index}"),
+            return Err(MeshFileError::invalid(
+                MeshPlace::Face(index),
                 format!("it has {} corners", polygon.len()),
                 "expected at least 3",
             ));

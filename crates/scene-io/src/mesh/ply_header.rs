@@ -1,6 +1,6 @@
 //! The header of a PLY file: which elements follow, and how they are written.
 
-use super::MeshFileError;
+use super::error::{MeshFileError, MeshPlace};
 
 /// How the body is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,8 +53,8 @@ impl Scalar {
             "float" | "float32" => Self::F32,
             "double" | "float64" => Self::F64,
             _ => {
-                return Err(MeshFileError::new(
-                    format!("line {line}"),
+                return Err(MeshFileError::damaged(
+                    MeshPlace::Line(line),
                     format!("unknown type \"{name}\""),
                     "expected char, uchar, short, ushort, int, uint, float or double",
                 ));
@@ -118,14 +118,14 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
                 1 => "the file is not a PLY file",
                 _ => "the file ends within its header",
             };
-            return Err(MeshFileError::new(format!("line {line}"), message, help));
+            return Err(MeshFileError::damaged(MeshPlace::Line(line), message, help));
         };
         let text = String::from_utf8_lossy(&bytes[position..position + length]);
         position += length + 1;
         let words: Vec<&str> = text.split_whitespace().collect();
         let bad = |help: &str| {
-            MeshFileError::new(
-                format!("line {line}"),
+            MeshFileError::damaged(
+                MeshPlace::Line(line),
                 format!("the header has \"{}\"", text.trim()),
                 help,
             )
@@ -134,8 +134,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
             (1, ["ply"]) => {}
             (1, _) => {
                 let help = "expected \"ply\" in the first line";
-                return Err(MeshFileError::new(
-                    "line 1",
+                return Err(MeshFileError::damaged(
+                    MeshPlace::Line(1),
                     "the file is not a PLY file",
                     help,
                 ));

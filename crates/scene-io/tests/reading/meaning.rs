@@ -424,7 +424,7 @@ fn sensors_are_chosen_by_index() {
             sensor: index,
             ..Default::default()
         };
-        capwalk_scene_io::load_scene_with(&path, &options).map(|scene| scene.sensor.id)
+        capwalk_scene_io::load_scene_with(&path, &options).map(|loaded| loaded.scene.sensor.id)
     };
     assert_eq!(sensor(0).as_deref(), Ok("left"));
     assert_eq!(sensor(1).as_deref(), Ok("right"));

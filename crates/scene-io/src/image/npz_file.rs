@@ -7,8 +7,8 @@ use capwalk_scene::Image;
 use npyz::{DType, NpyFile, Order, TypeChar};
 use zip::{ZipArchive, ZipWriter};
 
-use super::{Layer, Picture};
-use crate::npz::{add_array, add_pairs, open, pairs};
+use super::picture::{Layer, Picture};
+use crate::archive::{add_array, add_pairs, open, pairs};
 
 /// The array of sample counts.
 const SAMPLES: &str = "samples";
