@@ -16,7 +16,7 @@ pub(crate) struct BitmapFile {
     pub data: Vec<f64>,
 }
 
-/// Endings of files that can be read.
+/// Endings of the names of files, in small letters.
 pub(crate) const ENDINGS: [&str; 7] = ["png", "jpg", "jpeg", "bmp", "tga", "hdr", "exr"];
 
 /// The image in the bytes of a file whose name has this ending. Files with 8 or

@@ -10,7 +10,7 @@
 //! Texels of bitmaps are written in single precision.
 //!
 //! Two things cannot be told in XML: materials come back in the order in which
-//! they are first used, and the constant emitter comes back behind the lamps.
+//! they are first used, and the constant emitter comes back behind the area emitters.
 //! Mitsuba takes seeds below 2³² only.
 
 mod error;

@@ -16,7 +16,7 @@ use crate::warning::Warning;
 pub(crate) struct Context<'a> {
     pub texts: &'a Texts,
     pub graph: &'a Graph,
-    /// What does not change the picture but should be known.
+    /// Warnings so far, in the order in which they were found.
     pub warnings: RefCell<Vec<Warning>>,
 }
 
@@ -202,7 +202,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Accepts properties that do not change the picture, with a warning.
+    /// Accepts properties that do not change the image, with a warning.
     pub fn cosmetic(&self, names: &[&'static str], reason: &str) {
         for name in names {
             if self.get(name).is_some() {
@@ -260,7 +260,7 @@ impl<'a> Fields<'a> {
         )
     }
 
-    /// Refuses properties of Mitsuba's that change the picture and are not
+    /// Refuses properties of Mitsuba's that change the image and are not
     /// supported.
     pub fn refuse(&self, names: &[&str], reason: &str) -> Result<(), Problem> {
         let mut properties = self.node.properties.iter();

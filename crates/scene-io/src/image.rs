@@ -1,4 +1,4 @@
-//! Pictures as files. The ending of the name chooses the format:
+//! Image files. The ending of the name chooses the format:
 //!
 //! | ending | what is in it |
 //! |---|---|
@@ -7,14 +7,13 @@
 //! | `.png` | a preview of 8 bits: the gradient in false colours with a colour bar if there is one, the value otherwise |
 //!
 //! EXR and NPZ files can be read back, also such as other programs write.
-//! Files appear whole or not at all, and the same picture always gives the
+//! Files appear whole or not at all, and the same image always gives the
 //! same bytes.
 
 mod canvas;
 mod error;
 mod exr;
 mod file;
-mod font;
 mod format;
 mod npz_file;
 mod panel;

@@ -1,9 +1,9 @@
-//! Files to scenes, pictures and arrays to files.
+//! Scene files, mesh files, images and arrays, read and written.
 //!
 //! Scenes are read from Mitsuba 3's XML format; `docs/scene-files.md` says which
 //! part of it. [`toml`] reads jobs strictly, with the place of every mistake.
-//! [`export`] writes scenes, [`image`] writes and reads pictures,
-//! [`arrays`] numbers. The stages of reading, each in its file:
+//! [`export`] writes scenes, [`image`] writes and reads images,
+//! [`arrays`] numbers, both for NumPy. The stages of reading, each in its file:
 //!
 //! ```text
 //! text -> elements  -> elements without $name, <include> -> nodes     -> Scene

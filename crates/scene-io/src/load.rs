@@ -144,7 +144,7 @@ mod tests {
         );
     }
 
-    /// What does not change the picture is accepted, each with its place.
+    /// What does not change the image is accepted, each with its place.
     #[test]
     fn cosmetic_properties_warn() {
         let text = r#"<scene version="3.0.0">
@@ -187,7 +187,7 @@ stray text
         let expected = [
             "scene.xml:2:29: the scene has 2 sensors; rendering with the first",
             "scene.xml:3:62: \"reflectance\" is above 1: the surface reflects more than it receives",
-            "scene.xml:1:1: the scene has no emitter; the picture will be black",
+            "scene.xml:1:1: the scene has no emitter; the image will be black",
         ];
         assert_eq!(warnings(text), expected);
     }
@@ -240,9 +240,9 @@ stray text
         assert!(with("", -5.0)[0].contains("from -6.0000 to -4.0000"));
     }
 
-    /// A layer needs no light.
+    /// An AOV needs no emitter.
     #[test]
-    fn layers_without_emitters_are_silent() {
+    fn aovs_without_emitters_are_silent() {
         let text = r#"<scene version="3.0.0"><integrator type="aov">
 <string name="aovs" value="d:depth"/></integrator><sensor type="perspective"/></scene>"#;
         assert!(warnings(text).is_empty());

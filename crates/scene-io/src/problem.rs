@@ -10,13 +10,17 @@ use crate::texts::{FileId, Span, Texts};
 /// An error without a line and a column yet; [`Problem::locate`] adds them.
 #[derive(Clone, Debug)]
 pub(crate) struct Problem {
-    file: FileId,
-    /// `None` if the file as a whole is meant.
-    span: Option<Span>,
+    place: Place,
     kind: Kind,
     message: String,
     help: Option<String>,
     near: Vec<String>,
+}
+
+#[derive(Clone, Debug)]
+enum Place {
+    File(FileId),
+    Span(Span),
 }
 
 /// Which [`LoadError`] it becomes.
@@ -25,14 +29,13 @@ enum Kind {
     /// One that has nothing besides its message.
     Plain(fn(Box<Diagnostic>) -> LoadError),
     Mesh(MeshFileError),
-    Scene(SceneError),
+    Scene(Box<SceneError>),
 }
 
 impl Problem {
-    fn new(span: Span, kind: Kind, message: String) -> Self {
+    fn new(place: Place, kind: Kind, message: String) -> Self {
         Self {
-            file: span.file,
-            span: Some(span),
+            place,
             kind,
             message,
             help: None,
@@ -45,7 +48,7 @@ impl Problem {
         span: Span,
         message: impl Into<String>,
     ) -> Self {
-        Self::new(span, Kind::Plain(kind), message.into())
+        Self::new(Place::Span(span), Kind::Plain(kind), message.into())
     }
 
     pub fn unreadable(span: Span, message: impl Into<String>) -> Self {
@@ -60,16 +63,10 @@ impl Problem {
         Self::plain(LoadError::Definition, span, message)
     }
 
-    /// About a definition that stands in no file.
+    /// About a definition from outside of the file.
     pub fn definition_for(file: FileId, message: impl Into<String>) -> Self {
-        Self {
-            file,
-            span: None,
-            kind: Kind::Plain(LoadError::Definition),
-            message: message.into(),
-            help: None,
-            near: Vec::new(),
-        }
+        let kind = Kind::Plain(LoadError::Definition);
+        Self::new(Place::File(file), kind, message.into())
     }
 
     pub fn unknown(span: Span, message: impl Into<String>) -> Self {
@@ -101,12 +98,12 @@ impl Problem {
         };
         let message = format!("\"{name}\"{place}: {}", fault.message);
         let help = fault.help.clone();
-        Self::new(span, Kind::Mesh(error), message).help(help)
+        Self::new(Place::Span(span), Kind::Mesh(error), message).help(help)
     }
 
     pub fn scene(span: Span, error: SceneError) -> Self {
         let message = error.to_string();
-        Self::new(span, Kind::Scene(error), message)
+        Self::new(Place::Span(span), Kind::Scene(Box::new(error)), message)
     }
 
     /// What was expected, or what to do.
@@ -123,17 +120,18 @@ impl Problem {
 
     /// The error that a user sees, with the chain of includes that led there.
     pub fn locate(self, texts: &Texts) -> LoadError {
+        let (file, location) = match self.place {
+            Place::File(file) => (file, texts.file(file)),
+            Place::Span(span) => (span.file, texts.location(span)),
+        };
         let mut notes = Vec::new();
-        let mut include = texts.get(self.file).included_at;
+        let mut include = texts.get(file).included_at;
         while let Some(span) = include {
             notes.push(format!("included at {}", texts.location(span)));
             include = texts.get(span.file).included_at;
         }
         let diagnostic = Box::new(Diagnostic {
-            location: match self.span {
-                Some(span) => texts.location(span),
-                None => texts.file(self.file),
-            },
+            location,
             message: self.message,
             help: self.help,
             near: self.near,
@@ -142,7 +140,10 @@ impl Problem {
         match self.kind {
             Kind::Plain(kind) => kind(diagnostic),
             Kind::Mesh(error) => LoadError::Mesh { diagnostic, error },
-            Kind::Scene(error) => LoadError::Scene { diagnostic, error },
+            Kind::Scene(error) => LoadError::Scene {
+                diagnostic,
+                error: *error,
+            },
         }
     }
 }

@@ -11,7 +11,7 @@ use crate::xml::{Attribute, Element};
 /// written with three digits.
 const ROUNDED_AXIS: f64 = 2e-3;
 
-/// A finite number.
+/// The number that a text spells, infinities and NaN refused.
 pub(crate) fn float(text: &str, span: Span) -> Result<f64, Problem> {
     let number: Option<f64> = text.trim().parse().ok();
     number.filter(|x| x.is_finite()).ok_or_else(|| {
@@ -20,7 +20,7 @@ pub(crate) fn float(text: &str, span: Span) -> Result<f64, Problem> {
     })
 }
 
-/// A whole number.
+/// The number that a text spells, without fraction.
 pub(crate) fn integer(text: &str, span: Span) -> Result<i64, Problem> {
     text.trim().parse().map_err(|_| {
         Problem::invalid(span, format!("\"{text}\" is not a whole number"))
@@ -28,7 +28,7 @@ pub(crate) fn integer(text: &str, span: Span) -> Result<i64, Problem> {
     })
 }
 
-/// `true` or `false`.
+/// Whether a text is `true`, capitals or not; an error unless it is `true` or `false`.
 pub(crate) fn boolean(text: &str, span: Span) -> Result<bool, Problem> {
     match text.to_ascii_lowercase().as_str() {
         "true" => Ok(true),
@@ -114,7 +114,7 @@ pub(crate) fn rgb(attribute: &Attribute) -> Result<Rgb, Problem> {
     }
 }
 
-/// Linear light of an sRGB code.
+/// The linear colour of `0xrrggbb` in sRGB.
 fn hex_colour(code: u32) -> Rgb {
     let channel = |shift: u32| linear_of_srgb(f64::from((code >> shift) & 0xff) / 255.0);
     Rgb::new(channel(16), channel(8), channel(0))

@@ -12,7 +12,7 @@ const DEEPEST_NESTING: usize = 32;
 /// written by hand or by an exporter, and a bound on memory.
 const MOST_NODES: u32 = 1 << 24;
 
-/// An XML element.
+/// An XML element without its text.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     pub tag: String,

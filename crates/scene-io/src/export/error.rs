@@ -12,14 +12,14 @@ pub enum ExportError {
     Write {
         /// The file or directory.
         path: PathBuf,
-        /// Why.
+        /// The error of the operating system.
         error: io::Error,
     },
     /// A bitmap cannot be encoded.
     Encode {
         /// The file that it was meant for.
         path: PathBuf,
-        /// Why.
+        /// What the encoder refused.
         reason: String,
     },
 }

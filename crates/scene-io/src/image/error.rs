@@ -3,13 +3,13 @@
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// Why a picture could not be written or read.
+/// Why a file of images or arrays could not be written or read.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ImageError {
     /// The file's name does not say which format it has.
     UnknownEnding {
-        /// The file.
+        /// The name that was given.
         path: PathBuf,
         /// The endings that would be accepted.
         known: &'static str,
@@ -51,7 +51,7 @@ impl fmt::Display for ImageError {
         match self {
             Self::UnknownEnding { path, known } => write!(
                 f,
-                "the name {} does not tell a picture's format; known endings: {known}",
+                "the name {} does not tell the format; known endings: {known}",
                 path.display()
             ),
             Self::Write { path, reason } => write!(f, "cannot write {}: {reason}", path.display()),

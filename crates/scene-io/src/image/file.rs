@@ -9,7 +9,7 @@ use super::picture::{GRADIENT, Picture, VALUE};
 use super::{exr, npz_file, tone};
 use crate::atomic;
 
-/// Checks that a picture could be written under this name, so that a long
+/// Checks that an image could be written under this name, so that a long
 /// computation need not end in an error: the ending is known and a file can be
 /// made there. Leaves nothing behind.
 pub fn check_writable(path: &Path) -> Result<(), ImageError> {
@@ -17,7 +17,7 @@ pub fn check_writable(path: &Path) -> Result<(), ImageError> {
     atomic::check_writable(path).map_err(|error| ImageError::write(path, error))
 }
 
-/// Writes a picture in the format that its name ends in.
+/// Writes an image in the format that its name ends in.
 pub fn write(path: &Path, picture: &Picture, preview: &Preview) -> Result<Written, ImageError> {
     let format = format(path, WRITABLE)?;
     let size = picture
@@ -41,7 +41,7 @@ pub fn write(path: &Path, picture: &Picture, preview: &Preview) -> Result<Writte
     })
 }
 
-/// Reads a picture: the layer `value` from the channels `R, G, B`, other
+/// Reads an image: the layer `value` from the channels `R, G, B`, other
 /// layers from channels with a common prefix, and everything else as a grey
 /// layer of its own, so nothing is left out. Values are single precision.
 pub fn read(path: &Path) -> Result<Picture, ImageError> {

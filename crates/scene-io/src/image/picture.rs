@@ -2,10 +2,10 @@
 
 use capwalk_scene::Image;
 
-/// Named pictures of the same size, and what is known about them.
+/// Images of the same size, by name, and what is known about them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Picture {
-    /// The pictures: `value`, `gradient`, `stderr` and so on.
+    /// The images: `value`, `gradient`, `stderr` and so on.
     pub layers: Vec<Layer>,
     /// Keys and values: `scene`, `parameter`, `seed`, `spp`, `version`.
     pub metadata: Vec<(String, String)>,
@@ -13,17 +13,17 @@ pub struct Picture {
     pub samples: Option<Vec<u32>>,
 }
 
-/// A picture and its name.
+/// An image and its name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Layer {
-    /// Its name. [`VALUE`] is the picture itself, all others are shown in
+    /// Its name. [`VALUE`] is the primal image; all others are shown in
     /// false colours.
     pub name: String,
-    /// Its pixels.
+    /// Linear values.
     pub image: Image,
 }
 
-/// The name of the layer that is a picture of the scene.
+/// The name of the layer that is the primal image.
 pub const VALUE: &str = "value";
 /// The name of the layer that is a derivative.
 pub const GRADIENT: &str = "gradient";
@@ -37,7 +37,7 @@ impl Picture {
         });
     }
 
-    /// The layer with this name.
+    /// The first layer with this name.
     pub fn layer(&self, name: &str) -> Option<&Image> {
         let layer = self.layers.iter().find(|layer| layer.name == name)?;
         Some(&layer.image)
@@ -45,7 +45,7 @@ impl Picture {
 
     /// Width and height, or a reason why the layers do not belong together.
     pub(super) fn size(&self) -> Result<[usize; 2], String> {
-        let first = self.layers.first().ok_or("the picture has no layers")?;
+        let first = self.layers.first().ok_or("the image has no layers")?;
         let [width, height] = [first.image.width, first.image.height];
         for Layer { name, image } in &self.layers {
             if [image.width, image.height] != [width, height] {

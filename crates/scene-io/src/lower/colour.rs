@@ -1,4 +1,4 @@
-//! Colours of materials and lamps.
+//! Colours of materials and emitters.
 
 use capwalk_math::Rgb;
 

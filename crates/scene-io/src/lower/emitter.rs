@@ -11,7 +11,7 @@ use crate::fields::{Child, Fields};
 use crate::problem::Problem;
 use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const EMITTERS: [&str; 6] = ["area", "constant", "envmap", "point", "spot", "directional"];
 
 impl Lowering<'_> {
@@ -36,7 +36,7 @@ impl Lowering<'_> {
                 child.span,
                 "this emitter belongs to another shape already",
             )
-            .help("give each lamp an emitter of its own"));
+            .help("give each shape an emitter of its own"));
         }
         if let Some(transform) = fields.get("to_world") {
             return Err(Problem::invalid(
@@ -108,7 +108,7 @@ impl Lowering<'_> {
             return Ok(());
         }
         let message = format!("the {slot} of {} is a texture", fields.title());
-        let help = "give one colour; a picture of all directions is <emitter type=\"envmap\">";
+        let help = "give one colour; an image of all directions is <emitter type=\"envmap\">";
         Err(Problem::unsupported(fields.span_of(slot), message).help(help))
     }
 
@@ -266,7 +266,7 @@ fn rotation(fields: &Fields) -> Result<Affine, Problem> {
     })
 }
 
-/// How often Mitsuba samples this emitter; the mean of the picture does not
+/// How often Mitsuba samples this emitter; the mean of the image does not
 /// depend on it unless it is zero.
 fn sampling_weight(fields: &Fields) -> Result<(), Problem> {
     match fields.optional_float("sampling_weight")? {

@@ -1,4 +1,4 @@
-//! Integrators: `direct`, `path`, and `aov` for one layer. Mitsuba's integrators
+//! Integrators: `direct`, `path`, and `aov` for one AOV. Mitsuba's integrators
 //! of derivatives are read as the one that makes the same picture.
 
 use capwalk_scene::{Integrator, Layer};
@@ -7,10 +7,10 @@ use crate::fields::Fields;
 use crate::node::Kind;
 use crate::problem::Problem;
 
-/// The plugins.
+/// Values of `type` that are read as they are.
 const INTEGRATORS: [&str; 3] = ["aov", "direct", "path"];
 
-/// Mitsuba's integrators of derivatives, and whose picture each of them makes.
+/// Mitsuba's integrators of derivatives, and whose image each of them makes.
 const OF_DERIVATIVES: [(&str, &str); 6] = [
     ("direct_projective", "direct"),
     ("direct_reparam", "direct"),
@@ -20,7 +20,7 @@ const OF_DERIVATIVES: [(&str, &str); 6] = [
     ("prb_reparam", "path"),
 ];
 
-/// Their own settings.
+/// Properties that only they have.
 const SETTINGS_OF_DERIVATIVES: [&str; 13] = [
     "guiding",
     "guiding_proj",
@@ -53,9 +53,8 @@ pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
     };
     if let Some((name, read_as)) = of_derivatives {
         fields.warn(&format!(
-            "the integrator \"{name}\" is read as \"{read_as}\", which makes the same picture; \
-             derivatives are always those of the whole picture, by the method that the command \
-             names"
+            "the integrator \"{name}\" is read as \"{read_as}\", which makes the same image; \
+             derivatives are always those of the whole image, by the method that is asked for"
         ));
         let reason = "it concerns how Mitsuba samples derivatives";
         fields.cosmetic(&SETTINGS_OF_DERIVATIVES, reason);
@@ -139,20 +138,22 @@ fn path(fields: &Fields, default_depth: i64) -> Result<Integrator, Problem> {
     })
 }
 
-/// `aovs` is a list of `name:layer`, of which we render one.
+/// The one AOV of `aovs`, a list of `name:kind`.
 fn aov(fields: &Fields) -> Result<Integrator, Problem> {
     fields.refuse_object(
         Kind::Integrator,
-        "keep the nested integrator for the picture, without the \"aov\" around it, and make a \
-         second file with \"aov\" alone for the layer",
+        "keep the nested integrator for the image, without the \"aov\" around it, and make a \
+         second file with \"aov\" alone",
     )?;
     let known = || Layer::ALL.map(Layer::name).join(", ");
     let Some(text) = fields.string("aovs")? else {
         return Err(
-            Problem::missing(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(format!(
-                "add for example <string name=\"aovs\" value=\"depth:depth\"/>; known layers: {}",
-                known()
-            )),
+            Problem::missing(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(
+                format!(
+                    "add for example <string name=\"aovs\" value=\"depth:depth\"/>; known AOVs: {}",
+                    known()
+                ),
+            ),
         );
     };
     let wrong =
@@ -160,16 +161,16 @@ fn aov(fields: &Fields) -> Result<Integrator, Problem> {
     let entries: Vec<&str> = text.split(',').map(str::trim).collect();
     let &[entry] = entries.as_slice() else {
         return wrong(
-            format!("\"aovs\" lists {} layers", entries.len()),
-            "one layer at a time is rendered; keep one".into(),
+            format!("\"aovs\" lists {} AOVs", entries.len()),
+            "one AOV at a time is rendered; keep one".into(),
         );
     };
     let kind = entry.rsplit_once(':').map_or(entry, |(_, kind)| kind);
     match Layer::ALL.into_iter().find(|layer| layer.name() == kind) {
         Some(layer) => Ok(Integrator::Aov(layer)),
         None => wrong(
-            format!("unknown layer \"{kind}\""),
-            format!("known layers: {}", known()),
+            format!("unknown AOV \"{kind}\""),
+            format!("known AOVs: {}", known()),
         ),
     }
 }

@@ -15,7 +15,7 @@ use crate::problem::Problem;
 use crate::suggest::nearest;
 use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const BSDFS: [&str; 15] = [
     "diffuse",
     "conductor",
@@ -143,10 +143,10 @@ impl Lowering<'_> {
         })
     }
 
-    /// The material of a shape without one: grey, or black for a lamp.
-    pub(super) fn default_bsdf(&mut self, name: &str, is_lamp: bool, shape: Span) -> BsdfId {
+    /// The material of a shape without one: grey, or black if it emits.
+    pub(super) fn default_bsdf(&mut self, name: &str, emits: bool, shape: Span) -> BsdfId {
         let name = self.material_name(None, name);
-        let reflectance = Rgb::splat(if is_lamp { 0.0 } else { 0.5 });
+        let reflectance = Rgb::splat(if emits { 0.0 } else { 0.5 });
         let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
         let reflectance = self.add_texture(texture, shape);
         self.places.materials.push(shape);

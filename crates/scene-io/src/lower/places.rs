@@ -66,8 +66,8 @@ impl Places {
             | SceneError::NoDirections { shape, .. }
             | SceneError::NoAttribute { shape, .. } => shape_span(shape),
             SceneError::ZeroAreaLamp { shape } => {
-                let lamp = scene.shapes.iter().find(|s| s.id == *shape);
-                let emitter = lamp.and_then(|s| s.emitter);
+                let shape = scene.shapes.iter().find(|s| s.id == *shape);
+                let emitter = shape.and_then(|s| s.emitter);
                 emitter.map(|e| self.emitters[e.0 as usize])
             }
             SceneError::Material { material, .. } => {

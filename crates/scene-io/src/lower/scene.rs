@@ -78,7 +78,7 @@ impl Lowering<'_> {
         fields.finish()?;
         let shows_light = !matches!(integrator, Integrator::Aov(_));
         if shows_light && self.emitters.is_empty() {
-            let message = "the scene has no emitter; the picture will be black";
+            let message = "the scene has no emitter; the image will be black";
             self.context.warn(root, message);
         }
         let scene = Scene {

@@ -9,7 +9,7 @@ use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
 use crate::problem::Problem;
 
-/// The plugins.
+/// Values of `type` that are read.
 const SENSORS: [&str; 3] = ["perspective", "thinlens", "orthographic"];
 
 /// Diagonal of the 35 mm film that focal lengths refer to, millimetres.

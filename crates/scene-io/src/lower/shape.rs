@@ -1,7 +1,7 @@
 //! Shapes: where they are, which side is their front, what they are made of.
 //!
 //! In Mitsuba the shading normal decides which side of a surface is its front,
-//! for materials and lamps alike. Our faces are wound to agree with it.
+//! for materials and emitters alike. Our faces are wound to agree with it.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ use crate::node::Kind;
 use crate::problem::Problem;
 use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const SHAPES: [&str; 8] = [
     "obj",
     "ply",
@@ -106,8 +106,8 @@ impl Lowering<'_> {
         let bsdf = match fields.child(Kind::Bsdf)? {
             Some(child) => self.bsdf(child.node, &format!("{id}.bsdf"))?,
             None => {
-                let (is_lamp, span) = (emitter.is_some(), fields.node.span);
-                self.default_bsdf(&format!("{id}.bsdf"), is_lamp, span)
+                let (emits, span) = (emitter.is_some(), fields.node.span);
+                self.default_bsdf(&format!("{id}.bsdf"), emits, span)
             }
         };
         let emitter = match emitter {

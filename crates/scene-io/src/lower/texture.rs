@@ -12,7 +12,7 @@ use crate::node::{Kind, NodeId, Spectrum, Value};
 use crate::problem::Problem;
 use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const TEXTURES: [&str; 3] = ["bitmap", "checkerboard", "mesh_attribute"];
 
 impl Lowering<'_> {

@@ -11,7 +11,8 @@ use super::gltf_buffer::{Buffers, OpenFile, split};
 use super::gltf_json::Item;
 use super::gltf_node::{self, GltfChoice};
 
-/// Attributes of vertices that are read, or that a still mesh at rest needs not.
+/// Attributes of vertices that are read, or that a mesh without skin and texture
+/// tangents does not need.
 const KNOWN_ATTRIBUTES: [&str; 7] = [
     "POSITION",
     "NORMAL",

@@ -4,7 +4,7 @@ use super::error::MeshFileError;
 use super::gltf_buffer::Buffers;
 use super::gltf_json::Item;
 
-/// The numbers of an accessor.
+/// Numbers of an accessor, shape `(count, width)`.
 pub(super) struct Numbers {
     /// How many there are for each vertex: 1, 2, 3 or 4.
     pub width: usize,
@@ -13,7 +13,7 @@ pub(super) struct Numbers {
     pub is_integer: bool,
 }
 
-/// How a number is stored.
+/// The `componentType`.
 #[derive(Clone, Copy, PartialEq)]
 enum Component {
     I8,

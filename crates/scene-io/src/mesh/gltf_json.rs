@@ -88,7 +88,7 @@ impl<'a> Item<'a> {
         }
     }
 
-    /// An entry of a list.
+    /// The entry of a list that the file refers to by its index.
     pub fn entry(&self, list: &str, index: usize) -> Result<Item<'a>, MeshFileError> {
         let list = self.required(list)?;
         let array = list.array()?;
@@ -115,7 +115,7 @@ impl<'a> Item<'a> {
         entries.collect()
     }
 
-    /// A whole number from 0.
+    /// An integer from 0; 3.0 is one, too.
     pub fn as_index(&self) -> Result<usize, MeshFileError> {
         // Some writers give whole numbers a decimal point.
         let decimal = || {
@@ -136,7 +136,7 @@ impl<'a> Item<'a> {
         boolean.ok_or_else(|| self.wrong("true or false"))
     }
 
-    /// So many finite numbers.
+    /// A list of `N` finite numbers.
     pub fn as_numbers<const N: usize>(&self) -> Result<[f64; N], MeshFileError> {
         let array = self.value.as_array();
         let numbers: Option<Vec<f64>> = array.and_then(|a| a.iter().map(Value::as_f64).collect());

@@ -17,18 +17,18 @@ const LISTED: usize = 8;
 pub struct GltfChoice {
     /// The node that places it.
     pub node: Option<GltfName>,
-    /// Its mesh.
+    /// The mesh that it belongs to.
     pub mesh: Option<GltfName>,
-    /// Its index within the mesh.
+    /// The index of the primitive within the mesh, counted from 0.
     pub primitive: Option<u32>,
 }
 
-/// An object in a glTF file.
+/// How a node or a mesh is picked out of the file's list.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GltfName {
-    /// Its index in the file's list.
+    /// By its index, counted from 0.
     Index(u32),
-    /// Its name.
+    /// By its name.
     Name(String),
 }
 

@@ -9,7 +9,7 @@ use super::file::{FileAttribute, MeshFile, fan, finish, finite_position, unit_no
 use super::ply_attribute::{self, Group};
 use super::ply_header::{self, Element, Format, Scalar};
 
-/// The names of the list of corners.
+/// Names of the list that holds the indices of a face.
 const CORNER_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
 /// The mesh in the bytes of a PLY file. Normals are read if `want_normals`.
@@ -81,7 +81,7 @@ struct Body<'a> {
     line: usize,
 }
 
-/// A number of the body.
+/// A number of the body; integers keep all their digits.
 #[derive(Clone, Copy)]
 enum Number {
     Integer(i128),
@@ -102,7 +102,7 @@ impl Body<'_> {
         self.bytes.len() - self.position
     }
 
-    /// Of the next number.
+    /// Where the next number stands.
     fn place(&self) -> MeshPlace {
         match self.format {
             Format::Ascii => MeshPlace::Line(self.line),
@@ -275,7 +275,7 @@ fn skip(body: &mut Body, element: &Element) -> Result<(), MeshFileError> {
     (0..element.count).try_for_each(|index| read_element(body, element, index, |_, _| ()))
 }
 
-/// What vertices have.
+/// The element `vertex`; each list has one entry per vertex.
 struct Vertices {
     positions: Vec<Vec3>,
     normals: Option<Vec<Vec3>>,

@@ -10,7 +10,7 @@ pub(super) enum Format {
     BigEndian,
 }
 
-/// A type of number.
+/// The type of a property or of the items of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -81,7 +81,7 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// Index of a property.
+    /// Index of the property with this name.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.properties.iter().position(|p| p.name == name)
     }

@@ -361,7 +361,7 @@ impl Body<'_> {
     }
 }
 
-/// Bytes of a number.
+/// Size of a coordinate, bytes.
 fn number_size(flags: u32) -> usize {
     match flags & DOUBLE {
         0 => 4,

@@ -264,7 +264,7 @@ fn shared_lamp() {
         ),
         &[
             "scene.xml:5:100: this emitter belongs to another shape already",
-            "  give each lamp an emitter of its own",
+            "  give each shape an emitter of its own",
         ],
     );
 }
