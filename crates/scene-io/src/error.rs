@@ -64,6 +64,21 @@ pub struct Diagnostic {
 }
 
 impl LoadError {
+    /// A file that cannot be read at all.
+    pub(crate) fn unreadable(path: &Path, message: String, help: &str) -> Self {
+        Self::Unreadable(Box::new(Diagnostic {
+            location: Location {
+                name: path.display().to_string(),
+                path: Some(path.to_owned()),
+                position: None,
+            },
+            message,
+            help: Some(help.into()),
+            near: Vec::new(),
+            notes: Vec::new(),
+        }))
+    }
+
     /// What the message says, whatever kind of error it is.
     pub fn diagnostic(&self) -> &Diagnostic {
         match self {

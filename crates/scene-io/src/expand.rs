@@ -229,9 +229,10 @@ impl Expander<'_> {
                 )),
             );
         }
-        let text = read_text(&path, Some(span)).map_err(|error| {
+        let mut text = read_text(&path).map_err(|error| {
             Problem::unreadable(span, error).help("give a scene file to include")
         })?;
+        text.included_at = Some(span);
         let file = self.texts.add(text);
         self.open_files.push(canonical);
         let mut root = self.file(file)?;

@@ -5,7 +5,7 @@ use std::cell::{Cell, RefCell};
 
 use capwalk_math::{Affine, Vec3};
 
-use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
+use crate::node::{Graph, Kind, Node, NodeId, Property, PropertyValue};
 use crate::problem::Problem;
 use crate::suggest::{nearest, snake_case};
 use crate::texts::{Span, Texts};
@@ -82,8 +82,8 @@ impl<'a> Fields<'a> {
 
     pub fn optional_float(&self, name: &'static str) -> Result<Option<f64>, Problem> {
         self.typed(name, "float", |value| match *value {
-            Value::Float(x) => Some(x),
-            Value::Integer(i) => Some(i as f64),
+            PropertyValue::Float(x) => Some(x),
+            PropertyValue::Integer(i) => Some(i as f64),
             _ => None,
         })
     }
@@ -95,8 +95,8 @@ impl<'a> Fields<'a> {
         range: std::ops::RangeInclusive<i64>,
     ) -> Result<Option<i64>, Problem> {
         let number = self.typed(name, "integer", |value| match *value {
-            Value::Integer(i) => Some(i),
-            Value::Float(x) if x.fract() == 0.0 && x.abs() < 9e15 => Some(x as i64),
+            PropertyValue::Integer(i) => Some(i),
+            PropertyValue::Float(x) if x.fract() == 0.0 && x.abs() < 9e15 => Some(x as i64),
             _ => None,
         })?;
         match number {
@@ -125,7 +125,7 @@ impl<'a> Fields<'a> {
 
     pub fn boolean(&self, name: &'static str, default: bool) -> Result<bool, Problem> {
         let value = self.typed(name, "boolean", |value| match *value {
-            Value::Boolean(b) => Some(b),
+            PropertyValue::Boolean(b) => Some(b),
             _ => None,
         })?;
         Ok(value.unwrap_or(default))
@@ -133,21 +133,21 @@ impl<'a> Fields<'a> {
 
     pub fn string(&self, name: &'static str) -> Result<Option<&'a str>, Problem> {
         self.typed(name, "string", |value| match value {
-            Value::String(text) => Some(text.as_str()),
+            PropertyValue::String(text) => Some(text.as_str()),
             _ => None,
         })
     }
 
     pub fn point(&self, name: &'static str) -> Result<Option<Vec3>, Problem> {
         self.typed(name, "point", |value| match *value {
-            Value::Vector(v) => Some(v),
+            PropertyValue::Vector(v) => Some(v),
             _ => None,
         })
     }
 
     pub fn transform(&self, name: &'static str) -> Result<Affine, Problem> {
         let value = self.typed(name, "transform", |value| match *value {
-            Value::Transform(t) => Some(t),
+            PropertyValue::Transform(t) => Some(t),
             _ => None,
         })?;
         Ok(value.unwrap_or(Affine::IDENTITY))
@@ -157,7 +157,7 @@ impl<'a> Fields<'a> {
         &self,
         name: &'static str,
         tag: &str,
-        read: impl Fn(&'a Value) -> Option<T>,
+        read: impl Fn(&'a PropertyValue) -> Option<T>,
     ) -> Result<Option<T>, Problem> {
         let Some(property) = self.get(name) else {
             return Ok(None);
@@ -175,7 +175,9 @@ impl<'a> Fields<'a> {
         self.known_kinds.borrow_mut().push(kind);
         let properties = self.node.properties.iter().zip(&self.used);
         let of_kind = properties.filter_map(|(property, used)| match property.value {
-            Value::Object { node, by_reference } if self.context.graph.node(node).kind == kind => {
+            PropertyValue::Object { node, by_reference }
+                if self.context.graph.node(node).kind == kind =>
+            {
                 used.set(true);
                 Some(Child {
                     node,
@@ -239,7 +241,7 @@ impl<'a> Fields<'a> {
     pub fn refuse_object(&self, kind: Kind, help: &str) -> Result<(), Problem> {
         let mut objects = self.node.properties.iter();
         let refused = objects.find(|property| match property.value {
-            Value::Object { node, .. } => self.context.graph.node(node).kind == kind,
+            PropertyValue::Object { node, .. } => self.context.graph.node(node).kind == kind,
             _ => false,
         });
         match refused {
@@ -284,7 +286,7 @@ impl<'a> Fields<'a> {
     }
 
     fn unused(&self, property: &Property) -> Problem {
-        if let Value::Object { node, .. } = property.value {
+        if let PropertyValue::Object { node, .. } = property.value {
             let object = self.context.graph.node(node);
             let kinds = self.known_kinds.borrow();
             let tags: Vec<String> = kinds.iter().map(|k| format!("<{}>", k.tag())).collect();

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::texts::{Span, Text};
+use crate::texts::Text;
 
 /// The largest scene file that is read, bytes; the largest known ones have 30 MB.
 const LARGEST_FILE: u64 = 1 << 29;
 
-/// A text file, or what is wrong with it.
-pub(crate) fn read_text(path: &Path, included_at: Option<Span>) -> Result<Text, String> {
+/// The text in a file, or what is wrong with the file.
+pub(crate) fn read_text(path: &Path) -> Result<Text, String> {
     let name = path.display().to_string();
     let cannot = |reason: String| format!("cannot read \"{name}\": {reason}");
     let metadata = std::fs::metadata(path).map_err(|error| cannot(error.to_string()))?;
@@ -28,13 +28,7 @@ pub(crate) fn read_text(path: &Path, included_at: Option<Span>) -> Result<Text, 
             "byte {valid} is not UTF-8 text; expected an XML scene file"
         ))
     })?;
-    Ok(Text {
-        name,
-        path: Some(path.to_owned()),
-        directory: path.parent().unwrap_or(Path::new("")).to_owned(),
-        content,
-        included_at,
-    })
+    Ok(Text::of_file(path, content))
 }
 
 /// The path of a file in the first of the directories that has it, or a message

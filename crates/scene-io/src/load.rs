@@ -4,11 +4,10 @@ use std::path::{Path, PathBuf};
 
 use capwalk_scene::Scene;
 
-use crate::error::{Diagnostic, LoadError};
+use crate::error::LoadError;
 use crate::expand::expand;
 use crate::fields::Context;
 use crate::files::read_text;
-use crate::location::Location;
 use crate::lower::lower;
 use crate::mitsuba;
 use crate::problem::Problem;
@@ -47,19 +46,9 @@ pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Loaded, L
 
 /// [`load_scene`] with a choice of the sensor.
 pub fn load_scene_with(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
-    let text = read_text(path, None).map_err(|message| {
-        LoadError::Unreadable(Box::new(Diagnostic {
-            location: Location {
-                name: path.display().to_string(),
-                path: Some(path.to_owned()),
-                position: None,
-            },
-            message,
-            help: Some("expected a Mitsuba scene in XML".into()),
-            near: Vec::new(),
-            notes: Vec::new(),
-        }))
-    })?;
+    let help = "expected a Mitsuba scene in XML";
+    let text = read_text(path);
+    let text = text.map_err(|message| LoadError::unreadable(path, message, help))?;
     load(text, options)
 }
 
@@ -71,13 +60,7 @@ pub fn load_scene_str(
     name: &str,
     defines: &[(String, String)],
 ) -> Result<Loaded, LoadError> {
-    let text = Text {
-        name: name.into(),
-        path: None,
-        directory: base_dir.into(),
-        content: text.into(),
-        included_at: None,
-    };
+    let text = Text::in_memory(name, base_dir.into(), text.into());
     let options = LoadOptions {
         defines: defines.to_vec(),
         sensor: 0,

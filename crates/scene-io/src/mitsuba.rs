@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
+use crate::node::{Graph, Kind, Node, NodeId, Property, PropertyValue};
 use crate::problem::Problem;
 use crate::suggest::nearest;
 use crate::texts::{Span, Texts};
@@ -133,7 +133,7 @@ impl Parser<'_> {
                 );
             }
             let node = self.object(element, kind)?;
-            let value = Value::Object {
+            let value = PropertyValue::Object {
                 node,
                 by_reference: false,
             };
@@ -216,7 +216,7 @@ impl Parser<'_> {
             let property = Property {
                 name: name.as_ref().map_or(String::new(), |n| n.value.clone()),
                 name_span: name.map_or(reference.span, |n| n.value_span),
-                value: Value::Object {
+                value: PropertyValue::Object {
                     node,
                     by_reference: true,
                 },
@@ -237,11 +237,11 @@ fn typed_property(element: &Element) -> Result<Property, Problem> {
             let attribute = element.required("value")?;
             let (text, span) = (&attribute.value, attribute.value_span);
             let value = match tag {
-                "float" => Value::Float(value::float(text, span)?),
-                "integer" => Value::Integer(value::integer(text, span)?),
-                "boolean" => Value::Boolean(value::boolean(text, span)?),
-                "rgb" => Value::Rgb(value::rgb(attribute)?),
-                _ => Value::String(text.clone()),
+                "float" => PropertyValue::Float(value::float(text, span)?),
+                "integer" => PropertyValue::Integer(value::integer(text, span)?),
+                "boolean" => PropertyValue::Boolean(value::boolean(text, span)?),
+                "rgb" => PropertyValue::Rgb(value::rgb(attribute)?),
+                _ => PropertyValue::String(text.clone()),
             };
             (value, span)
         }
@@ -249,17 +249,20 @@ fn typed_property(element: &Element) -> Result<Property, Problem> {
             element.only_attributes(&["name", "value", "x", "y", "z"])?;
             let span = element.attribute("value").map(|a| a.value_span);
             let vector = value::vector(element, None)?;
-            (Value::Vector(vector), span.unwrap_or(element.span))
+            (PropertyValue::Vector(vector), span.unwrap_or(element.span))
         }
         "spectrum" => {
             element.only_attributes(&["name", "value", "filename"])?;
             let given = element.attribute("value").or(element.attribute("filename"));
             let span = given.map_or(element.span, |a| a.value_span);
-            (Value::Spectrum(value::spectrum(element)?), span)
+            (PropertyValue::Spectrum(value::spectrum(element)?), span)
         }
         "transform" => {
             element.only_attributes(&["name"])?;
-            (Value::Transform(value::transform(element)?), element.span)
+            (
+                PropertyValue::Transform(value::transform(element)?),
+                element.span,
+            )
         }
         "translate" | "rotate" | "scale" | "lookat" | "matrix" => {
             return Err(Problem::invalid(
@@ -321,7 +324,7 @@ fn refuse_cycles(graph: &Graph) -> Result<(), Problem> {
                 continue;
             };
             *next += 1;
-            let Value::Object { node: child, .. } = property.value else {
+            let PropertyValue::Object { node: child, .. } = property.value else {
                 continue;
             };
             if !on_path.insert(child) {

@@ -1,6 +1,6 @@
 //! The texts that a scene is read from, and places in them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::location::{Location, Position};
 
@@ -28,6 +28,30 @@ pub(crate) struct Text {
     pub content: String,
     /// The `<include>` that asked for it.
     pub included_at: Option<Span>,
+}
+
+impl Text {
+    /// The text of a file.
+    pub fn of_file(path: &Path, content: String) -> Self {
+        Self {
+            name: path.display().to_string(),
+            path: Some(path.to_owned()),
+            directory: path.parent().unwrap_or(Path::new("")).to_owned(),
+            content,
+            included_at: None,
+        }
+    }
+
+    /// A text in memory.
+    pub fn in_memory(name: &str, directory: PathBuf, content: String) -> Self {
+        Self {
+            name: name.into(),
+            path: None,
+            directory,
+            content,
+            included_at: None,
+        }
+    }
 }
 
 /// All texts of a scene; the first is the main one.

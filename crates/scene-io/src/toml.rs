@@ -10,8 +10,7 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::error::{Diagnostic, LoadError};
-use crate::location::Location;
+use crate::error::LoadError;
 use crate::problem::Problem;
 use crate::suggest::nearest;
 use crate::texts::{FileId, Span, Text, Texts};
@@ -78,40 +77,17 @@ pub struct Value<'d> {
 impl Document {
     /// Reads a file.
     pub fn read(path: &Path) -> Result<Self, LoadError> {
-        let name = path.display().to_string();
-        let directory = path.parent().unwrap_or(Path::new("")).to_owned();
-        match fs::read_to_string(path) {
-            Ok(content) => Self::of(Text {
-                name,
-                path: Some(path.to_owned()),
-                directory,
-                content,
-                included_at: None,
-            }),
-            Err(error) => Err(LoadError::Unreadable(Box::new(Diagnostic {
-                location: Location {
-                    name,
-                    path: Some(path.to_owned()),
-                    position: None,
-                },
-                message: format!("cannot read the file: {error}"),
-                help: Some("expected a text in TOML".into()),
-                near: Vec::new(),
-                notes: Vec::new(),
-            }))),
-        }
+        let content = fs::read_to_string(path).map_err(|error| {
+            let message = format!("cannot read the file: {error}");
+            LoadError::unreadable(path, message, "expected a text in TOML")
+        })?;
+        Self::of(Text::of_file(path, content))
     }
 
     /// A text in memory that messages call `name`; files in it are relative to
     /// `directory`.
     pub fn parse(name: &str, directory: PathBuf, content: String) -> Result<Self, LoadError> {
-        Self::of(Text {
-            name: name.into(),
-            path: None,
-            directory,
-            content,
-            included_at: None,
-        })
+        Self::of(Text::in_memory(name, directory, content))
     }
 
     fn of(text: Text) -> Result<Self, LoadError> {

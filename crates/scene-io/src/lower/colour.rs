@@ -3,7 +3,7 @@
 use capwalk_math::Rgb;
 
 use crate::fields::{Context, Fields};
-use crate::node::{Spectrum, Value};
+use crate::node::{PropertyValue, Spectrum};
 use crate::problem::Problem;
 use crate::texts::Span;
 
@@ -23,7 +23,7 @@ pub(super) fn reflectance(
     };
     let span = property.value_span;
     let colour = match property.value {
-        Value::Rgb(rgb) => {
+        PropertyValue::Rgb(rgb) => {
             // Mitsuba refuses these as well.
             if rgb.max_component() > 1.0 {
                 return Err(Problem::invalid(
@@ -36,9 +36,9 @@ pub(super) fn reflectance(
             }
             rgb
         }
-        Value::Float(x) => Rgb::splat(x),
-        Value::Integer(i) => Rgb::splat(i as f64),
-        Value::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
+        PropertyValue::Float(x) => Rgb::splat(x),
+        PropertyValue::Integer(i) => Rgb::splat(i as f64),
+        PropertyValue::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
         ref other => return Err(not_a_colour(name, other, span)),
     };
     refuse_negative(name, colour, span)?;
@@ -56,10 +56,10 @@ pub(super) fn radiance(fields: &Fields, name: &'static str, default: f64) -> Res
     };
     let span = property.value_span;
     let colour = match property.value {
-        Value::Rgb(rgb) => rgb,
-        Value::Float(x) => Rgb::splat(x),
-        Value::Integer(i) => Rgb::splat(i as f64),
-        Value::Spectrum(Spectrum::Uniform(x)) => FLAT_SPECTRUM * x,
+        PropertyValue::Rgb(rgb) => rgb,
+        PropertyValue::Float(x) => Rgb::splat(x),
+        PropertyValue::Integer(i) => Rgb::splat(i as f64),
+        PropertyValue::Spectrum(Spectrum::Uniform(x)) => FLAT_SPECTRUM * x,
         ref other => return Err(not_a_colour(name, other, span)),
     };
     refuse_negative(name, colour, span)?;
@@ -73,9 +73,9 @@ pub(super) fn unbounded(fields: &Fields, name: &'static str, default: Rgb) -> Re
     };
     let span = property.value_span;
     let colour = match property.value {
-        Value::Rgb(rgb) => rgb,
-        Value::Float(x) | Value::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
-        Value::Integer(i) => Rgb::splat(i as f64),
+        PropertyValue::Rgb(rgb) => rgb,
+        PropertyValue::Float(x) | PropertyValue::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
+        PropertyValue::Integer(i) => Rgb::splat(i as f64),
         ref other => return Err(not_a_colour(name, other, span)),
     };
     refuse_negative(name, colour, span)?;
@@ -93,13 +93,13 @@ fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
     .help("expected numbers of at least 0"))
 }
 
-fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
+fn not_a_colour(name: &str, value: &PropertyValue, span: Span) -> Problem {
     match value {
-        Value::Object { .. } => {
+        PropertyValue::Object { .. } => {
             Problem::invalid(span, format!("\"{name}\" is an object of another kind"))
                 .help("expected a <texture>, or <rgb name=\"...\" value=\"r, g, b\"/>")
         }
-        Value::Spectrum(Spectrum::Sampled) => Problem::unsupported(
+        PropertyValue::Spectrum(Spectrum::Sampled) => Problem::unsupported(
             span,
             format!("\"{name}\" depends on the wavelength"),
         )

@@ -10,7 +10,7 @@ use super::lowering::Lowering;
 use super::metals;
 use super::texture::choice;
 use crate::fields::{Child, Fields};
-use crate::node::{Kind, NodeId, Value};
+use crate::node::{Kind, NodeId, PropertyValue};
 use crate::problem::Problem;
 use crate::suggest::nearest;
 use crate::texts::Span;
@@ -259,7 +259,7 @@ impl Lowering<'_> {
         let default = by_name(default).expect("defaults are in the table");
         let span = fields.span_of(slot);
         if let Some(property) = fields.get(slot)
-            && let Value::String(wanted) = &property.value
+            && let PropertyValue::String(wanted) = &property.value
         {
             let names = INDICES.iter().map(|(name, _)| *name);
             let index = by_name(wanted).ok_or_else(|| {

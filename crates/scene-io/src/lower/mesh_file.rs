@@ -6,7 +6,7 @@ use super::lowering::Lowering;
 use crate::fields::Fields;
 use crate::files::find_file;
 use crate::mesh::{GltfChoice, GltfName, MeshFile, read_gltf, read_obj, read_ply, read_serialized};
-use crate::node::Value;
+use crate::node::PropertyValue;
 use crate::problem::Problem;
 use crate::texts::Span;
 
@@ -111,7 +111,7 @@ impl Lowering<'_> {
 
 /// An object of a glTF file, by its name or its index.
 fn gltf_name(fields: &Fields, property: &'static str) -> Result<Option<GltfName>, Problem> {
-    if let Some(Value::String(name)) = fields.get(property).map(|p| &p.value) {
+    if let Some(PropertyValue::String(name)) = fields.get(property).map(|p| &p.value) {
         return Ok(Some(GltfName::Name(name.clone())));
     }
     Ok(fields.optional_count(property, 0)?.map(GltfName::Index))

@@ -8,7 +8,7 @@ use super::colour;
 use super::lowering::Lowering;
 use crate::bitmap::{self, BitmapFile};
 use crate::fields::Fields;
-use crate::node::{Kind, NodeId, Spectrum, Value};
+use crate::node::{Kind, NodeId, PropertyValue, Spectrum};
 use crate::problem::Problem;
 use crate::texts::Span;
 
@@ -28,7 +28,7 @@ impl Lowering<'_> {
     ) -> Result<TextureId, Problem> {
         let id = format!("{holder}.{slot}");
         if let Some(property) = fields.get(slot)
-            && let Value::Object { node, .. } = property.value
+            && let PropertyValue::Object { node, .. } = property.value
             && self.context.graph.node(node).kind == Kind::Texture
         {
             return self.texture(node, &id, quantity);
@@ -48,7 +48,7 @@ impl Lowering<'_> {
     ) -> Result<TextureId, Problem> {
         if fields
             .get(slot)
-            .is_some_and(|p| matches!(p.value, Value::Object { .. }))
+            .is_some_and(|p| matches!(p.value, PropertyValue::Object { .. }))
         {
             return self.slot(fields, holder, slot, quantity, 0.0);
         }
@@ -71,11 +71,11 @@ impl Lowering<'_> {
         let span = fields.span_of(slot);
         let texture = match fields.get(slot).map(|property| &property.value) {
             None => Texture::number(id, default),
-            Some(&Value::Float(x)) => Texture::number(id, x),
-            Some(&Value::Integer(i)) => Texture::number(id, i as f64),
-            Some(&Value::Spectrum(Spectrum::Uniform(x))) => Texture::number(id, x),
-            Some(&Value::Rgb(rgb)) => Texture::colour(id, rgb),
-            Some(Value::Object { .. }) => {
+            Some(&PropertyValue::Float(x)) => Texture::number(id, x),
+            Some(&PropertyValue::Integer(i)) => Texture::number(id, i as f64),
+            Some(&PropertyValue::Spectrum(Spectrum::Uniform(x))) => Texture::number(id, x),
+            Some(&PropertyValue::Rgb(rgb)) => Texture::colour(id, rgb),
+            Some(PropertyValue::Object { .. }) => {
                 return self.slot(fields, holder, slot, quantity, default);
             }
             Some(other) => {
@@ -188,7 +188,7 @@ impl Lowering<'_> {
         let mut data = Vec::with_capacity(6);
         for (slot, default) in [("color0", 0.4), ("color1", 0.2)] {
             if let Some(property) = fields.get(slot)
-                && matches!(property.value, Value::Object { .. })
+                && matches!(property.value, PropertyValue::Object { .. })
             {
                 return Err(Problem::invalid(
                     property.value_span,

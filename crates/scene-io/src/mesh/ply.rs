@@ -7,7 +7,7 @@ use capwalk_math::Vec3;
 use super::error::{MeshFileError, MeshPlace};
 use super::file::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::ply_attribute::{self, Group};
-use super::ply_header::{self, Element, Format, Scalar};
+use super::ply_header::{self, Encoding, PlyElement, Scalar};
 
 /// Names of the list that holds the indices of a face.
 const CORNER_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
@@ -21,7 +21,7 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
         format: header.format,
         line: header.lines + 1,
     };
-    let is_vertex = |element: &&Element| element.name == "vertex";
+    let is_vertex = |element: &&PlyElement| element.name == "vertex";
     let vertex_count = header
         .elements
         .iter()
@@ -76,7 +76,7 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
 struct Body<'a> {
     bytes: &'a [u8],
     position: usize,
-    format: Format,
+    format: Encoding,
     /// Line of the next word, in text.
     line: usize,
 }
@@ -105,14 +105,14 @@ impl Body<'_> {
     /// Where the next number stands.
     fn place(&self) -> MeshPlace {
         match self.format {
-            Format::Ascii => MeshPlace::Line(self.line),
+            Encoding::Ascii => MeshPlace::Line(self.line),
             _ => MeshPlace::Byte(self.position),
         }
     }
 
     /// Refuses a count that the rest of the file cannot hold, before anything
     /// is reserved for it.
-    fn announced(&self, element: &Element) -> Result<(), MeshFileError> {
+    fn announced(&self, element: &PlyElement) -> Result<(), MeshFileError> {
         let least = element.least_size(self.format) as u128 * u128::from(element.count);
         // The last number of a text needs no separator.
         if least <= self.remaining() as u128 + 1 {
@@ -134,7 +134,7 @@ impl Body<'_> {
     /// The next number, or `None` if the file ends.
     fn number(&mut self, scalar: Scalar) -> Result<Option<Number>, MeshFileError> {
         match self.format {
-            Format::Ascii => self.text_number(scalar),
+            Encoding::Ascii => self.text_number(scalar),
             _ => Ok(self.binary_number(scalar)),
         }
     }
@@ -146,7 +146,7 @@ impl Body<'_> {
         self.position += scalar.size();
         let mut little = [0; 8];
         little[..raw.len()].copy_from_slice(raw);
-        if self.format == Format::BigEndian {
+        if self.format == Encoding::BigEndian {
             little[..raw.len()].reverse();
         }
         let bits = u64::from_le_bytes(little);
@@ -206,7 +206,7 @@ impl Body<'_> {
 
     /// Refuses anything behind the last element.
     fn end(&mut self) -> Result<(), MeshFileError> {
-        if self.format == Format::Ascii {
+        if self.format == Encoding::Ascii {
             self.pass_blanks();
         }
         if self.remaining() == 0 {
@@ -224,7 +224,7 @@ impl Body<'_> {
 /// its numbers. `name` and `index` say where the file ends if it does.
 fn read_element(
     body: &mut Body,
-    element: &Element,
+    element: &PlyElement,
     index: u64,
     mut visit: impl FnMut(usize, Number),
 ) -> Result<(), MeshFileError> {
@@ -266,7 +266,7 @@ fn read_element(
     Ok(())
 }
 
-fn skip(body: &mut Body, element: &Element) -> Result<(), MeshFileError> {
+fn skip(body: &mut Body, element: &PlyElement) -> Result<(), MeshFileError> {
     // Elements without properties take no room; there is nothing to pass over,
     // however many are announced.
     if element.properties.is_empty() {
@@ -310,7 +310,7 @@ fn extend(attributes: &mut [FileAttribute], groups: &[Group], values: &[f64]) {
 }
 
 /// The indices of properties with these names that are one number each.
-fn numbers<const N: usize>(element: &Element, names: [&str; N]) -> Option<[usize; N]> {
+fn numbers<const N: usize>(element: &PlyElement, names: [&str; N]) -> Option<[usize; N]> {
     let found = names.map(|name| {
         let index = element.position(name)?;
         element.properties[index].length.is_none().then_some(index)
@@ -325,7 +325,7 @@ fn numbers<const N: usize>(element: &Element, names: [&str; N]) -> Option<[usize
 /// there.
 fn read_vertices(
     body: &mut Body,
-    element: &Element,
+    element: &PlyElement,
     want_normals: bool,
 ) -> Result<Vertices, MeshFileError> {
     let position_at = numbers(element, ["x", "y", "z"]).ok_or_else(|| {
@@ -346,7 +346,7 @@ fn read_vertices(
     let mut uvs = uv_at.map(|_| Vec::with_capacity(count));
     let mut values = vec![0.0; element.properties.len()];
     for index in 0..element.count {
-        if body.format == Format::Ascii {
+        if body.format == Encoding::Ascii {
             body.pass_blanks();
         }
         let start = body.place();
@@ -383,7 +383,11 @@ fn read_vertices(
 }
 
 /// Triangles and their attributes; polygons become fans.
-fn read_faces(body: &mut Body, element: &Element, vertices: u64) -> Result<Faces, MeshFileError> {
+fn read_faces(
+    body: &mut Body,
+    element: &PlyElement,
+    vertices: u64,
+) -> Result<Faces, MeshFileError> {
     let list = CORNER_LISTS
         .iter()
         .find_map(|name| element.position(name))
