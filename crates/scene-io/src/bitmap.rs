@@ -165,7 +165,7 @@ mod tests {
         assert_eq!(bright.data, [0.5, 8.0, 64.0]);
     }
 
-    /// A file cut off anywhere is an error, never a panic or half a picture.
+    /// A file cut off anywhere is an error, never a panic or half an image.
     #[test]
     fn broken_files_are_errors() {
         let image = RgbImage::from_pixel(5, 4, Rgb([51, 102, 204]));

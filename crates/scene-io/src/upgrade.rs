@@ -14,7 +14,7 @@ pub(crate) struct Upgraded {
     pub message: String,
 }
 
-/// Tone mapping and file formats of `ldrfilm`. Pictures are written as linear
+/// Tone mapping and file formats of `ldrfilm`. Images are written as linear
 /// numbers; previews have their own exposure.
 const OF_LDRFILM: [&str; 7] = [
     "file_format",

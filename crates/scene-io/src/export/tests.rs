@@ -104,7 +104,7 @@ fn built_in_scenes_come_back() {
 #[test]
 fn every_setting_comes_back() {
     let mut scene = builtin::scene("leaf").expect("built in");
-    // In the order in which the file tells them, the lamp's behind its shape.
+    // In the order in which the file tells them, the area emitter's behind its shape.
     let colours = [
         ("shared <&> \"red\"", 0.7),
         ("front", 0.2),

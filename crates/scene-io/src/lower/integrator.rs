@@ -1,5 +1,5 @@
 //! Integrators: `direct`, `path`, and `aov` for one AOV. Mitsuba's integrators
-//! of derivatives are read as the one that makes the same picture.
+//! of derivatives are read as the one that makes the same image.
 
 use capwalk_scene::{Integrator, Layer};
 
