@@ -27,9 +27,9 @@ pub(super) fn format(path: &Path, known: &'static str) -> Result<Format, ImageEr
     }
 }
 
-/// The endings that [`write()`] knows.
+/// Endings of files that can be written.
 pub(super) const WRITABLE: &str = ".exr, .png, .npz";
-/// The endings that [`read`] knows.
+/// Endings of files that can be read.
 pub(super) const READABLE: &str = ".exr, .npz";
 
 /// Writes a file, whole or not at all.
