@@ -4,7 +4,7 @@ use std::fs;
 use std::process::ExitCode;
 
 use capwalk_scene::params::ParameterError;
-use capwalk_scene_io::LoadError;
+use capwalk_scene_io::{Diagnostic, LoadError};
 
 /// How a command that wrote its results ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -43,7 +43,8 @@ impl From<Outcome> for ExitCode {
 /// the place in the scene file.
 pub fn describe(error: &anyhow::Error) -> String {
     if let Some(error) = error.downcast_ref::<LoadError>() {
-        return describe_load(error, &fs::read_to_string(error.file()).unwrap_or_default());
+        let source = error.file().and_then(|file| fs::read_to_string(file).ok());
+        return describe_load(error, &source.unwrap_or_default());
     }
     let mut text = format!("error: {error}");
     let mut last = error.to_string();
@@ -79,19 +80,17 @@ const SHOWN: usize = 100;
 
 /// An error in a scene file with the line it is in, as compilers show it.
 fn describe_load(error: &LoadError, source: &str) -> String {
-    let mut text = format!("error: {}", error.message());
+    let Diagnostic {
+        location, message, ..
+    } = error.diagnostic();
+    let mut text = format!("error: {message}");
     let Some(position) = error.position() else {
-        text += &format!("\n  in {}", error.file());
+        text += &format!("\n  in {location}");
         return text + &advice(error, "  ");
     };
     let number = position.line.to_string();
     let margin = " ".repeat(number.len());
-    text += &format!(
-        "\n{margin}--> {}:{}:{}",
-        error.file(),
-        position.line,
-        position.column
-    );
+    text += &format!("\n{margin}--> {location}");
     if let Some(line) = source.lines().nth(position.line as usize - 1) {
         let column = position.column as usize - 1;
         // A long line is shown around the place.
@@ -114,15 +113,19 @@ fn describe_load(error: &LoadError, source: &str) -> String {
 
 /// What was expected, names that were perhaps meant, and notes.
 fn advice(error: &LoadError, before: &str) -> String {
+    let diagnostic = error.diagnostic();
     let mut text = String::new();
-    if let Some(help) = error.help() {
+    if let Some(help) = &diagnostic.help {
         text += &format!("\n{before}{}", help.replace('\n', "\n    "));
     }
-    if !error.near().is_empty() {
-        let names: Vec<String> = error.near().iter().map(|n| format!("\"{n}\"")).collect();
+    if let LoadError::Definition(_) = error {
+        text += &format!("\n{before}-D NAME=VALUE defines a parameter, in a job [defines] does");
+    }
+    if !diagnostic.near.is_empty() {
+        let names: Vec<String> = diagnostic.near.iter().map(|n| format!("\"{n}\"")).collect();
         text += &format!("\n{before}did you mean {}?", names.join(" or "));
     }
-    for note in error.notes() {
+    for note in &diagnostic.notes {
         text += &format!("\n{before}{note}");
     }
     text

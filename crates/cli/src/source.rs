@@ -5,6 +5,7 @@ use std::path::Path;
 use anyhow::{Context, Result, bail, ensure};
 use capwalk_diff::Options;
 use capwalk_scene::{Filter, Scene, builtin};
+use capwalk_scene_io::{Loaded, load_scene};
 
 use crate::args::{FilterName, SamplingArgs, SceneArgs};
 
@@ -60,7 +61,15 @@ fn from_file(args: &SceneArgs) -> Result<Scene> {
             names.join(", ")
         );
     }
-    Ok(capwalk_scene_io::load_scene(path, &args.defines)?)
+    Ok(warned(load_scene(path, &args.defines)?))
+}
+
+/// The scene; its warnings are printed.
+pub fn warned(loaded: Loaded) -> Scene {
+    for warning in &loaded.warnings {
+        log::warn!("{warning}");
+    }
+    loaded.scene
 }
 
 /// A short name for default outputs: the file's name without its ending.

@@ -12,9 +12,9 @@ use std::path::Path;
 use npyz::{NpyFile, Order};
 use zip::{ZipArchive, ZipWriter};
 
+use crate::archive;
 use crate::atomic;
 use crate::image::ImageError;
-use crate::npz;
 
 /// The array of keys and values; no other one may have this name.
 pub const METADATA: &str = "metadata";
@@ -53,7 +53,7 @@ impl Arrays {
 /// a file can be made there. Leaves nothing behind.
 pub fn check_writable(path: &Path) -> Result<(), ImageError> {
     check_ending(path)?;
-    atomic::check_writable(path).map_err(|error| write_error(path, error))
+    atomic::check_writable(path).map_err(|error| ImageError::write(path, error))
 }
 
 fn check_ending(path: &Path) -> Result<(), ImageError> {
@@ -72,9 +72,9 @@ fn check_ending(path: &Path) -> Result<(), ImageError> {
 /// errors.
 pub fn write(path: &Path, arrays: &Arrays) -> Result<(), ImageError> {
     check_ending(path)?;
-    let bytes = encode(arrays).map_err(|reason| write_error(path, reason))?;
+    let bytes = encode(arrays).map_err(|reason| ImageError::write(path, reason))?;
     atomic::write_atomically(path, |file| file.write_all(&bytes))
-        .map_err(|error| write_error(path, error))
+        .map_err(|error| ImageError::write(path, error))
 }
 
 fn encode(arrays: &Arrays) -> Result<Vec<u8>, String> {
@@ -90,9 +90,9 @@ fn encode(arrays: &Arrays) -> Result<Vec<u8>, String> {
             return Err(format!("two arrays have the name \"{name}\""));
         }
         let shape: Vec<u64> = shape.iter().map(|&n| n as u64).collect();
-        npz::add_array(&mut archive, name, "<f8", &shape, numbers.iter().copied())?;
+        archive::add_array(&mut archive, name, "<f8", &shape, numbers.iter().copied())?;
     }
-    npz::add_pairs(&mut archive, METADATA, &arrays.metadata)?;
+    archive::add_pairs(&mut archive, METADATA, &arrays.metadata)?;
     let bytes = archive.finish().map_err(|error| error.to_string())?;
     Ok(bytes.into_inner())
 }
@@ -100,18 +100,18 @@ fn encode(arrays: &Arrays) -> Result<Vec<u8>, String> {
 /// Reads arrays of `float64` as [`write()`] and `numpy.savez` write them.
 pub fn read(path: &Path) -> Result<Arrays, ImageError> {
     check_ending(path)?;
-    let bytes = std::fs::read(path).map_err(|error| read_error(path, error))?;
-    decode(&bytes).map_err(|reason| read_error(path, reason))
+    let bytes = std::fs::read(path).map_err(|error| ImageError::read(path, error))?;
+    decode(&bytes).map_err(|reason| ImageError::read(path, reason))
 }
 
 fn decode(bytes: &[u8]) -> Result<Arrays, String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
     let mut arrays = Arrays::default();
     for i in 0..archive.len() {
-        let (name, file) = npz::open(&mut archive, i)?;
+        let (name, file) = archive::open(&mut archive, i)?;
         let in_array = |error: std::io::Error| format!("the array \"{name}\": {error}");
         if name == METADATA {
-            arrays.metadata = npz::pairs(file).map_err(in_array)?;
+            arrays.metadata = archive::pairs(file).map_err(in_array)?;
             continue;
         }
         arrays.arrays.push(Array {
@@ -133,20 +133,6 @@ fn numbers(file: NpyFile<impl std::io::Read>) -> Result<Vec<f64>, String> {
     };
     let numbers: Result<Vec<f64>, _> = numbers.collect();
     numbers.map_err(|error| error.to_string())
-}
-
-fn write_error(path: &Path, reason: impl ToString) -> ImageError {
-    ImageError::Write {
-        path: path.to_owned(),
-        reason: reason.to_string(),
-    }
-}
-
-fn read_error(path: &Path, reason: impl ToString) -> ImageError {
-    ImageError::Read {
-        path: path.to_owned(),
-        reason: reason.to_string(),
-    }
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ pub(crate) struct BitmapFile {
     pub data: Vec<f64>,
 }
 
-/// Endings of files that can be read.
+/// Endings of the names of files, in small letters.
 pub(crate) const ENDINGS: [&str; 7] = ["png", "jpg", "jpeg", "bmp", "tga", "hdr", "exr"];
 
 /// The image in the bytes of a file whose name has this ending. Files with 8 or
@@ -165,7 +165,7 @@ mod tests {
         assert_eq!(bright.data, [0.5, 8.0, 64.0]);
     }
 
-    /// A file cut off anywhere is an error, never a panic or half a picture.
+    /// A file cut off anywhere is an error, never a panic or half an image.
     #[test]
     fn broken_files_are_errors() {
         let image = RgbImage::from_pixel(5, 4, Rgb([51, 102, 204]));

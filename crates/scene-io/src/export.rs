@@ -10,43 +10,26 @@
 //! Texels of bitmaps are written in single precision.
 //!
 //! Two things cannot be told in XML: materials come back in the order in which
-//! they are first used, and the constant emitter comes back behind the lamps.
+//! they are first used, and the constant emitter comes back behind the area emitters.
 //! Mitsuba takes seeds below 2³² only.
 
-mod ply;
-mod xml;
+mod error;
+mod files;
+mod ply_file;
+mod xml_file;
 
-use std::collections::{BTreeMap, HashSet};
-use std::fmt;
+use std::collections::HashSet;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use capwalk_scene::{Image, Pattern, Scene, Texture, TextureId};
 
+pub use error::ExportError;
+use files::Files;
+
 use crate::atomic::write_atomically;
 use crate::image::{Picture, VALUE, encode_exr};
-
-/// A file that could not be written.
-#[derive(Debug)]
-pub struct ExportError {
-    /// The file or directory.
-    pub path: PathBuf,
-    /// Why.
-    pub error: io::Error,
-}
-
-impl fmt::Display for ExportError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "cannot write {}: {}", self.path.display(), self.error)
-    }
-}
-
-impl std::error::Error for ExportError {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        Some(&self.error)
-    }
-}
 
 /// Writes the scene and returns the path of its XML file. A path that ends in
 /// `.xml` is that file; any other is a directory to put `scene.xml` into. The
@@ -73,7 +56,7 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
         let path = directory.join(name);
         at(
             &path,
-            write_atomically(&path, |file| ply::write(scene, shape, file)),
+            write_atomically(&path, |file| ply_file::write(scene, shape, file)),
         )?;
         files.meshes.push(format!("{folder}/{name}"));
     }
@@ -100,8 +83,10 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
     let names = file_names(bitmaps.iter().map(|(_, t, _)| t.id.as_str()), "exr");
     for ((i, texture, size), name) in bitmaps.into_iter().zip(names) {
         let path = directory.join(&name);
-        let bytes = exr_of(texture, size).map_err(io::Error::other);
-        let bytes = at(&path, bytes)?;
+        let bytes = exr_of(texture, size).map_err(|reason| ExportError::Encode {
+            path: path.clone(),
+            reason,
+        })?;
         at(
             &path,
             write_atomically(&path, |file| file.write_all(&bytes)),
@@ -109,26 +94,17 @@ pub fn write_scene(scene: &Scene, path: &Path) -> Result<PathBuf, ExportError> {
         files.bitmaps.insert(i, format!("{folder}/{name}"));
     }
     // The XML comes last: where it is, the files it names are.
-    let text = xml::text(scene, &files);
+    let text = xml_file::text(scene, &files);
     let written = write_atomically(&xml_path, |file| file.write_all(text.as_bytes()));
     at(&xml_path, written)?;
     Ok(xml_path)
 }
 
 fn at<T>(path: &Path, result: io::Result<T>) -> Result<T, ExportError> {
-    result.map_err(|error| ExportError {
+    result.map_err(|error| ExportError::Write {
         path: path.to_owned(),
         error,
     })
-}
-
-/// The files that the XML names, relative to it.
-#[derive(Default)]
-struct Files {
-    /// Of each shape.
-    meshes: Vec<String>,
-    /// Of textures that are bitmaps.
-    bitmaps: BTreeMap<usize, String>,
 }
 
 fn exr_of(texture: &Texture, size: [u32; 2]) -> Result<Vec<u8>, String> {

@@ -5,23 +5,27 @@ use std::cell::{Cell, RefCell};
 
 use capwalk_math::{Affine, Vec3};
 
-use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
-use crate::source::{Problem, Sources, Span};
+use crate::node::{Graph, Kind, Node, NodeId, Property, PropertyValue};
+use crate::problem::Problem;
 use crate::suggest::{nearest, snake_case};
+use crate::texts::{Span, Texts};
 use crate::upgrade::upgraded_name;
+use crate::warning::Warning;
 
 /// What every stage of lowering reads.
 pub(crate) struct Context<'a> {
-    pub sources: &'a Sources,
+    pub texts: &'a Texts,
     pub graph: &'a Graph,
-    /// What does not change the picture but should be known.
-    pub warnings: RefCell<Vec<String>>,
+    /// Warnings so far, in the order in which they were found.
+    pub warnings: RefCell<Vec<Warning>>,
 }
 
 impl Context<'_> {
     pub fn warn(&self, span: Span, message: &str) {
-        let warning = format!("{}: {message}", self.sources.place(span));
-        self.warnings.borrow_mut().push(warning);
+        self.warnings.borrow_mut().push(Warning {
+            location: self.texts.location(span),
+            message: message.into(),
+        });
     }
 }
 
@@ -78,8 +82,8 @@ impl<'a> Fields<'a> {
 
     pub fn optional_float(&self, name: &'static str) -> Result<Option<f64>, Problem> {
         self.typed(name, "float", |value| match *value {
-            Value::Float(x) => Some(x),
-            Value::Integer(i) => Some(i as f64),
+            PropertyValue::Float(x) => Some(x),
+            PropertyValue::Integer(i) => Some(i as f64),
             _ => None,
         })
     }
@@ -91,20 +95,20 @@ impl<'a> Fields<'a> {
         range: std::ops::RangeInclusive<i64>,
     ) -> Result<Option<i64>, Problem> {
         let number = self.typed(name, "integer", |value| match *value {
-            Value::Integer(i) => Some(i),
-            Value::Float(x) if x.fract() == 0.0 && x.abs() < 9e15 => Some(x as i64),
+            PropertyValue::Integer(i) => Some(i),
+            PropertyValue::Float(x) if x.fract() == 0.0 && x.abs() < 9e15 => Some(x as i64),
             _ => None,
         })?;
         match number {
-            Some(i) if !range.contains(&i) => {
-                Err(
-                    Problem::new(self.span_of(name), format!("\"{name}\" is {i}")).help(format!(
-                        "expected a whole number from {} to {}",
-                        range.start(),
-                        range.end()
-                    )),
-                )
-            }
+            Some(i) if !range.contains(&i) => Err(Problem::invalid(
+                self.span_of(name),
+                format!("\"{name}\" is {i}"),
+            )
+            .help(format!(
+                "expected a whole number from {} to {}",
+                range.start(),
+                range.end()
+            ))),
             _ => Ok(number),
         }
     }
@@ -121,7 +125,7 @@ impl<'a> Fields<'a> {
 
     pub fn boolean(&self, name: &'static str, default: bool) -> Result<bool, Problem> {
         let value = self.typed(name, "boolean", |value| match *value {
-            Value::Boolean(b) => Some(b),
+            PropertyValue::Boolean(b) => Some(b),
             _ => None,
         })?;
         Ok(value.unwrap_or(default))
@@ -129,21 +133,21 @@ impl<'a> Fields<'a> {
 
     pub fn string(&self, name: &'static str) -> Result<Option<&'a str>, Problem> {
         self.typed(name, "string", |value| match value {
-            Value::String(text) => Some(text.as_str()),
+            PropertyValue::String(text) => Some(text.as_str()),
             _ => None,
         })
     }
 
     pub fn point(&self, name: &'static str) -> Result<Option<Vec3>, Problem> {
         self.typed(name, "point", |value| match *value {
-            Value::Vector(v) => Some(v),
+            PropertyValue::Vector(v) => Some(v),
             _ => None,
         })
     }
 
     pub fn transform(&self, name: &'static str) -> Result<Affine, Problem> {
         let value = self.typed(name, "transform", |value| match *value {
-            Value::Transform(t) => Some(t),
+            PropertyValue::Transform(t) => Some(t),
             _ => None,
         })?;
         Ok(value.unwrap_or(Affine::IDENTITY))
@@ -153,7 +157,7 @@ impl<'a> Fields<'a> {
         &self,
         name: &'static str,
         tag: &str,
-        read: impl Fn(&'a Value) -> Option<T>,
+        read: impl Fn(&'a PropertyValue) -> Option<T>,
     ) -> Result<Option<T>, Problem> {
         let Some(property) = self.get(name) else {
             return Ok(None);
@@ -161,7 +165,7 @@ impl<'a> Fields<'a> {
         read(&property.value).map(Some).ok_or_else(|| {
             let given = property.value.tag();
             let written = self.as_written(property);
-            Problem::new(property.value_span, format!("{written} is a <{given}>"))
+            Problem::invalid(property.value_span, format!("{written} is a <{given}>"))
                 .help(format!("expected <{tag} name=\"{name}\" .../>"))
         })
     }
@@ -171,7 +175,9 @@ impl<'a> Fields<'a> {
         self.known_kinds.borrow_mut().push(kind);
         let properties = self.node.properties.iter().zip(&self.used);
         let of_kind = properties.filter_map(|(property, used)| match property.value {
-            Value::Object { node, by_reference } if self.context.graph.node(node).kind == kind => {
+            PropertyValue::Object { node, by_reference }
+                if self.context.graph.node(node).kind == kind =>
+            {
                 used.set(true);
                 Some(Child {
                     node,
@@ -190,7 +196,7 @@ impl<'a> Fields<'a> {
         match children[..] {
             [] => Ok(None),
             [child] => Ok(Some(child)),
-            [_, second, ..] => Err(Problem::new(
+            [_, second, ..] => Err(Problem::invalid(
                 second.span,
                 format!("{} has more than one {}", self.title(), kind.tag()),
             )
@@ -198,7 +204,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Accepts properties that do not change the picture, with a warning.
+    /// Accepts properties that do not change the image, with a warning.
     pub fn cosmetic(&self, names: &[&'static str], reason: &str) {
         for name in names {
             if self.get(name).is_some() {
@@ -224,7 +230,7 @@ impl<'a> Fields<'a> {
     /// The name of a property in quotes, as the file has it: files for old
     /// versions have old names.
     fn as_written(&self, property: &Property) -> String {
-        let written = self.context.sources.text(property.name_span);
+        let written = self.context.texts.slice(property.name_span);
         match written != property.name && upgraded_name(written) == property.name {
             true => format!("\"{written}\" (now \"{}\")", property.name),
             false => format!("\"{}\"", property.name),
@@ -235,7 +241,7 @@ impl<'a> Fields<'a> {
     pub fn refuse_object(&self, kind: Kind, help: &str) -> Result<(), Problem> {
         let mut objects = self.node.properties.iter();
         let refused = objects.find(|property| match property.value {
-            Value::Object { node, .. } => self.context.graph.node(node).kind == kind,
+            PropertyValue::Object { node, .. } => self.context.graph.node(node).kind == kind,
             _ => false,
         });
         match refused {
@@ -250,19 +256,19 @@ impl<'a> Fields<'a> {
             true => "an",
             false => "a",
         };
-        Problem::new(
+        Problem::invalid(
             property.value_span,
             format!("{} cannot have {article} {tag}", self.title()),
         )
     }
 
-    /// Refuses properties of Mitsuba's that change the picture and are not
+    /// Refuses properties of Mitsuba's that change the image and are not
     /// supported.
     pub fn refuse(&self, names: &[&str], reason: &str) -> Result<(), Problem> {
         let mut properties = self.node.properties.iter();
         match properties.find(|p| names.contains(&p.name.as_str())) {
             None => Ok(()),
-            Some(property) => Err(Problem::new(
+            Some(property) => Err(Problem::unsupported(
                 property.name_span,
                 format!("{} is not supported", self.as_written(property)),
             )
@@ -280,7 +286,7 @@ impl<'a> Fields<'a> {
     }
 
     fn unused(&self, property: &Property) -> Problem {
-        if let Value::Object { node, .. } = property.value {
+        if let PropertyValue::Object { node, .. } = property.value {
             let object = self.context.graph.node(node);
             let kinds = self.known_kinds.borrow();
             let tags: Vec<String> = kinds.iter().map(|k| format!("<{}>", k.tag())).collect();
@@ -292,7 +298,7 @@ impl<'a> Fields<'a> {
         }
         let known = self.known.borrow();
         let name = &property.name;
-        let problem = Problem::new(
+        let problem = Problem::unknown(
             property.name_span,
             format!(
                 "unknown property {} of {}",
@@ -329,7 +335,7 @@ impl<'a> Fields<'a> {
     pub fn unknown_plugin(&self, known: &[&str]) -> Problem {
         let kind = self.node.kind.tag();
         let plugin = &self.node.plugin;
-        Problem::new(
+        Problem::unknown(
             self.node.plugin_span,
             format!("unknown {kind} plugin \"{plugin}\""),
         )

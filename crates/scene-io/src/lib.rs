@@ -1,13 +1,13 @@
-//! Files to scenes, pictures and arrays to files.
+//! Scene files, mesh files, images and arrays, read and written.
 //!
 //! Scenes are read from Mitsuba 3's XML format; `docs/scene-files.md` says which
 //! part of it. [`toml`] reads jobs strictly, with the place of every mistake.
-//! [`export`] writes scenes, [`image`] writes and reads pictures,
-//! [`arrays`] numbers. The stages of reading, each in its file:
+//! [`export`] writes scenes, [`image`] writes and reads images,
+//! [`arrays`] numbers, both for NumPy. The stages of reading, each in its file:
 //!
 //! ```text
 //! text -> elements  -> elements without $name, <include> -> nodes     -> Scene
-//!         xml          resolve                              mitsuba      lower
+//!         xml          expand                               mitsuba      lower
 //! ```
 //!
 //! ```
@@ -17,34 +17,40 @@
 //!     <emitter type="constant"/>
 //!     <shape type="cube" id="box"/>
 //! </scene>"#;
-//! let scene = capwalk_scene_io::load_scene_str(text, "".as_ref(), "example", &[])?;
-//! assert_eq!(scene.shapes[0].id, "box");
+//! let loaded = capwalk_scene_io::load_scene_str(text, "".as_ref(), "example", &[])?;
+//! assert_eq!(loaded.scene.shapes[0].id, "box");
 //! # Ok::<(), capwalk_scene_io::LoadError>(())
 //! ```
 
 // Reading scenes, meshes and textures.
 mod bitmap;
 mod error;
+mod expand;
 mod fields;
+mod files;
 mod load;
+mod location;
 mod lower;
 pub mod mesh;
 mod mitsuba;
 mod node;
-mod resolve;
-mod source;
+mod problem;
 mod suggest;
+mod texts;
 pub mod toml;
 mod upgrade;
 mod value;
+mod warning;
 mod xml;
 
-// Writing scenes, pictures and arrays.
+// Writing scenes, images and arrays.
+mod archive;
 pub mod arrays;
 mod atomic;
 pub mod export;
 pub mod image;
-mod npz;
 
-pub use error::{LoadError, Position};
-pub use load::{LoadOptions, load_scene, load_scene_str, load_scene_with};
+pub use error::{Diagnostic, LoadError};
+pub use load::{LoadOptions, Loaded, load_scene, load_scene_str, load_scene_with};
+pub use location::{Location, Position};
+pub use warning::Warning;

@@ -5,27 +5,38 @@ use std::path::{Path, PathBuf};
 use capwalk_scene::Scene;
 
 use crate::error::LoadError;
+use crate::expand::expand;
 use crate::fields::Context;
-use crate::lower;
+use crate::files::read_text;
+use crate::lower::lower;
 use crate::mitsuba;
-use crate::resolve::{read_source, resolve};
-use crate::source::{Source, Sources};
+use crate::problem::Problem;
+use crate::texts::{Text, Texts};
+use crate::warning::Warning;
 
 /// What a scene is loaded with besides its file.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct LoadOptions {
-    /// Values of `$name`, as `-D name=value` gives them.
+    /// Names and values: what `$name` in the file stands for.
     pub defines: Vec<(String, String)>,
     /// Which of the scene's sensors to take, counted from 0.
     pub sensor: usize,
 }
 
-/// The scene in a Mitsuba 3 XML file. `defines` gives values to `$name` in it
-/// and wins over `<default>`.
-///
-/// What Mitsuba allows and does not change the picture is warned of through
-/// `log`; everything else that is not understood is an error.
-pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Scene, LoadError> {
+/// A scene, and what its file says in vain.
+#[derive(Clone, Debug)]
+pub struct Loaded {
+    /// The scene.
+    pub scene: Scene,
+    /// What Mitsuba allows and does not change the image, and what makes the
+    /// image other than the file seems to ask for. Everything else that is not
+    /// understood is an error.
+    pub warnings: Vec<Warning>,
+}
+
+/// Reads a Mitsuba 3 XML file. `defines` gives values to `$name` in it and wins
+/// over `<default>`.
+pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Loaded, LoadError> {
     let options = LoadOptions {
         defines: defines.to_vec(),
         sensor: 0,
@@ -34,70 +45,60 @@ pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Scene, Lo
 }
 
 /// [`load_scene`] with a choice of the sensor.
-pub fn load_scene_with(path: &Path, options: &LoadOptions) -> Result<Scene, LoadError> {
-    let source = read_source(path, None).map_err(|message| {
-        LoadError::whole_file(path.display().to_string(), message)
-            .with_help("expected a Mitsuba scene in XML")
-    })?;
-    load(source, options)
+pub fn load_scene_with(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let help = "expected a Mitsuba scene in XML";
+    let text = read_text(path);
+    let text = text.map_err(|message| LoadError::unreadable(path, message, help))?;
+    load(text, options)
 }
 
-/// The scene in a text. Files in it are relative to `base_dir`, and messages
-/// call the text `name`.
+/// Reads a scene from a text in memory. Files in it are relative to `base_dir`,
+/// and messages call the text `name`.
 pub fn load_scene_str(
     text: &str,
     base_dir: &Path,
     name: &str,
     defines: &[(String, String)],
-) -> Result<Scene, LoadError> {
-    let source = Source {
-        name: name.into(),
-        directory: base_dir.into(),
-        text: text.into(),
-        included_at: None,
-    };
+) -> Result<Loaded, LoadError> {
+    let text = Text::in_memory(name, base_dir.into(), text.into());
     let options = LoadOptions {
         defines: defines.to_vec(),
         sensor: 0,
     };
-    load(source, &options)
+    load(text, &options)
 }
 
-fn load(source: Source, options: &LoadOptions) -> Result<Scene, LoadError> {
-    let (scene, warnings) = load_and_collect(source, options)?;
-    for warning in warnings {
-        log::warn!("{warning}");
-    }
-    Ok(scene)
+fn load(text: Text, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let mut texts = Texts::default();
+    stages(&mut texts, text, options).map_err(|problem| problem.locate(&texts))
 }
 
-/// The scene and everything there is to warn of.
-fn load_and_collect(
-    source: Source,
-    options: &LoadOptions,
-) -> Result<(Scene, Vec<String>), LoadError> {
-    let mut sources = Sources::default();
-    let main = sources.add(source);
-    let resolved = resolve(&mut sources, main, &options.defines)?;
-    let located = |problem| sources.error(problem);
-    let graph = mitsuba::parse(&sources, &resolved.root).map_err(located)?;
+/// All stages; problems refer to `texts`.
+fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded, Problem> {
+    let main = texts.add(text);
+    let expanded = expand(texts, main, &options.defines)?;
+    let texts = &*texts;
+    let graph = mitsuba::parse(texts, &expanded.root)?;
     let context = Context {
-        sources: &sources,
+        texts,
         graph: &graph,
         warnings: Default::default(),
     };
-    for upgraded in &resolved.upgraded {
+    for upgraded in &expanded.upgraded {
         context.warn(upgraded.span, &upgraded.message);
     }
-    for &stray in &resolved.stray {
+    for &stray in &expanded.stray {
         context.warn(stray, "text outside of an attribute means nothing");
     }
-    let mut directories = resolved.search_directories;
-    directories.push(sources.main().directory.clone());
+    let mut directories = expanded.search_directories;
+    directories.push(texts.main().directory.clone());
     // As Mitsuba does, last of all in the working directory.
     directories.push(PathBuf::new());
-    let scene = lower::lower(&context, directories, options.sensor).map_err(located)?;
-    Ok((scene, context.warnings.into_inner()))
+    let scene = lower(&context, directories, options.sensor)?;
+    Ok(Loaded {
+        scene,
+        warnings: context.warnings.into_inner(),
+    })
 }
 
 #[cfg(test)]
@@ -105,14 +106,9 @@ mod tests {
     use super::*;
 
     fn warnings(text: &str) -> Vec<String> {
-        let source = Source {
-            name: "scene.xml".into(),
-            directory: "".into(),
-            text: text.into(),
-            included_at: None,
-        };
-        let loaded = load_and_collect(source, &LoadOptions::default());
-        loaded.unwrap_or_else(|error| panic!("{error}")).1
+        let loaded = load_scene_str(text, "".as_ref(), "scene.xml", &[]);
+        let loaded = loaded.unwrap_or_else(|error| panic!("{error}"));
+        loaded.warnings.iter().map(Warning::to_string).collect()
     }
 
     /// A file for an old version says what was renamed, once.
@@ -131,7 +127,7 @@ mod tests {
         );
     }
 
-    /// What does not change the picture is accepted, each with its place.
+    /// What does not change the image is accepted, each with its place.
     #[test]
     fn cosmetic_properties_warn() {
         let text = r#"<scene version="3.0.0">
@@ -174,7 +170,7 @@ stray text
         let expected = [
             "scene.xml:2:29: the scene has 2 sensors; rendering with the first",
             "scene.xml:3:62: \"reflectance\" is above 1: the surface reflects more than it receives",
-            "scene.xml:1:1: the scene has no emitter; the picture will be black",
+            "scene.xml:1:1: the scene has no emitter; the image will be black",
         ];
         assert_eq!(warnings(text), expected);
     }
@@ -227,9 +223,9 @@ stray text
         assert!(with("", -5.0)[0].contains("from -6.0000 to -4.0000"));
     }
 
-    /// A layer needs no light.
+    /// An AOV needs no emitter.
     #[test]
-    fn layers_without_emitters_are_silent() {
+    fn aovs_without_emitters_are_silent() {
         let text = r#"<scene version="3.0.0"><integrator type="aov">
 <string name="aovs" value="d:depth"/></integrator><sensor type="perspective"/></scene>"#;
         assert!(warnings(text).is_empty());

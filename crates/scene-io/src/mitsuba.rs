@@ -2,9 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::node::{Graph, Kind, Node, NodeId, Property, Value};
-use crate::source::{Problem, Sources, Span};
+use crate::node::{Graph, Kind, Node, NodeId, Property, PropertyValue};
+use crate::problem::Problem;
 use crate::suggest::nearest;
+use crate::texts::{Span, Texts};
 use crate::value;
 use crate::xml::{Attribute, Element};
 
@@ -24,15 +25,15 @@ const PROPERTY_TAGS: [&str; 11] = [
 ];
 
 /// The objects of a resolved file.
-pub(crate) fn parse(sources: &Sources, root: &Element) -> Result<Graph, Problem> {
+pub(crate) fn parse(texts: &Texts, root: &Element) -> Result<Graph, Problem> {
     if root.tag != "scene" {
         return Err(
-            Problem::new(root.span, format!("the file describes a <{}>", root.tag))
+            Problem::invalid(root.span, format!("the file describes a <{}>", root.tag))
                 .help("expected <scene version=\"3.0.0\"> around everything"),
         );
     }
     let mut parser = Parser {
-        sources,
+        texts,
         nodes: Vec::new(),
         ids: BTreeMap::new(),
         aliases: Vec::new(),
@@ -52,7 +53,7 @@ pub(crate) fn parse(sources: &Sources, root: &Element) -> Result<Graph, Problem>
 }
 
 struct Parser<'a> {
-    sources: &'a Sources,
+    texts: &'a Texts,
     nodes: Vec<Node>,
     /// Named objects and where their names stand.
     ids: BTreeMap<String, (NodeId, Span)>,
@@ -127,12 +128,12 @@ impl Parser<'_> {
         if let Some(kind) = kind {
             if kind == Kind::Scene {
                 return Err(
-                    Problem::new(element.span, "a <scene> stands inside another")
+                    Problem::invalid(element.span, "a <scene> stands inside another")
                         .help("remove it, or <include> it as a file"),
                 );
             }
             let node = self.object(element, kind)?;
-            let value = Value::Object {
+            let value = PropertyValue::Object {
                 node,
                 by_reference: false,
             };
@@ -148,7 +149,7 @@ impl Parser<'_> {
             && PROPERTY_TAGS.contains(&element.tag.as_str())
             && let Some(child) = element.children.first()
         {
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 child.span,
                 format!("<{}> cannot stand inside <{}>", child.tag, element.tag),
             )
@@ -177,12 +178,12 @@ impl Parser<'_> {
     }
 
     fn duplicate(&self, id: &Attribute, first: Span) -> Problem {
-        Problem::new(
+        Problem::invalid(
             id.value_span,
             format!(
                 "the id \"{}\" is taken: an object at {} has it",
                 id.value,
-                self.sources.place(first)
+                self.texts.location(first)
             ),
         )
         .help("give each object its own id")
@@ -191,7 +192,7 @@ impl Parser<'_> {
     fn target(&self, id: &Attribute) -> Result<NodeId, Problem> {
         let found = self.ids.get(&id.value).map(|(node, _)| *node);
         found.ok_or_else(|| {
-            Problem::new(
+            Problem::unknown(
                 id.value_span,
                 format!("there is no object with the id \"{}\"", id.value),
             )
@@ -215,7 +216,7 @@ impl Parser<'_> {
             let property = Property {
                 name: name.as_ref().map_or(String::new(), |n| n.value.clone()),
                 name_span: name.map_or(reference.span, |n| n.value_span),
-                value: Value::Object {
+                value: PropertyValue::Object {
                     node,
                     by_reference: true,
                 },
@@ -236,11 +237,11 @@ fn typed_property(element: &Element) -> Result<Property, Problem> {
             let attribute = element.required("value")?;
             let (text, span) = (&attribute.value, attribute.value_span);
             let value = match tag {
-                "float" => Value::Float(value::float(text, span)?),
-                "integer" => Value::Integer(value::integer(text, span)?),
-                "boolean" => Value::Boolean(value::boolean(text, span)?),
-                "rgb" => Value::Rgb(value::rgb(attribute)?),
-                _ => Value::String(text.clone()),
+                "float" => PropertyValue::Float(value::float(text, span)?),
+                "integer" => PropertyValue::Integer(value::integer(text, span)?),
+                "boolean" => PropertyValue::Boolean(value::boolean(text, span)?),
+                "rgb" => PropertyValue::Rgb(value::rgb(attribute)?),
+                _ => PropertyValue::String(text.clone()),
             };
             (value, span)
         }
@@ -248,30 +249,36 @@ fn typed_property(element: &Element) -> Result<Property, Problem> {
             element.only_attributes(&["name", "value", "x", "y", "z"])?;
             let span = element.attribute("value").map(|a| a.value_span);
             let vector = value::vector(element, None)?;
-            (Value::Vector(vector), span.unwrap_or(element.span))
+            (PropertyValue::Vector(vector), span.unwrap_or(element.span))
         }
         "spectrum" => {
             element.only_attributes(&["name", "value", "filename"])?;
             let given = element.attribute("value").or(element.attribute("filename"));
             let span = given.map_or(element.span, |a| a.value_span);
-            (Value::Spectrum(value::spectrum(element)?), span)
+            (PropertyValue::Spectrum(value::spectrum(element)?), span)
         }
         "transform" => {
             element.only_attributes(&["name"])?;
-            (Value::Transform(value::transform(element)?), element.span)
+            (
+                PropertyValue::Transform(value::transform(element)?),
+                element.span,
+            )
         }
         "translate" | "rotate" | "scale" | "lookat" | "matrix" => {
-            return Err(
-                Problem::new(element.span, format!("<{tag}> stands outside a transform"))
-                    .help("write <transform name=\"to_world\"> around it"),
-            );
+            return Err(Problem::invalid(
+                element.span,
+                format!("<{tag}> stands outside a transform"),
+            )
+            .help("write <transform name=\"to_world\"> around it"));
         }
         _ => {
             let tags = Kind::ALL.iter().map(|k| k.tag()).chain(PROPERTY_TAGS);
             let others = ["default", "include", "path"];
-            return Err(Problem::new(element.span, format!("unknown tag <{tag}>"))
-                .help("expected an object such as <shape> or a property such as <float>")
-                .near(nearest(tag, tags.chain(others))));
+            return Err(
+                Problem::unknown(element.span, format!("unknown tag <{tag}>"))
+                    .help("expected an object such as <shape> or a property such as <float>")
+                    .near(nearest(tag, tags.chain(others))),
+            );
         }
     };
     let name = element.required("name")?;
@@ -287,7 +294,7 @@ fn refuse_duplicates(properties: &[Property]) -> Result<(), Problem> {
     let mut seen = BTreeSet::new();
     for property in properties.iter().filter(|p| !p.name.is_empty()) {
         if !seen.insert(&property.name) {
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 property.name_span,
                 format!("the property \"{}\" is given twice", property.name),
             )
@@ -317,12 +324,12 @@ fn refuse_cycles(graph: &Graph) -> Result<(), Problem> {
                 continue;
             };
             *next += 1;
-            let Value::Object { node: child, .. } = property.value else {
+            let PropertyValue::Object { node: child, .. } = property.value else {
                 continue;
             };
             if !on_path.insert(child) {
                 return Err(
-                    Problem::new(property.value_span, "this object contains itself")
+                    Problem::invalid(property.value_span, "this object contains itself")
                         .help("remove this reference"),
                 );
             }

@@ -2,7 +2,7 @@
 
 use capwalk_math::{Affine, Rgb, Vec3};
 
-use crate::source::Span;
+use crate::texts::Span;
 
 /// Index into [`Graph::nodes`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -39,13 +39,13 @@ pub(crate) struct Property {
     /// Empty for objects without a name.
     pub name: String,
     pub name_span: Span,
-    pub value: Value,
+    pub value: PropertyValue,
     pub value_span: Span,
 }
 
 /// What a property holds.
 #[derive(Debug)]
-pub(crate) enum Value {
+pub(crate) enum PropertyValue {
     Float(f64),
     Integer(i64),
     Boolean(bool),
@@ -70,7 +70,7 @@ pub(crate) enum Spectrum {
     Sampled,
 }
 
-impl Value {
+impl PropertyValue {
     /// The tag that gives such a value.
     pub fn tag(&self) -> &'static str {
         match self {

@@ -1,5 +1,7 @@
 //! Names that resemble a name that does not exist.
 
+use strsim::levenshtein;
+
 /// At most this many names are suggested.
 const MOST_SUGGESTIONS: usize = 3;
 
@@ -21,7 +23,7 @@ pub(crate) fn nearest<'a>(
         .filter(|candidate| candidate.len() <= LONGEST_NAME)
         .map(|candidate| {
             (
-                edits(&name.to_lowercase(), &candidate.to_lowercase()),
+                levenshtein(&name.to_lowercase(), &candidate.to_lowercase()),
                 candidate,
             )
         })
@@ -31,23 +33,6 @@ pub(crate) fn nearest<'a>(
     scored.dedup();
     scored.truncate(MOST_SUGGESTIONS);
     scored.into_iter().map(|(_, name)| name.into()).collect()
-}
-
-/// Fewest insertions, deletions and replacements that turn `a` into `b`
-/// (Wagner and Fischer 1974).
-fn edits(a: &str, b: &str) -> usize {
-    let b: Vec<char> = b.chars().collect();
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, x) in a.chars().enumerate() {
-        let mut diagonal = row[0];
-        row[0] = i + 1;
-        for (j, y) in b.iter().enumerate() {
-            let replaced = diagonal + usize::from(x != *y);
-            diagonal = row[j + 1];
-            row[j + 1] = replaced.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }
 
 /// `toWorld` as Mitsuba 2 and 3 write it: `to_world`.
@@ -74,7 +59,6 @@ mod tests {
         assert_eq!(nearest("raduis", known), ["radius"]);
         assert_eq!(nearest("Centre", known), ["center"]);
         assert!(nearest("frobnicate", known).is_empty());
-        assert_eq!(edits("kitten", "sitting"), 3);
     }
 
     #[test]

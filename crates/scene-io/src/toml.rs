@@ -11,13 +11,14 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::LoadError;
-use crate::source::{FileId, Problem, Source, Sources, Span};
+use crate::problem::Problem;
 use crate::suggest::nearest;
+use crate::texts::{FileId, Span, Text, Texts};
 
 /// A file that was read.
 #[derive(Debug)]
 pub struct Document {
-    sources: Sources,
+    texts: Texts,
     file: FileId,
     root: Vec<Entry>,
 }
@@ -76,24 +77,22 @@ pub struct Value<'d> {
 impl Document {
     /// Reads a file.
     pub fn read(path: &Path) -> Result<Self, LoadError> {
-        let name = path.display().to_string();
-        let text = fs::read_to_string(path).map_err(|error| {
-            LoadError::whole_file(&name, format!("cannot read the file: {error}"))
-                .with_help("expected a text in TOML")
+        let content = fs::read_to_string(path).map_err(|error| {
+            let message = format!("cannot read the file: {error}");
+            LoadError::unreadable(path, message, "expected a text in TOML")
         })?;
-        let directory = path.parent().unwrap_or(Path::new("")).to_owned();
-        Self::parse(&name, directory, text)
+        Self::of(Text::of_file(path, content))
     }
 
-    /// A text that messages call `name`; files in it are relative to `directory`.
-    pub fn parse(name: &str, directory: PathBuf, text: String) -> Result<Self, LoadError> {
-        let mut sources = Sources::default();
-        let file = sources.add(Source {
-            name: name.into(),
-            directory,
-            text,
-            included_at: None,
-        });
+    /// A text in memory that messages call `name`; files in it are relative to
+    /// `directory`.
+    pub fn parse(name: &str, directory: PathBuf, content: String) -> Result<Self, LoadError> {
+        Self::of(Text::in_memory(name, directory, content))
+    }
+
+    fn of(text: Text) -> Result<Self, LoadError> {
+        let mut texts = Texts::default();
+        let file = texts.add(text);
         let at = |span: Range<usize>| {
             Place(Span {
                 file,
@@ -101,7 +100,7 @@ impl Document {
                 end: span.end,
             })
         };
-        let parsed = match DeTable::parse(&sources.get(file).text) {
+        let parsed = match DeTable::parse(&texts.get(file).content) {
             Ok(table) => entries(table.into_inner(), &at),
             Err(error) => {
                 let place = at(error.span().unwrap_or(0..0));
@@ -109,14 +108,10 @@ impl Document {
             }
         };
         match parsed {
-            Ok(root) => Ok(Self {
-                sources,
-                file,
-                root,
-            }),
+            Ok(root) => Ok(Self { texts, file, root }),
             Err((place, message)) => {
-                let problem = Problem::new(place.0, message).help("expected a text in TOML 1.1");
-                Err(sources.error(problem))
+                let problem = Problem::syntax(place.0, message).help("expected a text in TOML 1.1");
+                Err(problem.locate(&texts))
             }
         }
     }
@@ -139,12 +134,12 @@ impl Document {
 
     /// A path in the file, relative to where the file is.
     pub fn path(&self, text: &str) -> PathBuf {
-        self.sources.main().directory.join(text)
+        self.texts.main().directory.join(text)
     }
 
     /// An error at a place.
     pub fn error(&self, place: Place, message: impl Into<String>) -> LoadError {
-        self.sources.error(Problem::new(place.0, message))
+        Problem::invalid(place.0, message).locate(&self.texts)
     }
 
     /// An error at a place, with what was expected or what to do.
@@ -154,8 +149,8 @@ impl Document {
         message: impl Into<String>,
         help: impl Into<String>,
     ) -> LoadError {
-        let problem = Problem::new(place.0, message).help(help);
-        self.sources.error(problem)
+        let problem = Problem::invalid(place.0, message).help(help);
+        problem.locate(&self.texts)
     }
 }
 
@@ -218,8 +213,9 @@ impl<'d> Table<'d> {
     pub fn require(&self, key: &'static str, what: &str) -> Result<Value<'d>, LoadError> {
         self.get(key).ok_or_else(|| {
             let message = format!("`{key}` is missing in {}", self.name);
-            self.document
-                .error_with_help(self.place, message, format!("expected {what}"))
+            Problem::missing(self.place.0, message)
+                .help(format!("expected {what}"))
+                .locate(&self.document.texts)
         })
     }
 
@@ -267,14 +263,14 @@ impl<'d> Table<'d> {
         let mut known = asked.to_vec();
         known.sort_unstable();
         known.dedup();
-        let problem = Problem::new(
+        let problem = Problem::unknown(
             entry.place.0,
             format!("`{}` means nothing in {}", entry.key, self.name),
         );
         let problem = problem
             .near(nearest(&entry.key, known.iter().copied()))
             .help(format!("expected one of: {}", known.join(", ")));
-        Err(self.document.sources.error(problem))
+        Err(problem.locate(&self.document.texts))
     }
 }
 
@@ -327,9 +323,9 @@ impl<'d> Value<'d> {
             None => {
                 let near = nearest(text, choices.iter().map(|(name, _)| *name));
                 let message = format!("`{}` is \"{text}\"", self.name);
-                let problem = Problem::new(self.node.place.0, message);
+                let problem = Problem::unknown(self.node.place.0, message);
                 let problem = problem.near(near).help(format!("expected {expected}"));
-                Err(self.document.sources.error(problem))
+                Err(problem.locate(&self.document.texts))
             }
         }
     }

@@ -2,7 +2,7 @@
 //! Mitsuba's loader does for versions below 2.0, and two renamings that it
 //! leaves to others (`ldrfilm`, `<lookAt>`).
 
-use crate::source::Span;
+use crate::texts::Span;
 use crate::xml::{Attribute, Element};
 
 /// What was renamed in one file.
@@ -14,7 +14,7 @@ pub(crate) struct Upgraded {
     pub message: String,
 }
 
-/// Tone mapping and file formats of `ldrfilm`. Pictures are written as linear
+/// Tone mapping and file formats of `ldrfilm`. Images are written as linear
 /// numbers; previews have their own exposure.
 const OF_LDRFILM: [&str; 7] = [
     "file_format",

@@ -3,36 +3,40 @@
 use capwalk_math::{Affine, Rgb, Vec3};
 
 use crate::node::Spectrum;
-use crate::source::{Problem, Span};
+use crate::problem::Problem;
+use crate::texts::Span;
 use crate::xml::{Attribute, Element};
 
 /// How far the length of a rotation's axis may be from 1: the rounding of axes
 /// written with three digits.
 const ROUNDED_AXIS: f64 = 2e-3;
 
-/// A finite number.
+/// The number that a text spells, infinities and NaN refused.
 pub(crate) fn float(text: &str, span: Span) -> Result<f64, Problem> {
     let number: Option<f64> = text.trim().parse().ok();
     number.filter(|x| x.is_finite()).ok_or_else(|| {
-        Problem::new(span, format!("\"{text}\" is not a finite number"))
+        Problem::invalid(span, format!("\"{text}\" is not a finite number"))
             .help("expected a number like 1, 0.25 or 1e-3")
     })
 }
 
-/// A whole number.
+/// The number that a text spells, without fraction.
 pub(crate) fn integer(text: &str, span: Span) -> Result<i64, Problem> {
     text.trim().parse().map_err(|_| {
-        Problem::new(span, format!("\"{text}\" is not a whole number")).help("expected one like 64")
+        Problem::invalid(span, format!("\"{text}\" is not a whole number"))
+            .help("expected one like 64")
     })
 }
 
-/// `true` or `false`.
+/// Whether a text is `true`, capitals or not; an error unless it is `true` or `false`.
 pub(crate) fn boolean(text: &str, span: Span) -> Result<bool, Problem> {
     match text.to_ascii_lowercase().as_str() {
         "true" => Ok(true),
         "false" => Ok(false),
-        _ => Err(Problem::new(span, format!("\"{text}\" is not a boolean"))
-            .help("expected true or false")),
+        _ => Err(
+            Problem::invalid(span, format!("\"{text}\" is not a boolean"))
+                .help("expected true or false"),
+        ),
     }
 }
 
@@ -51,7 +55,7 @@ fn words(text: &str) -> impl Iterator<Item = &str> {
 fn three(attribute: &Attribute, numbers: &[f64]) -> Result<Vec3, Problem> {
     match *numbers {
         [x, y, z] => Ok(Vec3::new(x, y, z)),
-        _ => Err(Problem::new(
+        _ => Err(Problem::invalid(
             attribute.value_span,
             format!("\"{}\" has {} numbers", attribute.value, numbers.len()),
         )
@@ -73,7 +77,7 @@ pub(crate) fn vector(element: &Element, default: Option<f64>) -> Result<Vec3, Pr
     };
     let mut mixed = ["x", "y", "z"].iter().filter_map(|n| element.attribute(n));
     if let Some(mixed) = mixed.next() {
-        return Err(Problem::new(
+        return Err(Problem::invalid(
             mixed.name_span,
             format!(
                 "<{}> has both \"value\" and \"{}\"",
@@ -96,13 +100,13 @@ pub(crate) fn rgb(attribute: &Attribute) -> Result<Rgb, Problem> {
         let code = u32::from_str_radix(digits, 16).ok();
         let is_hex = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
         return code.filter(|_| is_hex).map(hex_colour).ok_or_else(|| {
-            Problem::new(attribute.value_span, format!("\"{text}\" is not a colour")).help(help)
+            Problem::invalid(attribute.value_span, format!("\"{text}\" is not a colour")).help(help)
         });
     }
     match floats(attribute).map_err(|problem| problem.help(help))?[..] {
         [grey] => Ok(Rgb::splat(grey)),
         [r, g, b] => Ok(Rgb::new(r, g, b)),
-        ref numbers => Err(Problem::new(
+        ref numbers => Err(Problem::invalid(
             attribute.value_span,
             format!("\"{text}\" has {} numbers", numbers.len()),
         )
@@ -110,7 +114,7 @@ pub(crate) fn rgb(attribute: &Attribute) -> Result<Rgb, Problem> {
     }
 }
 
-/// Linear light of an sRGB code.
+/// The linear colour of `0xrrggbb` in sRGB.
 fn hex_colour(code: u32) -> Rgb {
     let channel = |shift: u32| linear_of_srgb(f64::from((code >> shift) & 0xff) / 255.0);
     Rgb::new(channel(16), channel(8), channel(0))
@@ -128,7 +132,7 @@ pub(crate) fn linear_of_srgb(encoded: f64) -> f64 {
 pub(crate) fn spectrum(element: &Element) -> Result<Spectrum, Problem> {
     let Some(value) = element.attribute("value") else {
         element.required("filename").map_err(|_| {
-            Problem::new(element.span, "<spectrum> has no attribute \"value\"")
+            Problem::missing(element.span, "<spectrum> has no attribute \"value\"")
                 .help("write <spectrum name=\"...\" value=\"0.5\"/>")
         })?;
         return Ok(Spectrum::Sampled);
@@ -148,7 +152,7 @@ pub(crate) fn transform(element: &Element) -> Result<Affine, Problem> {
     let mut total = Affine::IDENTITY;
     for step in &element.children {
         if let Some(child) = step.children.first() {
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 child.span,
                 format!("<{}> cannot stand inside <{}>", child.tag, step.tag),
             )
@@ -175,12 +179,14 @@ fn transform_step(step: &Element) -> Result<Affine, Problem> {
             let degrees = float(&angle.value, angle.value_span)?;
             let axis = vector(step, Some(0.0))?;
             if axis == Vec3::zero() {
-                return Err(Problem::new(step.span, "the axis of the rotation is zero")
-                    .help("write for example <rotate y=\"1\" angle=\"90\"/>, in degrees"));
+                return Err(
+                    Problem::invalid(step.span, "the axis of the rotation is zero")
+                        .help("write for example <rotate y=\"1\" angle=\"90\"/>, in degrees"),
+                );
             }
             let length = axis.length();
             if (length - 1.0).abs() > ROUNDED_AXIS {
-                return Err(Problem::new(
+                return Err(Problem::invalid(
                     step.span,
                     format!("the axis of the rotation has the length {length:.4}"),
                 )
@@ -190,7 +196,7 @@ fn transform_step(step: &Element) -> Result<Affine, Problem> {
         }
         "lookat" => look_at(step),
         "matrix" => matrix(step),
-        _ => Err(Problem::new(
+        _ => Err(Problem::unknown(
             step.span,
             format!("<{}> cannot stand inside <transform>", step.tag),
         )
@@ -220,7 +226,7 @@ fn look_at(step: &Element) -> Result<Affine, Problem> {
             true => "the view has no direction: \"origin\" and \"target\" are the same point",
             false => "\"up\" is parallel to the view",
         };
-        Problem::new(step.span, what)
+        Problem::invalid(step.span, what)
             .help("origin and target must differ, and up must not be parallel to the view")
     })
 }
@@ -245,7 +251,7 @@ fn matrix(step: &Element) -> Result<Affine, Problem> {
         }),
         m if m.len() == 16 => {
             if m[12..] != [0.0, 0.0, 0.0, 1.0] {
-                return Err(Problem::new(
+                return Err(Problem::unsupported(
                     attribute.value_span,
                     "the last row of the matrix is not 0 0 0 1",
                 )
@@ -256,7 +262,7 @@ fn matrix(step: &Element) -> Result<Affine, Problem> {
                 translation: Vec3::new(m[3], m[7], m[11]),
             })
         }
-        m => Err(Problem::new(
+        m => Err(Problem::invalid(
             attribute.value_span,
             format!("the matrix has {} numbers", m.len()),
         )

@@ -2,7 +2,8 @@
 
 use roxmltree::{Document, ParsingOptions};
 
-use crate::source::{FileId, Problem, Sources, Span};
+use crate::problem::Problem;
+use crate::texts::{FileId, Span, Texts};
 
 /// Elements nested more deeply are an error; Mitsuba's formats need six levels.
 const DEEPEST_NESTING: usize = 32;
@@ -11,7 +12,7 @@ const DEEPEST_NESTING: usize = 32;
 /// written by hand or by an exporter, and a bound on memory.
 const MOST_NODES: u32 = 1 << 24;
 
-/// An XML element.
+/// An XML element without its text.
 #[derive(Clone, Debug)]
 pub(crate) struct Element {
     pub tag: String,
@@ -38,7 +39,7 @@ impl Element {
     /// The value of an attribute that must be there.
     pub fn required(&self, name: &str) -> Result<&Attribute, Problem> {
         self.attribute(name).ok_or_else(|| {
-            Problem::new(
+            Problem::missing(
                 self.span,
                 format!("<{}> has no attribute \"{name}\"", self.tag),
             )
@@ -59,7 +60,7 @@ impl Element {
             [] => "it has none".into(),
             _ => format!("its attributes are {}", known.join(", ")),
         };
-        Err(Problem::new(
+        Err(Problem::unknown(
             attribute.name_span,
             format!("unknown attribute \"{}\" of <{}>", attribute.name, self.tag),
         )
@@ -72,8 +73,8 @@ impl Element {
 }
 
 /// The root element of a text, and places of stray text that means nothing.
-pub(crate) fn parse(sources: &Sources, file: FileId) -> Result<(Element, Vec<Span>), Problem> {
-    let text = &sources.get(file).text;
+pub(crate) fn parse(texts: &Texts, file: FileId) -> Result<(Element, Vec<Span>), Problem> {
+    let text = &texts.get(file).content;
     let options = ParsingOptions {
         nodes_limit: MOST_NODES,
         ..ParsingOptions::default()
@@ -96,7 +97,7 @@ fn convert(
     let start = node.range().start;
     let element_span = span(start, start + 1 + tag.len());
     if depth > DEEPEST_NESTING {
-        return Err(Problem::new(
+        return Err(Problem::unsupported(
             element_span,
             format!("<{tag}> is nested {depth} elements deep"),
         )
@@ -161,7 +162,7 @@ fn syntax(text: &str, file: FileId, error: &roxmltree::Error) -> Problem {
         start: offset,
         end: offset,
     };
-    Problem::new(span, format!("malformed XML: {complaint}")).help(help)
+    Problem::syntax(span, format!("malformed XML: {complaint}")).help(help)
 }
 
 /// The byte at a line and column.

@@ -85,7 +85,7 @@ impl Folder {
 
     pub fn scene(&self) -> Scene {
         let scene = capwalk_scene_io::load_scene(self.scene_file().as_ref(), &[]);
-        scene.unwrap_or_else(|error| panic!("{error}"))
+        scene.unwrap_or_else(|error| panic!("{error}")).scene
     }
 
     /// The comment at the top of the scene file, which says what is to be seen.

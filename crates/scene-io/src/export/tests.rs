@@ -1,13 +1,17 @@
 use std::sync::Arc;
 
 use super::*;
-use crate::load_scene;
+use crate::LoadError;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::BsdfId;
 use capwalk_scene::{
     Bsdf, Emitter, Filter, Integrator, Material, Optic, SamplerKind, SensorModel, ShadingNormals,
     Texture, TextureId, builtin, primitive,
 };
+
+fn load(path: &Path) -> Result<Scene, LoadError> {
+    crate::load_scene(path, &[]).map(|loaded| loaded.scene)
+}
 
 struct Directory(PathBuf);
 
@@ -53,7 +57,7 @@ fn unwritable_places_are_named() {
 fn check_round_trip(scene: &Scene, name: &str) {
     let directory = Directory::new(name);
     let path = write_scene(scene, &directory.0).expect("writable");
-    let mut loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let mut loaded = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
     let (own, other) = (&scene.sensor, &mut loaded.sensor);
     for axis in 0..3 {
         let difference = own.world_from_camera.rows[axis] - other.world_from_camera.rows[axis];
@@ -98,7 +102,7 @@ fn built_in_scenes_come_back() {
 #[test]
 fn every_setting_comes_back() {
     let mut scene = builtin::scene("leaf").expect("built in");
-    // In the order in which the file tells them, the lamp's behind its shape.
+    // In the order in which the file tells them, the area emitter's behind its shape.
     let colours = [
         ("shared <&> \"red\"", 0.7),
         ("front", 0.2),
@@ -220,7 +224,7 @@ fn xml_paths_name_the_file() {
     let path = write_scene(&scene, &directory.0.join("my leaf.XML")).expect("writable");
     assert_eq!(path, directory.0.join("my leaf.XML"));
     assert!(directory.0.join("my leaf_meshes/leaf.ply").is_file());
-    assert!(load_scene(&path, &[]).is_ok());
+    assert!(load(&path).is_ok());
 }
 
 /// Every sort of texture: alone and shared, on meshes with seams in their
@@ -242,7 +246,9 @@ value="1 2 3 0.1 5 6 7 0.2 9 10 11 0.3 0 0 0 1"/></transform></texture>
 <string name="name" value="face_tint_color"/></texture></bsdf>
 <emitter type="area"><texture type="checkerboard" name="radiance"><rgb name="color1"
 value="1 2 3"/></texture></emitter></shape></scene>"#;
-    let mut scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    let mut scene = crate::load_scene_str(text, &folder, "scene.xml", &[])
+        .expect("right")
+        .scene;
     // Texels are written in single precision.
     for texture in scene.textures.iter_mut().map(Arc::make_mut) {
         texture
@@ -252,7 +258,7 @@ value="1 2 3"/></texture></emitter></shape></scene>"#;
     }
     let directory = Directory::new("textures");
     let path = write_scene(&scene, &directory.0).expect("writable");
-    let loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let loaded = load(&path).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scene.textures, loaded.textures);
     assert_eq!(scene.materials, loaded.materials);
     for (a, b) in scene.shapes.iter().zip(&loaded.shapes) {
@@ -297,10 +303,12 @@ fn materials_come_back() {
 <texture name="whatever" type="bitmap"><string name="filename" value="sky.exr"/></texture>
 <bsdf type="plastic"/></bsdf>
 <shape type="rectangle" id="a"><ref id="mix"/></shape></scene>"#;
-    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[])
+        .expect("right")
+        .scene;
     let directory = Directory::new("materials");
     let path = write_scene(&scene, &directory.0).expect("writable");
-    let loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let loaded = load(&path).unwrap_or_else(|error| panic!("{error}"));
     let plugins = |scene: &Scene| -> Vec<_> {
         let materials = scene.materials.iter();
         materials.map(|m| (m.id.clone(), m.bsdf.plugin())).collect()
@@ -322,10 +330,12 @@ fn emitters_come_back() {
 <emitter type="spot" id="spot"><float name="cutoff_angle" value="33.3"/><rgb name="intensity" value="1 2 3"/>
 <transform name="to_world"><translate x="1" z="-4.5"/></transform></emitter>
 <emitter type="directional" id="sun"><vector name="direction" x="0.1" y="-1" z="3"/></emitter></scene>"#;
-    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[]).expect("right");
+    let scene = crate::load_scene_str(text, &folder, "scene.xml", &[])
+        .expect("right")
+        .scene;
     let directory = Directory::new("emitters");
     let path = write_scene(&scene, &directory.0).expect("writable");
-    let mut loaded = load_scene(&path, &[]).unwrap_or_else(|error| panic!("{error}"));
+    let mut loaded = load(&path).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scene.textures, loaded.textures);
     for (own, other) in scene.emitters.iter().zip(&mut loaded.emitters) {
         match (own, other) {

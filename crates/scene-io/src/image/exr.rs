@@ -11,7 +11,7 @@ use exr::prelude::{
     ImageAttributes, LayerAttributes, LineOrder, ReadChannels, ReadLayers, Text, Vec2,
 };
 
-use super::{Layer, Picture, VALUE};
+use super::picture::{Layer, Picture, VALUE};
 
 /// Metadata keys get this prefix, so that they cannot meet EXR's own names.
 const PREFIX: &str = "capwalk:";
@@ -94,7 +94,7 @@ fn sort_attributes(bytes: &mut [u8]) {
     bytes[START..at].copy_from_slice(&attributes.concat());
 }
 
-/// The picture in the bytes of an EXR file, all parts of it.
+/// The layers in all parts of an EXR file.
 pub(crate) fn decode(bytes: &[u8]) -> Result<Picture, String> {
     let image: FlatImage = read()
         .no_deep_data()
@@ -191,7 +191,7 @@ fn layers(channels: Vec<(String, FlatSamples)>, width: usize, height: usize) -> 
             None => {
                 let grey = values(name).expect("the name is in the list");
                 Layer {
-                    // Luminance alone is a grey picture.
+                    // Luminance alone is a grey image.
                     name: if name == "Y" {
                         VALUE.into()
                     } else {

@@ -1,24 +1,25 @@
-//! Previews: pictures side by side with titles and colour bars.
+//! Previews: images side by side with titles and colour bars.
 
 use std::path::Path;
 
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
-use super::canvas::{Canvas, text_width};
-use super::{
-    Format, GRADIENT, ImageError, Picture, Preview, VALUE, Written, format, png, robust_limit,
-    save, tone, write_error,
-};
+use super::canvas::{Canvas, text_size};
+use super::error::ImageError;
+use super::format::{Format, format, save};
+use super::picture::{GRADIENT, Picture, VALUE};
+use super::tone::robust_limit;
+use super::{png, tone};
 
-/// A picture of a panel.
+/// One of several images side by side.
 #[derive(Clone, Debug)]
 pub struct Panel<'a> {
-    /// What stands above it.
+    /// Stands above the image, in one line.
     pub title: &'a str,
-    /// Its pixels.
+    /// Linear, before `style`.
     pub image: &'a Image,
-    /// How they are shown.
+    /// How pixels become colours.
     pub style: Style,
 }
 
@@ -38,7 +39,28 @@ pub enum Style {
     },
 }
 
-/// Writes pictures side by side into a PNG file, and returns how many of their
+/// How a PNG preview looks.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Preview {
+    /// The value is multiplied by `2^exposure` before the sRGB curve; what is
+    /// above 1 is white then.
+    pub exposure: f64,
+    /// Where the false colours of a gradient end on both sides; `None` chooses
+    /// [`robust_limit`].
+    pub limit: Option<f64>,
+}
+
+/// What there is to say about a file that was written.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Written {
+    /// Pixels with an infinity or a NaN in the value or the gradient (in the
+    /// layer that a PNG shows, where they are magenta).
+    pub non_finite_pixels: usize,
+    /// Where the false colours of a PNG end.
+    pub limit: Option<f64>,
+}
+
+/// Writes images side by side into a PNG file, and returns how many of their
 /// pixels are infinite or NaN (those are magenta). For a check: value,
 /// gradient and reference with the same limit, and z.
 pub fn write_panels(
@@ -63,9 +85,9 @@ pub fn write_panels(
     Ok(images.map(tone::non_finite_pixels).sum())
 }
 
-/// A picture as a PNG file in memory, its pixels as they are: no title, no bar.
+/// An image as a PNG file in memory, its pixels as they are: no title, no bar.
 pub fn pixels_as_png(image: &Image, style: Style) -> Result<Vec<u8>, ImageError> {
-    let path = Path::new("picture in memory");
+    let path = Path::new("image in memory");
     if let Style::Diverging { limit } = style {
         check_limit(path, limit)?;
     }
@@ -75,7 +97,7 @@ pub fn pixels_as_png(image: &Image, style: Style) -> Result<Vec<u8>, ImageError>
         height: image.height,
         pixels: pixels.collect(),
     };
-    png::encode(&canvas, &[]).map_err(|reason| write_error(path, reason))
+    png::encode(&canvas, &[]).map_err(|reason| ImageError::write(path, reason))
 }
 
 /// The colours of [`Style::Diverging`] from its negative limit, at the left, to
@@ -102,8 +124,8 @@ impl Style {
     }
 }
 
-/// Writes the preview of a picture: its gradient, or else its value, or else
-/// its first layer.
+/// Writes a preview of a layer: the gradient, or else the value, or else
+/// the first.
 pub(super) fn write_preview(
     path: &Path,
     picture: &Picture,
@@ -139,7 +161,7 @@ fn check_limit(path: &Path, limit: f64) -> Result<(), ImageError> {
         true => Ok(()),
         false => {
             let reason = format!("the limit of its colours is {limit}; expected a number above 0");
-            Err(write_error(path, reason))
+            Err(ImageError::write(path, reason))
         }
     }
 }
@@ -149,7 +171,7 @@ fn save_canvas(
     canvas: &Canvas,
     metadata: &[(String, String)],
 ) -> Result<(), ImageError> {
-    let bytes = png::encode(canvas, metadata).map_err(|reason| write_error(path, reason))?;
+    let bytes = png::encode(canvas, metadata).map_err(|reason| ImageError::write(path, reason))?;
     save(path, &bytes)
 }
 
@@ -164,23 +186,23 @@ fn photograph(image: &Image, exposure: f64) -> Canvas {
     }
 }
 
-/// Pictures smaller than this are enlarged by a whole factor, pixels.
+/// Images smaller than this are enlarged by a whole factor, pixels.
 const LEAST_HEIGHT: usize = 192;
-/// Height of a line of text, dots.
-const LINE: usize = 9;
-/// Width of a colour bar, dots.
+/// Height of a title, pixels at scale 1.
+const TITLE: usize = 10;
+/// Width of a colour bar, pixels at scale 1.
 const BAR: usize = 8;
-/// Space between things, dots.
+/// Space between things, pixels at scale 1.
 const GAP: usize = 6;
 
 /// Where a panel's parts are, pixels.
 struct Layout {
     title: String,
-    /// Left edge of the picture.
+    /// Left edge of the image.
     left: usize,
-    /// Size of the picture.
+    /// Width and height of the image.
     size: [usize; 2],
-    /// Pixels per pixel.
+    /// Pixels of the canvas for each pixel of the image, along each side.
     zoom: usize,
     /// Marks of the colour bar from top to bottom.
     ticks: Vec<String>,
@@ -188,10 +210,10 @@ struct Layout {
 
 fn draw(panels: &[Panel]) -> Canvas {
     let tallest = panels.iter().map(|p| p.image.height).max().unwrap_or(0);
-    // Text that can be read beside large pictures too.
-    let dot = (tallest / 400 + 1).min(4);
-    let top = (LINE + GAP) * dot;
-    let mut left = GAP * dot;
+    // Text that can be read beside large images, too.
+    let scale = (tallest / 400 + 1).min(4);
+    let top = (TITLE + GAP) * scale;
+    let mut left = GAP * scale;
     let mut layouts = Vec::new();
     for panel in panels {
         let zoom = (LEAST_HEIGHT / panel.image.height.max(1)).max(1);
@@ -203,14 +225,14 @@ fn draw(panels: &[Panel]) -> Canvas {
                 .map(|t| label(t * limit))
                 .collect(),
         };
-        let labels = ticks.iter().map(|t| text_width(t, dot)).max();
-        let bar = labels.map_or(0, |width| (2 * GAP + BAR) * dot + width);
+        let labels = ticks.iter().map(|t| text_size(t, scale)[0]).max();
+        let bar = labels.map_or(0, |width| (2 * GAP + BAR) * scale + width);
         let title = match tone::non_finite_pixels(panel.image) {
             0 => panel.title.to_owned(),
             // A magenta pixel alone is easily overlooked.
             count => format!("{} ({count} not finite)", panel.title),
         };
-        let title_width = text_width(&title, dot);
+        let title_width = text_size(&title, scale)[0];
         layouts.push(Layout {
             title,
             left,
@@ -218,15 +240,15 @@ fn draw(panels: &[Panel]) -> Canvas {
             zoom,
             ticks,
         });
-        left += (size[0] + bar).max(title_width) + 2 * GAP * dot;
+        left += (size[0] + bar).max(title_width) + 2 * GAP * scale;
     }
-    let bottom = layouts.iter().map(|l| l.size[1]).max().unwrap_or(0) + top + GAP * dot;
-    let mut canvas = Canvas::new(left.saturating_sub(GAP * dot), bottom);
+    let bottom = layouts.iter().map(|l| l.size[1]).max().unwrap_or(0) + top + GAP * scale;
+    let mut canvas = Canvas::new(left.saturating_sub(GAP * scale), bottom);
     for (panel, layout) in panels.iter().zip(&layouts) {
-        canvas.text([layout.left, GAP * dot / 2], dot, &layout.title);
+        canvas.text([layout.left, GAP * scale / 2], scale, &layout.title);
         draw_pixels(&mut canvas, panel, layout, top);
         if let Style::Diverging { .. } = panel.style {
-            draw_bar(&mut canvas, layout, top, dot);
+            draw_bar(&mut canvas, layout, top, scale);
         }
     }
     canvas
@@ -243,21 +265,22 @@ fn draw_pixels(canvas: &mut Canvas, panel: &Panel, layout: &Layout, top: usize) 
     }
 }
 
-fn draw_bar(canvas: &mut Canvas, layout: &Layout, top: usize, dot: usize) {
+fn draw_bar(canvas: &mut Canvas, layout: &Layout, top: usize, scale: usize) {
     let height = layout.size[1];
-    let left = layout.left + layout.size[0] + GAP * dot;
-    canvas.frame([left, top], [BAR * dot, height]);
+    let left = layout.left + layout.size[0] + GAP * scale;
+    canvas.frame([left, top], [BAR * scale, height]);
     for row in 0..height {
         // The middle of the row, from 1 at the top to -1 at the bottom.
         let value = 1.0 - (2 * row + 1) as f64 / height as f64;
         let corner = [left, top + row];
-        canvas.fill(corner, [BAR * dot, 1], tone::diverging(value, 1.0));
+        canvas.fill(corner, [BAR * scale, 1], tone::diverging(value, 1.0));
     }
     let last = layout.ticks.len() - 1;
     for (i, tick) in layout.ticks.iter().enumerate() {
-        // Text is 7 dots high; the first and the last stay within the bar.
-        let y = top + (height.saturating_sub(7 * dot)) * i / last;
-        canvas.text([left + (BAR + GAP / 2) * dot, y], dot, tick);
+        // The first and the last stay within the bar.
+        let [_, text_height] = text_size(tick, scale);
+        let y = top + height.saturating_sub(text_height) * i / last;
+        canvas.text([left + (BAR + GAP / 2) * scale, y], scale, tick);
     }
 }
 

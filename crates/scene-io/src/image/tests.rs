@@ -1,6 +1,7 @@
 use super::*;
 use capwalk_math::Rgb;
-use std::path::PathBuf;
+use capwalk_scene::Image;
+use std::path::{Path, PathBuf};
 
 /// A path in the temporary directory; the file is removed at the end.
 struct Temporary(PathBuf);
@@ -194,7 +195,7 @@ fn errors_say_what_to_do() {
         let file = Temporary::new(&format!("broken.{ending}"));
         let missing = read(&file.0).expect_err("missing").to_string();
         assert!(missing.starts_with("cannot read "), "{missing}");
-        assert!(missing.contains("expected a picture"), "{missing}");
+        assert!(missing.contains("expected an image"), "{missing}");
         write(&file.0, &picture, &options).expect("writable");
         let bytes = std::fs::read(&file.0).expect("readable");
         for length in [0, 10, bytes.len() / 2, bytes.len() - 30] {

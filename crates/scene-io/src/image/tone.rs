@@ -62,7 +62,7 @@ pub(super) fn mean(colour: Rgb) -> f64 {
 /// The fraction of coloured pixels that false colours show without clamping.
 const COVERED: f64 = 0.99;
 
-/// A limit for the false colours of some pictures: 99 % of their finite means
+/// A limit for the false colours of some images: 99 % of their finite means
 /// that are not zero lie within it. Rounded up to two digits; 1 if there are
 /// none.
 pub fn robust_limit<'a>(images: impl IntoIterator<Item = &'a Image>) -> f64 {

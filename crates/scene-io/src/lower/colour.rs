@@ -1,10 +1,11 @@
-//! Colours of materials and lamps.
+//! Colours of materials and emitters.
 
 use capwalk_math::Rgb;
 
 use crate::fields::{Context, Fields};
-use crate::node::{Spectrum, Value};
-use crate::source::{Problem, Span};
+use crate::node::{PropertyValue, Spectrum};
+use crate::problem::Problem;
+use crate::texts::Span;
 
 /// Linear sRGB of a spectrum that is 1 everywhere, which is not white: the
 /// white of sRGB is daylight (D65). `xyz_to_srgb(1, 1, 1)` of Mitsuba.
@@ -22,10 +23,10 @@ pub(super) fn reflectance(
     };
     let span = property.value_span;
     let colour = match property.value {
-        Value::Rgb(rgb) => {
+        PropertyValue::Rgb(rgb) => {
             // Mitsuba refuses these as well.
             if rgb.max_component() > 1.0 {
-                return Err(Problem::new(
+                return Err(Problem::invalid(
                     span,
                     format!("\"{name}\" is ({}, {}, {})", rgb.r, rgb.g, rgb.b),
                 )
@@ -35,9 +36,9 @@ pub(super) fn reflectance(
             }
             rgb
         }
-        Value::Float(x) => Rgb::splat(x),
-        Value::Integer(i) => Rgb::splat(i as f64),
-        Value::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
+        PropertyValue::Float(x) => Rgb::splat(x),
+        PropertyValue::Integer(i) => Rgb::splat(i as f64),
+        PropertyValue::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
         ref other => return Err(not_a_colour(name, other, span)),
     };
     refuse_negative(name, colour, span)?;
@@ -55,10 +56,10 @@ pub(super) fn radiance(fields: &Fields, name: &'static str, default: f64) -> Res
     };
     let span = property.value_span;
     let colour = match property.value {
-        Value::Rgb(rgb) => rgb,
-        Value::Float(x) => Rgb::splat(x),
-        Value::Integer(i) => Rgb::splat(i as f64),
-        Value::Spectrum(Spectrum::Uniform(x)) => FLAT_SPECTRUM * x,
+        PropertyValue::Rgb(rgb) => rgb,
+        PropertyValue::Float(x) => Rgb::splat(x),
+        PropertyValue::Integer(i) => Rgb::splat(i as f64),
+        PropertyValue::Spectrum(Spectrum::Uniform(x)) => FLAT_SPECTRUM * x,
         ref other => return Err(not_a_colour(name, other, span)),
     };
     refuse_negative(name, colour, span)?;
@@ -72,9 +73,9 @@ pub(super) fn unbounded(fields: &Fields, name: &'static str, default: Rgb) -> Re
     };
     let span = property.value_span;
     let colour = match property.value {
-        Value::Rgb(rgb) => rgb,
-        Value::Float(x) | Value::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
-        Value::Integer(i) => Rgb::splat(i as f64),
+        PropertyValue::Rgb(rgb) => rgb,
+        PropertyValue::Float(x) | PropertyValue::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
+        PropertyValue::Integer(i) => Rgb::splat(i as f64),
         ref other => return Err(not_a_colour(name, other, span)),
     };
     refuse_negative(name, colour, span)?;
@@ -85,20 +86,20 @@ fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
     if !colour.to_array().iter().any(|&channel| channel < 0.0) {
         return Ok(());
     }
-    Err(Problem::new(
+    Err(Problem::invalid(
         span,
         format!("\"{name}\" is ({}, {}, {})", colour.r, colour.g, colour.b),
     )
     .help("expected numbers of at least 0"))
 }
 
-fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
+fn not_a_colour(name: &str, value: &PropertyValue, span: Span) -> Problem {
     match value {
-        Value::Object { .. } => {
-            Problem::new(span, format!("\"{name}\" is an object of another kind"))
+        PropertyValue::Object { .. } => {
+            Problem::invalid(span, format!("\"{name}\" is an object of another kind"))
                 .help("expected a <texture>, or <rgb name=\"...\" value=\"r, g, b\"/>")
         }
-        Value::Spectrum(Spectrum::Sampled) => Problem::new(
+        PropertyValue::Spectrum(Spectrum::Sampled) => Problem::unsupported(
             span,
             format!("\"{name}\" depends on the wavelength"),
         )
@@ -106,7 +107,7 @@ fn not_a_colour(name: &str, value: &Value, span: Span) -> Problem {
             "light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> \
                  or a <spectrum> with one number",
         ),
-        other => Problem::new(span, format!("\"{name}\" is a <{}>", other.tag()))
+        other => Problem::invalid(span, format!("\"{name}\" is a <{}>", other.tag()))
             .help(format!("expected <rgb name=\"{name}\" value=\"r, g, b\"/>")),
     }
 }

@@ -5,12 +5,13 @@ use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::{Emitter, Pattern, Quantity, Texture, TextureId};
 use capwalk_scene::{EmitterId, ShapeId};
 
-use super::Lowering;
+use super::lowering::Lowering;
 use super::sensor::RIGID;
 use crate::fields::{Child, Fields};
-use crate::source::{Problem, Span};
+use crate::problem::Problem;
+use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const EMITTERS: [&str; 6] = ["area", "constant", "envmap", "point", "spot", "directional"];
 
 impl Lowering<'_> {
@@ -25,22 +26,24 @@ impl Lowering<'_> {
             "area" => {}
             plugin if EMITTERS.contains(&plugin) => {
                 let message = format!("a {plugin} emitter stands inside a shape");
-                return Err(Problem::new(child.span, message)
+                return Err(Problem::invalid(child.span, message)
                     .help("move it into <scene>, or write <emitter type=\"area\">"));
             }
             _ => return Err(fields.unknown_plugin(&EMITTERS)),
         }
         if !self.attached.insert(child.node) {
-            return Err(
-                Problem::new(child.span, "this emitter belongs to another shape already")
-                    .help("give each lamp an emitter of its own"),
-            );
+            return Err(Problem::invalid(
+                child.span,
+                "this emitter belongs to another shape already",
+            )
+            .help("give each shape an emitter of its own"));
         }
         if let Some(transform) = fields.get("to_world") {
-            return Err(
-                Problem::new(transform.value_span, "an area emitter has no \"to_world\"")
-                    .help("it stands where its shape stands; move the shape"),
-            );
+            return Err(Problem::invalid(
+                transform.value_span,
+                "an area emitter has no \"to_world\"",
+            )
+            .help("it stands where its shape stands; move the shape"));
         }
         let holder = format!("{shape_name}.emitter");
         let radiance = self.slot(&fields, &holder, "radiance", Quantity::Radiance, 1.0)?;
@@ -58,7 +61,7 @@ impl Lowering<'_> {
             // Defined here, used in a shape by a <ref>.
             "area" if self.attached.contains(&child.node) => return Ok(()),
             "area" => {
-                return Err(Problem::new(
+                return Err(Problem::invalid(
                     child.span,
                     "an area emitter stands outside of any shape",
                 )
@@ -105,8 +108,8 @@ impl Lowering<'_> {
             return Ok(());
         }
         let message = format!("the {slot} of {} is a texture", fields.title());
-        let help = "give one colour; a picture of all directions is <emitter type=\"envmap\">";
-        Err(Problem::new(fields.span_of(slot), message).help(help))
+        let help = "give one colour; an image of all directions is <emitter type=\"envmap\">";
+        Err(Problem::unsupported(fields.span_of(slot), message).help(help))
     }
 
     fn environment_map(&mut self, fields: &Fields) -> Result<Emitter, Problem> {
@@ -123,7 +126,7 @@ impl Lowering<'_> {
                 "the environment has {} x {} texels",
                 file.width, file.height
             );
-            return Err(Problem::new(span, message).help("expected at least 2 x 3"));
+            return Err(Problem::invalid(span, message).help("expected at least 2 x 3"));
         }
         let data = match file.channels {
             1 => file.data.iter().flat_map(|&grey| [grey; 3]).collect(),
@@ -155,7 +158,7 @@ impl Lowering<'_> {
             (Some(_), Some(_)) => {
                 let message = "both \"to_world\" and \"position\" are given";
                 let span = fields.span_of("position");
-                return Err(Problem::new(span, message).help("keep one of them"));
+                return Err(Problem::invalid(span, message).help("keep one of them"));
             }
             (_, Some(position)) => position,
             (_, None) => to_world.translation,
@@ -184,14 +187,16 @@ impl Lowering<'_> {
                 None => fields.span_of("cutoff_angle"),
             };
             let message = format!("\"beam_width\" is {beam} and \"cutoff_angle\" is {cutoff}");
-            return Err(Problem::new(span, message)
+            return Err(Problem::invalid(span, message)
                 .help("expected degrees, 0 <= beam_width < cutoff_angle <= 180"));
         }
         let intensity = self.slot(fields, &id, "intensity", Quantity::Intensity, 1.0)?;
         self.refuse_texture(fields, intensity, "intensity")?;
         if let Some(texture) = fields.get("texture") {
             let message = "projected textures of spot lights are not supported";
-            return Err(Problem::new(texture.value_span, message).help("remove the texture"));
+            return Err(
+                Problem::unsupported(texture.value_span, message).help("remove the texture")
+            );
         }
         let mut number = |name: &'static str, value| {
             let texture = Texture::number(format!("{id}.{name}"), value);
@@ -213,7 +218,7 @@ impl Lowering<'_> {
             (Some(_), Some(_)) => {
                 let message = "both \"to_world\" and \"direction\" are given";
                 let span = fields.span_of("direction");
-                return Err(Problem::new(span, message).help("keep one of them"));
+                return Err(Problem::invalid(span, message).help("keep one of them"));
             }
             (_, Some(direction)) => (direction, fields.span_of("direction")),
             (_, None) => {
@@ -222,7 +227,7 @@ impl Lowering<'_> {
             }
         };
         if direction.length() == 0.0 {
-            return Err(Problem::new(span, "the light has no direction")
+            return Err(Problem::invalid(span, "the light has no direction")
                 .help("expected a vector that is not zero: where the light goes"));
         }
         let irradiance = self.slot(fields, &id, "irradiance", Quantity::Irradiance, 1.0)?;
@@ -249,7 +254,7 @@ fn rotation(fields: &Fields) -> Result<Affine, Problem> {
             "the \"to_world\" of {} scales, shears or mirrors",
             fields.title()
         );
-        return Err(Problem::new(fields.span_of("to_world"), message)
+        return Err(Problem::invalid(fields.span_of("to_world"), message)
             .help("expected a rotation and a translation"));
     }
     let [a, b, _] = given.rows;
@@ -261,7 +266,7 @@ fn rotation(fields: &Fields) -> Result<Affine, Problem> {
     })
 }
 
-/// How often Mitsuba samples this emitter; the mean of the picture does not
+/// How often Mitsuba samples this emitter; the mean of the image does not
 /// depend on it unless it is zero.
 fn sampling_weight(fields: &Fields) -> Result<(), Problem> {
     match fields.optional_float("sampling_weight")? {
@@ -273,7 +278,7 @@ fn sampling_weight(fields: &Fields) -> Result<(), Problem> {
             }
             Ok(())
         }
-        Some(weight) => Err(Problem::new(
+        Some(weight) => Err(Problem::invalid(
             fields.span_of("sampling_weight"),
             format!("\"sampling_weight\" is {weight}"),
         )

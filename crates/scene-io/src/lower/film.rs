@@ -2,18 +2,18 @@
 
 use capwalk_scene::{Film, Filter};
 
-use super::Lowering;
+use super::lowering::Lowering;
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
-use crate::source::Problem;
+use crate::problem::Problem;
 
 /// Mitsuba's size of a film that gives none.
 const DEFAULT_SIZE: [u32; 2] = [768, 576];
 
-/// The film plugins.
+/// Values of `type` of a `<film>`.
 const FILMS: [&str; 1] = ["hdrfilm"];
 
-/// The filter plugins.
+/// Values of `type` of an `<rfilter>`.
 const FILTERS: [&str; 3] = ["box", "tent", "gaussian"];
 
 /// The filter of a film that gives none.
@@ -84,7 +84,7 @@ impl Lowering<'_> {
     }
 }
 
-/// How Mitsuba would write the picture. Our pictures are linear RGB in single
+/// How Mitsuba would write the image. Ours are linear RGB in single
 /// precision, and the ending of the output's name chooses the format.
 fn output_format(fields: &Fields) -> Result<(), Problem> {
     let formats: [(&'static str, &[&str], &[&str]); 3] = [
@@ -111,19 +111,19 @@ fn output_format(fields: &Fields) -> Result<(), Problem> {
         };
         let format = text.to_ascii_lowercase();
         if !known.contains(&format.as_str()) {
-            return Err(Problem::new(
+            return Err(Problem::unknown(
                 fields.span_of(name),
                 format!("\"{text}\" is not a {name} of Mitsuba's"),
             )
             .help(format!("expected one of {}", known.join(", "))));
         }
         if !same.contains(&format.as_str()) {
-            let reason = "pictures are linear RGB in single precision, and the ending of the \
+            let reason = "images are linear RGB in single precision, and the ending of the \
                           output's name chooses the file format";
             fields.cosmetic(&[name], reason);
         }
     }
-    fields.cosmetic(&["banner"], "pictures have none");
+    fields.cosmetic(&["banner"], "images have none");
     fields.cosmetic(
         &["compensate"],
         "it concerns the rounding of Mitsuba's sums",

@@ -1,16 +1,16 @@
-//! Integrators: `direct`, `path`, and `aov` for one layer. Mitsuba's integrators
-//! of derivatives are read as the one that makes the same picture.
+//! Integrators: `direct`, `path`, and `aov` for one AOV. Mitsuba's integrators
+//! of derivatives are read as the one that makes the same image.
 
 use capwalk_scene::{Integrator, Layer};
 
 use crate::fields::Fields;
 use crate::node::Kind;
-use crate::source::Problem;
+use crate::problem::Problem;
 
-/// The plugins.
+/// Values of `type` that are read as they are.
 const INTEGRATORS: [&str; 3] = ["aov", "direct", "path"];
 
-/// Mitsuba's integrators of derivatives, and whose picture each of them makes.
+/// Mitsuba's integrators of derivatives, and whose image each of them makes.
 const OF_DERIVATIVES: [(&str, &str); 6] = [
     ("direct_projective", "direct"),
     ("direct_reparam", "direct"),
@@ -20,7 +20,7 @@ const OF_DERIVATIVES: [(&str, &str); 6] = [
     ("prb_reparam", "path"),
 ];
 
-/// Their own settings.
+/// Properties that only they have.
 const SETTINGS_OF_DERIVATIVES: [&str; 13] = [
     "guiding",
     "guiding_proj",
@@ -53,9 +53,8 @@ pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
     };
     if let Some((name, read_as)) = of_derivatives {
         fields.warn(&format!(
-            "the integrator \"{name}\" is read as \"{read_as}\", which makes the same picture; \
-             derivatives are always those of the whole picture, by the method that the command \
-             names"
+            "the integrator \"{name}\" is read as \"{read_as}\", which makes the same image; \
+             derivatives are always those of the whole image, by the method that is asked for"
         ));
         let reason = "it concerns how Mitsuba samples derivatives";
         fields.cosmetic(&SETTINGS_OF_DERIVATIVES, reason);
@@ -69,8 +68,10 @@ pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
         && timeout > 0.0
     {
         let span = fields.span_of("timeout");
-        return Err(Problem::new(span, format!("\"timeout\" is {timeout}"))
-            .help("rendering until a time has passed is not reproducible; choose sample_count"));
+        return Err(
+            Problem::unsupported(span, format!("\"timeout\" is {timeout}"))
+                .help("rendering until a time has passed is not reproducible; choose sample_count"),
+        );
     }
     fields.finish()?;
     Ok(integrator)
@@ -81,7 +82,7 @@ fn direct(fields: &Fields) -> Result<Integrator, Problem> {
     let emitter = fields.integer("emitter_samples", 0..=MOST)?;
     let bsdf = fields.integer("bsdf_samples", 0..=MOST)?;
     if shading.is_some() && (emitter.is_some() || bsdf.is_some()) {
-        return Err(Problem::new(
+        return Err(Problem::invalid(
             fields.span_of("shading_samples"),
             "\"shading_samples\" is given together with \"emitter_samples\" or \"bsdf_samples\"",
         )
@@ -90,7 +91,7 @@ fn direct(fields: &Fields) -> Result<Integrator, Problem> {
     let shading = shading.unwrap_or(1);
     let (emitter, bsdf) = (emitter.unwrap_or(shading), bsdf.unwrap_or(shading));
     if emitter + bsdf == 0 {
-        return Err(Problem::new(
+        return Err(Problem::invalid(
             fields.node.span,
             "the integrator \"direct\" takes neither emitter nor material samples",
         )
@@ -137,37 +138,39 @@ fn path(fields: &Fields, default_depth: i64) -> Result<Integrator, Problem> {
     })
 }
 
-/// `aovs` is a list of `name:layer`, of which we render one.
+/// The one AOV of `aovs`, a list of `name:kind`.
 fn aov(fields: &Fields) -> Result<Integrator, Problem> {
     fields.refuse_object(
         Kind::Integrator,
-        "keep the nested integrator for the picture, without the \"aov\" around it, and make a \
-         second file with \"aov\" alone for the layer",
+        "keep the nested integrator for the image, without the \"aov\" around it, and make a \
+         second file with \"aov\" alone",
     )?;
     let known = || Layer::ALL.map(Layer::name).join(", ");
     let Some(text) = fields.string("aovs")? else {
         return Err(
-            Problem::new(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(format!(
-                "add for example <string name=\"aovs\" value=\"depth:depth\"/>; known layers: {}",
-                known()
-            )),
+            Problem::missing(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(
+                format!(
+                    "add for example <string name=\"aovs\" value=\"depth:depth\"/>; known AOVs: {}",
+                    known()
+                ),
+            ),
         );
     };
     let wrong =
-        |what: String, help: String| Err(Problem::new(fields.span_of("aovs"), what).help(help));
+        |what: String, help: String| Err(Problem::invalid(fields.span_of("aovs"), what).help(help));
     let entries: Vec<&str> = text.split(',').map(str::trim).collect();
     let &[entry] = entries.as_slice() else {
         return wrong(
-            format!("\"aovs\" lists {} layers", entries.len()),
-            "one layer at a time is rendered; keep one".into(),
+            format!("\"aovs\" lists {} AOVs", entries.len()),
+            "one AOV at a time is rendered; keep one".into(),
         );
     };
     let kind = entry.rsplit_once(':').map_or(entry, |(_, kind)| kind);
     match Layer::ALL.into_iter().find(|layer| layer.name() == kind) {
         Some(layer) => Ok(Integrator::Aov(layer)),
         None => wrong(
-            format!("unknown layer \"{kind}\""),
-            format!("known layers: {}", known()),
+            format!("unknown AOV \"{kind}\""),
+            format!("known AOVs: {}", known()),
         ),
     }
 }

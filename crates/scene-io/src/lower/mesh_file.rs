@@ -2,12 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use super::Lowering;
+use super::lowering::Lowering;
 use crate::fields::Fields;
+use crate::files::find_file;
 use crate::mesh::{GltfChoice, GltfName, MeshFile, read_gltf, read_obj, read_ply, read_serialized};
-use crate::node::Value;
-use crate::resolve::find_file;
-use crate::source::{Problem, Span};
+use crate::node::PropertyValue;
+use crate::problem::Problem;
+use crate::texts::Span;
 
 /// The plugins that read files.
 pub(super) const MESH_PLUGINS: [&str; 4] = ["obj", "ply", "serialized", "gltf"];
@@ -38,7 +39,7 @@ impl Lowering<'_> {
         // Other endings say nothing about the format.
         let is_known = right.is_some() || OTHER_ENDINGS.contains(&ending.as_str());
         if is_known && right != Some(plugin) {
-            let problem = Problem::new(
+            let problem = Problem::unsupported(
                 span,
                 format!("{} cannot read \"{filename}\"", fields.title()),
             );
@@ -69,13 +70,8 @@ impl Lowering<'_> {
             }
             _ => read_ply(&bytes, want_normals),
         };
-        let mesh = mesh.map_err(|error| {
-            let place = match error.place.is_empty() {
-                true => String::new(),
-                false => format!(", {}", error.place),
-            };
-            Problem::new(span, format!("\"{shown}\"{place}: {}", error.message)).help(error.help)
-        })?;
+        let name = shown.to_string();
+        let mesh = mesh.map_err(|error| Problem::mesh(span, &name, error))?;
         for warning in &mesh.warnings {
             let message = format!("\"{shown}\" {warning}");
             self.context.warn(span, &message);
@@ -93,12 +89,12 @@ impl Lowering<'_> {
         let filename = named_file(fields, example)?;
         let span = fields.span_of("filename");
         let mut directories = self.directories.clone();
-        let own = &self.context.sources.get(span.file).directory;
+        let own = &self.context.texts.get(span.file).directory;
         if !directories.contains(own) {
             directories.push(own.clone());
         }
         let path = find_file(filename, &directories).map_err(|error| {
-            Problem::new(span, error).help("give the file relative to the scene file")
+            Problem::unreadable(span, error).help("give the file relative to the scene file")
         })?;
         let bytes = match path.is_dir() {
             true => Err("it is a folder; expected a file".to_owned()),
@@ -106,7 +102,7 @@ impl Lowering<'_> {
         };
         let bytes = bytes.map_err(|error| {
             let shown = path.display();
-            Problem::new(span, format!("cannot read \"{shown}\": {error}"))
+            Problem::unreadable(span, format!("cannot read \"{shown}\": {error}"))
                 .help("give a file that can be read")
         })?;
         Ok((bytes, path, span))
@@ -115,7 +111,7 @@ impl Lowering<'_> {
 
 /// An object of a glTF file, by its name or its index.
 fn gltf_name(fields: &Fields, property: &'static str) -> Result<Option<GltfName>, Problem> {
-    if let Some(Value::String(name)) = fields.get(property).map(|p| &p.value) {
+    if let Some(PropertyValue::String(name)) = fields.get(property).map(|p| &p.value) {
         return Ok(Some(GltfName::Name(name.clone())));
     }
     Ok(fields.optional_count(property, 0)?.map(GltfName::Index))
@@ -124,6 +120,6 @@ fn gltf_name(fields: &Fields, property: &'static str) -> Result<Option<GltfName>
 fn named_file<'a>(fields: &Fields<'a>, example: &str) -> Result<&'a str, Problem> {
     fields.string("filename")?.ok_or_else(|| {
         let message = format!("{} names no file", fields.title());
-        Problem::new(fields.node.span, message).help(example)
+        Problem::missing(fields.node.span, message).help(example)
     })
 }

@@ -4,9 +4,9 @@
 use capwalk_scene::SamplerKind;
 
 use crate::fields::Fields;
-use crate::source::Problem;
+use crate::problem::Problem;
 
-/// The plugins.
+/// Values of `type` that are read as they are.
 const SAMPLERS: [&str; 3] = ["independent", "ldsampler", "sobol"];
 
 /// Those of Mitsuba's whose points are stratified in another way.
@@ -37,7 +37,7 @@ pub(super) fn lower(fields: &Fields) -> Result<Sampler, Problem> {
         plugin if STRATIFIED.contains(&plugin) => {
             fields.warn(&format!(
                 "the sampler \"{plugin}\" is read as \"sobol\": its points are stratified, too, \
-                 and the picture is the same but for noise"
+                 and the image is the same but for noise"
             ));
             let reason = "Sobol points have no such setting";
             fields.cosmetic(&["jitter", "strength"], reason);

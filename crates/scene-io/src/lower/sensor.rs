@@ -3,13 +3,13 @@
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::{Film, Sensor, SensorModel};
 
-use super::Lowering;
+use super::lowering::Lowering;
 use super::sampler::{self, Sampler};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
-use crate::source::Problem;
+use crate::problem::Problem;
 
-/// The plugins.
+/// Values of `type` that are read.
 const SENSORS: [&str; 3] = ["perspective", "thinlens", "orthographic"];
 
 /// Diagonal of the 35 mm film that focal lengths refer to, millimetres.
@@ -83,7 +83,7 @@ impl Lowering<'_> {
         }
         if sensor.near_clip <= 0.0 || sensor.near_clip >= sensor.far_clip {
             let (near, far) = (sensor.near_clip, sensor.far_clip);
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 fields.span_of("near_clip"),
                 format!("\"near_clip\" is {near} and \"far_clip\" is {far}"),
             )
@@ -98,7 +98,7 @@ impl Lowering<'_> {
 fn rigid(fields: &Fields) -> Result<Affine, Problem> {
     let given = fields.transform("to_world")?;
     if !given.is_rigid(RIGID) {
-        return Err(Problem::new(
+        return Err(Problem::invalid(
             fields.span_of("to_world"),
             "the \"to_world\" of a sensor scales or shears",
         )
@@ -122,7 +122,7 @@ fn invertible(fields: &Fields) -> Result<Affine, Problem> {
     let given = fields.transform("to_world")?;
     match given.inverse() {
         Some(_) => Ok(given),
-        None => Err(Problem::new(
+        None => Err(Problem::invalid(
             fields.span_of("to_world"),
             "the \"to_world\" of a sensor cannot be inverted",
         )
@@ -133,14 +133,14 @@ fn invertible(fields: &Fields) -> Result<Affine, Problem> {
 fn aperture_radius(fields: &Fields) -> Result<f64, Problem> {
     let Some(radius) = fields.optional_float("aperture_radius")? else {
         let message = "a thin lens has no \"aperture_radius\"";
-        return Err(Problem::new(fields.node.span, message)
+        return Err(Problem::missing(fields.node.span, message)
             .help("add it, in world units; a perspective sensor has none"));
     };
     if radius >= 0.0 {
         return Ok(radius);
     }
     let message = format!("\"aperture_radius\" is {radius}");
-    Err(Problem::new(fields.span_of("aperture_radius"), message).help("expected 0 or more"))
+    Err(Problem::invalid(fields.span_of("aperture_radius"), message).help("expected 0 or more"))
 }
 
 fn focus_distance(fields: &Fields, far_clip: f64) -> Result<f64, Problem> {
@@ -149,7 +149,7 @@ fn focus_distance(fields: &Fields, far_clip: f64) -> Result<f64, Problem> {
         return Ok(distance);
     }
     let message = format!("\"focus_distance\" is {distance}");
-    Err(Problem::new(fields.span_of("focus_distance"), message)
+    Err(Problem::invalid(fields.span_of("focus_distance"), message)
         .help("expected the depth that is sharp, above 0"))
 }
 
@@ -163,8 +163,10 @@ fn fov_x(fields: &Fields, film: &Film) -> Result<f64, Problem> {
     let Some(degrees) = fov else {
         if axis.is_some() {
             let span = fields.span_of("fov_axis");
-            return Err(Problem::new(span, "\"fov_axis\" is given without \"fov\"")
-                .help("focal lengths refer to the diagonal; remove it, or give fov"));
+            return Err(
+                Problem::invalid(span, "\"fov_axis\" is given without \"fov\"")
+                    .help("focal lengths refer to the diagonal; remove it, or give fov"),
+            );
         }
         let millimetres = focal_length_millimetres(fields, focal_length.unwrap_or("50mm"))?;
         let tan_half_diagonal = 0.5 * FILM_DIAGONAL / millimetres;
@@ -173,14 +175,14 @@ fn fov_x(fields: &Fields, film: &Film) -> Result<f64, Problem> {
     if focal_length.is_some() {
         let span = fields.span_of("focal_length");
         return Err(
-            Problem::new(span, "both \"fov\" and \"focal_length\" are given")
+            Problem::invalid(span, "both \"fov\" and \"focal_length\" are given")
                 .help("keep one of them"),
         );
     }
     let span = fields.span_of("fov");
     let limits = "expected an angle between 0 and 180 degrees";
     if !(degrees > 0.0 && degrees < 180.0) {
-        return Err(Problem::new(span, format!("\"fov\" is {degrees}")).help(limits));
+        return Err(Problem::invalid(span, format!("\"fov\" is {degrees}")).help(limits));
     }
     let tan_half = (0.5 * degrees.to_radians()).tan();
     let axis = axis.unwrap_or("x").to_ascii_lowercase();
@@ -190,8 +192,10 @@ fn fov_x(fields: &Fields, film: &Film) -> Result<f64, Problem> {
         ("diagonal", _) => half_width(tan_half, aspect),
         _ => {
             let span = fields.span_of("fov_axis");
-            return Err(Problem::new(span, format!("\"fov_axis\" is \"{axis}\""))
-                .help("expected x, y, diagonal, smaller or larger"));
+            return Err(
+                Problem::invalid(span, format!("\"fov_axis\" is \"{axis}\""))
+                    .help("expected x, y, diagonal, smaller or larger"),
+            );
         }
     };
     Ok(2.0 * tan_half_x.atan())
@@ -207,7 +211,7 @@ fn focal_length_millimetres(fields: &Fields, text: &str) -> Result<f64, Problem>
     let millimetres: Option<f64> = number.parse().ok();
     let positive = millimetres.filter(|x| x.is_finite() && *x > 0.0);
     positive.ok_or_else(|| {
-        Problem::new(
+        Problem::invalid(
             fields.span_of("focal_length"),
             format!("\"focal_length\" is \"{text}\""),
         )

@@ -1,7 +1,7 @@
 //! Shapes: where they are, which side is their front, what they are made of.
 //!
 //! In Mitsuba the shading normal decides which side of a surface is its front,
-//! for materials and lamps alike. Our faces are wound to agree with it.
+//! for materials and emitters alike. Our faces are wound to agree with it.
 
 use std::path::Path;
 
@@ -10,14 +10,15 @@ use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::{self, FaceUvs};
 use capwalk_scene::{Attribute, Pattern, ShadingNormals, Shape, Texture};
 
-use super::Lowering;
+use super::lowering::Lowering;
 use super::mesh_file::MESH_PLUGINS;
 use crate::fields::{Child, Fields};
 use crate::mesh::{FileAttribute, LARGEST_COORDINATE, MeshFile, direction};
 use crate::node::Kind;
-use crate::source::{Problem, Span};
+use crate::problem::Problem;
+use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const SHAPES: [&str; 8] = [
     "obj",
     "ply",
@@ -37,18 +38,18 @@ impl Lowering<'_> {
     pub(super) fn shape(&mut self, child: Child) -> Result<(), Problem> {
         let fields = Fields::new(self.context, child.node);
         if child.by_reference {
-            return Err(Problem::new(child.span, "a shape is referred to")
+            return Err(Problem::invalid(child.span, "a shape is referred to")
                 .help("each shape stands in the scene once; copy it"));
         }
         if fields.node.id.as_deref() == Some("sensor") {
             return Err(
-                Problem::new(fields.node.span, "the id \"sensor\" is the sensor's")
+                Problem::invalid(fields.node.span, "the id \"sensor\" is the sensor's")
                     .help("parameters are called by it; give the shape another id"),
             );
         }
         let to_world = fields.transform("to_world")?;
         if to_world.determinant() == 0.0 || !to_world.determinant().is_finite() {
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 fields.span_of("to_world"),
                 "\"to_world\" cannot be inverted",
             )
@@ -59,7 +60,7 @@ impl Lowering<'_> {
         if numbers.any(|x| x.abs() > LARGEST_COORDINATE) {
             let span = fields.span_of("to_world");
             let help = format!("scale and translate by numbers up to {LARGEST_COORDINATE:e}");
-            return Err(Problem::new(span, "\"to_world\" leads out of reach").help(help));
+            return Err(Problem::invalid(span, "\"to_world\" leads out of reach").help(help));
         }
         let plugin = fields.node.plugin.as_str();
         let mut stem = plugin.to_owned();
@@ -105,8 +106,8 @@ impl Lowering<'_> {
         let bsdf = match fields.child(Kind::Bsdf)? {
             Some(child) => self.bsdf(child.node, &format!("{id}.bsdf"))?,
             None => {
-                let (is_lamp, span) = (emitter.is_some(), fields.node.span);
-                self.default_bsdf(&format!("{id}.bsdf"), is_lamp, span)
+                let (emits, span) = (emitter.is_some(), fields.node.span);
+                self.default_bsdf(&format!("{id}.bsdf"), emits, span)
             }
         };
         let emitter = match emitter {
@@ -278,7 +279,9 @@ fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, bool, Affine), 
     let radius = fields.float("radius", 1.0)?;
     if radius == 0.0 {
         let span = fields.span_of("radius");
-        return Err(Problem::new(span, "\"radius\" is 0").help("expected a number other than 0"));
+        return Err(
+            Problem::invalid(span, "\"radius\" is 0").help("expected a number other than 0")
+        );
     }
     let [a, b, c] = to_world.rows;
     let columns = [0, 1, 2].map(|i| Vec3::new(a[i], b[i], c[i]));
@@ -289,7 +292,7 @@ fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, bool, Affine), 
         (own.length() - scale).abs() <= tolerance && own.dot(next).abs() <= tolerance * scale
     });
     if !is_uniform {
-        return Err(Problem::new(
+        return Err(Problem::invalid(
             fields.span_of("to_world"),
             "\"to_world\" scales the axes of a sphere differently",
         )

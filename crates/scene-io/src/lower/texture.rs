@@ -4,13 +4,15 @@ use capwalk_math::{Affine, Rgb};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 
-use super::{Lowering, colour};
+use super::colour;
+use super::lowering::Lowering;
 use crate::bitmap::{self, BitmapFile};
 use crate::fields::Fields;
-use crate::node::{Kind, NodeId, Spectrum, Value};
-use crate::source::{Problem, Span};
+use crate::node::{Kind, NodeId, PropertyValue, Spectrum};
+use crate::problem::Problem;
+use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const TEXTURES: [&str; 3] = ["bitmap", "checkerboard", "mesh_attribute"];
 
 impl Lowering<'_> {
@@ -26,7 +28,7 @@ impl Lowering<'_> {
     ) -> Result<TextureId, Problem> {
         let id = format!("{holder}.{slot}");
         if let Some(property) = fields.get(slot)
-            && let Value::Object { node, .. } = property.value
+            && let PropertyValue::Object { node, .. } = property.value
             && self.context.graph.node(node).kind == Kind::Texture
         {
             return self.texture(node, &id, quantity);
@@ -46,7 +48,7 @@ impl Lowering<'_> {
     ) -> Result<TextureId, Problem> {
         if fields
             .get(slot)
-            .is_some_and(|p| matches!(p.value, Value::Object { .. }))
+            .is_some_and(|p| matches!(p.value, PropertyValue::Object { .. }))
         {
             return self.slot(fields, holder, slot, quantity, 0.0);
         }
@@ -69,17 +71,17 @@ impl Lowering<'_> {
         let span = fields.span_of(slot);
         let texture = match fields.get(slot).map(|property| &property.value) {
             None => Texture::number(id, default),
-            Some(&Value::Float(x)) => Texture::number(id, x),
-            Some(&Value::Integer(i)) => Texture::number(id, i as f64),
-            Some(&Value::Spectrum(Spectrum::Uniform(x))) => Texture::number(id, x),
-            Some(&Value::Rgb(rgb)) => Texture::colour(id, rgb),
-            Some(Value::Object { .. }) => {
+            Some(&PropertyValue::Float(x)) => Texture::number(id, x),
+            Some(&PropertyValue::Integer(i)) => Texture::number(id, i as f64),
+            Some(&PropertyValue::Spectrum(Spectrum::Uniform(x))) => Texture::number(id, x),
+            Some(&PropertyValue::Rgb(rgb)) => Texture::colour(id, rgb),
+            Some(PropertyValue::Object { .. }) => {
                 return self.slot(fields, holder, slot, quantity, default);
             }
             Some(other) => {
                 let message = format!("\"{slot}\" is a <{}>", other.tag());
                 let help = format!("expected <float name=\"{slot}\" .../> or a <texture>");
-                return Err(Problem::new(span, message).help(help));
+                return Err(Problem::invalid(span, message).help(help));
             }
         };
         // Out of its range it is an error of the finished scene.
@@ -169,7 +171,7 @@ impl Lowering<'_> {
         let ending = ending.unwrap_or("").to_ascii_lowercase();
         let file = bitmap::read(&bytes, &ending, raw).map_err(|error| {
             let shown = path.display();
-            Problem::new(span, format!("cannot read \"{shown}\": {error}")).help(format!(
+            Problem::image(span, format!("cannot read \"{shown}\": {error}")).help(format!(
                 "give an image file that ends in {}",
                 bitmap::ENDINGS.join(", ")
             ))
@@ -186,9 +188,9 @@ impl Lowering<'_> {
         let mut data = Vec::with_capacity(6);
         for (slot, default) in [("color0", 0.4), ("color1", 0.2)] {
             if let Some(property) = fields.get(slot)
-                && matches!(property.value, Value::Object { .. })
+                && matches!(property.value, PropertyValue::Object { .. })
             {
-                return Err(Problem::new(
+                return Err(Problem::invalid(
                     property.value_span,
                     format!("\"{slot}\" of a checkerboard is a texture"),
                 )
@@ -213,7 +215,7 @@ fn mesh_attribute(fields: &Fields, id: String) -> Result<Texture, Problem> {
     if !name.starts_with("vertex_") && !name.starts_with("face_") {
         let span = fields.span_of("name");
         return Err(
-            Problem::new(span, format!("\"{name}\" is not the name of an attribute")).help(
+            Problem::invalid(span, format!("\"{name}\" is not the name of an attribute")).help(
                 "expected <string name=\"name\" value=\"vertex_color\"/>, or another name that \
                  begins with vertex_ or face_",
             ),
@@ -239,7 +241,7 @@ pub(super) fn choice<'a>(
     match fields.string(name)? {
         None => Ok(words[0]),
         Some(given) if words.contains(&given) => Ok(given),
-        Some(given) => Err(Problem::new(
+        Some(given) => Err(Problem::invalid(
             fields.span_of(name),
             format!("\"{name}\" is \"{given}\""),
         )

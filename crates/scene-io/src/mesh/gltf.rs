@@ -4,13 +4,15 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
 
+use super::error::MeshFileError;
+use super::file::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::gltf_accessor::{self, Numbers};
 use super::gltf_buffer::{Buffers, OpenFile, split};
 use super::gltf_json::Item;
 use super::gltf_node::{self, GltfChoice};
-use super::{FileAttribute, MeshFile, MeshFileError, finish, finite_position, unit_normal};
 
-/// Attributes of vertices that are read, or that a still mesh at rest needs not.
+/// Attributes of vertices that are read, or that a mesh without skin and texture
+/// tangents does not need.
 const KNOWN_ATTRIBUTES: [&str; 7] = [
     "POSITION",
     "NORMAL",
@@ -36,7 +38,7 @@ pub fn read_gltf(
     let version = asset.required("version")?;
     if !version.as_text()?.starts_with("2.") {
         let message = format!("it is \"{}\"", version.as_text()?);
-        return Err(version.error(message, "expected a glTF 2.0 file"));
+        return Err(version.unsupported(message, "expected a glTF 2.0 file"));
     }
     required_extensions(&root)?;
     let placed = gltf_node::choose(&root, choice)?;
@@ -70,7 +72,7 @@ fn required_extensions(root: &Item) -> Result<(), MeshFileError> {
             let help = "export the mesh without it";
             Err(root
                 .entry("extensionsRequired", index)?
-                .error(message, help))
+                .unsupported(message, help))
         }
     }
 }
@@ -94,7 +96,7 @@ impl<'a> Primitive<'a> {
             self.attribute("POSITION", &["VEC3"], None)?
                 .ok_or_else(|| {
                     let help = "expected the attribute POSITION; is the mesh compressed?";
-                    self.item.error("the vertices have no positions", help)
+                    self.item.damaged("the vertices have no positions", help)
                 })?;
         let positions = vectors(&positions).enumerate().map(|(vertex, p)| {
             let p = finite_position(p, vertex, &|| position_item.place())?;
@@ -152,7 +154,7 @@ impl<'a> Primitive<'a> {
     fn refuse_what_is_not_read(&self) -> Result<(), MeshFileError> {
         if let Some(targets) = self.item.get("targets") {
             let help = "export the mesh as it is to be seen, without morph targets";
-            return Err(targets.error("morph targets are not read", help));
+            return Err(targets.unsupported("morph targets are not read", help));
         }
         let extensions = self.item.get("extensions");
         let mut names = extensions.iter().flat_map(Item::keys);
@@ -165,7 +167,7 @@ impl<'a> Primitive<'a> {
                     "KHR_draco_mesh_compression" => "export the mesh without Draco compression",
                     _ => "export the mesh without it",
                 };
-                Err(self.item.error(message, help))
+                Err(self.item.unsupported(message, help))
             }
         }
     }
@@ -195,7 +197,7 @@ impl<'a> Primitive<'a> {
         let numbers = gltf_accessor::read(&accessor, &self.root, &mut self.buffers, types)?;
         let elements = numbers.values.len() / numbers.width;
         if let Some(count) = count.filter(|&count| count != elements) {
-            return Err(accessor.error(
+            return Err(accessor.invalid(
                 format!("it has {elements} elements, but there are {count} vertices"),
                 "expected one for each vertex",
             ));
@@ -210,7 +212,7 @@ impl<'a> Primitive<'a> {
                 let all = u32::try_from(vertices).map(|count| (0..count).collect());
                 let all = all.map_err(|_| {
                     self.item
-                        .error("it has too many vertices", "expected less than 2^32")
+                        .unsupported("it has too many vertices", "expected less than 2^32")
                 })?;
                 (self.item.clone(), all)
             }
@@ -222,19 +224,19 @@ impl<'a> Primitive<'a> {
         };
         let mode = self.item.get("mode");
         let mode = mode.map_or(Ok(4), |mode| mode.as_index())?;
-        triangles(mode, &corners).map_err(|(message, help)| item.error(message, help))
+        triangles(mode, &corners).map_err(|(message, help)| item.invalid(message, help))
     }
 
     fn indices(&mut self, accessor: &Item, vertices: usize) -> Result<Vec<u32>, MeshFileError> {
         let numbers = gltf_accessor::read(accessor, &self.root, &mut self.buffers, &["SCALAR"])?;
         if !numbers.is_integer {
             let help = "expected componentType 5121, 5123 or 5125, not normalized";
-            return Err(accessor.error("indices are whole numbers", help));
+            return Err(accessor.invalid("indices are whole numbers", help));
         }
         let is_bad = |&i: &f64| !(0.0..vertices as f64).contains(&i);
         match numbers.values.iter().position(is_bad) {
             None => Ok(numbers.values.into_iter().map(|i| i as u32).collect()),
-            Some(at) => Err(accessor.error(
+            Some(at) => Err(accessor.invalid(
                 format!("index {at} refers to vertex {}", numbers.values[at]),
                 &format!("there are {vertices} vertices (counted from 0)"),
             )),
@@ -272,7 +274,7 @@ fn triangles(mode: usize, corners: &[u32]) -> Result<Vec<[u32; 3]>, (String, &'s
             };
             strip.map(face).collect()
         }
-        6 => super::fan(corners).collect(),
+        6 => fan(corners).collect(),
         _ => return Err((format!("its mode is {mode}"), "expected 4, 5 or 6")),
     };
     let has_three = |&[a, b, c]: &[u32; 3]| a != b && b != c && c != a;
@@ -287,7 +289,7 @@ fn vectors(numbers: &Numbers) -> impl Iterator<Item = Vec3> + '_ {
 fn all_finite(item: &Item, numbers: &Numbers) -> Result<(), MeshFileError> {
     match numbers.values.iter().position(|x| !x.is_finite()) {
         None => Ok(()),
-        Some(at) => Err(item.error(
+        Some(at) => Err(item.invalid(
             format!(
                 "element {} has the number {}",
                 at / numbers.width,

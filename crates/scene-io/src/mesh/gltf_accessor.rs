@@ -1,10 +1,10 @@
 //! Accessors of a glTF file: numbers in buffers.
 
-use super::MeshFileError;
+use super::error::MeshFileError;
 use super::gltf_buffer::Buffers;
 use super::gltf_json::Item;
 
-/// The numbers of an accessor.
+/// Numbers of an accessor, shape `(count, width)`.
 pub(super) struct Numbers {
     /// How many there are for each vertex: 1, 2, 3 or 4.
     pub width: usize,
@@ -13,7 +13,7 @@ pub(super) struct Numbers {
     pub is_integer: bool,
 }
 
-/// How a number is stored.
+/// The `componentType`.
 #[derive(Clone, Copy, PartialEq)]
 enum Component {
     I8,
@@ -33,7 +33,7 @@ impl Component {
             5123 => Ok(Self::U16),
             5125 => Ok(Self::U32),
             5126 => Ok(Self::F32),
-            other => Err(item.error(
+            other => Err(item.invalid(
                 format!("it is {other}"),
                 "expected 5120, 5121, 5122, 5123, 5125 or 5126",
             )),
@@ -82,13 +82,13 @@ pub(super) fn read(
 ) -> Result<Numbers, MeshFileError> {
     if let Some(sparse) = accessor.get("sparse") {
         let help = "export the mesh without sparse accessors";
-        return Err(sparse.error("sparse accessors are not read", help));
+        return Err(sparse.unsupported("sparse accessors are not read", help));
     }
     let kind = accessor.required("type")?;
     let kind_text = kind.as_text()?;
     if !types.contains(&kind_text) {
         let help = format!("expected {}", types.join(" or "));
-        return Err(kind.error(format!("it is {kind_text}"), &help));
+        return Err(kind.invalid(format!("it is {kind_text}"), &help));
     }
     let width = match kind_text {
         "SCALAR" => 1,
@@ -128,7 +128,7 @@ fn slice<'b>(
     size: usize,
 ) -> Result<(&'b [u8], usize), MeshFileError> {
     let Some(view) = accessor.get("bufferView") else {
-        return Err(accessor.error(
+        return Err(accessor.unsupported(
             "it has no \"bufferView\"",
             "its numbers are all zero or compressed; export the mesh without compression",
         ));
@@ -137,7 +137,7 @@ fn slice<'b>(
     let compression = view.get("extensions").and_then(|e| e.keys().next());
     if let Some(extension) = compression {
         let message = format!("it has the extension \"{extension}\", which is not read");
-        return Err(view.error(message, "export the mesh without compression"));
+        return Err(view.unsupported(message, "export the mesh without compression"));
     }
     let number = |item: &Item, key: &str| item.get(key).map_or(Ok(0), |item| item.as_index());
     let stride = match view.get("byteStride") {
@@ -145,7 +145,7 @@ fn slice<'b>(
         Some(item) => match item.as_index()? {
             stride if stride < size => {
                 let message = format!("it is {stride}, but an element takes {size} bytes");
-                return Err(item.error(message, "expected at least that"));
+                return Err(item.damaged(message, "expected at least that"));
             }
             stride => stride,
         },
@@ -153,7 +153,7 @@ fn slice<'b>(
     let count = accessor.required("count")?;
     let elements = count.as_index()?;
     if elements == 0 {
-        return Err(count.error("it is 0", "expected at least 1"));
+        return Err(count.invalid("it is 0", "expected at least 1"));
     }
     let view_start = number(&view, "byteOffset")?;
     let view_length = view.required("byteLength")?.as_index()?;
@@ -165,7 +165,7 @@ fn slice<'b>(
             .is_some_and(|end| end <= available)
     };
     if !within(view_start, view_length, buffer.len()) {
-        return Err(view.error(
+        return Err(view.damaged(
             format!(
                 "{view_length} bytes from byte {view_start} on are announced, but the buffer has \
                  {}",
@@ -178,7 +178,7 @@ fn slice<'b>(
     let length = length.and_then(|length| length.checked_add(size));
     match length.filter(|&length| within(offset, length, view_length)) {
         Some(length) => Ok((&buffer[view_start + offset..][..length], stride)),
-        None => Err(accessor.error(
+        None => Err(accessor.damaged(
             format!(
                 "{elements} elements of {size} bytes, {stride} apart from byte {offset} on, are \
                  announced, but the view has {view_length} bytes"

@@ -7,7 +7,7 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde_json::Value;
 
-use super::MeshFileError;
+use super::error::{MeshFileError, MeshPlace};
 use super::gltf_json::Item;
 
 const GLB: &[u8] = b"glTF";
@@ -19,17 +19,14 @@ pub type OpenFile<'a> = dyn Fn(&str) -> Result<Vec<u8>, String> + 'a;
 
 /// The JSON of a file, and its binary chunk if it is a `.glb` with one.
 pub(super) fn split(bytes: &[u8]) -> Result<(Value, Option<&[u8]>), MeshFileError> {
-    let (json, binary, what) = match bytes.strip_prefix(GLB) {
-        Some(_) => {
-            let (json, binary) = glb_chunks(bytes)?;
-            (json, binary, "the JSON chunk, ")
-        }
-        None => (bytes, None, ""),
+    let (json, binary) = match bytes.starts_with(GLB) {
+        true => glb_chunks(bytes)?,
+        false => (bytes, None),
     };
     let value = serde_json::from_slice(json).map_err(|error| {
-        let place = format!("{what}line {}", error.line());
+        let place = MeshPlace::Line(error.line());
         let message = format!("it is not JSON: {error}");
-        MeshFileError::new(place, message, "expected a glTF 2.0 file, .gltf or .glb")
+        MeshFileError::damaged(place, message, "expected a glTF 2.0 file, .gltf or .glb")
     })?;
     Ok((value, binary))
 }
@@ -39,7 +36,7 @@ pub(super) fn split(bytes: &[u8]) -> Result<(Value, Option<&[u8]>), MeshFileErro
 fn glb_chunks(bytes: &[u8]) -> Result<(&[u8], Option<&[u8]>), MeshFileError> {
     let bad = |at: usize, message: String| {
         let help = "the file is cut off or damaged; expected glTF 2.0";
-        MeshFileError::new(format!("byte {at}"), message, help)
+        MeshFileError::damaged(MeshPlace::Byte(at), message, help)
     };
     let word = |at: usize| {
         let word = bytes.get(at..).and_then(|rest| rest.first_chunk());
@@ -117,7 +114,7 @@ impl<'a> Buffers<'a> {
             (Some(uri), _) => self.read(&uri)?,
             (None, Some(binary)) if index == 0 => binary.to_vec(),
             (None, _) => {
-                return Err(buffer.error(
+                return Err(buffer.unsupported(
                     "it has no \"uri\", and the file has no binary chunk for it",
                     "the file is cut off, or its buffer is compressed; export it without \
                      compression",
@@ -125,7 +122,7 @@ impl<'a> Buffers<'a> {
             }
         };
         if bytes.len() < length {
-            return Err(buffer.error(
+            return Err(buffer.damaged(
                 format!("it announces {length} bytes, but {} are there", bytes.len()),
                 "the file is cut off or damaged",
             ));
@@ -140,21 +137,21 @@ impl<'a> Buffers<'a> {
             let encoded = data.split_once(";base64,").map(|(_, encoded)| encoded);
             let encoded = encoded.ok_or_else(|| {
                 let help = "expected data:application/octet-stream;base64,...";
-                item.error("the data are not encoded as base64", help)
+                item.unsupported("the data are not encoded as base64", help)
             })?;
             return BASE64_STANDARD.decode(encoded).map_err(|error| {
                 let message = format!("the data are not base64: {error}");
-                item.error(message, "the file is cut off or damaged")
+                item.damaged(message, "the file is cut off or damaged")
             });
         }
         let path = percent_decoded(uri).filter(|path| is_relative(path));
         let path = path.ok_or_else(|| {
             let help = "expected the path of a file, relative to the glTF file";
-            item.error(format!("\"{uri}\" cannot be opened"), help)
+            item.unsupported(format!("\"{uri}\" cannot be opened"), help)
         })?;
         (self.open)(&path).map_err(|error| {
             let message = format!("cannot read \"{path}\": {error}");
-            item.error(message, "put the file beside the glTF file")
+            item.damaged(message, "put the file beside the glTF file")
         })
     }
 }

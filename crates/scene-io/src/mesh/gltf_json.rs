@@ -3,7 +3,7 @@
 
 use serde_json::Value;
 
-use super::MeshFileError;
+use super::error::{MeshFileError, MeshPlace};
 
 /// A value and where it stands.
 #[derive(Clone)]
@@ -19,13 +19,26 @@ impl<'a> Item<'a> {
         Self { value, path }
     }
 
-    /// Where it stands, as messages say it.
-    pub fn place(&self) -> String {
-        self.path.clone()
+    pub fn place(&self) -> MeshPlace {
+        match self.path.is_empty() {
+            true => MeshPlace::File,
+            false => MeshPlace::Json(self.path.clone()),
+        }
     }
 
-    pub fn error(&self, message: impl Into<String>, help: &str) -> MeshFileError {
-        MeshFileError::new(&self.path, message, help)
+    /// An error at this value: out of its range.
+    pub fn invalid(&self, message: impl Into<String>, help: &str) -> MeshFileError {
+        MeshFileError::invalid(self.place(), message, help)
+    }
+
+    /// An error at this value: the file is incomplete.
+    pub fn damaged(&self, message: impl Into<String>, help: &str) -> MeshFileError {
+        MeshFileError::damaged(self.place(), message, help)
+    }
+
+    /// An error at this value: a part of glTF that is not read.
+    pub fn unsupported(&self, message: impl Into<String>, help: &str) -> MeshFileError {
+        MeshFileError::unsupported(self.place(), message, help)
     }
 
     /// What is there instead of what was expected.
@@ -36,7 +49,7 @@ impl<'a> Item<'a> {
             found.truncate(end);
             found += " ...";
         }
-        self.error(format!("it is {found}"), &format!("expected {expected}"))
+        self.invalid(format!("it is {found}"), &format!("expected {expected}"))
     }
 
     /// The property of an object, if it is there.
@@ -52,7 +65,7 @@ impl<'a> Item<'a> {
     pub fn required(&self, key: &str) -> Result<Item<'a>, MeshFileError> {
         self.get(key).ok_or_else(|| {
             let message = format!("\"{key}\" is missing");
-            self.error(message, "expected a complete glTF 2.0 file")
+            self.damaged(message, "expected a complete glTF 2.0 file")
         })
     }
 
@@ -75,15 +88,15 @@ impl<'a> Item<'a> {
         }
     }
 
-    /// An entry of a list.
+    /// The entry of a list that the file refers to by its index.
     pub fn entry(&self, list: &str, index: usize) -> Result<Item<'a>, MeshFileError> {
         let list = self.required(list)?;
         let array = list.array()?;
         let path = format!("{}[{index}]", list.path);
         match array.get(index) {
             Some(value) => Ok(Item { value, path }),
-            None => Err(MeshFileError::new(
-                path,
+            None => Err(MeshFileError::damaged(
+                MeshPlace::Json(path),
                 "there is no such entry, but the file refers to it",
                 format!("{} are there (counted from 0)", array.len()),
             )),
@@ -102,7 +115,7 @@ impl<'a> Item<'a> {
         entries.collect()
     }
 
-    /// A whole number from 0.
+    /// An integer from 0; 3.0 is one, too.
     pub fn as_index(&self) -> Result<usize, MeshFileError> {
         // Some writers give whole numbers a decimal point.
         let decimal = || {
@@ -123,7 +136,7 @@ impl<'a> Item<'a> {
         boolean.ok_or_else(|| self.wrong("true or false"))
     }
 
-    /// So many finite numbers.
+    /// A list of `N` finite numbers.
     pub fn as_numbers<const N: usize>(&self) -> Result<[f64; N], MeshFileError> {
         let array = self.value.as_array();
         let numbers: Option<Vec<f64>> = array.and_then(|a| a.iter().map(Value::as_f64).collect());

@@ -2,7 +2,7 @@
 
 use capwalk_math::{Affine, Vec3};
 
-use super::MeshFileError;
+use super::error::MeshFileError;
 use super::gltf_json::Item;
 
 /// How far the length of a rotation's quaternion may be from 1: writers round
@@ -17,18 +17,18 @@ const LISTED: usize = 8;
 pub struct GltfChoice {
     /// The node that places it.
     pub node: Option<GltfName>,
-    /// Its mesh.
+    /// The mesh that it belongs to.
     pub mesh: Option<GltfName>,
-    /// Its index within the mesh.
+    /// The index of the primitive within the mesh, counted from 0.
     pub primitive: Option<u32>,
 }
 
-/// An object in a glTF file.
+/// How a node or a mesh is picked out of the file's list.
 #[derive(Clone, Debug, PartialEq)]
 pub enum GltfName {
-    /// Its index in the file's list.
+    /// By its index, counted from 0.
     Index(u32),
-    /// Its name.
+    /// By its name.
     Name(String),
 }
 
@@ -99,8 +99,7 @@ pub(super) fn choose<'a>(
         } else {
             ""
         };
-        return Err(MeshFileError::new(
-            "",
+        return Err(MeshFileError::choice(
             format!("{which}: {titles}{rest}"),
             "choose one by \"node\", \"mesh\" and \"primitive\", for example <string \
              name=\"node\" value=\"NAME\"/> or <integer name=\"primitive\" value=\"0\"/>",
@@ -112,14 +111,14 @@ pub(super) fn choose<'a>(
             false => "its scene shows no such mesh",
         };
         let help = "expected a mesh, placed by a node, with this name or index";
-        return Err(MeshFileError::new("", message, help));
+        return Err(MeshFileError::choice(message, help));
     };
     let mut name_of = name(&chosen.mesh.1);
     if let Some((_, node)) = &chosen.node {
         name_of = name(node).or(name_of);
         if let Some(skin) = node.get("skin") {
             let help = "export the mesh as it is to be seen, without a skin";
-            return Err(skin.error("skinned meshes are not read", help));
+            return Err(skin.unsupported("skinned meshes are not read", help));
         }
         let instancing = "EXT_mesh_gpu_instancing";
         if node
@@ -127,12 +126,12 @@ pub(super) fn choose<'a>(
             .is_some_and(|e| e.get(instancing).is_some())
         {
             let message = format!("the extension \"{instancing}\" is not read");
-            return Err(node.error(message, "export each copy as a node"));
+            return Err(node.unsupported(message, "export each copy as a node"));
         }
         let determinant = chosen.to_scene.determinant();
         if determinant == 0.0 || !determinant.is_finite() {
             let help = "scale by finite numbers other than 0";
-            return Err(node.error("its transform cannot be inverted", help));
+            return Err(node.invalid("its transform cannot be inverted", help));
         }
     }
     Ok(Placed {
@@ -200,7 +199,7 @@ fn candidates<'a>(
         let node = root.entry("nodes", index)?;
         if std::mem::replace(&mut seen[index], true) {
             let help = "expected a tree: each node with one parent";
-            return Err(node.error("several nodes have it as a child", help));
+            return Err(node.invalid("several nodes have it as a child", help));
         }
         let to_scene = parent * transform(&node)?;
         let is_wanted = choice
@@ -225,7 +224,7 @@ fn transform(node: &Item) -> Result<Affine, MeshFileError> {
         let m = item.as_numbers::<16>()?;
         if [m[3], m[7], m[11], m[15]] != [0.0, 0.0, 0.0, 1.0] {
             let help = "expected 0, 0, 0, 1 in its last row";
-            return Err(item.error("the matrix is not affine", help));
+            return Err(item.invalid("the matrix is not affine", help));
         }
         return Ok(Affine {
             rows: [0, 1, 2].map(|row| Vec3::new(m[row], m[row + 4], m[row + 8])),
@@ -250,7 +249,7 @@ fn rotation(item: &Item) -> Result<Affine, MeshFileError> {
     let length = given.iter().map(|x| x * x).sum::<f64>().sqrt();
     if (length - 1.0).abs() >= UNIT {
         let message = format!("the quaternion has the length {length}");
-        return Err(item.error(message, "expected one of length 1"));
+        return Err(item.invalid(message, "expected one of length 1"));
     }
     let [x, y, z, w] = given.map(|number| number / length);
     let rows = [

@@ -9,7 +9,8 @@ use std::collections::HashMap;
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
-use super::{MeshFile, MeshFileError, fan, finish, finite_position, unit_normal};
+use super::error::{MeshFileError, MeshPlace};
+use super::file::{MeshFile, fan, finish, finite_position, unit_normal};
 
 /// Statements without effect on the surface: names, groups, materials, lines,
 /// points and display attributes.
@@ -84,13 +85,13 @@ impl Reader {
         match keyword {
             b"v" => {
                 let position = three_numbers(words, line, "a vertex")?;
-                let place = &|| format!("line {line}");
+                let place = &|| MeshPlace::Line(line);
                 let position = finite_position(position, self.positions.len() + 1, place)?;
                 self.positions.push(position);
             }
             b"vn" if self.want_normals => {
                 let normal = three_numbers(words, line, "a normal")?;
-                let place = &|| format!("line {line}");
+                let place = &|| MeshPlace::Line(line);
                 let normal = unit_normal(normal, self.normals.len() + 1, place)?;
                 self.normals.push(normal);
             }
@@ -102,8 +103,8 @@ impl Reader {
             _ => {
                 let keyword = word(keyword);
                 if !WITHOUT_EFFECT.contains(&keyword.as_str()) {
-                    return Err(MeshFileError::new(
-                        format!("line {line}"),
+                    return Err(MeshFileError::unsupported(
+                        MeshPlace::Line(line),
                         format!("\"{keyword}\" is not an OBJ statement that is read"),
                         "expected vertices (v, vn, vt) and faces (f); free-form surfaces must be \
                          converted to polygons",
@@ -123,16 +124,16 @@ impl Reader {
             .map(|word| self.corner(word, line))
             .collect::<Result<_, _>>()?;
         if corners.len() < 3 {
-            return Err(MeshFileError::new(
-                format!("line {line}"),
+            return Err(MeshFileError::invalid(
+                MeshPlace::Line(line),
                 format!("the face has {} corners", corners.len()),
                 "expected at least 3",
             ));
         }
         let form = |c: &Corner| (c.texture.is_some(), c.normal.is_some());
         if corners.iter().any(|c| form(c) != form(&corners[0])) {
-            return Err(MeshFileError::new(
-                format!("line {line}"),
+            return Err(MeshFileError::damaged(
+                MeshPlace::Line(line),
                 "the corners of the face are written in different forms",
                 "expected all of them as v, v/vt, v//vn or v/vt/vn",
             ));
@@ -149,8 +150,8 @@ impl Reader {
                 Some(&vertex) => vertex,
                 None => {
                     let vertex = u32::try_from(next).map_err(|_| {
-                        MeshFileError::new(
-                            format!("line {line}"),
+                        MeshFileError::unsupported(
+                            MeshPlace::Line(line),
                             "the mesh has too many vertices",
                             "expected less than 2^32",
                         )
@@ -170,8 +171,8 @@ impl Reader {
     fn corner(&self, text: &[u8], line: usize) -> Result<Corner, MeshFileError> {
         let fields: Vec<&[u8]> = text.split(|&b| b == b'/').collect();
         let bad = || {
-            MeshFileError::new(
-                format!("line {line}"),
+            MeshFileError::damaged(
+                MeshPlace::Line(line),
                 format!("\"{}\" is not a corner of a face", word(text)),
                 "expected v, v/vt, v//vn or v/vt/vn",
             )
@@ -191,8 +192,8 @@ impl Reader {
             };
             match position.filter(|&i| number != 0 && i < count) {
                 Some(i) => Ok(Some(i)),
-                None => Err(MeshFileError::new(
-                    format!("line {line}"),
+                None => Err(MeshFileError::invalid(
+                    MeshPlace::Line(line),
                     format!("the face refers to {what} {number}"),
                     format!("{count} come before it (counted from 1)"),
                 )),
@@ -223,8 +224,8 @@ impl Reader {
         };
         let normals = match (self.line_with_normal, self.line_without_normal) {
             (Some(_), Some(line)) => {
-                return Err(MeshFileError::new(
-                    format!("line {line}"),
+                return Err(MeshFileError::invalid(
+                    MeshPlace::Line(line),
                     "the face has corners without normals, but others have them",
                     "give all corners normals or none; face_normals does without normals",
                 ));
@@ -269,8 +270,8 @@ fn one_or_two_numbers<'a>(
     let v = number(words.next().unwrap_or(b"0"), line, help)?;
     match u.is_finite() && v.is_finite() {
         true => Ok([u, v]),
-        false => Err(MeshFileError::new(
-            format!("line {line}"),
+        false => Err(MeshFileError::invalid(
+            MeshPlace::Line(line),
             format!("the texture coordinates are ({u}, {v})"),
             help,
         )),
@@ -280,8 +281,8 @@ fn one_or_two_numbers<'a>(
 fn number(text: &[u8], line: usize, help: &str) -> Result<f64, MeshFileError> {
     let number = std::str::from_utf8(text).ok().and_then(|t| t.parse().ok());
     number.ok_or_else(|| {
-        MeshFileError::new(
-            format!("line {line}"),
+        MeshFileError::damaged(
+            MeshPlace::Line(line),
             format!("\"{}\" is not a number", word(text)),
             help,
         )

@@ -4,11 +4,12 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
+use super::error::{MeshFileError, MeshPlace};
+use super::file::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::ply_attribute::{self, Group};
-use super::ply_header::{self, Element, Format, Scalar};
-use super::{FileAttribute, MeshFile, MeshFileError, fan, finish, finite_position, unit_normal};
+use super::ply_header::{self, Encoding, PlyElement, Scalar};
 
-/// The names of the list of corners.
+/// Names of the list that holds the indices of a face.
 const CORNER_LISTS: [&str; 2] = ["vertex_indices", "vertex_index"];
 
 /// The mesh in the bytes of a PLY file. Normals are read if `want_normals`.
@@ -20,7 +21,7 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
         format: header.format,
         line: header.lines + 1,
     };
-    let is_vertex = |element: &&Element| element.name == "vertex";
+    let is_vertex = |element: &&PlyElement| element.name == "vertex";
     let vertex_count = header
         .elements
         .iter()
@@ -34,8 +35,8 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
             "vertex" => vertices = Some(read_vertices(&mut body, element, want_normals)?),
             "face" => faces = Some(read_faces(&mut body, element, vertex_count)?),
             "tristrips" => {
-                return Err(MeshFileError::new(
-                    "",
+                return Err(MeshFileError::unsupported(
+                    MeshPlace::File,
                     "the file has triangle strips",
                     "expected faces; convert the strips to triangles",
                 ));
@@ -52,7 +53,7 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
     body.end()?;
     let missing = |what: &str, message: &str| {
         let help = format!("expected \"element {what} COUNT\" in the header");
-        MeshFileError::new("", message, help)
+        MeshFileError::invalid(MeshPlace::File, message, help)
     };
     let vertices = vertices.ok_or_else(|| missing("vertex", "the file has no vertices"))?;
     let faces = faces.ok_or_else(|| missing("face", "the file has no faces"))?;
@@ -75,12 +76,12 @@ pub fn read_ply(bytes: &[u8], want_normals: bool) -> Result<MeshFile, MeshFileEr
 struct Body<'a> {
     bytes: &'a [u8],
     position: usize,
-    format: Format,
+    format: Encoding,
     /// Line of the next word, in text.
     line: usize,
 }
 
-/// A number of the body.
+/// A number of the body; integers keep all their digits.
 #[derive(Clone, Copy)]
 enum Number {
     Integer(i128),
@@ -101,22 +102,23 @@ impl Body<'_> {
         self.bytes.len() - self.position
     }
 
-    fn place(&self) -> String {
+    /// Where the next number stands.
+    fn place(&self) -> MeshPlace {
         match self.format {
-            Format::Ascii => format!("line {}", self.line),
-            _ => format!("byte {}", self.position),
+            Encoding::Ascii => MeshPlace::Line(self.line),
+            _ => MeshPlace::Byte(self.position),
         }
     }
 
     /// Refuses a count that the rest of the file cannot hold, before anything
     /// is reserved for it.
-    fn announced(&self, element: &Element) -> Result<(), MeshFileError> {
+    fn announced(&self, element: &PlyElement) -> Result<(), MeshFileError> {
         let least = element.least_size(self.format) as u128 * u128::from(element.count);
         // The last number of a text needs no separator.
         if least <= self.remaining() as u128 + 1 {
             return Ok(());
         }
-        Err(MeshFileError::new(
+        Err(MeshFileError::damaged(
             self.place(),
             format!(
                 "the header announces {} elements \"{}\", which take at least {least} bytes, but \
@@ -132,7 +134,7 @@ impl Body<'_> {
     /// The next number, or `None` if the file ends.
     fn number(&mut self, scalar: Scalar) -> Result<Option<Number>, MeshFileError> {
         match self.format {
-            Format::Ascii => self.text_number(scalar),
+            Encoding::Ascii => self.text_number(scalar),
             _ => Ok(self.binary_number(scalar)),
         }
     }
@@ -144,7 +146,7 @@ impl Body<'_> {
         self.position += scalar.size();
         let mut little = [0; 8];
         little[..raw.len()].copy_from_slice(raw);
-        if self.format == Format::BigEndian {
+        if self.format == Encoding::BigEndian {
             little[..raw.len()].reverse();
         }
         let bits = u64::from_le_bytes(little);
@@ -181,7 +183,7 @@ impl Body<'_> {
             } else {
                 "a number"
             };
-            MeshFileError::new(
+            MeshFileError::damaged(
                 self.place(),
                 format!("\"{}\" is not {kind}", String::from_utf8_lossy(word)),
                 "expected what the header announces",
@@ -204,13 +206,13 @@ impl Body<'_> {
 
     /// Refuses anything behind the last element.
     fn end(&mut self) -> Result<(), MeshFileError> {
-        if self.format == Format::Ascii {
+        if self.format == Encoding::Ascii {
             self.pass_blanks();
         }
         if self.remaining() == 0 {
             return Ok(());
         }
-        Err(MeshFileError::new(
+        Err(MeshFileError::damaged(
             self.place(),
             format!("{} bytes follow the last element", self.remaining()),
             "the header announces too few elements or the wrong types",
@@ -222,12 +224,12 @@ impl Body<'_> {
 /// its numbers. `name` and `index` say where the file ends if it does.
 fn read_element(
     body: &mut Body,
-    element: &Element,
+    element: &PlyElement,
     index: u64,
     mut visit: impl FnMut(usize, Number),
 ) -> Result<(), MeshFileError> {
     let cut_off = |body: &Body| {
-        MeshFileError::new(
+        MeshFileError::damaged(
             body.place(),
             format!(
                 "the file ends within {} {index} of {}",
@@ -242,7 +244,7 @@ fn read_element(
             let place = body.place();
             let given = body.number(scalar)?.ok_or_else(|| cut_off(body))?;
             let Number::Integer(n @ 0..) = given else {
-                return Err(MeshFileError::new(
+                return Err(MeshFileError::damaged(
                     place,
                     format!(
                         "the list \"{}\" of {} {index} has the length {}",
@@ -264,7 +266,7 @@ fn read_element(
     Ok(())
 }
 
-fn skip(body: &mut Body, element: &Element) -> Result<(), MeshFileError> {
+fn skip(body: &mut Body, element: &PlyElement) -> Result<(), MeshFileError> {
     // Elements without properties take no room; there is nothing to pass over,
     // however many are announced.
     if element.properties.is_empty() {
@@ -273,7 +275,7 @@ fn skip(body: &mut Body, element: &Element) -> Result<(), MeshFileError> {
     (0..element.count).try_for_each(|index| read_element(body, element, index, |_, _| ()))
 }
 
-/// What vertices have.
+/// The element `vertex`; each list has one entry per vertex.
 struct Vertices {
     positions: Vec<Vec3>,
     normals: Option<Vec<Vec3>>,
@@ -308,7 +310,7 @@ fn extend(attributes: &mut [FileAttribute], groups: &[Group], values: &[f64]) {
 }
 
 /// The indices of properties with these names that are one number each.
-fn numbers<const N: usize>(element: &Element, names: [&str; N]) -> Option<[usize; N]> {
+fn numbers<const N: usize>(element: &PlyElement, names: [&str; N]) -> Option<[usize; N]> {
     let found = names.map(|name| {
         let index = element.position(name)?;
         element.properties[index].length.is_none().then_some(index)
@@ -323,12 +325,12 @@ fn numbers<const N: usize>(element: &Element, names: [&str; N]) -> Option<[usize
 /// there.
 fn read_vertices(
     body: &mut Body,
-    element: &Element,
+    element: &PlyElement,
     want_normals: bool,
 ) -> Result<Vertices, MeshFileError> {
     let position_at = numbers(element, ["x", "y", "z"]).ok_or_else(|| {
-        MeshFileError::new(
-            "",
+        MeshFileError::invalid(
+            MeshPlace::File,
             "the vertices have no positions",
             "expected the properties x, y and z in the header",
         )
@@ -344,21 +346,15 @@ fn read_vertices(
     let mut uvs = uv_at.map(|_| Vec::with_capacity(count));
     let mut values = vec![0.0; element.properties.len()];
     for index in 0..element.count {
-        let place = match body.format {
-            Format::Ascii => {
-                body.pass_blanks();
-                body.line
-            }
-            _ => body.position,
-        };
+        if body.format == Encoding::Ascii {
+            body.pass_blanks();
+        }
+        let start = body.place();
         read_element(body, element, index, |i, number| {
             values[i] = number.as_f64()
         })?;
         let vector = |at: [usize; 3]| Vec3::from(at.map(|i| values[i]));
-        let place = || match body.format {
-            Format::Ascii => format!("line {place}"),
-            _ => format!("byte {place}"),
-        };
+        let place = || start.clone();
         let vertex = index as usize;
         positions.push(finite_position(vector(position_at), vertex, &place)?);
         if let (Some(normals), Some(at)) = (&mut normals, normal_at) {
@@ -368,7 +364,11 @@ fn read_vertices(
             let uv = [values[u], values[v]];
             if !uv.iter().all(|x| x.is_finite()) {
                 let message = format!("vertex {vertex} has the texture coordinates {uv:?}");
-                return Err(MeshFileError::new(place(), message, "expected finite ones"));
+                return Err(MeshFileError::invalid(
+                    place(),
+                    message,
+                    "expected finite ones",
+                ));
             }
             uvs.push(uv);
         }
@@ -383,7 +383,11 @@ fn read_vertices(
 }
 
 /// Triangles and their attributes; polygons become fans.
-fn read_faces(body: &mut Body, element: &Element, vertices: u64) -> Result<Faces, MeshFileError> {
+fn read_faces(
+    body: &mut Body,
+    element: &PlyElement,
+    vertices: u64,
+) -> Result<Faces, MeshFileError> {
     let list = CORNER_LISTS
         .iter()
         .find_map(|name| element.position(name))
@@ -392,8 +396,8 @@ fn read_faces(body: &mut Body, element: &Element, vertices: u64) -> Result<Faces
             property.length.is_some() && property.scalar.is_integer()
         });
     let list = list.ok_or_else(|| {
-        MeshFileError::new(
-            "",
+        MeshFileError::invalid(
+            MeshPlace::File,
             "the faces have no list of corners",
             "expected \"property list uchar int vertex_indices\" in the header",
         )
@@ -419,15 +423,15 @@ fn read_faces(body: &mut Body, element: &Element, vertices: u64) -> Result<Faces
             }
         })?;
         if let Some(corner) = bad_corner {
-            return Err(MeshFileError::new(
-                format!("face {index}"),
+            return Err(MeshFileError::invalid(
+                MeshPlace::Face(index),
                 format!("it refers to vertex {corner}"),
                 format!("there are {vertices} vertices (counted from 0)"),
             ));
         }
         if polygon.len() < 3 {
-            return Err(MeshFileError::new(
-                format!("face {index}"),
+            return Err(MeshFileError::invalid(
+                MeshPlace::Face(index),
                 format!("it has {} corners", polygon.len()),
                 "expected at least 3",
             ));

@@ -1,7 +1,7 @@
 //! Numbers that a PLY file gives besides positions: which of them belong
 //! together, and what Mitsuba calls them.
 
-use super::ply_header::Element;
+use super::ply_header::PlyElement;
 
 /// Properties that are one attribute.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,7 +42,7 @@ const COLOUR_ENDINGS: usize = 1;
 /// `0 1 2`, `1 2 3`) are `<kind>_p`; `p_r p_g p_b` are `<kind>_p_color`. A single
 /// `p_x` (`p_r`, `p_0`, `p_1`) has one channel. Other names and numbers of
 /// channels are no attributes, in Mitsuba neither.
-pub(super) fn groups(element: &Element, kind: &str) -> Vec<Group> {
+pub(super) fn groups(element: &PlyElement, kind: &str) -> Vec<Group> {
     let mut groups = Vec::new();
     let is_integer = |properties: &[usize]| {
         let mut scalars = properties.iter().map(|&i| element.properties[i].scalar);

@@ -1,16 +1,16 @@
 //! The header of a PLY file: which elements follow, and how they are written.
 
-use super::MeshFileError;
+use super::error::{MeshFileError, MeshPlace};
 
 /// How the body is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Format {
+pub(super) enum Encoding {
     Ascii,
     LittleEndian,
     BigEndian,
 }
 
-/// A type of number.
+/// The type of a property or of the items of a list.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scalar {
     I8,
@@ -53,8 +53,8 @@ impl Scalar {
             "float" | "float32" => Self::F32,
             "double" | "float64" => Self::F64,
             _ => {
-                return Err(MeshFileError::new(
-                    format!("line {line}"),
+                return Err(MeshFileError::damaged(
+                    MeshPlace::Line(line),
                     format!("unknown type \"{name}\""),
                     "expected char, uchar, short, ushort, int, uint, float or double",
                 ));
@@ -65,7 +65,7 @@ impl Scalar {
 
 /// What each element has: a number, or a list of numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Property {
+pub(super) struct PlyProperty {
     pub name: String,
     /// The type of the length, for lists.
     pub length: Option<Scalar>,
@@ -74,23 +74,23 @@ pub(super) struct Property {
 
 /// A kind of element, such as `vertex`.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Element {
+pub(super) struct PlyElement {
     pub name: String,
     pub count: u64,
-    pub properties: Vec<Property>,
+    pub properties: Vec<PlyProperty>,
 }
 
-impl Element {
-    /// Index of a property.
+impl PlyElement {
+    /// Index of the property with this name.
     pub fn position(&self, name: &str) -> Option<usize> {
         self.properties.iter().position(|p| p.name == name)
     }
 
     /// The least number of bytes that one of these takes in the body.
-    pub fn least_size(&self, format: Format) -> usize {
+    pub fn least_size(&self, format: Encoding) -> usize {
         let sizes = self.properties.iter().map(|property| match format {
             // A digit and a separator.
-            Format::Ascii => 2,
+            Encoding::Ascii => 2,
             _ => property.length.unwrap_or(property.scalar).size(),
         });
         sizes.sum()
@@ -99,17 +99,17 @@ impl Element {
 
 /// The header and where the body begins.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Header {
-    pub format: Format,
-    pub elements: Vec<Element>,
+pub(super) struct PlyHeader {
+    pub format: Encoding,
+    pub elements: Vec<PlyElement>,
     pub body: usize,
     /// Lines of the header, for the places of messages about the body.
     pub lines: usize,
 }
 
-pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
+pub(super) fn parse(bytes: &[u8]) -> Result<PlyHeader, MeshFileError> {
     let mut format = None;
-    let mut elements: Vec<Element> = Vec::new();
+    let mut elements: Vec<PlyElement> = Vec::new();
     let mut position = 0;
     for line in 1.. {
         let Some(length) = bytes[position..].iter().position(|&b| b == b'\n') else {
@@ -118,14 +118,14 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
                 1 => "the file is not a PLY file",
                 _ => "the file ends within its header",
             };
-            return Err(MeshFileError::new(format!("line {line}"), message, help));
+            return Err(MeshFileError::damaged(MeshPlace::Line(line), message, help));
         };
         let text = String::from_utf8_lossy(&bytes[position..position + length]);
         position += length + 1;
         let words: Vec<&str> = text.split_whitespace().collect();
         let bad = |help: &str| {
-            MeshFileError::new(
-                format!("line {line}"),
+            MeshFileError::damaged(
+                MeshPlace::Line(line),
                 format!("the header has \"{}\"", text.trim()),
                 help,
             )
@@ -134,8 +134,8 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
             (1, ["ply"]) => {}
             (1, _) => {
                 let help = "expected \"ply\" in the first line";
-                return Err(MeshFileError::new(
-                    "line 1",
+                return Err(MeshFileError::damaged(
+                    MeshPlace::Line(1),
                     "the file is not a PLY file",
                     help,
                 ));
@@ -143,9 +143,9 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
             (_, [] | ["comment", ..] | ["obj_info", ..]) => {}
             (_, ["format", kind, "1.0"]) if format.is_none() => {
                 format = Some(match *kind {
-                    "ascii" => Format::Ascii,
-                    "binary_little_endian" => Format::LittleEndian,
-                    "binary_big_endian" => Format::BigEndian,
+                    "ascii" => Encoding::Ascii,
+                    "binary_little_endian" => Encoding::LittleEndian,
+                    "binary_big_endian" => Encoding::BigEndian,
                     _ => {
                         return Err(bad(
                             "expected ascii, binary_little_endian or binary_big_endian",
@@ -158,7 +158,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
                 if elements.iter().any(|e| e.name == *name) {
                     return Err(bad("expected each element once"));
                 }
-                elements.push(Element {
+                elements.push(PlyElement {
                     name: (*name).into(),
                     count: count.parse().map_err(|_| bad("expected a count"))?,
                     properties: Vec::new(),
@@ -166,12 +166,12 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
             }
             (_, ["property", definition @ ..]) => {
                 let property = match definition {
-                    ["list", length, scalar, name] => Property {
+                    ["list", length, scalar, name] => PlyProperty {
                         name: (*name).into(),
                         length: Some(Scalar::parse(length, line)?),
                         scalar: Scalar::parse(scalar, line)?,
                     },
-                    [scalar, name] => Property {
+                    [scalar, name] => PlyProperty {
                         name: (*name).into(),
                         length: None,
                         scalar: Scalar::parse(scalar, line)?,
@@ -191,7 +191,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Header, MeshFileError> {
             }
             (_, ["end_header"]) => {
                 let format = format.ok_or_else(|| bad("expected a format before it"))?;
-                return Ok(Header {
+                return Ok(PlyHeader {
                     format,
                     elements,
                     body: position,

@@ -18,7 +18,8 @@ use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 use flate2::bufread::ZlibDecoder;
 
-use super::{FileAttribute, MeshFile, MeshFileError, finish, finite_position, unit_normal};
+use super::error::{MeshFileError, MeshPlace};
+use super::file::{FileAttribute, MeshFile, finish, finite_position, unit_normal};
 
 const MAGIC: u16 = 0x041C;
 
@@ -50,7 +51,7 @@ pub fn read_serialized(
     want_normals: bool,
 ) -> Result<MeshFile, MeshFileError> {
     let (version, deflated) = locate(bytes, index)?;
-    let place = format!("mesh {index}");
+    let place = MeshPlace::Mesh(index);
     let mut body = Body {
         unpacked: ZlibDecoder::new(deflated),
         place: place.clone(),
@@ -135,9 +136,10 @@ impl Version {
 /// The version of mesh `index`, and its deflated data with whatever follows them.
 fn locate(bytes: &[u8], index: u32) -> Result<(Version, &[u8]), MeshFileError> {
     let (version, _) = header(bytes, 0)?;
-    let bad = |place: String, message: String| Err(MeshFileError::new(place, message, DAMAGED));
+    let bad =
+        |place: MeshPlace, message: String| Err(MeshFileError::damaged(place, message, DAMAGED));
     let Some((before, last)) = bytes.split_last_chunk::<4>() else {
-        return bad(String::new(), "the file ends within its header".into());
+        return bad(MeshPlace::File, "the file ends within its header".into());
     };
     let count = u32::from_le_bytes(*last);
     let table = before
@@ -145,13 +147,12 @@ fn locate(bytes: &[u8], index: u32) -> Result<(Version, &[u8]), MeshFileError> {
         .checked_sub(count as usize * version.offset_size());
     let Some(table) = table.filter(|_| count > 0) else {
         return bad(
-            "end of the file".into(),
+            MeshPlace::End,
             format!("{count} meshes are announced, which the file cannot hold"),
         );
     };
     if index >= count {
-        return Err(MeshFileError::new(
-            "",
+        return Err(MeshFileError::choice(
             format!("there is no mesh {index}"),
             match count {
                 1 => "expected shape_index 0: the file has one mesh".to_owned(),
@@ -168,7 +169,7 @@ fn locate(bytes: &[u8], index: u32) -> Result<(Version, &[u8]), MeshFileError> {
     match usize::try_from(offset).ok().filter(|&o| o < meshes.len()) {
         Some(offset) => header(meshes, offset),
         None => bad(
-            "end of the file".into(),
+            MeshPlace::End,
             format!(
                 "mesh {index} is said to begin at byte {offset}, but the meshes end at byte {table}"
             ),
@@ -179,8 +180,11 @@ fn locate(bytes: &[u8], index: u32) -> Result<(Version, &[u8]), MeshFileError> {
 /// The version of the mesh at an offset, and what follows its header.
 fn header(bytes: &[u8], offset: usize) -> Result<(Version, &[u8]), MeshFileError> {
     let bad = |message: String, help: &str| {
-        let place = format!("byte {offset}");
-        Err(MeshFileError::new(place, message, help))
+        Err(MeshFileError::damaged(
+            MeshPlace::Byte(offset),
+            message,
+            help,
+        ))
     };
     let Some((&[m0, m1, v0, v1], rest)) = bytes[offset..].split_first_chunk() else {
         return bad("the file ends within the header of a mesh".into(), DAMAGED);
@@ -204,16 +208,16 @@ fn header(bytes: &[u8], offset: usize) -> Result<(Version, &[u8]), MeshFileError
 /// The data of one mesh, as they are unpacked.
 struct Body<'a> {
     unpacked: ZlibDecoder<&'a [u8]>,
-    place: String,
+    place: MeshPlace,
 }
 
 impl Body<'_> {
-    fn error(&self, message: String, help: &str) -> MeshFileError {
-        MeshFileError::new(&self.place, message, help)
+    fn damaged(&self, message: String, help: &str) -> MeshFileError {
+        MeshFileError::damaged(self.place.clone(), message, help)
     }
 
     fn unreadable(&self, error: &std::io::Error, what: &str) -> MeshFileError {
-        self.error(
+        self.damaged(
             match error.kind() {
                 ErrorKind::UnexpectedEof => format!("the data end within the {what}"),
                 _ => format!("the {what} cannot be unpacked: {error}"),
@@ -233,7 +237,7 @@ impl Body<'_> {
     fn flags(&mut self) -> Result<u32, MeshFileError> {
         let flags = u32::from_le_bytes(self.bytes("flags")?);
         if flags & !KNOWN != 0 {
-            return Err(self.error(
+            return Err(self.damaged(
                 format!(
                     "its flags are {flags:#06x}, of which {:#x} is unknown",
                     flags & !KNOWN
@@ -243,7 +247,7 @@ impl Body<'_> {
             ));
         }
         if flags & SINGLE != 0 && flags & DOUBLE != 0 {
-            return Err(self.error(
+            return Err(self.damaged(
                 format!("its flags are {flags:#06x}: both of single and double precision"),
                 "expected one of 0x1000 and 0x2000",
             ));
@@ -259,7 +263,7 @@ impl Body<'_> {
                 [0] => break,
                 _ if name.len() == LONGEST_NAME => {
                     let message = format!("its name has more than {LONGEST_NAME} bytes");
-                    return Err(self.error(message, DAMAGED));
+                    return Err(self.damaged(message, DAMAGED));
                 }
                 [byte] => name.push(byte),
             }
@@ -285,7 +289,7 @@ impl Body<'_> {
         if least <= most {
             return Ok(());
         }
-        Err(self.error(
+        Err(self.damaged(
             format!(
                 "{vertices} vertices and {faces} faces are announced, which take {least} bytes, \
                  but {deflated} deflated bytes hold at most {most}"
@@ -319,9 +323,10 @@ impl Body<'_> {
             corners.extend(indices.map(|&b| u32::from_le_bytes(b)));
         })?;
         if let Some(at) = corners.iter().position(|&i| i as usize >= vertices) {
-            return Err(self.error(
+            return Err(MeshFileError::invalid(
+                self.place.clone(),
                 format!("face {} refers to vertex {}", at / 3, corners[at]),
-                &format!("there are {vertices} vertices (counted from 0)"),
+                format!("there are {vertices} vertices (counted from 0)"),
             ));
         }
         Ok(corners.as_chunks().0.to_vec())
@@ -351,12 +356,12 @@ impl Body<'_> {
         let more = self.unpacked.read(&mut [0]);
         match more.map_err(|error| self.unreadable(&error, "checksum"))? {
             0 => Ok(()),
-            _ => Err(self.error("more data follow the faces".into(), DAMAGED)),
+            _ => Err(self.damaged("more data follow the faces".into(), DAMAGED)),
         }
     }
 }
 
-/// Bytes of a number.
+/// Size of a coordinate, bytes.
 fn number_size(flags: u32) -> usize {
     match flags & DOUBLE {
         0 => 4,
@@ -370,15 +375,20 @@ fn as_vectors(numbers: &[f64]) -> impl Iterator<Item = (usize, Vec3)> + '_ {
     vectors.map(|&v| Vec3::from(v)).enumerate()
 }
 
-fn all_finite(numbers: &[f64], size: usize, what: &str, place: &str) -> Result<(), MeshFileError> {
+fn all_finite(
+    numbers: &[f64],
+    size: usize,
+    what: &str,
+    place: &MeshPlace,
+) -> Result<(), MeshFileError> {
     let mut of_vertices = numbers.chunks_exact(size);
     match of_vertices.position(|of_vertex| !of_vertex.iter().all(|x| x.is_finite())) {
         None => Ok(()),
         Some(vertex) => {
             let of_vertex = &numbers[size * vertex..][..size];
             let message = format!("vertex {vertex} has the {what} {of_vertex:?}");
-            Err(MeshFileError::new(
-                place,
+            Err(MeshFileError::invalid(
+                place.clone(),
                 message,
                 "expected finite numbers",
             ))

@@ -28,7 +28,7 @@ fn unknown_integrator() {
 }
 
 #[test]
-fn layers_around_a_picture() {
+fn aovs_around_an_image() {
     check(
         &format!(
             "{HEAD}{}",
@@ -36,7 +36,7 @@ fn layers_around_a_picture() {
         ),
         &[
             "scene.xml:2:61: the integrator \"aov\" cannot have an integrator",
-            "  keep the nested integrator for the picture, without the \"aov\" around it, and make a second file with \"aov\" alone for the layer",
+            "  keep the nested integrator for the image, without the \"aov\" around it, and make a second file with \"aov\" alone",
         ],
     );
 }

@@ -17,7 +17,7 @@ pub fn try_load(text: &str, defines: &[(&str, &str)]) -> Result<Scene, LoadError
         .iter()
         .map(|(name, value)| (name.to_string(), value.to_string()))
         .collect();
-    load_scene_str(text, &folder(), "scene.xml", &defines)
+    load_scene_str(text, &folder(), "scene.xml", &defines).map(|loaded| loaded.scene)
 }
 
 pub fn load(text: &str) -> Scene {

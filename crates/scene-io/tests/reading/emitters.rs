@@ -179,7 +179,7 @@ fn wrong_properties() {
         ),
         &[
             "scene.xml:4:25: the intensity of the emitter \"point\" is a texture",
-            "  give one colour; a picture of all directions is <emitter type=\"envmap\">",
+            "  give one colour; an image of all directions is <emitter type=\"envmap\">",
         ],
     );
     check(

@@ -386,7 +386,7 @@ fn radiances() {
     assert!((flat - Rgb::new(2.40959, 1.89658, 1.81783)).length() < 1e-5);
 }
 
-/// Grey without a material, black for lamps.
+/// Grey without a material, black for emitters.
 #[test]
 fn default_materials() {
     let scene = load(&scene(
@@ -398,8 +398,8 @@ fn default_materials() {
     };
     assert_eq!(reflectance(0), Rgb::splat(0.5));
     assert_eq!(reflectance(1), Rgb::zero());
-    let lamp = scene.shapes[1].emitter.expect("a lamp");
-    let radiance = scene.texture(scene.emitter(lamp).radiance());
+    let emitter = scene.shapes[1].emitter.expect("an emitter");
+    let radiance = scene.texture(scene.emitter(emitter).radiance());
     assert_eq!(radiance.texel(0), Rgb::splat(1.0));
 }
 
@@ -424,7 +424,7 @@ fn sensors_are_chosen_by_index() {
             sensor: index,
             ..Default::default()
         };
-        capwalk_scene_io::load_scene_with(&path, &options).map(|scene| scene.sensor.id)
+        capwalk_scene_io::load_scene_with(&path, &options).map(|loaded| loaded.scene.sensor.id)
     };
     assert_eq!(sensor(0).as_deref(), Ok("left"));
     assert_eq!(sensor(1).as_deref(), Ok("right"));

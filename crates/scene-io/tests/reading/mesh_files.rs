@@ -42,7 +42,7 @@ fn empty_mesh() {
 }
 
 #[test]
-fn zero_area_lamp() {
+fn emitter_without_area() {
     check(
         &mesh("obj", "line.obj", "<emitter type=\"area\"/>"),
         &[

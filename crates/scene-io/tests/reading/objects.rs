@@ -244,7 +244,7 @@ fn two_environments() {
 }
 
 #[test]
-fn lamp_with_transform() {
+fn area_emitter_with_transform() {
     check(
         &scene(
             r#"<shape type="cube"><emitter type="area"><transform name="to_world"/></emitter></shape>"#,
@@ -257,14 +257,14 @@ fn lamp_with_transform() {
 }
 
 #[test]
-fn shared_lamp() {
+fn shared_area_emitter() {
     check(
         &scene(
             r#"<emitter type="area" id="l"/><shape type="cube"><ref id="l"/></shape><shape type="disk"><ref id="l"/></shape>"#,
         ),
         &[
             "scene.xml:5:100: this emitter belongs to another shape already",
-            "  give each lamp an emitter of its own",
+            "  give each shape an emitter of its own",
         ],
     );
 }

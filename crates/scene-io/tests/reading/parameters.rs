@@ -1,7 +1,9 @@
-//! `<default>`, `$name`, -D, `<include>`, `<path>`, `<alias>`.
+//! `<default>`, `$name`, definitions from outside, `<include>`, `<path>`, `<alias>`.
 
 use capwalk_math::Rgb;
 use capwalk_scene::Bsdf;
+use capwalk_scene_io::LoadError;
+use capwalk_scene_io::mesh::{MeshFileError, MeshPlace};
 
 use crate::common::*;
 
@@ -61,11 +63,11 @@ fn unused_definition() {
 fn contradictory_and_nameless_definitions() {
     assert_eq!(
         message(&scene(""), &[("a", "1"), ("a", "2")]),
-        "scene.xml: the parameter a is defined twice (-D a=2)\n  define it once"
+        "scene.xml: the parameter a is defined twice, as \"1\" and as \"2\"\n  define it once"
     );
     assert_eq!(
         message(&scene(""), &[("", "1")]),
-        "scene.xml: \"\" cannot be the name of a parameter (-D =1)\n  \
+        "scene.xml: \"\", defined as \"1\", cannot be the name of a parameter\n  \
          expected letters, digits and underscores"
     );
 }
@@ -120,7 +122,7 @@ fn paths_are_searched_for_files() {
          <string name=\"filename\" value=\"square.obj\"/></shape>",
     );
     let scene = capwalk_scene_io::load_scene_str(&text, parent, "scene.xml", &[]);
-    assert_eq!(scene.expect("a scene").shapes[0].mesh.faces.len(), 2);
+    assert_eq!(scene.expect("a scene").scene.shapes[0].mesh.faces.len(), 2);
 }
 
 #[test]
@@ -170,11 +172,46 @@ fn missing_scene_file() {
 fn errors_have_parts() {
     let text = scene("<shape type=\"spere\"/>");
     let error = try_load(&text, &[]).expect_err("a bad scene");
+    assert_eq!((error.line(), error.column()), (Some(5), Some(16)));
     let position = error.position().expect("a place");
-    assert_eq!((position.line, position.column), (5, 16));
     assert_eq!(&text[position.span.clone()], "spere");
-    assert_eq!(error.file(), "scene.xml");
-    assert_eq!(error.near(), ["sphere"]);
-    assert_eq!(error.message(), "unknown shape plugin \"spere\"");
-    assert!(error.help().is_some() && error.notes().is_empty());
+    assert_eq!(error.file(), None);
+    let LoadError::Unknown(diagnostic) = &error else {
+        panic!("{error:?}");
+    };
+    assert_eq!(diagnostic.location.name, "scene.xml");
+    assert_eq!(diagnostic.near, ["sphere"]);
+    assert_eq!(diagnostic.message, "unknown shape plugin \"spere\"");
+    assert!(diagnostic.help.is_some() && diagnostic.notes.is_empty());
+}
+
+/// Callers can tell mistakes apart.
+#[test]
+fn errors_have_kinds() {
+    let error = |object: &str| try_load(&scene(object), &[]).expect_err("a bad scene");
+    let shape = |file: &str| {
+        let filename = format!("<string name=\"filename\" value=\"{file}\"/>");
+        error(&format!("<shape type=\"obj\">{filename}</shape>"))
+    };
+    assert!(matches!(error("<shape"), LoadError::Syntax(_)));
+    assert!(matches!(
+        error("<shape type=\"obj\"/>"),
+        LoadError::Missing(_)
+    ));
+    assert!(matches!(shape("$file.obj"), LoadError::Definition(_)));
+    assert!(matches!(shape("gone.obj"), LoadError::Unreadable(_)));
+    let mesh = shape("nan.obj");
+    let LoadError::Mesh { error: inner, .. } = &mesh else {
+        panic!("{mesh:?}");
+    };
+    assert_eq!(mesh.line(), Some(5));
+    assert!(matches!(inner, MeshFileError::Invalid(fault) if fault.place == MeshPlace::Line(2)));
+    let unknown = error("<shape type=\"cube\"><rgb name=\"a\" value=\"1\"/></shape>");
+    assert!(matches!(unknown, LoadError::Unknown(_)));
+    let twice = error("<emitter type=\"constant\"/>");
+    assert!(matches!(twice, LoadError::Scene { .. }), "{twice:?}");
+    let missing = capwalk_scene_io::load_scene("no/such.xml".as_ref(), &[]).expect_err("no file");
+    assert!(matches!(missing, LoadError::Unreadable(_)));
+    assert_eq!(missing.file(), Some("no/such.xml".as_ref()));
+    assert_eq!(missing.line(), None);
 }

@@ -11,7 +11,7 @@ fn parity_scenes_load() {
         if path.extension().is_some_and(|ending| ending == "xml") {
             let defines = [("spp".to_owned(), "9".to_owned())];
             let scene = capwalk_scene_io::load_scene(&path, &defines);
-            let scene = scene.unwrap_or_else(|error| panic!("{error}"));
+            let scene = scene.unwrap_or_else(|error| panic!("{error}")).scene;
             assert_eq!(scene.settings.spp, 9, "{}", path.display());
             assert!(scene.film.pixel_count() <= 48 * 48, "{}", path.display());
             scenes += 1;

@@ -5,10 +5,10 @@
 use std::path::Path;
 
 use capwalk_math::Vec3;
-use capwalk_scene_io::load_scene_str;
 use capwalk_scene_io::mesh::{
     GltfChoice, MeshFile, MeshFileError, read_gltf, read_obj, read_ply, read_serialized,
 };
+use capwalk_scene_io::{Loaded, load_scene_str};
 
 pub fn obj(bytes: &[u8]) -> bool {
     with_and_without_normals(|want_normals| read_obj(bytes, want_normals))
@@ -43,7 +43,7 @@ pub fn gltf(bytes: &[u8]) -> bool {
 pub fn scene_in(folder: &Path, bytes: &[u8]) -> bool {
     let text = String::from_utf8_lossy(bytes);
     match load_scene_str(&text, folder, "scene.xml", &[]) {
-        Ok(scene) => {
+        Ok(Loaded { scene, .. }) => {
             scene.check().expect("what is read is usable");
             for shape in &scene.shapes {
                 unit(shape.normals.per_vertex().unwrap_or_default());
@@ -71,8 +71,9 @@ fn usable(read: Result<MeshFile, MeshFileError>) -> bool {
     let file = match read {
         Ok(file) => file,
         Err(error) => {
+            let fault = error.fault();
             assert!(
-                !error.message.is_empty() && !error.help.is_empty(),
+                !fault.message.is_empty() && !fault.help.is_empty(),
                 "{error}"
             );
             return false;

@@ -400,7 +400,7 @@ fn cup_and_saucer() -> [Contents; 2] {
         name: "cup",
         ..Contents::default()
     };
-    // So many that true and interpolated normals hardly differ at outlines.
+    // So many that true and interpolated normals hardly differ at silhouettes.
     const SIDES: u32 = 64;
     let profile = [(0.35, 0.0), (0.7, 1.0)];
     for &(radius, y) in &profile {

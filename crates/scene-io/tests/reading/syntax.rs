@@ -405,7 +405,7 @@ fn undefined_parameter() {
         ),
         &[
             "scene.xml:2:82: the parameter $siz is not defined",
-            "  define it with -D siz=value, or before this place with <default name=\"siz\" value=\"...\"/>; a dollar sign itself is written \\$",
+            "  define siz, or give it a value before this place with <default name=\"siz\" value=\"...\"/>; a dollar sign itself is written \\$",
             "  did you mean \"size\"?",
         ],
     );

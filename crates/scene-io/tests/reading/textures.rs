@@ -302,7 +302,7 @@ fn constant_emitters_have_one_colour() {
         &text,
         &[
             "scene.xml:4:28: the radiance of the emitter \"constant\" is a texture",
-            "  give one colour; a picture of all directions is <emitter type=\"envmap\">",
+            "  give one colour; an image of all directions is <emitter type=\"envmap\">",
         ],
     );
 }

@@ -17,6 +17,7 @@ use super::live::Clock;
 use crate::method::method_and_walk;
 use crate::output;
 use crate::progress::Progress;
+use crate::source::warned;
 
 /// A problem, and what it was made of.
 pub struct Made {
@@ -133,7 +134,7 @@ fn load(
                 defines: all.map(|d| (d.name.clone(), d.value.clone())).collect(),
                 sensor,
             };
-            load_scene_with(&path, &options)?
+            warned(load_scene_with(&path, &options)?)
         }
         (false, Some(_)) if !defines.is_empty() => {
             return Err(built_in(document, defines[0].place, &named.text, "no `$name`").into());

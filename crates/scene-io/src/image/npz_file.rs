@@ -1,4 +1,4 @@
-//! Pictures in NPZ files.
+//! Images in NPZ files.
 
 use std::io::{Cursor, Read};
 
@@ -7,8 +7,8 @@ use capwalk_scene::Image;
 use npyz::{DType, NpyFile, Order, TypeChar};
 use zip::{ZipArchive, ZipWriter};
 
-use super::{Layer, Picture};
-use crate::npz::{add_array, add_pairs, open, pairs};
+use super::picture::{Layer, Picture};
+use crate::archive::{add_array, add_pairs, open, pairs};
 
 /// The array of sample counts.
 const SAMPLES: &str = "samples";
@@ -33,7 +33,7 @@ pub(super) fn encode(picture: &Picture, [width, height]: [usize; 2]) -> Result<V
     Ok(bytes.into_inner())
 }
 
-/// The picture in the bytes of an NPZ file: arrays of shape `(height, width,
+/// The layers in an NPZ file: arrays of shape `(height, width,
 /// 3)`, or `(height, width)` for grey ones, of 4 or 8 byte floats.
 pub(super) fn decode(bytes: &[u8]) -> Result<Picture, String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;

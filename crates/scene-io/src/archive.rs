@@ -53,7 +53,7 @@ pub(crate) fn add_pairs(
     add_array(archive, name, &descr, &shape, strings().cloned())
 }
 
-/// An array in an archive in memory.
+/// An array of an archive, with its header read and its numbers still packed.
 pub(crate) type Entry<'a, 'b> = NpyFile<ZipFile<'a, Cursor<&'b [u8]>>>;
 
 /// The name and the header of an array in the archive. The array is not shorter

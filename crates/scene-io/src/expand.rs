@@ -1,14 +1,15 @@
-//! Elements to elements: `<default>`, `$name`, `<include>` and `<path>` are
-//! carried out and gone afterwards.
+//! Elements to elements: parameters and included files are put in, so that
+//! `<default>`, `$name`, `<include>` and `<path>` are gone.
 //!
 //! As in Mitsuba, everything happens in the order of the text: a parameter is
 //! known from its `<default>` on, and a definition from outside wins over it.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use crate::error::LoadError;
-use crate::source::{FileId, Problem, Source, Sources, Span};
+use crate::files::{find_file, read_text};
+use crate::problem::Problem;
 use crate::suggest::nearest;
+use crate::texts::{FileId, Span, Texts};
 use crate::upgrade::{Upgraded, upgrade};
 use crate::xml::{self, Attribute, Element};
 
@@ -19,12 +20,9 @@ const DEEPEST_INCLUDE: usize = 15;
 /// several times at every level.
 const MOST_FILES: usize = 1024;
 
-/// Larger scene files are refused; the largest that we know have 30 MB.
-const LARGEST_FILE: u64 = 1 << 29;
-
 /// A scene file without includes and parameters.
 #[derive(Debug)]
-pub(crate) struct Resolved {
+pub(crate) struct Expanded {
     pub root: Element,
     /// Directories of `<path>`, the latest first.
     pub search_directories: Vec<PathBuf>,
@@ -43,8 +41,8 @@ struct Parameter {
     defined: bool,
 }
 
-struct Resolver<'a> {
-    sources: &'a mut Sources,
+struct Expander<'a> {
+    texts: &'a mut Texts,
     parameters: Vec<Parameter>,
     search_directories: Vec<PathBuf>,
     stray: Vec<Span>,
@@ -54,12 +52,12 @@ struct Resolver<'a> {
 }
 
 /// Carries out everything that is not a description of the scene.
-pub(crate) fn resolve(
-    sources: &mut Sources,
+pub(crate) fn expand(
+    texts: &mut Texts,
     main: FileId,
     defines: &[(String, String)],
-) -> Result<Resolved, LoadError> {
-    check_definitions(&sources.get(main).name, defines)?;
+) -> Result<Expanded, Problem> {
+    check_definitions(main, defines)?;
     let parameters = defines.iter().map(|(name, value)| Parameter {
         name: name.clone(),
         value: value.clone(),
@@ -67,72 +65,69 @@ pub(crate) fn resolve(
         defined: true,
     });
     let parameters = parameters.collect();
-    let mut resolver = Resolver {
-        sources,
+    let mut expander = Expander {
+        texts,
         parameters,
         search_directories: Vec::new(),
         stray: Vec::new(),
         upgraded: Vec::new(),
         open_files: Vec::new(),
     };
-    let main_name = resolver.sources.get(main).name.clone();
-    if let Ok(path) = Path::new(&main_name).canonicalize() {
-        resolver.open_files.push(path);
+    if let Some(path) = &expander.texts.get(main).path
+        && let Ok(path) = path.canonicalize()
+    {
+        expander.open_files.push(path);
     }
-    let root = match resolver.file(main) {
-        Ok(root) => root,
-        Err(problem) => return Err(resolver.sources.error(problem)),
-    };
-    if let Some(unused) = resolver.parameters.iter().find(|p| p.defined && !p.used) {
-        return Err(resolver.unused_definition(&main_name, unused));
+    let root = expander.file(main)?;
+    if let Some(unused) = expander.parameters.iter().find(|p| p.defined && !p.used) {
+        return Err(expander.unused_definition(main, unused));
     }
-    Ok(Resolved {
+    Ok(Expanded {
         root,
-        search_directories: resolver.search_directories,
-        stray: resolver.stray,
-        upgraded: resolver.upgraded,
+        search_directories: expander.search_directories,
+        stray: expander.stray,
+        upgraded: expander.upgraded,
     })
 }
 
 /// Refuses definitions without a name and contradictory ones.
-fn check_definitions(file: &str, defines: &[(String, String)]) -> Result<(), LoadError> {
+fn check_definitions(main: FileId, defines: &[(String, String)]) -> Result<(), Problem> {
     for (i, (name, value)) in defines.iter().enumerate() {
         if name.is_empty() || !name.chars().all(|c| c.is_alphanumeric() || c == '_') {
             let message =
-                format!("\"{name}\" cannot be the name of a parameter (-D {name}={value})");
-            return Err(LoadError::whole_file(file, message)
-                .with_help("expected letters, digits and underscores"));
+                format!("\"{name}\", defined as \"{value}\", cannot be the name of a parameter");
+            return Err(Problem::definition_for(main, message)
+                .help("expected letters, digits and underscores"));
         }
-        if defines[..i].iter().any(|(other, _)| other == name) {
-            let message = format!("the parameter {name} is defined twice (-D {name}={value})");
-            return Err(LoadError::whole_file(file, message).with_help("define it once"));
+        if let Some((_, other)) = defines[..i].iter().find(|(other, _)| other == name) {
+            let message =
+                format!("the parameter {name} is defined twice, as \"{other}\" and as \"{value}\"");
+            return Err(Problem::definition_for(main, message).help("define it once"));
         }
     }
     Ok(())
 }
 
-impl Resolver<'_> {
-    fn unused_definition(&self, file: &str, unused: &Parameter) -> LoadError {
+impl Expander<'_> {
+    fn unused_definition(&self, main: FileId, unused: &Parameter) -> Problem {
         let others = self.parameters.iter().filter(|p| !p.defined || p.used);
         let names: Vec<&str> = others.map(|p| p.name.as_str()).collect();
         let help = match names.is_empty() {
             true => "the file has no parameters".to_owned(),
             false => format!("the file's parameters are {}", names.join(", ")),
         };
-        LoadError::whole_file(
-            file,
-            format!(
-                "nothing in the scene uses ${}, which is defined as \"{}\"",
-                unused.name, unused.value
-            ),
-        )
-        .with_help(help)
-        .with_near(nearest(&unused.name, names))
+        let message = format!(
+            "nothing in the scene uses ${}, which is defined as \"{}\"",
+            unused.name, unused.value
+        );
+        Problem::definition_for(main, message)
+            .help(help)
+            .near(nearest(&unused.name, names))
     }
 
     /// The root of one file, resolved.
     fn file(&mut self, file: FileId) -> Result<Element, Problem> {
-        let (mut root, stray) = xml::parse(self.sources, file)?;
+        let (mut root, stray) = xml::parse(self.texts, file)?;
         self.stray.extend(stray);
         if let Some(old) = check_version(&root)? {
             let upgraded = upgrade(&mut root, &old);
@@ -168,8 +163,10 @@ impl Resolver<'_> {
         let name = element.required("name")?;
         let value = element.required("value")?;
         if name.value.is_empty() {
-            return Err(Problem::new(name.value_span, "the parameter has no name")
-                .help("write <default name=\"spp\" value=\"16\"/> and use it as $spp"));
+            return Err(
+                Problem::missing(name.value_span, "the parameter has no name")
+                    .help("write <default name=\"spp\" value=\"16\"/> and use it as $spp"),
+            );
         }
         if !self.parameters.iter().any(|p| p.name == name.value) {
             self.parameters.push(Parameter {
@@ -187,14 +184,16 @@ impl Resolver<'_> {
         element.only_attributes(&["value"])?;
         no_children(element)?;
         if !of_root {
-            return Err(Problem::new(element.span, "<path> stands inside an object")
-                .help("move it directly into <scene>"));
+            return Err(
+                Problem::invalid(element.span, "<path> stands inside an object")
+                    .help("move it directly into <scene>"),
+            );
         }
         let value = element.required("value")?;
-        let directory = &self.sources.get(element.span.file).directory;
+        let directory = &self.texts.get(element.span.file).directory;
         let path = directory.join(&value.value);
         if !path.is_dir() {
-            return Err(Problem::new(
+            return Err(Problem::unreadable(
                 value.value_span,
                 format!("there is no folder \"{}\"", path.display()),
             )
@@ -211,27 +210,30 @@ impl Resolver<'_> {
         no_children(element)?;
         let filename = element.required("filename")?;
         let span = filename.value_span;
-        let mut directories = vec![self.sources.get(element.span.file).directory.clone()];
+        let mut directories = vec![self.texts.get(element.span.file).directory.clone()];
         directories.extend(self.search_directories.iter().cloned());
-        let path = find_file(&filename.value, &directories)
-            .map_err(|error| Problem::new(span, error).help("give a scene file to include"))?;
+        let path = find_file(&filename.value, &directories).map_err(|error| {
+            Problem::unreadable(span, error).help("give a scene file to include")
+        })?;
         let canonical = path.canonicalize().unwrap_or_else(|_| path.clone());
         if self.open_files.contains(&canonical) {
             return Err(
-                Problem::new(span, format!("\"{}\" includes itself", path.display()))
+                Problem::invalid(span, format!("\"{}\" includes itself", path.display()))
                     .help("remove this <include>"),
             );
         }
-        if self.open_files.len() > DEEPEST_INCLUDE || self.sources.count() >= MOST_FILES {
+        if self.open_files.len() > DEEPEST_INCLUDE || self.texts.count() >= MOST_FILES {
             return Err(
-                Problem::new(span, "too many files are included").help(format!(
+                Problem::unsupported(span, "too many files are included").help(format!(
                     "at most {DEEPEST_INCLUDE} within each other and {MOST_FILES} in all are read"
                 )),
             );
         }
-        let source = read_source(&path, Some(span))
-            .map_err(|error| Problem::new(span, error).help("give a scene file to include"))?;
-        let file = self.sources.add(source);
+        let mut text = read_text(&path).map_err(|error| {
+            Problem::unreadable(span, error).help("give a scene file to include")
+        })?;
+        text.included_at = Some(span);
+        let file = self.texts.add(text);
         self.open_files.push(canonical);
         let mut root = self.file(file)?;
         self.open_files.pop();
@@ -287,65 +289,19 @@ impl Resolver<'_> {
 
     fn undefined(&self, name: &str, span: Span) -> Problem {
         let names = self.parameters.iter().map(|p| p.name.as_str());
-        Problem::new(span, format!("the parameter ${name} is not defined"))
+        Problem::definition(span, format!("the parameter ${name} is not defined"))
             .help(format!(
-                "define it with -D {name}=value, or before this place with \
+                "define {name}, or give it a value before this place with \
                  <default name=\"{name}\" value=\"...\"/>; a dollar sign itself is written \\$"
             ))
             .near(nearest(name, names))
     }
 }
 
-/// A text file and where it lies, or what is wrong with it.
-pub(crate) fn read_source(path: &Path, included_at: Option<Span>) -> Result<Source, String> {
-    let name = path.display().to_string();
-    let cannot = |reason: String| format!("cannot read \"{name}\": {reason}");
-    let metadata = std::fs::metadata(path).map_err(|error| cannot(error.to_string()))?;
-    if metadata.is_dir() {
-        return Err(cannot("it is a folder; expected a scene file".into()));
-    }
-    if metadata.len() > LARGEST_FILE {
-        let (size, most) = (metadata.len() >> 20, LARGEST_FILE >> 20);
-        return Err(cannot(format!(
-            "it has {size} MiB; expected at most {most}"
-        )));
-    }
-    let bytes = std::fs::read(path).map_err(|error| cannot(error.to_string()))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let valid = error.utf8_error().valid_up_to();
-        cannot(format!(
-            "byte {valid} is not UTF-8 text; expected an XML scene file"
-        ))
-    })?;
-    Ok(Source {
-        name,
-        directory: path.parent().unwrap_or(Path::new("")).to_owned(),
-        text,
-        included_at,
-    })
-}
-
-/// The first of the directories that has this file, or what was tried.
-pub(crate) fn find_file(name: &str, directories: &[PathBuf]) -> Result<PathBuf, String> {
-    if name.is_empty() {
-        return Err("the file name is empty".into());
-    }
-    let tried: Vec<PathBuf> = directories.iter().map(|d| d.join(name)).collect();
-    if let Some(found) = tried.iter().find(|path| path.exists()) {
-        return Ok(found.clone());
-    }
-    let mut places: Vec<String> = tried
-        .iter()
-        .map(|p| format!("\"{}\"", p.display()))
-        .collect();
-    places.dedup();
-    Err(format!("there is no file {}", places.join(" or ")))
-}
-
 fn no_children(element: &Element) -> Result<(), Problem> {
     match element.children.first() {
         None => Ok(()),
-        Some(child) => Err(Problem::new(
+        Some(child) => Err(Problem::invalid(
             child.span,
             format!("<{}> cannot stand inside <{}>", child.tag, element.tag),
         )
@@ -357,7 +313,7 @@ fn no_children(element: &Element) -> Result<(), Problem> {
 /// below 2.0.
 fn check_version(root: &Element) -> Result<Option<Attribute>, Problem> {
     let Some(version) = root.attribute("version") else {
-        return Err(Problem::new(
+        return Err(Problem::missing(
             root.span,
             format!("<{}> has no attribute \"version\"", root.tag),
         )
@@ -369,7 +325,7 @@ fn check_version(root: &Element) -> Result<Option<Attribute>, Problem> {
         [Some(0 | 1)] | [Some(0 | 1), Some(_)] | [Some(0 | 1), Some(_), Some(_)] => {
             Ok(Some(version.clone()))
         }
-        _ => Err(Problem::new(
+        _ => Err(Problem::unsupported(
             version.value_span,
             format!(
                 "\"{}\" is not a version of Mitsuba that is read",

@@ -12,7 +12,7 @@ use capwalk_scene::{
     SensorModel, Settings, ShadingNormals, Shape, TextureId,
 };
 
-use super::Files;
+use super::files::Files;
 
 /// The text of the XML file.
 pub(super) fn text(scene: &Scene, files: &Files) -> String {

@@ -6,14 +6,16 @@ use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, 
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::{Bsdf, Material, Quantity, Texture, TextureId};
 
+use super::lowering::Lowering;
+use super::metals;
 use super::texture::choice;
-use super::{Lowering, metals};
 use crate::fields::{Child, Fields};
-use crate::node::{Kind, NodeId, Value};
-use crate::source::{Problem, Span};
+use crate::node::{Kind, NodeId, PropertyValue};
+use crate::problem::Problem;
 use crate::suggest::nearest;
+use crate::texts::Span;
 
-/// The plugins.
+/// Values of `type` that are read.
 const BSDFS: [&str; 15] = [
     "diffuse",
     "conductor",
@@ -71,7 +73,7 @@ impl Lowering<'_> {
         }
         let fields = Fields::new(self.context, node);
         if self.bsdf_depth > MAX_DEPTH {
-            return Err(Problem::new(
+            return Err(Problem::unsupported(
                 fields.node.span,
                 "materials stand inside each other too deep",
             )
@@ -124,7 +126,7 @@ impl Lowering<'_> {
             "blendbsdf" => self.blend(fields, name)?,
             "normalmap" => {
                 if fields.get("normalmap").is_none() {
-                    return Err(Problem::new(
+                    return Err(Problem::missing(
                         fields.node.span,
                         "the bsdf \"normalmap\" has no map",
                     )
@@ -141,10 +143,10 @@ impl Lowering<'_> {
         })
     }
 
-    /// The material of a shape without one: grey, or black for a lamp.
-    pub(super) fn default_bsdf(&mut self, name: &str, is_lamp: bool, shape: Span) -> BsdfId {
+    /// The material of a shape without one: grey, or black if it emits.
+    pub(super) fn default_bsdf(&mut self, name: &str, emits: bool, shape: Span) -> BsdfId {
         let name = self.material_name(None, name);
-        let reflectance = Rgb::splat(if is_lamp { 0.0 } else { 0.5 });
+        let reflectance = Rgb::splat(if emits { 0.0 } else { 0.5 });
         let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
         let reflectance = self.add_texture(texture, shape);
         self.places.materials.push(shape);
@@ -164,10 +166,10 @@ impl Lowering<'_> {
                 let span = fields.span_of("material");
                 if fields.get("eta").or(fields.get("k")).is_some() {
                     let message = "both a material and its eta or k are given";
-                    return Err(Problem::new(span, message).help("keep one of them"));
+                    return Err(Problem::invalid(span, message).help("keep one of them"));
                 }
                 (eta, k) = metals::metal(material).ok_or_else(|| {
-                    Problem::new(span, format!("there is no material \"{material}\""))
+                    Problem::unknown(span, format!("there is no material \"{material}\""))
                         .help("expected a symbol such as Au, Ag, Al, Cu or Cr, or none")
                         .near(nearest(material, metals::names()))
                 })?;
@@ -207,7 +209,7 @@ impl Lowering<'_> {
                 };
                 let message = "the roughness is given in part, or twice";
                 return Err(
-                    Problem::new(span, message).help("give alpha, or both alpha_u and alpha_v")
+                    Problem::invalid(span, message).help("give alpha, or both alpha_u and alpha_v")
                 );
             }
         };
@@ -257,11 +259,11 @@ impl Lowering<'_> {
         let default = by_name(default).expect("defaults are in the table");
         let span = fields.span_of(slot);
         if let Some(property) = fields.get(slot)
-            && let Value::String(wanted) = &property.value
+            && let PropertyValue::String(wanted) = &property.value
         {
             let names = INDICES.iter().map(|(name, _)| *name);
             let index = by_name(wanted).ok_or_else(|| {
-                Problem::new(
+                Problem::unknown(
                     span,
                     format!("there is no refractive index of \"{wanted}\""),
                 )
@@ -274,8 +276,10 @@ impl Lowering<'_> {
         let texture = self.number(fields, name, slot, quantity, default)?;
         match self.textures[texture.0 as usize].is_constant() {
             true => Ok(texture),
-            false => Err(Problem::new(span, format!("\"{slot}\" is a texture"))
-                .help("a refractive index is the same everywhere; expected a number or a name")),
+            false => Err(
+                Problem::unsupported(span, format!("\"{slot}\" is a texture"))
+                    .help("a refractive index is the same everywhere; expected a number or a name"),
+            ),
         }
     }
 
@@ -291,7 +295,7 @@ impl Lowering<'_> {
         let index = match (fields.get("eta"), fields.get("specular")) {
             (Some(_), Some(specular)) => {
                 let message = "both \"eta\" and \"specular\" are given";
-                return Err(Problem::new(specular.name_span, message).help("keep one of them"));
+                return Err(Problem::invalid(specular.name_span, message).help("keep one of them"));
             }
             (Some(_), None) => {
                 let quantity = Quantity::RefractiveIndex { bends: false };
@@ -325,7 +329,7 @@ impl Lowering<'_> {
         // Only materials that let light through would need it.
         fields.boolean("allow_transmission", false)?;
         if let Some(third) = nested.get(2) {
-            return Err(Problem::new(
+            return Err(Problem::invalid(
                 third.span,
                 "the bsdf \"twosided\" has more than two materials",
             )
@@ -334,7 +338,7 @@ impl Lowering<'_> {
         let mut sides = Vec::with_capacity(2);
         for (i, child) in nested.iter().enumerate() {
             if self.context.graph.node(child.node).plugin == "twosided" {
-                return Err(Problem::new(
+                return Err(Problem::invalid(
                     child.span,
                     "a twosided material stands inside a twosided material",
                 )
@@ -349,7 +353,7 @@ impl Lowering<'_> {
             }),
             [front, back] => Ok(Bsdf::TwoSided { front, back }),
             _ => Err(
-                Problem::new(fields.node.span, "the bsdf \"twosided\" has no material")
+                Problem::missing(fields.node.span, "the bsdf \"twosided\" has no material")
                     .help("put a one-sided material into it, such as <bsdf type=\"diffuse\"/>"),
             ),
         }
@@ -359,7 +363,7 @@ impl Lowering<'_> {
     fn nested(&mut self, fields: &Fields, name: &str) -> Result<BsdfId, Problem> {
         let Some(Child { node, .. }) = fields.child(Kind::Bsdf)? else {
             let message = format!("{} has no material", fields.title());
-            return Err(Problem::new(fields.node.span, message)
+            return Err(Problem::missing(fields.node.span, message)
                 .help("put a material into it, such as <bsdf type=\"diffuse\"/>"));
         };
         self.bsdf(node, &format!("{name}.nested_bsdf"))
@@ -368,14 +372,14 @@ impl Lowering<'_> {
     fn blend(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
         if fields.get("weight").is_none() {
             let message = "the bsdf \"blendbsdf\" has no weight";
-            return Err(Problem::new(fields.node.span, message)
+            return Err(Problem::missing(fields.node.span, message)
                 .help("add <float name=\"weight\" value=\"0.5\"/>: the part of the second"));
         }
         let weight = self.number(fields, name, "weight", Quantity::Fraction, 0.5)?;
         let children = fields.children(Kind::Bsdf);
         let [first, second] = children[..] else {
             let message = format!("the bsdf \"blendbsdf\" has {} materials", children.len());
-            return Err(Problem::new(fields.node.span, message).help("put two into it"));
+            return Err(Problem::missing(fields.node.span, message).help("put two into it"));
         };
         let first = self.bsdf(first.node, &format!("{name}.bsdf_0"))?;
         let second = self.bsdf(second.node, &format!("{name}.bsdf_1"))?;
@@ -389,7 +393,7 @@ impl Lowering<'_> {
         // Whatever it is called.
         let Some(Child { node, .. }) = fields.child(Kind::Texture)? else {
             let message = "the bsdf \"bumpmap\" has no texture";
-            return Err(Problem::new(fields.node.span, message)
+            return Err(Problem::missing(fields.node.span, message)
                 .help("put a <texture> with heights into it"));
         };
         let id = format!("{name}.nested_texture");

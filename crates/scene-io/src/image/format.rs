@@ -1,0 +1,39 @@
+//! Formats of image files by the endings of their names.
+
+use std::io::Write;
+use std::path::Path;
+
+use super::error::ImageError;
+use crate::atomic;
+
+/// Formats, by the endings of names.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Format {
+    Exr,
+    Png,
+    Npz,
+}
+
+pub(super) fn format(path: &Path, known: &'static str) -> Result<Format, ImageError> {
+    let ending = path.extension().unwrap_or_default().to_string_lossy();
+    match ending.to_ascii_lowercase().as_str() {
+        "exr" => Ok(Format::Exr),
+        "png" => Ok(Format::Png),
+        "npz" => Ok(Format::Npz),
+        _ => Err(ImageError::UnknownEnding {
+            path: path.to_owned(),
+            known,
+        }),
+    }
+}
+
+/// Endings of files that can be written.
+pub(super) const WRITABLE: &str = ".exr, .png, .npz";
+/// Endings of files that can be read.
+pub(super) const READABLE: &str = ".exr, .npz";
+
+/// Writes a file, whole or not at all.
+pub(super) fn save(path: &Path, bytes: &[u8]) -> Result<(), ImageError> {
+    atomic::write_atomically(path, |file| file.write_all(bytes))
+        .map_err(|error| ImageError::write(path, error))
+}

@@ -1,0 +1,133 @@
+//! The scene as a whole: its integrator, its sensor, and everything else in turn.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use capwalk_scene::{Integrator, Quantity, Scene, Settings};
+
+use super::integrator;
+use super::lowering::Lowering;
+use crate::fields::{Child, Context, Fields};
+use crate::node::{Kind, NodeId};
+use crate::problem::Problem;
+use crate::texts::Span;
+
+/// The scene that the nodes describe, seen by the sensor with this index.
+pub(crate) fn lower(
+    context: &Context,
+    directories: Vec<PathBuf>,
+    sensor: usize,
+) -> Result<Scene, Problem> {
+    let fields = Fields::new(context, context.graph.root);
+    scene_settings(&fields);
+    Lowering::new(context, directories).scene(&fields, sensor)
+}
+
+/// Settings of Mitsuba's acceleration structures.
+fn scene_settings(fields: &Fields) {
+    let names = [
+        "allow_thread_reordering",
+        "compact_acceleration_structures",
+        "embree_use_robust_intersections",
+        "kd_intersection_cost",
+        "kd_traversal_cost",
+        "kd_empty_space_bonus",
+        "kd_stop_prims",
+        "kd_max_depth",
+        "kd_min_max_bins",
+        "kd_clip",
+        "kd_retract_bad_splits",
+        "kd_exact_primitive_threshold",
+    ];
+    fields.cosmetic(&names, "it tunes Mitsuba's ray tracing");
+}
+
+impl Lowering<'_> {
+    fn scene(mut self, fields: &Fields, sensor: usize) -> Result<Scene, Problem> {
+        let root = fields.node.span;
+        let integrator = fields.child(Kind::Integrator)?.ok_or_else(|| {
+            Problem::missing(root, "the scene has no integrator")
+                .help("add for example <integrator type=\"path\"/>")
+        })?;
+        let integrator = integrator::lower(&Fields::new(self.context, integrator.node))?;
+        let sensors = fields.children(Kind::Sensor);
+        let sensor = choose_sensor(self.context, root, &sensors, sensor)?;
+        // The others are read for their mistakes, the chosen one last: its
+        // places in the text count.
+        for other in sensors.iter().filter(|other| other.node != sensor) {
+            self.sensor(other.node)?;
+        }
+        let (sensor, film, sampler) = self.sensor(sensor)?;
+        // Parts of sensors may stand in the scene to be referred to.
+        for part in [Kind::Film, Kind::Filter, Kind::Sampler] {
+            fields.children(part);
+        }
+        for (i, texture) in fields.children(Kind::Texture).into_iter().enumerate() {
+            // Colours that are not in an emitter reflect, as in Mitsuba.
+            let name = format!("texture_{i}");
+            self.texture(texture.node, &name, Quantity::Reflectance)?;
+        }
+        for bsdf in fields.children(Kind::Bsdf) {
+            self.bsdf(bsdf.node, &format!("bsdf_{}", self.materials.len()))?;
+        }
+        for shape in fields.children(Kind::Shape) {
+            self.shape(shape)?;
+        }
+        for emitter in fields.children(Kind::Emitter) {
+            self.scene_emitter(emitter)?;
+        }
+        fields.finish()?;
+        let shows_light = !matches!(integrator, Integrator::Aov(_));
+        if shows_light && self.emitters.is_empty() {
+            let message = "the scene has no emitter; the image will be black";
+            self.context.warn(root, message);
+        }
+        let scene = Scene {
+            shapes: self.shapes.into_iter().map(Arc::new).collect(),
+            materials: self.materials,
+            emitters: self.emitters,
+            textures: self.textures.into_iter().map(Arc::new).collect(),
+            sensor,
+            film,
+            settings: Settings {
+                integrator,
+                spp: sampler.spp,
+                sampler: sampler.kind,
+                seed: sampler.seed,
+            },
+        };
+        match scene.check() {
+            Ok(()) => {
+                self.places.warn_of_clipping(self.context, &scene, root);
+                Ok(scene)
+            }
+            Err(error) => Err(self.places.problem(&scene, root, error)),
+        }
+    }
+}
+
+/// The sensor to render with.
+fn choose_sensor(
+    context: &Context,
+    root: Span,
+    sensors: &[Child],
+    index: usize,
+) -> Result<NodeId, Problem> {
+    let Some(sensor) = sensors.get(index) else {
+        let problem = match sensors.len() {
+            0 => Problem::missing(root, "the scene has no sensor")
+                .help("add <sensor type=\"perspective\"> ... </sensor>"),
+            n => Problem::missing(root, format!("the scene has no sensor {index}"))
+                .help(format!("its sensors are 0 to {}", n - 1)),
+        };
+        return Err(problem);
+    };
+    if sensors.len() > 1 && index == 0 {
+        let message = format!(
+            "the scene has {} sensors; rendering with the first",
+            sensors.len()
+        );
+        context.warn(sensors[1].span, &message);
+    }
+    Ok(sensor.node)
+}

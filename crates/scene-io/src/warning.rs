@@ -1,0 +1,21 @@
+//! What a scene file says in vain, or in a way that is read differently.
+
+use std::fmt;
+
+use crate::location::Location;
+
+/// Something in a file that was read and should be known: it has no effect, or
+/// the image may not be what the file seems to ask for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Warning {
+    /// The file and the place in it.
+    pub location: Location,
+    /// What there is to know, in one sentence.
+    pub message: String,
+}
+
+impl fmt::Display for Warning {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.location, self.message)
+    }
+}
