@@ -17,6 +17,7 @@ mod source;
 
 use std::process::ExitCode;
 
+use anyhow::Context;
 use clap::Parser;
 use clap::error::ErrorKind;
 
@@ -39,7 +40,13 @@ fn main() -> ExitCode {
         }
     };
     start_log(cli.verbose);
-    let run = || match &cli.command {
+    let result = progress::catch_interrupts();
+    finish(result.and_then(|()| on_threads(cli.command.threads(), || run(&cli.command))))
+}
+
+/// Runs a command, and says how it ended.
+fn run(command: &Command) -> anyhow::Result<Outcome> {
+    match command {
         Command::Render(args) => command::render::run(args),
         Command::Gradient(args) => command::gradient::run(args),
         Command::Backward(args) => command::backward::run(args),
@@ -50,12 +57,19 @@ fn main() -> ExitCode {
         Command::Optimize(args) => command::optimize::run(args),
         Command::Demo(args) => command::demo::run(args),
         Command::Figures(args) => command::figures::run(args),
+    }
+}
+
+/// Works on so many threads; on all cores without a number.
+fn on_threads<T: Send>(
+    threads: Option<usize>,
+    work: impl FnOnce() -> anyhow::Result<T> + Send,
+) -> anyhow::Result<T> {
+    let Some(threads) = threads else {
+        return work();
     };
-    let result = progress::catch_interrupts().and_then(|()| match cli.command.threads() {
-        None => run(),
-        Some(threads) => capwalk_diff::with_threads(threads, run),
-    });
-    finish(result)
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    pool.context("cannot start the threads")?.install(work)
 }
 
 /// The exit status, after the text of an error.

@@ -1,8 +1,6 @@
 //! Numbers for people: sensible digits, standard errors, aligned columns.
 
-use capwalk_diff::{Estimate, Statistics};
-use capwalk_math::Rgb;
-use capwalk_scene::Image;
+use capwalk::{Estimate, Image, Rgb, Statistics};
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
@@ -92,6 +90,17 @@ pub fn table(rows: &[Vec<String>]) -> String {
         text.push('\n');
     }
     text
+}
+
+/// The shape of an array as NumPy writes it.
+pub fn shape(sides: &[usize]) -> String {
+    match sides {
+        [one] => format!("({one},)"),
+        _ => {
+            let sides: Vec<String> = sides.iter().map(ToString::to_string).collect();
+            format!("({})", sides.join(", "))
+        }
+    }
 }
 
 /// Lines of a name and what belongs to it, aligned.

@@ -7,9 +7,9 @@ use capwalk_geometry::Mesh;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
-use capwalk_inverse::run::Limits;
+use capwalk_inverse::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
-use capwalk_inverse::variable::select::Wish;
+use capwalk_inverse::variable::VariableSpec;
 use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Variables, variable};
 use capwalk_inverse::{Problem, State, Stop, View};
@@ -352,7 +352,7 @@ fn find(
 ) -> Result<Found, Failure> {
     let size = effort.size;
     let start = scene(false, size)?;
-    let wish = Wish {
+    let spec = VariableSpec {
         name: "leaf.positions".into(),
         vertices: Some(Selection::Border),
         directions: Some(Directions::Plane([
@@ -360,10 +360,10 @@ fn find(
             Vec3::new(0.0, 0.0, 1.0),
         ])),
         uniform: true,
-        ..Wish::default()
+        ..VariableSpec::default()
     };
     let unusable = |error: String| Failure::Unusable(format!("figure 12: {error}"));
-    let variable = variable(&start, &wish).map_err(|error| unusable(error.to_string()))?;
+    let variable = variable(&start, &spec).map_err(|error| unusable(error.to_string()))?;
     let variables =
         Variables::new(&start, vec![variable]).map_err(|error| unusable(error.to_string()))?;
     let problem = Problem {
@@ -424,7 +424,7 @@ fn find(
             Ok(next) => state = next,
             Err(Stop::Done) => {
                 let found = shape(&state)?;
-                let picture = iteration.pictures.into_iter().next();
+                let picture = iteration.images.into_iter().next();
                 return Ok(Found {
                     losses,
                     picture: picture.expect("there is one view"),

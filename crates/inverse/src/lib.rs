@@ -17,6 +17,7 @@
 pub mod adam;
 pub mod guard;
 pub mod loss;
+pub mod problem;
 pub mod record;
 pub mod run;
 pub mod schedule;
@@ -25,5 +26,6 @@ pub mod smooth;
 pub mod state;
 pub mod variable;
 
-pub use run::{Iteration, Problem, Stop, View};
+pub use problem::{Limits, Problem, View};
+pub use run::{Iteration, Stop};
 pub use state::State;

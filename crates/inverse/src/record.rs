@@ -1,6 +1,6 @@
 //! What is written down of every iteration: a row of a table (CSV).
 
-use crate::run::Problem;
+use crate::problem::Problem;
 use crate::variable::Variables;
 
 /// Variables with more numbers than this have no columns of their own.

@@ -6,8 +6,8 @@
 /// What random numbers are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// The picture that the loss compares.
-    Picture = 0,
+    /// The image that the loss compares.
+    Image = 0,
     /// Its derivative.
     Gradient = 1,
     /// A target that is rendered.
@@ -49,7 +49,7 @@ mod tests {
         for job in 0..4 {
             for iteration in 0..500 {
                 for view in 0..4 {
-                    for purpose in [Purpose::Picture, Purpose::Gradient, Purpose::Target] {
+                    for purpose in [Purpose::Image, Purpose::Gradient, Purpose::Target] {
                         let seed = seed(job, iteration, view, purpose);
                         assert_eq!(seed & 3, purpose as u64);
                         assert!(seen.insert(seed), "{job} {iteration} {view} {purpose:?}");

@@ -1,16 +1,16 @@
 //! The gradient of a loss, as an iteration takes it, against finite differences of
 //! the loss itself.
 
-use capwalk_diff::{Method, Options, Prepared, Unwatched, WalkSettings, render};
+use capwalk_inverse::Limits;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
-use capwalk_inverse::run::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
-use capwalk_inverse::variable::select::{Curve, Wish};
 use capwalk_inverse::variable::vertices::{Directions, Selection};
+use capwalk_inverse::variable::{Curve, VariableSpec};
 use capwalk_inverse::variable::{Variables, variable};
 use capwalk_inverse::{Problem, State, View, adam::Adam};
 use capwalk_math::{Moments, Rgb, Vec3};
+use capwalk_render::{Method, Options, Unwatched, WalkSettings, render};
 use capwalk_scene::{Film, Filter, Image, Scene, builtin};
 
 /// The leaf over its floor, in so few pixels that outlines move little in each.
@@ -23,36 +23,38 @@ fn scene() -> Scene {
 /// Unknowns of every kind of variable, in two views, one of them masked.
 fn problem() -> Problem {
     let scene = scene();
-    let wish = |name: &str| Wish {
+    let spec = |name: &str| VariableSpec {
         name: name.into(),
-        ..Wish::default()
+        ..VariableSpec::default()
     };
-    let wishes = [
-        Wish {
+    let specs = [
+        VariableSpec {
             vertices: Some(Selection::All),
             directions: Some(Directions::Plane([
                 Vec3::new(1.0, 0.0, 0.0),
                 Vec3::new(0.0, 0.0, 1.0),
             ])),
             lambda: Some(2.0),
-            ..wish("leaf.positions")
+            ..spec("leaf.positions")
         },
-        Wish {
+        VariableSpec {
             curve: Some(Curve::Sigmoid),
-            ..wish("floor.bsdf.reflectance.value")
+            ..spec("floor.bsdf.reflectance.value")
         },
-        wish("lamp.rotate.x"),
-        wish("lamp.scale"),
+        spec("lamp.rotate.x"),
+        spec("lamp.scale"),
     ];
-    let variables = wishes
+    let variables = specs
         .iter()
-        .map(|wish| variable(&scene, wish).expect("fine"));
+        .map(|spec| variable(&scene, spec).expect("fine"));
     let variables = Variables::new(&scene, variables.collect()).expect("they fit");
     let target = |scene: &Scene, seed: u64| {
-        let options = Options { spp: 64, seed };
-        let mut target = render(&Prepared::new(scene.clone()), &options, &Unwatched)
-            .value
-            .mean;
+        let options = Options {
+            spp: 64,
+            seed,
+            threads: None,
+        };
+        let mut target = render(scene, &options, &Unwatched).value.mean;
         // Another picture than the scene's own: the gradient is not zero.
         for (i, pixel) in target.pixels.iter_mut().enumerate() {
             *pixel = *pixel * (0.7 + 0.5 * (i as f64).sin());

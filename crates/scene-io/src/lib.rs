@@ -37,6 +37,7 @@ mod suggest;
 pub mod toml;
 mod upgrade;
 mod value;
+mod velocities;
 mod xml;
 
 // Writing scenes, pictures and arrays.
@@ -46,5 +47,9 @@ pub mod export;
 pub mod image;
 mod npz;
 
+pub use atomic::append;
+#[cfg(feature = "faults")]
+pub use atomic::faults;
 pub use error::{LoadError, Position};
 pub use load::{LoadOptions, load_scene, load_scene_str, load_scene_with};
+pub use velocities::{NotVelocities, VelocityFileError, read_velocities};

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
-use capwalk_diff::Watch;
+use capwalk::Watch;
 use capwalk_figures::{Failure, Figure, Quality, Settings, Verdict, draw, write};
 use capwalk_geometry::Mesh;
 use capwalk_scene_io::mesh::{read_obj, read_ply};
@@ -24,6 +24,7 @@ pub fn run(args: &Figures) -> Result<Outcome> {
             QualityName::Full => Quality::Full,
         },
         seed: args.seed,
+        threads: args.threads,
         mesh: args.mesh.as_deref().map(mesh).transpose()?,
         stages: &|name| Box::new(Stage(Some(Progress::new(name, None)))),
     };

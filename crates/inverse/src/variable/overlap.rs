@@ -4,8 +4,9 @@
 use capwalk_math::Vec3;
 use capwalk_scene::{Motion, Scene, ShapeMotion};
 
+use super::error::VariableError;
+use super::kind::{Map, Variable, turn};
 use super::pose::Pose;
-use super::{Map, Variable, VariableError, turn};
 
 /// A motion that is not zero where the variable changes something.
 pub(super) fn support(scene: &Scene, variable: &Variable) -> Motion {
