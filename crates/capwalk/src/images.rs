@@ -1,9 +1,9 @@
-//! Images from files, as a scene needs them.
+//! Images from files, as a scene needs them, and to files.
 
 use std::path::Path;
 
 use capwalk_scene::Image;
-use capwalk_scene_io::image::{self, Picture, VALUE};
+use capwalk_scene_io::image::{self, Picture, Preview, VALUE};
 
 use crate::error::{Error, UnusableImage};
 

@@ -1,4 +1,54 @@
-//! Unbiased derivatives of rendered images.
+//! Unbiased derivatives of rendered images, geometry above all.
+//!
+//! An image of a scene with shadows, silhouettes and reflections jumps where edges move.
+//! Differentiating its samples misses that part of the derivative; capwalk estimates it
+//! with walks on spherical caps, without bias and with standard errors.
+//!
+//! # The first gradient
+//!
+//! A scene is a Mitsuba 3 file or built in. These lines render the derivative of the
+//! image of a floating leaf and its shadow with respect to a motion of the leaf, and
+//! write it as a picture in which red gets brighter and blue darker:
+//!
+//! ```
+//! use capwalk::{GradientOptions, Prepared, Unwatched, write_image};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let folder = std::env::temp_dir();
+//! let scene = capwalk::Loader::new("leaf").size([64, 48]).load()?.scene;
+//! let prepared = Prepared::new(scene)?;
+//! let options = GradientOptions { spp: 16, ..GradientOptions::default() };
+//! let result = prepared.gradient("leaf.translate.x", &options, &Unwatched)?;
+//! write_image(folder.join("gradient.png"), "gradient", &result.gradient.mean)?;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # What there is
+//!
+//! | | |
+//! |---|---|
+//! | [`load`], [`Loader`] | a scene from a file, with warnings, another size, other `$name`s |
+//! | [`Prepared`] | a scene that is ready for any number of images and gradients |
+//! | [`Prepared::render`] | an image with its standard errors |
+//! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |
+//! | [`Prepared::backward`] | the gradient of a loss with respect to everything named (reverse mode) |
+//! | [`Prepared::loss`] | how far an image is from a target, and the adjoint for `backward` |
+//! | [`Prepared::check`] | a gradient against central differences, with a verdict |
+//! | [`Prepared::update`] | other numbers in the same scene |
+//! | [`optimize`] | the loop around all that, from a TOML job, with checkpoints |
+//!
+//! Parameters are asked for by name: `"ball.translate.x"`, `"ball.positions"`,
+//! `"floor.bsdf.reflectance.value"`; [`params`] lists those of a scene.
+//!
+//! # What can be relied on
+//!
+//! * Every estimate has a standard error. A derivative that could only be estimated with
+//!   a bias is refused: [`Error::Refused`].
+//! * The same scene, options and seed give the same bits, whatever the number of threads.
+//!   Work runs on the caller's rayon pool.
+//! * Everything long takes a [`Watch`], which sees its progress and can stop it.
+//!   [`Unwatched`] is nobody.
 
 mod backward;
 mod check;
@@ -21,15 +71,16 @@ pub use capwalk_render::{
     Estimate, Estimator, GradientImage, Method, Refusal, Rendering, Statistics, Unwatched,
     WalkSettings, WasBoundary, WasSettings, Watch,
 };
-pub use capwalk_scene::params::{ParameterError, vertex_motion};
-pub use capwalk_scene::{Filter, Image, Motion, Scene, SceneError};
+pub use capwalk_scene::params::{self, ParameterError, vertex_motion};
+pub use capwalk_scene::{Filter, Image, Motion, Scene, SceneError, Sensor, ShapeMotion};
 pub use capwalk_scene_io::{LoadError, VelocityFileError, read_velocities};
 
 pub use backward::{GradientNames, Gradients, ParameterGradient};
 pub use check::{Check, CheckOptions, Reference};
 pub use direction::Direction;
 pub use error::{Error, UnusableImage};
-pub use images::{read_layer, read_mask};
+pub use folder_error::FolderError;
+pub use images::{read_layer, read_mask, write_image};
 pub use load::{Loaded, Loader, load};
 pub use loss::{Distance, ImageLoss, Loss, Measured};
 pub use method::{
@@ -38,5 +89,4 @@ pub use method::{
 };
 pub use options::{DifferenceOptions, GradientOptions, RenderOptions};
 pub use prepared::{Prepared, Values};
-pub use capwalk_scene::params;
 pub use step::{bounds, difference_step};

@@ -42,6 +42,8 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         .pause_after
         .map(|count| first.saturating_add(count.get()));
     let stop = run.go(&clock, |iteration| {
+        let (number, loss) = (iteration.row.iteration, iteration.row.loss);
+        log::info!("iteration {number}: loss {loss:.6e}");
         live.show(&iteration.row, &iteration.images);
         let done = iteration.row.iteration.saturating_add(1);
         match pause.is_some_and(|pause| done >= pause) {
