@@ -20,9 +20,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         prepared.update("sensor.translate", &[offset, 0.0, 0.0])?;
 
         // What it should see: the ball in another place.
-        let mut elsewhere = prepared.clone();
+        let mut elsewhere = Prepared::new(prepared.scene().clone())?;
         let moved = elsewhere.values("ball.positions")?.numbers;
-        let moved: Vec<f64> = moved.chunks(3).flat_map(|p| [p[0] + 0.1, p[1], p[2]]).collect();
+        let moved: Vec<f64> = moved
+            .chunks(3)
+            .flat_map(|p| [p[0] + 0.1, p[1], p[2]])
+            .collect();
         elsewhere.update("ball.positions", &moved)?;
         let sampling = RenderOptions { spp: 64, seed: 7 };
         let target = elsewhere.render(&sampling, &Unwatched).value.mean;
@@ -39,11 +42,17 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let names = ["ball.translate.x"];
         let gradients = prepared.backward(adjoint, &names, &options, &Unwatched)?;
         let gradient = &gradients[names[0]];
-        println!("view {view}: {:+.5} ± {:.5}", gradient.size, gradient.size_error);
+        println!(
+            "view {view}: {:+.5} ± {:.5}",
+            gradient.size, gradient.size_error
+        );
         total += seen.measured.value / f64::from(VIEWS);
         sum += gradient.size / f64::from(VIEWS);
         variance += (gradient.size_error / f64::from(VIEWS)).powi(2);
     }
-    println!("all: loss {total:.5}, gradient {sum:+.5} ± {:.5}", variance.sqrt());
+    println!(
+        "all: loss {total:.5}, gradient {sum:+.5} ± {:.5}",
+        variance.sqrt()
+    );
     Ok(())
 }

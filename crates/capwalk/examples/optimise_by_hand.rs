@@ -41,7 +41,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let stepped: Vec<f64> = pairs.map(|(x, g)| (x - rate * g).clamp(0.0, 1.0)).collect();
         prepared.update(COLOUR, &stepped)?;
         if iteration % 5 == 0 {
-            println!("{iteration:2}  loss {:.6}  {stepped:.3?}", seen.measured.value);
+            println!(
+                "{iteration:2}  loss {:.6}  {stepped:.3?}",
+                seen.measured.value
+            );
         }
     }
     println!("found {:.3?}", prepared.values(COLOUR)?.numbers);

@@ -21,8 +21,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The loss is the square of the mean brightness of a window, `L = m²`.
     let (columns, rows) = (16..24, 12..18);
     let count = (columns.len() * rows.len()) as f64;
-    let pixels = || rows.clone().flat_map(|y| columns.clone().map(move |x| (x, y)));
-    let mean = pixels().map(|(x, y)| brightness(image.at(x, y))).sum::<f64>() / count;
+    let pixels = || {
+        rows.clone()
+            .flat_map(|y| columns.clone().map(move |x| (x, y)))
+    };
+    let mean = pixels()
+        .map(|(x, y)| brightness(image.at(x, y)))
+        .sum::<f64>()
+        / count;
 
     // Its derivative with respect to each channel of a pixel: 2 m ∂m/∂pixel.
     let mut adjoint = Image::new(image.width, image.height);

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::ops::Index;
 
-use capwalk_render::{Backward, Refusal, Statistics, Wanted, Watch};
+use capwalk_diff::{Backward, Refusal, Statistics, Wanted, Watch};
 use capwalk_scene::params::{self, ArrayParameter, ParameterError, Request};
 use capwalk_scene::{Image, Motion, Scene};
 

@@ -1,7 +1,7 @@
 //! A gradient against central differences.
 
-use capwalk_render::GradientImage;
-use capwalk_render::check::{Comparison, compare, without_rounding};
+use capwalk_diff::GradientImage;
+use capwalk_diff::check::{Comparison, compare, without_rounding};
 
 use crate::options::{DifferenceOptions, GradientOptions};
 

@@ -2,37 +2,37 @@
 
 use std::sync::Arc;
 
-use capwalk_render::{
-    Backward, GradientImage, GradientOptions as MethodOptions, Options, Refusal, Rendering, Wanted,
-    Watch,
+use capwalk_diff::{
+    Backward, GradientImage, GradientOptions as Estimation, Options, Prepared, Refusal, Rendering,
+    Wanted, Watch,
 };
 use capwalk_scene::{Image, Motion, Scene};
 
 use crate::options::{GradientOptions, RenderOptions};
 
 /// A scene that is ready to be rendered.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Engine {
-    scene: Arc<Scene>,
+    prepared: Prepared,
 }
 
 impl Engine {
-    pub fn new(scene: Arc<Scene>) -> Self {
-        Self { scene }
+    pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
+        Self {
+            prepared: Prepared::new(scene),
+        }
     }
 
-    pub fn scene(&self) -> &Scene {
-        &self.scene
+    pub fn scene(&self) -> &Arc<Scene> {
+        self.prepared.scene()
     }
 
-    /// Replaces the scene by one with the same shapes, textures and emitters, some of
-    /// whose numbers are others.
     pub fn update(&mut self, scene: Scene) {
-        self.scene = Arc::new(scene);
+        self.prepared.update(scene);
     }
 
     pub fn render(&self, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
-        capwalk_render::render(&self.scene, &sampling(options), watch)
+        capwalk_diff::render(&self.prepared, &sampling(options), watch)
     }
 
     pub fn gradient(
@@ -41,7 +41,7 @@ impl Engine {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Refusal> {
-        capwalk_render::gradient(&self.scene, motion, &estimation(options), watch)
+        capwalk_diff::gradient(&self.prepared, motion, &estimation(options), watch)
     }
 
     pub fn finite_difference(
@@ -51,7 +51,7 @@ impl Engine {
         options: &RenderOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Refusal> {
-        capwalk_render::finite_difference(&self.scene, motion, step, &sampling(options), watch)
+        capwalk_diff::finite_difference(self.scene(), motion, step, &sampling(options), watch)
     }
 
     pub fn backward(
@@ -61,26 +61,21 @@ impl Engine {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Backward, Refusal> {
-        capwalk_render::backward(&self.scene, adjoint, wanted, &estimation(options), watch)
+        capwalk_diff::backward(&self.prepared, adjoint, wanted, &estimation(options), watch)
     }
 
     /// Why derivatives with respect to what moves edges are refused, if they are.
     pub fn refusal(&self) -> Option<Refusal> {
-        capwalk_render::refusal(&self.scene)
+        capwalk_diff::refusal(&self.prepared)
     }
 }
 
-/// Work runs on the threads of the caller.
-fn sampling(options: &RenderOptions) -> Options {
-    Options {
-        spp: options.spp,
-        seed: options.seed,
-        threads: None,
-    }
+fn sampling(&RenderOptions { spp, seed }: &RenderOptions) -> Options {
+    Options { spp, seed }
 }
 
-fn estimation(options: &GradientOptions) -> MethodOptions {
-    MethodOptions {
+fn estimation(options: &GradientOptions) -> Estimation {
+    Estimation {
         options: sampling(&options.sampling()),
         method: options.method,
         walk: options.walk,

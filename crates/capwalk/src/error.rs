@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
+use capwalk_diff::Refusal;
 use capwalk_inverse::variable::ApplyError;
-use capwalk_render::Refusal;
 use capwalk_scene::params::ParameterError;
 use capwalk_scene::{SceneError, builtin};
 use capwalk_scene_io::LoadError;

@@ -31,6 +31,16 @@ pub fn read_mask(path: &Path, size: [u32; 2]) -> Result<Image, Error> {
     })
 }
 
+/// Writes an image into a file that ends in `.exr` or `.npz`, in floating point, or `.png`.
+/// `layer` is its name there: a PNG shows a `value` as a photograph, everything else in
+/// false colours, blue below zero and red above.
+pub fn write_image(path: impl AsRef<Path>, layer: &str, image: &Image) -> Result<(), Error> {
+    let mut picture = Picture::default();
+    picture.push(layer, image.clone());
+    image::write(path.as_ref(), &picture, &Preview::default())?;
+    Ok(())
+}
+
 fn usable(path: &Path, picture: &Picture, layers: &[&str], size: [u32; 2]) -> Result<Image, Error> {
     let unusable = |error: UnusableImage| Error::UnusableImage {
         path: path.into(),

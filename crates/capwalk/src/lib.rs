@@ -46,7 +46,8 @@
 //! * Every estimate has a standard error. A derivative that could only be estimated with
 //!   a bias is refused: [`Error::Refused`].
 //! * The same scene, options and seed give the same bits, whatever the number of threads.
-//!   Work runs on the caller's rayon pool.
+//!   Work runs on the caller's rayon pool, otherwise on one of the process; a forked child
+//!   has its own.
 //! * Everything long takes a [`Watch`], which sees its progress and can stop it.
 //!   [`Unwatched`] is nobody.
 
@@ -65,12 +66,14 @@ mod options;
 mod prepared;
 mod step;
 
-pub use capwalk_math::{Rgb, Vec3};
-pub use capwalk_render::check::{Comparison, Verdict, compare};
-pub use capwalk_render::{
+pub use capwalk_diff::check::{Comparison, Verdict, compare};
+pub use capwalk_diff::{
     Estimate, Estimator, GradientImage, Method, Refusal, Rendering, Statistics, Unwatched,
-    WalkSettings, WasBoundary, WasSettings, Watch,
+    WalkSettings, Watch, with_threads,
 };
+#[cfg(feature = "paper")]
+pub use capwalk_diff::{WasBoundary, WasSettings};
+pub use capwalk_math::{Rgb, Vec3};
 pub use capwalk_scene::params::{self, ParameterError, vertex_motion};
 pub use capwalk_scene::{Filter, Image, Motion, Scene, SceneError, Sensor, ShapeMotion};
 pub use capwalk_scene_io::{LoadError, VelocityFileError, read_velocities};
@@ -83,9 +86,10 @@ pub use folder_error::FolderError;
 pub use images::{read_layer, read_mask, write_image};
 pub use load::{Loaded, Loader, load};
 pub use loss::{Distance, ImageLoss, Loss, Measured};
+#[cfg(feature = "paper")]
+pub use method::WasChoice;
 pub use method::{
-    Caveat, Choice, DomainName, MethodChoice, MethodName, OptionError, WalkChoice, WasChoice,
-    caveat,
+    Caveat, Choice, DomainName, MethodChoice, MethodName, OptionError, WalkChoice, caveat,
 };
 pub use options::{DifferenceOptions, GradientOptions, RenderOptions};
 pub use prepared::{Prepared, Values};

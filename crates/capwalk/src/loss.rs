@@ -1,6 +1,6 @@
 //! How far an image is from a target.
 
-use capwalk_render::{Statistics, Watch};
+use capwalk_diff::{Statistics, Watch};
 use capwalk_scene::Image;
 
 pub use capwalk_inverse::loss::{Distance, Loss, Measured};

@@ -1,7 +1,9 @@
 //! How gradients are estimated, chosen by names: what files, command lines and other
 //! faces share. Every option belongs to some methods and is an error beside others.
 
-use capwalk_render::{Estimator, Method, WalkSettings, WasBoundary, WasSettings};
+use capwalk_diff::{Estimator, Method, WalkSettings};
+#[cfg(feature = "paper")]
+use capwalk_diff::{WasBoundary, WasSettings};
 
 /// A method and its options, as they were asked for. `None` is the default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -11,6 +13,7 @@ pub struct MethodChoice {
     /// How it walks; for methods that walk.
     pub walk: WalkChoice,
     /// How it warps; for warped-area sampling.
+    #[cfg(feature = "paper")]
     pub was: WasChoice,
 }
 
@@ -31,6 +34,7 @@ pub struct WalkChoice {
 }
 
 /// Options of warped-area sampling.
+#[cfg(feature = "paper")]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WasChoice {
     /// Concentration of the auxiliary rays, above 0.
@@ -56,8 +60,10 @@ pub enum MethodName {
     /// Unbiased.
     Edges,
     /// `was`: warped-area sampling (Bangaru et al. 2020). Biased.
+    #[cfg(feature = "paper")]
     Was,
     /// `psdr-was`: the same in path space (Xu et al. 2023). Biased.
+    #[cfg(feature = "paper")]
     PsdrWas,
 }
 
@@ -69,8 +75,10 @@ pub enum DomainName {
     #[default]
     Sphere,
     /// `triangle`: on the triangle that a direction meets, as in the paper.
+    #[cfg(feature = "paper")]
     Triangle,
     /// `explicit`: the same among all silhouettes, for small scenes.
+    #[cfg(feature = "paper")]
     Explicit,
 }
 
@@ -99,7 +107,9 @@ impl Choice for MethodName {
     const NAMES: &'static [(&'static str, Self)] = &[
         ("walk", Self::Walk),
         ("edges", Self::Edges),
+        #[cfg(feature = "paper")]
         ("was", Self::Was),
+        #[cfg(feature = "paper")]
         ("psdr-was", Self::PsdrWas),
     ];
 }
@@ -107,7 +117,9 @@ impl Choice for MethodName {
 impl Choice for DomainName {
     const NAMES: &'static [(&'static str, Self)] = &[
         ("sphere", Self::Sphere),
+        #[cfg(feature = "paper")]
         ("triangle", Self::Triangle),
+        #[cfg(feature = "paper")]
         ("explicit", Self::Explicit),
     ];
 }
@@ -117,6 +129,7 @@ impl Choice for Estimator {
         &[("anchored", Self::Anchored), ("literal", Self::Literal)];
 }
 
+#[cfg(feature = "paper")]
 impl Choice for WasBoundary {
     const NAMES: &'static [(&'static str, Self)] =
         &[("normals", Self::Normals), ("edges", Self::Edges)];
@@ -149,20 +162,28 @@ type MethodOption = (
 );
 
 /// Every option. `edges` walks where no edges are gathered, on the sphere.
-const OPTIONS: [MethodOption; 10] = {
-    use MethodName::{Edges, PsdrWas, Walk, Was};
+const OPTIONS: &[MethodOption] = {
+    use MethodName::{Edges, Walk};
+    #[cfg(feature = "paper")]
+    use MethodName::{PsdrWas, Was};
     const WALKS: &[MethodName] = &[Walk, Edges];
+    #[cfg(feature = "paper")]
     const WARPS: &[MethodName] = &[Was, PsdrWas];
-    [
+    &[
         ("domain", &[Walk], |c| c.walk.domain.is_some()),
         ("steps", WALKS, |c| c.walk.steps.is_some()),
         ("estimator", WALKS, |c| c.walk.estimator.is_some()),
         ("max_angle", WALKS, |c| c.walk.max_angle.is_some()),
         ("antithetic", WALKS, |c| c.walk.antithetic.is_some()),
+        #[cfg(feature = "paper")]
         ("kappa", WARPS, |c| c.was.kappa.is_some()),
+        #[cfg(feature = "paper")]
         ("rays", WARPS, |c| c.was.rays.is_some()),
+        #[cfg(feature = "paper")]
         ("boundary", WARPS, |c| c.was.boundary.is_some()),
+        #[cfg(feature = "paper")]
         ("antithetic", WARPS, |c| c.was.antithetic.is_some()),
+        #[cfg(feature = "paper")]
         ("debias", WARPS, |c| c.was.debias.is_some()),
     ]
 };
@@ -178,7 +199,7 @@ impl MethodName {
 impl MethodChoice {
     /// The method and its walk, or the first option that does not belong to it.
     pub fn resolve(&self) -> Result<(Method, WalkSettings), OptionError> {
-        for (option, methods, is_given) in &OPTIONS {
+        for (option, methods, is_given) in OPTIONS {
             if is_given(self) && !methods.contains(&self.method) {
                 return Err(OptionError::OfAnotherMethod {
                     option,
@@ -189,10 +210,14 @@ impl MethodChoice {
         }
         let method = match (self.method, self.walk.domain.unwrap_or_default()) {
             (MethodName::Walk, DomainName::Sphere) => Method::Walk,
+            #[cfg(feature = "paper")]
             (MethodName::Walk, DomainName::Triangle) => Method::TriangleWalk,
+            #[cfg(feature = "paper")]
             (MethodName::Walk, DomainName::Explicit) => Method::ExplicitWalk,
             (MethodName::Edges, _) => Method::Edges,
+            #[cfg(feature = "paper")]
             (MethodName::Was, _) => Method::Was(self.was.settings()),
+            #[cfg(feature = "paper")]
             (MethodName::PsdrWas, _) => Method::PsdrWas(self.was.settings()),
         };
         Ok((method, self.walk.settings()))
@@ -211,6 +236,7 @@ impl WalkChoice {
     }
 }
 
+#[cfg(feature = "paper")]
 impl WasChoice {
     fn settings(&self) -> WasSettings {
         let default = WasSettings::default();
@@ -241,15 +267,16 @@ pub enum Caveat {
 /// What to know of the standard errors of a gradient with these options; `None` if they
 /// can be relied on.
 pub fn caveat(method: Method, walk: &WalkSettings) -> Option<Caveat> {
+    #[cfg(feature = "paper")]
+    if let Method::Was(was) | Method::PsdrWas(was) = method {
+        return Some(match was.debias {
+            true => Caveat::ErrorsTooSmall,
+            false => Caveat::Biased,
+        });
+    }
     // In pairs of opposite azimuths what is infinite cancels (METHOD 2).
     let is_infinite = walk.estimator == Estimator::Literal && !walk.antithetic;
-    match method {
-        Method::Was(was) | Method::PsdrWas(was) if was.debias => Some(Caveat::ErrorsTooSmall),
-        Method::Was(_) | Method::PsdrWas(_) => Some(Caveat::Biased),
-        Method::Walk | Method::TriangleWalk | Method::ExplicitWalk | Method::Edges => {
-            is_infinite.then_some(Caveat::InfiniteVariance)
-        }
-    }
+    (method.traits().walks && is_infinite).then_some(Caveat::InfiniteVariance)
 }
 
 #[cfg(test)]
@@ -268,6 +295,7 @@ mod tests {
         round_trip::<MethodName>();
         round_trip::<DomainName>();
         round_trip::<Estimator>();
+        #[cfg(feature = "paper")]
         round_trip::<WasBoundary>();
     }
 
@@ -280,13 +308,18 @@ mod tests {
         choice.walk.steps = Some(3);
         let (method, walk) = choice.resolve().expect("it walks elsewhere");
         assert_eq!((method, walk.steps), (Method::Edges, 3));
-        choice.walk.domain = Some(DomainName::Triangle);
+        choice.walk.domain = Some(DomainName::Sphere);
         let error = choice.resolve().expect_err("edges has no domain");
         assert_eq!(
             error.to_string(),
             "`domain` belongs to the method walk, and the method is edges"
         );
-        choice.walk = WalkChoice::default();
+    }
+
+    #[cfg(feature = "paper")]
+    #[test]
+    fn warps_have_options_of_their_own() {
+        let mut choice = MethodChoice::default();
         choice.was.kappa = Some(10.0);
         assert!(choice.resolve().is_err());
         choice.method = MethodName::PsdrWas;

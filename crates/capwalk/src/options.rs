@@ -1,6 +1,6 @@
 //! How much to sample, and how.
 
-use capwalk_render::{Method, WalkSettings};
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_scene::Scene;
 
 use crate::error::Error;

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use capwalk_render::{GradientImage, Refusal, Rendering, Watch};
+use capwalk_diff::{GradientImage, Refusal, Rendering, Watch};
 use capwalk_scene::{Image, Motion, Scene, SceneError};
 
 use crate::backward::{self, GradientNames, Gradients};
@@ -27,7 +27,7 @@ use crate::step::difference_step;
 /// assert_eq!((image.width, image.height), (8, 6));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Prepared {
     engine: Engine,
 }
@@ -52,7 +52,7 @@ impl Prepared {
     }
 
     /// The scene as it is now.
-    pub fn scene(&self) -> &Scene {
+    pub fn scene(&self) -> &Arc<Scene> {
         self.engine.scene()
     }
 
@@ -220,8 +220,9 @@ impl Prepared {
         })
     }
 
-    /// Changes the numbers of an array, such as `"ball.positions"`. Nothing is changed if
-    /// the scene could not be rendered with them.
+    /// Changes the numbers of an array, such as `"ball.positions"`. Moved vertices refit
+    /// the trees, other colours touch none. Nothing is changed if the scene could not be
+    /// rendered with them.
     ///
     /// ```
     /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
@@ -234,7 +235,7 @@ impl Prepared {
     /// ```
     pub fn update(&mut self, name: &str, numbers: &[f64]) -> Result<(), Error> {
         let array = backward::array(self.scene(), name)?;
-        let mut scene = self.scene().clone();
+        let mut scene = Scene::clone(self.scene());
         array.set(&mut scene, numbers)?;
         scene.check().map_err(Error::InvalidUpdate)?;
         self.engine.update(scene);

@@ -1,7 +1,7 @@
 //! By how much a finite difference moves its parameter.
 
+use capwalk_diff::may_be_specular;
 use capwalk_math::{Dual, Vec3};
-use capwalk_render::may_be_specular;
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Filter, Motion, Scene, Shape, ShapeMotion};
 

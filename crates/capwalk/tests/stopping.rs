@@ -3,15 +3,19 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk::{
-    CheckOptions, Error, GradientOptions, Image, Loader, Loss, Distance, Prepared, RenderOptions, Rgb,
-    Unwatched, Watch,
+    CheckOptions, Distance, Error, GradientOptions, Image, Loader, Loss, Prepared, RenderOptions,
+    Rgb, Unwatched, Watch,
 };
 
 const SIZE: [u32; 2] = [12, 9];
 const PIXELS: u64 = 12 * 9;
 
 fn leaf() -> Prepared {
-    let scene = Loader::new("leaf").size(SIZE).load().expect("built in").scene;
+    let scene = Loader::new("leaf")
+        .size(SIZE)
+        .load()
+        .expect("built in")
+        .scene;
     Prepared::new(scene).expect("it can be rendered")
 }
 
@@ -62,7 +66,10 @@ fn a_stopped_image_has_some_samples() {
     assert!(!statistics.complete);
     assert!(0 < statistics.samples && statistics.samples < PIXELS * u64::from(SPP));
     let counts = statistics.samples_per_pixel.iter();
-    assert_eq!(counts.map(|&n| u64::from(n)).sum::<u64>(), statistics.samples);
+    assert_eq!(
+        counts.map(|&n| u64::from(n)).sum::<u64>(),
+        statistics.samples
+    );
 }
 
 /// The gradient is whole; its reference, with other units of work, is stopped.

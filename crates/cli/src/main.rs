@@ -17,7 +17,6 @@ mod source;
 
 use std::process::ExitCode;
 
-use anyhow::Context;
 use clap::Parser;
 use clap::error::ErrorKind;
 
@@ -40,8 +39,13 @@ fn main() -> ExitCode {
         }
     };
     start_log(cli.verbose);
-    let result = progress::catch_interrupts();
-    finish(result.and_then(|()| on_threads(cli.command.threads(), || run(&cli.command))))
+    let run = || run(&cli.command);
+    finish(
+        progress::catch_interrupts().and_then(|()| match cli.command.threads() {
+            None => run(),
+            Some(threads) => capwalk::with_threads(threads, run),
+        }),
+    )
 }
 
 /// Runs a command, and says how it ended.
@@ -58,18 +62,6 @@ fn run(command: &Command) -> anyhow::Result<Outcome> {
         Command::Demo(args) => command::demo::run(args),
         Command::Figures(args) => command::figures::run(args),
     }
-}
-
-/// Works on so many threads; on all cores without a number.
-fn on_threads<T: Send>(
-    threads: Option<usize>,
-    work: impl FnOnce() -> anyhow::Result<T> + Send,
-) -> anyhow::Result<T> {
-    let Some(threads) = threads else {
-        return work();
-    };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-    pool.context("cannot start the threads")?.install(work)
 }
 
 /// The exit status, after the text of an error.

@@ -7,12 +7,11 @@ use capwalk_geometry::Mesh;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
-use capwalk_inverse::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_inverse::variable::VariableSpec;
 use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Variables, variable};
-use capwalk_inverse::{Problem, State, Stop, View};
+use capwalk_inverse::{Limits, PreparedViews, Problem, State, Stop, View};
 use capwalk_math::{Moments, Vec3};
 use capwalk_scene::{Film, Filter, Image, Scene, ShadingNormals, builtin};
 use capwalk_scene_io::image::Style;
@@ -401,6 +400,7 @@ fn find(
         walk: WalkSettings::default(),
     };
     let mut state = State::new(&problem);
+    let mut views = PreparedViews::new();
     let mut losses = Vec::new();
     let mut earlier = f64::NAN;
     let shape = |state: &State| problem.scene(state).map_err(|e| unusable(e.to_string()));
@@ -409,13 +409,14 @@ fn find(
             earlier = shape_error(&shape(&state)?, size)?;
         }
         let watch = (settings.stages)(name);
-        let iteration = problem
-            .iterate(&state, &*watch)
-            .map_err(|stop| match stop {
-                Stop::Interrupted => Failure::Stopped,
-                Stop::Refused(refusal) => Failure::Refused(refusal),
-                other => unusable(other.to_string()),
-            })?;
+        let iteration =
+            problem
+                .iterate(&state, &mut views, &*watch)
+                .map_err(|stop| match stop {
+                    Stop::Interrupted => Failure::Stopped,
+                    Stop::Refused(refusal) => Failure::Refused(refusal),
+                    other => unusable(other.to_string()),
+                })?;
         losses.push(Measured {
             value: iteration.row.loss,
             error: iteration.row.loss_error,

@@ -1,6 +1,6 @@
 //! What is looked for, and how: the data of an optimisation.
 
-use capwalk_render::{Method, WalkSettings};
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_scene::{Film, Image, Scene, Sensor};
 
 use crate::adam::Adam;

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use capwalk_render::{
-    GradientOptions, Options, Refusal, Statistics, Unwatched, Watch, backward, render,
+use capwalk_diff::{
+    GradientOptions, Options, Prepared, Refusal, Statistics, Unwatched, Watch, backward, render,
 };
 use capwalk_scene::{Image, Scene};
 
@@ -15,6 +15,7 @@ use crate::record::{Row, Step};
 use crate::seed::{Purpose, seed};
 use crate::state::State;
 use crate::variable::ApplyError;
+use crate::views::PreparedViews;
 
 /// Why an optimisation goes no further.
 #[derive(Clone, Debug, PartialEq)]
@@ -143,8 +144,14 @@ impl Problem {
     /// u' = clamp(u - Adam(g))                            the step
     /// ```
     ///
-    /// with independent random numbers for `I_v` and its derivative.
-    pub fn iterate(&self, state: &State, watch: &dyn Watch) -> Result<Iteration, Stop> {
+    /// with independent random numbers for `I_v` and its derivative. `views` are those of
+    /// the iteration before, or new ones.
+    pub fn iterate(
+        &self,
+        state: &State,
+        views: &mut PreparedViews,
+        watch: &dyn Watch,
+    ) -> Result<Iteration, Stop> {
         // Put the values of the unknowns into the scene.
         let values = self.values(state);
         let scene = self
@@ -152,7 +159,8 @@ impl Problem {
             .apply(&self.scene, &values)
             .map_err(Stop::Outside)?;
         // Render every view and compare it with its target.
-        let seen = self.look(&scene, state.iteration, watch)?;
+        let views = views.of(self, &scene);
+        let seen = self.look(views, state.iteration, watch)?;
         let mut row = self.row(state, values, &seen.measured);
         if !row.loss.is_finite() {
             let (iteration, loss) = (state.iteration, row.loss);
@@ -163,7 +171,7 @@ impl Problem {
         // Stop here if enough was done, otherwise take a step.
         let next = match self.limit(state, row.loss) {
             Some(stop) => Err(stop),
-            None => self.step(state, &scene, &seen, &mut row, watch),
+            None => self.step(state, &scene, views, &seen, &mut row, watch),
         };
         match next {
             // An unfinished step leaves no trace: a resumed run does it again.
@@ -201,11 +209,15 @@ impl Problem {
     }
 
     /// Renders all views and compares them with their targets.
-    fn look(&self, scene: &Scene, iteration: u32, watch: &dyn Watch) -> Result<Seen, Stop> {
+    fn look(&self, views: &[Prepared], iteration: u32, watch: &dyn Watch) -> Result<Seen, Stop> {
         let (mut images, mut measured) = (Vec::new(), Vec::new());
         for (i, view) in self.views.iter().enumerate() {
             let seed = seed(self.seed, u64::from(iteration), i as u64, Purpose::Image);
-            let rendering = render(&view.scene(scene), &sampling(self.spp, seed), watch);
+            let options = Options {
+                spp: self.spp,
+                seed,
+            };
+            let rendering = render(&views[i], &options, watch);
             refuse_unusable("picture", iteration, &rendering.statistics)?;
             let (target, mask) = (&view.target, view.mask.as_ref());
             measured.push(self.loss.measure(&rendering.value, target, mask));
@@ -242,12 +254,13 @@ impl Problem {
         &self,
         state: &State,
         scene: &Scene,
+        views: &[Prepared],
         seen: &Seen,
         row: &mut Row,
         watch: &dyn Watch,
     ) -> Result<State, Stop> {
         // The gradient with respect to the unknowns, summed over views.
-        let gradient = self.gradient(state, scene, seen, row, watch)?;
+        let gradient = self.gradient(state, views, seen, row, watch)?;
         self.refuse_non_finite(&gradient.numbers, row.iteration)?;
         // Remember the smallest loss, for `patience`.
         let mut next = state.clone();
@@ -293,7 +306,7 @@ impl Problem {
     fn gradient(
         &self,
         state: &State,
-        scene: &Scene,
+        views: &[Prepared],
         seen: &Seen,
         row: &Row,
         watch: &dyn Watch,
@@ -302,7 +315,7 @@ impl Problem {
         let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
         let wanted = self.variables.wanted(&self.scene);
         let shares = self.shares();
-        for (i, view) in self.views.iter().enumerate() {
+        for (i, prepared) in views.iter().enumerate() {
             // The adjoint image of the view: s_v ∂loss/∂I_v.
             let adjoint = &seen.measured[i].adjoint;
             let adjoint = Image {
@@ -313,15 +326,18 @@ impl Problem {
             // the mean of the product is the product of the means.
             let iteration = u64::from(row.iteration);
             let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
-            let options = self.gradient_options(sampling(self.spp_grad, seed));
-            let seen_scene = view.scene(scene);
+            let options = self.gradient_options(Options {
+                spp: self.spp_grad,
+                seed,
+            });
             let result =
-                backward(&seen_scene, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
+                backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
             refuse_unusable("gradient", row.iteration, &result.statistics)?;
             // From the scene to its values to the unknowns: two transposed linear maps.
             let pull = |gradient: &_| {
                 let variables = &self.variables;
-                let by_values = variables.pull(&self.scene, &seen_scene, &row.values, gradient);
+                let by_values =
+                    variables.pull(&self.scene, prepared.scene(), &row.values, gradient);
                 variables.pull_reparameterization(&state.unknowns, &by_values)
             };
             // Views are independent: their variances add up.
@@ -340,14 +356,18 @@ impl Problem {
     /// The first variable whose derivative is refused in a state, each tried alone.
     pub fn refused_variable(&self, state: &State) -> Option<usize> {
         let scene = self.scene(state).ok()?;
-        let options = self.gradient_options(sampling(1, self.seed));
+        let options = self.gradient_options(Options {
+            spp: 1,
+            seed: self.seed,
+        });
+        let mut views = PreparedViews::new();
+        let views = views.of(self, &scene);
         let is_refused = |variable: &usize| {
             let wanted = self.variables.wanted_by(&self.scene, *variable);
-            let mut seen = self.views.iter().map(|view| view.scene(&scene));
-            seen.any(|seen| {
-                let [width, height] = seen.film.crop_size.map(|side| side as usize);
+            views.iter().any(|view| {
+                let [width, height] = view.scene().film.crop_size.map(|side| side as usize);
                 let nothing = Image::new(width, height);
-                backward(&seen, &nothing, &wanted, &options, &Unwatched).is_err()
+                backward(view, &nothing, &wanted, &options, &Unwatched).is_err()
             })
         };
         (0..self.variables.iter().count()).find(is_refused)
@@ -376,15 +396,6 @@ impl Problem {
             }
         }
         Ok(())
-    }
-}
-
-/// Work runs on the threads of the caller.
-fn sampling(spp: u32, seed: u64) -> Options {
-    Options {
-        spp,
-        seed,
-        threads: None,
     }
 }
 

@@ -1,6 +1,7 @@
 //! The gradient of a loss, as an iteration takes it, against finite differences of
 //! the loss itself.
 
+use capwalk_diff::{Method, Options, Prepared, Unwatched, WalkSettings, render};
 use capwalk_inverse::Limits;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
@@ -8,9 +9,8 @@ use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Curve, VariableSpec};
 use capwalk_inverse::variable::{Variables, variable};
-use capwalk_inverse::{Problem, State, View, adam::Adam};
+use capwalk_inverse::{PreparedViews, Problem, State, View, adam::Adam};
 use capwalk_math::{Moments, Rgb, Vec3};
-use capwalk_render::{Method, Options, Unwatched, WalkSettings, render};
 use capwalk_scene::{Film, Filter, Image, Scene, builtin};
 
 /// The leaf over its floor, in so few pixels that outlines move little in each.
@@ -49,12 +49,9 @@ fn problem() -> Problem {
         .map(|spec| variable(&scene, spec).expect("fine"));
     let variables = Variables::new(&scene, variables.collect()).expect("they fit");
     let target = |scene: &Scene, seed: u64| {
-        let options = Options {
-            spp: 64,
-            seed,
-            threads: None,
-        };
-        let mut target = render(scene, &options, &Unwatched).value.mean;
+        let options = Options { spp: 64, seed };
+        let prepared = Prepared::new(scene.clone());
+        let mut target = render(&prepared, &options, &Unwatched).value.mean;
         // Another picture than the scene's own: the gradient is not zero.
         for (i, pixel) in target.pixels.iter_mut().enumerate() {
             *pixel = *pixel * (0.7 + 0.5 * (i as f64).sin());
@@ -137,9 +134,10 @@ fn gradients_are_derivatives_of_the_loss() {
     let step = 2e-2;
     let mut errors = vec![Moments::default(); directions.len()];
     let mut sizes = vec![Moments::default(); directions.len()];
+    let mut views = PreparedViews::new();
     for seed in 0..120 {
         problem.seed = seed;
-        let first = problem.iterate(&at(&problem, initial.clone()), &Unwatched);
+        let first = problem.iterate(&at(&problem, initial.clone()), &mut views, &Unwatched);
         let next = first.expect("a step").next.expect("a state");
         // The first mean of Adam is a tenth of the gradient.
         let gradient: Vec<f64> = next.first.iter().map(|m| m / (1.0 - 0.9)).collect();
@@ -147,10 +145,10 @@ fn gradients_are_derivatives_of_the_loss() {
         let mut looking = problem.clone();
         looking.limits.iterations = 0;
         for (k, direction) in directions.iter().enumerate() {
-            let loss = |h: f64| {
+            let mut loss = |h: f64| {
                 let moved = initial.iter().zip(direction).map(|(u, d)| u + h * d);
                 let state = at(&problem, moved.collect());
-                let looked = looking.iterate(&state, &Unwatched);
+                let looked = looking.iterate(&state, &mut views, &Unwatched);
                 looked.expect("a picture").row.loss
             };
             let difference = (loss(step) - loss(-step)) / (2.0 * step);

@@ -9,13 +9,13 @@ mod view;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_inverse::Limits;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::Loss;
 use capwalk_inverse::schedule::Schedule;
 use capwalk_inverse::variable::VariableSpec;
-use capwalk_render::{Method, WalkSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::{Document, Place, Table, Value};
 

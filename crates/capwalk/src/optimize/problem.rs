@@ -1,9 +1,9 @@
 //! From a job to a problem: scenes are loaded, targets read or rendered.
 
+use capwalk_diff::Watch;
 use capwalk_inverse::seed::{Purpose, seed};
 use capwalk_inverse::variable::{VariableSpec, Variables, variable};
 use capwalk_inverse::{Problem, Stop, View};
-use capwalk_render::Watch;
 use capwalk_scene::{Film, Image, Scene, Sensor, builtin, params};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Place;
@@ -29,7 +29,7 @@ impl Job {
     ///
     /// ```
     /// use capwalk::Unwatched;
-    /// use capwalk::optimize::{Job, State};
+    /// use capwalk::optimize::{Job, PreparedViews, State};
     ///
     /// let job = Job::parse("example", r#"
     ///     scene = "leaf"
@@ -41,8 +41,9 @@ impl Job {
     ///     optimizer = { lr = 0.1 }
     /// "#)?;
     /// let problem = job.problem(&Unwatched)?;
-    /// let first = problem.iterate(&State::new(&problem), &Unwatched)?;
-    /// let second = problem.iterate(&first.next?, &Unwatched)?;
+    /// let mut views = PreparedViews::new();
+    /// let first = problem.iterate(&State::new(&problem), &mut views, &Unwatched)?;
+    /// let second = problem.iterate(&first.next?, &mut views, &Unwatched)?;
     /// assert!(second.row.values[0] > first.row.values[0]); // on its way to 0.2
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
@@ -372,7 +373,7 @@ fn render_targets(pending: Vec<Pending>, watch: &dyn Watch) -> Result<Vec<(usize
             before,
             total,
         };
-        let rendering = Engine::new(target.scene.into()).render(&target.options, &share);
+        let rendering = Engine::new(target.scene).render(&target.options, &share);
         if !rendering.statistics.complete {
             return Err(Error::Stopped {
                 before: "the targets were rendered",

@@ -4,9 +4,9 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use capwalk_diff::Watch;
 use capwalk_inverse::record::Row;
-use capwalk_inverse::{Iteration, Problem, State, Stop};
-use capwalk_render::Watch;
+use capwalk_inverse::{Iteration, PreparedViews, Problem, State, Stop};
 
 use super::fingerprint::fingerprint;
 use super::folder::{self, Folder};
@@ -50,6 +50,7 @@ pub struct Run<'j> {
     job: &'j Job,
     problem: Problem,
     state: State,
+    views: PreparedViews,
     folder: Folder,
     last: Option<Row>,
 }
@@ -72,6 +73,7 @@ impl<'j> Run<'j> {
             job,
             problem,
             state,
+            views: PreparedViews::new(),
             folder,
             last: None,
         })
@@ -102,7 +104,7 @@ impl<'j> Run<'j> {
         loop {
             // Take a step.
             let started = Instant::now();
-            let iteration = match self.problem.iterate(&self.state, watch) {
+            let iteration = match self.problem.iterate(&self.state, &mut self.views, watch) {
                 Ok(iteration) => iteration,
                 Err(Stop::Refused(refusal)) => {
                     let reason = refusal.to_string();

@@ -24,7 +24,6 @@ pub fn run(args: &Figures) -> Result<Outcome> {
             QualityName::Full => Quality::Full,
         },
         seed: args.seed,
-        threads: args.threads,
         mesh: args.mesh.as_deref().map(mesh).transpose()?,
         stages: &|name| Box::new(Stage(Some(Progress::new(name, None)))),
     };

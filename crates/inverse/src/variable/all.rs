@@ -4,8 +4,8 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use capwalk_diff::Wanted;
 use capwalk_math::Vec3;
-use capwalk_render::Wanted;
 use capwalk_scene::{Motion, Scene, SensorMotion};
 
 use super::error::{ApplyError, VariableError};

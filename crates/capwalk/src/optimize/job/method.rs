@@ -1,11 +1,15 @@
 //! The `[method]` of a job: how gradients are estimated.
 
-use capwalk_render::{Method, WalkSettings};
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
 
-use super::table::{integer, number, positive, truth};
-use crate::method::{Choice, MethodChoice, MethodName, WalkChoice, WasChoice};
+#[cfg(feature = "paper")]
+use super::table::positive;
+use super::table::{integer, number, truth};
+#[cfg(feature = "paper")]
+use crate::method::WasChoice;
+use crate::method::{Choice, MethodChoice, MethodName, WalkChoice};
 
 /// The method and its walk; the default ones without the table.
 pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
@@ -27,6 +31,7 @@ pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
             }
             chosen.walk = walk(&table, chosen.walk)?;
         }
+        #[cfg(feature = "paper")]
         MethodName::Was | MethodName::PsdrWas => chosen.was = was(&table)?,
     }
     table.finish()?;
@@ -47,6 +52,7 @@ fn walk(table: &Table, known: WalkChoice) -> Result<WalkChoice, LoadError> {
     })
 }
 
+#[cfg(feature = "paper")]
 fn was(table: &Table) -> Result<WasChoice, LoadError> {
     Ok(WasChoice {
         kappa: positive(table, "kappa")?,
