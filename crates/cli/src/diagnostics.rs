@@ -3,7 +3,7 @@
 use std::fs;
 use std::process::ExitCode;
 
-use capwalk_scene_io::LoadError;
+use capwalk::{Error, FolderError, LoadError, UnusableImage};
 
 /// How a command that wrote its results ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,7 +15,7 @@ pub enum Outcome {
     /// A guard stopped an optimisation.
     Stopped,
     /// The noise hides whether the gradient is right.
-    CouldNotTell,
+    Inconclusive,
     /// Too many samples were infinite or NaN.
     NonFinite,
     /// Stopped by Ctrl-C.
@@ -31,7 +31,7 @@ impl From<Outcome> for ExitCode {
         Self::from(match outcome {
             Outcome::Done => 0,
             Outcome::Wrong | Outcome::Stopped => 1,
-            Outcome::CouldNotTell => 2,
+            Outcome::Inconclusive => 2,
             Outcome::NonFinite => 4,
             Outcome::Interrupted => 5,
         })
@@ -41,7 +41,12 @@ impl From<Outcome> for ExitCode {
 /// The text of an error: what failed, then each cause on a line of its own, or
 /// the place in the scene file.
 pub fn describe(error: &anyhow::Error) -> String {
-    if let Some(error) = error.downcast_ref::<LoadError>() {
+    let ours = error.downcast_ref::<Error>();
+    let load = match ours {
+        Some(Error::Load(load)) => Some(load),
+        _ => error.downcast_ref::<LoadError>(),
+    };
+    if let Some(error) = load {
         return describe_load(error, &fs::read_to_string(error.file()).unwrap_or_default());
     }
     let mut text = format!("error: {error}");
@@ -54,7 +59,27 @@ pub fn describe(error: &anyhow::Error) -> String {
         }
         last = cause;
     }
-    text
+    text + ours.and_then(hint).unwrap_or_default()
+}
+
+/// What the command line offers against an error of the library.
+fn hint(error: &Error) -> Option<&'static str> {
+    match error {
+        Error::Folder(FolderError::Taken { .. }) => {
+            Some("; go on with it (--resume), or choose another folder (-o)")
+        }
+        Error::Folder(
+            FolderError::InputInTheWay { .. }
+            | FolderError::ResultInTheWay { .. }
+            | FolderError::DamagedCheckpoint(_)
+            | FolderError::OtherJob { .. },
+        ) => Some("; -o chooses another folder"),
+        Error::UnusableImage {
+            error: UnusableImage::NoLayer { .. },
+            ..
+        } => Some("; --layer chooses one"),
+        _ => None,
+    }
 }
 
 /// The longest part of a source line that is shown, characters.

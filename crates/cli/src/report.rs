@@ -153,7 +153,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     if statistics.uncovered > 0 {
         text += &format!(
             "warning: {} specular events of the {what} show things that may move, and the motion \
-             of outlines there is missing: this method is biased there\n",
+             of silhouettes there is missing: this method is biased there\n",
             count(statistics.uncovered)
         );
     }
@@ -168,7 +168,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
             count(statistics.non_finite),
             count(statistics.samples),
             if statistics.too_many_non_finite() {
-                ", more than 1 in 10^6: do not use these pictures"
+                ", more than 1 in 10^6: do not use these images"
             } else {
                 ""
             }
@@ -177,7 +177,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     text
 }
 
-/// How a command ends whose pictures were made with these statistics.
+/// How a command ends whose images were made with these statistics.
 pub fn outcome(statistics: &[&Statistics]) -> Outcome {
     if statistics.iter().any(|s| s.too_many_non_finite()) {
         Outcome::NonFinite
@@ -188,7 +188,7 @@ pub fn outcome(statistics: &[&Statistics]) -> Outcome {
     }
 }
 
-/// The mean colour of a picture.
+/// The mean colour of an image.
 pub fn mean_colour(image: &Image) -> [f64; 3] {
     let sum = image.pixels.iter().fold(Rgb::zero(), |sum, &p| sum + p);
     let mean = sum / image.pixels.len() as f64;

@@ -18,7 +18,7 @@ pub struct Problem {
     pub variables: Variables,
     /// From where it is seen, and what should be seen; at least one.
     pub views: Vec<View>,
-    /// How pictures are compared.
+    /// How images are compared.
     pub loss: Loss,
     /// How steps are made of gradients.
     pub adam: Adam,
@@ -32,7 +32,7 @@ pub struct Problem {
     pub limits: Limits,
     /// The seed that all others are derived from.
     pub seed: u64,
-    /// Samples per pixel of pictures, at least 2: their spread is the error.
+    /// Samples per pixel of images, at least 2: their spread is the error.
     pub spp: u32,
     /// Samples per pixel of gradients.
     pub spp_grad: u32,

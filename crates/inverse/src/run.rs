@@ -218,7 +218,7 @@ impl Problem {
                 seed,
             };
             let rendering = render(&views[i], &options, watch);
-            refuse_unusable("picture", iteration, &rendering.statistics)?;
+            refuse_unusable("image", iteration, &rendering.statistics)?;
             let (target, mask) = (&view.target, view.mask.as_ref());
             measured.push(self.loss.measure(&rendering.value, target, mask));
             images.push(rendering.value.mean);

@@ -1,6 +1,6 @@
-//! Seeds of pictures and gradients: a function of the job's seed, the iteration,
+//! Seeds of images and gradients: a function of the job's seed, the iteration,
 //! the view and the purpose. The gradient of a loss is a product of what the
-//! picture says and how it changes, and the mean of the product is the product of
+//! image says and how it changes, and the mean of the product is the product of
 //! the means only if the two do not share their random numbers.
 
 /// What random numbers are for.

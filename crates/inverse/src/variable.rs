@@ -20,7 +20,7 @@ mod spec;
 pub mod vertices;
 
 pub use all::{Outcome, Variables};
-pub use error::{ApplyError, VariableError};
+pub use error::{ApplyError, VariableError, VerticesError};
 pub use kind::Variable;
 pub use reparameterization::Reparameterization;
 pub use spec::{Curve, VariableSpec, variable};

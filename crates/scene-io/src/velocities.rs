@@ -42,9 +42,7 @@ pub enum NotVelocities {
         shape: Vec<u64>,
     },
     /// The array is in Fortran order.
-    #[error(
-        "the array is stored column by column; save numpy.ascontiguousarray(array) instead"
-    )]
+    #[error("the array is stored column by column; save numpy.ascontiguousarray(array) instead")]
     ColumnByColumn,
     /// The array has integers, or something else.
     #[error("the array holds no floating point numbers; expected float32 or float64")]
@@ -171,5 +169,4 @@ mod tests {
         assert!(message(&npy("<i8", "(2, 3)", &doubles)).contains("float32 or float64"));
         assert!(npy_numbers(&npy("<f8", "(4, 3)", &doubles)).is_err());
     }
-
 }

@@ -118,7 +118,7 @@ pub fn check(
     })
 }
 
-/// The numbers of a comparison, one on each line; `-` stands for what pictures
+/// The numbers of a comparison, one on each line; `-` stands for what images
 /// without noise, or of zeros, do not have.
 pub fn describe(c: &Comparison) -> String {
     let worst = c.worst.iter().take(SHOWN_PIXELS);
@@ -144,7 +144,7 @@ pub fn describe(c: &Comparison) -> String {
             if_any(c.correlation, format!("{:.4}", c.correlation)),
         ),
         (
-            "slope",
+            "scale factor",
             format!(
                 "{} (reference / gradient)",
                 if_any(c.slope, report::plus_minus(c.slope, c.slope_error))
@@ -196,7 +196,7 @@ pub fn verdict(check: &Check) -> String {
     let (spp, reference_spp) = (taken(&check.gradient), taken(&check.reference));
     match &check.comparison.verdict {
         Verdict::Right if check.comparison.slope.is_nan() => {
-            "right: both are zero everywhere: nothing in the picture changes".into()
+            "right: both are zero everywhere: nothing in the image changes".into()
         }
         Verdict::Right => {
             "right: they agree, and a factor wrong by 10 % would have been seen".into()
@@ -207,17 +207,17 @@ pub fn verdict(check: &Check) -> String {
             )
         }
         Verdict::CouldNotTell { .. } if spp.min(reference_spp) < 2.0 => {
-            "could not tell: standard errors take at least two samples per pixel".into()
+            "inconclusive: standard errors need at least two samples per pixel".into()
         }
         Verdict::CouldNotTell { samples_factor } if samples_factor.is_finite() => format!(
-            "could not tell: about {} times the samples would be enough (--spp {} \
+            "inconclusive: about {} times the samples would be enough (--spp {} \
              --reference-spp {})",
             report::significant(*samples_factor, 2),
             (spp * samples_factor).ceil(),
             (reference_spp * samples_factor).ceil()
         ),
         Verdict::CouldNotTell { .. } => {
-            "could not tell: there is no derivative to be seen, only noise".into()
+            "inconclusive: there is no derivative to be seen, only noise".into()
         }
     }
 }
@@ -227,7 +227,7 @@ pub fn outcome(comparison: &Comparison) -> Outcome {
     match comparison.verdict {
         Verdict::Right => Outcome::Done,
         Verdict::Wrong { .. } => Outcome::Wrong,
-        Verdict::CouldNotTell { .. } => Outcome::CouldNotTell,
+        Verdict::CouldNotTell { .. } => Outcome::Inconclusive,
     }
 }
 
@@ -236,7 +236,7 @@ pub fn comparison_json(c: &Comparison) -> Value {
     let (verdict, reason, samples_factor) = match &c.verdict {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::CouldNotTell { samples_factor } => ("could not tell", None, Some(samples_factor)),
+        Verdict::CouldNotTell { samples_factor } => ("inconclusive", None, Some(samples_factor)),
     };
     json!({
         "verdict": verdict,
@@ -251,8 +251,8 @@ pub fn comparison_json(c: &Comparison) -> Value {
         "pixels": c.pixels,
         "left_out": c.left_out,
         "sign": c.sign,
-        "slope": c.slope,
-        "slope_error": c.slope_error,
+        "scale_factor": c.slope,
+        "scale_factor_error": c.slope_error,
         "worst": c.worst.iter().map(|&(x, y, z)| json!({"x": x, "y": y, "z": z})).collect::<Vec<_>>(),
     })
 }

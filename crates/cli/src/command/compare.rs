@@ -1,4 +1,4 @@
-//! `capwalk compare`: two pictures, with their errors if they have them.
+//! `capwalk compare`: two images, with their errors if they have them.
 
 use anyhow::{Context, Result, ensure};
 use capwalk::{Comparison, Image, Rgb, Verdict};
@@ -27,7 +27,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         output::layer(&reference, layer).with_context(|| args.reference.display().to_string())?;
     ensure!(
         (a.width, a.height) == (b.width, b.height),
-        "the pictures have different sizes: {} x {} and {} x {}",
+        "the images have different sizes: {} x {} and {} x {}",
         a.width,
         a.height,
         b.width,
@@ -97,7 +97,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
     Ok(comparison.as_ref().map_or(Outcome::Done, verdicts::outcome))
 }
 
-/// How far pictures are apart, over all channels of the finite pixels.
+/// How far images are apart, over all channels of the finite pixels.
 struct Errors {
     mean: f64,
     mean_absolute: f64,
@@ -150,7 +150,7 @@ fn sentence(comparison: &Comparison) -> String {
         Verdict::Right => "equal within their errors".into(),
         Verdict::Wrong { reason } => format!("different: {reason}"),
         Verdict::CouldNotTell { samples_factor } => format!(
-            "could not tell: about {} times the samples would be enough",
+            "inconclusive: about {} times the samples would be enough",
             report::significant(*samples_factor, 2)
         ),
     }

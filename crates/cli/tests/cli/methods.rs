@@ -34,7 +34,10 @@ fn options_of_other_methods_are_errors() {
     let backward = "backward --adjoint none.exr --method fd leaf";
     assert_has(
         &capwalk.error(backward),
-        &["by one parameter", "gradient --method fd -p NAME"],
+        &[
+            "with respect to one parameter",
+            "gradient --method fd -p NAME",
+        ],
     );
 }
 

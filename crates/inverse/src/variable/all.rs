@@ -128,7 +128,7 @@ impl Variables {
         motion
     }
 
-    /// The derivative by each value of what has this derivative by the scene: the
+    /// The derivative with respect to each value from that with respect to the scene: the
     /// transpose of [`Variables::push`]. Linear in the gradient.
     pub fn pull(&self, base: &Scene, scene: &Scene, values: &[f64], gradient: &Motion) -> Vec<f64> {
         let poses = self.poses(values);
@@ -150,7 +150,7 @@ impl Variables {
         self.variables.iter().flat_map(of).collect()
     }
 
-    /// The derivative by each unknown from that by each value.
+    /// The derivative with respect to each unknown from that with respect to each value.
     pub fn pull_reparameterization(&self, unknowns: &[f64], by_values: &[f64]) -> Vec<f64> {
         let of = |(variable, range): (&Variable, Range<usize>)| {
             let unknowns = &unknowns[range.clone()];

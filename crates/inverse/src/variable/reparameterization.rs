@@ -48,7 +48,7 @@ impl Reparameterization {
         }
     }
 
-    /// The derivative by each unknown from that by each value.
+    /// The derivative with respect to each unknown from that with respect to each value.
     pub fn pull(&self, unknowns: &[f64], by_values: &[f64]) -> Vec<f64> {
         let times = |f: &dyn Fn(f64) -> f64| {
             let pairs = unknowns.iter().zip(by_values);

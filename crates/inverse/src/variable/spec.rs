@@ -50,42 +50,40 @@ const MAX_LAMBDA: f64 = 1e12;
 
 /// The variable with this specification.
 pub fn variable(scene: &Scene, spec: &VariableSpec) -> Result<Variable, VariableError> {
-    let request = params::request(scene, &spec.name).map_err(|error| VariableError {
-        message: error.to_string(),
-        help: None,
-    })?;
+    let request = params::request(scene, &spec.name)?;
     let (map, rest) = match request {
         Request::Array(array) => array_map(scene, spec, array)?,
         Request::Motion(motion) => scalar_map(scene, spec, motion)?,
     };
+    let name = || spec.name.clone();
     if !matches!(map, Map::Vertices(_)) {
         let only = [
             ("vertices", spec.vertices.is_some()),
             ("plane` and `along", spec.directions.is_some()),
             ("lambda", spec.lambda.is_some()),
         ];
-        if let Some((key, _)) = only.into_iter().find(|&(_, given)| given) {
-            return Err(VariableError::new(
-                format!("`{key}` means nothing for \"{}\"", spec.name),
-                "it is for vertices: `<shape>.positions`",
-            ));
+        if let Some((option, _)) = only.into_iter().find(|&(_, given)| given) {
+            let name = name();
+            return Err(VariableError::OnlyForVertices { name, option });
         }
     }
     let reparameterization = reparameterization(scene, spec, &map)?;
     let initial = start(spec, rest)?;
     if let Some((value, expected)) = reparameterization.refused(&initial) {
-        return Err(VariableError::new(
-            format!("\"{}\" starts at {value}", spec.name),
-            format!("expected {expected}; change `start`, or the bounds"),
-        ));
+        return Err(VariableError::Start {
+            name: name(),
+            value,
+            expected: format!("{expected}; change `start`, or the bounds"),
+        });
     }
     if let Map::Pose { part, .. } = map
         && let Some(value) = part.refused(initial[0])
     {
-        return Err(VariableError::new(
-            format!("\"{}\" starts at {value}", spec.name),
-            "expected a scale above 0; change `start`",
-        ));
+        return Err(VariableError::Start {
+            name: name(),
+            value,
+            expected: "a scale above 0; change `start`".into(),
+        });
     }
     Ok(Variable {
         name: spec.name.clone(),
@@ -110,13 +108,7 @@ fn array_map(
             let shape = shape.expect("positions are those of a shape");
             let selection = spec.vertices.clone().unwrap_or(Selection::All);
             let directions = spec.directions.unwrap_or(Directions::Free);
-            let vertices =
-                Vertices::new(scene, shape, &selection, directions).map_err(|message| {
-                    VariableError {
-                        message,
-                        help: None,
-                    }
-                })?;
+            let vertices = Vertices::new(scene, shape, &selection, directions)?;
             let rest = vec![0.0; vertices.count()];
             Ok((Map::Vertices(vertices), rest))
         }
@@ -162,10 +154,8 @@ fn scalar_map(
             };
             let turns = motion.shapes.iter().flatten().any(|s| s.normals.is_some());
             if turns || motion.sensor.rotation != SensorMotion::default().rotation {
-                return Err(VariableError::new(
-                    format!("\"{name}\" has a rotation in a sum, which would not stay one"),
-                    "make it a parameter of its own, such as `<shape>.rotate.x`",
-                ));
+                let name = name.into();
+                return Err(VariableError::RotationInSum { name });
             }
             if value.is_none() {
                 refuse_offset(spec, &motion)?;
@@ -215,15 +205,10 @@ fn refuse_offset(spec: &VariableSpec, motion: &Motion) -> Result<(), VariableErr
     ];
     match asked.into_iter().find(|&(_, given)| given && has_values) {
         None => Ok(()),
-        Some((what, _)) => Err(VariableError::new(
-            format!(
-                "\"{}\" is no single number of the scene: {what} would be how far its numbers \
-                 have gone from where they are, not what they are",
-                spec.name
-            ),
-            "name an array such as `<material>.reflectance.value`, or one number of it, without \
-             a factor",
-        )),
+        Some((what, _)) => Err(VariableError::NoValue {
+            name: spec.name.clone(),
+            what,
+        }),
     }
 }
 
@@ -232,46 +217,31 @@ fn reparameterization(
     spec: &VariableSpec,
     map: &Map,
 ) -> Result<Reparameterization, VariableError> {
+    let name = || spec.name.clone();
     if let Some([low, high]) = spec.bounds
         && !(low.is_finite() && high.is_finite() && low < high)
     {
-        return Err(VariableError::new(
-            format!("the bounds of \"{}\" are {low} and {high}", spec.name),
-            "expected two finite numbers, the lower one first",
-        ));
+        return Err(VariableError::Bounds {
+            name: name(),
+            bounds: [low, high],
+        });
     }
     let smooths = spec.lambda.is_some_and(|lambda| lambda != 0.0);
     if smooths && (spec.bounds.is_some() || spec.curve.is_some()) {
-        return Err(VariableError::new(
-            format!(
-                "\"{}\" has both `lambda` and bounds or a `reparam`",
-                spec.name
-            ),
-            "a smoothed unknown has no bounds of its own; leave one of them out",
-        ));
+        return Err(VariableError::SmoothedWithBounds { name: name() });
     }
     Ok(match (spec.curve, spec.bounds, spec.lambda, map) {
         (_, _, Some(lambda), Map::Vertices(vertices)) if smooths => {
             if !(lambda > 0.0 && lambda <= MAX_LAMBDA) {
-                return Err(VariableError::new(
-                    format!("the `lambda` of \"{}\" is {lambda}", spec.name),
-                    format!(
-                        "expected a number from 0 to {MAX_LAMBDA:e}, above which rounding \
-                         swallows the unknowns; 10 to 50 is usual"
-                    ),
-                ));
+                return Err(VariableError::Lambda {
+                    name: name(),
+                    lambda,
+                    largest: MAX_LAMBDA,
+                });
             }
             let edges = vertices.edges(&scene.shapes[vertices.shape].mesh);
             let smoother = Smoother::new(vertices.nodes(), &edges, lambda);
-            let smoother = smoother.ok_or_else(|| {
-                VariableError::new(
-                    format!(
-                        "the matrix that smooths \"{}\" cannot be factored",
-                        spec.name
-                    ),
-                    "leave out `lambda`, or take fewer vertices",
-                )
-            })?;
+            let smoother = smoother.ok_or_else(|| VariableError::Factorization { name: name() })?;
             let dims = vertices.dims;
             Reparameterization::Smooth { smoother, dims }
         }
@@ -279,10 +249,7 @@ fn reparameterization(
             Reparameterization::Sigmoid(bounds.unwrap_or([0.0, 1.0]))
         }
         (Some(Curve::Log), Some(_), ..) => {
-            return Err(VariableError::new(
-                format!("\"{}\" has both bounds and `reparam = \"log\"`", spec.name),
-                "leave one of them out, or take `reparam = \"sigmoid\"`",
-            ));
+            return Err(VariableError::LogWithBounds { name: name() });
         }
         (Some(Curve::Log), None, ..) => Reparameterization::Log,
         (None, Some(bounds), ..) => Reparameterization::Clamp(bounds),
@@ -295,10 +262,11 @@ fn start(spec: &VariableSpec, rest: Vec<f64>) -> Result<Vec<f64>, VariableError>
         None => Ok(rest),
         Some(&[all]) => Ok(vec![all; rest.len()]),
         Some(each) if each.len() == rest.len() => Ok(each.to_vec()),
-        Some(each) => Err(VariableError::new(
-            format!("{} numbers were given for \"{}\"", each.len(), spec.name),
-            format!("expected {}, or one for all of them", rest.len()),
-        )),
+        Some(each) => Err(VariableError::StartLength {
+            name: spec.name.clone(),
+            given: each.len(),
+            numbers: rest.len(),
+        }),
     }
 }
 

@@ -2,8 +2,7 @@
 //! how both were made, and for previews the four of them side by side.
 
 use anyhow::Result;
-use capwalk::{Check, Comparison, Image};
-use capwalk_math::Vec3;
+use capwalk::{Check, Comparison, Image, Rgb};
 use capwalk_scene_io::image::{self, Panel, Picture, Style};
 
 use super::Checked;
@@ -62,11 +61,11 @@ fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
     picture
 }
 
-/// The z of each pixel as a picture of the same size as another.
+/// The z of each pixel as an image of the same size as another.
 fn z_picture(comparison: &Comparison, like: &Image) -> Image {
     let z = comparison.z.iter();
     Image {
-        pixels: z.map(|&z| Vec3::splat(z)).collect(),
+        pixels: z.map(|&z| Rgb::splat(z)).collect(),
         ..*like
     }
 }
