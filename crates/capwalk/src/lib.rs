@@ -1,8 +1,9 @@
 //! Unbiased derivatives of rendered images, geometry above all.
 //!
-//! An image of a scene with shadows, silhouettes and reflections jumps where edges move.
-//! Differentiating its samples misses that part of the derivative; capwalk estimates it
-//! with walks on spherical caps, without bias and with standard errors.
+//! The light of a scene is discontinuous at shadows, silhouettes and their reflections.
+//! When these move, the derivative of the image has a part that differentiated samples
+//! miss. capwalk estimates it with walks on spherical caps, without bias and with standard
+//! errors.
 //!
 //! # The first gradient
 //!

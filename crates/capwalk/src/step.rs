@@ -11,7 +11,7 @@ use capwalk_scene::{Filter, Motion, Scene, Shape, ShapeMotion};
 const STEP_FRACTION: f64 = 1.0 / 500.0;
 
 /// Change of a colour, or of a unit normal, on each side of a finite difference.
-/// Pictures are linear in radiance and nearly so in reflectance: the bias stays
+/// Images are linear in radiance and nearly so in reflectance: the bias stays
 /// small.
 const COLOUR_STEP: f64 = 0.01;
 
@@ -19,6 +19,7 @@ const COLOUR_STEP: f64 = 0.01;
 /// parameter: the smallest that any of the things that move asks for.
 pub fn difference_step(scene: &Scene, motion: &Motion) -> f64 {
     let mut step = f64::INFINITY;
+    // Vertices move by a part of their shape, given normals by as much as colours.
     for (shape, motion) in scene.shapes.iter().zip(&motion.shapes) {
         if let Some(motion) = motion {
             let (low, high) = shape.mesh.bounds();
@@ -29,6 +30,7 @@ pub fn difference_step(scene: &Scene, motion: &Motion) -> f64 {
             step = step.min(COLOUR_STEP / turning.fold(0.0, f64::max));
         }
     }
+    // The sensor moves by a part of the scene, turned or not.
     let (low, high) = bounds(scene);
     let size = (high - low).length();
     let sensor = &motion.sensor;
@@ -38,15 +40,17 @@ pub fn difference_step(scene: &Scene, motion: &Motion) -> f64 {
         .fold(sensor.rotation.length(), |sum, axis| sum + axis.length());
     let speed = sensor.translation.length() + turning * size;
     step = step.min(STEP_FRACTION * size / speed);
+    // Nothing in the image moves by more than a part of a pixel.
     step = step.min(film_step(scene) / film_speed(scene, motion));
+    // Numbers of materials and emitters change a little.
     let numbers = motion.textures.iter().flatten().flatten();
     let rate = numbers.map(|v| v.abs()).fold(0.0, f64::max);
     step.min(COLOUR_STEP / rate)
 }
 
-/// How far, in pixels, what is in the picture moves on each side of a finite
-/// difference. Where an outline passes a place at which the filter has a jump
-/// (box) or a kink within the step, the difference smears it.
+/// How far, in pixels, what is in the image moves on each side of a finite
+/// difference. Where a silhouette passes a place at which the filter is discontinuous
+/// (box) or has a kink within the step, the difference smears it.
 fn film_step(scene: &Scene) -> f64 {
     match scene.film.filter {
         Filter::Box => 0.03,
@@ -55,7 +59,7 @@ fn film_step(scene: &Scene) -> f64 {
 }
 
 /// The largest speed on the film, in pixels per unit of the parameter, of a
-/// vertex in the picture, hidden or not; and of the picture itself if the
+/// vertex in the image, hidden or not; and of the image itself if the
 /// sensor turns.
 fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
     let (sensor, film) = (&scene.sensor, &scene.film);
@@ -72,16 +76,16 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
     let reach = film.filter.radius();
     // Speed on the film of a point.
     let speed = |position: Vec3, velocity: Vec3| {
-        let seen_from = |(view, at_rest): &(View<Dual<1>>, View<f64>)| {
+        let seen_from = |(view, primal): &(View<Dual<1>>, View<f64>)| {
             let [x, y] = view.film(view.towards(position.with_tangent(velocity)));
-            let in_picture = [x, y].iter().enumerate().all(|(axis, c)| {
+            let in_image = [x, y].iter().enumerate().all(|(axis, c)| {
                 let low = f64::from(film.crop_offset[axis]);
                 let high = low + f64::from(film.crop_size[axis]);
                 (low - reach..=high + reach).contains(&c.value)
             });
-            let depth = at_rest.depth(position);
-            let [near, far] = at_rest.clip();
-            match in_picture && depth > 0.0 && depth > near && depth < far {
+            let depth = primal.depth(position);
+            let [near, far] = primal.clip();
+            match in_image && depth > 0.0 && depth > near && depth < far {
                 true => x.tangent[0].hypot(y.tangent[0]),
                 false => 0.0,
             }
@@ -128,7 +132,7 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
 }
 
 /// A bound of the speed on the film, near its middle, of what moves in a mirror or
-/// with one: an image is as far from the eye as the path to it is long, and a ray
+/// with one: a mirror image is as far from the camera as the path to it is long, and a ray
 /// turns by twice as much as the mirror that it meets.
 fn mirrored_speed(scene: &Scene, motion: &Motion) -> f64 {
     let is_specular = |shape: &Shape| may_be_specular(scene, shape.bsdf);
@@ -172,7 +176,7 @@ mod tests {
     use super::*;
     use capwalk_scene::{Bsdf, Optic, params};
 
-    /// What is in the picture moves by a fixed part of a pixel.
+    /// What is in the image moves by a fixed part of a pixel.
     #[test]
     fn steps_follow_the_film() {
         let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
@@ -180,7 +184,7 @@ mod tests {
             let motion = params::motion(scene, expression).unwrap();
             difference_step(scene, &motion)
         };
-        // The middle of the picture turns by this many pixels per radian.
+        // The middle of the image turns by this many pixels per radian.
         let fov_x = scene.sensor.model.optic(Optic::FovX).unwrap();
         let focal = 0.5 * f64::from(scene.film.size[0]) / (0.5 * fov_x).tan();
         let turn = step(&scene, "sensor.rotate.y");
