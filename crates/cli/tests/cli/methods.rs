@@ -56,7 +56,7 @@ fn mirrors_are_a_warning() {
     let words = [
         "baseline and biased",
         "specular events",
-        "outlines there is missing",
+        "silhouettes there is missing",
     ];
     assert_has(&finished.stderr, &words);
 }
