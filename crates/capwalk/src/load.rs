@@ -95,7 +95,7 @@ impl Loader {
                     warnings: Vec::new(),
                 }
             }
-            None => self.from_file()?,
+            None => self.read()?,
         };
         let film = &mut loaded.scene.film;
         if let Some(size) = self.size {
@@ -126,7 +126,7 @@ impl Loader {
         }
     }
 
-    fn from_file(&self) -> Result<Loaded, Error> {
+    fn read(&self) -> Result<Loaded, Error> {
         let path = Path::new(&self.name);
         if !path.exists() {
             return Err(Error::UnknownScene {
