@@ -3,9 +3,11 @@
 mod demo;
 mod figures;
 
+use std::num::NonZeroU32;
 use std::path::PathBuf;
 use std::time::Duration;
 
+use capwalk::optimize::parse_duration;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 pub use demo::Demo;
@@ -29,44 +31,44 @@ A SCENE is a Mitsuba XML file or the name of a built-in scene (see `capwalk scen
 
 Exit status:
   0  done, also within a --time-limit; for check: the gradient is right
-  1  check: the gradient is wrong; compare: the pictures differ beyond their errors;
+  1  check: the gradient is wrong; compare: the images differ beyond their errors;
      optimize: a guard stopped it (what was found before is written)
-  2  check, compare: the noise is too large to tell
+  2  check, compare: inconclusive, the noise is too large
   3  bad input, a derivative that is refused, or results that cannot be written
-  4  more than 1 in 10^6 samples was infinite or NaN (the pictures are written);
+  4  more than 1 in 10^6 samples was infinite or NaN (the images are written);
      optimize: the loss or its gradient was
   5  stopped by Ctrl-C (what was done is written, marked as partial)";
 
 #[derive(Subcommand, Debug)]
 pub enum Command {
-    /// Render a picture
+    /// Render an image
     ///
     /// Writes SCENE.exr and SCENE.png unless -o says otherwise.
     Render(Render),
-    /// Differentiate the picture for one parameter
+    /// Differentiate the image with respect to one parameter
     ///
     /// Writes SCENE-gradient.exr (value, gradient and their standard errors)
     /// and SCENE-gradient.png (blue negative, white zero, red positive)
     /// unless -o says otherwise.
     Gradient(Gradient),
-    /// Differentiate a loss by many parameters at once
+    /// Differentiate a loss with respect to many parameters at once
     ///
-    /// The loss is given by its derivative by every pixel (--adjoint), or is
-    /// the distance of the picture to a target (--loss). Writes
+    /// The loss is given by its derivative with respect to every pixel
+    /// (--adjoint), or is the distance of the image to a target (--loss). Writes
     /// SCENE-backward.npz, one array per parameter, unless -o says otherwise.
     Backward(Backward),
     /// Check a gradient against central finite differences
     ///
     /// Writes SCENE-check.png (value | gradient | reference | z) unless -o
-    /// says otherwise. Exit status 0: right, 1: wrong, 2: could not tell.
+    /// says otherwise. Exit status 0: right, 1: wrong, 2: inconclusive.
     Check(Check),
     /// Show what is in a scene, and which of its numbers can be differentiated
     Info(Info),
-    /// Compare two pictures, with their standard errors if they have them
+    /// Compare two images, with their standard errors if they have them
     Compare(Compare),
     /// List the built-in scenes, or export them as files
     Scenes(Scenes),
-    /// Find the numbers of a scene that make its pictures look like given ones
+    /// Find the numbers of a scene that make its images look like given ones
     ///
     /// A JOB is a TOML file, see docs/optimize.md. Every iteration is kept: a
     /// run that was killed goes on with --resume, and ends in the same bits.
@@ -75,14 +77,14 @@ pub enum Command {
     ///
     /// Takes about a minute on two cores. Exit status as for check.
     Demo(Demo),
-    /// Draw the figures of the paper and test its claims, from measured data
+    /// Make the figures of the paper and test its claims, from measured data
     ///
-    /// Writes pictures, CSV files and report.html, one page with everything.
+    /// Writes images, CSV files and report.html, one page with everything.
     Figures(Figures),
 }
 
 impl Command {
-    /// Worker threads, if a number is asked for.
+    /// How many threads are to work, if that was said.
     pub fn threads(&self) -> Option<usize> {
         match self {
             Self::Render(args) => args.sampling.threads,
@@ -105,7 +107,7 @@ pub struct SceneArgs {
     /// Replace the default of a $name in the scene file
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse_define)]
     pub defines: Vec<(String, String)>,
-    /// Width and height of the picture, without crop
+    /// Width and height of the image, without crop
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
     pub size: Option<[u32; 2]>,
     /// Reconstruction filter, with the widths that are Mitsuba's defaults
@@ -171,8 +173,8 @@ pub struct MotionArgs {
 /// How derivatives are estimated.
 #[derive(Args, Debug)]
 pub struct MethodArgs {
-    /// What makes up for jumps at edges; all but `walk` and `edges` are baselines
-    /// to compare with
+    /// How discontinuities at edges are accounted for; all but `walk` and `edges`
+    /// are baselines to compare with
     #[arg(long, default_value = "walk")]
     pub method: MethodName,
     #[command(flatten)]
@@ -186,7 +188,7 @@ pub struct MethodArgs {
 pub enum MethodName {
     /// Walks on spherical caps: unbiased
     Walk,
-    /// Points on all edges before lamps and the camera, walks elsewhere: unbiased
+    /// Points on all edges before emitters and the camera, walks elsewhere: unbiased
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020): biased
     Was,
@@ -242,7 +244,7 @@ pub struct WasArgs {
 /// Boundary tests of warped-area sampling by name.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum WasBoundaryName {
-    /// Normals across the view: misses the outlines of flat faces
+    /// Normals across the view: misses the silhouettes of flat faces
     Normals,
     /// Edges of triangles: right for all meshes, noisier
     Edges,
@@ -301,12 +303,12 @@ pub struct Gradient {
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct ObjectiveArgs {
-    /// Picture (.exr, .npz) of the derivative of a loss by every pixel and
-    /// channel; its noise must not come from the seed of this command
+    /// Image (.exr, .npz) of the derivative of a loss with respect to every pixel
+    /// and channel; its noise must not come from the seed of this command
     #[arg(long, value_name = "FILE")]
     pub adjoint: Option<PathBuf>,
-    /// Distance of the picture to the --target, a mean over pixels and
-    /// channels. The picture is rendered first, with the seed's complement; a
+    /// Distance of the image to the --target, a mean over pixels and
+    /// channels. The image is rendered first, with the seed's complement; a
     /// quarter of a --time-limit is for it
     #[arg(long, requires = "target")]
     pub loss: Option<LossName>,
@@ -315,7 +317,7 @@ pub struct ObjectiveArgs {
 /// Losses by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum LossName {
-    /// Absolute difference; noise in the picture makes its gradient too small
+    /// Absolute difference; noise in the image makes its gradient too small
     L1,
     /// Squared difference; its gradient is unbiased
     L2,
@@ -327,14 +329,14 @@ pub struct Backward {
     pub scene: SceneArgs,
     #[command(flatten)]
     pub objective: ObjectiveArgs,
-    /// What the picture should look like (.exr, .npz), for --loss
+    /// What the image should look like (.exr, .npz), for --loss
     #[arg(long, value_name = "FILE", requires = "loss")]
     pub target: Option<PathBuf>,
     /// Layer of the --adjoint [default: adjoint, else value] or of the --target
     /// [default: value]
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
-    /// What to differentiate by: arrays such as ball.positions, parameters such
+    /// What to differentiate with respect to: arrays such as ball.positions, parameters such
     /// as ball.translate.x, or sums of parameters as for `gradient` [default:
     /// all arrays that can be] (`capwalk info SCENE` lists them)
     #[arg(short, long, value_name = "NAMES", num_args = 1..)]
@@ -375,7 +377,7 @@ pub struct Info {
 
 #[derive(Args, Debug)]
 pub struct Compare {
-    /// The picture in question (.exr, .npz)
+    /// The image in question (.exr, .npz)
     pub picture: PathBuf,
     /// What it should be (.exr, .npz)
     pub reference: PathBuf,
@@ -406,6 +408,9 @@ pub struct Optimize {
     /// Go on with the run in the output folder, if there is one
     #[arg(long)]
     pub resume: bool,
+    /// Stop after so many iterations more; --resume goes on from there
+    #[arg(long, value_name = "N")]
+    pub pause_after: Option<NonZeroU32>,
     /// Output folder [default: the job's `output`, or its path with the ending
     /// .out]
     #[arg(short, long, value_name = "FOLDER")]
@@ -474,21 +479,6 @@ fn parse_step(text: &str) -> Result<f64, String> {
     }
 }
 
-pub fn parse_duration(text: &str) -> Result<Duration, String> {
-    let (number, unit) = match text.trim_end_matches(['s', 'm', 'h']) {
-        number if text.ends_with('m') => (number, 60.0),
-        number if text.ends_with('h') => (number, 3600.0),
-        number => (number, 1.0),
-    };
-    let seconds = number.parse::<f64>().map(|x| x * unit);
-    match seconds {
-        Ok(s) if s > 0.0 && s < 1e9 && text.len() <= number.len() + 1 => {
-            Ok(Duration::from_secs_f64(s))
-        }
-        _ => Err("expected a time above 0, for example 30s, 5m or 1h".into()),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -497,16 +487,6 @@ mod tests {
     fn the_command_line_is_consistent() {
         use clap::CommandFactory;
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn durations() {
-        assert_eq!(parse_duration("90"), Ok(Duration::from_secs(90)));
-        assert_eq!(parse_duration("1.5m"), Ok(Duration::from_secs(90)));
-        assert_eq!(parse_duration("2h"), Ok(Duration::from_secs(7200)));
-        for bad in ["", "s", "0", "-3", "nan", "5ms", "1e30"] {
-            assert!(parse_duration(bad).is_err(), "{bad}");
-        }
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use std::fs;
 use std::process::ExitCode;
 
+use capwalk::{Diagnostic, Error, FolderError, LoadError, UnusableImage};
 use capwalk_scene::params::ParameterError;
-use capwalk_scene_io::{Diagnostic, LoadError};
 
 /// How a command that wrote its results ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +16,7 @@ pub enum Outcome {
     /// A guard stopped an optimisation.
     Stopped,
     /// The noise hides whether the gradient is right.
-    CouldNotTell,
+    Inconclusive,
     /// Too many samples were infinite or NaN.
     NonFinite,
     /// Stopped by Ctrl-C.
@@ -32,7 +32,7 @@ impl From<Outcome> for ExitCode {
         Self::from(match outcome {
             Outcome::Done => 0,
             Outcome::Wrong | Outcome::Stopped => 1,
-            Outcome::CouldNotTell => 2,
+            Outcome::Inconclusive => 2,
             Outcome::NonFinite => 4,
             Outcome::Interrupted => 5,
         })
@@ -42,7 +42,12 @@ impl From<Outcome> for ExitCode {
 /// The text of an error: what failed, then each cause on a line of its own, or
 /// the place in the scene file.
 pub fn describe(error: &anyhow::Error) -> String {
-    if let Some(error) = error.downcast_ref::<LoadError>() {
+    let ours = error.downcast_ref::<Error>();
+    let load = match ours {
+        Some(Error::Load(load)) => Some(load),
+        _ => error.downcast_ref::<LoadError>(),
+    };
+    if let Some(error) = load {
         let source = error.file().and_then(|file| fs::read_to_string(file).ok());
         return describe_load(error, &source.unwrap_or_default());
     }
@@ -57,14 +62,34 @@ pub fn describe(error: &anyhow::Error) -> String {
         last = cause;
     }
     let of_parameter = error.chain().find_map(|cause| cause.downcast_ref());
-    if let Some(hint) = of_parameter.and_then(hint) {
+    if let Some(hint) = of_parameter.and_then(parameter_hint) {
         text += &format!("\n  help: {hint}");
     }
-    text
+    text + ours.and_then(hint).unwrap_or_default()
+}
+
+/// What the command line offers against an error of the library.
+fn hint(error: &Error) -> Option<&'static str> {
+    match error {
+        Error::Folder(FolderError::Taken { .. }) => {
+            Some("; go on with it (--resume), or choose another folder (-o)")
+        }
+        Error::Folder(
+            FolderError::InputInTheWay { .. }
+            | FolderError::ResultInTheWay { .. }
+            | FolderError::DamagedCheckpoint(_)
+            | FolderError::OtherJob { .. },
+        ) => Some("; -o chooses another folder"),
+        Error::UnusableImage {
+            error: UnusableImage::NoLayer { .. },
+            ..
+        } => Some("; --layer chooses one"),
+        _ => None,
+    }
 }
 
 /// The command that lists what a parameter could have been called.
-fn hint(error: &ParameterError) -> Option<&'static str> {
+fn parameter_hint(error: &ParameterError) -> Option<&'static str> {
     match error {
         ParameterError::Unknown { .. }
         | ParameterError::Missing

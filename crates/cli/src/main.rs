@@ -39,7 +39,18 @@ fn main() -> ExitCode {
         }
     };
     start_log(cli.verbose);
-    let run = || match &cli.command {
+    let run = || run(&cli.command);
+    finish(
+        progress::catch_interrupts().and_then(|()| match cli.command.threads() {
+            None => run(),
+            Some(threads) => capwalk::with_threads(threads, run),
+        }),
+    )
+}
+
+/// Runs a command, and says how it ended.
+fn run(command: &Command) -> anyhow::Result<Outcome> {
+    match command {
         Command::Render(args) => command::render::run(args),
         Command::Gradient(args) => command::gradient::run(args),
         Command::Backward(args) => command::backward::run(args),
@@ -50,12 +61,7 @@ fn main() -> ExitCode {
         Command::Optimize(args) => command::optimize::run(args),
         Command::Demo(args) => command::demo::run(args),
         Command::Figures(args) => command::figures::run(args),
-    };
-    let result = progress::catch_interrupts().and_then(|()| match cli.command.threads() {
-        None => run(),
-        Some(threads) => capwalk_diff::with_threads(threads, run),
-    });
-    finish(result)
+    }
 }
 
 /// The exit status, after the text of an error.

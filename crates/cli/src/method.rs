@@ -1,83 +1,84 @@
-//! The method that the command line names, and options that only some methods
-//! have.
+//! The method that the command line names, in the library's terms.
 
-use anyhow::{Result, bail};
-use capwalk_diff::{
-    Estimator, GradientOptions, Method, Options, WalkSettings, WasBoundary, WasSettings,
+use anyhow::{Result, anyhow, bail};
+use capwalk::{
+    Caveat, Choice, GradientOptions, MethodChoice, MethodName, OptionError, RenderOptions,
+    WalkChoice, WasChoice, caveat,
 };
 use clap::ValueEnum;
 
-use crate::args::{
-    DomainName, EstimatorName, MethodArgs, MethodName, WalkArgs, WasArgs, WasBoundaryName,
-};
+use crate::args::MethodArgs;
 
 /// How to estimate a gradient, by a method that differentiates samples.
-pub fn gradient_options(options: Options, args: &MethodArgs) -> Result<GradientOptions> {
-    let (method, walk) = method_and_walk(args)?;
-    Ok(GradientOptions {
-        options,
-        method,
-        walk,
-    })
-}
-
-/// The method, if it is one that differentiates samples, and its walk.
-pub fn method_and_walk(args: &MethodArgs) -> Result<(Method, WalkSettings)> {
+pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOptions> {
     refuse_options_of_others(args)?;
-    let method = match args.method {
-        MethodName::Walk => match args.walk.domain {
-            None | Some(DomainName::Sphere) => Method::Walk,
-            Some(DomainName::Triangle) => Method::TriangleWalk,
-            Some(DomainName::Explicit) => Method::ExplicitWalk,
-        },
-        MethodName::Edges => Method::Edges,
-        MethodName::Was => Method::Was(was(&args.was)),
-        MethodName::PsdrWas => Method::PsdrWas(was(&args.was)),
-        MethodName::Fd => bail!(
-            "finite differences give the derivative of a picture by one parameter. Use `capwalk \
-             gradient --method fd -p NAME` for each parameter"
-        ),
+    let Some(method) = MethodName::named(&name(&args.method)) else {
+        bail!(
+            "finite differences give the derivative of an image with respect to one parameter. \
+             Use `capwalk gradient --method fd -p NAME` for each parameter"
+        );
     };
-    Ok((method, walk(&args.walk)))
+    let options = GradientOptions::from(sampling);
+    Ok(options.with_method(&choice(method, args))?)
 }
 
 /// An error if an option is there that the method has no use for.
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
-    let (walk, was) = (&args.walk, &args.was);
-    let options = [
-        (MethodName::Walk, "domain", walk.domain.is_some()),
-        (MethodName::Walk, "walk-steps", walk.walk_steps.is_some()),
-        (MethodName::Walk, "estimator", walk.estimator.is_some()),
-        (MethodName::Walk, "max-angle", walk.max_angle.is_some()),
-        (MethodName::Walk, "antithetic", walk.antithetic),
-        (MethodName::Was, "was-kappa", was.was_kappa.is_some()),
-        (MethodName::Was, "was-rays", was.was_rays.is_some()),
-        (MethodName::Was, "was-boundary", was.was_boundary.is_some()),
-        (
-            MethodName::Was,
-            "was-antithetic",
-            was.was_antithetic.is_some(),
-        ),
-        (MethodName::Was, "was-debias", was.was_debias),
-    ];
-    for (owner, option, is_given) in options {
-        let is_own = match args.method {
-            MethodName::PsdrWas => owner == MethodName::Was,
-            // Where no edges are gathered, it walks.
-            MethodName::Edges => owner == MethodName::Walk && option != "domain",
-            method => owner == method,
-        };
-        if is_given && !is_own {
-            bail!(
-                "--{option} belongs to the method {}, and the method is {}. Leave it out, or say \
-                 --method {}",
-                name(&owner),
+    let refused = match MethodName::named(&name(&args.method)) {
+        Some(method) => choice(method, args).resolve().err(),
+        // Differences have no options: those that walks do not take, or warps.
+        None => [MethodName::Was, MethodName::Walk]
+            .into_iter()
+            .find_map(|other| choice(other, args).resolve().err()),
+    };
+    match refused {
+        None => Ok(()),
+        Some(OptionError::OfAnotherMethod { option, owner, .. }) => {
+            let owner = owner.name();
+            Err(anyhow!(
+                "--{} belongs to the method {owner}, and the method is {}. Leave it out, or say \
+                 --method {owner}",
+                flag(option, owner),
                 name(&args.method),
-                name(&owner)
-            );
+            ))
         }
+        Some(other) => Err(other.into()),
     }
-    Ok(())
+}
+
+/// What a library's option is called on the command line.
+fn flag(option: &str, owner: &str) -> String {
+    match (option, owner) {
+        ("steps", _) => "walk-steps".into(),
+        (option, "was") => format!("was-{option}"),
+        (option, _) => option.replace('_', "-"),
+    }
+}
+
+fn choice(method: MethodName, args: &MethodArgs) -> MethodChoice {
+    let (walk, was) = (&args.walk, &args.was);
+    MethodChoice {
+        method,
+        walk: WalkChoice {
+            domain: walk.domain.as_ref().map(named),
+            steps: walk.walk_steps,
+            estimator: walk.estimator.as_ref().map(named),
+            max_angle: walk.max_angle,
+            antithetic: walk.antithetic.then_some(true),
+        },
+        was: WasChoice {
+            kappa: was.was_kappa,
+            rays: was.was_rays,
+            boundary: was.was_boundary.as_ref().map(named),
+            antithetic: was.was_antithetic,
+            debias: was.was_debias.then_some(true),
+        },
+    }
+}
+
+/// The library's choice of the name that was typed.
+fn named<T: Choice>(typed: &impl ValueEnum) -> T {
+    T::named(&name(typed)).expect("names are those of the library, as a test says")
 }
 
 /// The name as it is typed.
@@ -86,60 +87,52 @@ pub fn name(value: &impl ValueEnum) -> String {
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
+/// What is to be said about differences, whose standard errors leave out their bias.
+pub fn remark_on_differences() -> &'static str {
+    "fd is a baseline: its standard errors leave out its bias, of the order of the step squared\n"
+}
+
 /// What is to be said about results whose standard errors do not bound their errors.
-pub fn remark(args: &MethodArgs) -> String {
-    let method = name(&args.method);
-    match args.method {
-        MethodName::Walk | MethodName::Edges if has_infinite_variance(&args.walk) => {
+pub fn remark(options: &GradientOptions) -> String {
+    let method = options.method.name();
+    match caveat(options.method, &options.walk) {
+        None => String::new(),
+        Some(Caveat::InfiniteVariance) => {
             "walks with the estimator literal have infinite variance: standard errors are too \
              small, and verdicts by them mean little. Use anchored, the default\n"
                 .into()
         }
-        MethodName::Walk | MethodName::Edges => String::new(),
-        MethodName::Was | MethodName::PsdrWas if args.was.was_debias => format!(
+        Some(Caveat::ErrorsTooSmall) => format!(
             "{method} is a baseline: its standard errors can be too small near edges, and what \
              moves in mirrors is missing. `capwalk check` measures how wrong it is\n"
         ),
-        MethodName::Was | MethodName::PsdrWas => format!(
+        Some(_) => format!(
             "{method} is a baseline and biased: its standard errors do not bound its errors, and \
              what moves in mirrors is missing. `capwalk check` measures how wrong it is\n"
         ),
-        MethodName::Fd => "fd is a baseline: its standard errors leave out its bias, of the order \
-                           of the step squared\n"
-            .into(),
     }
 }
 
-/// In pairs of opposite azimuths what is infinite cancels (METHOD 2).
-fn has_infinite_variance(args: &WalkArgs) -> bool {
-    matches!(args.estimator, Some(EstimatorName::Literal)) && !args.antithetic
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args;
+    use capwalk::{DomainName, Estimator, WasBoundary};
 
-fn walk(args: &WalkArgs) -> WalkSettings {
-    let default = WalkSettings::default();
-    WalkSettings {
-        steps: args.walk_steps.unwrap_or(default.steps),
-        max_radius: args.max_angle.map_or(default.max_radius, f64::to_radians),
-        estimator: match args.estimator {
-            None => default.estimator,
-            Some(EstimatorName::Anchored) => Estimator::Anchored,
-            Some(EstimatorName::Literal) => Estimator::Literal,
-        },
-        antithetic: args.antithetic,
-    }
-}
-
-fn was(args: &WasArgs) -> WasSettings {
-    let default = WasSettings::default();
-    WasSettings {
-        kappa: args.was_kappa.unwrap_or(default.kappa),
-        rays: args.was_rays.unwrap_or(default.rays),
-        boundary: match args.was_boundary {
-            None => default.boundary,
-            Some(WasBoundaryName::Normals) => WasBoundary::Normals,
-            Some(WasBoundaryName::Edges) => WasBoundary::Edges,
-        },
-        antithetic: args.was_antithetic.unwrap_or(default.antithetic),
-        debias: args.was_debias,
+    /// Everything that can be typed has a meaning, and the other way round.
+    #[test]
+    fn names_are_those_of_the_library() {
+        fn same<T: Choice, A: ValueEnum>(only_typed: &[&str]) {
+            let typed: Vec<String> = A::value_variants().iter().map(name).collect();
+            let known = T::NAMES.iter().map(|(name, _)| *name);
+            assert_eq!(
+                typed,
+                known.chain(only_typed.iter().copied()).collect::<Vec<_>>()
+            );
+        }
+        same::<MethodName, args::MethodName>(&["fd"]);
+        same::<DomainName, args::DomainName>(&[]);
+        same::<Estimator, args::EstimatorName>(&[]);
+        same::<WasBoundary, args::WasBoundaryName>(&[]);
     }
 }

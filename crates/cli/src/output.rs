@@ -4,10 +4,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail, ensure};
-use capwalk_diff::{Estimate, Options, Statistics};
-use capwalk_math::Rgb;
-use capwalk_scene::Image;
+use anyhow::{Context, Result};
+use capwalk::{Estimate, Image, RenderOptions, Statistics};
 use capwalk_scene_io::image::{self, Panel, Picture, Preview};
 
 /// Output files of a command, checked.
@@ -67,7 +65,12 @@ pub fn make_folder(path: &Path) -> Result<()> {
 }
 
 /// A picture to be filled with layers, which says what was asked for.
-pub fn picture(command: &str, scene: &str, parameter: Option<&str>, options: &Options) -> Picture {
+pub fn picture(
+    command: &str,
+    scene: &str,
+    parameter: Option<&str>,
+    options: &RenderOptions,
+) -> Picture {
     let mut picture = Picture {
         metadata: origin(command, scene, options),
         ..Picture::default()
@@ -79,7 +82,7 @@ pub fn picture(command: &str, scene: &str, parameter: Option<&str>, options: &Op
 }
 
 /// What every file says about how it was made.
-pub fn origin(command: &str, scene: &str, options: &Options) -> Vec<(String, String)> {
+pub fn origin(command: &str, scene: &str, options: &RenderOptions) -> Vec<(String, String)> {
     let pair = |key: &str, value: String| (key.to_owned(), value);
     vec![
         pair("command", command.into()),
@@ -119,61 +122,12 @@ pub fn push_estimate(picture: &mut Picture, name: &str, errors: &str, estimate: 
 /// A layer, or an error that names those that there are.
 pub fn layer<'a>(picture: &'a Picture, name: &str) -> Result<&'a Image> {
     picture.layer(name).with_context(|| {
+        let known: Vec<&str> = picture.layers.iter().map(|l| l.name.as_str()).collect();
         format!(
             "there is no layer \"{name}\"; there are {}",
-            layer_names(picture)
+            known.join(", ")
         )
     })
-}
-
-/// The names of a picture's layers, for messages.
-pub fn layer_names(picture: &Picture) -> String {
-    let names: Vec<&str> = picture.layers.iter().map(|l| l.name.as_str()).collect();
-    names.join(", ")
-}
-
-/// The layer that was asked for, or the first default that is there.
-/// It must have this size, and its pixels finite numbers.
-pub fn read_layer(
-    file: &Path,
-    asked: Option<&str>,
-    defaults: &[&str],
-    size: [u32; 2],
-) -> Result<Image> {
-    let picture = image::read(file)?;
-    let found = match asked {
-        Some(name) => layer(&picture, name),
-        None => {
-            let mut layers = defaults.iter().filter_map(|name| picture.layer(name));
-            layers.next().with_context(|| {
-                format!(
-                    "there is no layer \"{}\"; choose one with --layer: there are {}",
-                    defaults.join("\" or \""),
-                    layer_names(&picture)
-                )
-            })
-        }
-    };
-    let image = found.with_context(|| format!("cannot use {}", file.display()))?;
-    let [width, height] = size.map(|n| n as usize);
-    ensure!(
-        [image.width, image.height] == [width, height],
-        "{} has {} x {} pixels; expected {width} x {height}, as the picture of the scene has",
-        file.display(),
-        image.width,
-        image.height
-    );
-    if let Some(index) = image.pixels.iter().position(|pixel| !pixel.is_finite()) {
-        let Rgb { r, g, b } = image.pixels[index];
-        bail!(
-            "{} is ({r}, {g}, {b}) in column {}, row {}, counted from 0 at the upper left; \
-             expected finite numbers",
-            file.display(),
-            index % width,
-            index / width
-        );
-    }
-    Ok(image.clone())
 }
 
 /// An estimate from a layer and that with its standard errors, if both are

@@ -1,8 +1,6 @@
 //! Numbers for people: sensible digits, standard errors, aligned columns.
 
-use capwalk_diff::{Estimate, Statistics};
-use capwalk_math::Rgb;
-use capwalk_scene::Image;
+use capwalk::{Estimate, Image, Rgb, Statistics};
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
@@ -94,6 +92,17 @@ pub fn table(rows: &[Vec<String>]) -> String {
     text
 }
 
+/// The shape of an array as NumPy writes it.
+pub fn shape(sides: &[usize]) -> String {
+    match sides {
+        [one] => format!("({one},)"),
+        _ => {
+            let sides: Vec<String> = sides.iter().map(ToString::to_string).collect();
+            format!("({})", sides.join(", "))
+        }
+    }
+}
+
 /// Lines of a name and what belongs to it, aligned.
 pub fn list(lines: &[(&str, String)]) -> String {
     let width = lines.iter().map(|(name, _)| name.chars().count()).max();
@@ -144,7 +153,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     if statistics.uncovered > 0 {
         text += &format!(
             "warning: {} specular events of the {what} show things that may move, and the motion \
-             of outlines there is missing: this method is biased there\n",
+             of silhouettes there is missing: this method is biased there\n",
             count(statistics.uncovered)
         );
     }
@@ -159,7 +168,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
             count(statistics.non_finite),
             count(statistics.samples),
             if statistics.too_many_non_finite() {
-                ", more than 1 in 10^6: do not use these pictures"
+                ", more than 1 in 10^6: do not use these images"
             } else {
                 ""
             }
@@ -168,7 +177,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     text
 }
 
-/// How a command ends whose pictures were made with these statistics.
+/// How a command ends whose images were made with these statistics.
 pub fn outcome(statistics: &[&Statistics]) -> Outcome {
     if statistics.iter().any(|s| s.too_many_non_finite()) {
         Outcome::NonFinite
@@ -179,7 +188,7 @@ pub fn outcome(statistics: &[&Statistics]) -> Outcome {
     }
 }
 
-/// The mean colour of a picture.
+/// The mean colour of an image.
 pub fn mean_colour(image: &Image) -> [f64; 3] {
     let sum = image.pixels.iter().fold(Rgb::zero(), |sum, &p| sum + p);
     let mean = sum / image.pixels.len() as f64;

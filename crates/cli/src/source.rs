@@ -2,74 +2,49 @@
 
 use std::path::Path;
 
-use anyhow::{Context, Result, bail, ensure};
-use capwalk_diff::Options;
-use capwalk_scene::{Filter, Scene, builtin};
-use capwalk_scene_io::{Loaded, load_scene};
+use anyhow::{Result, anyhow};
+use capwalk::{Error, Filter, Loader, Prepared, RenderOptions, Scene};
 
 use crate::args::{FilterName, SamplingArgs, SceneArgs};
 
-/// The scene, from a file or built in, checked.
-pub fn load(args: &SceneArgs) -> Result<Scene> {
-    let mut scene = match builtin::scene(&args.scene) {
-        Some(scene) => {
-            ensure!(
-                args.defines.is_empty(),
-                "the built-in scene \"{}\" has nothing to define with -D; export it with \
-                 `capwalk scenes --export FOLDER {}` and edit the file",
-                args.scene,
-                args.scene
-            );
-            scene
-        }
-        None => from_file(args)?,
-    };
+/// The scene, from a file or built in, ready to be rendered.
+pub fn load(args: &SceneArgs) -> Result<Prepared> {
+    let mut loader = Loader::new(&args.scene);
+    for (name, value) in &args.defines {
+        loader = loader.define(name, value);
+    }
     if let Some(size) = args.size {
-        scene.film.size = size;
-        scene.film.crop_offset = [0, 0];
-        scene.film.crop_size = size;
+        loader = loader.size(size);
     }
     if let Some(filter) = args.filter {
-        scene.film.filter = match filter {
+        loader = loader.filter(match filter {
             FilterName::Box => Filter::Box,
             FilterName::Tent => Filter::Tent { radius: 1.0 },
             FilterName::Gaussian => Filter::Gaussian { stddev: 0.5 },
-        };
+        });
     }
-    scene
-        .check()
-        .with_context(|| format!("the scene {} cannot be rendered", args.scene))?;
-    let triangles: usize = scene.shapes.iter().map(|s| s.mesh.faces.len()).sum();
-    log::info!(
-        "{}: {} shapes, {triangles} triangles, {} parameters",
-        args.scene,
-        scene.shapes.len(),
-        capwalk_scene::params::Registry::new(&scene)
-            .scalars(&scene)
-            .len()
-    );
-    Ok(scene)
-}
-
-fn from_file(args: &SceneArgs) -> Result<Scene> {
-    let path = Path::new(&args.scene);
-    if !path.exists() {
-        let names: Vec<&str> = builtin::names().collect();
-        bail!(
-            "there is no file {}, and no built-in scene of that name (they are {})",
-            args.scene,
-            names.join(", ")
-        );
-    }
-    Ok(warned(load_scene(path, &args.defines)?))
-}
-
-/// The scene; its warnings are printed.
-pub fn warned(loaded: Loaded) -> Scene {
+    let loaded = loader.load().map_err(|error| match error {
+        Error::NothingToDefine { scene } => anyhow!(
+            "the built-in scene \"{scene}\" has nothing to define with -D; export it with \
+             `capwalk scenes --export FOLDER {scene}` and edit the file"
+        ),
+        error => error.into(),
+    })?;
     for warning in &loaded.warnings {
         log::warn!("{warning}");
     }
-    loaded.scene
+    let prepared = Prepared::new(loaded.scene)?;
+    if log::log_enabled!(log::Level::Info) {
+        let scene = prepared.scene();
+        let triangles: usize = scene.shapes.iter().map(|s| s.mesh.faces.len()).sum();
+        log::info!(
+            "{}: {} shapes, {triangles} triangles, {} parameters",
+            args.scene,
+            scene.shapes.len(),
+            prepared.registry().scalars(scene).len()
+        );
+    }
+    Ok(prepared)
 }
 
 /// A short name for default outputs: the file's name without its ending.
@@ -79,9 +54,10 @@ pub fn stem(args: &SceneArgs) -> String {
 }
 
 /// How much to sample.
-pub fn options(args: &SamplingArgs, scene: &Scene) -> Options {
-    Options {
-        spp: args.spp.unwrap_or(scene.settings.spp),
-        seed: args.seed.unwrap_or(scene.settings.seed),
+pub fn options(args: &SamplingArgs, scene: &Scene) -> RenderOptions {
+    let of_scene = RenderOptions::of(scene);
+    RenderOptions {
+        spp: args.spp.unwrap_or(of_scene.spp),
+        seed: args.seed.unwrap_or(of_scene.seed),
     }
 }

@@ -7,13 +7,13 @@ use capwalk_geometry::Mesh;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
-use capwalk_inverse::run::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
-use capwalk_inverse::variable::select::Wish;
+use capwalk_inverse::variable::VariableSpec;
 use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Variables, variable};
-use capwalk_inverse::{Problem, State, Stop, View};
+use capwalk_inverse::{Limits, PreparedViews, Problem, State, Stop, View};
 use capwalk_math::{Moments, Vec3};
+use capwalk_scene::params::Registry;
 use capwalk_scene::{Film, Filter, Image, Scene, ShadingNormals, builtin};
 use capwalk_scene_io::image::Style;
 
@@ -352,7 +352,7 @@ fn find(
 ) -> Result<Found, Failure> {
     let size = effort.size;
     let start = scene(false, size)?;
-    let wish = Wish {
+    let spec = VariableSpec {
         name: "leaf.positions".into(),
         vertices: Some(Selection::Border),
         directions: Some(Directions::Plane([
@@ -360,10 +360,10 @@ fn find(
             Vec3::new(0.0, 0.0, 1.0),
         ])),
         uniform: true,
-        ..Wish::default()
+        ..VariableSpec::default()
     };
     let unusable = |error: String| Failure::Unusable(format!("figure 12: {error}"));
-    let variable = variable(&start, &capwalk_scene::params::Registry::new(&start), &wish)
+    let variable = variable(&start, &Registry::new(&start), &spec)
         .map_err(|error| unusable(error.to_string()))?;
     let variables =
         Variables::new(&start, vec![variable]).map_err(|error| unusable(error.to_string()))?;
@@ -402,6 +402,7 @@ fn find(
         walk: WalkSettings::default(),
     };
     let mut state = State::new(&problem);
+    let mut views = PreparedViews::new();
     let mut losses = Vec::new();
     let mut earlier = f64::NAN;
     let shape = |state: &State| problem.scene(state).map_err(|e| unusable(e.to_string()));
@@ -410,13 +411,14 @@ fn find(
             earlier = shape_error(&shape(&state)?, size)?;
         }
         let watch = (settings.stages)(name);
-        let iteration = problem
-            .iterate(&state, &*watch)
-            .map_err(|stop| match stop {
-                Stop::Interrupted => Failure::Stopped,
-                Stop::Refused(refusal) => Failure::Refused(refusal),
-                other => unusable(other.to_string()),
-            })?;
+        let iteration =
+            problem
+                .iterate(&state, &mut views, &*watch)
+                .map_err(|stop| match stop {
+                    Stop::Interrupted => Failure::Stopped,
+                    Stop::Refused(refusal) => Failure::Refused(refusal),
+                    other => unusable(other.to_string()),
+                })?;
         losses.push(Measured {
             value: iteration.row.loss,
             error: iteration.row.loss_error,
@@ -425,7 +427,7 @@ fn find(
             Ok(next) => state = next,
             Err(Stop::Done) => {
                 let found = shape(&state)?;
-                let picture = iteration.pictures.into_iter().next();
+                let picture = iteration.images.into_iter().next();
                 return Ok(Found {
                     losses,
                     picture: picture.expect("there is one view"),

@@ -1,11 +1,10 @@
-//! Inverse rendering: which numbers of a scene make its pictures look like given
-//! ones?
+//! Inverse rendering: which numbers of a scene make its images look like given ones?
 //!
 //! A [`Problem`] has a scene, [`variable::Variables`] that say which of its numbers
-//! are unknown and what changes them, views with targets, and a [`loss::Loss`].
-//! [`Problem::iterate`] takes a [`State`] and returns the next one: pictures, the
-//! loss with its standard error, its gradient (`capwalk_diff::backward`), a step
-//! of [`adam::Adam`], and the check that the step tore or folded nothing
+//! are unknown and how values are made of unknowns, views with targets, and a
+//! [`loss::Loss`]. [`Problem::iterate`] takes a [`State`] and returns the next one:
+//! images, the loss with its standard error, its gradient (`capwalk_diff::backward`), a
+//! step of [`adam::Adam`], and the check that the step tore or folded nothing
 //! ([`guard`]).
 //!
 //! An iteration is a function of the problem and the state alone: equal states give
@@ -17,6 +16,7 @@
 pub mod adam;
 pub mod guard;
 pub mod loss;
+pub mod problem;
 pub mod record;
 pub mod run;
 pub mod schedule;
@@ -24,6 +24,9 @@ pub mod seed;
 pub mod smooth;
 pub mod state;
 pub mod variable;
+pub mod views;
 
-pub use run::{Iteration, Problem, Stop, View};
+pub use problem::{Limits, Problem, View};
+pub use run::{Iteration, Stop};
 pub use state::State;
+pub use views::PreparedViews;

@@ -1,5 +1,5 @@
-//! Distances of a picture to a target, with the derivative by every pixel, the
-//! standard error, and what the noise of the picture adds.
+//! Distances of an image to a target, with the derivative with respect to every pixel, the
+//! standard error, and what the noise of the image adds.
 
 mod pyramid;
 
@@ -15,12 +15,12 @@ use pyramid::Level;
 pub struct Loss {
     /// How two numbers differ.
     pub distance: Distance,
-    /// How often the picture is compared: as it is, with half of its sides, with
+    /// How often the image is compared: as it is, with half of its sides, with
     /// a quarter, ... At least 1.
     pub levels: u32,
 }
 
-/// How a number `x` of a picture differs from one of the target, `t`.
+/// How a number `x` of an image differs from one of the target, `t`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Distance {
     /// `|x - t|`.
@@ -43,17 +43,17 @@ pub enum Distance {
 /// A loss that was computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Measured {
-    /// What it is. For distances that are squares in the picture, without what
-    /// noise adds on average, so that its mean is the loss of the mean picture
-    /// and it may be below zero; for the others, of the picture with its noise.
+    /// What it is. For distances that are squares in the image, without what
+    /// noise adds on average, so that its mean is the loss of the mean image
+    /// and it may be below zero; for the others, of the image with its noise.
     pub value: f64,
     /// Its standard error, to first order, from the standard errors of the
-    /// picture; channels of a pixel count as if their errors were the same, which
+    /// image; channels of a pixel count as if their errors were the same, which
     /// is not too small from 4 samples per pixel on. NaN where those are unknown.
     pub standard_error: f64,
     /// What noise added and was subtracted; `None` where that is not known.
     pub noise: Option<f64>,
-    /// Derivative by each pixel and channel.
+    /// Derivative with respect to each pixel and channel.
     pub adjoint: Image,
 }
 
@@ -69,8 +69,8 @@ impl Distance {
         }
     }
 
-    /// Its derivative by `x`; 0 where it has none.
-    pub fn slope(self, x: f64, t: f64) -> f64 {
+    /// Its derivative with respect to `x`; 0 where it has none.
+    pub fn derivative(self, x: f64, t: f64) -> f64 {
         let d = x - t;
         match self {
             Self::L1 if d == 0.0 => 0.0,
@@ -95,28 +95,28 @@ impl Distance {
 }
 
 impl Loss {
-    /// The loss of a picture. `weights` are at least 0, by pixel and channel (a
-    /// mask); all 1 without. All pictures have the same size.
+    /// The loss of an image. `weights` are at least 0, by pixel and channel (a
+    /// mask); all 1 without. All images have the same size.
     ///
     /// # Panics
     /// If they have not.
-    pub fn measure(&self, picture: &Estimate, target: &Image, weights: Option<&Image>) -> Measured {
-        let mut levels = vec![Level::new(picture, target, weights)];
+    pub fn measure(&self, image: &Estimate, target: &Image, weights: Option<&Image>) -> Measured {
+        let mut levels = vec![Level::new(image, target, weights)];
         while levels.len() < self.levels as usize && !levels[levels.len() - 1].is_one_pixel() {
             levels.push(levels[levels.len() - 1].halved());
         }
         let whole: f64 = levels[0].weights.iter().map(|w| w.r + w.g + w.b).sum();
         let share = 1.0 / (whole * levels.len() as f64);
         let (mut value, mut noise) = (0.0, Some(0.0));
-        // From the coarsest level to the picture itself.
+        // From the coarsest level to the image itself.
         let mut adjoint: Option<Vec<Rgb>> = None;
         for (i, level) in levels.iter().enumerate().rev() {
-            let mut slopes = match &adjoint {
+            let mut derivatives = match &adjoint {
                 None => vec![Rgb::zero(); level.values.len()],
                 Some(coarse) => level.pulled_back(&levels[i + 1], coarse),
             };
-            for (p, slopes) in slopes.iter_mut().enumerate() {
-                let mut sums = slopes.to_array();
+            for (p, derivatives) in derivatives.iter_mut().enumerate() {
+                let mut sums = derivatives.to_array();
                 for (c, sum) in sums.iter_mut().enumerate() {
                     let (x, t) = (level.values[p][c], level.targets[p][c]);
                     let weight = share * level.weights[p][c];
@@ -124,14 +124,14 @@ impl Loss {
                         continue;
                     }
                     value += weight * self.distance.value(x, t);
-                    *sum += weight * self.distance.slope(x, t);
+                    *sum += weight * self.distance.derivative(x, t);
                     let rate = self.distance.of_variance(t);
                     let added = rate.map(|rate| weight * rate * level.variances[p][c]);
                     noise = noise.zip(added).map(|(sum, more)| sum + more);
                 }
-                *slopes = sums.into();
+                *derivatives = sums.into();
             }
-            adjoint = Some(slopes);
+            adjoint = Some(derivatives);
         }
         let adjoint = Image {
             width: target.width,
@@ -141,7 +141,7 @@ impl Loss {
         let noise = noise.filter(|noise| noise.is_finite());
         Measured {
             value: value - noise.unwrap_or(0.0),
-            standard_error: standard_error(&adjoint, &picture.standard_error),
+            standard_error: standard_error(&adjoint, &image.standard_error),
             noise,
             adjoint,
         }
@@ -154,7 +154,7 @@ fn standard_error(adjoint: &Image, errors: &Image) -> f64 {
     let of_pixels = pixels.map(|(a, &s)| {
         let products = [0, 1, 2].map(|c| match a[c] {
             0.0 => 0.0, // also where the error is unknown
-            slope => slope.abs() * s[c],
+            derivative => derivative.abs() * s[c],
         });
         products.iter().sum::<f64>().powi(2)
     });

@@ -1,6 +1,6 @@
 //! What is written down of every iteration: a row of a table (CSV).
 
-use crate::run::Problem;
+use crate::problem::Problem;
 use crate::variable::Variables;
 
 /// Variables with more numbers than this have no columns of their own.
@@ -28,10 +28,10 @@ pub struct Row {
 /// A step in numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
-    /// Length of the gradient by the unknowns.
+    /// Length of the gradient with respect to the unknowns.
     pub gradient: f64,
     /// The length that noise alone would have about: the root of the sum of the
-    /// squared standard errors, of the gradient for the picture as it was.
+    /// squared standard errors, of the gradient for the image as it was.
     pub gradient_noise: f64,
     /// How far the unknowns went.
     pub length: f64,

@@ -1,81 +1,25 @@
-//! The loop of an optimisation: one iteration at a time.
+//! One iteration of an optimisation: from a state to the next.
 
 use std::fmt;
 
 use capwalk_diff::{
-    GradientOptions, Method, Options, Prepared, Refusal, Statistics, Unwatched, WalkSettings,
-    Watch, backward, render,
+    GradientOptions, Options, Prepared, Refusal, Statistics, Unwatched, Watch, backward, render,
 };
-use capwalk_scene::{Film, Image, Scene, Sensor};
+use capwalk_scene::{Image, Scene};
 
-use crate::adam::{Adam, Moments};
-use crate::guard::{Guards, Violation};
-use crate::loss::{Loss, Measured};
+use crate::adam::Moments;
+use crate::guard::Violation;
+use crate::loss::Measured;
+use crate::problem::{Limits, Problem};
 use crate::record::{Row, Step};
-use crate::schedule::Schedule;
 use crate::seed::{Purpose, seed};
 use crate::state::State;
-use crate::variable::{ApplyError, Variables};
+use crate::variable::ApplyError;
+use crate::views::PreparedViews;
 
-/// What is looked for, and how.
-#[derive(Clone, Debug)]
-pub struct Problem {
-    /// The scene before the first step. It has passed [`Scene::check`].
-    pub scene: Scene,
-    /// Which of its numbers are looked for.
-    pub variables: Variables,
-    /// From where it is seen, and what should be seen; at least one.
-    pub views: Vec<View>,
-    /// How pictures are compared.
-    pub loss: Loss,
-    /// How steps are made of gradients.
-    pub adam: Adam,
-    /// The learning rate, for variables without their own.
-    pub lr: f64,
-    /// What is made of learning rates.
-    pub schedule: Schedule,
-    /// What a step must not do.
-    pub guards: Guards,
-    /// When to stop.
-    pub limits: Limits,
-    /// The seed that all others are derived from.
-    pub seed: u64,
-    /// Samples per pixel of pictures, at least 2: their spread is the error.
-    pub spp: u32,
-    /// Samples per pixel of gradients.
-    pub spp_grad: u32,
-    /// How gradients are estimated, and the walk of methods that walk.
-    pub method: Method,
-    /// The walk that builds the velocity field.
-    pub walk: WalkSettings,
-}
-
-/// A picture that is compared with a target.
-#[derive(Clone, Debug)]
-pub struct View {
-    /// Another sensor than the scene's, with its film.
-    pub sensor: Option<(Sensor, Film)>,
-    /// What should be seen.
-    pub target: Image,
-    /// How much each pixel and channel counts, at least 0; all the same without.
-    pub mask: Option<Image>,
-    /// How much the view counts, above 0.
-    pub weight: f64,
-}
-
-/// When to stop.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Limits {
-    /// After so many steps.
-    pub iterations: u32,
-    /// When the loss is at most this.
-    pub loss_below: Option<f64>,
-    /// When the smallest loss is so many iterations old.
-    pub patience: Option<u32>,
-}
-
-/// Why it went no further.
+/// Why an optimisation goes no further.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum Stop {
     /// All iterations are done.
     Done,
@@ -104,7 +48,7 @@ pub enum Stop {
     },
     /// The derivative is refused.
     Refused(Refusal),
-    /// The watch said so.
+    /// The watch stopped it.
     Interrupted,
 }
 
@@ -139,26 +83,34 @@ impl fmt::Display for Stop {
     }
 }
 
+impl std::error::Error for Stop {}
+
 /// What an iteration gave.
 #[derive(Clone, Debug)]
 pub struct Iteration {
     /// In numbers.
     pub row: Row,
-    /// The picture of each view, before the step.
-    pub pictures: Vec<Image>,
+    /// The image of each view, before the step.
+    pub images: Vec<Image>,
     /// The next state, or why there is none.
     pub next: Result<State, Stop>,
 }
 
-/// The pictures of a scene and what they are worth.
+/// The images of a scene and their losses, one of each per view.
 struct Seen {
-    pictures: Vec<Image>,
-    /// Of each view.
+    images: Vec<Image>,
     measured: Vec<Measured>,
 }
 
+/// The derivative of the loss with respect to each unknown.
+struct Gradient {
+    numbers: Vec<f64>,
+    /// Standard error of each, for the images as they were.
+    errors: Vec<f64>,
+}
+
 impl Problem {
-    /// The values of a state.
+    /// The values of a state: what its unknowns mean.
     pub fn values(&self, state: &State) -> Vec<f64> {
         self.variables.values(&state.unknowns)
     }
@@ -179,16 +131,36 @@ impl Problem {
         }
     }
 
-    /// Looks at the scene of a state and takes a step from it. After the last
-    /// iteration only looks. An error if there is nothing to write down: the
-    /// watch stopped it, or something is not finite or refused.
-    pub fn iterate(&self, state: &State, watch: &dyn Watch) -> Result<Iteration, Stop> {
+    /// Renders the scene of a state and takes a step from it; after the last iteration
+    /// only renders. An error if there is nothing to write down: the watch stopped it,
+    /// or something is not finite or refused.
+    ///
+    /// With the unknowns `u`, their values `x(u)`, the image `I_v` of each view, its
+    /// target and its share `s_v`, an iteration is
+    ///
+    /// ```text
+    /// L  = Σ_v s_v loss(I_v(x(u)))                       the loss
+    /// g  = (∂x/∂u)ᵀ Σ_v s_v (∂I_v/∂x)ᵀ ∂loss/∂I_v        its gradient, in reverse mode
+    /// u' = clamp(u - Adam(g))                            the step
+    /// ```
+    ///
+    /// with independent random numbers for `I_v` and its derivative. `views` are those of
+    /// the iteration before, or new ones.
+    pub fn iterate(
+        &self,
+        state: &State,
+        views: &mut PreparedViews,
+        watch: &dyn Watch,
+    ) -> Result<Iteration, Stop> {
+        // Put the values of the unknowns into the scene.
         let values = self.values(state);
         let scene = self
             .variables
             .apply(&self.scene, &values)
             .map_err(Stop::Outside)?;
-        let seen = self.look(&scene, state.iteration, watch)?;
+        // Render every view and compare it with its target.
+        let views = views.of(self, &scene);
+        let seen = self.look(views, state.iteration, watch)?;
         let mut row = self.row(state, values, &seen.measured);
         if !row.loss.is_finite() {
             let (iteration, loss) = (state.iteration, row.loss);
@@ -196,23 +168,25 @@ impl Problem {
                 what: format!("the loss of iteration {iteration} is {loss}"),
             });
         }
+        // Stop here if enough was done, otherwise take a step.
         let next = match self.limit(state, row.loss) {
             Some(stop) => Err(stop),
-            None => self.step(state, &scene, &seen, &mut row, watch),
+            None => self.step(state, &scene, views, &seen, &mut row, watch),
         };
         match next {
+            // An unfinished step leaves no trace: a resumed run does it again.
             Err(stop @ (Stop::Interrupted | Stop::Refused(_) | Stop::NotFinite { .. })) => {
                 Err(stop)
             }
             next => Ok(Iteration {
                 row,
-                pictures: seen.pictures,
+                images: seen.images,
                 next,
             }),
         }
     }
 
-    /// Whether there is to be no step.
+    /// Why there is to be no step, if there is a reason.
     fn limit(&self, state: &State, loss: f64) -> Option<Stop> {
         let Limits {
             iterations,
@@ -234,37 +208,22 @@ impl Problem {
         })
     }
 
-    fn options(&self, spp: u32, seed: u64) -> Options {
-        Options { spp, seed }
-    }
-
-    fn gradient_options(&self, options: Options) -> GradientOptions {
-        GradientOptions {
-            options,
-            method: self.method,
-            walk: self.walk,
-        }
-    }
-
     /// Renders all views and compares them with their targets.
-    fn look(&self, scene: &Scene, iteration: u32, watch: &dyn Watch) -> Result<Seen, Stop> {
-        let (mut pictures, mut measured) = (Vec::new(), Vec::new());
+    fn look(&self, views: &[Prepared], iteration: u32, watch: &dyn Watch) -> Result<Seen, Stop> {
+        let (mut images, mut measured) = (Vec::new(), Vec::new());
         for (i, view) in self.views.iter().enumerate() {
-            let seed = seed(self.seed, u64::from(iteration), i as u64, Purpose::Picture);
-            let options = self.options(self.spp, seed);
-            let picture = render(&Prepared::new(view.scene(scene)), &options, watch);
-            check("picture", iteration, &picture.statistics)?;
+            let seed = seed(self.seed, u64::from(iteration), i as u64, Purpose::Image);
+            let options = Options {
+                spp: self.spp,
+                seed,
+            };
+            let rendering = render(&views[i], &options, watch);
+            refuse_unusable("image", iteration, &rendering.statistics)?;
             let (target, mask) = (&view.target, view.mask.as_ref());
-            measured.push(self.loss.measure(&picture.value, target, mask));
-            pictures.push(picture.value.mean);
+            measured.push(self.loss.measure(&rendering.value, target, mask));
+            images.push(rendering.value.mean);
         }
-        Ok(Seen { pictures, measured })
-    }
-
-    /// The share of each view in the loss.
-    fn shares(&self) -> Vec<f64> {
-        let sum: f64 = self.views.iter().map(|view| view.weight).sum();
-        self.views.iter().map(|view| view.weight / sum).collect()
+        Ok(Seen { images, measured })
     }
 
     /// The weighted mean over views.
@@ -274,6 +233,7 @@ impl Problem {
             let pairs = shares.iter().zip(measured);
             pairs.map(|(share, measured)| share * of(measured)).sum()
         };
+        // Views are independent: their variances add up.
         let squares = shares.iter().zip(measured);
         let squares = squares.map(|(share, m)| (share * m.standard_error).powi(2));
         let known = measured.iter().all(|measured| measured.noise.is_some());
@@ -288,109 +248,52 @@ impl Problem {
         }
     }
 
-    /// The gradient by the unknowns, and its standard errors.
-    fn gradient(
-        &self,
-        state: &State,
-        scene: &Scene,
-        seen: &Seen,
-        row: &Row,
-        watch: &dyn Watch,
-    ) -> Result<(Vec<f64>, Vec<f64>), Stop> {
-        let count = self.variables.count();
-        let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
-        let wanted = self.variables.wanted(&self.scene);
-        let shares = self.shares();
-        for (i, view) in self.views.iter().enumerate() {
-            let adjoint = &seen.measured[i].adjoint;
-            let adjoint = Image {
-                pixels: adjoint.pixels.iter().map(|&a| a * shares[i]).collect(),
-                ..*adjoint
-            };
-            let iteration = u64::from(row.iteration);
-            let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
-            let options = self.gradient_options(self.options(self.spp_grad, seed));
-            let seen_scene = view.scene(scene);
-            let prepared = Prepared::new(seen_scene.clone());
-            let result =
-                backward(&prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
-            check("gradient", row.iteration, &result.statistics)?;
-            let pull = |gradient: &_| {
-                let variables = &self.variables;
-                let by_values = variables.pull(&self.scene, &seen_scene, &row.values, gradient);
-                variables.pull_changes(&state.unknowns, &by_values)
-            };
-            let (numbers, errors) = result.numbers(pull);
-            for k in 0..count {
-                sums[k] += numbers[k];
-                squares[k] += errors[k] * errors[k];
-            }
-        }
-        let errors = squares.into_iter().map(f64::sqrt);
-        Ok((sums, errors.collect()))
-    }
-
-    /// The first variable by which the derivative is refused in a state, each
-    /// tried alone.
-    pub fn refused_variable(&self, state: &State) -> Option<usize> {
-        let scene = self.scene(state).ok()?;
-        let options = self.gradient_options(self.options(1, self.seed));
-        let is_refused = |variable: &usize| {
-            let wanted = self.variables.wanted_by(&self.scene, *variable);
-            let mut seen = self.views.iter().map(|view| view.scene(&scene));
-            seen.any(|seen| {
-                let [width, height] = seen.film.crop_size.map(|side| side as usize);
-                let nothing = Image::new(width, height);
-                backward(
-                    &Prepared::new(seen),
-                    &nothing,
-                    &wanted,
-                    &options,
-                    &Unwatched,
-                )
-                .is_err()
-            })
-        };
-        (0..self.variables.iter().count()).find(is_refused)
-    }
-
+    /// Takes a step of Adam along the gradient, and notes it in the row. An error if the
+    /// next state could not be rendered or spoils a mesh.
     fn step(
         &self,
         state: &State,
         scene: &Scene,
+        views: &[Prepared],
         seen: &Seen,
         row: &mut Row,
         watch: &dyn Watch,
     ) -> Result<State, Stop> {
-        let (gradient, errors) = self.gradient(state, scene, seen, row, watch)?;
-        self.refuse_non_finite(&gradient, row.iteration)?;
+        // The gradient with respect to the unknowns, summed over views.
+        let gradient = self.gradient(state, views, seen, row, watch)?;
+        self.refuse_non_finite(&gradient.numbers, row.iteration)?;
+        // Remember the smallest loss, for `patience`.
         let mut next = state.clone();
         next.iteration += 1;
         if row.loss < state.best_loss {
             (next.best_loss, next.best_iteration) = (row.loss, row.iteration);
         }
-        let Limits { iterations, .. } = self.limits;
-        let factor = self.schedule.factor(row.iteration, iterations);
+        // Each variable takes a step of its own rate, times the factor of the schedule.
+        let factor = self.schedule.factor(row.iteration, self.limits.iterations);
         for (variable, range) in self.variables.iter() {
             let moments = Moments {
                 first: &mut next.first[range.clone()],
                 second: &mut next.second[range.clone()],
             };
-            let lr = factor * variable.lr.unwrap_or(self.lr);
-            let unknowns = &mut next.unknowns[range.clone()];
-            let gradient = &gradient[range];
-            let uniform = variable.uniform;
-            self.adam
-                .step(next.iteration, lr, uniform, gradient, moments, unknowns);
+            self.adam.step(
+                next.iteration,
+                factor * variable.lr.unwrap_or(self.lr),
+                variable.uniform,
+                &gradient.numbers[range.clone()],
+                moments,
+                &mut next.unknowns[range],
+            );
         }
+        // Unknowns with bounds end between them.
         self.variables.clamp(&mut next.unknowns);
         let differences = next.unknowns.iter().zip(&state.unknowns);
         row.step = Some(Step {
-            gradient: norm(gradient.iter().copied()),
-            gradient_noise: norm(errors.into_iter()),
+            gradient: norm(gradient.numbers.iter().copied()),
+            gradient_noise: norm(gradient.errors.into_iter()),
             length: norm(differences.map(|(a, b)| a - b)),
             lr: factor * self.lr,
         });
+        // The step counts only if the scene can be rendered and its meshes are whole.
         let after = self.scene(&next).map_err(Stop::Outside)?;
         let deformed = self.variables.deformed(&self.scene);
         match self.guards.step(scene, &after, &deformed) {
@@ -399,6 +302,86 @@ impl Problem {
         }
     }
 
+    /// `g` of [`Problem::iterate`], and its standard errors.
+    fn gradient(
+        &self,
+        state: &State,
+        views: &[Prepared],
+        seen: &Seen,
+        row: &Row,
+        watch: &dyn Watch,
+    ) -> Result<Gradient, Stop> {
+        let count = self.variables.count();
+        let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
+        let wanted = self.variables.wanted(&self.scene);
+        let shares = self.shares();
+        for (i, prepared) in views.iter().enumerate() {
+            // The adjoint image of the view: s_v ∂loss/∂I_v.
+            let adjoint = &seen.measured[i].adjoint;
+            let adjoint = Image {
+                pixels: adjoint.pixels.iter().map(|&a| a * shares[i]).collect(),
+                ..*adjoint
+            };
+            // A covector on the scene, with other random numbers than the image has:
+            // the mean of the product is the product of the means.
+            let iteration = u64::from(row.iteration);
+            let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
+            let options = self.gradient_options(Options {
+                spp: self.spp_grad,
+                seed,
+            });
+            let result =
+                backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
+            refuse_unusable("gradient", row.iteration, &result.statistics)?;
+            // From the scene to its values to the unknowns: two transposed linear maps.
+            let pull = |gradient: &_| {
+                let variables = &self.variables;
+                let by_values =
+                    variables.pull(&self.scene, prepared.scene(), &row.values, gradient);
+                variables.pull_reparameterization(&state.unknowns, &by_values)
+            };
+            // Views are independent: their variances add up.
+            let (numbers, errors) = result.numbers(pull);
+            for k in 0..count {
+                sums[k] += numbers[k];
+                squares[k] += errors[k] * errors[k];
+            }
+        }
+        Ok(Gradient {
+            numbers: sums,
+            errors: squares.into_iter().map(f64::sqrt).collect(),
+        })
+    }
+
+    /// The first variable whose derivative is refused in a state, each tried alone.
+    pub fn refused_variable(&self, state: &State) -> Option<usize> {
+        let scene = self.scene(state).ok()?;
+        let options = self.gradient_options(Options {
+            spp: 1,
+            seed: self.seed,
+        });
+        let mut views = PreparedViews::new();
+        let views = views.of(self, &scene);
+        let is_refused = |variable: &usize| {
+            let wanted = self.variables.wanted_by(&self.scene, *variable);
+            views.iter().any(|view| {
+                let [width, height] = view.scene().film.crop_size.map(|side| side as usize);
+                let nothing = Image::new(width, height);
+                backward(view, &nothing, &wanted, &options, &Unwatched).is_err()
+            })
+        };
+        (0..self.variables.iter().count()).find(is_refused)
+    }
+
+    fn gradient_options(&self, options: Options) -> GradientOptions {
+        GradientOptions {
+            options,
+            method: self.method,
+            walk: self.walk,
+        }
+    }
+
+    /// An error that names the first unknown whose gradient is not finite.
     fn refuse_non_finite(&self, gradient: &[f64], iteration: u32) -> Result<(), Stop> {
         for (variable, range) in self.variables.iter() {
             let numbers = &gradient[range];
@@ -406,8 +389,8 @@ impl Problem {
                 let (name, number) = (&variable.name, numbers[index]);
                 return Err(Stop::NotFinite {
                     what: format!(
-                        "in iteration {iteration} the gradient by unknown {index} of \"{name}\" \
-                         is {number}"
+                        "in iteration {iteration} the gradient with respect to unknown {index} of \
+                         \"{name}\" is {number}"
                     ),
                 });
             }
@@ -416,19 +399,8 @@ impl Problem {
     }
 }
 
-impl View {
-    /// The scene, as it is seen from here.
-    pub fn scene(&self, scene: &Scene) -> Scene {
-        let mut seen = scene.clone();
-        if let Some((sensor, film)) = &self.sensor {
-            (seen.sensor, seen.film) = (sensor.clone(), film.clone());
-        }
-        seen
-    }
-}
-
-/// Whether a piece of work can be used.
-fn check(what: &str, iteration: u32, statistics: &Statistics) -> Result<(), Stop> {
+/// An error if a piece of work was stopped, or too many of its samples are not finite.
+fn refuse_unusable(what: &str, iteration: u32, statistics: &Statistics) -> Result<(), Stop> {
     if !statistics.complete {
         return Err(Stop::Interrupted);
     }
@@ -443,6 +415,7 @@ fn check(what: &str, iteration: u32, statistics: &Statistics) -> Result<(), Stop
     Ok(())
 }
 
+/// Euclidean norm.
 fn norm(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.map(|x| x * x).sum::<f64>().sqrt()
 }

@@ -1,13 +1,13 @@
-//! Seeds of pictures and gradients: a function of the job's seed, the iteration,
+//! Seeds of images and gradients: a function of the job's seed, the iteration,
 //! the view and the purpose. The gradient of a loss is a product of what the
-//! picture says and how it changes, and the mean of the product is the product of
+//! image says and how it changes, and the mean of the product is the product of
 //! the means only if the two do not share their random numbers.
 
 /// What random numbers are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// The picture that the loss compares.
-    Picture = 0,
+    /// The image that the loss compares.
+    Image = 0,
     /// Its derivative.
     Gradient = 1,
     /// A target that is rendered.
@@ -49,7 +49,7 @@ mod tests {
         for job in 0..4 {
             for iteration in 0..500 {
                 for view in 0..4 {
-                    for purpose in [Purpose::Picture, Purpose::Gradient, Purpose::Target] {
+                    for purpose in [Purpose::Image, Purpose::Gradient, Purpose::Target] {
                         let seed = seed(job, iteration, view, purpose);
                         assert_eq!(seed & 3, purpose as u64);
                         assert!(seen.insert(seed), "{job} {iteration} {view} {purpose:?}");

@@ -47,8 +47,8 @@ impl Smoother {
         })
     }
 
-    /// `A⁻¹ u` of every column of rows of `dims` numbers; symmetric, so the
-    /// gradient by `u` is that of the gradient by `x`.
+    /// `A⁻¹ u` of every column of rows of `dims` numbers; symmetric, so this also
+    /// takes the gradient with respect to `x` to that with respect to `u`.
     pub fn solve(&self, rows: &[f64], dims: usize) -> Vec<f64> {
         let nodes = self.neighbours.len();
         let right = Mat::from_fn(nodes, dims, |i, k| rows[i * dims + k]);

@@ -1,6 +1,6 @@
 //! All that an optimisation remembers, as plain numbers.
 
-use crate::run::Problem;
+use crate::problem::Problem;
 
 /// Where an optimisation is. The next state is a function of it and of the
 /// problem: there are no random numbers in it, these have addresses.

@@ -2,15 +2,16 @@
 //! the loss itself.
 
 use capwalk_diff::{Method, Options, Prepared, Unwatched, WalkSettings, render};
+use capwalk_inverse::Limits;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
-use capwalk_inverse::run::Limits;
 use capwalk_inverse::schedule::{Decay, Schedule};
-use capwalk_inverse::variable::select::{Curve, Wish};
 use capwalk_inverse::variable::vertices::{Directions, Selection};
+use capwalk_inverse::variable::{Curve, VariableSpec};
 use capwalk_inverse::variable::{Variables, variable};
-use capwalk_inverse::{Problem, State, View, adam::Adam};
+use capwalk_inverse::{PreparedViews, Problem, State, View, adam::Adam};
 use capwalk_math::{Moments, Rgb, Vec3};
+use capwalk_scene::params::Registry;
 use capwalk_scene::{Film, Filter, Image, Scene, builtin};
 
 /// The leaf over its floor, in so few pixels that outlines move little in each.
@@ -23,36 +24,35 @@ fn scene() -> Scene {
 /// Unknowns of every kind of variable, in two views, one of them masked.
 fn problem() -> Problem {
     let scene = scene();
-    let wish = |name: &str| Wish {
+    let spec = |name: &str| VariableSpec {
         name: name.into(),
-        ..Wish::default()
+        ..VariableSpec::default()
     };
-    let wishes = [
-        Wish {
+    let specs = [
+        VariableSpec {
             vertices: Some(Selection::All),
             directions: Some(Directions::Plane([
                 Vec3::new(1.0, 0.0, 0.0),
                 Vec3::new(0.0, 0.0, 1.0),
             ])),
             lambda: Some(2.0),
-            ..wish("leaf.positions")
+            ..spec("leaf.positions")
         },
-        Wish {
+        VariableSpec {
             curve: Some(Curve::Sigmoid),
-            ..wish("floor.bsdf.reflectance.value")
+            ..spec("floor.bsdf.reflectance.value")
         },
-        wish("lamp.rotate.x"),
-        wish("lamp.scale"),
+        spec("lamp.rotate.x"),
+        spec("lamp.scale"),
     ];
-    let variables = wishes.iter().map(|wish| {
-        variable(&scene, &capwalk_scene::params::Registry::new(&scene), wish).expect("fine")
-    });
+    let variables = specs
+        .iter()
+        .map(|spec| variable(&scene, &Registry::new(&scene), spec).expect("fine"));
     let variables = Variables::new(&scene, variables.collect()).expect("they fit");
     let target = |scene: &Scene, seed: u64| {
         let options = Options { spp: 64, seed };
-        let mut target = render(&Prepared::new(scene.clone()), &options, &Unwatched)
-            .value
-            .mean;
+        let prepared = Prepared::new(scene.clone());
+        let mut target = render(&prepared, &options, &Unwatched).value.mean;
         // Another picture than the scene's own: the gradient is not zero.
         for (i, pixel) in target.pixels.iter_mut().enumerate() {
             *pixel = *pixel * (0.7 + 0.5 * (i as f64).sin());
@@ -135,9 +135,10 @@ fn gradients_are_derivatives_of_the_loss() {
     let step = 2e-2;
     let mut errors = vec![Moments::default(); directions.len()];
     let mut sizes = vec![Moments::default(); directions.len()];
+    let mut views = PreparedViews::new();
     for seed in 0..120 {
         problem.seed = seed;
-        let first = problem.iterate(&at(&problem, initial.clone()), &Unwatched);
+        let first = problem.iterate(&at(&problem, initial.clone()), &mut views, &Unwatched);
         let next = first.expect("a step").next.expect("a state");
         // The first mean of Adam is a tenth of the gradient.
         let gradient: Vec<f64> = next.first.iter().map(|m| m / (1.0 - 0.9)).collect();
@@ -145,10 +146,10 @@ fn gradients_are_derivatives_of_the_loss() {
         let mut looking = problem.clone();
         looking.limits.iterations = 0;
         for (k, direction) in directions.iter().enumerate() {
-            let loss = |h: f64| {
+            let mut loss = |h: f64| {
                 let moved = initial.iter().zip(direction).map(|(u, d)| u + h * d);
                 let state = at(&problem, moved.collect());
-                let looked = looking.iterate(&state, &Unwatched);
+                let looked = looking.iterate(&state, &mut views, &Unwatched);
                 looked.expect("a picture").row.loss
             };
             let difference = (loss(step) - loss(-step)) / (2.0 * step);

@@ -47,7 +47,7 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
     dimension: u32,
 ) -> Rgb<R> {
     let lamps = &field.boundaries.area_emitters;
-    if lamps.is_empty() || world.is_still(eye) {
+    if !field.method.traits().gathers || lamps.is_empty() || world.is_still(eye) {
         return Rgb::zero();
     }
     let [choice, place] = draw.stream.pair(dimension);

@@ -12,17 +12,31 @@ pub(crate) fn write_atomically(
 ) -> io::Result<()> {
     let temporary = temporary_name(path)?;
     let written = (|| {
+        faults::step()?;
         let mut writer = BufWriter::new(File::create(&temporary)?);
+        faults::step()?;
         fill(&mut writer)?;
         writer.flush()?;
         writer.into_inner()?.sync_all()?;
+        faults::step()?;
         fs::rename(&temporary, path)
     })();
-    if written.is_err() {
+    // A killed process does not clean up.
+    if written.is_err() && !faults::is_killed() {
         // The error that is reported is the first one.
         let _ = fs::remove_file(&temporary);
     }
     written
+}
+
+/// Adds bytes to the end of a file. They are on the disk when this returns.
+pub fn append(file: &mut File, bytes: &[u8]) -> io::Result<()> {
+    faults::step()?;
+    let (first, rest) = bytes.split_at(bytes.len() / 2);
+    file.write_all(first)?;
+    faults::step()?;
+    file.write_all(rest)?;
+    file.sync_data()
 }
 
 /// Checks that [`write_atomically`] could write there, by making its temporary
@@ -44,6 +58,57 @@ fn temporary_name(path: &Path) -> io::Result<PathBuf> {
     })?;
     let name = format!(".{}.{}.tmp", name.to_string_lossy(), std::process::id());
     Ok(path.with_file_name(name))
+}
+
+/// Writing goes on.
+#[cfg(not(feature = "faults"))]
+mod faults {
+    pub fn step() -> std::io::Result<()> {
+        Ok(())
+    }
+
+    pub fn is_killed() -> bool {
+        false
+    }
+}
+
+/// Kills of the process at a chosen moment of writing, for tests: from then on all
+/// writing of this thread fails, and what is half done stays.
+#[cfg(feature = "faults")]
+pub mod faults {
+    use std::cell::Cell;
+    use std::io;
+
+    thread_local! {
+        /// Steps until the kill.
+        static LEFT: Cell<u32> = const { Cell::new(u32::MAX) };
+    }
+
+    /// Kills the process, as it were, before its next step but `steps`.
+    pub fn kill_after(steps: u32) {
+        LEFT.set(steps);
+    }
+
+    /// True if it was killed.
+    pub fn is_killed() -> bool {
+        LEFT.get() == 0
+    }
+
+    /// What a new process has: nothing to fear. Returns how many steps were left.
+    pub fn revive() -> u32 {
+        LEFT.replace(u32::MAX)
+    }
+
+    /// A moment between two things that are written.
+    pub(super) fn step() -> io::Result<()> {
+        match LEFT.get() {
+            0 => Err(io::Error::other("killed by a test")),
+            left => {
+                LEFT.set(left - 1);
+                Ok(())
+            }
+        }
+    }
 }
 
 #[cfg(test)]

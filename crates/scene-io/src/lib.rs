@@ -49,8 +49,13 @@ pub mod arrays;
 mod atomic;
 pub mod export;
 pub mod image;
+mod velocities;
 
+pub use atomic::append;
+#[cfg(feature = "faults")]
+pub use atomic::faults;
 pub use error::{Diagnostic, LoadError};
 pub use load::{LoadOptions, Loaded, load_scene, load_scene_str, load_scene_with};
 pub use location::{Location, Position};
+pub use velocities::{NotVelocities, VelocityFileError, read_velocities};
 pub use warning::Warning;

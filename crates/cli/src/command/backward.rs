@@ -1,75 +1,70 @@
-//! `capwalk backward`: the gradient of a loss by many parameters.
-
-mod objective;
+//! `capwalk backward`: the gradient of a loss with respect to many parameters.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use anyhow::{Result, bail, ensure};
-use capwalk_diff::{GradientOptions, Prepared, Wanted};
-use capwalk_scene::params::{ArrayParameter, Registry, Request};
-use capwalk_scene::{Motion, Scene};
+use capwalk::{
+    Distance, Error, GradientOptions, Gradients, Image, ImageLoss, Loss, ParameterGradient,
+    Prepared, RenderOptions, Scene, read_layer,
+};
 use capwalk_scene_io::arrays::{self, Array, Arrays, METADATA};
 use serde_json::{Value, json};
 
-use crate::args::Backward;
+use crate::args::{Backward, LossName};
 use crate::diagnostics::Outcome;
 use crate::progress::{self, Progress};
-use crate::{console, method, moving, output, report, source};
-use objective::{Loss, Objective};
+use crate::{console, method, output, report, source};
+
+/// One of so many parts of a time limit is for the image that a loss is of: samples of
+/// its gradient take several times as long.
+const IMAGE_SHARE: u32 = 4;
 
 pub fn run(args: &Backward) -> Result<Outcome> {
-    let scene = source::load(&args.scene)?;
-    let (parameters, left_out) = match args.param.is_empty() {
-        true => all_parameters(&scene)?,
-        false => (parameters(&scene, &args.param)?, String::new()),
+    let prepared = source::load(&args.scene)?;
+    let scene = prepared.scene();
+    let names = match args.param.is_empty() {
+        true => all_names(&prepared)?,
+        false => args.param.clone(),
     };
-    console::remark(&left_out);
-    check_names(&parameters, args.errors)?;
-    let options = source::options(&args.sampling, &scene);
-    let settings = method::gradient_options(options, &args.method)?;
+    check_names(&names, args.errors)?;
+    let sampling = source::options(&args.sampling, scene);
+    let options = method::options(sampling, &args.method)?;
     let file = output_file(args)?;
-    let read = objective::read(args, &scene)?;
+    let given = given_image(args, scene)?;
 
-    let Some(objective) = objective::objective(args, &scene, &options, read)? else {
-        return nothing("every pixel of the picture had a sample");
+    let loss = match args.objective.loss {
+        None => None,
+        Some(name) => match measured(&prepared, name, &given, &sampling, args)? {
+            None => return nothing("every pixel of the image had a sample"),
+            loss => loss,
+        },
     };
-    let Objective { adjoint, loss } = objective;
+    let adjoint = loss
+        .as_ref()
+        .map_or(&given, |loss| &loss.image.measured.adjoint);
     let rest = args.sampling.time_limit.map(|limit| {
-        let used = loss.as_ref().map(Loss::elapsed).unwrap_or_default();
-        limit.saturating_sub(used)
+        let used = loss.as_ref().map(|loss| loss.elapsed);
+        limit.saturating_sub(used.unwrap_or_default())
     });
     let progress = Progress::new("gradient", rest);
-    let wanted = wanted(&scene, &parameters);
-    let result = capwalk_diff::backward(
-        &Prepared::new(scene.clone()),
-        &adjoint,
-        &wanted,
-        &settings,
-        &progress,
-    );
+    let gradients = prepared.backward(adjoint, &names, &options, &progress);
     let elapsed = progress.finish().as_secs_f64();
-    let result = result?;
-    let statistics = &result.statistics;
+    let gradients = gradients?;
+    let statistics = &gradients.statistics;
     if statistics.samples == 0 {
         return nothing("a sample of the gradient was taken");
     }
 
-    let gradients: Vec<Gradient> = parameters
-        .iter()
-        .map(|parameter| Gradient::new(&scene, parameter, &result))
-        .collect();
-    arrays::write(
-        &file,
-        &contents(args, &settings, &gradients, loss.as_ref(), statistics),
-    )?;
+    arrays::write(&file, &contents(args, &options, &gradients, loss.as_ref()))?;
     let written = vec![file.display().to_string()];
     let mut pieces = vec![statistics];
     if let Some(loss) = &loss {
-        console::remark(&report::warnings("picture", &loss.statistics));
-        pieces.push(&loss.statistics);
+        console::remark(&report::warnings("picture", &loss.image.statistics));
+        pieces.push(&loss.image.statistics);
     }
-    console::remark(&method::remark(&args.method));
+    console::remark(&method::remark(&options));
     console::remark(&report::warnings("gradient", statistics));
     if args.json {
         let document = json!({
@@ -77,9 +72,9 @@ pub fn run(args: &Backward) -> Result<Outcome> {
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
-            "method": settings.method.name(),
-            "loss": loss.as_ref().map(Loss::to_json),
-            "parameters": gradients.iter().map(Gradient::to_json).collect::<Vec<_>>(),
+            "method": options.method.name(),
+            "loss": loss.as_ref().map(MeasuredLoss::to_json),
+            "parameters": gradients.iter().map(to_json).collect::<Vec<_>>(),
             "statistics": report::statistics_json(statistics, elapsed),
             "files": written,
         });
@@ -87,7 +82,9 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     } else {
         console::print(&format!(
             "{}{}\n{}{}",
-            loss.as_ref().map(Loss::describe).unwrap_or_default(),
+            loss.as_ref()
+                .map(MeasuredLoss::describe)
+                .unwrap_or_default(),
             report::work("gradient", statistics, elapsed),
             table(&gradients),
             report::written(&written)
@@ -105,59 +102,20 @@ fn nothing(before: &str) -> Result<Outcome> {
     Ok(Outcome::Interrupted)
 }
 
-/// Something to differentiate by, under the name that was typed.
-struct Parameter {
-    name: String,
-    request: Request,
-}
-
-/// All arrays that can be differentiated by, under their first names, and a
-/// warning that names the others.
-fn all_parameters(scene: &Scene) -> Result<(Vec<Parameter>, String)> {
-    let registry = Registry::new(scene);
-    let arrays = registry.arrays().iter();
-    let first_names = arrays.filter(|array| array.alias_of.is_none()).cloned();
-    let parameters = |arrays: Vec<ArrayParameter>| -> Vec<Parameter> {
-        let arrays = arrays.into_iter();
-        let parameter = |array: ArrayParameter| Parameter {
-            name: array.name.clone(),
-            request: Request::Array(array),
-        };
-        arrays.map(parameter).collect()
-    };
-    let Some(refusal) = capwalk_diff::refusal(&Prepared::new(scene.clone())) else {
-        return Ok((parameters(first_names.collect()), String::new()));
-    };
-    let (refused, others): (Vec<_>, Vec<_>) =
-        first_names.partition(|array| array.moves_discontinuities);
-    ensure!(
-        !others.is_empty(),
-        "nothing in this scene can be differentiated: {refusal}"
-    );
-    let names: Vec<&str> = refused.iter().map(|array| array.name.as_str()).collect();
-    let left_out = match names.is_empty() {
-        true => String::new(),
-        false => format!("warning: {} are left out: {refusal}\n", names.join(", ")),
-    };
-    Ok((parameters(others), left_out))
-}
-
-/// What was asked for.
-fn parameters(scene: &Scene, names: &[String]) -> Result<Vec<Parameter>> {
-    let registry = Registry::new(scene);
-    let mut parameters = Vec::new();
-    for name in names {
-        let request = registry.request(scene, name)?;
-        if let Request::Motion(motion) = &request {
-            ensure!(
-                !moving::is_zero(motion),
-                "nothing moves: the parameters in \"{name}\" add up to zero"
-            );
+/// All arrays with respect to which the gradient is not refused; warns of the others.
+fn all_names(prepared: &Prepared) -> Result<Vec<String>> {
+    let names = prepared.gradient_names();
+    if let Some(refusal) = names.refusal {
+        ensure!(
+            !names.allowed.is_empty(),
+            "nothing in this scene can be differentiated: {refusal}"
+        );
+        if !names.refused.is_empty() {
+            let refused = names.refused.join(", ");
+            console::remark(&format!("warning: {refused} are left out: {refusal}\n"));
         }
-        let name = name.clone();
-        parameters.push(Parameter { name, request });
     }
-    Ok(parameters)
+    Ok(names.allowed)
 }
 
 /// The array of standard errors of an array.
@@ -166,11 +124,11 @@ fn errors_name(name: &str) -> String {
 }
 
 /// Each array of the file needs a name of its own.
-fn check_names(parameters: &[Parameter], errors: bool) -> Result<()> {
-    let mut names = HashSet::from([METADATA.to_owned()]);
-    for Parameter { name, .. } in parameters {
+fn check_names(names: &[String], errors: bool) -> Result<()> {
+    let mut taken = HashSet::from([METADATA.to_owned()]);
+    for name in names {
         ensure!(
-            names.insert(name.clone()) && (!errors || names.insert(errors_name(name))),
+            taken.insert(name.clone()) && (!errors || taken.insert(errors_name(name))),
             "two arrays of the output would be called \"{name}\"; ask for it once, and give \
              things with equal ids different ones"
         );
@@ -195,123 +153,129 @@ fn output_file(args: &Backward) -> Result<PathBuf> {
     }
 }
 
-fn wanted(scene: &Scene, parameters: &[Parameter]) -> Wanted {
-    let mut wanted = Wanted::by(&Motion::zero(scene));
-    for parameter in parameters {
-        wanted.add(&Wanted::by(&match &parameter.request {
-            Request::Motion(motion) => motion.clone(),
-            Request::Array(array) => array.motion(scene, &vec![1.0; array.count()]),
-        }));
-    }
-    wanted
+/// The adjoint or the target that was given.
+fn given_image(args: &Backward, scene: &Scene) -> Result<Image> {
+    let (file, defaults): (_, &[&str]) = match (&args.objective.adjoint, &args.target) {
+        (Some(file), _) => (file, &["adjoint", "value"]),
+        (None, Some(file)) => (file, &["value"]),
+        (None, None) => bail!("neither --adjoint nor --target was given"),
+    };
+    let asked = args.layer.as_deref();
+    let layers = asked.as_ref().map_or(defaults, std::slice::from_ref);
+    Ok(read_layer(file, layers, scene.film.crop_size)?)
 }
 
-/// The derivatives by one parameter.
-struct Gradient {
-    name: String,
-    /// As of an array; empty for a scalar.
-    shape: Vec<usize>,
-    /// As NumPy writes it, or that there is none.
-    shape_text: String,
-    numbers: Vec<f64>,
-    errors: Vec<f64>,
-    /// Length of the array, or the one number.
-    size: f64,
-    /// Standard error of that, to first order.
-    size_error: f64,
+/// A loss that was asked for by name.
+struct MeasuredLoss {
+    name: LossName,
+    image: ImageLoss,
+    /// How long its image took.
+    elapsed: Duration,
 }
 
-impl Gradient {
-    fn new(scene: &Scene, parameter: &Parameter, result: &capwalk_diff::Backward) -> Self {
-        let name = parameter.name.clone();
-        match &parameter.request {
-            Request::Motion(motion) => {
-                let (value, error) = result.along(motion);
-                Self {
-                    name,
-                    shape: Vec::new(),
-                    shape_text: "scalar".into(),
-                    numbers: vec![value],
-                    errors: vec![error],
-                    size: value,
-                    size_error: error,
-                }
-            }
-            Request::Array(array) => Self::of_array(scene, name, array, result),
-        }
-    }
-
-    fn of_array(
-        scene: &Scene,
-        name: String,
-        array: &ArrayParameter,
-        result: &capwalk_diff::Backward,
-    ) -> Self {
-        let (numbers, errors) = result.numbers(|gradient| array.gradient(scene, gradient));
-        let size = norm(&numbers);
-        // The derivative of the norm is the unit vector along the gradient.
-        let unit: Vec<f64> = match size {
-            0.0 => vec![0.0; numbers.len()],
-            size => numbers.iter().map(|x| x / size).collect(),
-        };
-        let (_, size_error) = result.along(&array.motion(scene, &unit));
-        Self {
+/// The loss; `None` if it was stopped before every pixel had a sample.
+fn measured(
+    prepared: &Prepared,
+    name: LossName,
+    target: &Image,
+    sampling: &RenderOptions,
+    args: &Backward,
+) -> Result<Option<MeasuredLoss>> {
+    let distance = match name {
+        LossName::L1 => Distance::L1,
+        LossName::L2 => Distance::L2,
+    };
+    let loss = Loss {
+        distance,
+        levels: 1,
+    };
+    let limit = args.sampling.time_limit.map(|limit| limit / IMAGE_SHARE);
+    let progress = Progress::new("picture", limit);
+    let image = prepared.loss(&loss, target, None, sampling, &progress);
+    let elapsed = progress.finish();
+    match image {
+        Ok(image) => Ok(Some(MeasuredLoss {
             name,
-            shape: array.shape.clone(),
-            shape_text: array.shape_text(),
-            numbers,
-            errors,
-            size,
-            size_error,
+            image,
+            elapsed,
+        })),
+        Err(Error::Stopped { .. }) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
+}
+
+impl MeasuredLoss {
+    /// Mean over pixels and channels of the image as it is, with its noise.
+    fn value(&self) -> f64 {
+        let measured = &self.image.measured;
+        measured.value + measured.noise.unwrap_or(0.0)
+    }
+
+    /// What there is to say about it, in lines.
+    fn describe(&self) -> String {
+        let mut text = format!("loss ({}): {:.6e}", self.name(), self.value());
+        if let Some(noise) = self.image.measured.noise {
+            let noise = report::significant(noise, 2);
+            text += &format!(", of which about {noise} is noise of the picture");
         }
+        text += &format!("\nthe picture has the seed {}\n", self.image.seed);
+        let seconds = self.elapsed.as_secs_f64();
+        report::work("picture", &self.image.statistics, seconds) + &text
     }
 
-    fn is_scalar(&self) -> bool {
-        self.shape.is_empty()
-    }
-
-    /// The norm that an array of only noise would have about.
-    fn noise(&self) -> f64 {
-        norm(&self.errors)
-    }
-
+    /// The same as JSON.
     fn to_json(&self) -> Value {
-        match self.is_scalar() {
-            true => json!({
-                "name": self.name,
-                "shape": self.shape,
-                "value": self.size,
-                "standard_error": self.size_error,
-            }),
-            false => json!({
-                "name": self.name,
-                "shape": self.shape,
-                "norm": self.size,
-                "standard_error": self.size_error,
-                "noise": self.noise(),
-            }),
-        }
+        let seconds = self.elapsed.as_secs_f64();
+        json!({
+            "name": self.name(),
+            "value": self.value(),
+            "noise": self.image.measured.noise,
+            "seed": self.image.seed,
+            "statistics": report::statistics_json(&self.image.statistics, seconds),
+        })
+    }
+
+    /// Its name as typed.
+    fn name(&self) -> String {
+        method::name(&self.name)
     }
 }
 
-fn norm(numbers: &[f64]) -> f64 {
-    numbers.iter().map(|x| x * x).sum::<f64>().sqrt()
+fn to_json(gradient: &ParameterGradient) -> Value {
+    match gradient.is_scalar() {
+        true => json!({
+            "name": gradient.name,
+            "shape": gradient.shape,
+            "value": gradient.size,
+            "standard_error": gradient.size_error,
+        }),
+        false => json!({
+            "name": gradient.name,
+            "shape": gradient.shape,
+            "norm": gradient.size,
+            "standard_error": gradient.size_error,
+            "noise": gradient.noise(),
+        }),
+    }
 }
 
-fn table(gradients: &[Gradient]) -> String {
+fn table(gradients: &Gradients) -> String {
     let mut rows = vec![
         ["", "shape", "norm or value", "standard error", "noise"]
             .map(String::from)
             .to_vec(),
     ];
     rows.extend(gradients.iter().map(|gradient| {
-        let noise = match gradient.is_scalar() {
-            true => String::new(),
-            false => report::significant(gradient.noise(), 2),
+        let (shape, noise) = match gradient.is_scalar() {
+            true => ("scalar".into(), String::new()),
+            false => (
+                report::shape(&gradient.shape),
+                report::significant(gradient.noise(), 2),
+            ),
         };
         vec![
             gradient.name.clone(),
-            gradient.shape_text.clone(),
+            shape,
             report::significant(gradient.size, 4),
             report::significant(gradient.size_error, 2),
             noise,
@@ -323,25 +287,25 @@ fn table(gradients: &[Gradient]) -> String {
 /// The file: the gradient, its errors if they are wanted, and how it was made.
 fn contents(
     args: &Backward,
-    settings: &GradientOptions,
-    gradients: &[Gradient],
-    loss: Option<&Loss>,
-    statistics: &capwalk_diff::Statistics,
+    options: &GradientOptions,
+    gradients: &Gradients,
+    loss: Option<&MeasuredLoss>,
 ) -> Arrays {
-    let mut metadata = output::origin("backward", &args.scene.scene, &settings.options);
+    let mut metadata = output::origin("backward", &args.scene.scene, &options.sampling());
     let mut note = |key: &str, value: String| metadata.push((key.to_owned(), value));
     let path = |path: &Path| path.display().to_string();
-    note("method", settings.method.name().into());
+    note("method", options.method.name().into());
     if let Some(file) = &args.objective.adjoint {
         note("adjoint", path(file));
     }
     if let (Some(loss), Some(target)) = (loss, &args.target) {
-        note("loss", loss.name().into());
+        note("loss", loss.name());
         note("target", path(target));
-        note("loss_value", loss.value.to_string());
-        note("picture_seed", loss.seed.to_string());
+        note("loss_value", loss.value().to_string());
+        note("picture_seed", loss.image.seed.to_string());
     }
-    let complete = statistics.complete && loss.is_none_or(|loss| loss.statistics.complete);
+    let statistics = &gradients.statistics;
+    let complete = statistics.complete && loss.is_none_or(|loss| loss.image.statistics.complete);
     note("samples", statistics.samples.to_string());
     note("complete", complete.to_string());
     note("non_finite_samples", statistics.non_finite.to_string());
@@ -356,7 +320,7 @@ fn contents(
         };
         push(gradient.name.clone(), &gradient.numbers);
         if args.errors {
-            push(errors_name(&gradient.name), &gradient.errors);
+            push(errors_name(&gradient.name), &gradient.standard_errors);
         }
     }
     Arrays { arrays, metadata }

@@ -5,162 +5,120 @@ pub mod picture;
 use std::time::{Duration, Instant};
 
 use anyhow::{Result, ensure};
-use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
-use capwalk_diff::{GradientImage, GradientOptions, Options, Prepared};
-use capwalk_scene::{Motion, Scene};
+use capwalk::{
+    Check, CheckOptions, Comparison, GradientImage, GradientOptions, Motion, Prepared, Verdict,
+};
 use serde_json::{Value, json};
 
-use crate::args::{Check, MethodName};
+use crate::args::{self, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::Files;
 use crate::progress::Progress;
 use crate::{console, method, moving, report, source};
 
-/// Samples of the reference for each one of the gradient, if nothing is said:
-/// differences are cheaper, and noisier.
-const REFERENCE_FACTOR: u32 = 4;
-
-/// Makes the reference's random numbers independent of the gradient's.
-const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
-
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
 
-/// A gradient, its reference, and how they compare.
+/// A check, and how long it took.
 pub struct Checked {
-    pub gradient: GradientImage,
-    pub reference: GradientImage,
-    pub comparison: Comparison,
-    /// How the gradient was sampled.
-    pub options: Options,
-    /// The name of its method.
-    pub method: &'static str,
-    /// How the reference was made.
-    pub differences: Reference,
+    pub check: Check,
+    /// How the gradient was estimated.
+    pub options: GradientOptions,
     /// Seconds for the gradient and for the reference.
     pub seconds: [f64; 2],
 }
 
-/// How to make the reference.
-#[derive(Clone, Copy)]
-pub struct Reference {
-    /// Step of the central differences, in units of the parameter.
-    pub step: f64,
-    /// Samples per pixel on each side.
-    pub spp: u32,
-}
-
-impl Reference {
-    /// How the reference is sampled beside a gradient with these options.
-    fn options(self, gradient: &Options) -> Options {
-        Options {
-            spp: self.spp,
-            seed: gradient.seed ^ REFERENCE_SEED,
-            ..*gradient
-        }
-    }
-}
-
-pub fn run(args: &Check) -> Result<Outcome> {
+pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
-    let scene = source::load(&typed.scene)?;
-    let motion = moving::motion(&scene, &typed.motion)?;
-    let options = source::options(&typed.sampling, &scene);
+    let prepared = source::load(&typed.scene)?;
+    let scene = prepared.scene();
+    let motion = moving::motion(&prepared, &typed.motion)?;
+    let sampling = source::options(&typed.sampling, scene);
     let stem = format!("{}-check", source::stem(&typed.scene));
     let files = Files::new(&typed.output.output, &stem, &["png"])?;
-    let reference = Reference {
-        step: typed
-            .step
-            .unwrap_or_else(|| moving::default_step(&scene, &motion)),
-        spp: args
-            .reference_spp
-            .unwrap_or(options.spp.saturating_mul(REFERENCE_FACTOR)),
-    };
     ensure!(
         typed.method.method != MethodName::Fd,
         "check compares with finite differences: with --method fd there is nothing to check. Use \
-         another method, or `compare` for pictures of `gradient` with different steps"
+         another method, or `compare` for images of `gradient` with different steps"
     );
-    let settings = method::gradient_options(options, &typed.method)?;
-    let limit = typed.sampling.time_limit;
-    let checked = check(&scene, &motion, &settings, &reference, limit)?;
-    let comparison = &checked.comparison;
-    let (gradient, differences) = (&checked.gradient.statistics, &checked.reference.statistics);
+    let options = CheckOptions {
+        gradient: method::options(sampling, &typed.method)?,
+        reference_spp: args.reference_spp,
+        step: typed.step,
+    };
+    let checked = check(&prepared, &motion, &options, typed.sampling.time_limit)?;
+    let Check {
+        gradient,
+        reference,
+        comparison,
+        made,
+    } = &checked.check;
+    let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
     let parameter = moving::describe(&typed.motion);
     let written = picture::write(&files, &typed.scene.scene, &parameter, &checked)?;
-    console::remark(&method::remark(&typed.method));
-    console::remark(&report::warnings("gradient", gradient));
-    console::remark(&report::warnings("reference", differences));
+    console::remark(&method::remark(&options.gradient));
+    console::remark(&report::warnings("gradient", of_gradient));
+    console::remark(&report::warnings("reference", of_reference));
     if typed.output.json {
         let document = json!({
             "scene": typed.scene.scene,
             "parameter": parameter,
             "size": scene.film.crop_size,
-            "spp": options.spp,
-            "seed": options.seed,
-            "method": checked.method,
-            "reference_spp": reference.spp,
-            "step": reference.step,
+            "spp": sampling.spp,
+            "seed": sampling.seed,
+            "method": options.gradient.method.name(),
+            "reference_spp": made.spp,
+            "step": made.step,
             "comparison": comparison_json(comparison),
-            "gradient": report::statistics_json(gradient, checked.seconds[0]),
-            "reference": report::statistics_json(differences, checked.seconds[1]),
+            "gradient": report::statistics_json(of_gradient, checked.seconds[0]),
+            "reference": report::statistics_json(of_reference, checked.seconds[1]),
             "files": written,
         });
         console::print_json(&document)?;
     } else {
         console::print(&format!(
             "{}{}reference: central differences over ± {}\n\n{}{}\n{}",
-            report::work("gradient", gradient, checked.seconds[0]),
-            report::work("reference", differences, checked.seconds[1]),
-            report::number(reference.step),
+            report::work("gradient", of_gradient, checked.seconds[0]),
+            report::work("reference", of_reference, checked.seconds[1]),
+            report::number(made.step),
             describe(comparison),
-            verdict(&checked),
+            verdict(&checked.check),
             report::written(&written)
         ))?;
     }
-    Ok(match report::outcome(&[gradient, differences]) {
+    Ok(match report::outcome(&[of_gradient, of_reference]) {
         Outcome::Done => outcome(comparison),
         trouble => trouble,
     })
 }
 
-/// Estimates a gradient and its reference with independent random numbers, and
-/// compares them. Half of a time limit is for the gradient.
+/// Checks a gradient, one bar after the other. Half of a time limit is for the gradient.
 pub fn check(
-    scene: &Scene,
+    prepared: &Prepared,
     motion: &Motion,
-    settings: &GradientOptions,
-    reference: &Reference,
+    options: &CheckOptions,
     limit: Option<Duration>,
 ) -> Result<Checked> {
+    let reference = options.reference(|| prepared.difference_step(motion));
     let started = Instant::now();
     let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
-    let gradient =
-        capwalk_diff::gradient(&Prepared::new(scene.clone()), motion, settings, &progress);
+    let gradient = prepared.gradient(motion, &options.gradient, &progress);
     let gradient_seconds = progress.finish().as_secs_f64();
     let gradient = gradient?;
 
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
-    let options = reference.options(&settings.options);
-    let differences =
-        capwalk_diff::finite_difference(scene, motion, reference.step, &options, &progress);
+    let differences = prepared.finite_difference(motion, &reference.options(), &progress);
     let reference_seconds = progress.finish().as_secs_f64();
-    let mut differences = differences?;
-    differences.gradient = without_rounding(&differences, reference.step);
     Ok(Checked {
-        comparison: compare(&gradient.gradient, &differences.gradient),
-        gradient,
-        reference: differences,
-        options: settings.options,
-        method: settings.method.name(),
-        differences: *reference,
+        check: Check::new(gradient, differences?, reference),
+        options: options.gradient,
         seconds: [gradient_seconds, reference_seconds],
     })
 }
 
-/// The numbers of a comparison, one on each line; `-` stands for what pictures
+/// The numbers of a comparison, one on each line; `-` stands for what images
 /// without noise, or of zeros, do not have.
 pub fn describe(c: &Comparison) -> String {
     let worst = c.worst.iter().take(SHOWN_PIXELS);
@@ -186,7 +144,7 @@ pub fn describe(c: &Comparison) -> String {
             if_any(c.correlation, format!("{:.4}", c.correlation)),
         ),
         (
-            "slope",
+            "scale factor",
             format!(
                 "{} (reference / gradient)",
                 if_any(c.slope, report::plus_minus(c.slope, c.slope_error))
@@ -229,16 +187,16 @@ pub fn describe(c: &Comparison) -> String {
 }
 
 /// What follows, in a sentence.
-pub fn verdict(checked: &Checked) -> String {
+pub fn verdict(check: &Check) -> String {
     // Samples that were really taken: the work may have been stopped.
     let taken = |image: &GradientImage| {
         let statistics = &image.statistics;
         statistics.samples as f64 / statistics.samples_per_pixel.len() as f64
     };
-    let (spp, reference_spp) = (taken(&checked.gradient), taken(&checked.reference));
-    match &checked.comparison.verdict {
-        Verdict::Right if checked.comparison.slope.is_nan() => {
-            "right: both are zero everywhere: nothing in the picture changes".into()
+    let (spp, reference_spp) = (taken(&check.gradient), taken(&check.reference));
+    match &check.comparison.verdict {
+        Verdict::Right if check.comparison.slope.is_nan() => {
+            "right: both are zero everywhere: nothing in the image changes".into()
         }
         Verdict::Right => {
             "right: they agree, and a factor wrong by 10 % would have been seen".into()
@@ -249,17 +207,17 @@ pub fn verdict(checked: &Checked) -> String {
             )
         }
         Verdict::CouldNotTell { .. } if spp.min(reference_spp) < 2.0 => {
-            "could not tell: standard errors take at least two samples per pixel".into()
+            "inconclusive: standard errors need at least two samples per pixel".into()
         }
         Verdict::CouldNotTell { samples_factor } if samples_factor.is_finite() => format!(
-            "could not tell: about {} times the samples would be enough (--spp {} \
+            "inconclusive: about {} times the samples would be enough (--spp {} \
              --reference-spp {})",
             report::significant(*samples_factor, 2),
             (spp * samples_factor).ceil(),
             (reference_spp * samples_factor).ceil()
         ),
         Verdict::CouldNotTell { .. } => {
-            "could not tell: there is no derivative to be seen, only noise".into()
+            "inconclusive: there is no derivative to be seen, only noise".into()
         }
     }
 }
@@ -269,7 +227,7 @@ pub fn outcome(comparison: &Comparison) -> Outcome {
     match comparison.verdict {
         Verdict::Right => Outcome::Done,
         Verdict::Wrong { .. } => Outcome::Wrong,
-        Verdict::CouldNotTell { .. } => Outcome::CouldNotTell,
+        Verdict::CouldNotTell { .. } => Outcome::Inconclusive,
     }
 }
 
@@ -278,7 +236,7 @@ pub fn comparison_json(c: &Comparison) -> Value {
     let (verdict, reason, samples_factor) = match &c.verdict {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::CouldNotTell { samples_factor } => ("could not tell", None, Some(samples_factor)),
+        Verdict::CouldNotTell { samples_factor } => ("inconclusive", None, Some(samples_factor)),
     };
     json!({
         "verdict": verdict,
@@ -293,8 +251,8 @@ pub fn comparison_json(c: &Comparison) -> Value {
         "pixels": c.pixels,
         "left_out": c.left_out,
         "sign": c.sign,
-        "slope": c.slope,
-        "slope_error": c.slope_error,
+        "scale_factor": c.slope,
+        "scale_factor_error": c.slope_error,
         "worst": c.worst.iter().map(|&(x, y, z)| json!({"x": x, "y": y, "z": z})).collect::<Vec<_>>(),
     })
 }

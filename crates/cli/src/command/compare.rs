@@ -1,9 +1,7 @@
-//! `capwalk compare`: two pictures, with their errors if they have them.
+//! `capwalk compare`: two images, with their errors if they have them.
 
 use anyhow::{Context, Result, ensure};
-use capwalk_diff::check;
-use capwalk_math::Rgb;
-use capwalk_scene::Image;
+use capwalk::{Comparison, Image, Rgb, Verdict};
 use capwalk_scene_io::image::{self, GRADIENT, Panel, Picture, Style, VALUE};
 use serde_json::json;
 
@@ -29,7 +27,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         output::layer(&reference, layer).with_context(|| args.reference.display().to_string())?;
     ensure!(
         (a.width, a.height) == (b.width, b.height),
-        "the pictures have different sizes: {} x {} and {} x {}",
+        "the images have different sizes: {} x {} and {} x {}",
         a.width,
         a.height,
         b.width,
@@ -49,7 +47,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
     let comparison = match &estimates {
         // Equal pictures need no statistics, which would find the errors of
         // two runs with the same random numbers too large.
-        [Some(a), Some(b)] if errors.largest > 0.0 => Some(check::compare(a, b)),
+        [Some(a), Some(b)] if errors.largest > 0.0 => Some(capwalk::compare(a, b)),
         _ => None,
     };
 
@@ -99,7 +97,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
     Ok(comparison.as_ref().map_or(Outcome::Done, verdicts::outcome))
 }
 
-/// How far pictures are apart, over all channels of the finite pixels.
+/// How far images are apart, over all channels of the finite pixels.
 struct Errors {
     mean: f64,
     mean_absolute: f64,
@@ -147,12 +145,12 @@ impl Errors {
     }
 }
 
-fn sentence(comparison: &check::Comparison) -> String {
+fn sentence(comparison: &Comparison) -> String {
     match &comparison.verdict {
-        check::Verdict::Right => "equal within their errors".into(),
-        check::Verdict::Wrong { reason } => format!("different: {reason}"),
-        check::Verdict::CouldNotTell { samples_factor } => format!(
-            "could not tell: about {} times the samples would be enough",
+        Verdict::Right => "equal within their errors".into(),
+        Verdict::Wrong { reason } => format!("different: {reason}"),
+        Verdict::CouldNotTell { samples_factor } => format!(
+            "inconclusive: about {} times the samples would be enough",
             report::significant(*samples_factor, 2)
         ),
     }

@@ -3,19 +3,20 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk_diff::{
-    Estimator, GradientImage, GradientOptions, Options, Prepared, Rendering, WalkSettings,
+use capwalk::{
+    CheckOptions, Estimator, GradientImage, GradientOptions, Motion, Prepared, RenderOptions,
+    Rendering, WalkSettings,
 };
-use capwalk_scene::{Motion, Scene, builtin, params};
+use capwalk_scene::builtin;
 use serde_json::json;
 
-use super::check::{self, Checked, Reference};
+use super::check::{self, Checked};
 use super::gradient;
 use crate::args::{Demo, SceneArgs};
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{console, moving, report, source};
+use crate::{console, report, source};
 
 const SCENE: &str = "lattice-shadow";
 
@@ -49,14 +50,15 @@ struct Results {
 }
 
 pub fn run(args: &Demo) -> Result<Outcome> {
-    let scene = source::load(&SceneArgs {
+    let prepared = source::load(&SceneArgs {
         scene: SCENE.into(),
         defines: Vec::new(),
         size: Some(args.size.unwrap_or(SIZE)),
         filter: None,
     })?;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
-    let motion = params::Registry::new(&scene).motion(&scene, parameter)?;
+    let scene = prepared.scene();
+    let motion = prepared.registry().motion(scene, parameter)?;
     let file = |what: &str| {
         let stem = args.output.join(format!("{SCENE}{what}"));
         Files::new(&[], &stem.display().to_string(), &["exr", "png"])
@@ -64,20 +66,27 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     let [picture_files, gradient_files, check_files] =
         [file("")?, file("-gradient")?, file("-check")?];
 
-    let results = work(args, &scene, &motion)?;
+    let results = work(args, &prepared, &motion)?;
     let Results {
         rendering,
         literal,
         checked,
         seconds,
     } = &results;
-    let (gradient, options) = (&checked.gradient, &checked.options);
+    let (check, options) = (&checked.check, checked.options.sampling());
+    let gradient = &check.gradient;
 
-    let mut picture = output::picture("render", SCENE, None, options);
+    let mut picture = output::picture("render", SCENE, None, &options);
     output::push_statistics(&mut picture, &[&rendering.statistics]);
     output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
     let mut written = picture_files.write(&picture, &[])?;
-    let picture = gradient::picture(SCENE, parameter, checked.method, options, gradient);
+    let picture = gradient::picture(
+        SCENE,
+        parameter,
+        checked.options.method.name(),
+        &options,
+        gradient,
+    );
     written.extend(gradient_files.write(&picture, &[])?);
     let of_check = check::picture::write(&check_files, SCENE, parameter, checked)?;
     written.extend(of_check);
@@ -86,7 +95,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         &rendering.statistics,
         &literal.statistics,
         &gradient.statistics,
-        &checked.reference.statistics,
+        &check.reference.statistics,
     ];
     for (what, statistics) in ["picture", "literal gradient", "gradient", "reference"]
         .iter()
@@ -105,9 +114,9 @@ pub fn run(args: &Demo) -> Result<Outcome> {
             "spp": options.spp,
             "seed": options.seed,
             "literal_spp": literal_spp(options.spp),
-            "reference_spp": checked.differences.spp,
-            "step": checked.differences.step,
-            "comparison": check::comparison_json(&checked.comparison),
+            "reference_spp": check.made.spp,
+            "step": check.made.step,
+            "comparison": check::comparison_json(&check.comparison),
             "variance_per_sample": {
                 "anchored": variance(gradient),
                 "literal": variance(literal),
@@ -131,27 +140,27 @@ pub fn run(args: &Demo) -> Result<Outcome> {
             "{SCENE}, {width} x {height} pixels, derivative for {parameter}\n\n\
              {}\nvariance per sample\n{}\n\
              {} million silhouette queries per second, {} in all\n{}\n{}",
-            check::describe(&checked.comparison),
+            check::describe(&check.comparison),
             report::list(&variances),
             report::number(queries / 1e6),
             report::seconds(seconds[2]),
-            check::verdict(checked),
+            check::verdict(check),
             report::written(&written)
         ))?;
     }
     Ok(match report::outcome(&all) {
-        Outcome::Done => check::outcome(&checked.comparison),
+        Outcome::Done => check::outcome(&check.comparison),
         trouble => trouble,
     })
 }
 
 /// The picture, the literal gradient, and the check, one after the other. Each
 /// has what the earlier ones left of its share of a time limit.
-fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
+fn work(args: &Demo, prepared: &Prepared, motion: &Motion) -> Result<Results> {
     let started = Instant::now();
     let sampling = &args.sampling;
     let left_until = |share| left(sampling.time_limit, share, started.elapsed());
-    let options = |spp: u32| Options {
+    let sampled = |spp: u32| RenderOptions {
         spp,
         seed: sampling.seed.unwrap_or(SEED),
     };
@@ -160,27 +169,26 @@ fn work(args: &Demo, scene: &Scene, motion: &Motion) -> Result<Results> {
             estimator,
             ..WalkSettings::default()
         },
-        ..GradientOptions::new(options(spp))
+        ..sampled(spp).into()
     };
     let spp = sampling.spp.unwrap_or(SPP);
 
     let progress = Progress::new("render", left_until(PICTURE_UNTIL));
-    let rendering = capwalk_diff::render(&Prepared::new(scene.clone()), &options(spp), &progress);
+    let rendering = prepared.render(&sampled(spp), &progress);
     let render_seconds = progress.finish().as_secs_f64();
 
     let progress = Progress::new("literal", left_until(LITERAL_UNTIL));
     let literal = settings(Estimator::Literal, literal_spp(spp));
-    let literal =
-        capwalk_diff::gradient(&Prepared::new(scene.clone()), motion, &literal, &progress);
+    let literal = prepared.gradient(motion, &literal, &progress);
     let literal_seconds = progress.finish().as_secs_f64();
     let literal = literal?;
 
-    let reference = Reference {
-        step: moving::default_step(scene, motion),
-        spp: spp.saturating_mul(REFERENCE_FACTOR),
+    let options = CheckOptions {
+        gradient: settings(Estimator::Anchored, spp),
+        reference_spp: Some(spp.saturating_mul(REFERENCE_FACTOR)),
+        step: None,
     };
-    let anchored = settings(Estimator::Anchored, spp);
-    let checked = check::check(scene, motion, &anchored, &reference, left_until(1.0))?;
+    let checked = check::check(prepared, motion, &options, left_until(1.0))?;
     Ok(Results {
         rendering,
         literal,

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::Path;
 
 use anyhow::{Context, Result, anyhow, bail};
-use capwalk_diff::Watch;
+use capwalk::Watch;
 use capwalk_figures::{Failure, Figure, Quality, Settings, Verdict, draw, write};
 use capwalk_geometry::Mesh;
 use capwalk_scene_io::mesh::{read_obj, read_ply};

@@ -1,7 +1,7 @@
-//! `capwalk gradient`: the derivative of a picture for one parameter.
+//! `capwalk gradient`: the derivative of an image with respect to one parameter.
 
 use anyhow::{Result, ensure};
-use capwalk_diff::{GradientImage, GradientOptions, Options, Prepared};
+use capwalk::{DifferenceOptions, GradientImage, GradientOptions, RenderOptions};
 use capwalk_scene_io::image::Picture;
 use serde_json::json;
 
@@ -12,20 +12,24 @@ use crate::progress::Progress;
 use crate::{console, method, moving, report, source};
 
 pub fn run(args: &Gradient) -> Result<Outcome> {
-    let scene = source::load(&args.scene)?;
-    let motion = moving::motion(&scene, &args.motion)?;
-    let options = source::options(&args.sampling, &scene);
+    let prepared = source::load(&args.scene)?;
+    let scene = prepared.scene();
+    let motion = moving::motion(&prepared, &args.motion)?;
+    let options = source::options(&args.sampling, scene);
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
-    let way = Way::new(args, options, || moving::default_step(&scene, &motion))?;
+    let way = Way::new(args, options, || prepared.difference_step(&motion))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
     let result = match &way {
-        Way::Samples(settings) => {
-            capwalk_diff::gradient(&Prepared::new(scene.clone()), &motion, settings, &progress)
-        }
+        Way::Samples(settings) => prepared.gradient(&motion, settings, &progress),
         Way::Differences { step } => {
-            capwalk_diff::finite_difference(&scene, &motion, *step, &options, &progress)
+            let options = DifferenceOptions {
+                spp: options.spp,
+                seed: options.seed,
+                step: Some(*step),
+            };
+            prepared.finite_difference(&motion, &options, &progress)
         }
     };
     let elapsed = progress.finish().as_secs_f64();
@@ -39,7 +43,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
         output::note(&mut picture, "step", step);
     }
     let written = files.write(&picture, &[])?;
-    console::remark(&method::remark(&args.method));
+    console::remark(&way.remark());
     console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
     if args.output.json {
@@ -84,7 +88,11 @@ enum Way {
 }
 
 impl Way {
-    fn new(args: &Gradient, options: Options, default_step: impl Fn() -> f64) -> Result<Self> {
+    fn new(
+        args: &Gradient,
+        options: RenderOptions,
+        default_step: impl Fn() -> f64,
+    ) -> Result<Self> {
         if args.method.method == MethodName::Fd {
             method::refuse_options_of_others(&args.method)?;
             let step = args.step.unwrap_or_else(default_step);
@@ -96,16 +104,21 @@ impl Way {
              --method fd",
             method::name(&args.method.method)
         );
-        Ok(Self::Samples(method::gradient_options(
-            options,
-            &args.method,
-        )?))
+        Ok(Self::Samples(method::options(options, &args.method)?))
     }
 
     fn name(&self) -> &'static str {
         match self {
             Self::Samples(settings) => settings.method.name(),
             Self::Differences { .. } => "fd",
+        }
+    }
+
+    /// What is to be said about its standard errors.
+    fn remark(&self) -> String {
+        match self {
+            Self::Samples(settings) => method::remark(settings),
+            Self::Differences { .. } => method::remark_on_differences().into(),
         }
     }
 
@@ -122,7 +135,7 @@ pub fn picture(
     scene: &str,
     parameter: &str,
     method: &str,
-    options: &Options,
+    options: &RenderOptions,
     result: &GradientImage,
 ) -> Picture {
     let mut picture = output::picture("gradient", scene, Some(parameter), options);

@@ -1,8 +1,8 @@
 //! `capwalk info`: what is in a scene, and what can be differentiated.
 
 use anyhow::Result;
-use capwalk_diff::Refusal;
-use capwalk_scene::params::{self, ArrayParameter, Parameter};
+use capwalk::{Refusal, bounds};
+use capwalk_scene::params::{ArrayParameter, Parameter};
 use capwalk_scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
     ShadingNormals, TextureId,
@@ -11,15 +11,16 @@ use serde_json::{Value, json};
 
 use crate::args::Info;
 use crate::diagnostics::Outcome;
-use crate::{console, moving, report, source};
+use crate::{console, report, source};
 
 pub fn run(args: &Info) -> Result<Outcome> {
-    let scene = source::load(&args.scene)?;
-    let registry = params::Registry::new(&scene);
-    let (parameters, arrays) = (registry.scalars(&scene), registry.arrays());
-    let refusal = capwalk_diff::refusal(&capwalk_diff::Prepared::new(scene.clone()));
+    let prepared = source::load(&args.scene)?;
+    let scene = prepared.scene();
+    let registry = prepared.registry();
+    let (parameters, arrays) = (registry.scalars(scene), registry.arrays());
+    let refusal = prepared.refusal();
     if args.json {
-        console::print_json(&to_json(&scene, &parameters, arrays, refusal.as_ref()))?;
+        console::print_json(&to_json(scene, &parameters, arrays, refusal.as_ref()))?;
     } else {
         // Before the tables, which are long.
         let refused = refusal.as_ref().map(|refusal| {
@@ -28,8 +29,8 @@ pub fn run(args: &Info) -> Result<Outcome> {
         let text = format!(
             "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}{}\n\
              arrays, for `capwalk backward`\n{}",
-            summary(&args.scene.scene, &scene),
-            shapes(&scene),
+            summary(&args.scene.scene, scene),
+            shapes(scene),
             refused.unwrap_or_default(),
             table(
                 parameters
@@ -52,7 +53,7 @@ fn summary(name: &str, scene: &Scene) -> String {
         let ([x, y], [whole_w, whole_h]) = (film.crop_offset, film.size);
         format!(" (from ({x}, {y}) of {whole_w} x {whole_h})")
     };
-    let (low, high) = moving::bounds(scene);
+    let (low, high) = bounds(scene);
     let triangles: usize = scene.shapes.iter().map(|s| s.mesh.faces.len()).sum();
     let settings = &scene.settings;
     let sampler = match settings.sampler {
@@ -307,7 +308,7 @@ fn to_json(
     arrays: &[ArrayParameter],
     refusal: Option<&Refusal>,
 ) -> Value {
-    let (low, high) = moving::bounds(scene);
+    let (low, high) = bounds(scene);
     let shapes = scene.shapes.iter().map(|shape| {
         json!({
             "id": shape.id,

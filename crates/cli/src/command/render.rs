@@ -1,4 +1,4 @@
-//! `capwalk render`: a picture.
+//! `capwalk render`: an image.
 
 use anyhow::Result;
 use serde_json::json;
@@ -10,17 +10,14 @@ use crate::progress::Progress;
 use crate::{console, report, source};
 
 pub fn run(args: &Render) -> Result<Outcome> {
-    let scene = source::load(&args.scene)?;
-    let options = source::options(&args.sampling, &scene);
+    let prepared = source::load(&args.scene)?;
+    let scene = prepared.scene();
+    let options = source::options(&args.sampling, scene);
     let stem = source::stem(&args.scene);
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
     let progress = Progress::new("render", args.sampling.time_limit);
-    let rendering = capwalk_diff::render(
-        &capwalk_diff::Prepared::new(scene.clone()),
-        &options,
-        &progress,
-    );
+    let rendering = prepared.render(&options, &progress);
     let elapsed = progress.finish().as_secs_f64();
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);

@@ -116,7 +116,10 @@ fn baselines_know_no_textures_that_jump() {
     let gradient = "gradient board.xml -p box.scale --size 8x8 --spp 1";
     assert_eq!(capwalk.run(gradient).status, 0);
     let message = capwalk.error(&format!("{gradient} --method was"));
-    assert_has(&message, &["box.bsdf.reflectance", "jumps", "bilinear"]);
+    assert_has(
+        &message,
+        &["box.bsdf.reflectance", "discontinuous", "bilinear"],
+    );
     let info = capwalk.run("info board.xml").stdout;
     let colours = ["checkerboard of (0.4", "box.bsdf.reflectance.color1.value"];
     assert_has(&info, &colours);

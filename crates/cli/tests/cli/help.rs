@@ -33,7 +33,7 @@ fn every_command_has_help() {
     }
 }
 
-/// Scripts take status 2 for "could not tell", so wrong usage must be 3.
+/// Scripts take status 2 for "inconclusive", so wrong usage must be 3.
 #[test]
 fn wrong_usage_is_bad_input() {
     let capwalk = Capwalk::new("usage");

@@ -14,7 +14,11 @@ mod stopping;
 mod streams;
 mod verdicts;
 
+#[cfg(unix)]
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
+#[cfg(unix)]
+use std::process::Stdio;
 use std::process::{Command, Output};
 
 use serde_json::Value;
@@ -54,6 +58,30 @@ impl Capwalk {
     fn run(&self, arguments: &str) -> Finished {
         let output = self.command(arguments).output().expect("it starts");
         Finished::from(output)
+    }
+
+    /// Runs until a line with this text is on the standard error, then does something, then
+    /// presses Ctrl-C.
+    #[cfg(unix)]
+    fn interrupt(&self, arguments: &str, line: &str, meanwhile: impl FnOnce()) -> Finished {
+        let mut command = self.command(arguments);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("it starts");
+        let mut errors = BufReader::new(child.stderr.take().expect("it is piped"));
+        let mut said = String::new();
+        while !said.lines().any(|said| said.contains(line)) {
+            let count = errors.read_line(&mut said).expect("text");
+            assert!(count > 0, "no \"{line}\" in:\n{said}");
+        }
+        meanwhile();
+        let interrupt = Command::new("kill")
+            .args(["-INT", &child.id().to_string()])
+            .status();
+        assert!(interrupt.expect("kill exists").success());
+        errors.read_to_string(&mut said).expect("text");
+        let mut finished = Finished::from(child.wait_with_output().expect("it ends"));
+        finished.stderr = said;
+        finished
     }
 
     /// The JSON that a successful run prints.

@@ -34,7 +34,10 @@ fn options_of_other_methods_are_errors() {
     let backward = "backward --adjoint none.exr --method fd leaf";
     assert_has(
         &capwalk.error(backward),
-        &["by one parameter", "gradient --method fd -p NAME"],
+        &[
+            "with respect to one parameter",
+            "gradient --method fd -p NAME",
+        ],
     );
 }
 
@@ -53,7 +56,7 @@ fn mirrors_are_a_warning() {
     let words = [
         "baseline and biased",
         "specular events",
-        "outlines there is missing",
+        "silhouettes there is missing",
     ];
     assert_has(&finished.stderr, &words);
 }

@@ -338,7 +338,7 @@ fn refusals_name_the_parameter() {
         &error,
         &[
             "job.toml:19:8",
-            "by \"leaf.translate.x\" is refused",
+            "with respect to \"leaf.translate.x\" is refused",
             "no extent",
         ],
     );

@@ -12,8 +12,8 @@ fn a_right_gradient_is_right() {
     ));
     let comparison = &json["comparison"];
     assert_eq!(comparison["verdict"], "right");
-    let slope = comparison["slope"].as_f64().expect("a number");
-    assert!((slope - 1.0).abs() < 0.1, "{slope}");
+    let factor = comparison["scale_factor"].as_f64().expect("a number");
+    assert!((factor - 1.0).abs() < 0.1, "{factor}");
     // The plain mean of z² is that of the picture's own z.
     let picture = capwalk_scene_io::image::read(&capwalk.path("c.npz")).expect("readable");
     let z = picture.layer("z").expect("a layer").pixels.iter();
@@ -35,7 +35,7 @@ fn few_samples_cannot_tell() {
     assert_has(
         &finished.stdout,
         &[
-            "could not tell",
+            "inconclusive",
             "times the samples",
             "--reference-spp",
             "\nmean z²",
@@ -70,8 +70,8 @@ fn nothing_changes() {
         &finished.stdout,
         &[
             "zero everywhere",
-            "nothing in the picture changes",
-            "\nslope           -",
+            "nothing in the image changes",
+            "\nscale factor    -",
         ],
     );
     assert!(!finished.stdout.contains("NaN"), "{}", finished.stdout);

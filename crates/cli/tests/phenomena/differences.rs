@@ -50,11 +50,11 @@ pub fn agree(folder: &Folder, parameter: &str, differences: &Differences, file: 
         comparison("sign"),
     );
     println!(
-        "{name}: {pixels} pixels, mean z² {z2:.3} ± {:.3}, sign {sign:+.2}, slope {:.3} ± {:.3}, \
+        "{name}: {pixels} pixels, mean z² {z2:.3} ± {:.3}, sign {sign:+.2}, scale factor {:.3} ± {:.3}, \
          {:.1} s for the gradient, {:.1} s for the differences",
         comparison("mean_z_squared_error"),
-        comparison("slope"),
-        comparison("slope_error"),
+        comparison("scale_factor"),
+        comparison("scale_factor_error"),
         number("/gradient/seconds"),
         number("/reference/seconds"),
     );

@@ -157,7 +157,7 @@ mod tests {
     fn sweeping_is_brute_force() {
         let mut state = 1_u64;
         let mut number = || {
-            state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Picture);
+            state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Image);
             (state >> 11) as f64 / (1u64 << 53) as f64
         };
         let (mut crossing, mut free) = (0, 0);

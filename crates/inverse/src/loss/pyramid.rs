@@ -1,4 +1,4 @@
-//! Pictures of half the size: means of two by two pixels, and what they do to
+//! Images of half the size: means of two by two pixels, and what they do to
 //! variances, weights and derivatives.
 
 use capwalk_diff::Estimate;
@@ -9,7 +9,7 @@ use capwalk_scene::Image;
 pub(super) struct Level {
     width: usize,
     height: usize,
-    /// Pixels of the picture.
+    /// Pixels of the image.
     pub values: Vec<Rgb>,
     /// Their variances.
     pub variances: Vec<Rgb>,
@@ -20,17 +20,17 @@ pub(super) struct Level {
 }
 
 impl Level {
-    /// The pictures as they are.
-    pub fn new(picture: &Estimate, target: &Image, weights: Option<&Image>) -> Self {
+    /// The images as they are.
+    pub fn new(image: &Estimate, target: &Image, weights: Option<&Image>) -> Self {
         let size = |image: &Image| [image.width, image.height];
-        let mean = &picture.mean;
+        let mean = &image.mean;
         assert_eq!(size(mean), size(target), "the target has another size");
         let ones = || vec![Rgb::splat(1.0); target.pixels.len()];
         Self {
             width: mean.width,
             height: mean.height,
             values: mean.pixels.clone(),
-            variances: picture
+            variances: image
                 .standard_error
                 .pixels
                 .iter()
@@ -49,7 +49,7 @@ impl Level {
         self.width == 1 && self.height == 1
     }
 
-    /// Where a pixel goes in the picture of half the size.
+    /// Where a pixel goes in the image of half the size.
     fn parent(&self, pixel: usize) -> usize {
         let (x, y) = (pixel % self.width, pixel / self.width);
         y / 2 * self.width.div_ceil(2) + x / 2
@@ -94,11 +94,12 @@ impl Level {
         shares.into()
     }
 
-    /// Derivatives by the pixels of half the size as derivatives by these.
+    /// Derivatives with respect to the pixels of half the size as derivatives with respect to
+    /// these.
     pub fn pulled_back(&self, half: &Self, adjoint: &[Rgb]) -> Vec<Rgb> {
         let of = |pixel: usize| {
-            let (share, slope) = (self.share(half, pixel), adjoint[self.parent(pixel)]);
-            share * slope
+            let (share, derivative) = (self.share(half, pixel), adjoint[self.parent(pixel)]);
+            Rgb::from([0, 1, 2].map(|c| share[c] * derivative[c]))
         };
         (0..self.values.len()).map(of).collect()
     }

@@ -4,7 +4,7 @@ use super::*;
 fn numbers(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
-        state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Picture);
+        state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Image);
         (state >> 11) as f64 / (1u64 << 53) as f64
     }
 }

@@ -4,8 +4,9 @@
 use capwalk_math::Vec3;
 use capwalk_scene::{Motion, Scene, ShapeMotion};
 
+use super::error::VariableError;
+use super::kind::{Map, Variable, turn};
 use super::pose::Pose;
-use super::{Map, Variable, VariableError, turn};
 
 /// A motion that is not zero where the variable changes something.
 pub(super) fn support(scene: &Scene, variable: &Variable) -> Motion {
@@ -30,19 +31,13 @@ pub(super) fn refuse(scene: &Scene, variables: &[Variable]) -> Result<(), Variab
     let supports: Vec<Motion> = variables.iter().map(|v| support(scene, v)).collect();
     for (i, first) in variables.iter().enumerate() {
         for (k, second) in variables.iter().enumerate().skip(i + 1) {
-            let same = first.name == second.name;
-            let meet = !add_up(first, second) && overlap(&supports[i], &supports[k]);
-            if same || meet {
-                return Err(VariableError {
-                    message: match same {
-                        true => format!("\"{}\" is asked for twice", first.name),
-                        false => format!(
-                            "\"{}\" and \"{}\" change the same numbers of the scene",
-                            first.name, second.name
-                        ),
-                    },
-                    help: Some("keep one of them".into()),
-                });
+            if first.name == second.name {
+                let name = first.name.clone();
+                return Err(VariableError::Twice { name });
+            }
+            if !add_up(first, second) && overlap(&supports[i], &supports[k]) {
+                let names = [first, second].map(|variable| variable.name.clone());
+                return Err(VariableError::Overlap { names });
             }
         }
     }

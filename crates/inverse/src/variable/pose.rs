@@ -64,7 +64,7 @@ impl Pose {
         }
     }
 
-    /// Puts a shape where it belongs. `base` is the shape at rest.
+    /// Puts a shape where it belongs. `base` is the shape before the first step.
     pub fn apply(&self, base: &Shape, shape: &mut Shape) {
         let (centre, turned) = (base.centre(), self.turned());
         for (p, &rest) in shape.mesh.positions.iter_mut().zip(&base.mesh.positions) {
@@ -111,7 +111,7 @@ impl Pose {
         }
     }
 
-    /// The derivative by one number, the transpose of [`Pose::push`].
+    /// The derivative with respect to one number, the transpose of [`Pose::push`].
     pub fn pull(&self, base: &Shape, part: Part, gradient: &ShapeMotion) -> f64 {
         let moving = self.push(base, part, 1.0);
         let dot = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, &b)| a.dot(b)).sum::<f64>();

@@ -2,13 +2,14 @@ use super::vertices::{Directions, Selection};
 use std::f64::consts::{PI, TAU};
 
 use super::*;
-use crate::variable::select::{Curve, Wish};
-use capwalk_scene::{ShadingNormals, builtin};
+use capwalk_math::Vec3;
+use capwalk_scene::params::Registry;
+use capwalk_scene::{Motion, Scene, SensorMotion, ShadingNormals, builtin};
 
-pub(crate) fn wish(name: &str) -> Wish {
-    Wish {
+pub(crate) fn spec(name: &str) -> VariableSpec {
+    VariableSpec {
         name: name.into(),
-        ..Wish::default()
+        ..VariableSpec::default()
     }
 }
 
@@ -47,10 +48,10 @@ pub(crate) fn ball() -> Scene {
     scene
 }
 
-pub(crate) fn variables(scene: &Scene, wishes: &[Wish]) -> Variables {
-    let made = wishes.iter().map(|wish| {
-        variable(scene, &capwalk_scene::params::Registry::new(scene), wish).expect("fine")
-    });
+pub(crate) fn variables(scene: &Scene, specs: &[VariableSpec]) -> Variables {
+    let made = specs
+        .iter()
+        .map(|spec| variable(scene, &Registry::new(scene), spec).expect("fine"));
     Variables::new(scene, made.collect()).expect("they fit")
 }
 
@@ -58,61 +59,61 @@ pub(crate) fn variables(scene: &Scene, wishes: &[Wish]) -> Variables {
 fn random(count: usize, seed: u64) -> Vec<f64> {
     let mut state = seed;
     let mut number = || {
-        state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Picture);
+        state = crate::seed::seed(state, 0, 0, crate::seed::Purpose::Image);
         2.0 * (state >> 11) as f64 / (1u64 << 53) as f64 - 1.0
     };
     (0..count).map(|_| number()).collect()
 }
 
-/// Groups of wishes that can stand together, of every kind.
-fn cases() -> Vec<Vec<Wish>> {
-    let vertices = |directions, vertices, lambda| Wish {
+/// Groups of specs that can stand together, of every kind.
+fn cases() -> Vec<Vec<VariableSpec>> {
+    let vertices = |directions, vertices, lambda| VariableSpec {
         directions: Some(directions),
         vertices: Some(vertices),
         lambda,
-        ..wish("ball.positions")
+        ..spec("ball.positions")
     };
     let x = Vec3::new(1.0, 0.0, 0.0);
     let z = Vec3::new(0.0, 0.0, 1.0);
     let some = Selection::Indices((3..40).collect());
     vec![
         vec![
-            wish("ball.translate.x"),
-            wish("ball.translate.z"),
-            wish("ball.rotate.x"),
-            wish("ball.rotate.y"),
-            wish("ball.rotate.z"),
-            wish("ball.scale"),
-            wish("sensor.rotate.x"),
-            wish("sensor.rotate.z"),
-            wish("lamp.emitter.radiance.value.g"),
+            spec("ball.translate.x"),
+            spec("ball.translate.z"),
+            spec("ball.rotate.x"),
+            spec("ball.rotate.y"),
+            spec("ball.rotate.z"),
+            spec("ball.scale"),
+            spec("sensor.rotate.x"),
+            spec("sensor.rotate.z"),
+            spec("lamp.emitter.radiance.value.g"),
         ],
         vec![
-            wish("sensor.rotate"),
-            wish("sensor.translate"),
-            wish("sensor.x_fov"),
-            wish("floor.bsdf.reflectance.value"),
-            wish("lamp.translate.x - 2*floor.translate.y"),
+            spec("sensor.rotate"),
+            spec("sensor.translate"),
+            spec("sensor.x_fov"),
+            spec("floor.bsdf.reflectance.value"),
+            spec("lamp.translate.x - 2*floor.translate.y"),
         ],
-        vec![wish("ball.positions"), wish("ball.normals")],
-        vec![wish("ball.to_world"), wish("sensor.to_world")],
+        vec![spec("ball.positions"), spec("ball.normals")],
+        vec![spec("ball.to_world"), spec("sensor.to_world")],
         vec![vertices(Directions::Plane([x, z]), some.clone(), None)],
         vec![
             vertices(Directions::Normals, Selection::All, Some(9.0)),
-            wish("ball.translate.y - ball.translate.x"),
+            spec("ball.translate.y - ball.translate.x"),
         ],
         vec![vertices(Directions::Radial(None), some.clone(), Some(2.0))],
         vec![vertices(Directions::Radial(Some(x)), some.clone(), None)],
         vec![vertices(Directions::Along(x + z * 0.5), some, None)],
         vec![
-            Wish {
+            VariableSpec {
                 curve: Some(Curve::Log),
-                ..wish("lamp.emitter.radiance.value")
+                ..spec("lamp.emitter.radiance.value")
             },
-            Wish {
+            VariableSpec {
                 curve: Some(Curve::Sigmoid),
                 bounds: Some([-0.5, 2.0]),
-                ..wish("floor.bsdf.reflectance.value")
+                ..spec("floor.bsdf.reflectance.value")
             },
         ],
     ]
@@ -154,8 +155,8 @@ fn sensor_velocities(scene: &Scene, motion: &Motion) -> Vec<Vec3> {
 #[test]
 fn pushes_are_derivatives() {
     let base = ball();
-    for wishes in cases() {
-        let variables = variables(&base, &wishes);
+    for specs in cases() {
+        let variables = variables(&base, &specs);
         let count = variables.count();
         let nudge = random(count, 1);
         let unknowns: Vec<f64> = variables
@@ -193,7 +194,7 @@ fn pushes_are_derivatives() {
         // Normals that were nudged are made unit: only their direction is compared.
         let differences = difference(&low, &high, 2.0 * h);
         let moving: f64 = error.dot(&error);
-        assert!(moving > 1e-3, "{wishes:?}");
+        assert!(moving > 1e-3, "{specs:?}");
         let expected = sensor_velocities(&scene, &error);
         let sensor = [&low, &high].map(|scene| {
             let state = scene.sensor.state();
@@ -201,15 +202,15 @@ fn pushes_are_derivatives() {
         });
         for (i, expected) in expected.iter().enumerate() {
             let found = (sensor[1][i] - sensor[0][i]) / (2.0 * h);
-            assert!((found - *expected).length() < 1e-7, "{wishes:?} sensor {i}");
+            assert!((found - *expected).length() < 1e-7, "{specs:?} sensor {i}");
         }
         error.sensor = SensorMotion::default();
         error.add(&differences.scaled(-1.0));
         let worst = error.dot(&error).sqrt();
         let scale = 1.0 + differences.dot(&differences).sqrt();
-        let normals_nudged = wishes.iter().any(|wish| wish.name == "ball.normals");
+        let normals_nudged = specs.iter().any(|spec| spec.name == "ball.normals");
         let tolerance = if normals_nudged { 0.2 } else { 1e-6 };
-        assert!(worst < tolerance * scale, "{wishes:?}: {worst} of {scale}");
+        assert!(worst < tolerance * scale, "{specs:?}: {worst} of {scale}");
     }
 }
 
@@ -217,8 +218,8 @@ fn pushes_are_derivatives() {
 #[test]
 fn pulls_are_transposes() {
     let base = ball();
-    for wishes in cases() {
-        let variables = variables(&base, &wishes);
+    for specs in cases() {
+        let variables = variables(&base, &specs);
         let count = variables.count();
         let nudge = random(count, 3);
         let mut unknowns: Vec<f64> = variables
@@ -260,7 +261,7 @@ fn pulls_are_transposes() {
         covector.sensor.translation = all[0];
         covector.sensor.rotation = all[1];
         covector.sensor.optics = all[2];
-        let shape_matrix = wishes.iter().any(|wish| wish.name == "ball.to_world");
+        let shape_matrix = specs.iter().any(|spec| spec.name == "ball.to_world");
         if shape_matrix {
             // Turns of the sensor are not those of its axes: no inner product.
             covector.sensor = SensorMotion::default();
@@ -277,14 +278,14 @@ fn pulls_are_transposes() {
             .dot(&covector),
             false => left,
         };
-        assert!(left.abs() > 1e-3, "{wishes:?}: nothing to compare");
+        assert!(left.abs() > 1e-3, "{specs:?}: nothing to compare");
         assert!(
             (left - right).abs() < 1e-9 * left.abs().max(1.0),
-            "{wishes:?}: {left} {right}"
+            "{specs:?}: {left} {right}"
         );
 
-        // The same through the changes, whose derivative is by differences.
-        let by_unknowns = variables.pull_changes(&unknowns, &pulled);
+        // The same through the reparameterizations, whose derivative is by differences.
+        let by_unknowns = variables.pull_reparameterization(&unknowns, &pulled);
         let at = |h: f64| {
             let moved: Vec<f64> = unknowns
                 .iter()
@@ -297,7 +298,7 @@ fn pulls_are_transposes() {
         let slope = dot(&by_unknowns, &velocities);
         assert!(
             (difference - slope).abs() < 1e-6 * slope.abs().max(1.0),
-            "{wishes:?}: {difference} {slope}"
+            "{specs:?}: {difference} {slope}"
         );
     }
 }
@@ -324,7 +325,7 @@ fn seams_are_one_unknown() {
     scene
         .shape_mut(capwalk_scene::ShapeId(index as u32))
         .normals = ShadingNormals::Face;
-    let variables = variables(&scene, &[wish("ball.positions")]);
+    let variables = variables(&scene, &[spec("ball.positions")]);
     assert_eq!(variables.count(), 3 * count);
     let mut values = vec![0.0; 3 * count];
     values[3 * 5 + 1] = 0.25;
@@ -353,23 +354,18 @@ fn rim_of_a_disk_in_its_plane() {
         .collect();
     mesh.faces = (0..25).map(|i| [0, 1 + i, 1 + (i + 1) % 25]).collect();
     let plane = Directions::Plane([Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 0.0, 1.0)]);
-    let wish = Wish {
+    let spec = VariableSpec {
         vertices: Some(Selection::Border),
         directions: Some(plane),
-        ..wish("leaf.positions")
+        ..spec("leaf.positions")
     };
-    let variables = variables(&scene, std::slice::from_ref(&wish));
+    let variables = variables(&scene, std::slice::from_ref(&spec));
     assert_eq!(variables.count(), 50);
-    let indices = Wish {
+    let indices = VariableSpec {
         vertices: Some(Selection::Indices((1..26).collect())),
-        ..wish
+        ..spec
     };
-    let same = super::variable(
-        &scene,
-        &capwalk_scene::params::Registry::new(&scene),
-        &indices,
-    )
-    .expect("fine");
+    let same = super::variable(&scene, &Registry::new(&scene), &indices).expect("fine");
     assert_eq!(same.initial.len(), 50);
     let moved = variables.apply(&scene, &random(50, 9)).expect("a scene");
     let heights = moved.shapes[index].mesh.positions.iter().map(|p| p.y);
@@ -380,13 +376,9 @@ fn rim_of_a_disk_in_its_plane() {
 fn names_and_values_are_those_of_the_scene() {
     let scene = ball();
     let initial = |name: &str| {
-        variable(
-            &scene,
-            &capwalk_scene::params::Registry::new(&scene),
-            &wish(name),
-        )
-        .expect("fine")
-        .initial
+        variable(&scene, &Registry::new(&scene), &spec(name))
+            .expect("fine")
+            .initial
     };
     assert_eq!(initial("ball.scale"), [1.0]);
     assert_eq!(initial("ball.rotate.y"), [0.0]);
@@ -395,7 +387,7 @@ fn names_and_values_are_those_of_the_scene() {
     assert_eq!(initial("1*lamp.emitter.radiance.value"), [0.0]);
     assert_eq!(initial("sensor.x_fov").len(), 1);
     // A value of 40 is a radiance of 40.
-    let variables = variables(&scene, &[wish("lamp.emitter.radiance.value.r")]);
+    let variables = variables(&scene, &[spec("lamp.emitter.radiance.value.r")]);
     let bright = variables.apply(&scene, &[40.0]).expect("a scene");
     let radiance = bright
         .textures
@@ -407,11 +399,11 @@ fn names_and_values_are_those_of_the_scene() {
 }
 
 #[track_caller]
-pub(crate) fn refused(wishes: &[Wish], part: &str) {
+pub(crate) fn refused(specs: &[VariableSpec], part: &str) {
     let scene = ball();
-    let made: Result<Vec<_>, _> = wishes
+    let made: Result<Vec<_>, _> = specs
         .iter()
-        .map(|wish| variable(&scene, &capwalk_scene::params::Registry::new(&scene), wish))
+        .map(|spec| variable(&scene, &Registry::new(&scene), spec))
         .collect();
     let error = made
         .and_then(|made| Variables::new(&scene, made))
@@ -421,23 +413,23 @@ pub(crate) fn refused(wishes: &[Wish], part: &str) {
 
 #[test]
 fn what_does_not_fit_is_refused() {
-    refused(&[wish("ball.translat.x")], "ball.translate.x");
-    let one = wish("ball.translate.x");
+    refused(&[spec("ball.translat.x")], "ball.translate.x");
+    let one = spec("ball.translate.x");
     refused(&[one.clone(), one.clone()], "twice");
-    refused(&[wish("ball.positions"), one.clone()], "the same numbers");
-    refused(&[wish("ball.to_world"), one.clone()], "the same numbers");
+    refused(&[spec("ball.positions"), one.clone()], "the same numbers");
+    refused(&[spec("ball.to_world"), one.clone()], "the same numbers");
     refused(
-        &[wish("sensor.rotate"), wish("sensor.to_world")],
+        &[spec("sensor.rotate"), spec("sensor.to_world")],
         "the same numbers",
     );
     refused(
-        &[wish("ball.rotate.x + ball.rotate.y")],
+        &[spec("ball.rotate.x + ball.rotate.y")],
         "a rotation in a sum",
     );
-    let with = |change: &dyn Fn(&mut Wish)| {
-        let mut wish = one.clone();
-        change(&mut wish);
-        wish
+    let with = |change: &dyn Fn(&mut VariableSpec)| {
+        let mut spec = one.clone();
+        change(&mut spec);
+        spec
     };
     refused(&[with(&|w| w.lambda = Some(3.0))], "`lambda` means nothing");
     refused(
@@ -447,21 +439,21 @@ fn what_does_not_fit_is_refused() {
     refused(&[with(&|w| w.bounds = Some([0.5, 1.0]))], "starts at 0");
     refused(&[with(&|w| w.curve = Some(Curve::Log))], "above 0");
     refused(&[with(&|w| w.start = Some(vec![1.0, 2.0]))], "2 numbers");
-    let positions = |selection| Wish {
+    let positions = |selection| VariableSpec {
         vertices: Some(selection),
-        ..wish("ball.positions")
+        ..spec("ball.positions")
     };
     refused(&[positions(Selection::Border)], "no vertex is selected");
     refused(&[positions(Selection::Indices(vec![999]))], "no vertex 999");
-    let both = Wish {
+    let both = VariableSpec {
         lambda: Some(3.0),
         bounds: Some([-1.0, 1.0]),
-        ..wish("ball.positions")
+        ..spec("ball.positions")
     };
     refused(&[both], "both `lambda` and bounds");
-    let stiff = Wish {
+    let stiff = VariableSpec {
         lambda: Some(1e13),
-        ..wish("ball.positions")
+        ..spec("ball.positions")
     };
     refused(&[stiff], "a number from 0 to 1e12");
 }

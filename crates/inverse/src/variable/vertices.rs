@@ -7,6 +7,8 @@ use capwalk_geometry::topology::weld;
 use capwalk_math::Vec3;
 use capwalk_scene::{Motion, Scene, ShapeMotion, vertex_normals};
 
+use super::error::VerticesError;
+
 /// Which vertices of a shape.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Selection {
@@ -55,7 +57,7 @@ impl Vertices {
         shape: usize,
         selection: &Selection,
         directions: Directions,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, VerticesError> {
         let base = &scene.shapes[shape];
         let welded = weld(&base.mesh.positions);
         let selected = selected(&base.mesh, &welded, selection)?;
@@ -89,9 +91,7 @@ impl Vertices {
                 }
             };
             if !of_vertex.iter().all(|d| d.is_finite()) || of_vertex.contains(&Vec3::zero()) {
-                return Err(format!(
-                    "vertex {vertex} has no such direction; leave it out"
-                ));
+                return Err(VerticesError::NoDirection { vertex });
             }
             dims = of_vertex.len();
             basis.extend(of_vertex);
@@ -158,7 +158,11 @@ impl Vertices {
 }
 
 /// The first of each group of selected vertices at the same place, in order.
-fn selected(mesh: &Mesh, welded: &[u32], selection: &Selection) -> Result<Vec<usize>, String> {
+fn selected(
+    mesh: &Mesh,
+    welded: &[u32],
+    selection: &Selection,
+) -> Result<Vec<usize>, VerticesError> {
     let group = |i: usize| welded[i] as usize;
     let groups: BTreeSet<usize> = match selection {
         // Vertices of no face show nothing.
@@ -181,16 +185,14 @@ fn selected(mesh: &Mesh, welded: &[u32], selection: &Selection) -> Result<Vec<us
         }
         Selection::Indices(indices) => {
             let count = welded.len();
-            if let Some(bad) = indices.iter().find(|&&i| i >= count) {
-                return Err(format!(
-                    "there is no vertex {bad}; there are {count}, from 0"
-                ));
+            if let Some(&index) = indices.iter().find(|&&i| i >= count) {
+                return Err(VerticesError::Index { index, count });
             }
             indices.iter().map(|&i| group(i)).collect()
         }
     };
     match groups.is_empty() {
-        true => Err("no vertex is selected".into()),
+        true => Err(VerticesError::Empty),
         false => Ok(groups.into_iter().collect()),
     }
 }

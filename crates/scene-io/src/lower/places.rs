@@ -85,6 +85,8 @@ impl Places {
                 let mut environments = emitters.filter(|(e, _)| e.is_environment());
                 environments.nth(1).map(|(_, span)| *span)
             }
+            // What has no place of its own stands at the root.
+            _ => None,
         };
         Problem::scene(span.unwrap_or(root), error)
     }

@@ -2,9 +2,7 @@
 //! how both were made, and for previews the four of them side by side.
 
 use anyhow::Result;
-use capwalk_diff::check::Comparison;
-use capwalk_math::Rgb;
-use capwalk_scene::Image;
+use capwalk::{Check, Comparison, Image, Rgb};
 use capwalk_scene_io::image::{self, Panel, Picture, Style};
 
 use super::Checked;
@@ -20,23 +18,28 @@ pub fn write(
     parameter: &str,
     checked: &Checked,
 ) -> Result<Vec<String>> {
-    let z = z_picture(&checked.comparison, &checked.gradient.value.mean);
+    let check = &checked.check;
+    let z = z_picture(&check.comparison, &check.gradient.value.mean);
     let mut picture = picture(scene, parameter, checked);
     picture.push("z", z.clone());
-    files.write(&picture, &panels(checked, &z))
+    files.write(&picture, &panels(check, &z))
 }
 
 /// All layers but z. What the picture says of itself is true for gradient and
 /// reference together, unless it names one of them.
 fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
-    let (gradient, reference) = (&checked.gradient, &checked.reference);
-    let mut picture = output::picture("check", scene, Some(parameter), &checked.options);
-    let made = &checked.differences;
-    output::note(&mut picture, "method", checked.method);
+    let Check {
+        gradient,
+        reference,
+        made,
+        ..
+    } = &checked.check;
+    let sampling = checked.options.sampling();
+    let mut picture = output::picture("check", scene, Some(parameter), &sampling);
+    output::note(&mut picture, "method", checked.options.method.name());
     output::note(&mut picture, "step", made.step);
     output::note(&mut picture, "reference_spp", made.spp);
-    let seed = made.options(&checked.options).seed;
-    output::note(&mut picture, "reference_seed", seed);
+    output::note(&mut picture, "reference_seed", made.seed);
     let both = [&gradient.statistics, &reference.statistics];
     output::push_statistics(&mut picture, &both);
     for (name, statistics) in ["gradient", "reference"].iter().zip(both) {
@@ -58,7 +61,7 @@ fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
     picture
 }
 
-/// The z of each pixel as a picture of the same size as another.
+/// The z of each pixel as an image of the same size as another.
 fn z_picture(comparison: &Comparison, like: &Image) -> Image {
     let z = comparison.z.iter();
     Image {
@@ -68,10 +71,10 @@ fn z_picture(comparison: &Comparison, like: &Image) -> Image {
 }
 
 /// Value, gradient and reference with the same colours, and z.
-fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
+fn panels<'a>(check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
     let (gradient, reference) = (
-        &checked.gradient.gradient.mean,
-        &checked.reference.gradient.mean,
+        &check.gradient.gradient.mean,
+        &check.reference.gradient.mean,
     );
     let limit = image::robust_limit([gradient, reference]);
     let panel = |title, image, style| Panel {
@@ -82,7 +85,7 @@ fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
     [
         panel(
             "value",
-            &checked.gradient.value.mean,
+            &check.gradient.value.mean,
             Style::Photographic { exposure: 0.0 },
         ),
         panel("gradient", gradient, Style::Diverging { limit }),
@@ -93,11 +96,9 @@ fn panels<'a>(checked: &'a Checked, z: &'a Image) -> [Panel<'a>; 4] {
 
 #[cfg(test)]
 mod tests {
-    use capwalk_diff::check::compare;
-    use capwalk_diff::{Estimate, GradientImage, Options, Statistics};
+    use capwalk::{Estimate, GradientImage, GradientOptions, Reference, Statistics, compare};
 
     use super::*;
-    use crate::command::check::Reference;
 
     /// A picture of two pixels with these samples each.
     fn image(samples: [u32; 2], complete: bool, non_finite: u64) -> GradientImage {
@@ -134,12 +135,21 @@ mod tests {
                 }
             };
             let checked = Checked {
-                comparison: compare(&gradient.gradient, &reference.gradient),
-                gradient,
-                reference,
-                options: Options { spp: 8, seed: 5 },
-                method: "walk",
-                differences: Reference { step: 0.5, spp: 8 },
+                check: Check {
+                    comparison: compare(&gradient.gradient, &reference.gradient),
+                    gradient,
+                    reference,
+                    made: Reference {
+                        step: 0.5,
+                        spp: 8,
+                        seed: 6,
+                    },
+                },
+                options: GradientOptions {
+                    spp: 8,
+                    seed: 5,
+                    ..GradientOptions::default()
+                },
                 seconds: [1.0, 1.0],
             };
             let picture = picture("leaf", "leaf.translate.x", &checked);

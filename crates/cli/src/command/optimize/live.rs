@@ -4,9 +4,8 @@
 use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
-use capwalk_diff::Watch;
-use capwalk_inverse::record::Row;
-use capwalk_scene::Image;
+use capwalk::optimize::Row;
+use capwalk::{Image, Rgb, Watch};
 use capwalk_scene_io::image::photographic;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -40,6 +39,11 @@ impl Clock {
         }
     }
 
+    /// True if it is time.
+    pub fn has_rung(&self) -> bool {
+        self.deadline.is_some_and(|at| Instant::now() >= at)
+    }
+
     /// How long until it rings; `None` if it never does.
     pub fn remaining(&self) -> Option<Duration> {
         let now = Instant::now();
@@ -51,7 +55,7 @@ impl Watch for Clock {
     fn progress(&self, _done: u64, _total: u64) {}
 
     fn should_stop(&self) -> bool {
-        progress::interrupted() || self.deadline.is_some_and(|at| Instant::now() >= at)
+        progress::interrupted() || self.has_rung()
     }
 }
 
@@ -133,9 +137,7 @@ fn half_blocks(picture: &Image, columns: usize, lines: usize) -> String {
         let xs = xs.start.min(width)..xs.end.min(width);
         let count = (xs.len() * ys.len()) as f64;
         let rows = ys.flat_map(|y| xs.clone().map(move |x| (x, y)));
-        let sum = rows.fold(capwalk_math::Rgb::zero(), |sum, (x, y)| {
-            sum + picture.at(x, y)
-        });
+        let sum = rows.fold(Rgb::zero(), |sum, (x, y)| sum + picture.at(x, y));
         match count > 0.0 {
             true => photographic(sum / count, 1.0),
             false => [0; 3],
@@ -157,7 +159,6 @@ fn half_blocks(picture: &Image, columns: usize, lines: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use capwalk_math::Rgb;
 
     #[test]
     fn pictures_fit_and_keep_their_colours() {

@@ -1,11 +1,9 @@
-//! A run that is killed, torn or cut off at any moment ends in the same bits.
+//! A run that is paused, torn or cut off at any moment ends in the same bits.
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Stdio;
-use std::time::{Duration, Instant};
 
-use super::{SMALL, arrays_of};
+use super::SMALL;
 use crate::{Capwalk, assert_has};
 
 /// All files below a folder that two equal runs share, with their bytes.
@@ -39,92 +37,22 @@ fn assert_same_files(a: &Path, b: &Path) {
     }
 }
 
-/// How many iterations a run has kept.
-fn kept(folder: &Path) -> f64 {
-    let checkpoint = folder.join("checkpoint.npz");
-    match checkpoint.exists() {
-        true => {
-            arrays_of(&checkpoint)
-                .get("iterations")
-                .expect("counts")
-                .numbers[0]
-        }
-        false => -1.0,
-    }
-}
-
-/// The kills must hit runs at work, and there must be twenty of them. Three of four
-/// come up to 20 milliseconds after a run has kept a few more iterations, at places
-/// spread over the first two thirds, so that they hit something else each time on
-/// slow and fast machines; the others come while a run begins. The moments follow
-/// from a fixed sequence.
+/// Every piece with another number of threads. Kills at every moment of writing are
+/// tests of the library.
 #[test]
-fn a_run_killed_twenty_times_ends_in_the_same_bits() {
-    const KILLS: u32 = 20;
-    const ITERATIONS: u32 = 300;
-    let capwalk = Capwalk::new("optimize_killed");
-    let job = SMALL.replace("iterations = 40", &format!("iterations = {ITERATIONS}"));
-    capwalk.write("job.toml", &job);
-    let whole = capwalk.run("optimize job.toml -o whole -t 1");
-    assert_eq!(whole.status, 0, "{}", whole.stderr);
-    let killed = capwalk.path("killed");
-    let mut state = 12345_u64;
-    // A number in [0, 1) that looks random.
-    let mut random = || {
-        state = state
-            .wrapping_mul(6364136223846793005)
-            .wrapping_add(1442695040888963407);
-        (state >> 33) as f64 / (1_u64 << 31) as f64
-    };
-    for kill in 0..KILLS {
-        let mut command = capwalk.command("optimize job.toml -o killed --resume -t 2");
-        let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn();
-        let mut child = child.expect("it starts");
-        let mut ended = || child.try_wait().expect("it can be asked").is_some();
-        let started = Instant::now();
-        if kill % 4 == 0 {
-            std::thread::sleep(Duration::from_secs_f64(0.1 * random()));
-        } else {
-            let enough = f64::from(ITERATIONS * (kill + 1)) / (1.5 * f64::from(KILLS));
-            while kept(&killed) < enough && !ended() {
-                assert!(started.elapsed() < Duration::from_secs(120), "{kill}");
-                std::thread::sleep(Duration::from_millis(1));
-            }
-            std::thread::sleep(Duration::from_secs_f64(0.02 * random()));
-        }
-        if ended() {
-            let finished = crate::Finished::from(child.wait_with_output().expect("it ended"));
-            panic!("it ended before kill {kill}: {}", finished.stderr);
-        }
-        child.kill().expect("it can be killed"); // SIGKILL
-        child.wait().expect("it ends");
+fn a_run_in_pieces_ends_in_the_same_bits() {
+    let capwalk = Capwalk::new("optimize_pieces");
+    capwalk.write("job.toml", SMALL);
+    assert_eq!(capwalk.run("optimize job.toml -o whole").status, 0);
+    for (threads, iterations) in [(1, 7), (3, 1), (2, 32)] {
+        let piece = format!("optimize job.toml -o pieces --resume -t {threads}");
+        let finished = capwalk.run(&format!("{piece} --pause-after {iterations}"));
+        assert_eq!(finished.status, 0, "{}", finished.stderr);
+        assert_has(&finished.stdout, &["paused; --resume goes on"]);
     }
-    let done = kept(&killed);
-    assert!(
-        (0.6..1.0).contains(&(done / f64::from(ITERATIONS))),
-        "{done}"
-    );
-    // Kills at the end come while a result is written.
-    for result in [".parameters.npz", "scene_meshes/.leaf.ply", ".scene.xml"] {
-        for _ in 0..2 {
-            let mut command = capwalk.command("optimize job.toml -o killed --resume");
-            let child = command.stdout(Stdio::null()).stderr(Stdio::null()).spawn();
-            let mut child = child.expect("it starts");
-            let half = killed.join(format!("{result}.{}.tmp", child.id()));
-            while !half.exists() && child.try_wait().expect("it can be asked").is_none() {
-                std::thread::yield_now();
-            }
-            child.kill().expect("it can be killed"); // SIGKILL
-            child.wait().expect("it ends");
-        }
-    }
-    let last = capwalk.run("optimize job.toml -o killed --resume");
-    assert_eq!(last.status, 0, "{}", last.stderr);
-    assert_same_files(&capwalk.path("whole"), &killed);
-    // Once more, when all is done.
-    let again = capwalk.run("optimize job.toml -o killed --resume");
-    assert_eq!(again.status, 0, "{}", again.stderr);
-    assert_same_files(&capwalk.path("whole"), &killed);
+    let last = capwalk.run("optimize job.toml -o pieces --resume --pause-after 1");
+    assert_has(&last.stdout, &["all iterations are done"]);
+    assert_same_files(&capwalk.path("whole"), &capwalk.path("pieces"));
 }
 
 /// What is left when a run is cut off between any two things that it writes.

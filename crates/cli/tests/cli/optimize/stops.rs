@@ -1,8 +1,6 @@
 //! Why a run ends before its last iteration.
 
 use std::fs;
-use std::process::Stdio;
-use std::time::{Duration, Instant};
 
 use super::{SMALL, examples};
 use crate::{Capwalk, assert_has};
@@ -71,14 +69,16 @@ fn runs_stop_for_a_reason() {
     // Targets take time, too.
     let long = SMALL.replace("spp = 64", "spp = 4000000000");
     capwalk.write("targets.toml", &long);
-    let error = capwalk.error("optimize targets.toml --time-limit 1s");
+    let error = capwalk.error("optimize targets.toml --time-limit 0.001s");
     assert_has(&error, &["over before the targets were rendered"]);
 
-    capwalk.write(
-        "limit.toml",
-        &SMALL.replace("iterations = 40", "iterations = 100000000"),
-    );
-    let limited = capwalk.run("optimize limit.toml --time-limit 2s");
+    let target = "render leaf --size 8x6 --spp 4 -o target.exr";
+    assert_eq!(capwalk.run(target).status, 0);
+    let rendered = "[target]\nspp = 64\n[target.set]\n\"leaf.translate.x\" = 0.2";
+    let limited = SMALL.replace("iterations = 40", "iterations = 100000000");
+    let limited = limited.replace(rendered, "target = { picture = \"target.exr\" }");
+    capwalk.write("limit.toml", &limited);
+    let limited = capwalk.run("optimize limit.toml --time-limit 0.001s");
     assert_eq!(limited.status, 0, "{}", limited.stderr);
     assert_has(&limited.stdout, &["the time limit is over"]);
 }
@@ -127,25 +127,11 @@ fn ctrl_c_writes_what_is_done() {
         "job.toml",
         &SMALL.replace("iterations = 40", "iterations = 100000000"),
     );
-    let mut command = capwalk.command("optimize job.toml --json");
-    let child = command
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn();
-    let child = child.expect("it starts");
-    let checkpoint = capwalk.path("out/checkpoint.npz");
-    let started = Instant::now();
-    while !checkpoint.exists() && started.elapsed() < Duration::from_secs(60) {
-        std::thread::sleep(Duration::from_millis(20));
-    }
-    // Nobody else may write there meanwhile.
-    let second = capwalk.error("optimize job.toml --resume");
-    assert_has(&second, &["another run is writing"]);
-    let interrupt = std::process::Command::new("kill")
-        .args(["-INT", &child.id().to_string()])
-        .status();
-    assert!(interrupt.expect("kill exists").success());
-    let finished = crate::Finished::from(child.wait_with_output().expect("it ends"));
+    let finished = capwalk.interrupt("optimize job.toml --json -v", "iteration 0: loss", || {
+        // Nobody else may write there meanwhile.
+        let second = capwalk.error("optimize job.toml --resume");
+        assert_has(&second, &["another run is writing"]);
+    });
     assert_eq!(finished.status, 5, "{}", finished.stderr);
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     assert_eq!(json["stopped"], "interrupted");

@@ -1,18 +1,19 @@
-//! From a name and what a user wants of it to a variable.
-
-use std::fmt;
+//! From what a user asks for to a variable.
 
 use capwalk_scene::params::{ArrayParameter, ParameterKind, Registry, Request};
 use capwalk_scene::{Motion, Scene, SensorMotion};
 
+use super::error::VariableError;
+use super::kind::{Map, Variable};
 use super::pose::Part;
+use super::reparameterization::Reparameterization;
 use super::vertices::{Directions, Selection, Vertices};
-use super::{Change, Map, Variable};
 use crate::smooth::Smoother;
 
-/// What a user wants to be found.
+/// What is to be found, from where, and between which bounds: the specification of a
+/// variable.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Wish {
+pub struct VariableSpec {
     /// An array, a parameter, or a sum of parameters.
     pub name: String,
     /// Where to begin instead of where the scene is: one number for all, or one
@@ -43,91 +44,57 @@ pub enum Curve {
     Log,
 }
 
-/// Why a wish cannot be granted.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct VariableError {
-    /// What is wrong.
-    pub message: String,
-    /// What to do.
-    pub help: Option<String>,
-}
-
-impl VariableError {
-    fn new(message: impl Into<String>, help: impl Into<String>) -> Self {
-        Self {
-            message: message.into(),
-            help: Some(help.into()),
-        }
-    }
-}
-
-impl fmt::Display for VariableError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message)?;
-        match &self.help {
-            Some(help) => write!(f, "; {help}"),
-            None => Ok(()),
-        }
-    }
-}
-
-impl std::error::Error for VariableError {}
-
 /// Largest `lambda`: above it, `I + λL` differs from `λL`, which has no inverse, by
 /// less than a few thousand roundings.
 const MAX_LAMBDA: f64 = 1e12;
 
-/// The variable that is wished for.
+/// The variable with this specification.
 pub fn variable(
     scene: &Scene,
     registry: &Registry,
-    wish: &Wish,
+    spec: &VariableSpec,
 ) -> Result<Variable, VariableError> {
-    let request = registry
-        .request(scene, &wish.name)
-        .map_err(|error| VariableError {
-            message: error.to_string(),
-            help: None,
-        })?;
+    let request = registry.request(scene, &spec.name)?;
     let (map, rest) = match request {
-        Request::Array(array) => array_map(scene, wish, array)?,
-        Request::Motion(motion) => scalar_map(scene, registry, wish, motion)?,
+        Request::Array(array) => array_map(scene, spec, array)?,
+        Request::Motion(motion) => scalar_map(scene, registry, spec, motion)?,
     };
+    let name = || spec.name.clone();
     if !matches!(map, Map::Vertices(_)) {
         let only = [
-            ("vertices", wish.vertices.is_some()),
-            ("plane` and `along", wish.directions.is_some()),
-            ("lambda", wish.lambda.is_some()),
+            ("vertices", spec.vertices.is_some()),
+            ("plane` and `along", spec.directions.is_some()),
+            ("lambda", spec.lambda.is_some()),
         ];
-        if let Some((key, _)) = only.into_iter().find(|&(_, given)| given) {
-            return Err(VariableError::new(
-                format!("`{key}` means nothing for \"{}\"", wish.name),
-                "it is for vertices: `<shape>.positions`",
-            ));
+        if let Some((option, _)) = only.into_iter().find(|&(_, given)| given) {
+            let name = name();
+            return Err(VariableError::OnlyForVertices { name, option });
         }
     }
-    let change = change(scene, wish, &map)?;
-    let initial = start(wish, rest)?;
-    if let Some((value, expected)) = change.refused(&initial) {
-        return Err(VariableError::new(
-            format!("\"{}\" starts at {value}", wish.name),
-            format!("expected {expected}; change `start`, or the bounds"),
-        ));
+    let reparameterization = reparameterization(scene, spec, &map)?;
+    let initial = start(spec, rest)?;
+    if let Some((value, expected)) = reparameterization.refused(&initial) {
+        return Err(VariableError::Start {
+            name: name(),
+            value,
+            expected: format!("{expected}; change `start`, or the bounds"),
+        });
     }
     if let Map::Pose { part, .. } = map
         && let Some(value) = part.refused(initial[0])
     {
-        return Err(VariableError::new(
-            format!("\"{}\" starts at {value}", wish.name),
-            "expected a scale above 0; change `start`",
-        ));
+        return Err(VariableError::Start {
+            name: name(),
+            value,
+            expected: "a scale above 0; change `start`".into(),
+        });
     }
     Ok(Variable {
-        name: wish.name.clone(),
+        name: spec.name.clone(),
         initial,
-        change,
-        lr: wish.lr,
-        uniform: wish.uniform,
+        reparameterization,
+        lr: spec.lr,
+        uniform: spec.uniform,
         map,
     })
 }
@@ -135,7 +102,7 @@ pub fn variable(
 /// Of an array, and its values in the scene.
 fn array_map(
     scene: &Scene,
-    wish: &Wish,
+    spec: &VariableSpec,
     array: ArrayParameter,
 ) -> Result<(Map, Vec<f64>), VariableError> {
     match array.kind {
@@ -143,15 +110,9 @@ fn array_map(
             let all_ones = array.motion(scene, &vec![1.0; array.count()]);
             let shape = all_ones.shapes.iter().position(Option::is_some);
             let shape = shape.expect("positions are those of a shape");
-            let selection = wish.vertices.clone().unwrap_or(Selection::All);
-            let directions = wish.directions.unwrap_or(Directions::Free);
-            let vertices =
-                Vertices::new(scene, shape, &selection, directions).map_err(|message| {
-                    VariableError {
-                        message,
-                        help: None,
-                    }
-                })?;
+            let selection = spec.vertices.clone().unwrap_or(Selection::All);
+            let directions = spec.directions.unwrap_or(Directions::Free);
+            let vertices = Vertices::new(scene, shape, &selection, directions)?;
             let rest = vec![0.0; vertices.count()];
             Ok((Map::Vertices(vertices), rest))
         }
@@ -167,10 +128,10 @@ fn array_map(
 fn scalar_map(
     scene: &Scene,
     registry: &Registry,
-    wish: &Wish,
+    spec: &VariableSpec,
     motion: Motion,
 ) -> Result<(Map, Vec<f64>), VariableError> {
-    let name = wish.name.trim();
+    let name = spec.name.trim();
     let listed = registry.scalar(scene, name);
     let axis = ["x", "y", "z"]
         .iter()
@@ -198,13 +159,11 @@ fn scalar_map(
             };
             let turns = motion.shapes.iter().flatten().any(|s| s.normals.is_some());
             if turns || motion.sensor.rotation != SensorMotion::default().rotation {
-                return Err(VariableError::new(
-                    format!("\"{name}\" has a rotation in a sum, which would not stay one"),
-                    "make it a parameter of its own, such as `<shape>.rotate.x`",
-                ));
+                let name = name.into();
+                return Err(VariableError::RotationInSum { name });
             }
             if value.is_none() {
-                refuse_offset(wish, &motion)?;
+                refuse_offset(spec, &motion)?;
             }
             let (motion, from) = (Box::new(motion), value.unwrap_or(0.0));
             (Some(Map::Line { motion, from }), from)
@@ -235,95 +194,79 @@ fn element(scene: &Scene, registry: &Registry, name: &str) -> Option<f64> {
 
 /// An error if values are asked for where the scene's numbers have values of their
 /// own, but this is only how far they have gone: a user would mean the former.
-fn refuse_offset(wish: &Wish, motion: &Motion) -> Result<(), VariableError> {
-    let has_values = wish.name.contains('[')
+fn refuse_offset(spec: &VariableSpec, motion: &Motion) -> Result<(), VariableError> {
+    let has_values = spec.name.contains('[')
         || motion.textures.iter().any(Option::is_some)
         || motion.sensor.optics != SensorMotion::default().optics;
     let asked = [
-        ("its value", wish.start.is_some()),
-        ("`bounds`", wish.bounds.is_some()),
-        ("`reparam`", wish.curve.is_some()),
+        ("its value", spec.start.is_some()),
+        ("`bounds`", spec.bounds.is_some()),
+        ("`reparam`", spec.curve.is_some()),
     ];
     match asked.into_iter().find(|&(_, given)| given && has_values) {
         None => Ok(()),
-        Some((what, _)) => Err(VariableError::new(
-            format!(
-                "\"{}\" is no single number of the scene: {what} would be how far its numbers \
-                 have gone from where they are, not what they are",
-                wish.name
-            ),
-            "name an array such as `<material>.reflectance.value`, or one number of it, without \
-             a factor",
-        )),
+        Some((what, _)) => Err(VariableError::NoValue {
+            name: spec.name.clone(),
+            what,
+        }),
     }
 }
 
-fn change(scene: &Scene, wish: &Wish, map: &Map) -> Result<Change, VariableError> {
-    if let Some([low, high]) = wish.bounds
+fn reparameterization(
+    scene: &Scene,
+    spec: &VariableSpec,
+    map: &Map,
+) -> Result<Reparameterization, VariableError> {
+    let name = || spec.name.clone();
+    if let Some([low, high]) = spec.bounds
         && !(low.is_finite() && high.is_finite() && low < high)
     {
-        return Err(VariableError::new(
-            format!("the bounds of \"{}\" are {low} and {high}", wish.name),
-            "expected two finite numbers, the lower one first",
-        ));
+        return Err(VariableError::Bounds {
+            name: name(),
+            bounds: [low, high],
+        });
     }
-    let smooths = wish.lambda.is_some_and(|lambda| lambda != 0.0);
-    if smooths && (wish.bounds.is_some() || wish.curve.is_some()) {
-        return Err(VariableError::new(
-            format!(
-                "\"{}\" has both `lambda` and bounds or a `reparam`",
-                wish.name
-            ),
-            "a smoothed unknown has no bounds of its own; leave one of them out",
-        ));
+    let smooths = spec.lambda.is_some_and(|lambda| lambda != 0.0);
+    if smooths && (spec.bounds.is_some() || spec.curve.is_some()) {
+        return Err(VariableError::SmoothedWithBounds { name: name() });
     }
-    Ok(match (wish.curve, wish.bounds, wish.lambda, map) {
+    Ok(match (spec.curve, spec.bounds, spec.lambda, map) {
         (_, _, Some(lambda), Map::Vertices(vertices)) if smooths => {
             if !(lambda > 0.0 && lambda <= MAX_LAMBDA) {
-                return Err(VariableError::new(
-                    format!("the `lambda` of \"{}\" is {lambda}", wish.name),
-                    format!(
-                        "expected a number from 0 to {MAX_LAMBDA:e}, above which rounding \
-                         swallows the unknowns; 10 to 50 is usual"
-                    ),
-                ));
+                return Err(VariableError::Lambda {
+                    name: name(),
+                    lambda,
+                    largest: MAX_LAMBDA,
+                });
             }
             let edges = vertices.edges(&scene.shapes[vertices.shape].mesh);
             let smoother = Smoother::new(vertices.nodes(), &edges, lambda);
-            let smoother = smoother.ok_or_else(|| {
-                VariableError::new(
-                    format!(
-                        "the matrix that smooths \"{}\" cannot be factored",
-                        wish.name
-                    ),
-                    "leave out `lambda`, or take fewer vertices",
-                )
-            })?;
+            let smoother = smoother.ok_or_else(|| VariableError::Factorization { name: name() })?;
             let dims = vertices.dims;
-            Change::Smooth { smoother, dims }
+            Reparameterization::Smooth { smoother, dims }
         }
-        (Some(Curve::Sigmoid), bounds, ..) => Change::Sigmoid(bounds.unwrap_or([0.0, 1.0])),
+        (Some(Curve::Sigmoid), bounds, ..) => {
+            Reparameterization::Sigmoid(bounds.unwrap_or([0.0, 1.0]))
+        }
         (Some(Curve::Log), Some(_), ..) => {
-            return Err(VariableError::new(
-                format!("\"{}\" has both bounds and `reparam = \"log\"`", wish.name),
-                "leave one of them out, or take `reparam = \"sigmoid\"`",
-            ));
+            return Err(VariableError::LogWithBounds { name: name() });
         }
-        (Some(Curve::Log), None, ..) => Change::Log,
-        (None, Some(bounds), ..) => Change::Clamp(bounds),
-        (None, None, ..) => Change::None,
+        (Some(Curve::Log), None, ..) => Reparameterization::Log,
+        (None, Some(bounds), ..) => Reparameterization::Clamp(bounds),
+        (None, None, ..) => Reparameterization::None,
     })
 }
 
-fn start(wish: &Wish, rest: Vec<f64>) -> Result<Vec<f64>, VariableError> {
-    match wish.start.as_deref() {
+fn start(spec: &VariableSpec, rest: Vec<f64>) -> Result<Vec<f64>, VariableError> {
+    match spec.start.as_deref() {
         None => Ok(rest),
         Some(&[all]) => Ok(vec![all; rest.len()]),
         Some(each) if each.len() == rest.len() => Ok(each.to_vec()),
-        Some(each) => Err(VariableError::new(
-            format!("{} numbers were given for \"{}\"", each.len(), wish.name),
-            format!("expected {}, or one for all of them", rest.len()),
-        )),
+        Some(each) => Err(VariableError::StartLength {
+            name: spec.name.clone(),
+            given: each.len(),
+            numbers: rest.len(),
+        }),
     }
 }
 
@@ -331,17 +274,17 @@ fn start(wish: &Wish, rest: Vec<f64>) -> Result<Vec<f64>, VariableError> {
 mod tests {
     use super::*;
     use crate::variable::ApplyError;
-    use crate::variable::tests::{ball, refused, variables, wish};
+    use crate::variable::tests::{ball, refused, spec, variables};
 
     /// `x.value[0]` and `x.value.r` are the same number: what it is, its bounds, and
     /// what a value makes of the scene.
     #[test]
     fn one_number_of_an_array_is_what_it_is() {
         let scene = ball();
-        let with = |name: &str, start: Option<f64>| Wish {
+        let with = |name: &str, start: Option<f64>| VariableSpec {
             start: start.map(|start| vec![start]),
             bounds: Some([1.0, 50.0]),
-            ..wish(name)
+            ..spec(name)
         };
         let (short, long) = (
             "lamp.emitter.radiance.value.r",
@@ -357,7 +300,7 @@ mod tests {
             }
         }
         let initial = |name: &str| {
-            variable(&scene, &Registry::new(&scene), &wish(name))
+            variable(&scene, &Registry::new(&scene), &spec(name))
                 .expect("fine")
                 .initial
         };
@@ -386,9 +329,9 @@ mod tests {
     /// A shape does not pass through its centre.
     #[test]
     fn scales_stay_above_0() {
-        let scale = |start| Wish {
+        let scale = |start| VariableSpec {
             start: Some(vec![start]),
-            ..wish("ball.scale")
+            ..spec("ball.scale")
         };
         for start in [0.0, -1.0] {
             refused(&[scale(start)], "expected a scale above 0");

@@ -6,15 +6,17 @@
 //! others are cut off when the run is resumed, and written again.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
-use std::io::Write;
+use std::io;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail, ensure};
-use capwalk_inverse::{Problem, State, record};
+use capwalk_inverse::{Iteration, Problem, State, record};
 use capwalk_scene::Image;
+use capwalk_scene_io::append;
 use capwalk_scene_io::arrays::{self, Array, Arrays};
 use capwalk_scene_io::export;
 use capwalk_scene_io::image::{Panel, Style, robust_limit, write_panels};
+
+use crate::folder_error::FolderError;
 
 /// What a run needs to go on.
 const CHECKPOINT: &str = "checkpoint.npz";
@@ -30,12 +32,13 @@ const SCENE: &str = "scene.xml";
 /// The folders that [`export::write_scene`] puts beside it.
 const MESHES: &str = "scene_meshes";
 const TEXTURES: &str = "scene_textures";
-/// The folder of pictures.
+/// The folder of images.
 const PICTURES: &str = "pictures";
 /// The folders that files are written into, from the folder of the run.
 const FOLDERS: [&str; 4] = ["", PICTURES, MESHES, TEXTURES];
 
 /// The folder of a run that goes on in it.
+#[derive(Debug)]
 pub struct Folder {
     path: PathBuf,
     fingerprint: Vec<(String, String)>,
@@ -46,6 +49,7 @@ pub struct Folder {
 }
 
 /// The folder of a run that has not begun: nobody else writes there.
+#[derive(Debug)]
 pub struct Claimed {
     path: PathBuf,
     lock: File,
@@ -54,29 +58,30 @@ pub struct Claimed {
 /// Makes sure that a run can go into this folder: it can be written to, no other
 /// run is in it, and without `resume` there is none to go on with. Nothing is lost:
 /// neither `inputs`, files that the run reads, nor results of something else.
-pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed> {
+pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed, FolderError> {
     refuse_losses(path, inputs)?;
-    let cannot = || format!("cannot write into the folder {}", path.display());
-    fs::create_dir_all(path.join(PICTURES)).with_context(cannot)?;
+    let cannot = |error: io::Error| FolderError::Unwritable {
+        folder: path.into(),
+        error,
+    };
+    fs::create_dir_all(path.join(PICTURES)).map_err(cannot)?;
     if !resume && path.join(CHECKPOINT).exists() {
-        bail!(
-            "there is a run in {} already; go on with it (--resume), or choose another folder (-o)",
-            path.display()
-        );
+        return Err(FolderError::Taken {
+            folder: path.into(),
+        });
     }
-    let lock = File::create(path.join(".lock")).with_context(cannot)?;
+    let lock = File::create(path.join(".lock")).map_err(cannot)?;
     match lock.try_lock() {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
-            bail!(
-                "another run is writing into {}; wait for its end",
-                path.display()
-            )
+            return Err(FolderError::Busy {
+                folder: path.into(),
+            });
         }
-        Err(TryLockError::Error(error)) => return Err(error).with_context(cannot),
+        Err(TryLockError::Error(error)) => return Err(cannot(error)),
     }
     for folder in FOLDERS {
-        remove_leftovers(&path.join(folder)).with_context(cannot)?;
+        remove_leftovers(&path.join(folder)).map_err(cannot)?;
     }
     Ok(Claimed {
         path: path.to_owned(),
@@ -85,7 +90,7 @@ pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed> {
 }
 
 /// An error if a run in this folder would write over what it did not write.
-fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<()> {
+fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<(), FolderError> {
     // What is not there cannot be lost.
     let Ok(folder) = path.canonicalize() else {
         return Ok(());
@@ -101,11 +106,10 @@ fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<()> {
             input.is_ok_and(|input| outputs.any(|output| input.starts_with(output)))
         };
         if let Some(name) = written.into_iter().find(is_written) {
-            bail!(
-                "the run reads {}, but would write over {}; choose another folder (-o)",
-                input.display(),
-                path.join(name).display()
-            );
+            return Err(FolderError::InputInTheWay {
+                input: input.clone(),
+                output: path.join(name),
+            });
         }
     }
     if path.join(CHECKPOINT).exists() {
@@ -117,11 +121,9 @@ fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<()> {
     let table = || fs::read(path.join(RECORD)).is_ok_and(|table| has_rows(&table));
     match found.or_else(|| table().then_some(RECORD)) {
         None => Ok(()),
-        Some(name) => bail!(
-            "{} is there already, and no checkpoint says that a run wrote it; choose another \
-             folder (-o)",
-            path.join(name).display()
-        ),
+        Some(name) => Err(FolderError::ResultInTheWay {
+            file: path.join(name),
+        }),
     }
 }
 
@@ -132,7 +134,7 @@ fn has_rows(table: &[u8]) -> bool {
 }
 
 /// Removes what a killed process was just writing.
-fn remove_leftovers(folder: &Path) -> std::io::Result<()> {
+fn remove_leftovers(folder: &Path) -> io::Result<()> {
     if !folder.is_dir() {
         return Ok(());
     }
@@ -154,7 +156,7 @@ impl Claimed {
         self,
         problem: &Problem,
         fingerprint: Vec<(String, String)>,
-    ) -> Result<(Folder, State)> {
+    ) -> Result<(Folder, State), FolderError> {
         let Self { path, lock } = self;
         let checkpoint = path.join(CHECKPOINT);
         let state = match checkpoint.exists() {
@@ -166,16 +168,14 @@ impl Claimed {
             None => header.clone(),
             Some(state) => {
                 let file = path.join(RECORD);
-                let table = fs::read_to_string(&file)
-                    .with_context(|| format!("cannot read {}", file.display()))?;
+                let table = fs::read_to_string(&file).map_err(|error| FolderError::Unreadable {
+                    file: file.clone(),
+                    error,
+                })?;
                 let kept = record::kept(&table, &header, state.iteration);
-                let kept = kept.with_context(|| {
-                    format!(
-                        "{} does not have the rows of the {} iterations that the checkpoint \
-                         knows; restore it, or begin anew in another folder",
-                        file.display(),
-                        state.iteration
-                    )
+                let kept = kept.ok_or(FolderError::MissingRows {
+                    file,
+                    iterations: state.iteration,
                 })?;
                 kept.to_owned()
             }
@@ -204,13 +204,12 @@ impl Claimed {
 }
 
 /// The state in a checkpoint, if it is one of this problem.
-fn read_state(file: &Path, problem: &Problem, fingerprint: &[(String, String)]) -> Result<State> {
-    let checkpoint = arrays::read(file).map_err(|error| {
-        anyhow::anyhow!(
-            "the checkpoint is damaged: {error}; expected the file that the run wrote. Restore it, \
-             or begin anew in another folder (-o)"
-        )
-    })?;
+fn read_state(
+    file: &Path,
+    problem: &Problem,
+    fingerprint: &[(String, String)],
+) -> Result<State, FolderError> {
+    let checkpoint = arrays::read(file).map_err(FolderError::DamagedCheckpoint)?;
     let was = |name: &str| {
         let found = checkpoint.metadata.iter().find(|(key, _)| key == name);
         found.map_or("nothing", |(_, what)| what)
@@ -220,51 +219,65 @@ fn read_state(file: &Path, problem: &Problem, fingerprint: &[(String, String)]) 
         .filter(|(name, what)| was(name) != what)
         .map(|(name, what)| format!("{name} was {}, is {what}", was(name)))
         .collect();
-    ensure!(
-        changed.is_empty(),
-        "the run in {} was of another job, and cannot go on with this one: {}. Undo the change, or \
-         begin anew in another folder (-o)",
-        file.parent().unwrap_or(file).display(),
-        changed.join("; ")
-    );
+    if !changed.is_empty() {
+        return Err(FolderError::OtherJob {
+            folder: file.parent().unwrap_or(file).into(),
+            changed,
+        });
+    }
     let find = |name: &str| checkpoint.get(name).map(|array| &array.numbers[..]);
-    State::from_numbers(problem.variables.count(), find)
-        .map_err(|why| anyhow::anyhow!("{} is no checkpoint of this job: {why}", file.display()))
+    State::from_numbers(problem.variables.count(), find).map_err(|reason| {
+        FolderError::NoCheckpoint {
+            file: file.into(),
+            reason,
+        }
+    })
 }
 
 /// A file with this text, to be appended to. What it has already is not touched.
-fn cut(path: &Path, text: &str) -> Result<File> {
-    let cannot = || format!("cannot write {}", path.display());
-    let old = fs::read_to_string(path).unwrap_or_default();
-    let mut file = OpenOptions::new()
-        .create(true)
-        .append(true)
-        .open(path)
-        .with_context(cannot)?;
-    if old.starts_with(text) {
-        file.set_len(text.len() as u64).with_context(cannot)?;
-    } else {
-        file.set_len(0).with_context(cannot)?;
-        file.write_all(text.as_bytes()).with_context(cannot)?;
+fn cut(path: &Path, text: &str) -> Result<File, FolderError> {
+    let cut = || {
+        let old = fs::read_to_string(path).unwrap_or_default();
+        let mut file = OpenOptions::new().create(true).append(true).open(path)?;
+        if old.starts_with(text) {
+            file.set_len(text.len() as u64)?;
+            file.sync_data()?;
+        } else {
+            file.set_len(0)?;
+            append(&mut file, text.as_bytes())?;
+        }
+        Ok(file)
+    };
+    cut().map_err(|error| unwritten(path, error))
+}
+
+fn unwritten(file: &Path, error: io::Error) -> FolderError {
+    FolderError::Unwritten {
+        file: file.into(),
+        error,
     }
-    file.sync_data().with_context(cannot)?;
-    Ok(file)
 }
 
 impl Folder {
-    /// Adds the row of an iteration, and how long it took.
-    pub fn append(&mut self, row: &str, iteration: u32, seconds: f64) -> Result<()> {
-        let written = self.record.write_all(row.as_bytes());
+    /// Writes an iteration down, which took so many seconds: its row, then the state that
+    /// it leads to.
+    pub fn write(
+        &mut self,
+        problem: &Problem,
+        iteration: &Iteration,
+        seconds: f64,
+    ) -> Result<(), FolderError> {
+        let row = iteration.row.csv(problem);
         // It must be there before the checkpoint that relies on it.
-        let written = written.and_then(|()| self.record.sync_data());
-        written.with_context(|| format!("cannot write {}", self.path.join(RECORD).display()))?;
-        let timing = format!("{iteration},{seconds:.6}\n");
-        let written = self.timing.write_all(timing.as_bytes());
-        written.with_context(|| format!("cannot write {}", self.path.join(TIMING).display()))
+        let written = append(&mut self.record, row.as_bytes());
+        written.map_err(|error| unwritten(&self.path.join(RECORD), error))?;
+        let timing = format!("{},{seconds:.6}\n", iteration.row.iteration);
+        let written = append(&mut self.timing, timing.as_bytes());
+        written.map_err(|error| unwritten(&self.path.join(TIMING), error))
     }
 
     /// Keeps a state, to be resumed from.
-    pub fn keep(&self, state: &State) -> Result<()> {
+    pub fn keep(&self, state: &State) -> Result<(), FolderError> {
         let arrays = state.to_numbers().into_iter().map(|(name, numbers)| Array {
             name: name.into(),
             shape: vec![numbers.len()],
@@ -277,18 +290,17 @@ impl Folder {
         Ok(arrays::write(&self.path.join(CHECKPOINT), &checkpoint)?)
     }
 
-    /// Writes the pictures of an iteration beside their targets, one file for each
-    /// view.
-    pub fn draw(&self, problem: &Problem, name: &str, pictures: &[Image]) -> Result<()> {
-        for (i, (picture, view)) in pictures.iter().zip(&problem.views).enumerate() {
-            let file = match pictures.len() {
+    /// Writes the images of an iteration beside their targets, one file for each view.
+    pub fn draw(&self, problem: &Problem, name: &str, images: &[Image]) -> Result<(), FolderError> {
+        for (i, (image, view)) in images.iter().zip(&problem.views).enumerate() {
+            let file = match images.len() {
                 1 => format!("{name}.png"),
                 _ => format!("{name}-view{}.png", i + 1),
             };
-            let pairs = picture.pixels.iter().zip(&view.target.pixels);
+            let pairs = image.pixels.iter().zip(&view.target.pixels);
             let difference = Image {
                 pixels: pairs.map(|(&a, &b)| a - b).collect(),
-                ..*picture
+                ..*image
             };
             let limit = robust_limit([&difference]);
             let photographic = Style::Photographic { exposure: 0.0 };
@@ -298,7 +310,7 @@ impl Folder {
                 style,
             };
             let panels = [
-                panel("picture", picture, photographic),
+                panel("picture", image, photographic),
                 panel("target", &view.target, photographic),
                 panel("difference", &difference, Style::Diverging { limit }),
             ];
@@ -307,9 +319,14 @@ impl Folder {
         Ok(())
     }
 
-    /// Writes the result: the parameters, and the scene with them. The names of
-    /// the files.
-    pub fn finish(&self, problem: &Problem, state: &State, stopped: &str) -> Result<Vec<String>> {
+    /// Writes the result of a run that stopped for this reason: the parameters, and the
+    /// scene with them. Returns the names of the files.
+    pub fn finish(
+        &self,
+        problem: &Problem,
+        state: &State,
+        stopped: &str,
+    ) -> Result<Vec<PathBuf>, FolderError> {
         let (values, scene) = (problem.values(state), problem.scene(state)?);
         let count = problem.variables.iter().count();
         let results = (0..count).map(|i| problem.variables.result(i, &scene, &values));
@@ -331,7 +348,6 @@ impl Folder {
         let parameters = self.path.join(PARAMETERS);
         arrays::write(&parameters, &result)?;
         let scene = export::write_scene(&scene, &self.path.join(SCENE))?;
-        let files = [parameters, scene, self.path.join(RECORD)];
-        Ok(files.map(|file| file.display().to_string()).to_vec())
+        Ok(vec![parameters, scene, self.path.join(RECORD)])
     }
 }

@@ -1,16 +1,16 @@
 //! A `[[parameter]]` of a job.
 
-use capwalk_inverse::variable::select::{Curve, Wish};
 use capwalk_inverse::variable::vertices::{Directions, Selection};
+use capwalk_inverse::variable::{Curve, VariableSpec};
 use capwalk_math::Vec3;
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::{Place, Table, Value};
 
-use super::{positive, truth};
+use super::table::{positive, truth};
 
-/// What is wished for, and where its name stands.
-pub fn read(table: &Table, uniform: bool) -> Result<(Wish, Place), LoadError> {
-    let name = table.require("name", "the name of a parameter, see `capwalk info SCENE`")?;
+/// What is to be found, and where its name stands.
+pub fn read(table: &Table, uniform: bool) -> Result<(VariableSpec, Place), LoadError> {
+    let name = table.require("name", "the name of a parameter of the scene")?;
     let start = table
         .get("start")
         .map(|value| value.numbers())
@@ -24,7 +24,7 @@ pub fn read(table: &Table, uniform: bool) -> Result<(Wish, Place), LoadError> {
     let curve = curve.map(|value| value.choice(&curves)).transpose()?;
     let lambda = table.get("lambda");
     let lambda = lambda.map(|value| value.number("a number of at least 0", |x| x >= 0.0));
-    let wish = Wish {
+    let spec = VariableSpec {
         name: name.text()?.into(),
         start,
         bounds,
@@ -39,7 +39,7 @@ pub fn read(table: &Table, uniform: bool) -> Result<(Wish, Place), LoadError> {
         lambda: lambda.transpose()?,
     };
     table.finish()?;
-    Ok((wish, name.place()))
+    Ok((spec, name.place()))
 }
 
 /// `"all"`, `"border"`, or a list of numbers and ranges: `[0, "5..9"]`.

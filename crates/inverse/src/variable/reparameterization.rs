@@ -4,7 +4,7 @@ use crate::smooth::Smoother;
 
 /// What is between unknowns and values.
 #[derive(Clone, Debug)]
-pub enum Change {
+pub enum Reparameterization {
     /// They are the same.
     None,
     /// They are the same, and each step ends between these bounds (projected
@@ -24,7 +24,7 @@ pub enum Change {
     },
 }
 
-impl Change {
+impl Reparameterization {
     /// The values of these unknowns.
     pub fn values(&self, unknowns: &[f64]) -> Vec<f64> {
         let each = |f: &dyn Fn(f64) -> f64| unknowns.iter().map(|&u| f(u)).collect();
@@ -48,7 +48,7 @@ impl Change {
         }
     }
 
-    /// The derivative by each unknown from that by each value.
+    /// The derivative with respect to each unknown from that with respect to each value.
     pub fn pull(&self, unknowns: &[f64], by_values: &[f64]) -> Vec<f64> {
         let times = |f: &dyn Fn(f64) -> f64| {
             let pairs = unknowns.iter().zip(by_values);
@@ -99,15 +99,15 @@ fn logistic(u: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn changes() -> Vec<Change> {
+    fn all() -> Vec<Reparameterization> {
         let edges = [[0, 1], [1, 2]];
         let smoother = Smoother::new(3, &edges, 4.0).expect("positive definite");
         vec![
-            Change::None,
-            Change::Clamp([-1.0, 2.0]),
-            Change::Sigmoid([-1.0, 3.0]),
-            Change::Log,
-            Change::Smooth { smoother, dims: 1 },
+            Reparameterization::None,
+            Reparameterization::Clamp([-1.0, 2.0]),
+            Reparameterization::Sigmoid([-1.0, 3.0]),
+            Reparameterization::Log,
+            Reparameterization::Smooth { smoother, dims: 1 },
         ]
     }
 
@@ -116,44 +116,44 @@ mod tests {
     #[test]
     fn pulls_are_transposes() {
         let (values, v, y) = ([0.3, 1.7, 0.9], [0.4, -1.0, 0.2], [1.1, 0.6, -0.7]);
-        for change in changes() {
-            let unknowns = change.unknowns(&values);
-            for (a, b) in change.values(&unknowns).iter().zip(values) {
-                assert!((a - b).abs() < 1e-14, "{change:?}");
+        for map in all() {
+            let unknowns = map.unknowns(&values);
+            for (a, b) in map.values(&unknowns).iter().zip(values) {
+                assert!((a - b).abs() < 1e-14, "{map:?}");
             }
             let at = |h: f64| {
                 let moved: Vec<f64> = unknowns.iter().zip(v).map(|(u, v)| u + h * v).collect();
-                change.values(&moved)
+                map.values(&moved)
             };
             let differences = at(1e-6).into_iter().zip(at(-1e-6));
             let left: f64 = differences
                 .zip(y)
                 .map(|((a, b), y)| y * (a - b) / 2e-6)
                 .sum();
-            let pulled = change.pull(&unknowns, &y);
+            let pulled = map.pull(&unknowns, &y);
             let right: f64 = pulled.iter().zip(v).map(|(g, v)| g * v).sum();
-            assert!((left - right).abs() < 1e-8, "{change:?}: {left} {right}");
+            assert!((left - right).abs() < 1e-8, "{map:?}: {left} {right}");
         }
     }
 
     #[test]
     fn steps_end_between_bounds() {
         let mut unknowns = [-3.0, 0.5, 9.0];
-        Change::Clamp([-1.0, 2.0]).clamp(&mut unknowns);
+        Reparameterization::Clamp([-1.0, 2.0]).clamp(&mut unknowns);
         assert_eq!(unknowns, [-1.0, 0.5, 2.0]);
     }
 
     #[test]
     fn impossible_starts_are_refused() {
-        for (change, good, bad) in [
-            (Change::Clamp([0.0, 1.0]), 1.0, 1.1),
-            (Change::Sigmoid([0.0, 1.0]), 0.99, 1.0),
-            (Change::Log, 1e-9, 0.0),
-            (Change::None, -1e9, f64::NAN),
+        for (map, good, bad) in [
+            (Reparameterization::Clamp([0.0, 1.0]), 1.0, 1.1),
+            (Reparameterization::Sigmoid([0.0, 1.0]), 0.99, 1.0),
+            (Reparameterization::Log, 1e-9, 0.0),
+            (Reparameterization::None, -1e9, f64::NAN),
         ] {
-            assert_eq!(change.refused(&[good]), None, "{change:?}");
-            let (value, _) = change.refused(&[good, bad]).expect("refused");
-            assert_eq!(value.to_bits(), bad.to_bits(), "{change:?}");
+            assert_eq!(map.refused(&[good]), None, "{map:?}");
+            let (value, _) = map.refused(&[good, bad]).expect("refused");
+            assert_eq!(value.to_bits(), bad.to_bits(), "{map:?}");
         }
     }
 }

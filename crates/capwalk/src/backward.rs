@@ -1,0 +1,213 @@
+//! Gradients of a loss with respect to parameters by their names.
+
+use std::collections::HashSet;
+use std::ops::Index;
+
+use capwalk_diff::{Backward, Refusal, Statistics, Wanted, Watch};
+use capwalk_scene::params::{ArrayParameter, ParameterError, Request};
+use capwalk_scene::{Image, Motion, Scene};
+
+use crate::direction::is_zero;
+use crate::engine::Engine;
+use crate::error::Error;
+use crate::options::GradientOptions;
+
+/// The gradients of a loss, in the order in which they were asked for.
+#[derive(Clone, Debug)]
+pub struct Gradients {
+    gradients: Vec<ParameterGradient>,
+    /// What was done.
+    pub statistics: Statistics,
+}
+
+/// The derivative of a loss with respect to the numbers of one parameter.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ParameterGradient {
+    /// What was asked for.
+    pub name: String,
+    /// Dimensions of the array; none for a single number.
+    pub shape: Vec<usize>,
+    /// Derivatives with respect to each number, row by row, per unit of the parameter.
+    pub numbers: Vec<f64>,
+    /// The standard error of each; NaN where there were too few samples for one.
+    pub standard_errors: Vec<f64>,
+    /// Euclidean norm of the numbers, or the one number with its sign.
+    pub size: f64,
+    /// Standard error of that, to first order.
+    pub size_error: f64,
+}
+
+impl ParameterGradient {
+    /// True if it is a single number.
+    pub fn is_scalar(&self) -> bool {
+        self.shape.is_empty()
+    }
+
+    /// The norm that an array of only noise would have about.
+    pub fn noise(&self) -> f64 {
+        norm(&self.standard_errors)
+    }
+}
+
+impl Gradients {
+    /// All of them, in the order in which they were asked for.
+    pub fn iter(&self) -> std::slice::Iter<'_, ParameterGradient> {
+        self.gradients.iter()
+    }
+
+    /// The one with this name.
+    pub fn get(&self, name: &str) -> Option<&ParameterGradient> {
+        self.iter().find(|gradient| gradient.name == name)
+    }
+}
+
+impl Index<&str> for Gradients {
+    type Output = ParameterGradient;
+
+    /// The gradient with this name.
+    ///
+    /// # Panics
+    /// If it was not asked for.
+    fn index(&self, name: &str) -> &ParameterGradient {
+        let found = self.get(name);
+        found.unwrap_or_else(|| panic!("no gradient with respect to \"{name}\" was asked for"))
+    }
+}
+
+impl<'a> IntoIterator for &'a Gradients {
+    type Item = &'a ParameterGradient;
+    type IntoIter = std::slice::Iter<'a, ParameterGradient>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.iter()
+    }
+}
+
+/// The arrays of a scene with respect to which a loss can be differentiated.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GradientNames {
+    /// Those that can be asked for, each under its first name.
+    pub allowed: Vec<String>,
+    /// Those that would be refused.
+    pub refused: Vec<String>,
+    /// Why they would be.
+    pub refusal: Option<Refusal>,
+}
+
+/// The names of all arrays, by whether their gradient would be refused.
+pub(crate) fn names(engine: &Engine) -> GradientNames {
+    let refusal = engine.refusal();
+    let arrays = engine.registry().arrays().iter();
+    let first_names = arrays.filter(|array| array.alias_of.is_none()).cloned();
+    let (refused, allowed): (Vec<_>, Vec<_>) =
+        first_names.partition(|array| refusal.is_some() && array.moves_discontinuities);
+    let names = |arrays: Vec<ArrayParameter>| arrays.into_iter().map(|array| array.name).collect();
+    GradientNames {
+        allowed: names(allowed),
+        refused: names(refused),
+        refusal,
+    }
+}
+
+/// The gradient of `Σ adjoint · image` with respect to all that is named.
+pub(crate) fn backward<N: AsRef<str>>(
+    engine: &Engine,
+    adjoint: &Image,
+    names: &[N],
+    options: &GradientOptions,
+    watch: &dyn Watch,
+) -> Result<Gradients, Error> {
+    let scene = engine.scene();
+    let requests = requests(engine, names)?;
+    // One pass over the samples gives a covector on everything that any of them moves.
+    let mut wanted = Wanted::by(&Motion::zero(scene));
+    for (_, request) in &requests {
+        wanted.add(&Wanted::by(&match request {
+            Request::Motion(motion) => motion.clone(),
+            Request::Array(array) => array.motion(scene, &vec![1.0; array.count()]),
+        }));
+    }
+    let result = engine.backward(adjoint, &wanted, options, watch)?;
+    // Each parameter's gradient is a linear map of the covector.
+    let gradients = requests.into_iter().map(|(name, request)| match request {
+        Request::Motion(motion) => of_number(name, &motion, &result),
+        Request::Array(array) => of_array(scene, name, &array, &result),
+    });
+    Ok(Gradients {
+        gradients: gradients.collect(),
+        statistics: result.statistics.clone(),
+    })
+}
+
+/// What each name means in the scene.
+fn requests<N: AsRef<str>>(engine: &Engine, names: &[N]) -> Result<Vec<(String, Request)>, Error> {
+    let mut seen = HashSet::new();
+    let mut requests = Vec::new();
+    for name in names {
+        let name = name.as_ref();
+        let request = engine.registry().request(engine.scene(), name)?;
+        if let Request::Motion(motion) = &request
+            && is_zero(motion)
+        {
+            return Err(Error::NothingMoves {
+                what: format!("the parameters in \"{name}\""),
+            });
+        }
+        if !seen.insert(name) {
+            return Err(Error::AskedTwice { name: name.into() });
+        }
+        requests.push((name.to_owned(), request));
+    }
+    Ok(requests)
+}
+
+/// The array of this name.
+pub(crate) fn array(engine: &Engine, name: &str) -> Result<ArrayParameter, ParameterError> {
+    match engine.registry().request(engine.scene(), name)? {
+        Request::Array(array) => Ok(array),
+        Request::Motion(_) => Err(ParameterError::NoParameter {
+            name: name.into(),
+            reason: "it is a direction and has no values of its own; name an array".into(),
+        }),
+    }
+}
+
+fn of_number(name: String, motion: &Motion, result: &Backward) -> ParameterGradient {
+    let (value, error) = result.along(motion);
+    ParameterGradient {
+        name,
+        shape: Vec::new(),
+        numbers: vec![value],
+        standard_errors: vec![error],
+        size: value,
+        size_error: error,
+    }
+}
+
+fn of_array(
+    scene: &Scene,
+    name: String,
+    array: &ArrayParameter,
+    result: &Backward,
+) -> ParameterGradient {
+    let (numbers, standard_errors) = result.numbers(|gradient| array.gradient(scene, gradient));
+    let size = norm(&numbers);
+    // The derivative of the norm is the unit vector along the gradient.
+    let unit: Vec<f64> = match size {
+        0.0 => vec![0.0; numbers.len()],
+        size => numbers.iter().map(|x| x / size).collect(),
+    };
+    let (_, size_error) = result.along(&array.motion(scene, &unit));
+    ParameterGradient {
+        name,
+        shape: array.shape.clone(),
+        numbers,
+        standard_errors,
+        size,
+        size_error,
+    }
+}
+
+fn norm(numbers: &[f64]) -> f64 {
+    numbers.iter().map(|x| x * x).sum::<f64>().sqrt()
+}

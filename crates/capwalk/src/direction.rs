@@ -1,0 +1,79 @@
+//! What moves: a direction in the space of all parameters of a scene.
+
+use std::borrow::Cow;
+
+use capwalk_math::Vec3;
+use capwalk_scene::params::Registry;
+use capwalk_scene::{Motion, Scene, SensorMotion};
+
+use crate::error::Error;
+
+/// What an image can be differentiated along: an expression such as
+/// `"ball.translate.x"` or `"lamp.translate.x - 0.5*floor.rotate.z"`, or a [`Motion`]
+/// that was made by hand.
+pub trait Direction {
+    /// The velocities that are meant in this scene, whose names are in the registry; not
+    /// all of them are zero.
+    fn motion(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Motion>, Error>;
+}
+
+impl Direction for str {
+    fn motion(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Motion>, Error> {
+        let motion = registry.motion(scene, self)?;
+        match is_zero(&motion) {
+            false => Ok(Cow::Owned(motion)),
+            true => Err(Error::NothingMoves {
+                what: format!("the parameters in \"{self}\""),
+            }),
+        }
+    }
+}
+
+impl Direction for String {
+    fn motion(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Motion>, Error> {
+        self.as_str().motion(scene, registry)
+    }
+}
+
+impl Direction for Motion {
+    fn motion(&self, _: &Scene, _: &Registry) -> Result<Cow<'_, Motion>, Error> {
+        match is_zero(self) {
+            false => Ok(Cow::Borrowed(self)),
+            true => Err(Error::NothingMoves {
+                what: "the parameters and velocities".into(),
+            }),
+        }
+    }
+}
+
+/// True if nothing moves or changes.
+pub(crate) fn is_zero(motion: &Motion) -> bool {
+    let mut shapes = motion.shapes.iter().flatten();
+    let mut numbers = motion.textures.iter().flatten().flatten();
+    motion.sensor == SensorMotion::default()
+        && numbers.all(|&v| v == 0.0)
+        && shapes.all(|shape| {
+            let mut velocities = shape.vertices.iter().chain(shape.normals.iter().flatten());
+            velocities.all(|&velocity| velocity == Vec3::zero())
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Also normals that turn where nothing moves.
+    #[test]
+    fn sums_that_cancel_are_refused() {
+        let scene = capwalk_scene::builtin::scene("ball").expect("built in");
+        let registry = Registry::new(&scene);
+        assert!("ball.normals[7,2]".motion(&scene, &registry).is_ok());
+        for nothing in ["0*ball.normals[7,2]", "ball.scale - ball.scale"] {
+            let error = nothing
+                .motion(&scene, &registry)
+                .expect_err("zero")
+                .to_string();
+            assert!(error.contains("nothing moves"), "{error}");
+        }
+    }
+}

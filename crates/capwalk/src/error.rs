@@ -1,0 +1,165 @@
+//! What can go wrong.
+
+use std::path::PathBuf;
+
+use capwalk_diff::Refusal;
+use capwalk_inverse::variable::ApplyError;
+use capwalk_scene::params::ParameterError;
+use capwalk_scene::{SceneError, builtin};
+use capwalk_scene_io::LoadError;
+use capwalk_scene_io::image::ImageError;
+
+use crate::folder_error::FolderError;
+use crate::method::OptionError;
+
+/// Why there is no result.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The file is no scene; with line and column.
+    #[error(transparent)]
+    Load(#[from] LoadError),
+    /// There is neither a file nor a built-in scene of this name.
+    #[error(
+        "there is no file {name}, and no built-in scene of that name (they are {})",
+        known()
+    )]
+    UnknownScene {
+        /// What was asked for.
+        name: String,
+    },
+    /// Values of `$name` were given for a built-in scene, which has none.
+    #[error("the built-in scene \"{scene}\" has no `$name` to define")]
+    NothingToDefine {
+        /// The scene.
+        scene: String,
+    },
+    /// A built-in scene has one sensor.
+    #[error("the built-in scene \"{scene}\" has one sensor, number 0, and no number {number}")]
+    NoSuchSensor {
+        /// The scene.
+        scene: String,
+        /// What was asked for.
+        number: usize,
+    },
+    /// The scene was read and cannot be rendered.
+    #[error("the scene {scene} cannot be rendered")]
+    InvalidScene {
+        /// The scene, as it was named.
+        scene: String,
+        /// Why.
+        #[source]
+        error: SceneError,
+    },
+    /// The change to the scene would make one that cannot be rendered.
+    #[error("the changed scene cannot be rendered")]
+    InvalidUpdate(#[source] SceneError),
+    /// Values for which an unknown of an optimisation makes no scene.
+    #[error(transparent)]
+    Apply(#[from] ApplyError),
+    /// A name or an expression means no parameter.
+    #[error(transparent)]
+    Parameter(#[from] ParameterError),
+    /// Nothing moves or changes, so the derivative is zero everywhere.
+    #[error("nothing moves: {what} add up to zero")]
+    NothingMoves {
+        /// What was asked for, such as `the parameters in "a - a"`.
+        what: String,
+    },
+    /// A name was asked for twice.
+    #[error("the gradient with respect to \"{name}\" was asked for twice")]
+    AskedTwice {
+        /// The name.
+        name: String,
+    },
+    /// The derivative cannot be estimated without bias.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
+    /// Options that contradict each other.
+    #[error(transparent)]
+    Option(#[from] OptionError),
+    /// The image that was given has another size than the scene's.
+    #[error(
+        "the {what} has {} x {} pixels; expected {} x {}, as the image of the scene has",
+        found[0], found[1], expected[0], expected[1]
+    )]
+    Size {
+        /// Which image: the target, the mask.
+        what: &'static str,
+        /// Its width and height.
+        found: [usize; 2],
+        /// Those of the scene's film.
+        expected: [usize; 2],
+    },
+    /// The work was stopped before there was anything to return.
+    #[error("stopped before {before}")]
+    Stopped {
+        /// What would have been needed.
+        before: &'static str,
+    },
+    /// The folder of a run cannot be used.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
+    /// An image could not be read or written.
+    #[error(transparent)]
+    Image(#[from] ImageError),
+    /// A file was read and cannot be used as an image of the scene.
+    #[error("cannot use {}", path.display())]
+    UnusableImage {
+        /// The file.
+        path: PathBuf,
+        /// Why.
+        #[source]
+        error: UnusableImage,
+    },
+}
+
+/// What is wrong with an image that was read.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum UnusableImage {
+    /// It has no layer of any of these names.
+    #[error("there is no layer \"{}\"; there are {}", asked.join("\" or \""), known.join(", "))]
+    NoLayer {
+        /// What was asked for.
+        asked: Vec<String>,
+        /// What there is.
+        known: Vec<String>,
+    },
+    /// It has another size than the image of the scene.
+    #[error(
+        "it has {} x {} pixels; expected {} x {}, as the image of the scene has",
+        found[0], found[1], expected[0], expected[1]
+    )]
+    Size {
+        /// Its width and height.
+        found: [usize; 2],
+        /// Those of the scene's film.
+        expected: [usize; 2],
+    },
+    /// A pixel is infinite or NaN.
+    #[error(
+        "it is ({}, {}, {}) in column {column}, row {row}, counted from 0 at the upper left; \
+         expected finite numbers",
+        pixel[0], pixel[1], pixel[2]
+    )]
+    NotFinite {
+        /// Column, counted from 0.
+        column: usize,
+        /// Row, counted from 0.
+        row: usize,
+        /// The three channels.
+        pixel: [f64; 3],
+    },
+    /// Pixels of a mask are below 0, or all of them are 0.
+    #[error("{problem}; expected how much each pixel counts")]
+    NotWeights {
+        /// What is wrong.
+        problem: &'static str,
+    },
+}
+
+/// The names of the built-in scenes.
+fn known() -> String {
+    builtin::names().collect::<Vec<_>>().join(", ")
+}

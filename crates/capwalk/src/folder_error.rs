@@ -1,0 +1,116 @@
+//! What can be wrong with the folder of a run.
+
+use std::io;
+use std::path::PathBuf;
+
+use capwalk_inverse::variable::ApplyError;
+use capwalk_scene_io::export::ExportError;
+use capwalk_scene_io::image::ImageError;
+
+/// Why a run cannot begin or go on in a folder.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FolderError {
+    /// Nothing can be written there.
+    #[error("cannot write into the folder {}", folder.display())]
+    Unwritable {
+        /// The folder.
+        folder: PathBuf,
+        /// Why.
+        #[source]
+        error: io::Error,
+    },
+    /// There is a run already, and it was not to be resumed.
+    #[error("there is a run in {} already", folder.display())]
+    Taken {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// Another process is running there.
+    #[error("another run is writing into {}; wait for its end", folder.display())]
+    Busy {
+        /// The folder.
+        folder: PathBuf,
+    },
+    /// The run would write over a file that it reads.
+    #[error("the run reads {}, but would write over {}", input.display(), output.display())]
+    InputInTheWay {
+        /// The file that is read.
+        input: PathBuf,
+        /// What would be written.
+        output: PathBuf,
+    },
+    /// The run would write over something that is no run's.
+    #[error(
+        "{} is there already, and no checkpoint says that a run wrote it", file.display()
+    )]
+    ResultInTheWay {
+        /// What is there.
+        file: PathBuf,
+    },
+    /// A file of the run cannot be read.
+    #[error("cannot read {}", file.display())]
+    Unreadable {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        #[source]
+        error: io::Error,
+    },
+    /// A file of the run cannot be written.
+    #[error("cannot write {}", file.display())]
+    Unwritten {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        #[source]
+        error: io::Error,
+    },
+    /// The record has fewer rows than the checkpoint knows.
+    #[error(
+        "{} does not have the rows of the {iterations} iterations that the checkpoint knows; \
+         restore it, or begin anew in another folder",
+        file.display()
+    )]
+    MissingRows {
+        /// The record.
+        file: PathBuf,
+        /// Iterations of the checkpoint.
+        iterations: u32,
+    },
+    /// The checkpoint is not the file that the run wrote.
+    #[error(
+        "the checkpoint is damaged: {0}; expected the file that the run wrote. Restore it, or \
+         begin anew in another folder"
+    )]
+    DamagedCheckpoint(ImageError),
+    /// The checkpoint does not fit the job in a way that its fingerprint does not say.
+    #[error("{} is no checkpoint of this job: {reason}", file.display())]
+    NoCheckpoint {
+        /// The checkpoint.
+        file: PathBuf,
+        /// Which array is wrong.
+        reason: String,
+    },
+    /// The run in the folder was of another job.
+    #[error(
+        "the run in {} was of another job, and cannot go on with this one: {}. Undo the change, \
+         or begin anew in another folder",
+        folder.display(), changed.join("; ")
+    )]
+    OtherJob {
+        /// The folder.
+        folder: PathBuf,
+        /// What was and what is, for each thing that changed.
+        changed: Vec<String>,
+    },
+    /// Arrays or images cannot be written.
+    #[error(transparent)]
+    Image(#[from] ImageError),
+    /// The scene of the result cannot be written.
+    #[error(transparent)]
+    Export(#[from] ExportError),
+    /// The state makes no scene.
+    #[error(transparent)]
+    Apply(#[from] ApplyError),
+}

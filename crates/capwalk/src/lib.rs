@@ -1,0 +1,97 @@
+//! Unbiased derivatives of rendered images, geometry above all.
+//!
+//! The light of a scene is discontinuous at shadows, silhouettes and their reflections.
+//! When these move, the derivative of the image has a part that differentiated samples
+//! miss. capwalk estimates it with walks on spherical caps, without bias and with standard
+//! errors.
+//!
+//! # The first gradient
+//!
+//! A scene is a Mitsuba 3 file or built in. These lines render the derivative of the
+//! image of a floating leaf and its shadow with respect to a motion of the leaf, and
+//! write it as a picture in which red gets brighter and blue darker:
+//!
+//! ```
+//! use capwalk::{GradientOptions, Prepared, Unwatched, write_image};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! # let folder = std::env::temp_dir();
+//! let scene = capwalk::Loader::new("leaf").size([64, 48]).load()?.scene;
+//! let prepared = Prepared::new(scene)?;
+//! let options = GradientOptions { spp: 16, ..GradientOptions::default() };
+//! let result = prepared.gradient("leaf.translate.x", &options, &Unwatched)?;
+//! write_image(folder.join("gradient.png"), "gradient", &result.gradient.mean)?;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! # What there is
+//!
+//! | | |
+//! |---|---|
+//! | [`load`], [`Loader`] | a scene from a file, with warnings, another size, other `$name`s |
+//! | [`Prepared`] | a scene that is ready for any number of images and gradients |
+//! | [`Prepared::render`] | an image with its standard errors |
+//! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |
+//! | [`Prepared::backward`] | the gradient of a loss with respect to everything named (reverse mode) |
+//! | [`Prepared::loss`] | how far an image is from a target, and the adjoint for `backward` |
+//! | [`Prepared::check`] | a gradient against central differences, with a verdict |
+//! | [`Prepared::update`] | other numbers in the same scene |
+//! | [`optimize`] | the loop around all that, from a TOML job, with checkpoints |
+//!
+//! Parameters are asked for by name: `"ball.translate.x"`, `"ball.positions"`,
+//! `"floor.bsdf.reflectance.value"`; [`params`] lists those of a scene.
+//!
+//! # What can be relied on
+//!
+//! * Every estimate has a standard error. A derivative that could only be estimated with
+//!   a bias is refused: [`Error::Refused`].
+//! * The same scene, options and seed give the same bits, whatever the number of threads.
+//!   Work runs on the caller's rayon pool, otherwise on one of the process; a forked child
+//!   has its own.
+//! * Everything long takes a [`Watch`], which sees its progress and can stop it.
+//!   [`Unwatched`] is nobody.
+
+mod backward;
+mod check;
+mod direction;
+mod engine;
+mod error;
+mod folder_error;
+mod images;
+mod load;
+mod loss;
+mod method;
+pub mod optimize;
+mod options;
+mod prepared;
+mod step;
+
+pub use capwalk_diff::check::{Comparison, Verdict, compare};
+pub use capwalk_diff::{
+    Estimate, Estimator, GradientImage, Method, Refusal, Rendering, Statistics, Unwatched,
+    WalkSettings, Watch, with_threads,
+};
+#[cfg(feature = "paper")]
+pub use capwalk_diff::{WasBoundary, WasSettings};
+pub use capwalk_math::{Rgb, Vec3};
+pub use capwalk_scene::params::{self, ParameterError, vertex_motion};
+pub use capwalk_scene::{Filter, Image, Motion, Scene, SceneError, Sensor, ShapeMotion};
+pub use capwalk_scene_io::{Diagnostic, LoadError, VelocityFileError, Warning, read_velocities};
+
+pub use backward::{GradientNames, Gradients, ParameterGradient};
+pub use check::{Check, CheckOptions, Reference};
+pub use direction::Direction;
+pub use error::{Error, UnusableImage};
+pub use folder_error::FolderError;
+pub use images::{read_layer, read_mask, write_image};
+pub use load::{Loaded, Loader, load};
+pub use loss::{Distance, ImageLoss, Loss, Measured};
+#[cfg(feature = "paper")]
+pub use method::WasChoice;
+pub use method::{
+    Caveat, Choice, DomainName, MethodChoice, MethodName, OptionError, WalkChoice, caveat,
+};
+pub use options::{DifferenceOptions, GradientOptions, RenderOptions};
+pub use prepared::{Prepared, Values};
+pub use step::{bounds, difference_step};

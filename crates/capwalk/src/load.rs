@@ -1,0 +1,141 @@
+//! From the name of a scene to the scene.
+
+use std::path::Path;
+
+use capwalk_scene::{Filter, Scene, builtin};
+use capwalk_scene_io::{LoadOptions, Warning, load_scene_with};
+
+use crate::error::Error;
+
+/// A scene that was loaded.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Loaded {
+    /// The scene; it has passed [`Scene::check`].
+    pub scene: Scene,
+    /// What is allowed in the file and changes nothing, but was perhaps meant otherwise.
+    pub warnings: Vec<Warning>,
+}
+
+/// The scene in a Mitsuba 3 XML file, or the built-in scene of this name.
+///
+/// ```
+/// let loaded = capwalk::load("leaf")?;
+/// assert!(loaded.scene.shapes.iter().any(|shape| shape.id == "leaf"));
+/// assert!(loaded.warnings.is_empty());
+///
+/// let error = capwalk::load("no_such_file.xml").unwrap_err();
+/// assert!(matches!(error, capwalk::Error::UnknownScene { .. }));
+/// # Ok::<(), capwalk::Error>(())
+/// ```
+pub fn load(name: impl AsRef<Path>) -> Result<Loaded, Error> {
+    Loader::new(name).load()
+}
+
+/// Loads a scene with changes to what its file says.
+///
+/// ```
+/// let loaded = capwalk::Loader::new("leaf").size([64, 48]).load()?;
+/// assert_eq!(loaded.scene.film.crop_size, [64, 48]);
+/// # Ok::<(), capwalk::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+#[must_use = "nothing is loaded before `load`"]
+pub struct Loader {
+    name: String,
+    options: LoadOptions,
+    size: Option<[u32; 2]>,
+    filter: Option<Filter>,
+}
+
+impl Loader {
+    /// For a Mitsuba 3 XML file, or the built-in scene of this name.
+    pub fn new(name: impl AsRef<Path>) -> Self {
+        Self {
+            name: name.as_ref().display().to_string(),
+            options: LoadOptions::default(),
+            size: None,
+            filter: None,
+        }
+    }
+
+    /// With a value of `$name` in the file, which wins over its `<default>` and over
+    /// values that are given later.
+    pub fn define(mut self, name: impl Into<String>, value: impl Into<String>) -> Self {
+        self.options.defines.push((name.into(), value.into()));
+        self
+    }
+
+    /// With this sensor of the file, counted from 0.
+    pub fn sensor(mut self, number: usize) -> Self {
+        self.options.sensor = number;
+        self
+    }
+
+    /// With an image of this width and height in pixels, without crop.
+    pub fn size(mut self, size: [u32; 2]) -> Self {
+        self.size = Some(size);
+        self
+    }
+
+    /// With this reconstruction filter.
+    pub fn filter(mut self, filter: Filter) -> Self {
+        self.filter = Some(filter);
+        self
+    }
+
+    /// The scene, checked.
+    pub fn load(&self) -> Result<Loaded, Error> {
+        let mut loaded = match builtin::scene(&self.name) {
+            Some(scene) => {
+                self.refuse_options_of_files()?;
+                Loaded {
+                    scene,
+                    warnings: Vec::new(),
+                }
+            }
+            None => self.read()?,
+        };
+        let film = &mut loaded.scene.film;
+        if let Some(size) = self.size {
+            (film.size, film.crop_offset, film.crop_size) = (size, [0, 0], size);
+        }
+        if let Some(filter) = self.filter {
+            film.filter = filter;
+        }
+        loaded.scene.check().map_err(|error| Error::InvalidScene {
+            scene: self.name.clone(),
+            error,
+        })?;
+        Ok(loaded)
+    }
+
+    /// A built-in scene has no `$name` and one sensor.
+    fn refuse_options_of_files(&self) -> Result<(), Error> {
+        let scene = || self.name.clone();
+        if !self.options.defines.is_empty() {
+            return Err(Error::NothingToDefine { scene: scene() });
+        }
+        match self.options.sensor {
+            0 => Ok(()),
+            number => Err(Error::NoSuchSensor {
+                scene: scene(),
+                number,
+            }),
+        }
+    }
+
+    fn read(&self) -> Result<Loaded, Error> {
+        let path = Path::new(&self.name);
+        if !path.exists() {
+            return Err(Error::UnknownScene {
+                name: self.name.clone(),
+            });
+        }
+        let read = load_scene_with(path, &self.options)?;
+        Ok(Loaded {
+            scene: read.scene,
+            warnings: read.warnings,
+        })
+    }
+}

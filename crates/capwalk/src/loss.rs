@@ -1,0 +1,55 @@
+//! How far an image is from a target.
+
+use capwalk_diff::{Statistics, Watch};
+use capwalk_scene::Image;
+
+pub use capwalk_inverse::loss::{Distance, Loss, Measured};
+
+use crate::engine::Engine;
+use crate::error::Error;
+use crate::options::RenderOptions;
+
+/// The loss of an image that was rendered for it.
+#[derive(Clone, Debug)]
+pub struct ImageLoss {
+    /// The loss, its standard error, and its derivative with respect to each pixel.
+    pub measured: Measured,
+    /// Seed of the image.
+    pub seed: u64,
+    /// What was done for the image.
+    pub statistics: Statistics,
+}
+
+/// The loss of an image that is independent of a gradient with these options.
+pub(crate) fn measure(
+    engine: &Engine,
+    loss: &Loss,
+    target: &Image,
+    mask: Option<&Image>,
+    options: &RenderOptions,
+    watch: &dyn Watch,
+) -> Result<ImageLoss, Error> {
+    let expected = engine.scene().film.crop_size.map(|n| n as usize);
+    for (what, image) in [("target", Some(target)), ("mask", mask)] {
+        let found = image.map_or(expected, |image| [image.width, image.height]);
+        if found != expected {
+            return Err(Error::Size {
+                what,
+                found,
+                expected,
+            });
+        }
+    }
+    let options = options.with_independent_seed();
+    let rendering = engine.render(&options, watch);
+    if rendering.statistics.samples_per_pixel.contains(&0) {
+        return Err(Error::Stopped {
+            before: "every pixel of the image had a sample",
+        });
+    }
+    Ok(ImageLoss {
+        measured: loss.measure(&rendering.value, target, mask),
+        seed: options.seed,
+        statistics: rendering.statistics,
+    })
+}

@@ -1,0 +1,333 @@
+//! How gradients are estimated, chosen by names: what files, command lines and other
+//! faces share. Every option belongs to some methods and is an error beside others.
+
+use capwalk_diff::{Estimator, Method, WalkSettings};
+#[cfg(feature = "paper")]
+use capwalk_diff::{WasBoundary, WasSettings};
+
+/// A method and its options, as they were asked for. `None` is the default.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MethodChoice {
+    /// The method.
+    pub method: MethodName,
+    /// How it walks; for methods that walk.
+    pub walk: WalkChoice,
+    /// How it warps; for warped-area sampling.
+    #[cfg(feature = "paper")]
+    pub was: WasChoice,
+}
+
+/// Options of the walk that builds the velocity field.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WalkChoice {
+    /// Where the velocity field lives.
+    pub domain: Option<DomainName>,
+    /// Steps on spherical caps, at least 1.
+    pub steps: Option<u32>,
+    /// Estimator of the field's divergence.
+    pub estimator: Option<Estimator>,
+    /// Largest angle at which silhouettes are looked for, degrees, above 0 and up to
+    /// 180.
+    pub max_angle: Option<f64>,
+    /// Whether each rim sample is averaged with the opposite one.
+    pub antithetic: Option<bool>,
+}
+
+/// Options of warped-area sampling.
+#[cfg(feature = "paper")]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WasChoice {
+    /// Concentration of the auxiliary rays, above 0.
+    pub kappa: Option<f64>,
+    /// Auxiliary rays per direction, at least 1.
+    pub rays: Option<u32>,
+    /// Which places count as near silhouettes.
+    pub boundary: Option<WasBoundary>,
+    /// Whether auxiliary rays come in opposite pairs.
+    pub antithetic: Option<bool>,
+    /// Whether their number is random, without the bias of a fixed one.
+    pub debias: Option<bool>,
+}
+
+/// Methods by name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MethodName {
+    /// `walk`: walks on spherical caps. Unbiased.
+    #[default]
+    Walk,
+    /// `edges`: points on all edges before emitters and the camera, walks elsewhere.
+    /// Unbiased.
+    Edges,
+    /// `was`: warped-area sampling (Bangaru et al. 2020). Biased.
+    #[cfg(feature = "paper")]
+    Was,
+    /// `psdr-was`: the same in path space (Xu et al. 2023). Biased.
+    #[cfg(feature = "paper")]
+    PsdrWas,
+}
+
+/// Where the velocity field of a walk lives, by name.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DomainName {
+    /// `sphere`: on all directions around a point.
+    #[default]
+    Sphere,
+    /// `triangle`: on the triangle that a direction meets, as in the paper.
+    #[cfg(feature = "paper")]
+    Triangle,
+    /// `explicit`: the same among all silhouettes, for small scenes.
+    #[cfg(feature = "paper")]
+    Explicit,
+}
+
+/// What is chosen by its name.
+pub trait Choice: Copy + PartialEq + 'static {
+    /// The choices and their names.
+    const NAMES: &'static [(&'static str, Self)];
+
+    /// The choice of this name.
+    fn named(name: &str) -> Option<Self> {
+        let mut names = Self::NAMES.iter();
+        names
+            .find(|(own, _)| *own == name)
+            .map(|&(_, choice)| choice)
+    }
+
+    /// Its name.
+    fn name(self) -> &'static str {
+        let mut names = Self::NAMES.iter();
+        let found = names.find(|(_, choice)| *choice == self);
+        found.map_or("", |(name, _)| name)
+    }
+}
+
+impl Choice for MethodName {
+    const NAMES: &'static [(&'static str, Self)] = &[
+        ("walk", Self::Walk),
+        ("edges", Self::Edges),
+        #[cfg(feature = "paper")]
+        ("was", Self::Was),
+        #[cfg(feature = "paper")]
+        ("psdr-was", Self::PsdrWas),
+    ];
+}
+
+impl Choice for DomainName {
+    const NAMES: &'static [(&'static str, Self)] = &[
+        ("sphere", Self::Sphere),
+        #[cfg(feature = "paper")]
+        ("triangle", Self::Triangle),
+        #[cfg(feature = "paper")]
+        ("explicit", Self::Explicit),
+    ];
+}
+
+impl Choice for Estimator {
+    const NAMES: &'static [(&'static str, Self)] =
+        &[("anchored", Self::Anchored), ("literal", Self::Literal)];
+}
+
+#[cfg(feature = "paper")]
+impl Choice for WasBoundary {
+    const NAMES: &'static [(&'static str, Self)] =
+        &[("normals", Self::Normals), ("edges", Self::Edges)];
+}
+
+/// Why options do not go together.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OptionError {
+    /// The method has no use for the option.
+    #[error(
+        "`{option}` belongs to the method {}, and the method is {}",
+        owner.name(), method.name()
+    )]
+    OfAnotherMethod {
+        /// The option: `kappa`.
+        option: &'static str,
+        /// The method that was chosen.
+        method: MethodName,
+        /// The first method that has the option.
+        owner: MethodName,
+    },
+}
+
+/// An option: its name, the methods that have it, and whether it was given.
+type MethodOption = (
+    &'static str,
+    &'static [MethodName],
+    fn(&MethodChoice) -> bool,
+);
+
+/// Every option. `edges` walks where no edges are gathered, on the sphere.
+const OPTIONS: &[MethodOption] = {
+    use MethodName::{Edges, Walk};
+    #[cfg(feature = "paper")]
+    use MethodName::{PsdrWas, Was};
+    const WALKS: &[MethodName] = &[Walk, Edges];
+    #[cfg(feature = "paper")]
+    const WARPS: &[MethodName] = &[Was, PsdrWas];
+    &[
+        ("domain", &[Walk], |c| c.walk.domain.is_some()),
+        ("steps", WALKS, |c| c.walk.steps.is_some()),
+        ("estimator", WALKS, |c| c.walk.estimator.is_some()),
+        ("max_angle", WALKS, |c| c.walk.max_angle.is_some()),
+        ("antithetic", WALKS, |c| c.walk.antithetic.is_some()),
+        #[cfg(feature = "paper")]
+        ("kappa", WARPS, |c| c.was.kappa.is_some()),
+        #[cfg(feature = "paper")]
+        ("rays", WARPS, |c| c.was.rays.is_some()),
+        #[cfg(feature = "paper")]
+        ("boundary", WARPS, |c| c.was.boundary.is_some()),
+        #[cfg(feature = "paper")]
+        ("antithetic", WARPS, |c| c.was.antithetic.is_some()),
+        #[cfg(feature = "paper")]
+        ("debias", WARPS, |c| c.was.debias.is_some()),
+    ]
+};
+
+impl MethodName {
+    /// True if the method has an option of this name.
+    pub fn has(self, option: &str) -> bool {
+        let mut options = OPTIONS.iter();
+        options.any(|(name, methods, _)| *name == option && methods.contains(&self))
+    }
+}
+
+impl MethodChoice {
+    /// The method and its walk, or the first option that does not belong to it.
+    pub fn resolve(&self) -> Result<(Method, WalkSettings), OptionError> {
+        for (option, methods, is_given) in OPTIONS {
+            if is_given(self) && !methods.contains(&self.method) {
+                return Err(OptionError::OfAnotherMethod {
+                    option,
+                    method: self.method,
+                    owner: methods[0],
+                });
+            }
+        }
+        let method = match (self.method, self.walk.domain.unwrap_or_default()) {
+            (MethodName::Walk, DomainName::Sphere) => Method::Walk,
+            #[cfg(feature = "paper")]
+            (MethodName::Walk, DomainName::Triangle) => Method::TriangleWalk,
+            #[cfg(feature = "paper")]
+            (MethodName::Walk, DomainName::Explicit) => Method::ExplicitWalk,
+            (MethodName::Edges, _) => Method::Edges,
+            #[cfg(feature = "paper")]
+            (MethodName::Was, _) => Method::Was(self.was.settings()),
+            #[cfg(feature = "paper")]
+            (MethodName::PsdrWas, _) => Method::PsdrWas(self.was.settings()),
+        };
+        Ok((method, self.walk.settings()))
+    }
+}
+
+impl WalkChoice {
+    fn settings(&self) -> WalkSettings {
+        let default = WalkSettings::default();
+        WalkSettings {
+            steps: self.steps.unwrap_or(default.steps),
+            max_radius: self.max_angle.map_or(default.max_radius, f64::to_radians),
+            estimator: self.estimator.unwrap_or(default.estimator),
+            antithetic: self.antithetic.unwrap_or(default.antithetic),
+        }
+    }
+}
+
+#[cfg(feature = "paper")]
+impl WasChoice {
+    fn settings(&self) -> WasSettings {
+        let default = WasSettings::default();
+        WasSettings {
+            kappa: self.kappa.unwrap_or(default.kappa),
+            rays: self.rays.unwrap_or(default.rays),
+            boundary: self.boundary.unwrap_or(default.boundary),
+            antithetic: self.antithetic.unwrap_or(default.antithetic),
+            debias: self.debias.unwrap_or(default.debias),
+        }
+    }
+}
+
+/// What the standard errors of a method do not say.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Caveat {
+    /// The estimator has infinite variance: standard errors are too small.
+    InfiniteVariance,
+    /// The method is biased: standard errors do not bound its errors, and what moves in
+    /// mirrors is missing.
+    Biased,
+    /// Standard errors can be too small near edges, and what moves in mirrors is
+    /// missing.
+    ErrorsTooSmall,
+}
+
+/// What to know of the standard errors of a gradient with these options; `None` if they
+/// can be relied on.
+pub fn caveat(method: Method, walk: &WalkSettings) -> Option<Caveat> {
+    #[cfg(feature = "paper")]
+    if let Method::Was(was) | Method::PsdrWas(was) = method {
+        return Some(match was.debias {
+            true => Caveat::ErrorsTooSmall,
+            false => Caveat::Biased,
+        });
+    }
+    // In pairs of opposite azimuths what is infinite cancels (METHOD 2).
+    let is_infinite = walk.estimator == Estimator::Literal && !walk.antithetic;
+    (method.traits().walks && is_infinite).then_some(Caveat::InfiniteVariance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_those_of_the_choices() {
+        fn round_trip<T: Choice + std::fmt::Debug>() {
+            for &(name, choice) in T::NAMES {
+                assert_eq!(T::named(name), Some(choice));
+                assert_eq!(choice.name(), name);
+            }
+            assert_eq!(T::named("nothing"), None);
+        }
+        round_trip::<MethodName>();
+        round_trip::<DomainName>();
+        round_trip::<Estimator>();
+        #[cfg(feature = "paper")]
+        round_trip::<WasBoundary>();
+    }
+
+    #[test]
+    fn options_of_other_methods_are_refused() {
+        let mut choice = MethodChoice {
+            method: MethodName::Edges,
+            ..MethodChoice::default()
+        };
+        choice.walk.steps = Some(3);
+        let (method, walk) = choice.resolve().expect("it walks elsewhere");
+        assert_eq!((method, walk.steps), (Method::Edges, 3));
+        choice.walk.domain = Some(DomainName::Sphere);
+        let error = choice.resolve().expect_err("edges has no domain");
+        assert_eq!(
+            error.to_string(),
+            "`domain` belongs to the method walk, and the method is edges"
+        );
+    }
+
+    #[cfg(feature = "paper")]
+    #[test]
+    fn warps_have_options_of_their_own() {
+        let mut choice = MethodChoice::default();
+        choice.was.kappa = Some(10.0);
+        assert!(choice.resolve().is_err());
+        choice.method = MethodName::PsdrWas;
+        let expected = WasSettings {
+            kappa: 10.0,
+            ..WasSettings::default()
+        };
+        let (method, _) = choice.resolve().expect("its own");
+        assert_eq!(method, Method::PsdrWas(expected));
+    }
+}

@@ -1,0 +1,26 @@
+//! Inverse rendering: which numbers of a scene make its images look like given ones?
+//!
+//! A [`Problem`] says what is looked for; it is put together by hand or read from a
+//! [`Job`]. [`Problem::iterate`] takes a [`State`] and returns the next one; a [`Run`]
+//! does so until the end and keeps every iteration in a folder.
+
+mod duration;
+mod fingerprint;
+mod folder;
+mod job;
+mod problem;
+mod run;
+
+pub use capwalk_inverse::adam::Adam;
+pub use capwalk_inverse::guard::Guards;
+pub use capwalk_inverse::record::Row;
+pub use capwalk_inverse::schedule::{Decay, Schedule};
+pub use capwalk_inverse::variable::{
+    ApplyError, Curve, VariableError, VariableSpec, Variables, variable,
+};
+pub use capwalk_inverse::{Iteration, Limits, PreparedViews, Problem, State, Stop, View};
+
+pub use crate::folder_error::FolderError;
+pub use duration::parse_duration;
+pub use job::Job;
+pub use run::Run;

@@ -1,0 +1,57 @@
+//! What must be the same when a run is resumed.
+
+use std::fmt::{Debug, Write};
+
+use capwalk_inverse::Problem;
+use capwalk_inverse::variable::VariableSpec;
+
+/// What decides which numbers come out, by names that a message can show. Guards do
+/// not: they only stop.
+pub fn fingerprint(problem: &Problem, specs: &[VariableSpec]) -> Vec<(String, String)> {
+    let mut parts = vec![(
+        "version of capwalk".to_owned(),
+        env!("CARGO_PKG_VERSION").into(),
+    )];
+    let mut note = |name: String, what: String| parts.push((name, what));
+    note("scene".into(), digest(&problem.scene));
+    note("seed".into(), problem.seed.to_string());
+    note("spp".into(), problem.spp.to_string());
+    note("spp_grad".into(), problem.spp_grad.to_string());
+    let optimizer = format!("lr {}, {:?}", problem.lr, problem.adam);
+    note("[optimizer]".into(), optimizer);
+    note("[schedule]".into(), format!("{:?}", problem.schedule));
+    if problem.schedule.needs_the_end() {
+        let iterations = problem.limits.iterations.to_string();
+        note("iterations (the schedule needs them)".into(), iterations);
+    }
+    note("[loss]".into(), format!("{:?}", problem.loss));
+    let method = format!("{:?}, {:?}", problem.method, problem.walk);
+    note("[method]".into(), method);
+    let names: Vec<&str> = specs.iter().map(|spec| spec.name.as_str()).collect();
+    note("names of parameters".into(), names.join(", "));
+    for spec in specs {
+        note(format!("parameter {}", spec.name), format!("{spec:?}"));
+    }
+    note("number of views".into(), problem.views.len().to_string());
+    for (i, view) in problem.views.iter().enumerate() {
+        note(format!("view {}", i + 1), digest(view));
+    }
+    parts
+}
+
+/// A number that stands for a thing: FNV-1a of all that `Debug` says of it, which
+/// is every digit of every number.
+fn digest(thing: &impl Debug) -> String {
+    struct Hash(u64);
+    impl Write for Hash {
+        fn write_str(&mut self, text: &str) -> std::fmt::Result {
+            for byte in text.bytes() {
+                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+            }
+            Ok(())
+        }
+    }
+    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
+    write!(hash, "{thing:?}").expect("hashing cannot fail");
+    format!("{:016x}", hash.0)
+}

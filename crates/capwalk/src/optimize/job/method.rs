@@ -1,0 +1,72 @@
+//! The `[method]` of a job: how gradients are estimated.
+
+use capwalk_diff::{Method, WalkSettings};
+use capwalk_scene_io::LoadError;
+use capwalk_scene_io::toml::Table;
+
+#[cfg(feature = "paper")]
+use super::table::positive;
+use super::table::{integer, number, truth};
+#[cfg(feature = "paper")]
+use crate::method::WasChoice;
+use crate::method::{Choice, MethodChoice, MethodName, WalkChoice};
+
+/// The method and its walk; the default ones without the table.
+pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
+    let Some(value) = root.get("method") else {
+        return Ok((Method::default(), WalkSettings::default()));
+    };
+    let method = choice(&value.table("[method]")?, "type")?.unwrap_or_default();
+    let mut chosen = MethodChoice {
+        method,
+        ..MethodChoice::default()
+    };
+    // Of the keys, only those of the method mean something.
+    let table = value.table(&format!("[method] of type \"{}\"", method.name()))?;
+    table.get("type");
+    match method {
+        MethodName::Walk | MethodName::Edges => {
+            if method.has("domain") {
+                chosen.walk.domain = choice(&table, "domain")?;
+            }
+            chosen.walk = walk(&table, chosen.walk)?;
+        }
+        #[cfg(feature = "paper")]
+        MethodName::Was | MethodName::PsdrWas => chosen.was = was(&table)?,
+    }
+    table.finish()?;
+    chosen
+        .resolve()
+        .map_err(|error| value.error(error.to_string()))
+}
+
+/// The walk of a method that walks, if not everywhere.
+fn walk(table: &Table, known: WalkChoice) -> Result<WalkChoice, LoadError> {
+    let expected = "an angle above 0 and up to 180 degrees";
+    Ok(WalkChoice {
+        steps: integer(table, "steps", 1..=64)?.map(|steps| steps as u32),
+        estimator: choice(table, "estimator")?,
+        max_angle: number(table, "max_angle", expected, |x| x > 0.0 && x <= 180.0)?,
+        antithetic: truth(table, "antithetic")?,
+        ..known
+    })
+}
+
+#[cfg(feature = "paper")]
+fn was(table: &Table) -> Result<WasChoice, LoadError> {
+    Ok(WasChoice {
+        kappa: positive(table, "kappa")?,
+        rays: integer(table, "rays", 1..=65536)?.map(|rays| rays as u32),
+        boundary: choice(table, "boundary")?,
+        antithetic: truth(table, "antithetic")?,
+        debias: truth(table, "debias")?,
+    })
+}
+
+/// One of the choices by its name, if the key is there.
+fn choice<T: Choice>(table: &Table, key: &'static str) -> Result<Option<T>, LoadError> {
+    table
+        .get(key)
+        .map(|value| value.choice(T::NAMES))
+        .transpose()
+}

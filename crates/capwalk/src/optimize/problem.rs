@@ -1,0 +1,407 @@
+//! From a job to a problem: scenes are loaded, targets read or rendered.
+
+use capwalk_diff::Watch;
+use capwalk_inverse::seed::{Purpose, seed};
+use capwalk_inverse::variable::{VariableSpec, Variables, variable};
+use capwalk_inverse::{Problem, Stop, View};
+use capwalk_scene::params::Registry;
+use capwalk_scene::{Film, Image, Scene, Sensor, builtin};
+use capwalk_scene_io::LoadError;
+use capwalk_scene_io::toml::Place;
+
+use super::job::{Define, Job, Located, TargetKeys, ViewKeys};
+use crate::engine::Engine;
+use crate::error::Error;
+use crate::images::{read_layer, read_mask};
+use crate::load::{Loaded, Loader};
+use crate::options::RenderOptions;
+
+/// A target that is still to be rendered.
+struct Pending {
+    /// The number of its view.
+    view: usize,
+    scene: Scene,
+    options: RenderOptions,
+}
+
+impl Job {
+    /// The problem that the job poses: loads its scenes, then reads or renders the targets.
+    /// Mistakes are found before the first target is rendered, and have a place in the job.
+    ///
+    /// ```
+    /// use capwalk::Unwatched;
+    /// use capwalk::optimize::{Job, PreparedViews, State};
+    ///
+    /// let job = Job::parse("example", r#"
+    ///     scene = "leaf"
+    ///     size = [8, 6]
+    ///     iterations = 1
+    ///     spp = 4
+    ///     target = { set = { "leaf.translate.x" = 0.2 }, spp = 16 }
+    ///     parameter = [{ name = "leaf.translate.x" }]
+    ///     optimizer = { lr = 0.1 }
+    /// "#)?;
+    /// let problem = job.problem(&Unwatched)?;
+    /// let mut views = PreparedViews::new();
+    /// let first = problem.iterate(&State::new(&problem), &mut views, &Unwatched)?;
+    /// let second = problem.iterate(&first.next?, &mut views, &Unwatched)?;
+    /// assert!(second.row.values[0] > first.row.values[0]); // on its way to 0.2
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn problem(&self, watch: &dyn Watch) -> Result<Problem, Error> {
+        self.refuse_unused_defines()?;
+        let keys = &self.keys;
+        let scene = self.load(&keys.scene, &[], None)?;
+        let variables = self.variables(&scene, &keys.parameters)?;
+        let spp = keys.spp.unwrap_or(scene.settings.spp.max(2));
+        let (mut views, mut pending) = (Vec::new(), Vec::new());
+        for (number, view) in keys.views.iter().enumerate() {
+            let (view, target) = self.view(&scene, &variables, view, number)?;
+            views.push(view);
+            pending.extend(target);
+        }
+        let (method, walk) = keys.method;
+        let mut problem = Problem {
+            variables,
+            views,
+            loss: keys.loss,
+            adam: keys.adam,
+            lr: keys.lr,
+            schedule: keys.schedule,
+            guards: keys.guards,
+            limits: keys.limits,
+            seed: keys.seed,
+            spp,
+            spp_grad: keys.spp_grad.unwrap_or(spp),
+            method,
+            walk,
+            scene,
+        };
+        self.check_start(&problem)?;
+        for (view, target) in render_targets(pending, watch)? {
+            problem.views[view].target = target;
+        }
+        Ok(problem)
+    }
+
+    /// A scene of the job, with these values of `$name` before those of the job, and the
+    /// sensor that is asked for.
+    fn load(
+        &self,
+        located: &Located,
+        defines: &[Define],
+        sensor: Option<(usize, Place)>,
+    ) -> Result<Scene, LoadError> {
+        let (document, name) = (&self.document, &located.text);
+        let mut loader = match is_built_in(located) {
+            false => {
+                let path = document.path(name);
+                let loader = Loader::new(path).sensor(sensor.map_or(0, |(number, _)| number));
+                let own = |define: &&Define| defines.iter().any(|own| own.name == define.name);
+                let of_job = self.keys.defines.iter().filter(|define| !own(define));
+                of_job.chain(defines).fold(loader, |loader, define| {
+                    loader.define(&define.name, &define.value)
+                })
+            }
+            true => {
+                if let Some(define) = defines.first() {
+                    return Err(self.built_in(define.place, name, "no `$name`"));
+                }
+                if let Some((_, place)) = sensor.filter(|(number, _)| *number > 0) {
+                    return Err(self.built_in(place, name, "one sensor, number 0"));
+                }
+                Loader::new(name)
+            }
+        };
+        if let Some(size) = self.keys.size {
+            loader = loader.size(size);
+        }
+        match loader.load() {
+            Ok(Loaded { scene, .. }) => Ok(scene),
+            Err(Error::Load(error)) => Err(error),
+            Err(Error::UnknownScene { name }) => {
+                let names: Vec<&str> = builtin::names().collect();
+                let help = format!(
+                    "expected a scene file, relative to the job, or a built-in scene: {}",
+                    names.join(", ")
+                );
+                let message = format!("there is no file {name}");
+                Err(document.error_with_help(located.place, message, help))
+            }
+            Err(Error::InvalidScene { error, .. }) => {
+                let message = format!("it cannot be rendered: {error}");
+                Err(document.error(located.place, message))
+            }
+            Err(other) => Err(document.error(located.place, other.to_string())),
+        }
+    }
+
+    /// An error about something that a built-in scene does not have.
+    fn built_in(&self, place: Place, scene: &str, has: &str) -> LoadError {
+        let message = format!("the scene \"{scene}\" is built in and has {has}");
+        let help = "leave it out, or export the scene as a file and name that";
+        self.document.error_with_help(place, message, help)
+    }
+
+    /// An error if there are values of `$name`, but no scene file.
+    fn refuse_unused_defines(&self) -> Result<(), LoadError> {
+        let keys = &self.keys;
+        let of_views = keys.views.iter().flat_map(|view| match &view.target {
+            TargetKeys::Picture { .. } => [view.scene.as_ref(), None],
+            TargetKeys::Rendered { scene, .. } => [view.scene.as_ref(), scene.as_ref()],
+        });
+        let mut scenes = std::iter::once(&keys.scene).chain(of_views.flatten());
+        match keys.defines.first() {
+            Some(define) if scenes.all(is_built_in) => {
+                Err(self.built_in(define.place, &keys.scene.text, "no `$name`"))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn variables(
+        &self,
+        scene: &Scene,
+        specs: &[(VariableSpec, Place)],
+    ) -> Result<Variables, LoadError> {
+        let document = &self.document;
+        let registry = Registry::new(scene);
+        let mut made = Vec::new();
+        for (spec, place) in specs {
+            let made_of = variable(scene, &registry, spec);
+            made.push(made_of.map_err(|error| document.error(*place, error.to_string()))?);
+        }
+        // Two of them get in each other's way: the last one is where it is seen.
+        let root = document.root().place();
+        let last = specs.last().map_or(root, |(_, place)| *place);
+        Variables::new(scene, made).map_err(|error| document.error(last, error.to_string()))
+    }
+
+    /// A view without its target or with it, and the target if it is to be rendered.
+    fn view(
+        &self,
+        scene: &Scene,
+        variables: &Variables,
+        keys: &ViewKeys,
+        number: usize,
+    ) -> Result<(View, Option<Pending>), Error> {
+        let sensor = self.sensor(scene, keys)?;
+        if sensor.is_some()
+            && let Some(place) = self.moved_sensor(scene, variables)
+        {
+            let message = "it moves the sensor of the scene, but a [[view]] has its own";
+            let help = "leave out the views, or what moves the sensor";
+            return Err(self.document.error_with_help(place, message, help).into());
+        }
+        let mut view = View {
+            sensor,
+            target: Image::new(0, 0),
+            mask: None,
+            weight: keys.weight,
+        };
+        let size = view.scene(scene).film.crop_size;
+        if let Some(mask) = &keys.mask {
+            let read = read_mask(&self.document.path(&mask.text), size);
+            view.mask = Some(read.map_err(|error| self.at(mask.place, &error))?);
+        }
+        let pending = match &keys.target {
+            TargetKeys::Picture { file, layer } => {
+                let path = self.document.path(&file.text);
+                let layer = layer.as_deref().unwrap_or("value");
+                let read = read_layer(&path, &[layer], size);
+                view.target = read.map_err(|error| self.at(file.place, &error))?;
+                None
+            }
+            TargetKeys::Rendered { spp, .. } => {
+                let scene = self.target_scene(scene, &view, keys)?;
+                if scene.film.crop_size != size {
+                    let message = "the target has another size than the image";
+                    return Err(self.document.error(keys.place, message).into());
+                }
+                let seed = seed(self.keys.seed, 0, number as u64, Purpose::Target);
+                Some(Pending {
+                    view: number,
+                    scene,
+                    options: RenderOptions { spp: *spp, seed },
+                })
+            }
+        };
+        Ok((view, pending))
+    }
+
+    /// An error about a file at the place where the job names it, with its cause.
+    fn at(&self, place: Place, error: &Error) -> LoadError {
+        let cause = std::error::Error::source(error);
+        let cause = cause.map(|cause| format!(": {cause}"));
+        let message = format!("{error}{}", cause.unwrap_or_default());
+        self.document.error(place, message)
+    }
+
+    /// The scene that a view's target is an image of: the job's or another one, with the
+    /// numbers that are set, as the view sees it.
+    fn target_scene(
+        &self,
+        scene: &Scene,
+        view: &View,
+        keys: &ViewKeys,
+    ) -> Result<Scene, LoadError> {
+        let TargetKeys::Rendered {
+            scene: other,
+            defines,
+            set,
+            ..
+        } = &keys.target
+        else {
+            return Ok(view.scene(scene));
+        };
+        let is_other = other.is_some() || !defines.is_empty();
+        let located = other.as_ref().unwrap_or(&self.keys.scene);
+        let other = is_other.then(|| self.load(located, defines, keys.sensor));
+        let other = other.transpose()?;
+        let set = self.changed(other.as_ref().unwrap_or(scene), set)?;
+        // With another scene's own film, unless the view has one.
+        Ok(match (&view.sensor, other.is_some()) {
+            (None, true) => set,
+            _ => view.scene(&set),
+        })
+    }
+
+    /// The scene with numbers that are set.
+    fn changed(&self, scene: &Scene, set: &[(VariableSpec, Place)]) -> Result<Scene, LoadError> {
+        let variables = self.variables(scene, set)?;
+        let changed = variables.apply(scene, &variables.values(&variables.initial()));
+        changed.map_err(|error| {
+            let root = self.document.root().place();
+            let place = set.first().map_or(root, |(_, place)| *place);
+            self.document.error(place, error.to_string())
+        })
+    }
+
+    /// The sensor of a view and its film, if it is not the scene's.
+    fn sensor(&self, scene: &Scene, keys: &ViewKeys) -> Result<Option<(Sensor, Film)>, LoadError> {
+        let document = &self.document;
+        let mut own = match (&keys.scene, keys.sensor) {
+            (None, None | Some((0, _))) => scene.clone(),
+            (located, sensor) => {
+                let located = located.as_ref().unwrap_or(&self.keys.scene);
+                self.load(located, &[], sensor)?
+            }
+        };
+        let set = |own: &mut Scene, name: &str, numbers: &[f64], place: Place| {
+            let name = format!("{}.{name}", own.sensor.id);
+            let registry = Registry::new(own);
+            let array = registry.array(&name).ok().flatten();
+            let array =
+                array.ok_or_else(|| document.error(place, "the sensor has no such number"))?;
+            let changed = array.set(own, numbers);
+            changed.map_err(|error| document.error(place, error.to_string()))?;
+            let checked = own.check();
+            checked.map_err(|error| document.error(place, error.to_string()))
+        };
+        if let Some((matrix, place)) = &keys.to_world {
+            set(&mut own, "to_world", matrix, *place)?;
+        }
+        if let Some((degrees, place)) = keys.x_fov {
+            set(&mut own, "x_fov", &[degrees], place)?;
+        }
+        let is_the_same = own.sensor == scene.sensor && own.film == scene.film;
+        Ok((!is_the_same).then_some((own.sensor, own.film)))
+    }
+
+    /// Where the first parameter is that moves the sensor.
+    fn moved_sensor(&self, scene: &Scene, variables: &Variables) -> Option<Place> {
+        let registry = Registry::new(scene);
+        let alone = |(spec, place): &(VariableSpec, Place)| {
+            let variable = variable(scene, &registry, spec).ok()?;
+            let variables = Variables::new(scene, vec![variable]).ok()?;
+            variables.moves_sensor(scene).then_some(*place)
+        };
+        variables
+            .moves_sensor(scene)
+            .then(|| self.keys.parameters.iter().find_map(alone))?
+    }
+
+    /// An error at the first parameter if the scene before the first step is not usable.
+    fn check_start(&self, problem: &Problem) -> Result<(), LoadError> {
+        problem.check_start().map_err(|stop| {
+            let place = self.keys.parameters[0].1;
+            let message = match stop {
+                Stop::Guard(violation) => format!("before the first step, {violation}"),
+                stop => stop.to_string(),
+            };
+            let help = "change the start; [guards] says what is looked for";
+            self.document.error_with_help(place, message, help)
+        })
+    }
+
+    /// A refusal in a state, with the place of the parameter that it is about.
+    pub(super) fn refused(
+        &self,
+        problem: &Problem,
+        state: &capwalk_inverse::State,
+        reason: &str,
+    ) -> LoadError {
+        let alone = problem.refused_variable(state);
+        let (spec, place) = &self.keys.parameters[alone.unwrap_or(0)];
+        let message = format!(
+            "the derivative with respect to \"{}\" is refused",
+            spec.name
+        );
+        self.document.error_with_help(*place, message, reason)
+    }
+
+    /// The specifications of its parameters.
+    pub(super) fn specs(&self) -> Vec<VariableSpec> {
+        let parameters = self.keys.parameters.iter();
+        parameters.map(|(spec, _)| spec.clone()).collect()
+    }
+}
+
+/// As for every scene, the names of built-in ones win.
+fn is_built_in(located: &Located) -> bool {
+    builtin::description(&located.text).is_some()
+}
+
+/// The images of all targets with the numbers of their views; an error if they were
+/// stopped.
+fn render_targets(pending: Vec<Pending>, watch: &dyn Watch) -> Result<Vec<(usize, Image)>, Error> {
+    let work =
+        |target: &Pending| target.scene.film.pixel_count() as u64 * u64::from(target.options.spp);
+    let total = pending.iter().map(work).sum();
+    let mut before = 0;
+    let mut images = Vec::new();
+    for target in pending {
+        let work = work(&target);
+        let share = Share {
+            watch,
+            before,
+            total,
+        };
+        let rendering = Engine::new(target.scene).render(&target.options, &share);
+        if !rendering.statistics.complete {
+            return Err(Error::Stopped {
+                before: "the targets were rendered",
+            });
+        }
+        images.push((target.view, rendering.value.mean));
+        before += work;
+    }
+    Ok(images)
+}
+
+/// One of several pieces of work, as a part of the whole.
+struct Share<'a> {
+    watch: &'a dyn Watch,
+    before: u64,
+    total: u64,
+}
+
+impl Watch for Share<'_> {
+    fn progress(&self, done: u64, _total: u64) {
+        self.watch.progress(self.before + done, self.total);
+    }
+
+    fn should_stop(&self) -> bool {
+        self.watch.should_stop()
+    }
+}

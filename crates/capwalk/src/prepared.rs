@@ -1,0 +1,250 @@
+//! The front door: a scene that is ready for any number of images and gradients.
+
+use std::sync::Arc;
+
+use capwalk_diff::{GradientImage, Refusal, Rendering, Watch};
+use capwalk_scene::params::Registry;
+use capwalk_scene::{Image, Motion, Scene, SceneError};
+
+use crate::backward::{self, GradientNames, Gradients};
+use crate::check::{Check, CheckOptions};
+use crate::direction::Direction;
+use crate::engine::Engine;
+use crate::error::Error;
+use crate::loss::{self, ImageLoss, Loss};
+use crate::options::{DifferenceOptions, GradientOptions, RenderOptions};
+use crate::step::difference_step;
+
+/// A scene that is ready to be rendered and differentiated. It owns all that it needs
+/// and can be shared between threads.
+///
+/// ```
+/// use capwalk::{Prepared, RenderOptions, Unwatched};
+///
+/// let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+/// let prepared = Prepared::new(scene)?;
+/// let options = RenderOptions { spp: 4, ..RenderOptions::default() };
+/// let image = prepared.render(&options, &Unwatched).value.mean;
+/// assert_eq!((image.width, image.height), (8, 6));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Prepared {
+    engine: Engine,
+}
+
+/// Numbers of a scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Values {
+    /// Dimensions; none for a single number.
+    pub shape: Vec<usize>,
+    /// Row by row.
+    pub numbers: Vec<f64>,
+}
+
+impl Prepared {
+    /// Makes a scene ready, or says why it cannot be rendered.
+    pub fn new(scene: impl Into<Arc<Scene>>) -> Result<Self, SceneError> {
+        let scene = scene.into();
+        scene.check()?;
+        Ok(Self {
+            engine: Engine::new(scene),
+        })
+    }
+
+    /// The scene as it is now.
+    pub fn scene(&self) -> &Arc<Scene> {
+        self.engine.scene()
+    }
+
+    /// The names of all parameters of the scene; made by the first call.
+    pub fn registry(&self) -> &Registry {
+        self.engine.registry()
+    }
+
+    /// An image with its standard errors.
+    ///
+    /// If `watch` stops the work, what was done is returned, and the statistics say how
+    /// much that is.
+    ///
+    /// ```
+    /// # use capwalk::{Prepared, RenderOptions, Unwatched};
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = Prepared::new(scene)?;
+    /// let rendering = prepared.render(&RenderOptions { spp: 4, seed: 1 }, &Unwatched);
+    /// assert!(rendering.statistics.complete);
+    /// assert!(rendering.value.standard_error.pixels[0].is_finite());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn render(&self, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
+        self.engine.render(options, watch)
+    }
+
+    /// The derivative of the image along a direction, such as `"ball.translate.x"`, per
+    /// unit of that parameter, with standard errors; and the image that comes with it.
+    ///
+    /// ```
+    /// use capwalk::{GradientOptions, Unwatched};
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = capwalk::Prepared::new(scene)?;
+    /// let options = GradientOptions { spp: 8, ..GradientOptions::default() };
+    /// let result = prepared.gradient("leaf.translate.x", &options, &Unwatched)?;
+    /// // The shadow moves: some pixels get brighter, others darker.
+    /// let greens = || result.gradient.mean.pixels.iter().map(|pixel| pixel.g);
+    /// assert!(greens().any(|g| g > 0.0) && greens().any(|g| g < 0.0));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn gradient<D: Direction + ?Sized>(
+        &self,
+        direction: &D,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, Error> {
+        let motion = direction.motion(self.scene(), self.registry())?;
+        Ok(self.engine.gradient(&motion, options, watch)?)
+    }
+
+    /// The derivative of the image along a direction by central differences with common
+    /// random numbers: the reference that [`Prepared::gradient`] is checked against. Off
+    /// by a term of the order of the step squared, and noisier the smaller the step.
+    pub fn finite_difference<D: Direction + ?Sized>(
+        &self,
+        direction: &D,
+        options: &DifferenceOptions,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, Error> {
+        let motion = direction.motion(self.scene(), self.registry())?;
+        let step = options
+            .step
+            .unwrap_or_else(|| self.difference_step(&motion));
+        let DifferenceOptions { spp, seed, .. } = *options;
+        let options = RenderOptions { spp, seed };
+        let result = self
+            .engine
+            .finite_difference(&motion, step, &options, watch);
+        Ok(result?)
+    }
+
+    /// The step that central differences along this motion take by default, in units of
+    /// the parameter.
+    pub fn difference_step(&self, motion: &Motion) -> f64 {
+        difference_step(self.scene(), motion)
+    }
+
+    /// A gradient and its reference by central differences, with a verdict.
+    ///
+    /// ```
+    /// use capwalk::{CheckOptions, GradientOptions, Unwatched, Verdict};
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = capwalk::Prepared::new(scene)?;
+    /// let options = CheckOptions {
+    ///     gradient: GradientOptions { spp: 64, ..GradientOptions::default() },
+    ///     ..CheckOptions::default()
+    /// };
+    /// let check = prepared.check("leaf.translate.x", &options, &Unwatched)?;
+    /// assert!(!matches!(check.comparison.verdict, Verdict::Wrong { .. }));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn check<D: Direction + ?Sized>(
+        &self,
+        direction: &D,
+        options: &CheckOptions,
+        watch: &dyn Watch,
+    ) -> Result<Check, Error> {
+        let motion = &*direction.motion(self.scene(), self.registry())?;
+        let reference = options.reference(|| self.difference_step(motion));
+        let gradient = self.gradient(motion, &options.gradient, watch)?;
+        let differences = self.finite_difference(motion, &reference.options(), watch)?;
+        Ok(Check::new(gradient, differences, reference))
+    }
+
+    /// The gradient of `Σ adjoint · image` with respect to everything that is named, in one
+    /// pass: arrays such as `"ball.positions"`, numbers such as `"ball.translate.x"`, and
+    /// sums of numbers.
+    ///
+    /// `adjoint` is the derivative of a loss with respect to each pixel and channel. Its
+    /// noise must be independent of the seed of this call.
+    ///
+    /// ```
+    /// use capwalk::{GradientOptions, Image, Rgb, Unwatched};
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = capwalk::Prepared::new(scene)?;
+    /// // The loss is the sum of all pixels.
+    /// let mut adjoint = Image::new(8, 6);
+    /// adjoint.pixels.fill(Rgb::splat(1.0));
+    /// let options = GradientOptions { spp: 4, ..GradientOptions::default() };
+    /// let names = ["leaf.positions", "leaf.translate.x"];
+    /// let gradients = prepared.backward(&adjoint, &names, &options, &Unwatched)?;
+    /// assert_eq!(gradients["leaf.positions"].shape, [3, 3]);
+    /// assert!(gradients["leaf.translate.x"].is_scalar());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn backward<N: AsRef<str>>(
+        &self,
+        adjoint: &Image,
+        names: &[N],
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<Gradients, Error> {
+        backward::backward(&self.engine, adjoint, names, options, watch)
+    }
+
+    /// Why derivatives with respect to parameters that move edges are refused in this
+    /// scene; `None` if they are not.
+    pub fn refusal(&self) -> Option<Refusal> {
+        self.engine.refusal()
+    }
+
+    /// The names of all arrays that [`Prepared::backward`] takes in this scene, and those
+    /// that would be refused.
+    pub fn gradient_names(&self) -> GradientNames {
+        backward::names(&self.engine)
+    }
+
+    /// Renders an image and compares it with a target: the loss, its standard error, and
+    /// its derivative with respect to each pixel, to be handed to [`Prepared::backward`].
+    ///
+    /// `options` are those of the gradient that follows: the image is rendered with
+    /// [an independent seed](RenderOptions::with_independent_seed).
+    pub fn loss(
+        &self,
+        loss: &Loss,
+        target: &Image,
+        mask: Option<&Image>,
+        options: &RenderOptions,
+        watch: &dyn Watch,
+    ) -> Result<ImageLoss, Error> {
+        loss::measure(&self.engine, loss, target, mask, options, watch)
+    }
+
+    /// What an array of the scene is now.
+    pub fn values(&self, name: &str) -> Result<Values, Error> {
+        let array = backward::array(&self.engine, name)?;
+        Ok(Values {
+            numbers: array.get(self.scene()),
+            shape: array.shape,
+        })
+    }
+
+    /// Changes the numbers of an array, such as `"ball.positions"`. Moved vertices refit
+    /// the trees, other colours touch none. Nothing is changed if the scene could not be
+    /// rendered with them.
+    ///
+    /// ```
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let mut prepared = capwalk::Prepared::new(scene)?;
+    /// let name = "floor.bsdf.reflectance.value";
+    /// prepared.update(name, &[0.1, 0.2, 0.3])?;
+    /// assert_eq!(prepared.values(name)?.numbers, [0.1, 0.2, 0.3]);
+    /// assert!(prepared.update(name, &[-1.0; 3]).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn update(&mut self, name: &str, numbers: &[f64]) -> Result<(), Error> {
+        let array = backward::array(&self.engine, name)?;
+        let mut scene = Scene::clone(self.scene());
+        array.set(&mut scene, numbers)?;
+        scene.check().map_err(Error::InvalidUpdate)?;
+        self.engine.update(scene);
+        Ok(())
+    }
+}

@@ -1,0 +1,261 @@
+//! By how much a finite difference moves its parameter.
+
+use capwalk_diff::may_be_specular;
+use capwalk_math::{Dual, Vec3};
+use capwalk_scene::sensor::view::View;
+use capwalk_scene::{Filter, Motion, Scene, Shape, ShapeMotion};
+
+/// Part of the size of the fastest shape that it moves by on each side of a
+/// finite difference. The bias of the difference grows with its square, the
+/// variance with its inverse.
+const STEP_FRACTION: f64 = 1.0 / 500.0;
+
+/// Change of a colour, or of a unit normal, on each side of a finite difference.
+/// Images are linear in radiance and nearly so in reflectance: the bias stays
+/// small.
+const COLOUR_STEP: f64 = 0.01;
+
+/// The step of a finite difference along the motion, in units of its
+/// parameter: the smallest that any of the things that move asks for.
+pub fn difference_step(scene: &Scene, motion: &Motion) -> f64 {
+    let mut step = f64::INFINITY;
+    // Vertices move by a part of their shape, given normals by as much as colours.
+    for (shape, motion) in scene.shapes.iter().zip(&motion.shapes) {
+        if let Some(motion) = motion {
+            let (low, high) = shape.mesh.bounds();
+            let speeds = motion.vertices.iter().map(|v| v.length());
+            let fastest = speeds.fold(0.0, f64::max);
+            step = step.min(STEP_FRACTION * (high - low).length() / fastest);
+            let turning = motion.normals.iter().flatten().map(|v| v.length());
+            step = step.min(COLOUR_STEP / turning.fold(0.0, f64::max));
+        }
+    }
+    // The sensor moves by a part of the scene, turned or not.
+    let (low, high) = bounds(scene);
+    let size = (high - low).length();
+    let sensor = &motion.sensor;
+    let turning = sensor
+        .axes
+        .iter()
+        .fold(sensor.rotation.length(), |sum, axis| sum + axis.length());
+    let speed = sensor.translation.length() + turning * size;
+    step = step.min(STEP_FRACTION * size / speed);
+    // Nothing in the image moves by more than a part of a pixel.
+    step = step.min(film_step(scene) / film_speed(scene, motion));
+    // Numbers of materials and emitters change a little.
+    let numbers = motion.textures.iter().flatten().flatten();
+    let rate = numbers.map(|v| v.abs()).fold(0.0, f64::max);
+    step.min(COLOUR_STEP / rate)
+}
+
+/// How far, in pixels, what is in the image moves on each side of a finite
+/// difference. Where a silhouette passes a place at which the filter is discontinuous
+/// (box) or has a kink within the step, the difference smears it.
+fn film_step(scene: &Scene) -> f64 {
+    match scene.film.filter {
+        Filter::Box => 0.03,
+        Filter::Tent { .. } | Filter::Gaussian { .. } => 0.2,
+    }
+}
+
+/// The largest speed on the film, in pixels per unit of the parameter, of a
+/// vertex in the image, hidden or not; and of the image itself if the
+/// sensor turns.
+fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
+    let (sensor, film) = (&scene.sensor, &scene.film);
+    let moving = sensor.moving_state(&motion.sensor);
+    // The middle of the lens, and places on its rim.
+    let lenses: &[[f64; 2]] = match sensor.model.has_lens() {
+        true => &[[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]],
+        false => &[[0.0, 0.0]],
+    };
+    let views = lenses
+        .iter()
+        .map(|&lens| View::new(sensor, film, &moving, lens));
+    let views: Vec<_> = views.map(|view| (view, view.value())).collect();
+    let reach = film.filter.radius();
+    // Speed on the film of a point.
+    let speed = |position: Vec3, velocity: Vec3| {
+        let seen_from = |(view, primal): &(View<Dual<1>>, View<f64>)| {
+            let [x, y] = view.film(view.towards(position.with_tangent(velocity)));
+            let in_image = [x, y].iter().enumerate().all(|(axis, c)| {
+                let low = f64::from(film.crop_offset[axis]);
+                let high = low + f64::from(film.crop_size[axis]);
+                (low - reach..=high + reach).contains(&c.value)
+            });
+            let depth = primal.depth(position);
+            let [near, far] = primal.clip();
+            match in_image && depth > 0.0 && depth > near && depth < far {
+                true => x.tangent[0].hypot(y.tangent[0]),
+                false => 0.0,
+            }
+        };
+        views.iter().map(seen_from).fold(0.0, f64::max)
+    };
+    let vertices = scene
+        .shapes
+        .iter()
+        .zip(&motion.shapes)
+        .flat_map(|(shape, motion)| {
+            shape
+                .mesh
+                .positions
+                .iter()
+                .enumerate()
+                .map(move |(i, &position)| {
+                    let velocity = motion
+                        .as_ref()
+                        .map_or(Vec3::zero(), |motion| motion.vertices[i]);
+                    (position, velocity)
+                })
+        });
+    let of_vertices = vertices.map(|(position, velocity)| speed(position, velocity));
+    let [x, y] = film.crop_offset.map(f64::from);
+    let [width, height] = film.crop_size.map(f64::from);
+    let corners = [
+        [x, y],
+        [x + width, y],
+        [x, y + height],
+        [x + width, y + height],
+    ];
+    let of_corners = corners.map(|corner| {
+        let view = sensor.view(film);
+        let ray = view.ray(view.direction(corner));
+        let [near, far] = ray.range;
+        speed(
+            ray.origin + ray.direction * (0.5 * (near + far)),
+            Vec3::zero(),
+        )
+    });
+    let seen = of_vertices.chain(of_corners).fold(0.0, f64::max);
+    seen.max(mirrored_speed(scene, motion))
+}
+
+/// A bound of the speed on the film, near its middle, of what moves in a mirror or
+/// with one: a mirror image is as far from the camera as the path to it is long, and a ray
+/// turns by twice as much as the mirror that it meets.
+fn mirrored_speed(scene: &Scene, motion: &Motion) -> f64 {
+    let is_specular = |shape: &Shape| may_be_specular(scene, shape.bsdf);
+    if !scene.shapes.iter().any(|shape| is_specular(shape)) {
+        return 0.0;
+    }
+    let view = scene.sensor.view(&scene.film);
+    let shapes = scene.shapes.iter().zip(&motion.shapes);
+    let rates = shapes.map(|(shape, motion)| {
+        let Some(ShapeMotion { vertices, .. }) = motion else {
+            return 0.0;
+        };
+        let positions = &shape.mesh.positions;
+        let angular = |(&p, v): (&Vec3, &Vec3)| v.length() / (p - view.eye).length();
+        let rates = positions.iter().zip(vertices).map(angular);
+        let fastest = rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
+        let turn = |[a, b, c]: &[u32; 3]| {
+            let along = |i: &u32, k: &u32| {
+                let (i, k) = (*i as usize, *k as usize);
+                (vertices[i] - vertices[k]).length() / (positions[i] - positions[k]).length()
+            };
+            along(a, b).max(along(b, c)).max(along(c, a))
+        };
+        match is_specular(shape) {
+            true => 2.0 * (fastest + shape.mesh.faces.iter().map(turn).fold(0.0, f64::max)),
+            false => fastest,
+        }
+    });
+    rates.fold(0.0, f64::max) / view.pixel_size()
+}
+
+/// Smallest and largest coordinates of all vertices, world units.
+pub fn bounds(scene: &Scene) -> (Vec3, Vec3) {
+    let start = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+    let shapes = scene.shapes.iter().map(|shape| shape.mesh.bounds());
+    shapes.fold(start, |(low, high), (a, b)| (low.min(a), high.max(b)))
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_scene::params::Registry;
+
+    use super::*;
+    use capwalk_scene::{Bsdf, Optic};
+
+    /// What is in the image moves by a fixed part of a pixel.
+    #[test]
+    fn steps_follow_the_film() {
+        let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let step = |scene: &Scene, expression: &str| {
+            let motion = Registry::new(scene).motion(scene, expression).unwrap();
+            difference_step(scene, &motion)
+        };
+        // The middle of the image turns by this many pixels per radian.
+        let fov_x = scene.sensor.model.optic(Optic::FovX).unwrap();
+        let focal = 0.5 * f64::from(scene.film.size[0]) / (0.5 * fov_x).tan();
+        let turn = step(&scene, "sensor.rotate.y");
+        assert!(
+            turn < 0.03 / focal * 1.2 && turn > 0.03 / focal * 0.6,
+            "{turn}"
+        );
+        // With another field of view, the corners move farthest.
+        let fov = Registry::new(&scene)
+            .motion(&scene, "sensor.x_fov")
+            .unwrap();
+        let zoomed = scene.moved(&fov, difference_step(&scene, &fov)).sensor;
+        let corner = scene.sensor.view(&scene.film).direction([0.0, 0.0]);
+        let [x, y] = zoomed.view(&scene.film).film(corner);
+        assert!((x.hypot(y) / 0.03 - 1.0).abs() < 0.01, "{x} {y}");
+        let coarse = step(&scene, "ball.translate.x");
+        scene.film.size = scene.film.size.map(|n| 2 * n);
+        scene.film.crop_size = scene.film.size;
+        let fine = step(&scene, "ball.translate.x");
+        assert!(
+            (coarse / fine - 2.0).abs() < 1e-6,
+            "{coarse} against {fine}"
+        );
+    }
+
+    /// Normals that turn where nothing moves.
+    #[test]
+    fn normals_alone() {
+        let scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let motion = |text| Registry::new(&scene).motion(&scene, text).unwrap();
+        let turning = motion("ball.normals[7,2]");
+        let step = difference_step(&scene, &turning);
+        assert!((COLOUR_STEP..0.2).contains(&step), "{step}");
+    }
+
+    /// What a mirror shows turns twice as fast as the mirror.
+    #[test]
+    fn steps_follow_what_mirrors_show() {
+        let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
+        let step = |scene: &Scene| {
+            let motion = Registry::new(scene)
+                .motion(scene, "floor.rotate.z")
+                .unwrap();
+            difference_step(scene, &motion)
+        };
+        let dull = step(&scene);
+        let floor = scene.shapes.iter().find(|s| s.id == "floor").unwrap();
+        scene.materials[floor.bsdf.0 as usize].bsdf = Bsdf::Null; // specular, as mirrors are
+        let view = scene.sensor.view(&scene.film);
+        let turn = 2.0 * 0.03 * view.pixel_size();
+        assert!(dull > turn && step(&scene) < 0.5 * turn, "{dull} {turn}");
+    }
+
+    /// The fastest vertex moves by a fixed part of the shape, whatever the
+    /// parameter's unit.
+    #[test]
+    fn steps_follow_the_size_of_what_moves() {
+        let scene = capwalk_scene::builtin::scene("leaf").unwrap();
+        let step = |expression: &str| {
+            let motion = Registry::new(&scene).motion(&scene, expression).unwrap();
+            difference_step(&scene, &motion)
+        };
+        let leaf = scene.shapes.iter().find(|s| s.id == "leaf").unwrap();
+        let (low, high) = leaf.mesh.bounds();
+        let expected = (high - low).length() / 500.0;
+        assert!((step("leaf.translate.x") / expected - 1.0).abs() < 1e-12);
+        assert!((step("10*leaf.translate.x") / expected - 0.1).abs() < 1e-12);
+        let both = step("leaf.translate.x + 100*floor.bsdf.reflectance.value");
+        assert!((both / (COLOUR_STEP / 100.0) - 1.0).abs() < 1e-12);
+        assert!(step("sensor.translate.x") > step("leaf.translate.x"));
+    }
+}

@@ -1,0 +1,51 @@
+//! One variable: numbers that are looked for together.
+
+use std::ops::Range;
+
+use capwalk_scene::params::ArrayParameter;
+use capwalk_scene::{Motion, Scene};
+
+use super::pose::Part;
+use super::reparameterization::Reparameterization;
+use super::vertices::Vertices;
+
+/// Numbers that are looked for together.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    /// What the user called it.
+    pub name: String,
+    /// Its values before the first step.
+    pub initial: Vec<f64>,
+    /// What is between unknowns and values.
+    pub reparameterization: Reparameterization,
+    /// Its own learning rate, if it has one.
+    pub lr: Option<f64>,
+    /// True if all its unknowns take steps by the same rate.
+    pub uniform: bool,
+    pub(crate) map: Map,
+}
+
+/// What values do to a scene.
+#[derive(Clone, Debug)]
+pub(crate) enum Map {
+    /// They are the numbers of an array.
+    Array(ArrayParameter),
+    /// The first is how far everything has gone along a motion in straight
+    /// lines, from where it was when the value was `from`.
+    Line { motion: Box<Motion>, from: f64 },
+    /// Displacements of vertices.
+    Vertices(Vertices),
+    /// One number of the place of a shape.
+    Pose { shape: usize, part: Part },
+    /// Numbers of the vector about which the sensor turns, from this axis on.
+    Turn { axes: Range<usize> },
+}
+
+/// A turn of the sensor about a vector, of which some numbers are given.
+pub(crate) fn turn(base: &Scene, axes: &Range<usize>, numbers: &[f64]) -> Motion {
+    let mut vector = [0.0; 3];
+    vector[axes.clone()].copy_from_slice(numbers);
+    let mut motion = Motion::zero(base);
+    motion.sensor.rotation = vector.into();
+    motion
+}
