@@ -48,6 +48,10 @@ const SELF_INTERSECTION: f64 = 1e-10;
 /// Fraction by which a shadow ray stops short of the point it is sent to.
 const SHORT_OF_TARGET: f64 = 1e-9;
 
+/// A refitted tree whose surface-area cost is this many times that of when it was built
+/// is built anew: rays take about 2.7 times as long there.
+pub(crate) const WORN_OUT: f64 = 2.0;
+
 /// What became of a scene's joined mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MeshChange {
@@ -70,25 +74,44 @@ impl Accel {
 
     /// Goes over to another checked scene: refits the tree if its faces are the same.
     pub fn update(&mut self, scene: Arc<Scene>) -> MeshChange {
-        let joined = Joined::new(&scene);
-        let placeholder = RayTree::build(&Mesh::default());
-        let mut rays = std::mem::replace(&mut self.rays, placeholder);
-        let same_faces = joined.mesh.faces == self.mesh.faces
-            && joined.shape_of_face == self.shape_of_face
-            && joined.first_vertex == self.first_vertex;
-        let change = match same_faces {
-            true if joined.mesh.positions == self.mesh.positions => MeshChange::None,
-            true => {
-                rays.refit(&joined.mesh);
-                MeshChange::Moved
-            }
-            false => {
-                rays = RayTree::build(&joined.mesh);
-                MeshChange::Rebuilt
-            }
+        let pairs = scene.shapes.iter().zip(&self.scene.shapes);
+        let is_same = scene.shapes.len() == self.scene.shapes.len()
+            && pairs.into_iter().all(|(new, old)| Arc::ptr_eq(new, old));
+        let joined = match is_same {
+            true => self.take_joined(),
+            false => Joined::new(&scene),
         };
+        let mut rays = std::mem::replace(&mut self.rays, RayTree::build(&Mesh::default()));
+        let same_faces = || {
+            joined.mesh.faces == self.mesh.faces
+                && joined.shape_of_face == self.shape_of_face
+                && joined.first_vertex == self.first_vertex
+        };
+        let change = if is_same {
+            MeshChange::None
+        } else if !same_faces() {
+            MeshChange::Rebuilt
+        } else if joined.mesh.positions == self.mesh.positions {
+            MeshChange::None
+        } else {
+            rays.refit(&joined.mesh);
+            MeshChange::Moved
+        };
+        if change == MeshChange::Rebuilt || rays.degradation() > WORN_OUT {
+            rays = RayTree::build(&joined.mesh);
+        }
         *self = Self::assemble(scene, joined, rays);
         change
+    }
+
+    /// The joined mesh, taken away.
+    fn take_joined(&mut self) -> Joined {
+        Joined {
+            mesh: std::mem::take(&mut self.mesh),
+            shape_of_face: std::mem::take(&mut self.shape_of_face),
+            first_vertex: std::mem::take(&mut self.first_vertex),
+            first_face: std::mem::take(&mut self.first_face),
+        }
     }
 
     fn assemble(scene: Arc<Scene>, joined: Joined, rays: RayTree) -> Self {

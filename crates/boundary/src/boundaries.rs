@@ -1,10 +1,12 @@
 //! The edges of a scene at which the integrand can be discontinuous (METHOD 1).
 
-use capwalk_geometry::{Edge, Mesh, Sides, SilhouetteTree, topology};
-use capwalk_math::Vec3;
-use capwalk_scene::Emitter;
+use std::sync::Arc;
 
-use crate::accel::{Accel, MeshChange};
+use capwalk_geometry::{ConeQuery, Edge, Mesh, Sides, SilhouetteTree, topology};
+use capwalk_math::Vec3;
+use capwalk_scene::{Emitter, Pattern, Scene, Texture};
+
+use crate::accel::{Accel, MeshChange, WORN_OUT};
 use crate::crossing::{Crossing, crossings};
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
 use crate::picture_space::picture_tree;
@@ -45,7 +47,12 @@ impl Boundaries {
         let listed = Listed::new(accel);
         Self {
             tree: SilhouetteTree::build(&listed.mesh, &listed.edges),
-            picture: picture_tree(&accel.view, &listed.mesh, &listed.edges),
+            picture: picture_tree(
+                &accel.view,
+                &listed.mesh.positions,
+                &listed.mesh.faces,
+                &listed.edges,
+            ),
             area_emitters: AreaEmitter::all(&accel.scene),
             emitter_edges: emitter_edges(&listed.on_emitters, &accel.mesh.positions),
             edges: listed.edges,
@@ -55,27 +62,32 @@ impl Boundaries {
         }
     }
 
-    /// Follows a scene that changed. The edges are listed again, since any motion can
-    /// bend coplanar neighbours or cut faces elsewhere, and any colour can make a
-    /// texture discontinuous; their tree is refitted where the list is the same.
-    pub fn update(&mut self, accel: &Accel, change: MeshChange) {
-        let listed = Listed::new(accel);
-        let same_edges = change != MeshChange::Rebuilt
-            && listed.edges == self.edges
-            && listed.mesh.positions.len() == self.positions.len();
-        if !same_edges {
-            self.tree = SilhouetteTree::build(&listed.mesh, &listed.edges);
-        } else if listed.mesh.positions != self.positions {
-            self.tree.refit(&listed.mesh);
+    /// Follows a scene that changed. Unless `same_edges` says that nothing can have
+    /// changed the list of edges, they are listed again, since any motion can bend
+    /// coplanar neighbours or make faces cross elsewhere; where the list turns out the
+    /// same, its tree is refitted. Answers are those of [`Boundaries::new`], to the bit.
+    pub fn update(&mut self, accel: &Accel, change: MeshChange, same_edges: bool) {
+        if !(same_edges && change == MeshChange::None) {
+            let listed = Listed::new(accel);
+            let same_list = change != MeshChange::Rebuilt
+                && listed.edges == self.edges
+                && listed.mesh.positions.len() == self.positions.len();
+            if same_list && listed.mesh.positions != self.positions {
+                self.tree.refit(&listed.mesh);
+            }
+            if !same_list || self.tree.degradation() > WORN_OUT {
+                self.tree = SilhouetteTree::build(&listed.mesh, &listed.edges);
+            }
+            self.emitter_edges = emitter_edges(&listed.on_emitters, &accel.mesh.positions);
+            self.edges = listed.edges;
+            self.contrasts = listed.contrasts;
+            self.positions = listed.mesh.positions;
+            self.crossings = listed.crossings;
         }
-        // The sensor may have moved, too.
-        self.picture = picture_tree(&accel.view, &listed.mesh, &listed.edges);
         self.area_emitters = AreaEmitter::all(&accel.scene);
-        self.emitter_edges = emitter_edges(&listed.on_emitters, &accel.mesh.positions);
-        self.edges = listed.edges;
-        self.contrasts = listed.contrasts;
-        self.positions = listed.mesh.positions;
-        self.crossings = listed.crossings;
+        // The sensor may have moved, too.
+        let faces = &accel.mesh.faces;
+        self.picture = picture_tree(&accel.view, &self.positions, faces, &self.edges);
     }
 
     /// The edges.
@@ -119,8 +131,18 @@ impl Boundaries {
         self.positions[point as usize]
     }
 
+    /// The edges in a cone with their ends, by their numbers: the order must not tell how
+    /// the tree came about.
+    pub fn gather(&self, query: &ConeQuery) -> Vec<(u32, [Vec3; 2])> {
+        let mut found = Vec::new();
+        self.tree
+            .gather(query, |edge, ends| found.push((edge, ends)));
+        found.sort_unstable_by_key(|&(edge, _)| edge);
+        found
+    }
+
     /// The edges in a tree.
-    pub fn tree(&self) -> &SilhouetteTree {
+    pub(crate) fn tree(&self) -> &SilhouetteTree {
         &self.tree
     }
 
@@ -135,6 +157,21 @@ impl Boundaries {
         let [a, b] = vertices.map(|i| self.positions[i as usize]);
         a + (b - a) * t
     }
+}
+
+/// True if two scenes of the same shapes have the same boundaries: what emits, what is
+/// shown and where textures are discontinuous is the same. Other numbers in materials and
+/// bitmaps make no edge.
+pub fn same_edges(a: &Scene, b: &Scene) -> bool {
+    let same_texture = |(a, b): (&Arc<Texture>, &Arc<Texture>)| {
+        let is_discontinuous_by_its_numbers = matches!(a.pattern, Pattern::PerVertex);
+        Arc::ptr_eq(a, b) || a.pattern == b.pattern && !is_discontinuous_by_its_numbers
+    };
+    a.textures.len() == b.textures.len()
+        && a.textures.iter().zip(&b.textures).all(same_texture)
+        && a.materials == b.materials
+        && a.emitters == b.emitters
+        && a.settings.integrator == b.settings.integrator
 }
 
 /// The edges of a scene, listed.

@@ -40,7 +40,7 @@ mod warp;
 mod window;
 
 pub use accel::{Accel, MeshChange};
-pub use boundaries::Boundaries;
+pub use boundaries::{Boundaries, same_edges};
 pub use boundary_sample::BoundarySample;
 pub use crossing::{Crossing, End};
 pub use draw::{Counts, Draw, Numbers};

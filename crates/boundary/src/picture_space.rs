@@ -14,13 +14,19 @@
 //! where it stands.
 
 use capwalk_geometry::{Edge, Mesh, SilhouetteTree};
+use capwalk_math::Vec3;
 use capwalk_scene::sensor::view::View;
 
 /// The edges in picture space, if the rays of a view are parallel.
-pub fn picture_tree(view: &View<f64>, mesh: &Mesh, edges: &[Edge]) -> Option<SilhouetteTree> {
+pub fn picture_tree(
+    view: &View<f64>,
+    positions: &[Vec3],
+    faces: &[[u32; 3]],
+    edges: &[Edge],
+) -> Option<SilhouetteTree> {
     view.is_parallel().then(|| {
-        let positions = mesh.positions.iter().map(|&p| view.towards(p)).collect();
-        let faces = mesh.faces.clone();
+        let positions = positions.iter().map(|&p| view.towards(p)).collect();
+        let faces = faces.to_vec();
         SilhouetteTree::build(&Mesh { positions, faces }, edges)
     })
 }

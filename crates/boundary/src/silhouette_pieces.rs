@@ -107,7 +107,7 @@ impl SilhouettePieces {
     }
 
     /// How many pieces there are.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.pieces.len()
     }
 

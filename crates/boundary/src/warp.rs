@@ -18,6 +18,10 @@ use crate::walk::{walk, walk_value};
 /// boundaries and of the viewpoint. Applied to velocities it serves forward derivatives,
 /// transposed reverse ones (METHOD 5).
 #[derive(Clone, Debug)]
+#[allow(
+    clippy::large_enum_variant,
+    reason = "one per query, on the stack; a box would be an allocation per sample"
+)]
 pub enum Warp {
     /// The weighted velocities of a few boundary points.
     Boundary(FieldSample<BoundarySample, Vec3>),

@@ -10,7 +10,7 @@ use capwalk_scene::{Image, Motion, Scene};
 use crate::direction::is_zero;
 use crate::engine::Engine;
 use crate::error::Error;
-use crate::options::GradientOptions;
+use capwalk_diff::GradientOptions;
 
 /// The gradients of a loss, in the order in which they were asked for.
 #[derive(Clone, Debug)]

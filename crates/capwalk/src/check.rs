@@ -3,7 +3,8 @@
 use capwalk_diff::GradientImage;
 use capwalk_diff::check::{Comparison, compare, without_rounding};
 
-use crate::options::{DifferenceOptions, GradientOptions};
+use crate::options::DifferenceOptions;
+use capwalk_diff::GradientOptions;
 
 /// Samples of the reference for each one of the gradient, if nothing is said:
 /// differences are cheaper, and noisier.

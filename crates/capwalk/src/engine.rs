@@ -3,18 +3,16 @@
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    Backward, GradientImage, GradientOptions as Estimation, Options, Prepared, Refusal, Rendering,
+    Backward, GradientImage, GradientOptions, PreparedScene, Refusal, RenderOptions, Rendering,
     Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Motion, Scene};
 
-use crate::options::{GradientOptions, RenderOptions};
-
 /// A scene that is ready to be rendered.
 #[derive(Debug)]
 pub struct Engine {
-    prepared: Prepared,
+    prepared: PreparedScene,
     /// Made when the first name is asked for. Numbers that change do not change names.
     registry: OnceLock<Registry>,
 }
@@ -22,7 +20,7 @@ pub struct Engine {
 impl Engine {
     pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
         Self {
-            prepared: Prepared::new(scene),
+            prepared: PreparedScene::new(scene),
             registry: OnceLock::new(),
         }
     }
@@ -40,7 +38,7 @@ impl Engine {
     }
 
     pub fn render(&self, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
-        capwalk_diff::render(&self.prepared, &sampling(options), watch)
+        capwalk_diff::render(&self.prepared, options, watch)
     }
 
     pub fn gradient(
@@ -49,7 +47,7 @@ impl Engine {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Refusal> {
-        capwalk_diff::gradient(&self.prepared, motion, &estimation(options), watch)
+        capwalk_diff::gradient(&self.prepared, motion, options, watch)
     }
 
     pub fn finite_difference(
@@ -59,7 +57,7 @@ impl Engine {
         options: &RenderOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Refusal> {
-        capwalk_diff::finite_difference(self.scene(), motion, step, &sampling(options), watch)
+        capwalk_diff::finite_difference(self.scene(), motion, step, options, watch)
     }
 
     pub fn backward(
@@ -69,23 +67,11 @@ impl Engine {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Backward, Refusal> {
-        capwalk_diff::backward(&self.prepared, adjoint, wanted, &estimation(options), watch)
+        capwalk_diff::backward(&self.prepared, adjoint, wanted, options, watch)
     }
 
     /// Why derivatives with respect to what moves edges are refused, if they are.
     pub fn refusal(&self) -> Option<Refusal> {
         capwalk_diff::refusal(&self.prepared)
-    }
-}
-
-fn sampling(&RenderOptions { spp, seed }: &RenderOptions) -> Options {
-    Options { spp, seed }
-}
-
-fn estimation(options: &GradientOptions) -> Estimation {
-    Estimation {
-        options: sampling(&options.sampling()),
-        method: options.method,
-        walk: options.walk,
     }
 }

@@ -69,15 +69,17 @@ mod step;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
-    Estimate, Estimator, GradientImage, Method, Refusal, Rendering, Statistics, Unwatched,
-    WalkSettings, Watch, with_threads,
+    Estimate, Estimator, GradientImage, GradientOptions, Method, Refusal, RenderOptions, Rendering,
+    Statistics, Unwatched, WalkSettings, Watch, with_threads,
 };
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};
 pub use capwalk_math::{Rgb, Vec3};
 pub use capwalk_scene::params::{self, ParameterError, vertex_motion};
 pub use capwalk_scene::{Filter, Image, Motion, Scene, SceneError, Sensor, ShapeMotion};
-pub use capwalk_scene_io::{Diagnostic, LoadError, VelocityFileError, Warning, read_velocities};
+pub use capwalk_scene_io::{
+    Diagnostic, LoadError, Loaded, VelocityFileError, Warning, read_velocities,
+};
 
 pub use backward::{GradientNames, Gradients, ParameterGradient};
 pub use check::{Check, CheckOptions, Reference};
@@ -85,13 +87,13 @@ pub use direction::Direction;
 pub use error::{Error, UnusableImage};
 pub use folder_error::FolderError;
 pub use images::{read_layer, read_mask, write_image};
-pub use load::{Loaded, Loader, load};
+pub use load::{Loader, load};
 pub use loss::{Distance, ImageLoss, Loss, Measured};
 #[cfg(feature = "paper")]
 pub use method::WasChoice;
 pub use method::{
     Caveat, Choice, DomainName, MethodChoice, MethodName, OptionError, WalkChoice, caveat,
 };
-pub use options::{DifferenceOptions, GradientOptions, RenderOptions};
+pub use options::DifferenceOptions;
 pub use prepared::{Prepared, Values};
 pub use step::{bounds, difference_step};

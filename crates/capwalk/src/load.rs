@@ -2,20 +2,10 @@
 
 use std::path::Path;
 
-use capwalk_scene::{Filter, Scene, builtin};
-use capwalk_scene_io::{LoadOptions, Warning, load_scene_with};
+use capwalk_scene::{Filter, builtin};
+use capwalk_scene_io::{LoadOptions, Loaded, load_scene_with};
 
 use crate::error::Error;
-
-/// A scene that was loaded.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct Loaded {
-    /// The scene; it has passed [`Scene::check`].
-    pub scene: Scene,
-    /// What is allowed in the file and changes nothing, but was perhaps meant otherwise.
-    pub warnings: Vec<Warning>,
-}
 
 /// The scene in a Mitsuba 3 XML file, or the built-in scene of this name.
 ///
@@ -132,10 +122,6 @@ impl Loader {
                 name: self.name.clone(),
             });
         }
-        let read = load_scene_with(path, &self.options)?;
-        Ok(Loaded {
-            scene: read.scene,
-            warnings: read.warnings,
-        })
+        Ok(load_scene_with(path, &self.options)?)
     }
 }

@@ -7,7 +7,7 @@ pub use capwalk_inverse::loss::{Distance, Loss, Measured};
 
 use crate::engine::Engine;
 use crate::error::Error;
-use crate::options::RenderOptions;
+use capwalk_diff::RenderOptions;
 
 /// The loss of an image that was rendered for it.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! How gradients are estimated, chosen by names: what files, command lines and other
 //! faces share. Every option belongs to some methods and is an error beside others.
 
-use capwalk_diff::{Estimator, Method, WalkSettings};
+use capwalk_diff::{Estimator, GradientOptions, Method, WalkSettings};
 #[cfg(feature = "paper")]
 use capwalk_diff::{WasBoundary, WasSettings};
 
@@ -197,6 +197,16 @@ impl MethodName {
 }
 
 impl MethodChoice {
+    /// The options of a gradient with this method instead of theirs.
+    pub fn apply(&self, options: GradientOptions) -> Result<GradientOptions, OptionError> {
+        let (method, walk) = self.resolve()?;
+        Ok(GradientOptions {
+            method,
+            walk,
+            ..options
+        })
+    }
+
     /// The method and its walk, or the first option that does not belong to it.
     pub fn resolve(&self) -> Result<(Method, WalkSettings), OptionError> {
         for (option, methods, is_given) in OPTIONS {

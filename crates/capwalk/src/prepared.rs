@@ -12,8 +12,9 @@ use crate::direction::Direction;
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::loss::{self, ImageLoss, Loss};
-use crate::options::{DifferenceOptions, GradientOptions, RenderOptions};
+use crate::options::DifferenceOptions;
 use crate::step::difference_step;
+use capwalk_diff::{GradientOptions, RenderOptions};
 
 /// A scene that is ready to be rendered and differentiated. It owns all that it needs
 /// and can be shared between threads.

@@ -14,7 +14,7 @@ mod folder;
 mod measure;
 
 use capwalk_diff::{
-    GradientImage, GradientOptions, Method, Options, Prepared, Unwatched, WasSettings,
+    GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WasSettings,
     finite_difference, gradient,
 };
 use capwalk_scene::params;
@@ -87,7 +87,7 @@ fn measure(folder: &Folder) {
     let motion = params::Registry::new(&scene)
         .motion(&scene, &parameter)
         .expect("a parameter of the scene");
-    let options = |spp, seed| Options { spp, seed };
+    let options = |spp, seed| RenderOptions { spp, seed };
     let run = |method, seed| {
         let settings = GradientOptions {
             method,
@@ -95,7 +95,7 @@ fn measure(folder: &Folder) {
         };
         let clock = Clock::start();
         let picture = gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion,
             &settings,
             &Unwatched,

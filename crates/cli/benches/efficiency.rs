@@ -15,8 +15,8 @@ mod folder;
 mod measure;
 
 use capwalk_diff::{
-    Estimator, GradientImage, GradientOptions, Options, Prepared, Unwatched, WalkSettings,
-    finite_difference, gradient,
+    Estimator, GradientImage, GradientOptions, PreparedScene, RenderOptions, Unwatched,
+    WalkSettings, finite_difference, gradient,
 };
 use capwalk_scene::{Motion, Scene, params};
 use folder::{Demand, Folder};
@@ -116,7 +116,7 @@ impl Way {
 
     /// The derivative, and the processor's time for it.
     fn run(&self, scene: &Scene, motion: &Motion, spp: u32, seed: u64) -> (f64, GradientImage) {
-        let options = Options { spp, seed };
+        let options = RenderOptions { spp, seed };
         let started = Clock::start();
         let picture = match *self {
             Self::Walk(estimator) => {
@@ -125,7 +125,7 @@ impl Way {
                     ..WalkSettings::default()
                 };
                 gradient(
-                    &Prepared::new(scene.clone()),
+                    &PreparedScene::new(scene.clone()),
                     motion,
                     &GradientOptions {
                         walk,

@@ -18,8 +18,7 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
              Use `capwalk gradient --method fd -p NAME` for each parameter"
         );
     };
-    let options = GradientOptions::from(sampling);
-    Ok(options.with_method(&choice(method, args))?)
+    Ok(choice(method, args).apply(GradientOptions::new(sampling))?)
 }
 
 /// An error if an option is there that the method has no use for.

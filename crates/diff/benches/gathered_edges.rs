@@ -13,7 +13,7 @@ mod common;
 use std::time::Instant;
 
 use capwalk_diff::{
-    GradientImage, GradientOptions, Method, Options, Prepared, Unwatched, gradient,
+    GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
 };
 use capwalk_math::Affine;
 use capwalk_scene::primitive::{cube, icosphere};
@@ -185,14 +185,19 @@ fn run(
     spp: u32,
     seed: u64,
 ) -> (f64, GradientImage) {
-    let options = Options { spp, seed };
+    let options = RenderOptions { spp, seed };
     let settings = GradientOptions {
         method,
         ..GradientOptions::new(options)
     };
     let started = Instant::now();
-    let picture =
-        gradient(&Prepared::new(scene.clone()), motion, &settings, &Unwatched).expect("covered");
+    let picture = gradient(
+        &PreparedScene::new(scene.clone()),
+        motion,
+        &settings,
+        &Unwatched,
+    )
+    .expect("covered");
     (started.elapsed().as_secs_f64(), picture)
 }
 

@@ -21,7 +21,8 @@ mod common;
 use std::time::Instant;
 
 use capwalk_diff::{
-    GradientOptions, Options, Prepared, Statistics, Unwatched, Wanted, backward, gradient, render,
+    GradientOptions, PreparedScene, RenderOptions, Statistics, Unwatched, Wanted, backward,
+    gradient, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::primitive::icosphere;
@@ -95,15 +96,15 @@ type Way = fn(&Bench, u32) -> Statistics;
 const WAYS: [(&str, Way); 6] = [
     ("picture", |bench, spp| {
         render(
-            &Prepared::new(bench.scene.clone()),
-            &options(spp).options,
+            &PreparedScene::new(bench.scene.clone()),
+            &options(spp).sampling(),
             &Unwatched,
         )
         .statistics
     }),
     ("forward, one translation of the mesh", |bench, spp| {
         let result = gradient(
-            &Prepared::new(bench.scene.clone()),
+            &PreparedScene::new(bench.scene.clone()),
             &bench.motion,
             &options(spp),
             &Unwatched,
@@ -174,7 +175,7 @@ impl Bench {
 
     fn backward(&self, wanted: &Wanted, spp: u32) -> Statistics {
         let result = backward(
-            &Prepared::new(self.scene.clone()),
+            &PreparedScene::new(self.scene.clone()),
             &self.adjoint,
             wanted,
             &options(spp),
@@ -206,7 +207,7 @@ impl Bench {
 }
 
 fn options(spp: u32) -> GradientOptions {
-    GradientOptions::new(Options { spp, seed: 1 })
+    GradientOptions::new(RenderOptions { spp, seed: 1 })
 }
 
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {

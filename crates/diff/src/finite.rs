@@ -4,7 +4,7 @@
 use capwalk_boundary::{Counts, Draw, Refusal};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Sample};
-use capwalk_render::{GradientImage, Options, Prepared, Primal, Tracer, Watch};
+use capwalk_render::{GradientImage, PreparedScene, Primal, RenderOptions, Tracer, Watch};
 use capwalk_scene::{Motion, Scene};
 
 /// The derivative of the picture along `motion` by central differences over
@@ -16,7 +16,7 @@ pub fn finite_difference(
     scene: &Scene,
     motion: &Motion,
     step: f64,
-    options: &Options,
+    options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
     let sides = [step, -step].map(|step| scene.moved(motion, step));
@@ -26,7 +26,7 @@ pub fn finite_difference(
             reason: error.to_string(),
         })?;
     }
-    let sides = sides.map(Prepared::new);
+    let sides = sides.map(PreparedScene::new);
     let tracers = sides.each_ref().map(Tracer::primal);
     let averages = tiles::average(scene, options, watch, |pixel, stream| {
         let draw = Draw {

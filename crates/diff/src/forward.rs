@@ -6,7 +6,7 @@ use capwalk_boundary::refuse::{
 };
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Stream};
 use capwalk_render::tiles::{self, Sample};
-use capwalk_render::{GradientImage, Options, Prepared, SceneEval, Tracer, Watch};
+use capwalk_render::{GradientImage, PreparedScene, RenderOptions, SceneEval, Tracer, Watch};
 use capwalk_scene::{Motion, TextureId};
 
 use crate::forward_eval::Forward;
@@ -15,7 +15,7 @@ use crate::options::GradientOptions;
 /// The derivative of the image for a unit change along `motion`, in forward mode, with
 /// its standard error. Refuses what it cannot differentiate rightly, see [`Refusal`].
 pub fn gradient(
-    prepared: &Prepared,
+    prepared: &PreparedScene,
     motion: &Motion,
     options: &GradientOptions,
     watch: &dyn Watch,
@@ -54,14 +54,14 @@ pub fn gradient(
     // What cannot be covered is found by looking, before the work is done.
     let refuse = |uncovered, samples| refuse_uncovered(scene, uncovered, samples, &options.method);
     if options.method.traits().is_unbiased && is_specular_somewhere(scene) {
-        let pilot = Options {
-            spp: options.options.spp.min(PILOT_SPP),
-            ..options.options
+        let pilot = RenderOptions {
+            spp: options.spp.min(PILOT_SPP),
+            seed: options.seed,
         };
         let found = tiles::average(scene, &pilot, &Silent(watch), sample).statistics;
         refuse(found.uncovered, found.samples)?;
     }
-    let averages = tiles::average(scene, &options.options, watch, sample);
+    let averages = tiles::average(scene, &options.sampling(), watch, sample);
     refuse(averages.statistics.uncovered, averages.statistics.samples)?;
     Ok(GradientImage {
         value: averages.estimate(scene, 0),

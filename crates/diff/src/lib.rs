@@ -25,7 +25,8 @@ pub use capwalk_boundary::{Method, Refusal, may_be_specular};
 #[cfg(feature = "paper")]
 pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{
-    Estimate, GradientImage, Options, Prepared, Rendering, Statistics, Unwatched, Watch, render,
+    Estimate, GradientImage, PreparedScene, RenderOptions, Rendering, Statistics, Unwatched, Watch,
+    render,
 };
 pub use capwalk_walk::{Estimator, WalkSettings};
 

@@ -1,27 +1,58 @@
 //! What a caller chooses about a gradient.
 
 use capwalk_boundary::Method;
-use capwalk_render::Options;
+use capwalk_render::RenderOptions;
+use capwalk_scene::Scene;
 use capwalk_walk::WalkSettings;
 
-/// How to estimate a gradient.
+/// How a gradient is estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GradientOptions {
-    /// How much to sample.
-    pub options: Options,
-    /// The boundary estimator.
+    /// Samples per pixel, at least 1; at least 2 for standard errors.
+    pub spp: u32,
+    /// Seed of all random numbers.
+    pub seed: u64,
+    /// How the discontinuities of the integrand are accounted for.
     pub method: Method,
     /// The walk that builds the velocity field, for methods that walk.
     pub walk: WalkSettings,
 }
 
-impl GradientOptions {
-    /// The default method and walk.
-    pub fn new(options: Options) -> Self {
+impl Default for GradientOptions {
+    /// 64 samples per pixel, the seed 0, and walks on the sphere.
+    fn default() -> Self {
+        RenderOptions::default().into()
+    }
+}
+
+impl From<RenderOptions> for GradientOptions {
+    /// The default method, sampled like this.
+    fn from(RenderOptions { spp, seed }: RenderOptions) -> Self {
         Self {
-            options,
+            spp,
+            seed,
             method: Method::default(),
             walk: WalkSettings::default(),
+        }
+    }
+}
+
+impl GradientOptions {
+    /// The default method, sampled like this.
+    pub fn new(sampling: RenderOptions) -> Self {
+        sampling.into()
+    }
+
+    /// What the scene says of itself, with the default method.
+    pub fn of(scene: &Scene) -> Self {
+        RenderOptions::of(scene).into()
+    }
+
+    /// How an image with as many samples and the same seed is rendered.
+    pub fn sampling(&self) -> RenderOptions {
+        RenderOptions {
+            spp: self.spp,
+            seed: self.seed,
         }
     }
 }

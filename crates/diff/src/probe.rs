@@ -7,7 +7,7 @@ use capwalk_boundary::refuse::refuse_walk;
 use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Sampler};
 use capwalk_math::{Frame, Moments, Real, Rgb, Vec3};
 use capwalk_render::{
-    FIRST_VERTEX, LightSampling, Plan, Prepared, Primal, SpecularChain, Tracer, Vertex,
+    FIRST_VERTEX, LightSampling, Plan, PreparedScene, Primal, SpecularChain, Tracer, Vertex,
 };
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf};
 use capwalk_scene::{Motion, Scene};
@@ -64,7 +64,7 @@ pub fn irradiance(
     seed: u64,
 ) -> Result<Vec<Irradiance>, Refusal> {
     refuse_walk(&walk)?;
-    let prepared = Prepared::new(scene.clone());
+    let prepared = PreparedScene::new(scene.clone());
     let field = Field::new(prepared.accel(), prepared.boundaries(), Method::Walk);
     let world = Forward::new(field, motion);
     let tracer = Tracer::moving(&prepared, field, walk).with_plan(EMITTERS_ALONE);
@@ -99,7 +99,9 @@ pub fn difference(
     samples: u32,
     seed: u64,
 ) -> Vec<Moments> {
-    let sides = scenes.each_ref().map(|scene| Prepared::new(scene.clone()));
+    let sides = scenes
+        .each_ref()
+        .map(|scene| PreparedScene::new(scene.clone()));
     let tracers = [0, 1].map(|i| Tracer::primal(&sides[i]).with_plan(EMITTERS_ALONE));
     let sampler = Sampler::new(&scenes[0].settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {

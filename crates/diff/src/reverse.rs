@@ -10,7 +10,7 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Tape};
-use capwalk_render::{Prepared, Statistics, Tracer, Watch};
+use capwalk_render::{PreparedScene, Statistics, Tracer, Watch};
 use capwalk_scene::{Image, Motion, Scene, TextureId};
 use rayon::prelude::*;
 
@@ -85,7 +85,7 @@ impl Backward {
 /// the bit for every number of threads. Refuses what [`crate::gradient`]
 /// refuses, and an adjoint of another size or with numbers that are not finite.
 pub fn backward(
-    prepared: &Prepared,
+    prepared: &PreparedScene,
     adjoint: &Image,
     wanted: &Wanted,
     options: &GradientOptions,
@@ -119,12 +119,12 @@ pub fn backward(
         points: wanted.points(accel, field.boundaries),
         tracer: Tracer::moving(prepared, field, options.walk),
         field,
-        sampler: Sampler::new(&scene.settings, options.options.seed, options.options.spp),
+        sampler: Sampler::new(&scene.settings, options.seed, options.spp),
         watch,
         done: AtomicU64::new(0),
-        total: (width * height) as u64 * u64::from(options.options.spp),
+        total: (width * height) as u64 * u64::from(options.spp),
     };
-    let spp = options.options.spp;
+    let spp = options.spp;
     // Consecutive samples that depend on each other stay together.
     let group = pass.sampler.batch();
     let groups = spp.div_ceil(group);

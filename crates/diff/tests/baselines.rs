@@ -5,8 +5,8 @@ mod common;
 
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
-    Estimate, GradientOptions, Method, Options, Prepared, Unwatched, WasBoundary, WasSettings,
-    finite_difference, gradient,
+    Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WasBoundary,
+    WasSettings, finite_difference, gradient,
 };
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::{rectangle, sphere};
@@ -40,8 +40,8 @@ fn card() -> Scene {
     mask(mesh, normals)
 }
 
-fn options(spp: u32, seed: u64) -> Options {
-    Options { spp, seed }
+fn options(spp: u32, seed: u64) -> RenderOptions {
+    RenderOptions { spp, seed }
 }
 
 /// The derivative of the area by the size of the thing, see `relative_change`.
@@ -69,7 +69,7 @@ fn relative_change(
     };
     let growth = motion(scene, what);
     let result = gradient(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &growth,
         &settings,
         &Unwatched,
@@ -186,7 +186,7 @@ fn shadows_and_lamps() {
             ..GradientOptions::new(options(spp, seed))
         };
         let result = gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion,
             &settings,
             &Unwatched,

@@ -6,7 +6,7 @@ mod common;
 use std::f64::consts::PI;
 
 use capwalk_diff::probe::irradiance;
-use capwalk_diff::{Prepared, Unwatched, WalkSettings, Wanted, backward, gradient};
+use capwalk_diff::{PreparedScene, Unwatched, WalkSettings, Wanted, backward, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::quadrature::gauss_legendre;
 use capwalk_math::{Affine, Rgb, Vec3};
@@ -250,7 +250,7 @@ fn a_point_in_a_picture() {
     };
     let wanted = Wanted::all(&scene);
     let reverse = backward(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &adjoint,
         &wanted,
         &settings,
@@ -277,7 +277,7 @@ fn a_point_in_a_picture() {
         });
         let exact = (above - below) / 2e-4;
         let forward = gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion,
             &settings,
             &Unwatched,

@@ -2,7 +2,7 @@
 
 mod common;
 
-use capwalk_diff::{Prepared, Unwatched, Wanted, backward, gradient};
+use capwalk_diff::{PreparedScene, Unwatched, Wanted, backward, gradient};
 use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::cube;
 use capwalk_scene::*;
@@ -48,7 +48,7 @@ fn nothing_moves(name: &str, scene: &Scene, dark: &Scene, expression: &str, spp:
         scene.check().expect("a valid scene");
         let motion = motion(scene, expression);
         gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion,
             &settings(spp),
             &Unwatched,
@@ -126,7 +126,7 @@ fn albedo_in_a_furnace() {
             "box.bsdf.reflectance.value + block.bsdf.reflectance.value",
         );
         let result = gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion,
             &settings(256),
             &Unwatched,
@@ -158,7 +158,7 @@ fn albedo_in_a_furnace() {
         };
         let wanted = Wanted::by(&motion);
         let reverse = backward(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &adjoint,
             &wanted,
             &settings(256),

@@ -9,7 +9,8 @@ use std::time::Instant;
 
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
-    GradientImage, GradientOptions, Method, Options, Prepared, Unwatched, gradient, with_threads,
+    GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
+    with_threads,
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::Affine;
@@ -251,12 +252,12 @@ fn threads_change_nothing() {
     let scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
     let motion = motion(&scene, "ball.translate.x + sensor.translate.z");
     let run = |threads| {
-        let options = Options { spp: 5, seed: 2 };
+        let options = RenderOptions { spp: 5, seed: 2 };
         let settings = GradientOptions {
             method: Method::Edges,
             ..GradientOptions::new(options)
         };
-        let prepared = Prepared::new(scene.clone());
+        let prepared = PreparedScene::new(scene.clone());
         let work = || gradient(&prepared, &motion, &settings, &Unwatched);
         with_threads(threads, work)
             .expect("covered")
@@ -270,14 +271,19 @@ fn threads_change_nothing() {
 fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> GradientImage {
     let options = GradientOptions {
         method,
-        ..GradientOptions::new(Options {
+        ..GradientOptions::new(RenderOptions {
             spp,
             seed: u64::from(method == Method::Walk),
         })
     };
     let started = Instant::now();
-    let result =
-        gradient(&Prepared::new(scene.clone()), motion, &options, &Unwatched).expect("covered");
+    let result = gradient(
+        &PreparedScene::new(scene.clone()),
+        motion,
+        &options,
+        &Unwatched,
+    )
+    .expect("covered");
     let errors = result.gradient.standard_error.pixels.iter();
     let variance: f64 = errors.map(|e| e.dot(*e) * f64::from(spp) / 3.0).sum();
     let (pixels, seconds) = (

@@ -3,7 +3,7 @@
 
 mod common;
 
-use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, gradient};
+use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_math::Affine;
 use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::*;
@@ -60,13 +60,13 @@ fn colours_of_a_black_sky() {
     scene.texture_mut(TextureId(sky as u32)).data[24..].fill(0.0);
     let mut change = Motion::zero(&scene);
     change.textures[sky] = Some(vec![1.0; 96]);
-    let options = Options { spp: 400, seed: 1 };
+    let options = RenderOptions { spp: 400, seed: 1 };
     let settings = GradientOptions::new(options);
     let sum = |estimate: &capwalk_diff::Estimate| -> f64 {
         estimate.mean.pixels.iter().map(|p| p.r).sum()
     };
     let ours = gradient(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &change,
         &settings,
         &Unwatched,
@@ -74,7 +74,7 @@ fn colours_of_a_black_sky() {
     .expect("covered");
     // The picture is linear in the sky's colours.
     let [before, after] = [scene.clone(), scene.moved(&change, 1.0)].map(|scene| {
-        sum(&capwalk_diff::render(&Prepared::new(scene.clone()), &options, &Unwatched).value)
+        sum(&capwalk_diff::render(&PreparedScene::new(scene.clone()), &options, &Unwatched).value)
     });
     let (found, expected) = (sum(&ours.gradient), after - before);
     assert!((found / expected - 1.0).abs() < 0.03, "{found} {expected}");

@@ -88,10 +88,11 @@ fn black_reflector() {
         }
     }
     let change = motion(&scene, "ceiling.bsdf.reflectance.value");
-    let settings = capwalk_diff::GradientOptions::new(capwalk_diff::Options { spp: 256, seed: 1 });
+    let settings =
+        capwalk_diff::GradientOptions::new(capwalk_diff::RenderOptions { spp: 256, seed: 1 });
     let nobody = &capwalk_diff::Unwatched;
     let ours = capwalk_diff::gradient(
-        &capwalk_diff::Prepared::new(scene.clone()),
+        &capwalk_diff::PreparedScene::new(scene.clone()),
         &change,
         &settings,
         nobody,
@@ -99,8 +100,8 @@ fn black_reflector() {
     .expect("covered");
     // Linear in the reflectance of a surface that is met once.
     let lit = capwalk_diff::render(
-        &capwalk_diff::Prepared::new(scene.moved(&change, 1.0)),
-        &settings.options,
+        &capwalk_diff::PreparedScene::new(scene.moved(&change, 1.0)),
+        &settings.sampling(),
         nobody,
     );
     let sum = |estimate: &capwalk_diff::Estimate| -> Rgb {

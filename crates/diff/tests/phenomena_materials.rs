@@ -6,7 +6,7 @@
 mod common;
 
 use capwalk_diff::check::{Verdict, compare};
-use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, gradient};
+use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_math::Affine;
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::rectangle;
@@ -138,9 +138,9 @@ fn masked_floor(opacity: f64) -> Scene {
 #[test]
 fn weights_at_their_limits() {
     let derivative = |scene: &Scene, name: &str, seed: u64| {
-        let settings = GradientOptions::new(Options { spp: 200, seed });
+        let settings = GradientOptions::new(RenderOptions { spp: 200, seed });
         let result = gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion(scene, name),
             &settings,
             &Unwatched,

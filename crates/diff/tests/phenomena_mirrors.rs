@@ -4,7 +4,7 @@
 
 mod common;
 
-use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, gradient};
+use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, rectangle};
@@ -183,9 +183,9 @@ fn halves_of_a_mirror_are_one() {
         paths(&mut scene, 2);
         scene.check().expect("a valid scene");
         let motion = motion(&scene, "block.translate.x");
-        let settings = GradientOptions::new(Options { spp: 32, seed: 1 });
+        let settings = GradientOptions::new(RenderOptions { spp: 32, seed: 1 });
         let result = gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion,
             &settings,
             &Unwatched,

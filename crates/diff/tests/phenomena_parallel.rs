@@ -4,7 +4,7 @@
 
 mod common;
 
-use capwalk_diff::{Prepared, Unwatched, gradient};
+use capwalk_diff::{PreparedScene, Unwatched, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::rectangle;
@@ -94,7 +94,7 @@ fn triangle_against_its_area() {
         scene.check().expect("a valid scene");
         let motion = motion(&scene, name);
         let result = gradient(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &motion,
             &settings(10000),
             &Unwatched,

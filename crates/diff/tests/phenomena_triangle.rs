@@ -8,7 +8,9 @@
 mod common;
 
 use capwalk_diff::check::{Verdict, compare};
-use capwalk_diff::{GradientOptions, Method, Options, Prepared, Unwatched, WalkSettings, gradient};
+use capwalk_diff::{
+    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WalkSettings, gradient,
+};
 use capwalk_geometry::Mesh;
 use capwalk_math::Rgb;
 use capwalk_scene::*;
@@ -144,14 +146,19 @@ fn explicit_and_practical_walks_agree() {
     let motion = motion(&scene, "thing.rotate.z + 0.3*sensor.translate.x");
     let [practical, explicit] =
         [(Method::TriangleWalk, 1), (Method::ExplicitWalk, 2)].map(|(method, seed)| {
-            let options = Options { spp: 1500, seed };
+            let options = RenderOptions { spp: 1500, seed };
             let options = GradientOptions {
                 method,
                 ..GradientOptions::new(options)
             };
-            gradient(&Prepared::new(scene.clone()), &motion, &options, &Unwatched)
-                .expect("covered")
-                .gradient
+            gradient(
+                &PreparedScene::new(scene.clone()),
+                &motion,
+                &options,
+                &Unwatched,
+            )
+            .expect("covered")
+            .gradient
         });
     let result = compare(&practical, &explicit);
     println!("slope {} ± {}", result.slope, result.slope_error);

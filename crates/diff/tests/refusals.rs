@@ -5,7 +5,8 @@
 mod common;
 
 use capwalk_diff::{
-    GradientOptions, Method, Options, Prepared, Unwatched, Wanted, WasSettings, backward, gradient,
+    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, WasSettings,
+    backward, gradient,
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
@@ -66,9 +67,14 @@ fn refusals(scene: &Scene, motion: &Motion) -> [Option<String>; 2] {
 fn refusals_with(scene: &Scene, motion: &Motion, method: Method) -> [Option<String>; 2] {
     let settings = GradientOptions {
         method,
-        ..GradientOptions::new(Options { spp: 64, seed: 1 })
+        ..GradientOptions::new(RenderOptions { spp: 64, seed: 1 })
     };
-    let forward = gradient(&Prepared::new(scene.clone()), motion, &settings, &Unwatched);
+    let forward = gradient(
+        &PreparedScene::new(scene.clone()),
+        motion,
+        &settings,
+        &Unwatched,
+    );
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let adjoint = Image {
         width,
@@ -77,7 +83,7 @@ fn refusals_with(scene: &Scene, motion: &Motion, method: Method) -> [Option<Stri
     };
     let wanted = Wanted::by(motion);
     let reverse = backward(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &adjoint,
         &wanted,
         &settings,
@@ -211,8 +217,13 @@ fn warped_areas_under_parallel_rays() {
         ..exact::settings(2)
     };
     let moves = motion(&scene, "thing.translate.x");
-    let refusal = gradient(&Prepared::new(scene.clone()), &moves, &settings, &Unwatched)
-        .expect_err("refused");
+    let refusal = gradient(
+        &PreparedScene::new(scene.clone()),
+        &moves,
+        &settings,
+        &Unwatched,
+    )
+    .expect_err("refused");
     assert!(refusal.to_string().contains("orthographic"), "{refusal}");
 }
 
@@ -407,7 +418,7 @@ fn collapsed_texture_coordinates_say_nothing() {
 fn walks_without_steps_or_reach() {
     let scene = mirror_floor();
     let motion = motion(&scene, "lamp.translate.x");
-    let mut wanted = GradientOptions::new(Options { spp: 2, seed: 1 });
+    let mut wanted = GradientOptions::new(RenderOptions { spp: 2, seed: 1 });
     for (steps, max_radius, expected) in [
         (
             0,
@@ -418,8 +429,13 @@ fn walks_without_steps_or_reach() {
     ] {
         wanted.walk.steps = steps;
         wanted.walk.max_radius = max_radius;
-        let refusal = gradient(&Prepared::new(scene.clone()), &motion, &wanted, &Unwatched)
-            .expect_err("it is refused");
+        let refusal = gradient(
+            &PreparedScene::new(scene.clone()),
+            &motion,
+            &wanted,
+            &Unwatched,
+        )
+        .expect_err("it is refused");
         assert!(refusal.to_string().starts_with(expected), "{refusal}");
     }
     for (rays, kappa) in [(0, 1e5), (8, 0.0), (8, f64::NAN)] {
@@ -428,8 +444,13 @@ fn walks_without_steps_or_reach() {
             kappa,
             ..WasSettings::default()
         });
-        let refusal = gradient(&Prepared::new(scene.clone()), &motion, &wanted, &Unwatched)
-            .expect_err("it is refused");
+        let refusal = gradient(
+            &PreparedScene::new(scene.clone()),
+            &motion,
+            &wanted,
+            &Unwatched,
+        )
+        .expect_err("it is refused");
         let expected = format!("warped-area sampling with {rays} auxiliary rays");
         assert!(refusal.to_string().starts_with(&expected), "{refusal}");
     }

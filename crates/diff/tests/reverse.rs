@@ -7,8 +7,8 @@
 mod common;
 
 use capwalk_diff::{
-    Backward, GradientOptions, Method, Options, Prepared, Unwatched, Wanted, WasBoundary,
-    WasSettings, backward, gradient, with_threads,
+    Backward, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted,
+    WasBoundary, WasSettings, backward, gradient, with_threads,
 };
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::lobe::Distribution;
@@ -78,13 +78,13 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
 }
 
 fn settings(spp: u32) -> GradientOptions {
-    GradientOptions::new(Options { spp, seed: 5 })
+    GradientOptions::new(RenderOptions { spp, seed: 5 })
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32) -> Backward {
     let adjoint = adjoint(scene, 3);
     let result = backward(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &adjoint,
         wanted,
         &settings(spp),
@@ -99,8 +99,13 @@ fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
 }
 
 fn forward_by(scene: &Scene, motion: &Motion, settings: &GradientOptions) -> f64 {
-    let result =
-        gradient(&Prepared::new(scene.clone()), motion, settings, &Unwatched).expect("covered");
+    let result = gradient(
+        &PreparedScene::new(scene.clone()),
+        motion,
+        settings,
+        &Unwatched,
+    )
+    .expect("covered");
     let pixels = result.gradient.mean.pixels.iter();
     let adjoint = adjoint(scene, 3);
     pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
@@ -138,7 +143,7 @@ fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptio
     let forward = forward_by(scene, motion, settings);
     let wanted = Wanted::by(motion);
     let reverse = backward(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &adjoint(scene, 3),
         &wanted,
         settings,
@@ -446,9 +451,9 @@ fn standard_errors_are_right() {
     let (mut spread, mut stated) = (capwalk_math::Moments::default(), 0.0);
     for seed in 0..40 {
         let mut settings = settings(32);
-        settings.options.seed = seed;
+        settings.seed = seed;
         let result = backward(
-            &Prepared::new(scene.clone()),
+            &PreparedScene::new(scene.clone()),
             &adjoint,
             &wanted,
             &settings,
@@ -529,7 +534,7 @@ fn adjoint_with_nan() {
     bad.pixels[2 * 36 + 7].g = f64::NAN;
     let wanted = Wanted::all(&scene);
     let refusal = backward(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &bad,
         &wanted,
         &settings(2),
@@ -553,7 +558,7 @@ fn adjoint_of_another_size() {
     };
     let wanted = Wanted::all(&scene);
     let refusal = backward(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &small,
         &wanted,
         &settings(2),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use capwalk_diff::{Method, Prepared, WalkSettings, WasSettings, render};
+use capwalk_diff::{Method, PreparedScene, WalkSettings, WasSettings, render};
 use capwalk_geometry::Mesh;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
@@ -120,9 +120,9 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let seeds = quality.choose(2, SEEDS, SEEDS);
     let options = settings.options(quality.choose(16, 2048, 8192), 50);
     let watch = (settings.stages)("target");
-    let target = render(&Prepared::new(scene(true, size)?), &options, &*watch);
+    let target = render(&PreparedScene::new(scene(true, size)?), &options, &*watch);
     complete(&target.statistics)?;
-    let disk = render(&Prepared::new(scene(false, size)?), &options, &*watch);
+    let disk = render(&PreparedScene::new(scene(false, size)?), &options, &*watch);
     complete(&disk.statistics)?;
 
     let search = |name, method| {

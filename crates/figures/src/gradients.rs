@@ -4,8 +4,8 @@
 use std::time::Instant;
 
 use capwalk_diff::{
-    Estimate, GradientImage, GradientOptions, Method, Prepared, WalkSettings, finite_difference,
-    gradient,
+    Estimate, GradientImage, GradientOptions, Method, PreparedScene, WalkSettings,
+    finite_difference, gradient,
 };
 use capwalk_math::{Moments, Rgb};
 use capwalk_scene::{Film, Filter, Motion, Scene, builtin, params};
@@ -65,7 +65,7 @@ impl Subject {
         };
         let started = Instant::now();
         let image = gradient(
-            &Prepared::new(self.scene.clone()),
+            &PreparedScene::new(self.scene.clone()),
             &self.motion,
             &wanted,
             &*watch,

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use capwalk_diff::{Options, Refusal, Statistics, Unwatched, Watch};
+use capwalk_diff::{Refusal, RenderOptions, Statistics, Unwatched, Watch};
 use capwalk_geometry::Mesh;
 
 /// How much work a figure is worth.
@@ -60,8 +60,8 @@ impl Settings<'_> {
     }
 
     /// Sampling with the `set`-th independent set of random numbers.
-    pub(crate) fn options(&self, spp: u32, set: u64) -> Options {
-        Options {
+    pub(crate) fn options(&self, spp: u32, set: u64) -> RenderOptions {
+        RenderOptions {
             spp,
             seed: self.seed.wrapping_mul(1009).wrapping_add(set),
         }

@@ -3,7 +3,8 @@
 use std::fmt;
 
 use capwalk_diff::{
-    GradientOptions, Options, Prepared, Refusal, Statistics, Unwatched, Watch, backward, render,
+    GradientOptions, PreparedScene, Refusal, RenderOptions, Statistics, Unwatched, Watch, backward,
+    render,
 };
 use capwalk_scene::{Image, Scene};
 
@@ -209,11 +210,16 @@ impl Problem {
     }
 
     /// Renders all views and compares them with their targets.
-    fn look(&self, views: &[Prepared], iteration: u32, watch: &dyn Watch) -> Result<Seen, Stop> {
+    fn look(
+        &self,
+        views: &[PreparedScene],
+        iteration: u32,
+        watch: &dyn Watch,
+    ) -> Result<Seen, Stop> {
         let (mut images, mut measured) = (Vec::new(), Vec::new());
         for (i, view) in self.views.iter().enumerate() {
             let seed = seed(self.seed, u64::from(iteration), i as u64, Purpose::Image);
-            let options = Options {
+            let options = RenderOptions {
                 spp: self.spp,
                 seed,
             };
@@ -254,7 +260,7 @@ impl Problem {
         &self,
         state: &State,
         scene: &Scene,
-        views: &[Prepared],
+        views: &[PreparedScene],
         seen: &Seen,
         row: &mut Row,
         watch: &dyn Watch,
@@ -306,7 +312,7 @@ impl Problem {
     fn gradient(
         &self,
         state: &State,
-        views: &[Prepared],
+        views: &[PreparedScene],
         seen: &Seen,
         row: &Row,
         watch: &dyn Watch,
@@ -326,7 +332,7 @@ impl Problem {
             // the mean of the product is the product of the means.
             let iteration = u64::from(row.iteration);
             let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
-            let options = self.gradient_options(Options {
+            let options = self.gradient_options(RenderOptions {
                 spp: self.spp_grad,
                 seed,
             });
@@ -356,7 +362,7 @@ impl Problem {
     /// The first variable whose derivative is refused in a state, each tried alone.
     pub fn refused_variable(&self, state: &State) -> Option<usize> {
         let scene = self.scene(state).ok()?;
-        let options = self.gradient_options(Options {
+        let options = self.gradient_options(RenderOptions {
             spp: 1,
             seed: self.seed,
         });
@@ -373,11 +379,11 @@ impl Problem {
         (0..self.variables.iter().count()).find(is_refused)
     }
 
-    fn gradient_options(&self, options: Options) -> GradientOptions {
+    fn gradient_options(&self, options: RenderOptions) -> GradientOptions {
         GradientOptions {
-            options,
             method: self.method,
             walk: self.walk,
+            ..options.into()
         }
     }
 

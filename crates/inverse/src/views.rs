@@ -1,6 +1,6 @@
 //! The views of a problem, ready to be rendered again and again.
 
-use capwalk_diff::Prepared;
+use capwalk_diff::PreparedScene;
 use capwalk_scene::Scene;
 
 use crate::problem::Problem;
@@ -10,7 +10,7 @@ use crate::problem::Problem;
 /// What they were used for before changes no bit of a result.
 #[derive(Debug, Default)]
 pub struct PreparedViews {
-    prepared: Vec<Prepared>,
+    prepared: Vec<PreparedScene>,
 }
 
 impl PreparedViews {
@@ -20,13 +20,13 @@ impl PreparedViews {
     }
 
     /// A scene as each view of the problem sees it.
-    pub(crate) fn of(&mut self, problem: &Problem, scene: &Scene) -> &[Prepared] {
+    pub(crate) fn of(&mut self, problem: &Problem, scene: &Scene) -> &[PreparedScene] {
         self.prepared.truncate(problem.views.len());
         for (i, view) in problem.views.iter().enumerate() {
             let seen = view.scene(scene);
             match self.prepared.get_mut(i) {
                 Some(prepared) => prepared.update(seen),
-                None => self.prepared.push(Prepared::new(seen)),
+                None => self.prepared.push(PreparedScene::new(seen)),
             }
         }
         &self.prepared

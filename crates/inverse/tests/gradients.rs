@@ -1,7 +1,7 @@
 //! The gradient of a loss, as an iteration takes it, against finite differences of
 //! the loss itself.
 
-use capwalk_diff::{Method, Options, Prepared, Unwatched, WalkSettings, render};
+use capwalk_diff::{Method, PreparedScene, RenderOptions, Unwatched, WalkSettings, render};
 use capwalk_inverse::Limits;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
@@ -50,8 +50,8 @@ fn problem() -> Problem {
         .map(|spec| variable(&scene, &Registry::new(&scene), spec).expect("fine"));
     let variables = Variables::new(&scene, variables.collect()).expect("they fit");
     let target = |scene: &Scene, seed: u64| {
-        let options = Options { spp: 64, seed };
-        let prepared = Prepared::new(scene.clone());
+        let options = RenderOptions { spp: 64, seed };
+        let prepared = PreparedScene::new(scene.clone());
         let mut target = render(&prepared, &options, &Unwatched).value.mean;
         // Another picture than the scene's own: the gradient is not zero.
         for (i, pixel) in target.pixels.iter_mut().enumerate() {

@@ -85,12 +85,12 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
 fn outline(field: &Field, vertex: &Vertex<f64>, window: &Window) -> SilhouettePieces {
     let mut found: Vec<(u32, [f64; 2], f64, f64)> = Vec::new();
     let mut sum = 0.0;
-    field.boundaries.tree().gather(&window.cone, |edge, ends| {
+    for (edge, ends) in field.boundaries.gather(&window.cone) {
         let [a, b] = ends.map(|p| p - vertex.position);
         // What lies in a plane of the window, as the lamp's own edges do, is inside.
         let margin = IN_PLANE * a.length().max(b.length());
         let Some(range) = clip(&window.planes, margin, [a, b]) else {
-            return;
+            continue;
         };
         let ends = range.map(|t| a + (b - a) * t);
         let [near, far] = ends.map(Vec3::length);
@@ -110,7 +110,7 @@ fn outline(field: &Field, vertex: &Vertex<f64>, window: &Window) -> SilhouettePi
                 found.push((edge, range, chord.length() / count, reflected));
             }
         }
-    });
+    }
     let least = LEAST_WEIGHT * sum / found.len() as f64 + TINY;
     let mut outline = SilhouettePieces::default();
     for (edge, range, chord, reflected) in found {

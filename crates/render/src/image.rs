@@ -3,14 +3,14 @@
 use capwalk_boundary::{Counts, Draw};
 
 use crate::estimate::Rendering;
-use crate::options::{Options, Watch};
-use crate::prepared::Prepared;
+use crate::options::{RenderOptions, Watch};
+use crate::prepared::PreparedScene;
 use crate::scene_eval::Primal;
 use crate::tiles::{self, Sample};
 use crate::tracer::Tracer;
 
 /// The image of a scene, with its standard error.
-pub fn render(prepared: &Prepared, options: &Options, watch: &dyn Watch) -> Rendering {
+pub fn render(prepared: &PreparedScene, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
     let (tracer, eval) = (Tracer::primal(prepared), Primal(prepared.accel()));
     let averages = tiles::average(prepared.scene(), options, watch, |pixel, stream| {
         let draw = Draw {

@@ -1,12 +1,42 @@
 //! What a caller can choose, and how it can follow and stop the work.
 
-/// How much to sample, and with which random numbers.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Options {
-    /// Samples per pixel, at least 1 (at least 2 for a standard error).
+use capwalk_scene::Scene;
+
+/// How an image is rendered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RenderOptions {
+    /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,
-    /// Seed of all random numbers.
+    /// Seed of all random numbers: the same scene and seed give the same bits.
     pub seed: u64,
+}
+
+impl Default for RenderOptions {
+    /// 64 samples per pixel and the seed 0.
+    fn default() -> Self {
+        Self { spp: 64, seed: 0 }
+    }
+}
+
+impl RenderOptions {
+    /// What the scene says of itself.
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            spp: scene.settings.spp,
+            seed: scene.settings.seed,
+        }
+    }
+
+    /// The same with another seed, for an image whose noise must be independent of one
+    /// with this seed: an adjoint must not know the random numbers of its gradient. The
+    /// complement is nobody's neighbour in a row of seeds.
+    #[must_use]
+    pub fn with_independent_seed(self) -> Self {
+        Self {
+            seed: !self.seed,
+            ..self
+        }
+    }
 }
 
 /// Follows the work and may stop it. Called from worker threads.

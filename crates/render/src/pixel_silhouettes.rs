@@ -62,11 +62,11 @@ impl PixelSilhouettes {
         }
         let outline = make();
         if let Some(cell) = cell {
-            let kept = self.kept.fetch_add(outline.len(), Ordering::Relaxed);
-            if kept + outline.len() <= MOST_KEPT {
+            let kept = self.kept.fetch_add(outline.count(), Ordering::Relaxed);
+            if kept + outline.count() <= MOST_KEPT {
                 return then(cell.get_or_init(|| outline));
             }
-            self.kept.fetch_sub(outline.len(), Ordering::Relaxed);
+            self.kept.fetch_sub(outline.count(), Ordering::Relaxed);
         }
         then(&outline)
     }
@@ -94,10 +94,10 @@ pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> Silhou
     let area = support.sides[0].width() * support.sides[1].width();
     let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);
     let mut outline = SilhouettePieces::default();
-    boundaries.tree().gather(&query, |edge, ends| {
+    for (edge, ends) in boundaries.gather(&query) {
         let [a, b] = ends.map(|p| p - view.eye);
         let Some([from, to]) = clip(&planes, 0.0, [a, b]) else {
-            return;
+            continue;
         };
         let [first, last] = [from, to].map(|t| a + (b - a) * t);
         let [start, end] = [first, last].map(|p| view.film(p));
@@ -114,7 +114,7 @@ pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> Silhou
             let range = [place(part(0.0)), place(part(1.0))];
             outline.push(edge, range, contrast * filter * length / count);
         }
-    });
+    }
     outline.push_nothing(NOTHING / area.sqrt());
     outline
 }

@@ -2,22 +2,22 @@
 
 use std::sync::{Arc, OnceLock};
 
-use capwalk_boundary::{Accel, Boundaries, pool};
+use capwalk_boundary::{Accel, Boundaries, pool, same_edges};
 use capwalk_scene::Scene;
 
 use crate::emitter_sampler::EmitterSampler;
 
 /// A scene with its trees. It owns what it needs and can be shared between threads; the
-/// scene in it does not change but by [`Prepared::update`].
+/// scene in it does not change but by [`PreparedScene::update`].
 #[derive(Debug)]
-pub struct Prepared {
+pub struct PreparedScene {
     accel: Accel,
     emitters: Vec<EmitterSampler>,
     /// Built when the first derivative asks for them.
     boundaries: OnceLock<Boundaries>,
 }
 
-impl Prepared {
+impl PreparedScene {
     /// Builds the ray tree of a scene that has passed [`Scene::check`]. The boundaries
     /// and their tree follow with the first derivative.
     pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
@@ -54,14 +54,15 @@ impl Prepared {
     /// Goes over to another scene, which must have passed [`Scene::check`] and should
     /// differ in few numbers: moved vertices refit the trees, other colours touch none,
     /// and only what these motions invalidate is built anew. Every later answer is that
-    /// of [`Prepared::new`] for the scene, to the bit.
+    /// of [`PreparedScene::new`] for the scene, to the bit.
     pub fn update(&mut self, scene: impl Into<Arc<Scene>>) {
         let scene = scene.into();
         pool::install(|| {
             self.emitters = emitter_samplers(&scene);
+            let same_edges = same_edges(self.scene(), &scene);
             let change = self.accel.update(scene);
             if let Some(boundaries) = self.boundaries.get_mut() {
-                boundaries.update(&self.accel, change);
+                boundaries.update(&self.accel, change, same_edges);
             }
         });
     }

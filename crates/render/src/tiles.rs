@@ -6,7 +6,7 @@ use capwalk_scene::{Image, Scene};
 use rayon::prelude::*;
 
 use crate::estimate::{Estimate, Statistics};
-use crate::options::{Options, Watch};
+use crate::options::{RenderOptions, Watch};
 
 /// What one sample of one pixel gives: `C` numbers to be averaged, and what
 /// it cost.
@@ -54,7 +54,7 @@ const MOST_PER_PASS: u32 = 32;
 /// threads: each pixel adds its samples in order.
 pub fn average<const C: usize>(
     scene: &Scene,
-    options: &Options,
+    options: &RenderOptions,
     watch: &dyn Watch,
     sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,
 ) -> Averages<C> {
@@ -183,7 +183,7 @@ mod tests {
         let mut scene = capwalk_scene::builtin::scene("leaf").expect("a built-in scene");
         scene.film.size = [8, 6];
         scene.film.crop_size = [8, 6];
-        let options = Options { spp: 50, seed: 3 };
+        let options = RenderOptions { spp: 50, seed: 3 };
         let bad = |stream: &Stream| stream.number(0) < 0.1;
         let averages = average(&scene, &options, &Unwatched, |_, stream| Sample {
             numbers: match bad(stream) {

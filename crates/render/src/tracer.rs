@@ -8,7 +8,7 @@ use crate::emitter_sampler::EmitterSampler;
 use crate::pixel::Supports;
 use crate::pixel_silhouettes::PixelSilhouettes;
 use crate::plan::Plan;
-use crate::prepared::Prepared;
+use crate::prepared::PreparedScene;
 
 /// The numbers of gathered edges start here, behind all others: those of the
 /// camera, then of each vertex.
@@ -50,7 +50,7 @@ pub struct Tracer<'a> {
 
 impl<'a> Tracer<'a> {
     /// A tracer of the primal image alone.
-    pub fn primal(prepared: &'a Prepared) -> Self {
+    pub fn primal(prepared: &'a PreparedScene) -> Self {
         let scene = prepared.scene();
         Self {
             accel: prepared.accel(),
@@ -63,7 +63,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// A tracer of derivatives, too, with the given walk around surfaces.
-    pub fn moving(prepared: &'a Prepared, field: Field<'a>, surface: WalkSettings) -> Self {
+    pub fn moving(prepared: &'a PreparedScene, field: Field<'a>, surface: WalkSettings) -> Self {
         let camera = WalkSettings {
             max_radius: surface.max_radius.min(camera_angle(prepared.accel())),
             ..surface

@@ -13,8 +13,8 @@
 //! they are first used, and the constant emitter comes back behind the area emitters.
 //! Mitsuba takes seeds below 2³² only.
 
+mod beside;
 mod error;
-mod files;
 mod ply_file;
 mod xml_file;
 
@@ -25,8 +25,8 @@ use std::path::{Path, PathBuf};
 
 use capwalk_scene::{Image, Pattern, Scene, Texture, TextureId};
 
+use beside::Files;
 pub use error::ExportError;
-use files::Files;
 
 use crate::atomic::write_atomically;
 use crate::image::{Picture, VALUE, encode_exr};

@@ -1,7 +1,7 @@
 //! Mesh files: OBJ, PLY, Mitsuba's `.serialized`, and glTF.
 
+mod checked;
 mod error;
-mod file;
 mod gltf;
 mod gltf_accessor;
 mod gltf_buffer;
@@ -13,9 +13,9 @@ mod ply_attribute;
 mod ply_header;
 mod serialized;
 
+pub use checked::{FileAttribute, MeshFile};
+pub(crate) use checked::{LARGEST_COORDINATE, direction};
 pub use error::{MeshFault, MeshFileError, MeshPlace};
-pub use file::{FileAttribute, MeshFile};
-pub(crate) use file::{LARGEST_COORDINATE, direction};
 pub use gltf::read_gltf;
 pub use gltf_buffer::OpenFile;
 pub use gltf_node::{GltfChoice, GltfName};

@@ -10,7 +10,7 @@ use super::source::{Crate, Sharing};
 pub type Places = BTreeMap<String, BTreeSet<PathBuf>>;
 
 /// File names that every folder may have.
-const COMMON_FILES: [&str; 2] = ["mod.rs", "tests.rs"];
+const COMMON_FILES: [&str; 3] = ["mod.rs", "tests.rs", "error.rs"];
 
 /// Types and traits that two modules of the crate share with others under one name.
 pub fn types(krate: &Crate) -> Places {

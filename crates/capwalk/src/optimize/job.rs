@@ -1,6 +1,6 @@
 //! What a job file says, before anything that it names is opened.
 
-mod method;
+mod method_keys;
 mod optimizer;
 mod parameter;
 mod table;
@@ -166,7 +166,7 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
         loss: optimizer::loss(&root)?,
         guards: optimizer::guards(&root)?,
         limits: optimizer::limits(&root, iterations)?,
-        method: method::read(&root)?,
+        method: method_keys::read(&root)?,
         views: view::views(document, &root)?,
         parameters: parameters(&root, uniform)?,
     };

@@ -13,8 +13,9 @@ use super::job::{Define, Job, Located, TargetKeys, ViewKeys};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::images::{read_layer, read_mask};
-use crate::load::{Loaded, Loader};
-use crate::options::RenderOptions;
+use crate::load::Loader;
+use capwalk_diff::RenderOptions;
+use capwalk_scene_io::Loaded;
 
 /// A target that is still to be rendered.
 struct Pending {

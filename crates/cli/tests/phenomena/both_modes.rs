@@ -3,7 +3,9 @@
 
 use std::path::Path;
 
-use capwalk_diff::{GradientOptions, Options, Prepared, Unwatched, Wanted, backward, gradient};
+use capwalk_diff::{
+    GradientOptions, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
+};
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, params};
 use capwalk_scene_io::arrays;
@@ -43,12 +45,12 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let motion = params::Registry::new(&scene)
         .motion(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
-    let settings = GradientOptions::new(Options {
+    let settings = GradientOptions::new(RenderOptions {
         spp: SPP,
         seed: SEED,
     });
     let forward = gradient(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &motion,
         &settings,
         &Unwatched,
@@ -58,7 +60,7 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let weights = weights(width, height);
     let forward = dot(&weights, &forward.gradient.mean);
     let reverse = backward(
-        &Prepared::new(scene.clone()),
+        &PreparedScene::new(scene.clone()),
         &weights,
         &Wanted::by(&motion),
         &settings,

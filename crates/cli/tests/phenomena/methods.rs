@@ -6,7 +6,9 @@
 use std::path::Path;
 
 use capwalk_diff::check::{Verdict, compare};
-use capwalk_diff::{Estimate, GradientOptions, Method, Options, Prepared, Unwatched, gradient};
+use capwalk_diff::{
+    Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
+};
 use capwalk_scene::{Motion, Scene};
 use capwalk_scene_io::image;
 
@@ -16,13 +18,18 @@ use crate::differences::SIGN;
 pub fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> Estimate {
     let settings = GradientOptions {
         method,
-        ..GradientOptions::new(Options {
+        ..GradientOptions::new(RenderOptions {
             spp,
             seed: scene.settings.seed,
         })
     };
-    let result =
-        gradient(&Prepared::new(scene.clone()), motion, &settings, &Unwatched).expect("covered");
+    let result = gradient(
+        &PreparedScene::new(scene.clone()),
+        motion,
+        &settings,
+        &Unwatched,
+    )
+    .expect("covered");
     assert_eq!(result.statistics.non_finite, 0);
     result.gradient
 }

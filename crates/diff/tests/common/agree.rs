@@ -2,8 +2,8 @@
 
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
-    GradientOptions, Method, Options, Prepared, Unwatched, WalkSettings, finite_difference,
-    gradient,
+    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WalkSettings,
+    finite_difference, gradient,
 };
 use capwalk_scene::*;
 
@@ -58,14 +58,19 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
     scene.film.size = [case.size; 2];
     scene.film.crop_size = [case.size; 2];
     scene.check().expect("a valid scene");
-    let options = |spp: u32, seed: u64| Options { spp, seed };
+    let options = |spp: u32, seed: u64| RenderOptions { spp, seed };
     let settings = GradientOptions {
         method: case.method,
         walk: case.walk,
         ..GradientOptions::new(options(case.gradient_spp, 1))
     };
-    let ours =
-        gradient(&Prepared::new(scene.clone()), motion, &settings, &Unwatched).expect("covered");
+    let ours = gradient(
+        &PreparedScene::new(scene.clone()),
+        motion,
+        &settings,
+        &Unwatched,
+    )
+    .expect("covered");
     let middle = match case.one_sided {
         true => scene.moved(motion, case.step),
         false => scene.clone(),

@@ -1,6 +1,6 @@
 //! Estimates against exact numbers.
 
-use capwalk_diff::{Estimate, GradientOptions, Options};
+use capwalk_diff::{Estimate, GradientOptions, RenderOptions};
 
 /// Standard errors beyond which a difference is no accident: 7 tests in a
 /// million are beyond, and there are some hundred of them.
@@ -16,7 +16,7 @@ pub fn meets(name: &str, mean: f64, error: f64, exact: f64, largest_error: f64) 
 
 /// So many samples per pixel.
 pub fn settings(spp: u32) -> GradientOptions {
-    GradientOptions::new(Options { spp, seed: 5 })
+    GradientOptions::new(RenderOptions { spp, seed: 5 })
 }
 
 /// The mean of a picture, and of each of its quarters, with errors.

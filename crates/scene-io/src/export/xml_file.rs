@@ -12,7 +12,7 @@ use capwalk_scene::{
     SensorModel, Settings, ShadingNormals, Shape, TextureId,
 };
 
-use super::files::Files;
+use super::beside::Files;
 
 /// The text of the XML file.
 pub(super) fn text(scene: &Scene, files: &Files) -> String {

@@ -4,8 +4,8 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
 
+use super::checked::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::error::MeshFileError;
-use super::file::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::gltf_accessor::{self, Numbers};
 use super::gltf_buffer::{Buffers, OpenFile, split};
 use super::gltf_json::Item;

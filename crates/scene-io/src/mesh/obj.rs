@@ -9,8 +9,8 @@ use std::collections::HashMap;
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
+use super::checked::{MeshFile, fan, finish, finite_position, unit_normal};
 use super::error::{MeshFileError, MeshPlace};
-use super::file::{MeshFile, fan, finish, finite_position, unit_normal};
 
 /// Statements without effect on the surface: names, groups, materials, lines,
 /// points and display attributes.

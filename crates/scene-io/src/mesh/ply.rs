@@ -4,8 +4,8 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
+use super::checked::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::error::{MeshFileError, MeshPlace};
-use super::file::{FileAttribute, MeshFile, fan, finish, finite_position, unit_normal};
 use super::ply_attribute::{self, Group};
 use super::ply_header::{self, Encoding, PlyElement, Scalar};
 

@@ -18,8 +18,8 @@ use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 use flate2::bufread::ZlibDecoder;
 
+use super::checked::{FileAttribute, MeshFile, finish, finite_position, unit_normal};
 use super::error::{MeshFileError, MeshPlace};
-use super::file::{FileAttribute, MeshFile, finish, finite_position, unit_normal};
 
 const MAGIC: u16 = 0x041C;
 

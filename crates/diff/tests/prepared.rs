@@ -1,0 +1,108 @@
+//! A prepared scene that was changed answers like one that was made of the result, to the
+//! bit: whatever was refitted, kept or built anew.
+
+mod common;
+
+use capwalk_diff::{
+    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
+    render,
+};
+use capwalk_math::Rgb;
+use capwalk_scene::params::Registry;
+use capwalk_scene::{Filter, Image, Scene};
+use common::stages::{visible_ball, visible_cube, with_parallel_rays};
+
+const SAMPLING: RenderOptions = RenderOptions { spp: 3, seed: 7 };
+
+fn bits(image: &Image) -> Vec<u64> {
+    let channels = image.pixels.iter().flat_map(|pixel| pixel.to_array());
+    channels.map(f64::to_bits).collect()
+}
+
+/// All numbers that a prepared scene gives: its image, its derivative by both unbiased
+/// methods, and the gradient with respect to everything.
+fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
+    let scene = prepared.scene();
+    let motion = Registry::new(scene).motion(scene, along).expect("a name");
+    let [width, height] = scene.film.crop_size.map(|n| n as usize);
+    let mut adjoint = Image::new(width, height);
+    adjoint.pixels.fill(Rgb::new(0.3, -0.7, 1.1));
+    let mut numbers = bits(&render(prepared, &SAMPLING, &Unwatched).value.mean);
+    for method in [Method::Walk, Method::Edges] {
+        let options = GradientOptions {
+            method,
+            ..SAMPLING.into()
+        };
+        let forward = gradient(prepared, &motion, &options, &Unwatched).expect("covered");
+        numbers.extend(bits(&forward.gradient.mean));
+        let wanted = Wanted::all(scene);
+        let reverse = backward(prepared, &adjoint, &wanted, &options, &Unwatched);
+        let reverse = reverse.expect("covered");
+        let gradient = reverse.gradient();
+        let vertices = gradient.shapes.iter().flatten();
+        let vertices = vertices.flat_map(|s| s.vertices.iter().flat_map(|v| v.to_array()));
+        let textures = gradient.textures.iter().flatten().flatten().copied();
+        numbers.extend(vertices.chain(textures).map(f64::to_bits));
+    }
+    numbers
+}
+
+/// Changes one scene step by step, and compares after each.
+fn agree(mut start: Scene, along: &str, steps: &[(&str, f64)]) {
+    start.film.size = [9, 8];
+    start.film.crop_size = [9, 8];
+    let mut prepared = PreparedScene::new(start);
+    // What is made on demand is there before the first change.
+    answers(&prepared, along);
+    for &(name, step) in steps {
+        let scene = prepared.scene();
+        let motion = Registry::new(scene).motion(scene, name).expect("a name");
+        let next = scene.moved(&motion, step);
+        next.check().expect("a valid scene");
+        prepared.update(next.clone());
+        let fresh = PreparedScene::new(next);
+        assert_eq!(answers(&prepared, along), answers(&fresh, along), "{name}");
+    }
+}
+
+/// Sides of a cube that bend and become flat again, faces that begin to cross the floor,
+/// colours, lights and the camera.
+#[test]
+fn whatever_changes() {
+    let steps = [
+        ("thing.translate.x", 0.05),
+        ("floor.bsdf.reflectance.value", -0.1),
+        ("thing.positions[3,1]", 0.02),
+        ("thing.positions[3,1]", -0.02),
+        ("thing.translate.z - thing.translate.y", 0.4),
+        ("lamp.translate.x + 0.3*lamp.scale", 0.1),
+        ("sensor.translate.x + sensor.rotate.y", 0.02),
+        ("thing.scale", 0.1),
+        ("lamp.emitter.radiance.value", 0.5),
+    ];
+    agree(visible_cube(), "thing.translate.y", &steps);
+}
+
+/// A fine mesh that is squeezed until its trees are worn out.
+#[test]
+fn large_motions() {
+    let ball = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    let steps = [
+        ("ball.translate.y", 0.1),
+        ("ball.rotate.z", 3.0),
+        ("ball.scale", -0.9),
+    ];
+    agree(ball, "ball.translate.x", &steps);
+}
+
+/// Where the edges have a second tree, in picture space.
+#[test]
+fn before_an_orthographic_sensor() {
+    let scene = with_parallel_rays(visible_cube(), 1.5);
+    let steps = [
+        ("thing.translate.x", 0.05),
+        ("sensor.translate.x", 0.1),
+        ("sensor.rotate.z", 0.1),
+    ];
+    agree(scene, "thing.translate.y", &steps);
+}
