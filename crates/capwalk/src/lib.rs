@@ -29,7 +29,7 @@
 //!
 //! | | |
 //! |---|---|
-//! | [`load`], [`Loader`] | a scene from a file, with warnings, another size, other `$name`s |
+//! | [`load()`], [`Loader`] | a scene from a file, with warnings, another size, other `$name`s |
 //! | [`Prepared`] | a scene that is ready for any number of images and gradients |
 //! | [`Prepared::render`] | an image with its standard errors |
 //! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |

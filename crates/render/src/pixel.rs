@@ -9,7 +9,7 @@
 //!
 //! `W` jumps where the rectangle ends while the filter is not zero: all sides
 //! for the box filter, cut-off sides for the others. The derivative lives
-//! there, see [`crate::diff`].
+//! there: [`crate::Tracer::pixel`] adds it as a term of its own.
 
 use capwalk_math::Real;
 use capwalk_scene::{Film, Filter};
