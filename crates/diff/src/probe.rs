@@ -66,7 +66,7 @@ pub fn irradiance(
     refuse_walk(&walk)?;
     let prepared = PreparedScene::new(scene.clone());
     let field = Field::new(prepared.accel(), prepared.boundaries(), Method::Walk);
-    let world = Forward::new(field, motion);
+    let eval = Forward::new(field, motion);
     let tracer = Tracer::moving(&prepared, field, walk).with_plan(EMITTERS_ALONE);
     let sampler = Sampler::new(&scene.settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
@@ -78,7 +78,7 @@ pub fn irradiance(
                 stream: &stream,
                 counts: &Counts::default(),
             };
-            let (light, _) = tracer.emitted(&world, &vertex, 0, SpecularChain::default(), draw);
+            let (light, _) = tracer.emitted(&eval, &vertex, 0, SpecularChain::default(), draw);
             irradiance.value.add(light.r.value);
             irradiance.gradient.add(light.r.tangent[0]);
         }
@@ -114,9 +114,9 @@ pub fn difference(
                 counts: &Counts::default(),
             };
             let [above, below] = [0, 1].map(|i| {
-                let world = Primal(sides[i].accel());
+                let eval = Primal(sides[i].accel());
                 tracers[i]
-                    .emitted(&world, &vertex, 0, SpecularChain::default(), draw)
+                    .emitted(&eval, &vertex, 0, SpecularChain::default(), draw)
                     .0
                     .r
             });

@@ -234,8 +234,8 @@ impl Pass<'_> {
                 counts: &counts,
             };
             let pixel = [(index % width) as u32, (index / width) as u32];
-            let world = Reverse::new(self.field, self.wanted, &self.points, &tape);
-            self.tracer.pixel(&world, pixel, draw);
+            let eval = Reverse::new(self.field, self.wanted, &self.points, &tape);
+            self.tracer.pixel(&eval, pixel, draw);
             tape.clear();
             statistics.samples += 1;
             statistics.uncovered += counts.uncovered.get();
@@ -274,9 +274,9 @@ impl Pass<'_> {
                     counts: &counts,
                 };
                 let pixel = [(index % width) as u32, (index / width) as u32];
-                let world = Reverse::new(self.field, self.wanted, &self.points, &tape);
-                let light = self.tracer.pixel(&world, pixel, draw);
-                world.pull_back(light, adjoint, &mut adjoints, &mut covectors);
+                let eval = Reverse::new(self.field, self.wanted, &self.points, &tape);
+                let light = self.tracer.pixel(&eval, pixel, draw);
+                eval.pull_back(light, adjoint, &mut adjoints, &mut covectors);
                 tape.clear();
                 batch.cone_queries += counts.queries.get();
                 batch.uncovered += counts.uncovered.get();

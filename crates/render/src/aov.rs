@@ -12,7 +12,7 @@ use crate::surface::Surface;
 
 /// A layer's value at a surface that is met by a moving ray.
 pub fn layer_at<R: Real, W: SceneEval<R>>(
-    world: &W,
+    eval: &W,
     accel: &Accel,
     layer: Layer,
     surface: &Surface<R>,
@@ -29,7 +29,7 @@ pub fn layer_at<R: Real, W: SceneEval<R>>(
         Layer::GeometricNormal => Rgb::from(surface.geometric().to_array()),
         Layer::ShadingNormal => Rgb::from(surface.outward.to_array()),
         Layer::Albedo => {
-            let Some(vertex) = vertex_at(world, accel, surface, direction) else {
+            let Some(vertex) = vertex_at(eval, accel, surface, direction) else {
                 return Rgb::zero();
             };
             // Of a material that reflects to all directions alike; of others

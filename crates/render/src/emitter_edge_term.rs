@@ -30,8 +30,8 @@ use crate::vertex::Vertex;
 pub fn emitter_edge_term<R: Real, W: SceneEval<R>>(
     accel: &Accel,
     boundaries: &Boundaries,
-    world: &W,
-    eye: &Viewpoint<R>,
+    eval: &W,
+    viewpoint: &Viewpoint<R>,
     vertex: &Vertex<f64>,
     u: f64,
     walk: &WalkSettings,
@@ -47,16 +47,16 @@ pub fn emitter_edge_term<R: Real, W: SceneEval<R>>(
         .partition_point(|edge| edge.cumulative <= target)
         .min(edges.len() - 1);
     let lamp_edge = &edges[i];
-    let [a, b] = lamp_edge.ends.map(|v| world.vertex(v));
+    let [a, b] = lamp_edge.ends.map(|v| eval.vertex(v));
     let along = (b - a).value();
     let length = along.length();
     let t = ((lamp_edge.cumulative - target) / length).clamp(0.0, 1.0);
 
     // The moving direction of the edge, and that of the field.
-    let offset = a + (b - a) * R::constant(t) - eye.position;
+    let offset = a + (b - a) * R::constant(t) - viewpoint.position;
     let edge = offset.normalized();
     let q = edge.value();
-    let warped = world.warp_value(eye, q, walk, numbers);
+    let warped = eval.warp_value(viewpoint, q, walk, numbers);
     // Per unit of length along the edge, the curve on the sphere advances by
     // P_q ê / r; this is its normal times that length.
     let across = q.cross(along) / (length * offset.value().length());
@@ -87,7 +87,7 @@ pub fn emitted_and_reflected(
     let Some(emitter) = emitter.filter(|&emitter| counts(emitter)) else {
         return Rgb::zero();
     };
-    let world = Primal(accel);
-    let radiance = emitted_at(&world, accel, emitter, hit.as_ref(), origin, direction);
+    let eval = Primal(accel);
+    let radiance = emitted_at(&eval, accel, emitter, hit.as_ref(), origin, direction);
     vertex.eval(direction) * radiance
 }

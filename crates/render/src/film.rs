@@ -42,34 +42,29 @@ impl<R: Real> FilmPoint<R> {
 
 impl Tracer<'_> {
     /// One sample of a pixel.
-    pub fn pixel<R: Real, W: SceneEval<R>>(
-        &self,
-        world: &W,
-        pixel: [u32; 2],
-        draw: Draw,
-    ) -> Rgb<R> {
+    pub fn pixel<R: Real, W: SceneEval<R>>(&self, eval: &W, pixel: [u32; 2], draw: Draw) -> Rgb<R> {
         let support = self.supports.pixel(pixel);
-        let camera = self.camera(world, draw);
-        if W::MOVES && self.gathers_for_camera() && world.moves() {
+        let camera = self.camera(eval, draw);
+        if W::MOVES && self.gathers_for_camera() && eval.moves() {
             // Film points stay, also at the border of the pixel.
-            return self.interior_at_rest(world, &camera, &support, draw)
-                + self.pixel_silhouette_term(world, &camera, pixel, &support, draw);
+            return self.interior_at_rest(eval, &camera, &support, draw)
+                + self.pixel_silhouette_term(eval, &camera, pixel, &support, draw);
         }
-        let light = self.interior(world, &camera, &support, draw);
+        let light = self.interior(eval, &camera, &support, draw);
         match W::MOVES && support.jumps() {
-            true => light + self.pixel_border_term(world, &camera, &support, draw),
+            true => light + self.pixel_border_term(eval, &camera, &support, draw),
             false => light,
         }
     }
 
     /// The camera, from a point of its lens.
-    fn camera<R: Real, W: SceneEval<R>>(&self, world: &W, draw: Draw) -> Camera<R> {
+    fn camera<R: Real, W: SceneEval<R>>(&self, eval: &W, draw: Draw) -> Camera<R> {
         let scene = &self.accel.scene;
         let lens = match scene.sensor.model.has_lens() {
             true => uniform_disk(draw.stream.pair(LENS)),
             false => [0.0; 2],
         };
-        let moving = View::new(&scene.sensor, &scene.film, &world.sensor(), lens);
+        let moving = View::new(&scene.sensor, &scene.film, &eval.sensor(), lens);
         Camera {
             primal: moving.value(),
             moving,
@@ -79,7 +74,7 @@ impl Tracer<'_> {
     /// The integral at film points that stay, drawn as for the picture.
     fn interior_at_rest<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         camera: &Camera<R>,
         support: &Support,
         draw: Draw,
@@ -89,12 +84,12 @@ impl Tracer<'_> {
         let view = &camera.moving;
         let ray = view.ray(view.direction(s.map(R::constant)));
         let weight = support.weight(s) / support.pdf(0.0, s);
-        self.radiance(world, ray, draw) * R::constant(weight)
+        self.radiance(eval, ray, draw) * R::constant(weight)
     }
 
     fn interior<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         camera: &Camera<R>,
         support: &Support,
         draw: Draw,
@@ -103,19 +98,19 @@ impl Tracer<'_> {
         let uniform = if W::MOVES { UNIFORM } else { 0.0 };
         let s = support.sample(uniform, stream.number(FILM_CHOICE), stream.pair(FILM));
         let density = support.pdf(uniform, s);
-        let point = self.film_point(world, camera, s, 0, draw);
+        let point = self.film_point(eval, camera, s, 0, draw);
         if !W::MOVES || support.jumps() {
-            return self.share(world, support, &point, density, draw);
+            return self.share(eval, support, &point, density, draw);
         }
         // The filter's slope points opposite ways on opposite sides of its
         // centre: where the picture moves, averaging both removes most of its
         // noise.
-        let other = self.film_point(world, camera, support.mirror(s), 1, draw);
+        let other = self.film_point(eval, camera, support.mirror(s), 1, draw);
         if !point.moves() && !other.moves() {
-            return self.share(world, support, &point, density, draw);
+            return self.share(eval, support, &point, density, draw);
         }
-        let both = self.share(world, support, &point, density, draw)
-            + self.share(world, support, &other, density, draw);
+        let both = self.share(eval, support, &point, density, draw)
+            + self.share(eval, support, &other, density, draw);
         both * R::constant(0.5)
     }
 
@@ -123,14 +118,14 @@ impl Tracer<'_> {
     /// field's jacobian.
     fn share<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         support: &Support,
         point: &FilmPoint<R>,
         density: f64,
         draw: Draw,
     ) -> Rgb<R> {
         let weight = support.weight(point.film) * point.jacobian * R::constant(1.0 / density);
-        self.radiance(world, point.ray, draw) * weight
+        self.radiance(eval, point.ray, draw) * weight
     }
 
     /// `-∮ W L ṡ·n dl` along the sides of the support where the filter jumps.
@@ -138,7 +133,7 @@ impl Tracer<'_> {
     /// that a picture that moves as a whole costs little noise.
     fn pixel_border_term<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         camera: &Camera<R>,
         support: &Support,
         draw: Draw,
@@ -155,7 +150,7 @@ impl Tracer<'_> {
             }
             let mut s = [place; 2];
             s[axis] = side.bounds[end];
-            let film = self.carried_film_point(world, camera, s, draw)[axis];
+            let film = self.carried_film_point(eval, camera, s, draw)[axis];
             let flow = film - R::constant(film.value());
             if !flow.is_constant() {
                 // Two axes, each drawn half of the time.
@@ -170,7 +165,7 @@ impl Tracer<'_> {
 
     fn film_point<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         camera: &Camera<R>,
         s: [f64; 2],
         walk: u32,
@@ -187,7 +182,7 @@ impl Tracer<'_> {
             };
         }
         let (settings, numbers) = self.film_walk(walk, draw);
-        let warped = world.warp(&self.camera_eye(view), q, settings, numbers);
+        let warped = eval.warp(&self.camera_eye(view), q, settings, numbers);
         let area = view.film_area_per_solid_angle(warped.direction);
         FilmPoint {
             ray: view.ray(warped.direction),
@@ -200,7 +195,7 @@ impl Tracer<'_> {
     /// Where the field carries a film point, pixels.
     fn carried_film_point<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         camera: &Camera<R>,
         s: [f64; 2],
         draw: Draw,
@@ -208,7 +203,7 @@ impl Tracer<'_> {
         let (settings, numbers) = self.film_walk(2, draw);
         let q = camera.primal.direction(s);
         let view = &camera.moving;
-        view.film(world.warp_value(&self.camera_eye(view), q, settings, numbers))
+        view.film(eval.warp_value(&self.camera_eye(view), q, settings, numbers))
     }
 
     fn camera_eye<R: Real>(&self, view: &View<R>) -> Viewpoint<R> {

@@ -40,14 +40,14 @@ const TINY: f64 = 1e-30;
 /// rest, `eye` the same point in motion.
 pub fn gathered_term<R: Real, W: SceneEval<R>>(
     field: &Field,
-    world: &W,
-    eye: &Viewpoint<R>,
+    eval: &W,
+    viewpoint: &Viewpoint<R>,
     vertex: &Vertex<f64>,
     draw: Draw,
     dimension: u32,
 ) -> Rgb<R> {
     let lamps = &field.boundaries.area_emitters;
-    if !field.method.traits().gathers || lamps.is_empty() || world.is_still(eye) {
+    if lamps.is_empty() || eval.is_still(viewpoint) {
         return Rgb::zero();
     }
     let [choice, place] = draw.stream.pair(dimension);
@@ -64,8 +64,8 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
             continue;
         };
         let warped = Vec3::constant(point.direction);
-        let ends = point.ends().map(|i| world.boundary_point(i));
-        let flow = point.flow(ends, eye.position, warped);
+        let ends = point.ends().map(|i| eval.boundary_point(i));
+        let flow = point.flow(ends, viewpoint.position, warped);
         // Not a number where the surface touches the edge: it goes on, to be counted.
         if !flow.is_constant() {
             let is_lamp = |emitter| emitter == lamp.emitter;

@@ -32,7 +32,7 @@ impl Tracer<'_> {
     /// A sample of the flux in a pixel.
     pub(super) fn pixel_silhouette_term<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         camera: &Camera<R>,
         pixel: [u32; 2],
         support: &Support,
@@ -53,7 +53,7 @@ impl Tracer<'_> {
         };
         let s = view.film(point.direction);
         let film = camera.moving.direction(s.map(R::constant));
-        let ends = point.ends().map(|i| world.boundary_point(i));
+        let ends = point.ends().map(|i| eval.boundary_point(i));
         let flow = point.flow(ends, camera.moving.eye, film);
         // Not a number where the camera touches the edge: it goes on, to be counted.
         if flow.is_constant() {

@@ -1,6 +1,6 @@
-//! One path tracer for the picture and its derivatives.
+//! One path tracer for the primal image and its derivatives.
 //!
-//! A pixel is an integral over paths. With a [`SceneEval`] at rest a sample of it is
+//! A pixel is an integral over paths. With the [`Primal`](crate::Primal) scene a sample of it is
 //! its value; with one that carries derivatives, every sampled direction moves
 //! with the velocity field around the point that it starts from, and the same
 //! code gives the integrand's derivative along the moved path (Algorithm 1).
@@ -11,13 +11,13 @@
 //! ∫ [ d/dε (W L / J)(moved) + (W L / J) div u ] dω  -  ∮ W L ṡ·n dl
 //! ```
 //!
-//! where `W / J` is the filter times film area per solid angle, and the flux
+//! where `W / J` is the filter times film area per solid angle, and the border term
 //! is taken where the filter ends without being zero, `ṡ` the film velocity of
 //! the moved direction. `L` itself is such an integral, over the directions
 //! from the surface, once for light that comes from emitters and once for
 //! light that comes from other surfaces.
 //!
-//! Sampling, weights and roulette see the scene at rest.
+//! Sampling, weights and roulette are detached: they see the primal scene.
 
 use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
 use capwalk_geometry::{Hit, Ray};
@@ -44,7 +44,7 @@ const RR_MIN: f64 = 0.05;
 /// The specular events since a direction was warped along a field.
 #[derive(Clone, Copy, Debug)]
 pub struct SpecularChain {
-    /// How many, if the field has the outlines that are seen behind them.
+    /// How many, if the field has the silhouettes that are seen behind them.
     count: Option<u32>,
     /// After which further ones at this place it has them, too.
     here: FlatEvents,
@@ -63,7 +63,7 @@ impl Default for SpecularChain {
 }
 
 impl SpecularChain {
-    /// Their number with one more, if the field has the outlines behind it.
+    /// Their number with one more, if the field has the silhouettes behind it.
     fn after(&self, event: Event) -> Option<u32> {
         let is_missed = self.is_parallel && event == Event::Reflect;
         let has = self.here.contains(event) && !is_missed;
@@ -76,7 +76,7 @@ impl Tracer<'_> {
     /// A sample of the radiance that arrives along a moving camera ray.
     pub(crate) fn radiance<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         ray: ViewRay<R>,
         draw: Draw,
     ) -> Rgb<R> {
@@ -86,40 +86,47 @@ impl Tracer<'_> {
             mut direction,
             range: [t_min, t_max],
         } = ray;
+        // What the camera sees first, between its clip planes.
         let mut hit = accel.first_hit_within(&Ray {
             origin: origin.value(),
             direction: direction.value(),
             t_min,
             t_max,
         });
+        // An image of something else than light ends there.
         if let Some(layer) = plan.layer {
             return hit.map_or(Rgb::zero(), |hit| {
-                let surface = surface_at(world, accel, &hit, origin, direction);
-                layer_at(world, accel, layer, &surface, origin, direction)
+                let surface = surface_at(eval, accel, &hit, origin, direction);
+                layer_at(eval, accel, layer, &surface, origin, direction)
             });
         }
+        // Radiance collected so far; paths of one segment end at what emits.
         let mut light = Rgb::zero();
         if plan.reaches(1)
             && !plan.hide_emitters
             && let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction.value())
         {
-            light += emitted_at(world, accel, emitter, hit.as_ref(), origin, direction);
+            light += emitted_at(eval, accel, emitter, hit.as_ref(), origin, direction);
         }
-        let mut throughput = Rgb::constant(Rgb::splat(1.0)); // over its density
+        // The product of BSDFs, cosines and Jacobians over the density of the path so far.
+        let mut throughput = Rgb::constant(Rgb::splat(1.0));
+        // The specular events since the direction was last warped.
         let mut chain = SpecularChain {
             is_parallel: accel.view.is_parallel(),
             ..SpecularChain::default()
         };
         for depth in 0.. {
+            // The path goes on from a surface that is hit, if paths so long are sampled.
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
                 break;
             };
-            let surface = surface_at(world, accel, &found, origin, direction);
-            let Some(vertex) = vertex_at(world, accel, &surface, direction) else {
+            let surface = surface_at(eval, accel, &found, origin, direction);
+            let Some(vertex) = vertex_at(eval, accel, &surface, direction) else {
                 break;
             };
             chain.here = accel.flat_events(&found);
-            let (emitted, next) = self.emitted(world, &vertex, depth, chain, draw);
+            // Light that comes from emitters, and a direction in which the path can go on.
+            let (emitted, next) = self.emitted(eval, &vertex, depth, chain, draw);
             light += throughput * emitted;
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
                 break;
@@ -127,27 +134,32 @@ impl Tracer<'_> {
             let over_density = R::constant(1.0 / next.pdf);
             direction = match next.specular {
                 None => {
-                    // Light from another surface, along the field around this one.
+                    // Light from another surface: the direction moves along the field around
+                    // this one, and the path is multiplied by `1 + div u` (Algorithm 1).
                     let events = self.events_behind(depth + 1);
-                    let eye =
+                    let viewpoint =
                         Viewpoint::towards_surfaces(vertex.position, vertex.face_normal, events);
                     let (walk, numbers) = self.vertex_walk(depth, 1, draw);
-                    let warped = world.warp(&eye, next.direction, walk, numbers);
+                    let warped = eval.warp(&viewpoint, next.direction, walk, numbers);
                     let f = vertex.eval(warped.direction);
                     throughput = throughput * (f * (warped.jacobian * over_density));
                     chain = SpecularChain::default();
                     warped.direction
                 }
                 Some(event) => {
+                    // A specular direction moves as its event says; it has no field of its own
+                    // (METHOD 6).
                     let (wo, fraction) = vertex.specular(event);
                     throughput = throughput * (fraction * over_density);
                     chain.count = chain.after(event.event);
                     wo
                 }
             };
+            // Nothing more can come; a derivative still can.
             if !W::MOVES && throughput == Rgb::zero() {
                 break;
             }
+            // Roulette ends long paths at random, by their throughput without derivative.
             if depth + 1 >= plan.rr_depth {
                 let least = if W::MOVES { RR_MIN } else { 0.0 };
                 let survival = throughput.value().max_component().clamp(least, RR_MAX);
@@ -163,11 +175,11 @@ impl Tracer<'_> {
         light
     }
 
-    /// Counts a ray after a specular event that bends light if outlines seen there
+    /// Counts a ray after a specular event that bends light if silhouettes seen there
     /// can move against it: they bound no field.
     fn count_uncovered<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         origin: Vec3<R>,
         direction: Vec3<R>,
         hit: &Option<Hit>,
@@ -177,7 +189,7 @@ impl Tracer<'_> {
         let surface_moves = || {
             let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
             let mut corners = corners.into_iter().flatten();
-            corners.any(|i| !world.vertex(i).is_constant())
+            corners.any(|i| !eval.vertex(i).is_constant())
         };
         if ray_moves || surface_moves() {
             let uncovered = &draw.counts.uncovered;
@@ -189,14 +201,14 @@ impl Tracer<'_> {
     /// reflected there, and where a path could go on.
     pub fn emitted<R: Real, W: SceneEval<R>>(
         &self,
-        world: &W,
+        eval: &W,
         vertex: &Vertex<R>,
         depth: u32,
         chain: SpecularChain,
         draw: Draw,
     ) -> (Rgb<R>, Option<Continuation>) {
         let mut light = Rgb::zero();
-        let eye = Viewpoint::towards_emitters(vertex.position, vertex.face_normal);
+        let viewpoint = Viewpoint::towards_emitters(vertex.position, vertex.face_normal);
         let primal = vertex.value();
         let next = sample_lights(
             self.accel,
@@ -210,7 +222,7 @@ impl Tracer<'_> {
                 let radiance = |direction: Vec3<R>| {
                     let hit = sample.hit.as_ref();
                     emitted_at(
-                        world,
+                        eval,
                         self.accel,
                         sample.emitter,
                         hit,
@@ -218,24 +230,28 @@ impl Tracer<'_> {
                         direction,
                     )
                 };
+                // A specular direction: what emits there, seen by the event.
                 if let Some(event) = sample.specular {
                     let (direction, fraction) = vertex.specular(event);
                     light += fraction * radiance(direction) * weight;
                     return;
                 }
+                // An emitter without extent is seen in one direction, wherever that moves.
                 let emitter = self.accel.scene.emitter(sample.emitter);
-                if let Some(delta) = emitter.delta_light(vertex.position, |id| world.texel(id, 0).r)
+                if let Some(delta) = emitter.delta_light(vertex.position, |id| eval.texel(id, 0).r)
                 {
                     let f = vertex.eval(delta.direction);
-                    let irradiance = world.texel(emitter.radiance(), 0) * delta.factor;
+                    let irradiance = eval.texel(emitter.radiance(), 0) * delta.factor;
                     light += f * irradiance * weight;
                     return;
                 }
+                // Any other direction moves along the field around this point, unless edges
+                // before the emitter are gathered.
                 let warped = match self.gathers(sample.emitter) {
                     true => Warped::still(sample.direction),
                     false => {
                         let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
-                        world.warp(&eye, sample.direction, walk, numbers)
+                        eval.warp(&viewpoint, sample.direction, walk, numbers)
                     }
                 };
                 let f = vertex.eval(warped.direction);
@@ -244,7 +260,7 @@ impl Tracer<'_> {
             |event, hit| {
                 if W::MOVES && (chain.after(event.event).is_none() || self.misses_mirrors()) {
                     let (direction, _) = vertex.specular(event);
-                    self.count_uncovered(world, vertex.position, direction, hit, draw);
+                    self.count_uncovered(eval, vertex.position, direction, hit, draw);
                 }
             },
         );
@@ -254,19 +270,21 @@ impl Tracer<'_> {
             && let Some(Moving { field, .. }) = &self.moving
             && field.method.traits().is_spherical
         {
-            let scene = &self.accel.scene;
-            if !field.method.traits().gathers || scene.environment().is_some() {
-                // What the field carries over the edges of lamps.
+            let gathers = field.method.traits().gathers;
+            if !gathers || self.accel.scene.environment().is_some() {
+                // What the field moves across the edges of emitters (METHOD 3).
                 let u = draw.stream.number(self.emitter_edge_number(depth));
                 let (walk, numbers) = self.vertex_walk(depth, 0, draw);
                 let (boundaries, walks) = (field.boundaries, |id| !self.gathers(id));
                 light += emitter_edge_term(
-                    self.accel, boundaries, world, &eye, &primal, u, walk, numbers, walks,
+                    self.accel, boundaries, eval, &viewpoint, &primal, u, walk, numbers, walks,
                 );
             }
-            // What moves across directions that stay.
-            let dimension = EDGE_NUMBERS + gathered_term::NUMBERS * (depth + 1);
-            light += gathered_term(field, world, &eye, &primal, draw, dimension);
+            if gathers {
+                // What moves across directions that stay (METHOD 8).
+                let dimension = EDGE_NUMBERS + gathered_term::NUMBERS * (depth + 1);
+                light += gathered_term(field, eval, &viewpoint, &primal, draw, dimension);
+            }
         }
         (light, next)
     }

@@ -12,7 +12,7 @@ use crate::vertex::Vertex;
 /// The vertex of a path at a surface that is seen along `direction`; `None` if
 /// the side that is seen is black.
 pub fn vertex_at<R: Real, W: SceneEval<R>>(
-    world: &W,
+    eval: &W,
     accel: &Accel,
     surface: &Surface<R>,
     direction: Vec3<R>,
@@ -23,7 +23,7 @@ pub fn vertex_at<R: Real, W: SceneEval<R>>(
         None => Frame::from_normal(surface.outward),
     };
     let textures = &mut Textures {
-        world,
+        eval,
         surface,
         frame,
     };
@@ -48,7 +48,7 @@ pub fn vertex_at<R: Real, W: SceneEval<R>>(
 
 /// The textures where a surface is met.
 struct Textures<'a, R, W> {
-    world: &'a W,
+    eval: &'a W,
     surface: &'a Surface<R>,
     /// The shading frame on the outside.
     frame: Frame<R>,
@@ -57,28 +57,28 @@ struct Textures<'a, R, W> {
 impl<R: Real, W: SceneEval<R>> TexturesAt<R> for Textures<'_, R, W> {
     #[inline]
     fn value(&mut self, id: TextureId) -> Rgb<R> {
-        self.world.lookup(id, &self.surface.point)
+        self.eval.lookup(id, &self.surface.point)
     }
     /// With the position `p(u, v)` and the axes `s` and `t`, where `s` is along
     /// `∂p/∂u`: `h_u = (∂p/∂u·s) h_s` and `h_v = (∂p/∂v·s) h_s + (∂p/∂v·t) h_t`.
     fn gradient(&mut self, id: TextureId) -> [Rgb<R>; 2] {
         let (surface, frame) = (self.surface, &self.frame);
-        let Pattern::Bitmap(bitmap) = &self.world.scene().texture(id).pattern else {
+        let Pattern::Bitmap(bitmap) = &self.eval.scene().texture(id).pattern else {
             unreachable!("scenes are checked for heights with slopes");
         };
         let Some([along_u, along_v]) = surface.tangents else {
             return [Rgb::zero(); 2]; // texture coordinates that do not span the face
         };
-        let [by_u, by_v] = bitmap.gradient(surface.point.uv, |index| self.world.texel(id, index));
+        let [by_u, by_v] = bitmap.gradient(surface.point.uv, |index| self.eval.texel(id, index));
         let by_s = by_u / along_u.dot(frame.s);
         let by_t = (by_v - by_s * along_v.dot(frame.s)) / along_v.dot(frame.t);
         [by_s, by_t]
     }
     fn may_change(&self, id: TextureId) -> bool {
-        let scene = self.world.scene();
+        let scene = self.eval.scene();
         let shape = scene.shape(self.surface.point.shape);
         let numbers = scene.numbers_of(id, shape);
-        self.world.is_asked_for(numbers)
+        self.eval.is_asked_for(numbers)
     }
 }
 
@@ -129,12 +129,12 @@ mod tests {
         let (origin, down) = (Vec3::new(0.1, 0.2, 4.0), Vec3::new(0.0, 0.0, -1.0));
         let hit = accel.first_hit(origin, down).expect("above the triangle");
         assert_eq!(accel.shape_of(&hit), ShapeId(0));
-        let world = Primal(&accel);
-        let surface = surface_at(&world, &accel, &hit, origin, down);
+        let eval = Primal(&accel);
+        let surface = surface_at(&eval, &accel, &hit, origin, down);
         let [along_u, _] = surface.tangents.expect("texture coordinates");
         let frame = Frame::from_normal_and_tangent(surface.outward, along_u);
         let mut textures = Textures {
-            world: &world,
+            eval: &eval,
             surface: &surface,
             frame,
         };

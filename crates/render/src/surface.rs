@@ -44,7 +44,7 @@ impl<R: Real> Surface<R> {
 /// latter would end the material along a curve inside faces, where no edge
 /// is.
 pub fn surface_at<R: Real, W: SceneEval<R>>(
-    world: &W,
+    eval: &W,
     accel: &Accel,
     hit: &Hit,
     origin: Vec3<R>,
@@ -55,7 +55,7 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
     let shape = scene.shape(shape_id);
     let corners = accel.mesh.faces[hit.face as usize];
     let [i, j, k] = corners;
-    let (a, b, c) = (world.vertex(i), world.vertex(j), world.vertex(k));
+    let (a, b, c) = (eval.vertex(i), eval.vertex(j), eval.vertex(k));
     let (edge1, edge2) = (b - a, c - a);
     let cross = edge1.cross(edge2);
 
@@ -87,7 +87,7 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
         None => (cross.normalized(), 1.0),
         Some(_) => {
             let first = accel.first_vertex[shape_id.0 as usize];
-            let normal = |i: u32| world.normal(shape_id.0 as usize, i - first);
+            let normal = |i: u32| eval.normal(shape_id.0 as usize, i - first);
             let (na, nb, nc) = (normal(i), normal(j), normal(k));
             let out = (na + nb + nc).value().dot(face_normal).signum();
             let normal = (na + (nb - na) * wb + (nc - na) * wc).normalized();
@@ -126,7 +126,7 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
 /// What an emitter sends back along a ray that meets it at `hit`, or in no
 /// surface if it is the environment. Lights without extent are met by no ray.
 pub fn emitted_at<R: Real, W: SceneEval<R>>(
-    world: &W,
+    eval: &W,
     accel: &Accel,
     emitter: EmitterId,
     hit: Option<&Hit>,
@@ -136,11 +136,11 @@ pub fn emitted_at<R: Real, W: SceneEval<R>>(
     let scene = &accel.scene;
     match (scene.emitter(emitter), hit) {
         (Emitter::Area { radiance, .. }, Some(hit)) if !scene.texture(*radiance).is_constant() => {
-            let surface = surface_at(world, accel, hit, origin, direction);
-            world.lookup(*radiance, &surface.point)
+            let surface = surface_at(eval, accel, hit, origin, direction);
+            eval.lookup(*radiance, &surface.point)
         }
         (Emitter::Area { radiance, .. } | Emitter::Constant { radiance, .. }, _) => {
-            world.texel(*radiance, 0)
+            eval.texel(*radiance, 0)
         }
         (
             Emitter::EnvironmentMap {
@@ -148,8 +148,8 @@ pub fn emitted_at<R: Real, W: SceneEval<R>>(
             },
             _,
         ) => {
-            let texels = map.lookup(direction, |index| world.texel(*data, index));
-            texels * world.texel(*scale, 0)
+            let texels = map.lookup(direction, |index| eval.texel(*data, index));
+            texels * eval.texel(*scale, 0)
         }
         (Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }, _) => {
             unreachable!("no ray meets a light without extent")
