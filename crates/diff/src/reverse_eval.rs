@@ -34,8 +34,8 @@ struct Mark<'t> {
 enum Origin<'t> {
     /// The scene: three numbers.
     Scene(Target),
-    /// A warped direction, three numbers, with its Jacobian behind them if the warp has
-    /// a divergence.
+    /// A warped direction: three numbers, and its Jacobian behind them if that was asked
+    /// for.
     Warp(Box<WarpedFrom<'t>>),
 }
 
@@ -44,6 +44,7 @@ struct WarpedFrom<'t> {
     q: Vec3,
     viewpoint: Viewpoint<Var<'t>>,
     warp: Warp,
+    has_jacobian: bool,
 }
 
 /// Room for the marks of most samples.
@@ -72,8 +73,15 @@ impl<'a, 't> Reverse<'a, 't> {
         self.tape.variables(value)
     }
 
-    /// A direction that a warp moves; `None` if nothing wanted moves it.
-    fn warped(&self, viewpoint: &Viewpoint<Var<'t>>, q: Vec3, warp: Warp) -> Option<Vec3<Var<'t>>> {
+    /// A direction that a warp moves, to be followed on the tape by its Jacobian if it
+    /// `has_jacobian`; `None` if nothing wanted moves it.
+    fn warped(
+        &self,
+        viewpoint: &Viewpoint<Var<'t>>,
+        q: Vec3,
+        warp: Warp,
+        has_jacobian: bool,
+    ) -> Option<Vec3<Var<'t>>> {
         let viewpoint_moves = !viewpoint.vectors().iter().all(|v| v.is_constant());
         let point = |i: u32| self.points[i as usize];
         if !warp.depends(&self.field, point, viewpoint_moves) {
@@ -83,6 +91,7 @@ impl<'a, 't> Reverse<'a, 't> {
             q,
             viewpoint: *viewpoint,
             warp,
+            has_jacobian,
         };
         Some(self.variables(true, q, Origin::Warp(Box::new(from))))
     }
@@ -112,10 +121,15 @@ impl<'a, 't> Reverse<'a, 't> {
                 Origin::Warp(from) => {
                     // The transposed warp leads to the scene, and to the viewpoint, which
                     // was recorded before.
-                    let WarpedFrom { q, viewpoint, warp } = *from;
-                    let divergence = match warp {
-                        Warp::Value(_) => 0.0,
-                        _ => adjoints.at(mark.place + 3),
+                    let WarpedFrom {
+                        q,
+                        viewpoint,
+                        warp,
+                        has_jacobian,
+                    } = *from;
+                    let divergence = match has_jacobian {
+                        true => adjoints.at(mark.place + 3),
+                        false => 0.0,
                     };
                     let vectors = viewpoint.vectors();
                     warp.pull(
@@ -213,7 +227,7 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         }
         let warp = self.field.warp(viewpoint, q, walk, numbers);
         let near_boundary = !warp.is_zero();
-        match self.warped(viewpoint, q, warp) {
+        match self.warped(viewpoint, q, warp, true) {
             None => Warped {
                 near_boundary,
                 ..Warped::still(q)
@@ -236,7 +250,7 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
             return Vec3::constant(q);
         }
         let warp = self.field.warp_value(viewpoint, q, walk, numbers);
-        let direction = self.warped(viewpoint, q, warp);
+        let direction = self.warped(viewpoint, q, warp, false);
         direction.unwrap_or_else(|| Vec3::constant(q))
     }
 }
