@@ -177,7 +177,7 @@ impl fmt::Display for Refusal {
             ),
             Self::HardShadows { emitter, plugin } => write!(
                 f,
-                "the emitter \"{emitter}\" ({plugin}) has no extent, and the motion of the hard \
+                "the emitter \"{emitter}\" ({plugin}) has no extent, and the tangent of the hard \
                  edges of its shadows is not available. Use a small area emitter instead, or finite \
                  differences"
             ),
@@ -193,7 +193,7 @@ impl fmt::Display for Refusal {
             } => write!(
                 f,
                 "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
-                 texels, and the method `{method}` misses the motion of these discontinuities. Use \
+                 texels, and the method `{method}` misses the tangent of these discontinuities. Use \
                  the filter `bilinear`, the default method, or finite differences"
             ),
             Self::ManyTextureLines {
@@ -239,7 +239,7 @@ impl fmt::Display for Refusal {
             } => write!(
                 f,
                 "without `{flag}` the {plugin} \"{material}\" cuts light off along curves inside \
-                 faces, and their motion is not available. Set it to true, or use finite differences"
+                 faces, and their tangent is not available. Set it to true, or use finite differences"
             ),
             Self::Clipped {
                 shape,
@@ -294,7 +294,7 @@ fn specular_motion(f: &mut fmt::Formatter<'_>, share: f64, cause: SpecularCause)
             return write!(
                 f,
                 "things move that are seen in mirrors or through what lets light pass (about \
-                 {per_cent:.2} specular events in 100 samples), and the motion of their silhouettes \
+                 {per_cent:.2} specular events in 100 samples), and the tangent of their silhouettes \
                  there is not available with fields on triangles. Use fields on the sphere, the \
                  default, which have it for flat mirrors and panes"
             );
@@ -311,7 +311,7 @@ fn specular_motion(f: &mut fmt::Formatter<'_>, share: f64, cause: SpecularCause)
     write!(
         f,
         "things move that are seen {seen}, through refracting glass, or after more than {most} \
-         reflections (about {per_cent:.2} specular events in 100 samples), and the motion of their \
+         reflections (about {per_cent:.2} specular events in 100 samples), and the tangent of their \
          silhouettes there is not available. It is {covered} (without vertex normals) and through \
          panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use one of these, a \
          rough material (alpha of 0.01 or more), or finite differences"

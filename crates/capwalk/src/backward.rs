@@ -5,7 +5,7 @@ use std::ops::Index;
 
 use capwalk_diff::{Backward, Refusal, Statistics, Wanted, Watch};
 use capwalk_scene::params::{ArrayParameter, ParameterError, Request};
-use capwalk_scene::{Image, Motion, Scene};
+use capwalk_scene::{Image, Scene, Tangent};
 
 use crate::direction::is_zero;
 use crate::engine::Engine;
@@ -120,17 +120,17 @@ pub(crate) fn backward<N: AsRef<str>>(
     let scene = engine.scene();
     let requests = requests(engine, names)?;
     // One pass over the samples gives a covector on everything that any of them moves.
-    let mut wanted = Wanted::by(&Motion::zero(scene));
+    let mut wanted = Wanted::by(&Tangent::zero(scene));
     for (_, request) in &requests {
         wanted.add(&Wanted::by(&match request {
-            Request::Motion(motion) => motion.clone(),
-            Request::Array(array) => array.motion(scene, &vec![1.0; array.count()]),
+            Request::Tangent(tangent) => tangent.clone(),
+            Request::Array(array) => array.tangent(scene, &vec![1.0; array.count()]),
         }));
     }
     let result = engine.backward(adjoint, &wanted, options, watch)?;
     // Each parameter's gradient is a linear map of the covector.
     let gradients = requests.into_iter().map(|(name, request)| match request {
-        Request::Motion(motion) => of_number(name, &motion, &result),
+        Request::Tangent(tangent) => of_number(name, &tangent, &result),
         Request::Array(array) => of_array(scene, name, &array, &result),
     });
     Ok(Gradients {
@@ -146,8 +146,8 @@ fn requests<N: AsRef<str>>(engine: &Engine, names: &[N]) -> Result<Vec<(String, 
     for name in names {
         let name = name.as_ref();
         let request = engine.registry().request(engine.scene(), name)?;
-        if let Request::Motion(motion) = &request
-            && is_zero(motion)
+        if let Request::Tangent(tangent) = &request
+            && is_zero(tangent)
         {
             return Err(Error::NothingMoves {
                 what: format!("the parameters in \"{name}\""),
@@ -165,15 +165,15 @@ fn requests<N: AsRef<str>>(engine: &Engine, names: &[N]) -> Result<Vec<(String, 
 pub(crate) fn array(engine: &Engine, name: &str) -> Result<ArrayParameter, ParameterError> {
     match engine.registry().request(engine.scene(), name)? {
         Request::Array(array) => Ok(array),
-        Request::Motion(_) => Err(ParameterError::NoParameter {
+        Request::Tangent(_) => Err(ParameterError::NoParameter {
             name: name.into(),
             reason: "it is a direction and has no values of its own; name an array".into(),
         }),
     }
 }
 
-fn of_number(name: String, motion: &Motion, result: &Backward) -> ParameterGradient {
-    let (value, error) = result.along(motion);
+fn of_number(name: String, tangent: &Tangent, result: &Backward) -> ParameterGradient {
+    let (value, error) = result.along(tangent);
     ParameterGradient {
         name,
         shape: Vec::new(),
@@ -197,7 +197,7 @@ fn of_array(
         0.0 => vec![0.0; numbers.len()],
         size => numbers.iter().map(|x| x / size).collect(),
     };
-    let (_, size_error) = result.along(&array.motion(scene, &unit));
+    let (_, size_error) = result.along(&array.tangent(scene, &unit));
     ParameterGradient {
         name,
         shape: array.shape.clone(),

@@ -4,24 +4,24 @@ use std::borrow::Cow;
 
 use capwalk_math::Vec3;
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Motion, Scene, SensorMotion};
+use capwalk_scene::{Scene, SensorVectors, Tangent};
 
 use crate::error::Error;
 
 /// What an image can be differentiated along: an expression such as
-/// `"ball.translate.x"` or `"lamp.translate.x - 0.5*floor.rotate.z"`, or a [`Motion`]
+/// `"ball.translate.x"` or `"lamp.translate.x - 0.5*floor.rotate.z"`, or a [`Tangent`]
 /// that was made by hand.
 pub trait Direction {
     /// The velocities that are meant in this scene, whose names are in the registry; not
     /// all of them are zero.
-    fn motion(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Motion>, Error>;
+    fn tangent(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Tangent>, Error>;
 }
 
 impl Direction for str {
-    fn motion(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Motion>, Error> {
-        let motion = registry.motion(scene, self)?;
-        match is_zero(&motion) {
-            false => Ok(Cow::Owned(motion)),
+    fn tangent(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Tangent>, Error> {
+        let tangent = registry.tangent(scene, self)?;
+        match is_zero(&tangent) {
+            false => Ok(Cow::Owned(tangent)),
             true => Err(Error::NothingMoves {
                 what: format!("the parameters in \"{self}\""),
             }),
@@ -30,13 +30,13 @@ impl Direction for str {
 }
 
 impl Direction for String {
-    fn motion(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Motion>, Error> {
-        self.as_str().motion(scene, registry)
+    fn tangent(&self, scene: &Scene, registry: &Registry) -> Result<Cow<'_, Tangent>, Error> {
+        self.as_str().tangent(scene, registry)
     }
 }
 
-impl Direction for Motion {
-    fn motion(&self, _: &Scene, _: &Registry) -> Result<Cow<'_, Motion>, Error> {
+impl Direction for Tangent {
+    fn tangent(&self, _: &Scene, _: &Registry) -> Result<Cow<'_, Tangent>, Error> {
         match is_zero(self) {
             false => Ok(Cow::Borrowed(self)),
             true => Err(Error::NothingMoves {
@@ -47,10 +47,10 @@ impl Direction for Motion {
 }
 
 /// True if nothing moves or changes.
-pub(crate) fn is_zero(motion: &Motion) -> bool {
-    let mut shapes = motion.shapes.iter().flatten();
-    let mut numbers = motion.textures.iter().flatten().flatten();
-    motion.sensor == SensorMotion::default()
+pub(crate) fn is_zero(tangent: &Tangent) -> bool {
+    let mut shapes = tangent.shapes.iter().flatten();
+    let mut numbers = tangent.textures.iter().flatten().flatten();
+    tangent.sensor == SensorVectors::default()
         && numbers.all(|&v| v == 0.0)
         && shapes.all(|shape| {
             let mut velocities = shape.vertices.iter().chain(shape.normals.iter().flatten());
@@ -67,10 +67,10 @@ mod tests {
     fn sums_that_cancel_are_refused() {
         let scene = capwalk_scene::builtin::scene("ball").expect("built in");
         let registry = Registry::new(&scene);
-        assert!("ball.normals[7,2]".motion(&scene, &registry).is_ok());
+        assert!("ball.normals[7,2]".tangent(&scene, &registry).is_ok());
         for nothing in ["0*ball.normals[7,2]", "ball.scale - ball.scale"] {
             let error = nothing
-                .motion(&scene, &registry)
+                .tangent(&scene, &registry)
                 .expect_err("zero")
                 .to_string();
             assert!(error.contains("nothing moves"), "{error}");

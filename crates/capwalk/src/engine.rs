@@ -7,7 +7,7 @@ use capwalk_diff::{
     Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Image, Motion, Scene};
+use capwalk_scene::{Image, Scene, Tangent};
 
 /// A scene that is ready to be rendered.
 #[derive(Debug)]
@@ -43,21 +43,21 @@ impl Engine {
 
     pub fn gradient(
         &self,
-        motion: &Motion,
+        tangent: &Tangent,
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Refusal> {
-        capwalk_diff::gradient(&self.prepared, motion, options, watch)
+        capwalk_diff::gradient(&self.prepared, tangent, options, watch)
     }
 
     pub fn finite_difference(
         &self,
-        motion: &Motion,
+        tangent: &Tangent,
         step: f64,
         options: &RenderOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Refusal> {
-        capwalk_diff::finite_difference(self.scene(), motion, step, options, watch)
+        capwalk_diff::finite_difference(self.scene(), tangent, step, options, watch)
     }
 
     pub fn backward(

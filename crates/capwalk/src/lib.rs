@@ -75,8 +75,8 @@ pub use capwalk_diff::{
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};
 pub use capwalk_math::{Rgb, Vec3};
-pub use capwalk_scene::params::{self, ParameterError, vertex_motion};
-pub use capwalk_scene::{Filter, Image, Motion, Scene, SceneError, Sensor, ShapeMotion};
+pub use capwalk_scene::params::{self, ParameterError, vertex_tangent};
+pub use capwalk_scene::{Filter, Image, Scene, SceneError, Sensor, ShapeVectors, Tangent};
 pub use capwalk_scene_io::{
     Diagnostic, LoadError, Loaded, VelocityFileError, Warning, read_velocities,
 };

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use capwalk_diff::{GradientImage, Refusal, Rendering, Watch};
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Image, Motion, Scene, SceneError};
+use capwalk_scene::{Image, Scene, SceneError, Tangent};
 
 use crate::backward::{self, GradientNames, Gradients};
 use crate::check::{Check, CheckOptions};
@@ -101,8 +101,8 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Error> {
-        let motion = direction.motion(self.scene(), self.registry())?;
-        Ok(self.engine.gradient(&motion, options, watch)?)
+        let tangent = direction.tangent(self.scene(), self.registry())?;
+        Ok(self.engine.gradient(&tangent, options, watch)?)
     }
 
     /// The derivative of the image along a direction by central differences with common
@@ -114,22 +114,22 @@ impl Prepared {
         options: &DifferenceOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Error> {
-        let motion = direction.motion(self.scene(), self.registry())?;
+        let tangent = direction.tangent(self.scene(), self.registry())?;
         let step = options
             .step
-            .unwrap_or_else(|| self.difference_step(&motion));
+            .unwrap_or_else(|| self.difference_step(&tangent));
         let DifferenceOptions { spp, seed, .. } = *options;
         let options = RenderOptions { spp, seed };
         let result = self
             .engine
-            .finite_difference(&motion, step, &options, watch);
+            .finite_difference(&tangent, step, &options, watch);
         Ok(result?)
     }
 
     /// The step that central differences along this motion take by default, in units of
     /// the parameter.
-    pub fn difference_step(&self, motion: &Motion) -> f64 {
-        difference_step(self.scene(), motion)
+    pub fn difference_step(&self, tangent: &Tangent) -> f64 {
+        difference_step(self.scene(), tangent)
     }
 
     /// A gradient and its reference by central differences, with a verdict.
@@ -152,10 +152,10 @@ impl Prepared {
         options: &CheckOptions,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
-        let motion = &*direction.motion(self.scene(), self.registry())?;
-        let reference = options.reference(|| self.difference_step(motion));
-        let gradient = self.gradient(motion, &options.gradient, watch)?;
-        let differences = self.finite_difference(motion, &reference.options(), watch)?;
+        let tangent = &*direction.tangent(self.scene(), self.registry())?;
+        let reference = options.reference(|| self.difference_step(tangent));
+        let gradient = self.gradient(tangent, &options.gradient, watch)?;
+        let differences = self.finite_difference(tangent, &reference.options(), watch)?;
         Ok(Check::new(gradient, differences, reference))
     }
 

@@ -3,7 +3,7 @@
 use capwalk_diff::may_be_specular;
 use capwalk_math::{Dual, Vec3};
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{Filter, Motion, Scene, Shape, ShapeMotion};
+use capwalk_scene::{Filter, Scene, Shape, ShapeVectors, Tangent};
 
 /// Part of the size of the fastest shape that it moves by on each side of a
 /// finite difference. The bias of the difference grows with its square, the
@@ -17,23 +17,23 @@ const COLOUR_STEP: f64 = 0.01;
 
 /// The step of a finite difference along the motion, in units of its
 /// parameter: the smallest that any of the things that move asks for.
-pub fn difference_step(scene: &Scene, motion: &Motion) -> f64 {
+pub fn difference_step(scene: &Scene, tangent: &Tangent) -> f64 {
     let mut step = f64::INFINITY;
     // Vertices move by a part of their shape, given normals by as much as colours.
-    for (shape, motion) in scene.shapes.iter().zip(&motion.shapes) {
-        if let Some(motion) = motion {
+    for (shape, tangent) in scene.shapes.iter().zip(&tangent.shapes) {
+        if let Some(tangent) = tangent {
             let (low, high) = shape.mesh.bounds();
-            let speeds = motion.vertices.iter().map(|v| v.length());
+            let speeds = tangent.vertices.iter().map(|v| v.length());
             let fastest = speeds.fold(0.0, f64::max);
             step = step.min(STEP_FRACTION * (high - low).length() / fastest);
-            let turning = motion.normals.iter().flatten().map(|v| v.length());
+            let turning = tangent.normals.iter().flatten().map(|v| v.length());
             step = step.min(COLOUR_STEP / turning.fold(0.0, f64::max));
         }
     }
     // The sensor moves by a part of the scene, turned or not.
     let (low, high) = bounds(scene);
     let size = (high - low).length();
-    let sensor = &motion.sensor;
+    let sensor = &tangent.sensor;
     let turning = sensor
         .axes
         .iter()
@@ -41,9 +41,9 @@ pub fn difference_step(scene: &Scene, motion: &Motion) -> f64 {
     let speed = sensor.translation.length() + turning * size;
     step = step.min(STEP_FRACTION * size / speed);
     // Nothing in the image moves by more than a part of a pixel.
-    step = step.min(film_step(scene) / film_speed(scene, motion));
+    step = step.min(film_step(scene) / film_speed(scene, tangent));
     // Numbers of materials and emitters change a little.
-    let numbers = motion.textures.iter().flatten().flatten();
+    let numbers = tangent.textures.iter().flatten().flatten();
     let rate = numbers.map(|v| v.abs()).fold(0.0, f64::max);
     step.min(COLOUR_STEP / rate)
 }
@@ -61,9 +61,9 @@ fn film_step(scene: &Scene) -> f64 {
 /// The largest speed on the film, in pixels per unit of the parameter, of a
 /// vertex in the image, hidden or not; and of the image itself if the
 /// sensor turns.
-fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
+fn film_speed(scene: &Scene, tangent: &Tangent) -> f64 {
     let (sensor, film) = (&scene.sensor, &scene.film);
-    let moving = sensor.moving_state(&motion.sensor);
+    let moving = sensor.moving_state(&tangent.sensor);
     // The middle of the lens, and places on its rim.
     let lenses: &[[f64; 2]] = match sensor.model.has_lens() {
         true => &[[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]],
@@ -95,17 +95,17 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
     let vertices = scene
         .shapes
         .iter()
-        .zip(&motion.shapes)
-        .flat_map(|(shape, motion)| {
+        .zip(&tangent.shapes)
+        .flat_map(|(shape, tangent)| {
             shape
                 .mesh
                 .positions
                 .iter()
                 .enumerate()
                 .map(move |(i, &position)| {
-                    let velocity = motion
+                    let velocity = tangent
                         .as_ref()
-                        .map_or(Vec3::zero(), |motion| motion.vertices[i]);
+                        .map_or(Vec3::zero(), |tangent| tangent.vertices[i]);
                     (position, velocity)
                 })
         });
@@ -128,21 +128,21 @@ fn film_speed(scene: &Scene, motion: &Motion) -> f64 {
         )
     });
     let seen = of_vertices.chain(of_corners).fold(0.0, f64::max);
-    seen.max(mirrored_speed(scene, motion))
+    seen.max(mirrored_speed(scene, tangent))
 }
 
 /// A bound of the speed on the film, near its middle, of what moves in a mirror or
 /// with one: a mirror image is as far from the camera as the path to it is long, and a ray
 /// turns by twice as much as the mirror that it meets.
-fn mirrored_speed(scene: &Scene, motion: &Motion) -> f64 {
+fn mirrored_speed(scene: &Scene, tangent: &Tangent) -> f64 {
     let is_specular = |shape: &Shape| may_be_specular(scene, shape.bsdf);
     if !scene.shapes.iter().any(|shape| is_specular(shape)) {
         return 0.0;
     }
     let view = scene.sensor.view(&scene.film);
-    let shapes = scene.shapes.iter().zip(&motion.shapes);
-    let rates = shapes.map(|(shape, motion)| {
-        let Some(ShapeMotion { vertices, .. }) = motion else {
+    let shapes = scene.shapes.iter().zip(&tangent.shapes);
+    let rates = shapes.map(|(shape, tangent)| {
+        let Some(ShapeVectors { vertices, .. }) = tangent else {
             return 0.0;
         };
         let positions = &shape.mesh.positions;
@@ -183,8 +183,8 @@ mod tests {
     fn steps_follow_the_film() {
         let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
         let step = |scene: &Scene, expression: &str| {
-            let motion = Registry::new(scene).motion(scene, expression).unwrap();
-            difference_step(scene, &motion)
+            let tangent = Registry::new(scene).tangent(scene, expression).unwrap();
+            difference_step(scene, &tangent)
         };
         // The middle of the image turns by this many pixels per radian.
         let fov_x = scene.sensor.model.optic(Optic::FovX).unwrap();
@@ -196,7 +196,7 @@ mod tests {
         );
         // With another field of view, the corners move farthest.
         let fov = Registry::new(&scene)
-            .motion(&scene, "sensor.x_fov")
+            .tangent(&scene, "sensor.x_fov")
             .unwrap();
         let zoomed = scene.moved(&fov, difference_step(&scene, &fov)).sensor;
         let corner = scene.sensor.view(&scene.film).direction([0.0, 0.0]);
@@ -216,8 +216,8 @@ mod tests {
     #[test]
     fn normals_alone() {
         let scene = capwalk_scene::builtin::scene("ball").unwrap();
-        let motion = |text| Registry::new(&scene).motion(&scene, text).unwrap();
-        let turning = motion("ball.normals[7,2]");
+        let tangent = |text| Registry::new(&scene).tangent(&scene, text).unwrap();
+        let turning = tangent("ball.normals[7,2]");
         let step = difference_step(&scene, &turning);
         assert!((COLOUR_STEP..0.2).contains(&step), "{step}");
     }
@@ -227,10 +227,10 @@ mod tests {
     fn steps_follow_what_mirrors_show() {
         let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
         let step = |scene: &Scene| {
-            let motion = Registry::new(scene)
-                .motion(scene, "floor.rotate.z")
+            let tangent = Registry::new(scene)
+                .tangent(scene, "floor.rotate.z")
                 .unwrap();
-            difference_step(scene, &motion)
+            difference_step(scene, &tangent)
         };
         let dull = step(&scene);
         let floor = scene.shapes.iter().find(|s| s.id == "floor").unwrap();
@@ -246,8 +246,8 @@ mod tests {
     fn steps_follow_the_size_of_what_moves() {
         let scene = capwalk_scene::builtin::scene("leaf").unwrap();
         let step = |expression: &str| {
-            let motion = Registry::new(&scene).motion(&scene, expression).unwrap();
-            difference_step(&scene, &motion)
+            let tangent = Registry::new(&scene).tangent(&scene, expression).unwrap();
+            difference_step(&scene, &tangent)
         };
         let leaf = scene.shapes.iter().find(|s| s.id == "leaf").unwrap();
         let (low, high) = leaf.mesh.bounds();

@@ -84,8 +84,8 @@ fn measure(folder: &Folder) {
     let Some((parameter, step)) = check else {
         return;
     };
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, &parameter)
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, &parameter)
         .expect("a parameter of the scene");
     let options = |spp, seed| RenderOptions { spp, seed };
     let run = |method, seed| {
@@ -96,7 +96,7 @@ fn measure(folder: &Folder) {
         let clock = Clock::start();
         let picture = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &settings,
             &Unwatched,
         )
@@ -107,7 +107,7 @@ fn measure(folder: &Folder) {
     let (weights, _) = run(Method::Walk, 1);
     let (walk, cost) = run(Method::Walk, 2);
     let spread = options(SPP * REFERENCE_FACTOR, 3);
-    let differences = finite_difference(&scene, &motion, step, &spread, &Unwatched);
+    let differences = finite_difference(&scene, &tangent, step, &spread, &Unwatched);
     let (reference, reference_error) = size(&differences.expect("covered"), &weights);
     let row = |name: &str, picture: &GradientImage, ratio: f64| {
         let (size, error) = size(picture, &weights);

@@ -18,7 +18,7 @@ use capwalk_diff::{
     Estimator, GradientImage, GradientOptions, PreparedScene, RenderOptions, Unwatched,
     WalkSettings, finite_difference, gradient,
 };
-use capwalk_scene::{Motion, Scene, params};
+use capwalk_scene::{Scene, Tangent, params};
 use folder::{Demand, Folder};
 use measure::{Clock, digits, variance};
 
@@ -75,20 +75,20 @@ fn measure_all() {
 /// Variance times seconds of a sample, of the three ways.
 fn measure(folder: &Folder, parameter: &str, step: f64) -> [f64; 3] {
     let scene = folder.scene();
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, parameter)
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, parameter)
         .expect("a parameter of the scene");
     let ways = [
         Way::Walk(Estimator::Anchored),
         Way::Walk(Estimator::Literal),
         Way::Differences(step),
     ];
-    let many = ways.each_ref().map(|way| way.many(&scene, &motion));
+    let many = ways.each_ref().map(|way| way.many(&scene, &tangent));
     let (mut variances, mut seconds) = ([0.0; 3], [f64::INFINITY; 3]);
     for round in 1..=ROUNDS {
         for (i, way) in ways.iter().enumerate() {
-            let (few, _) = way.run(&scene, &motion, FEW, round);
-            let (all, picture) = way.run(&scene, &motion, many[i], round);
+            let (few, _) = way.run(&scene, &tangent, FEW, round);
+            let (all, picture) = way.run(&scene, &tangent, many[i], round);
             let pixels = picture.gradient.mean.pixels.len() as f64;
             let samples = f64::from(many[i] - FEW) * pixels;
             seconds[i] = seconds[i].min((all - few) / samples);
@@ -106,16 +106,16 @@ enum Way {
 
 impl Way {
     /// Samples per pixel that take long.
-    fn many(&self, scene: &Scene, motion: &Motion) -> u32 {
+    fn many(&self, scene: &Scene, tangent: &Tangent) -> u32 {
         let mut many = 8 * FEW;
-        while self.run(scene, motion, many, 0).0 < LONG {
+        while self.run(scene, tangent, many, 0).0 < LONG {
             many *= 2;
         }
         many
     }
 
     /// The derivative, and the processor's time for it.
-    fn run(&self, scene: &Scene, motion: &Motion, spp: u32, seed: u64) -> (f64, GradientImage) {
+    fn run(&self, scene: &Scene, tangent: &Tangent, spp: u32, seed: u64) -> (f64, GradientImage) {
         let options = RenderOptions { spp, seed };
         let started = Clock::start();
         let picture = match *self {
@@ -126,7 +126,7 @@ impl Way {
                 };
                 gradient(
                     &PreparedScene::new(scene.clone()),
-                    motion,
+                    tangent,
                     &GradientOptions {
                         walk,
                         ..GradientOptions::new(options)
@@ -134,7 +134,9 @@ impl Way {
                     &Unwatched,
                 )
             }
-            Self::Differences(step) => finite_difference(scene, motion, step, &options, &Unwatched),
+            Self::Differences(step) => {
+                finite_difference(scene, tangent, step, &options, &Unwatched)
+            }
         };
         (started.seconds(), picture.expect("covered"))
     }

@@ -167,7 +167,7 @@ pub struct MotionArgs {
     /// Velocity of each vertex of a shape: .npy array (V, 3), or a text file
     /// with one "x y z" per line; adds to --param
     #[arg(long, value_name = "SHAPE=FILE", value_parser = parse_motion)]
-    pub motion: Vec<(String, PathBuf)>,
+    pub tangent: Vec<(String, PathBuf)>,
 }
 
 /// How derivatives are estimated.
@@ -285,7 +285,7 @@ pub struct Gradient {
     #[command(flatten)]
     pub scene: SceneArgs,
     #[command(flatten)]
-    pub motion: MotionArgs,
+    pub tangent: MotionArgs,
     #[command(flatten)]
     pub method: MethodArgs,
     /// Step of the finite differences, in units of the parameter [default:

@@ -1,30 +1,30 @@
 //! What moves, from parameters and files of velocities.
 
 use anyhow::{Context, Result};
-use capwalk::{Motion, Prepared, read_velocities, vertex_motion};
+use capwalk::{Prepared, Tangent, read_velocities, vertex_tangent};
 
 use crate::args::MotionArgs;
 
 /// The motion that the command line asks for.
-pub fn motion(prepared: &Prepared, args: &MotionArgs) -> Result<Motion> {
+pub fn tangent(prepared: &Prepared, args: &MotionArgs) -> Result<Tangent> {
     let scene = prepared.scene();
-    let mut motion = match &args.param {
-        Some(expression) => prepared.registry().motion(scene, expression)?,
-        None => Motion::zero(scene),
+    let mut tangent = match &args.param {
+        Some(expression) => prepared.registry().tangent(scene, expression)?,
+        None => Tangent::zero(scene),
     };
-    for (shape, file) in &args.motion {
+    for (shape, file) in &args.tangent {
         let velocities = read_velocities(file)
             .with_context(|| format!("cannot read the velocities of \"{shape}\""))?;
-        let of_shape = vertex_motion(scene, shape, velocities)
+        let of_shape = vertex_tangent(scene, shape, velocities)
             .with_context(|| format!("cannot use the velocities in {}", file.display()))?;
-        motion.add(&of_shape);
+        tangent.add(&of_shape);
     }
-    Ok(motion)
+    Ok(tangent)
 }
 
 /// A name for the motion in file headers and tables.
 pub fn describe(args: &MotionArgs) -> String {
-    let files = args.motion.iter();
+    let files = args.tangent.iter();
     let files = files.map(|(shape, file)| format!("{shape}={}", file.display()));
     let parameters = args.param.iter().cloned();
     parameters.chain(files).collect::<Vec<_>>().join(" + ")

@@ -152,7 +152,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     }
     if statistics.uncovered > 0 {
         text += &format!(
-            "warning: {} specular events of the {what} show things that may move, and the motion \
+            "warning: {} specular events of the {what} show things that may move, and the tangent \
              of silhouettes there is missing: this method is biased there\n",
             count(statistics.uncovered)
         );

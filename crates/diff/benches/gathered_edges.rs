@@ -138,10 +138,10 @@ fn measure_all() {
         scene.film.size = [SIZE; 2];
         scene.film.crop_size = [SIZE; 2];
         scene.check().expect("a valid scene");
-        let motion = params::Registry::new(&scene)
-            .motion(&scene, parameter)
+        let tangent = params::Registry::new(&scene)
+            .tangent(&scene, parameter)
             .expect("a parameter of the scene");
-        let [walk, edges] = measure(&scene, &motion);
+        let [walk, edges] = measure(&scene, &tangent);
         println!(
             "| {name} | `{parameter}` | {} | {} | {} | {} | {} |",
             digits(walk[0]),
@@ -154,11 +154,11 @@ fn measure_all() {
 }
 
 /// Variance and microseconds of a sample, of both methods.
-fn measure(scene: &Scene, motion: &Motion) -> [[f64; 2]; 2] {
+fn measure(scene: &Scene, tangent: &Tangent) -> [[f64; 2]; 2] {
     let methods = [Method::Walk, Method::Edges];
     let many = methods.map(|method| {
         let mut many = 8 * FEW;
-        while run(method, scene, motion, many, 0).0 < LONG {
+        while run(method, scene, tangent, many, 0).0 < LONG {
             many *= 2;
         }
         many
@@ -166,8 +166,8 @@ fn measure(scene: &Scene, motion: &Motion) -> [[f64; 2]; 2] {
     let mut found = [[0.0, f64::INFINITY]; 2];
     for round in 1..=ROUNDS {
         for (i, method) in methods.into_iter().enumerate() {
-            let (few, _) = run(method, scene, motion, FEW, round);
-            let (all, picture) = run(method, scene, motion, many[i], round);
+            let (few, _) = run(method, scene, tangent, FEW, round);
+            let (all, picture) = run(method, scene, tangent, many[i], round);
             let pixels = picture.gradient.mean.pixels.len() as f64;
             let samples = f64::from(many[i] - FEW) * pixels;
             found[i][0] += variance(&picture) / ROUNDS as f64;
@@ -181,7 +181,7 @@ fn measure(scene: &Scene, motion: &Motion) -> [[f64; 2]; 2] {
 fn run(
     method: Method,
     scene: &Scene,
-    motion: &Motion,
+    tangent: &Tangent,
     spp: u32,
     seed: u64,
 ) -> (f64, GradientImage) {
@@ -193,7 +193,7 @@ fn run(
     let started = Instant::now();
     let picture = gradient(
         &PreparedScene::new(scene.clone()),
-        motion,
+        tangent,
         &settings,
         &Unwatched,
     )

@@ -16,8 +16,8 @@ const SAMPLES: u32 = 4_000;
 
 fn main() {
     let scene = common::reference_scene();
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, "ball.translate.x")
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, "ball.translate.x")
         .expect("a known name");
     let points = common::reference_points();
     println!("{SAMPLES} samples at each of {} floor points", points.len());
@@ -30,7 +30,7 @@ fn main() {
                 ..Default::default()
             };
             let start = Instant::now();
-            let results = irradiance(&scene, &motion, &points, walk, SAMPLES, 1);
+            let results = irradiance(&scene, &tangent, &points, walk, SAMPLES, 1);
             let results = results.expect("the walk is valid");
             let count = f64::from(SAMPLES) * points.len() as f64;
             let time = start.elapsed().as_secs_f64() * 1e6 / count;

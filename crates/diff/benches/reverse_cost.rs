@@ -26,7 +26,7 @@ use capwalk_diff::{
 };
 use capwalk_math::Rgb;
 use capwalk_scene::primitive::icosphere;
-use capwalk_scene::{Image, Motion, Scene, ShadingNormals, params};
+use capwalk_scene::{Image, Scene, ShadingNormals, Tangent, params};
 use common::{add, add_floor, add_lamp, empty, v};
 
 /// Edges of the sphere are cut into so many: `10 n² + 2` vertices.
@@ -105,7 +105,7 @@ const WAYS: [(&str, Way); 6] = [
     ("forward, one translation of the mesh", |bench, spp| {
         let result = gradient(
             &PreparedScene::new(bench.scene.clone()),
-            &bench.motion,
+            &bench.tangent,
             &options(spp),
             &Unwatched,
         );
@@ -114,7 +114,7 @@ const WAYS: [(&str, Way); 6] = [
     ("reverse, colours: same queries", |bench, spp| {
         let colour = |name| {
             params::Registry::new(&bench.scene)
-                .motion(&bench.scene, name)
+                .tangent(&bench.scene, name)
                 .expect("a colour")
         };
         let mut colours = colour("ball.bsdf.reflectance.value");
@@ -123,12 +123,12 @@ const WAYS: [(&str, Way); 6] = [
     }),
     ("reverse, the lamp's 4 vertices", |bench, spp| {
         let lamp = params::Registry::new(&bench.scene)
-            .motion(&bench.scene, "lamp.translate.x")
+            .tangent(&bench.scene, "lamp.translate.x")
             .expect("a shape");
         bench.backward(&Wanted::by(&lamp), spp)
     }),
     ("reverse, the mesh's vertices", |bench, spp| {
-        bench.backward(&Wanted::by(&bench.motion), spp)
+        bench.backward(&Wanted::by(&bench.tangent), spp)
     }),
     ("reverse, everything", |bench, spp| {
         bench.backward(&Wanted::all(&bench.scene), spp)
@@ -138,7 +138,7 @@ const WAYS: [(&str, Way); 6] = [
 /// A scene and what is done with it.
 struct Bench {
     scene: Scene,
-    motion: Motion,
+    tangent: Tangent,
     adjoint: Image,
 }
 
@@ -156,8 +156,8 @@ impl Bench {
         add(&mut scene, "ball", ball, normals, 0.6);
         add_lamp(&mut scene, v(0.8, -0.6, 3.5), 0.9, 0.3, 12.0);
         scene.check().expect("a valid scene");
-        let motion = params::Registry::new(&scene)
-            .motion(&scene, "ball.translate.x")
+        let tangent = params::Registry::new(&scene)
+            .tangent(&scene, "ball.translate.x")
             .expect("a shape");
         let size = SIZE as usize;
         let slopes = (0..size * size).map(|i| Rgb::splat((0.1 * i as f64).sin()));
@@ -168,7 +168,7 @@ impl Bench {
         };
         Self {
             scene,
-            motion,
+            tangent,
             adjoint,
         }
     }

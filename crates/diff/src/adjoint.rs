@@ -5,8 +5,8 @@ use capwalk_boundary::{Accel, Boundaries};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Tape, Vec3};
 use capwalk_scene::{
-    Motion, Optic, Scene, SensorMotion, ShadingNormals, ShapeId, ShapeMotion, TextureId,
-    corner_normals, normal_sums,
+    Gradient, Optic, Scene, SensorVectors, ShadingNormals, ShapeId, ShapeVectors, Tangent,
+    TextureId, corner_normals, normal_sums,
 };
 
 /// Which parameters' gradients are wanted: the others count as constants, and
@@ -44,18 +44,18 @@ impl Wanted {
     }
 
     /// What changes in a motion.
-    pub fn by(motion: &Motion) -> Self {
-        let moves = |shape: &ShapeMotion| shape.vertices.iter().any(|&v| v != Vec3::zero());
-        let turns = |shape: &ShapeMotion| shape.normals.is_some();
-        let shapes = motion.shapes.iter().map(Option::as_ref);
-        let sensor = &motion.sensor;
+    pub fn by(tangent: &Tangent) -> Self {
+        let moves = |shape: &ShapeVectors| shape.vertices.iter().any(|&v| v != Vec3::zero());
+        let turns = |shape: &ShapeVectors| shape.normals.is_some();
+        let shapes = tangent.shapes.iter().map(Option::as_ref);
+        let sensor = &tangent.sensor;
         let [left, up, forward] = sensor.axes;
         let turning = [sensor.rotation, left, up, forward];
         let optic = |optic: Optic| sensor.optics[optic as usize] != 0.0;
         Self {
             shapes: shapes.clone().map(|s| s.is_some_and(moves)).collect(),
             normals: shapes.map(|s| s.is_some_and(turns)).collect(),
-            textures: motion.textures.iter().map(Option::is_some).collect(),
+            textures: tangent.textures.iter().map(Option::is_some).collect(),
             sensor_origin: sensor.translation != Vec3::zero(),
             sensor_axes: turning.into_iter().any(|v| v != Vec3::zero()),
             aperture: optic(Optic::ApertureRadius),
@@ -144,7 +144,7 @@ pub struct Adjoint {
     normals: Vec<Option<Vec<Vec3>>>,
     textures: Vec<Vec<f64>>,
     channels: Vec<usize>,
-    sensor: SensorMotion,
+    sensor: SensorVectors,
 }
 
 impl Adjoint {
@@ -165,7 +165,7 @@ impl Adjoint {
                 .map(|(texture, &wanted)| vec![0.0; if wanted { texture.data.len() } else { 0 }])
                 .collect(),
             channels: scene.textures.iter().map(|t| t.channels).collect(),
-            sensor: SensorMotion::default(),
+            sensor: SensorVectors::default(),
         }
     }
 
@@ -204,7 +204,7 @@ impl Adjoint {
         boundaries: &Boundaries,
         wanted: &Wanted,
         factor: f64,
-    ) -> Motion {
+    ) -> Gradient {
         let scene = &accel.scene;
         let (vertices, ends) = self.points.split_at_mut(accel.mesh.positions.len());
         let crossings = boundaries.crossings.iter();
@@ -236,26 +236,24 @@ impl Adjoint {
                 }
                 _ => None,
             };
-            shapes.push(Some(ShapeMotion {
+            shapes.push(Some(ShapeVectors {
                 vertices: scaled(on_vertices),
                 normals,
             }));
         }
-        Motion {
-            shapes,
-            textures: self
-                .textures
-                .into_iter()
-                .zip(&wanted.textures)
-                .map(|(data, wanted)| wanted.then(|| data.iter().map(|x| x * factor).collect()))
-                .collect(),
-            sensor: SensorMotion {
-                translation: self.sensor.translation * factor,
-                rotation: turning(&scene.sensor.state().axes, &self.sensor.axes) * factor,
-                axes: self.sensor.axes.map(|axis| axis * factor),
-                optics: self.sensor.optics * factor,
-            },
-        }
+        let textures = self
+            .textures
+            .into_iter()
+            .zip(&wanted.textures)
+            .map(|(data, wanted)| wanted.then(|| data.iter().map(|x| x * factor).collect()))
+            .collect();
+        let sensor = SensorVectors {
+            translation: self.sensor.translation * factor,
+            rotation: turning(&scene.sensor.state().axes, &self.sensor.axes) * factor,
+            axes: self.sensor.axes.map(|axis| axis * factor),
+            optics: self.sensor.optics * factor,
+        };
+        Gradient::new(shapes, textures, sensor)
     }
 }
 

@@ -5,21 +5,21 @@ use capwalk_boundary::{Counts, Draw, Refusal};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Sample};
 use capwalk_render::{GradientImage, PreparedScene, Primal, RenderOptions, Tracer, Watch};
-use capwalk_scene::{Motion, Scene};
+use capwalk_scene::{Scene, Tangent};
 
-/// The derivative of the picture along `motion` by central differences over
+/// The derivative of the picture along `tangent` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;
 /// the mean is right up to terms of order `step²`, the variance grows like
 /// `1 / step`. Works for everything that can be rendered; refuses a step that
 /// makes the scene invalid.
 pub fn finite_difference(
     scene: &Scene,
-    motion: &Motion,
+    tangent: &Tangent,
     step: f64,
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    let sides = [step, -step].map(|step| scene.moved(motion, step));
+    let sides = [step, -step].map(|step| scene.moved(tangent, step));
     for side in &sides {
         side.check().map_err(|error| Refusal::InvalidStep {
             step,

@@ -7,28 +7,28 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Stream};
 use capwalk_render::tiles::{self, Sample};
 use capwalk_render::{GradientImage, PreparedScene, RenderOptions, SceneEval, Tracer, Watch};
-use capwalk_scene::{Motion, TextureId};
+use capwalk_scene::{Tangent, TextureId};
 
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
 
-/// The derivative of the image for a unit change along `motion`, in forward mode, with
+/// The derivative of the image for a unit change along `tangent`, in forward mode, with
 /// its standard error. Refuses what it cannot differentiate rightly, see [`Refusal`].
 pub fn gradient(
     prepared: &PreparedScene,
-    motion: &Motion,
+    tangent: &Tangent,
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
     let (scene, accel) = (prepared.scene(), prepared.accel());
     refuse_settings(&options.method, &options.walk)?;
-    let is_asked_for = |id: TextureId| motion.textures[id.0 as usize].is_some();
+    let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
     refuse_infinite_derivatives(scene, is_asked_for)?;
     let field = Field::new(accel, prepared.boundaries(), options.method);
     #[cfg(feature = "paper")]
     capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
-    let eval = Forward::new(field, motion);
-    let turns = motion.shapes.iter().any(Option::is_some);
+    let eval = Forward::new(field, tangent);
+    let turns = tangent.shapes.iter().any(Option::is_some);
     refuse_cut_normals(scene, turns || eval.moves(), is_asked_for)?;
     if eval.moves() {
         refuse_motion(accel, &options.method)?;

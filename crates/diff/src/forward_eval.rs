@@ -4,17 +4,17 @@ use capwalk_boundary::{Accel, Field, Numbers, Viewpoint, Warp};
 use capwalk_math::{Dual, Rgb, Vec3};
 use capwalk_render::{SceneEval, Warped, vertex_normal};
 use capwalk_scene::sensor::SensorState;
-use capwalk_scene::{Motion, Scene, TextureId};
+use capwalk_scene::{Scene, Tangent, TextureId};
 use capwalk_walk::WalkSettings;
 
 /// A number and its derivative with respect to the parameter.
 pub type D = Dual<1>;
 
-/// The scene moving along a [`Motion`].
+/// The scene moving along a [`Tangent`].
 pub struct Forward<'a> {
     accel: &'a Accel,
     field: Field<'a>,
-    motion: &'a Motion,
+    tangent: &'a Tangent,
     /// Velocity of every point of the boundaries, world units: the vertices of the
     /// joined mesh, then the ends of crossings.
     points: Vec<Vec3>,
@@ -25,10 +25,10 @@ pub struct Forward<'a> {
 
 impl<'a> Forward<'a> {
     /// The velocities of everything; shapes that do not move get zeros.
-    pub fn new(field: Field<'a>, motion: &'a Motion) -> Self {
+    pub fn new(field: Field<'a>, tangent: &'a Tangent) -> Self {
         let accel = field.accel;
         let mut points = vec![Vec3::zero(); accel.mesh.positions.len()];
-        for (shape, &first) in motion.shapes.iter().zip(&accel.first_vertex) {
+        for (shape, &first) in tangent.shapes.iter().zip(&accel.first_vertex) {
             if let Some(shape) = shape {
                 let first = first as usize;
                 points[first..first + shape.vertices.len()].copy_from_slice(&shape.vertices);
@@ -40,12 +40,12 @@ impl<'a> Forward<'a> {
             .collect();
         points.extend(ends);
         let normals = (0..accel.scene.shapes.len())
-            .map(|shape| accel.scene.normal_velocities(motion, shape))
+            .map(|shape| accel.scene.normal_velocities(tangent, shape))
             .collect();
         Self {
             accel,
             field,
-            motion,
+            tangent,
             boundaries_move: points.iter().any(|&v| v != Vec3::zero()),
             points,
             normals,
@@ -81,16 +81,16 @@ impl SceneEval<D> for Forward<'_> {
     #[inline]
     fn texel(&self, id: TextureId, index: usize) -> Rgb<D> {
         let scene = &self.accel.scene;
-        let velocity = self.motion.texel(scene, id, index);
+        let velocity = self.tangent.texel(scene, id, index);
         scene.texture(id).texel(index).with_tangent(velocity)
     }
     #[inline]
     fn is_asked_for(&self, id: TextureId) -> bool {
-        self.motion.textures[id.0 as usize].is_some()
+        self.tangent.textures[id.0 as usize].is_some()
     }
     #[inline]
     fn sensor(&self) -> SensorState<D> {
-        self.accel.scene.sensor.moving_state(&self.motion.sensor)
+        self.accel.scene.sensor.moving_state(&self.tangent.sensor)
     }
     #[inline]
     fn boundary_point(&self, index: u32) -> Vec3<D> {
@@ -104,7 +104,7 @@ impl SceneEval<D> for Forward<'_> {
     }
     #[inline]
     fn moves(&self) -> bool {
-        self.boundaries_move || self.motion.sensor.moves_rays()
+        self.boundaries_move || self.tangent.sensor.moves_rays()
     }
     fn warp(
         &self,

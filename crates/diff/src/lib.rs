@@ -1,6 +1,6 @@
 //! Derivatives of rendered images.
 //!
-//! [`gradient`] is the derivative image for a [`Motion`](capwalk_scene::Motion) of the
+//! [`gradient`] is the derivative image for a [`Tangent`](capwalk_scene::Tangent) of the
 //! scene (forward mode), [`backward`] the gradient of a loss in everything (reverse
 //! mode), [`finite_difference`] the reference that they are checked against, and
 //! [`check::compare`] the verdict. All of them share the path tracer of

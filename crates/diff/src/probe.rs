@@ -10,7 +10,7 @@ use capwalk_render::{
     FIRST_VERTEX, LightSampling, Plan, PreparedScene, Primal, SpecularChain, Tracer, Vertex,
 };
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf};
-use capwalk_scene::{Motion, Scene};
+use capwalk_scene::{Scene, Tangent};
 use capwalk_walk::WalkSettings;
 
 use crate::forward_eval::Forward;
@@ -57,7 +57,7 @@ pub struct Irradiance {
 /// point drawn on an emitter and, for the derivative, one on the lamps' edges.
 pub fn irradiance(
     scene: &Scene,
-    motion: &Motion,
+    tangent: &Tangent,
     points: &[(Vec3, Vec3)],
     walk: WalkSettings,
     samples: u32,
@@ -66,7 +66,7 @@ pub fn irradiance(
     refuse_walk(&walk)?;
     let prepared = PreparedScene::new(scene.clone());
     let field = Field::new(prepared.accel(), prepared.boundaries(), Method::Walk);
-    let eval = Forward::new(field, motion);
+    let eval = Forward::new(field, tangent);
     let tracer = Tracer::moving(&prepared, field, walk).with_plan(EMITTERS_ALONE);
     let sampler = Sampler::new(&scene.settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {

@@ -11,7 +11,7 @@ use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Tape};
 use capwalk_render::{PreparedScene, Statistics, Tracer, Watch};
-use capwalk_scene::{Image, Motion, Scene, TextureId};
+use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId};
 use rayon::prelude::*;
 
 use crate::adjoint::{Adjoint, Wanted};
@@ -27,9 +27,9 @@ const BATCHES: u32 = 16;
 pub struct Backward {
     /// Independent estimates with equal numbers of samples (the last ones may
     /// have fewer if the work was stopped), and how many samples they have.
-    batches: Vec<(Motion, u32)>,
+    batches: Vec<(Gradient, u32)>,
     /// Their mean, weighted by their samples.
-    mean: Motion,
+    mean: Gradient,
     /// What was done.
     pub statistics: Statistics,
 }
@@ -38,20 +38,20 @@ impl Backward {
     /// The gradient: what every vertex, normal, colour and the sensor
     /// contribute per unit of their change. Its inner product with a motion is
     /// the derivative along it. Shapes that were not asked for have `None`.
-    pub fn gradient(&self) -> &Motion {
+    pub fn gradient(&self) -> &Gradient {
         &self.mean
     }
 
     /// The derivative along a motion of what was asked for, and its standard
     /// error (NaN from a single batch).
-    pub fn along(&self, motion: &Motion) -> (f64, f64) {
-        let (value, error) = self.numbers(|gradient| vec![gradient.dot(motion)]);
+    pub fn along(&self, tangent: &Tangent) -> (f64, f64) {
+        let (value, error) = self.numbers(|gradient| vec![gradient.dot(tangent)]);
         (value[0], error[0])
     }
 
     /// Numbers that are linear in the gradient, and the standard error of each
     /// (NaN from a single batch). `of` gives as many whatever it is given.
-    pub fn numbers(&self, of: impl Fn(&Motion) -> Vec<f64>) -> (Vec<f64>, Vec<f64>) {
+    pub fn numbers(&self, of: impl Fn(&Gradient) -> Vec<f64>) -> (Vec<f64>, Vec<f64>) {
         let mut moments: Vec<Moments> = Vec::new();
         for (batch, _) in &self.batches {
             let numbers = of(batch);
@@ -65,7 +65,7 @@ impl Backward {
     }
 
     /// The standard error of every number of the gradient, in its form.
-    pub fn standard_error(&self) -> Motion {
+    pub fn standard_error(&self) -> Gradient {
         let mut squares = self.mean.scaled(0.0);
         for (batch, _) in &self.batches {
             let mut difference = batch.clone();

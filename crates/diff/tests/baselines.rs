@@ -11,7 +11,7 @@ use capwalk_diff::{
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::{rectangle, sphere};
 use capwalk_scene::*;
-use common::agree::motion;
+use common::agree::tangent;
 use common::stages::*;
 use common::*;
 
@@ -67,7 +67,7 @@ fn relative_change(
         method,
         ..GradientOptions::new(options(spp, 1))
     };
-    let growth = motion(scene, what);
+    let growth = tangent(scene, what);
     let result = gradient(
         &PreparedScene::new(scene.clone()),
         &growth,
@@ -116,7 +116,7 @@ fn more_rays_less_bias() {
 /// change of the area is from what it is.
 fn verdict(what: &str, exact: f64, was: WasSettings, spp: u32) -> (Verdict, f64) {
     let scene = card();
-    let change = motion(&scene, what);
+    let change = tangent(&scene, what);
     let reference = finite_difference(&scene, &change, 0.01, &options(60_000, 2), &Unwatched);
     let reference = reference.expect("covered").gradient;
     let (ours, (size, error)) = relative_change(&scene, what, exact, Method::Was(was), spp);
@@ -177,8 +177,8 @@ fn shadows_and_lamps() {
     scene.film.size = [12; 2];
     scene.film.crop_size = [12; 2];
     let everything = "thing.translate.x + 0.3*lamp.translate.y - 0.4*floor.translate.x";
-    let motion = motion(&scene, everything);
-    let reference = finite_difference(&scene, &motion, 0.03, &options(8000, 2), &Unwatched);
+    let tangent = tangent(&scene, everything);
+    let reference = finite_difference(&scene, &tangent, 0.03, &options(8000, 2), &Unwatched);
     let reference = reference.expect("covered").gradient;
     let by = |method, spp, seed| {
         let settings = GradientOptions {
@@ -187,7 +187,7 @@ fn shadows_and_lamps() {
         };
         let result = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &settings,
             &Unwatched,
         );

@@ -12,7 +12,7 @@ use capwalk_math::quadrature::gauss_legendre;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{disk, rectangle};
 use capwalk_scene::*;
-use common::agree::motion;
+use common::agree::tangent;
 use common::exact::{means, meets, settings};
 use common::*;
 
@@ -83,9 +83,9 @@ fn exact(scene: &Scene, lit: Lit) -> f64 {
 
 /// The derivative of a closed form along a motion: its central difference, which
 /// has eight digits.
-fn slope(scene: &Scene, motion: &Motion, of: impl Fn(&Scene) -> f64) -> f64 {
+fn slope(scene: &Scene, tangent: &Tangent, of: impl Fn(&Scene) -> f64) -> f64 {
     const STEP: f64 = 1e-4;
-    let [above, below] = [STEP, -STEP].map(|step| of(&scene.moved(motion, step)));
+    let [above, below] = [STEP, -STEP].map(|step| of(&scene.moved(tangent, step)));
     (above - below) / (2.0 * STEP)
 }
 
@@ -94,9 +94,9 @@ fn slope(scene: &Scene, motion: &Motion, of: impl Fn(&Scene) -> f64) -> f64 {
 fn meet_exact(scene: &Scene, points: &[Lit], names: &[&str], samples: u32, precision: f64) {
     scene.check().expect("a valid scene");
     for name in names {
-        let motion = motion(scene, name);
+        let tangent = tangent(scene, name);
         let walk = WalkSettings::default();
-        let results = irradiance(scene, &motion, points, walk, samples, 3).expect("covered");
+        let results = irradiance(scene, &tangent, points, walk, samples, 3).expect("covered");
         for (i, (result, &lit)) in results.iter().zip(points).enumerate() {
             let value = exact(scene, lit);
             let moments = result.value;
@@ -108,7 +108,7 @@ fn meet_exact(scene: &Scene, points: &[Lit], names: &[&str], samples: u32, preci
                 value,
                 precision,
             );
-            let derivative = slope(scene, &motion, |scene| exact(scene, lit));
+            let derivative = slope(scene, &tangent, |scene| exact(scene, lit));
             let moments = result.gradient;
             let title = format!("point {i}, {name}");
             meets(
@@ -181,7 +181,7 @@ fn a_disk_lamp() {
     let e = PI * radius * radius / squared;
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-3 * b.abs(), "{a} {b}");
     near(exact(&scene, below), e);
-    let along = |name: &str| slope(&scene, &motion(&scene, name), |scene| exact(scene, below));
+    let along = |name: &str| slope(&scene, &tangent(&scene, name), |scene| exact(scene, below));
     near(along("lamp.scale"), 2.0 * e * height * height / squared);
     near(along("lamp.translate.z"), -2.0 * e * height / squared);
 
@@ -270,15 +270,15 @@ fn a_point_in_a_picture() {
         ("sensor.translate.x", v(1.0, 0.0, 0.0)),
         ("0.2*sensor.rotate.z", v(0.0, 0.0, 0.2).cross(ray)),
     ] {
-        let motion = motion(&scene, name);
+        let tangent = tangent(&scene, name);
         let [above, below] = [1e-4, -1e-4].map(|step| {
             let point = point + slides * step;
-            at(&scene.moved(&motion, step), point)
+            at(&scene.moved(&tangent, step), point)
         });
         let exact = (above - below) / 2e-4;
         let forward = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &settings,
             &Unwatched,
         )
@@ -287,7 +287,7 @@ fn a_point_in_a_picture() {
         meets("picture", mean, error, at(&scene, point), 0.01);
         let (mean, error) = means(&forward.gradient)[0];
         meets(&format!("forward, {name}"), mean, error, exact, 0.02);
-        let (mean, error) = reverse.along(&motion);
+        let (mean, error) = reverse.along(&tangent);
         meets(&format!("reverse, {name}"), mean, error, exact, 0.02);
     }
 }
@@ -353,9 +353,9 @@ fn form_factors_of_parallel_squares() {
         ("y", [0.0, STEP, 0.0]),
         ("z", [0.0, 0.0, STEP]),
     ] {
-        let motion = motion(&scene, &format!("lamp.translate.{axis}"));
+        let tangent = tangent(&scene, &format!("lamp.translate.{axis}"));
         let walk = WalkSettings::default();
-        let results = irradiance(&scene, &motion, &points, walk, 4_000, 3).expect("covered");
+        let results = irradiance(&scene, &tangent, &points, walk, 4_000, 3).expect("covered");
         let (mut value, mut change, mut errors) = (0.0, 0.0, [0.0, 0.0]);
         for (result, weight) in results.iter().zip(&weights) {
             value += weight * result.value.mean;

@@ -6,7 +6,7 @@ use capwalk_diff::{PreparedScene, Unwatched, Wanted, backward, gradient};
 use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::cube;
 use capwalk_scene::*;
-use common::agree::motion;
+use common::agree::tangent;
 use common::exact::{means, meets, settings};
 use common::stages::placed;
 use common::*;
@@ -46,10 +46,10 @@ fn furnace(of_box: [f64; 2], of_block: [f64; 2]) -> Scene {
 fn nothing_moves(name: &str, scene: &Scene, dark: &Scene, expression: &str, spp: u32) {
     let run = |scene: &Scene, spp: u32| {
         scene.check().expect("a valid scene");
-        let motion = motion(scene, expression);
+        let tangent = tangent(scene, expression);
         gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &settings(spp),
             &Unwatched,
         )
@@ -121,13 +121,13 @@ fn albedo_in_a_furnace() {
                 (light + e * a.powi(k), slope + e * term)
             }),
         };
-        let motion = motion(
+        let tangent = tangent(
             &scene,
             "box.bsdf.reflectance.value + block.bsdf.reflectance.value",
         );
         let result = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &settings(256),
             &Unwatched,
         )
@@ -156,7 +156,7 @@ fn albedo_in_a_furnace() {
             height: 12,
             pixels: vec![Rgb::new(1.0 / 144.0, 0.0, 0.0); 144],
         };
-        let wanted = Wanted::by(&motion);
+        let wanted = Wanted::by(&tangent);
         let reverse = backward(
             &PreparedScene::new(scene.clone()),
             &adjoint,
@@ -164,7 +164,7 @@ fn albedo_in_a_furnace() {
             &settings(256),
             &Unwatched,
         );
-        let (mean, error) = reverse.expect("covered").along(&motion);
+        let (mean, error) = reverse.expect("covered").along(&tangent);
         meets(
             &format!("reverse, {depth:?}"),
             mean,

@@ -9,7 +9,7 @@ use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
-use common::agree::{Case, agree, motion};
+use common::agree::{Case, agree, tangent};
 use common::stages::*;
 use common::*;
 
@@ -59,9 +59,9 @@ fn sunk_by_the_rounding_of_files() {
     for depth in [2e-8, 5e-7] {
         for method in [Method::Walk, Method::Edges] {
             let scene = sunk(depth);
-            let motion = motion(&scene, "thing.translate.y");
+            let tangent = tangent(&scene, "thing.translate.y");
             let name = format!("{depth}, {}", method.name());
-            agree(&name, scene, &motion, case(method));
+            agree(&name, scene, &tangent, case(method));
         }
     }
 }
@@ -69,8 +69,8 @@ fn sunk_by_the_rounding_of_files() {
 #[test]
 fn sunk_before_parallel_rays() {
     let scene = with_parallel_rays(sunk(5e-8), 0.7);
-    let motion = motion(&scene, "thing.translate.y");
-    agree("parallel", scene, &motion, case(Method::Walk));
+    let tangent = tangent(&scene, "thing.translate.y");
+    agree("parallel", scene, &tangent, case(Method::Walk));
 }
 
 /// Two outlines that no eye tells apart, far and near.
@@ -81,7 +81,7 @@ fn slabs_as_thin_as_rounding() {
     for (from, fov, thin) in [near, far] {
         let mut scene = under_sky(from, Vec3::zero(), fov);
         add_box(&mut scene, v(0.5, thin, 0.5), Vec3::zero(), 0.1);
-        let motion = motion(&scene, "thing.translate.x");
-        agree(&format!("{thin}"), scene, &motion, case(Method::Edges));
+        let tangent = tangent(&scene, "thing.translate.x");
+        agree(&format!("{thin}"), scene, &tangent, case(Method::Edges));
     }
 }

@@ -28,7 +28,7 @@ fn edges(case: Case) -> Case {
 }
 
 fn shadow_case(name: &str, scene: Scene, expression: &str) {
-    let motion = motion(&scene, expression);
+    let tangent = tangent(&scene, expression);
     // Little noise: a longer step, which blurs what it looks at, would be seen.
     let case = Case {
         step: 1e-2,
@@ -37,7 +37,7 @@ fn shadow_case(name: &str, scene: Scene, expression: &str) {
         min_pixels: 400,
         ..Case::default()
     };
-    agree(name, scene, &motion, edges(case));
+    agree(name, scene, &tangent, edges(case));
 }
 
 /// A stage whose lamp is another one, above the thing.
@@ -162,8 +162,8 @@ fn lamp_before_a_sky() {
 }
 
 fn camera_case(name: &str, scene: Scene, expression: &str, case: Case) {
-    let motion = motion(&scene, expression);
-    agree(name, scene, &motion, edges(case));
+    let tangent = tangent(&scene, expression);
+    agree(name, scene, &tangent, edges(case));
 }
 
 /// An outline and a shadow.
@@ -250,7 +250,7 @@ fn mirror() {
 #[test]
 fn threads_change_nothing() {
     let scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
-    let motion = motion(&scene, "ball.translate.x + sensor.translate.z");
+    let tangent = tangent(&scene, "ball.translate.x + sensor.translate.z");
     let run = |threads| {
         let options = RenderOptions { spp: 5, seed: 2 };
         let settings = GradientOptions {
@@ -258,7 +258,7 @@ fn threads_change_nothing() {
             ..GradientOptions::new(options)
         };
         let prepared = PreparedScene::new(scene.clone());
-        let work = || gradient(&prepared, &motion, &settings, &Unwatched);
+        let work = || gradient(&prepared, &tangent, &settings, &Unwatched);
         with_threads(threads, work)
             .expect("covered")
             .gradient
@@ -268,7 +268,7 @@ fn threads_change_nothing() {
     assert_eq!(run(1), run(3));
 }
 
-fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> GradientImage {
+fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> GradientImage {
     let options = GradientOptions {
         method,
         ..GradientOptions::new(RenderOptions {
@@ -279,7 +279,7 @@ fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> GradientImage
     let started = Instant::now();
     let result = gradient(
         &PreparedScene::new(scene.clone()),
-        motion,
+        tangent,
         &options,
         &Unwatched,
     )
@@ -303,9 +303,9 @@ fn meet(name: &str, mut scene: Scene, expression: &str, spp: u32) {
     scene.film.crop_offset = [0, 0];
     scene.film.size = [32; 2];
     scene.film.crop_size = [32; 2];
-    let motion = motion(&scene, expression);
-    let ours = by(Method::Edges, &scene, &motion, spp);
-    let walk = by(Method::Walk, &scene, &motion, 2 * spp);
+    let tangent = tangent(&scene, expression);
+    let ours = by(Method::Edges, &scene, &tangent, spp);
+    let walk = by(Method::Walk, &scene, &tangent, 2 * spp);
     let result = compare(&ours.gradient, &walk.gradient);
     println!("{name}: {result}");
     assert_eq!(result.verdict, Verdict::Right, "{name}");

@@ -58,7 +58,7 @@ fn colours_of_a_black_sky() {
         .position(|t| t.id == "sky")
         .expect("a sky");
     scene.texture_mut(TextureId(sky as u32)).data[24..].fill(0.0);
-    let mut change = Motion::zero(&scene);
+    let mut change = Tangent::zero(&scene);
     change.textures[sky] = Some(vec![1.0; 96]);
     let options = RenderOptions { spp: 400, seed: 1 };
     let settings = GradientOptions::new(options);

@@ -57,8 +57,8 @@ fn visible_case(spp: u32) -> Case {
 #[test]
 fn unlimited_depth() {
     let scene = deep(visible_ball(Filter::Gaussian { stddev: 0.5 }), None);
-    let motion = motion(&scene, "ball.translate.x");
-    agree("unlimited depth", scene, &motion, visible_case(600));
+    let tangent = tangent(&scene, "ball.translate.x");
+    agree("unlimited depth", scene, &tangent, visible_case(600));
 }
 
 /// The room of the paper's figure 9 with light that is reflected several times.
@@ -66,16 +66,21 @@ fn unlimited_depth() {
 fn box_in_a_room() {
     let scene = deep(builtin::scene("box-room").expect("built in"), Some(4));
     let parameter = builtin::default_parameter("box-room").expect("built in");
-    let motion = motion(&scene, parameter);
-    agree("box room, indirect", scene, &motion, visible_case(1200));
+    let tangent = tangent(&scene, parameter);
+    agree("box room, indirect", scene, &tangent, visible_case(1200));
 }
 
 /// The camera moves past things that light each other.
 #[test]
 fn moving_camera() {
     let scene = deep(visible_cube(), Some(3));
-    let motion = motion(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
-    agree("moving camera, indirect", scene, &motion, visible_case(600));
+    let tangent = tangent(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
+    agree(
+        "moving camera, indirect",
+        scene,
+        &tangent,
+        visible_case(600),
+    );
 }
 
 /// A black surface: paths that carry no light carry derivatives.
@@ -87,7 +92,7 @@ fn black_reflector() {
             scene.texture_mut(TextureId(id as u32)).data.fill(0.0);
         }
     }
-    let change = motion(&scene, "ceiling.bsdf.reflectance.value");
+    let change = tangent(&scene, "ceiling.bsdf.reflectance.value");
     let settings =
         capwalk_diff::GradientOptions::new(capwalk_diff::RenderOptions { spp: 256, seed: 1 });
     let nobody = &capwalk_diff::Unwatched;

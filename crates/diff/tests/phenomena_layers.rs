@@ -13,7 +13,7 @@ use common::*;
 
 fn layer_case(layer: Layer, mut scene: Scene, expression: &str) {
     scene.settings.integrator = Integrator::Aov(layer);
-    let motion = motion(&scene, expression);
+    let tangent = tangent(&scene, expression);
     let case = Case {
         size: 48,
         gradient_spp: 256,
@@ -27,7 +27,7 @@ fn layer_case(layer: Layer, mut scene: Scene, expression: &str) {
         Filter::Box => 1e-3,
         _ => 3e-3,
     };
-    agree(layer.name(), scene, &motion, Case { step, ..case });
+    agree(layer.name(), scene, &tangent, Case { step, ..case });
 }
 
 fn close_ball() -> Scene {
@@ -94,11 +94,11 @@ fn area_of_a_disk() {
     let expected = std::f64::consts::PI * focal * focal * 2.0 * r * r * d * d / (squared * squared);
     let settings =
         capwalk_diff::GradientOptions::new(capwalk_diff::RenderOptions { spp: 256, seed: 2 });
-    let motion = motion(&scene, "ball.scale");
+    let tangent = tangent(&scene, "ball.scale");
     let nobody = &capwalk_diff::Unwatched;
     let result = capwalk_diff::gradient(
         &capwalk_diff::PreparedScene::new(scene.clone()),
-        &motion,
+        &tangent,
         &settings,
         nobody,
     )

@@ -45,13 +45,13 @@ fn case(spp: u32) -> Case {
 }
 
 /// All numbers of a texture change, each at its own velocity.
-fn texels_change(scene: &Scene, id: &str) -> Motion {
+fn texels_change(scene: &Scene, id: &str) -> Tangent {
     let index = scene.textures.iter().position(|t| t.id == id);
     let index = index.expect("a texture");
-    let mut motion = Motion::zero(scene);
+    let mut tangent = Tangent::zero(scene);
     let count = scene.textures[index].data.len();
-    motion.textures[index] = Some((0..count).map(|i| (i % 5) as f64 - 1.5).collect());
-    motion
+    tangent.textures[index] = Some((0..count).map(|i| (i % 5) as f64 - 1.5).collect());
+    tangent
 }
 
 /// Gives every path one more segment, so that the floor is seen from everywhere.
@@ -69,15 +69,15 @@ fn with_indirect_light(mut scene: Scene) -> Scene {
 #[test]
 fn normals_of_a_map() {
     let scene = with_indirect_light(normal_mapped());
-    let motion = texels_change(&scene, "floor.bsdf.normalmap");
-    agree("normals", scene, &motion, case(100));
+    let tangent = texels_change(&scene, "floor.bsdf.normalmap");
+    agree("normals", scene, &tangent, case(100));
 }
 
 #[test]
 fn heights_of_bumps_and_their_scale() {
     let scene = with_indirect_light(bumpy());
     let mut along = texels_change(&scene, "floor.bsdf.heights");
-    along.add(&motion(&scene, "0.5*floor.bsdf.scale"));
+    along.add(&tangent(&scene, "0.5*floor.bsdf.scale"));
     agree("heights", scene, &along, case(100));
 }
 
@@ -85,12 +85,12 @@ fn heights_of_bumps_and_their_scale() {
 #[test]
 fn mapped_planes_move() {
     for scene in [normal_mapped(), bumpy()] {
-        let along = motion(&scene, "floor.translate.x + 0.3*floor.rotate.z");
+        let along = tangent(&scene, "floor.translate.x + 0.3*floor.rotate.z");
         agree("turning", scene, &along, case(100));
     }
     // Slopes follow the size of the surface.
     let scene = bumpy();
-    let along = motion(&scene, "floor.scale + 0.2*floor.rotate.x");
+    let along = tangent(&scene, "floor.scale + 0.2*floor.rotate.x");
     agree("growing", scene, &along, case(100));
 }
 
@@ -98,7 +98,7 @@ fn mapped_planes_move() {
 #[test]
 fn camera_over_bumps() {
     let scene = bumpy();
-    let along = motion(&scene, "sensor.translate.y + 0.2*sensor.rotate.z");
+    let along = tangent(&scene, "sensor.translate.y + 0.2*sensor.rotate.z");
     agree("camera over bumps", scene, &along, case(100));
 }
 
@@ -116,7 +116,7 @@ fn mapped_cushion_moves() {
     let normals = floor.mesh.positions.iter().map(outward).collect();
     floor.normals = ShadingNormals::Given(normals);
     scene.film.filter = Filter::Gaussian { stddev: 0.5 };
-    let along = motion(&scene, "floor.translate.x + 0.3*floor.rotate.z");
+    let along = tangent(&scene, "floor.translate.x + 0.3*floor.rotate.z");
     let case = Case {
         min_pixels: 900,
         ..case(100)

@@ -41,7 +41,7 @@ fn sample_of(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
 
 /// Numbers of the floor's material change, nothing moves.
 fn numbers_change(name: &str, scene: Scene, expression: &str) {
-    let along = motion(&scene, expression);
+    let along = tangent(&scene, expression);
     let case = Case {
         step: 1e-2,
         gradient_spp: 200,
@@ -120,7 +120,7 @@ fn numbers_of_principled() {
             ..Case::default()
         };
         let scene = sample_of(principled);
-        let along = motion(&scene, expression);
+        let along = tangent(&scene, expression);
         agree(expression, scene, &along, case);
     }
 }
@@ -141,7 +141,7 @@ fn weights_at_their_limits() {
         let settings = GradientOptions::new(RenderOptions { spp: 200, seed });
         let result = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion(scene, name),
+            &tangent(scene, name),
             &settings,
             &Unwatched,
         );
@@ -163,7 +163,7 @@ fn weights_at_their_limits() {
 }
 
 /// A texture of ends of its range, in blocks, and a motion that takes them inside.
-fn at_the_ends(scene: &mut Scene, id: &str, ends: [f64; 2]) -> Motion {
+fn at_the_ends(scene: &mut Scene, id: &str, ends: [f64; 2]) -> Tangent {
     let index = scene.textures.iter().position(|texture| texture.id == id);
     let index = index.expect("a texture");
     let texture = scene.texture_mut(TextureId(index as u32));
@@ -177,9 +177,9 @@ fn at_the_ends(scene: &mut Scene, id: &str, ends: [f64; 2]) -> Motion {
     texture.data = (0..16).map(|i| ends[i / 2 % 2]).collect();
     let inside = |&x: &f64| if x < 0.5 { 1.0 } else { -1.0 };
     let velocities = texture.data.iter().map(inside).collect();
-    let mut motion = Motion::zero(scene);
-    motion.textures[index] = Some(velocities);
-    motion
+    let mut tangent = Tangent::zero(scene);
+    tangent.textures[index] = Some(velocities);
+    tangent
 }
 
 /// Derivatives by texels where there is all of something or nothing of it, against
@@ -187,7 +187,7 @@ fn at_the_ends(scene: &mut Scene, id: &str, ends: [f64; 2]) -> Motion {
 /// them.
 fn texels_at_the_ends(name: &str, mut scene: Scene, ends: [f64; 2]) {
     unit_square(&mut scene, "floor");
-    let motion = at_the_ends(&mut scene, &format!("floor.bsdf.{name}"), ends);
+    let tangent = at_the_ends(&mut scene, &format!("floor.bsdf.{name}"), ends);
     let case = Case {
         step: 0.125, // sums of it are exact, and stay inside
         one_sided: true,
@@ -196,7 +196,7 @@ fn texels_at_the_ends(name: &str, mut scene: Scene, ends: [f64; 2]) {
         min_pixels: 900,
         ..Case::default()
     };
-    agree(name, scene, &motion, case);
+    agree(name, scene, &tangent, case);
 }
 
 #[test]

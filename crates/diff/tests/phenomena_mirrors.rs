@@ -65,8 +65,8 @@ fn case(spp: u32) -> Case {
 }
 
 fn moves(name: &str, scene: Scene, expression: &str, case: Case) {
-    let motion = motion(&scene, expression);
-    agree(&format!("{name}, {expression}"), scene, &motion, case);
+    let tangent = tangent(&scene, expression);
+    agree(&format!("{name}, {expression}"), scene, &tangent, case);
 }
 
 /// A block moves, seen directly and in a flat mirror.
@@ -90,8 +90,8 @@ fn corner_of_a_mirror() {
     let scene = block_before_a_mirror();
     let mut corners = vec![v(0.0, 0.0, 0.0); 4];
     corners[1] = v(0.1, 1.0, 0.2);
-    let motion = params::vertex_motion(&scene, "mirror", corners).expect("a mirror");
-    agree("mirror, a corner", scene, &motion, case(1200));
+    let tangent = params::vertex_tangent(&scene, "mirror", corners).expect("a mirror");
+    agree("mirror, a corner", scene, &tangent, case(1200));
 }
 
 /// The camera moves before a mirror.
@@ -182,11 +182,11 @@ fn halves_of_a_mirror_are_one() {
         light_up(&mut scene, 1.0);
         paths(&mut scene, 2);
         scene.check().expect("a valid scene");
-        let motion = motion(&scene, "block.translate.x");
+        let tangent = tangent(&scene, "block.translate.x");
         let settings = GradientOptions::new(RenderOptions { spp: 32, seed: 1 });
         let result = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &settings,
             &Unwatched,
         )

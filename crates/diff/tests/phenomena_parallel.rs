@@ -92,15 +92,15 @@ fn triangle_against_its_area() {
     ] {
         let scene = triangle_under_sky(Filter::Box);
         scene.check().expect("a valid scene");
-        let motion = motion(&scene, name);
+        let tangent = tangent(&scene, name);
         let result = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &settings(10000),
             &Unwatched,
         )
         .expect("covered");
-        let [above, below] = [STEP, -STEP].map(|step| sky_seen(&scene.moved(&motion, step)));
+        let [above, below] = [STEP, -STEP].map(|step| sky_seen(&scene.moved(&tangent, step)));
         let [value, slope] = [&result.value, &result.gradient].map(means);
         for (i, exact) in sky_seen(&scene).into_iter().enumerate() {
             meets(&format!("value {i}"), value[i].0, value[i].1, exact, 0.01);
@@ -112,9 +112,9 @@ fn triangle_against_its_area() {
 }
 
 fn agree_before(name: &str, scene: Scene, expression: &str, step: f64) {
-    let motion = motion(&scene, expression);
+    let tangent = tangent(&scene, expression);
     let case = Case { step, ..primary() };
-    agree(name, with_parallel_rays(scene, 0.85), &motion, case);
+    agree(name, with_parallel_rays(scene, 0.85), &tangent, case);
 }
 
 /// Every edge of the picture moves at a velocity of its own: black things under a sky,
@@ -124,7 +124,7 @@ fn sensor_of_any_matrix() {
     let mut scene = triangle_under_sky(Filter::Gaussian { stddev: 0.5 });
     let ball = placed(small_ball(), Affine::translate(v(0.1, 0.6, -0.3)));
     add(&mut scene, "ball", ball, ShadingNormals::Face, 0.0);
-    let motion = motion(&scene, ANY_MATRIX);
+    let tangent = tangent(&scene, ANY_MATRIX);
     let case = Case {
         size: 24,
         step: 2e-3,
@@ -133,7 +133,7 @@ fn sensor_of_any_matrix() {
         min_pixels: 100,
         ..primary()
     };
-    agree("any matrix", scene, &motion, case);
+    agree("any matrix", scene, &tangent, case);
 }
 
 /// A dusty pane stands before a cube and its shadow: outlines are seen through it.

@@ -17,20 +17,20 @@ fn blurred_ball(filter: Filter) -> Scene {
 #[test]
 fn ball_out_of_focus() {
     let scene = blurred_ball(Filter::Box);
-    let motion = motion(&scene, "ball.translate.x");
-    agree("ball out of focus", scene, &motion, primary());
+    let tangent = tangent(&scene, "ball.translate.x");
+    agree("ball out of focus", scene, &tangent, primary());
 }
 
 #[test]
 fn moving_lens() {
     let scene = through_lens(visible_cube(), 0.12, 2.9);
-    let motion = motion(&scene, "sensor.translate.x");
+    let tangent = tangent(&scene, "sensor.translate.x");
     let case = Case {
         step: 1e-3,
         reference_spp: 2000,
         ..primary()
     };
-    agree("lens moves", scene, &motion, case);
+    agree("lens moves", scene, &tangent, case);
 }
 
 /// Turning about its middle moves the other points of the lens.
@@ -42,40 +42,40 @@ fn turning_lens() {
         ..primary()
     };
     let scene = through_lens(visible_cube(), 0.3, 2.9);
-    let motion = motion(&scene, "sensor.rotate.y");
-    agree("lens turns", scene, &motion, case);
+    let tangent = tangent(&scene, "sensor.rotate.y");
+    agree("lens turns", scene, &tangent, case);
 }
 
 /// A shadow out of focus.
 #[test]
 fn shadow_through_lens() {
     let scene = through_lens(with(triangle()), 0.3, 4.0);
-    let motion = motion(&scene, "thing.translate.x");
-    agree("shadow through a lens", scene, &motion, Case::default());
+    let tangent = tangent(&scene, "thing.translate.x");
+    agree("shadow through a lens", scene, &tangent, Case::default());
 }
 
 #[test]
 fn opening_lens() {
     let scene = blurred_ball(Filter::Gaussian { stddev: 0.5 });
-    let motion = motion(&scene, "sensor.aperture_radius");
+    let tangent = tangent(&scene, "sensor.aperture_radius");
     let case = Case {
         step: 4e-3,
         gradient_spp: 500,
         reference_spp: 1600,
         ..primary()
     };
-    agree("aperture", scene, &motion, case);
+    agree("aperture", scene, &tangent, case);
 }
 
 #[test]
 fn focusing_lens() {
     let scene = blurred_ball(Filter::Tent { radius: 1.0 });
-    let motion = motion(&scene, "sensor.focus_distance");
+    let tangent = tangent(&scene, "sensor.focus_distance");
     let case = Case {
         step: 0.08,
         ..primary()
     };
-    agree("focus", scene, &motion, case);
+    agree("focus", scene, &tangent, case);
 }
 
 /// The film moves under the picture: everywhere, so that the flux through the
@@ -83,20 +83,20 @@ fn focusing_lens() {
 #[test]
 fn zooming() {
     let scene = visible_cube();
-    let motion = motion(&scene, "sensor.x_fov");
+    let tangent = tangent(&scene, "sensor.x_fov");
     let case = Case {
         step: 1.5e-2,
         reference_spp: 2000,
         ..primary()
     };
-    agree("field of view", scene, &motion, case);
+    agree("field of view", scene, &tangent, case);
 }
 
 /// Every entry of the matrix: the camera shears, scales, turns and moves.
 #[test]
 fn camera_of_any_matrix() {
     let scene = visible_cube();
-    let motion = motion(
+    let tangent = tangent(
         &scene,
         "0.4*sensor.to_world[0,0] - sensor.to_world[0,1] + 0.5*sensor.to_world[2,1] \
          + sensor.to_world[1,2] + sensor.to_world[2,3]",
@@ -106,5 +106,5 @@ fn camera_of_any_matrix() {
         reference_spp: 2000,
         ..primary()
     };
-    agree("any matrix", scene, &motion, case);
+    agree("any matrix", scene, &tangent, case);
 }

@@ -16,8 +16,8 @@ use common::agree::*;
 use common::stages::*;
 
 fn shadow_case(name: &str, scene: Scene, expression: &str) {
-    let motion = motion(&scene, expression);
-    agree(name, scene, &motion, Case::default());
+    let tangent = tangent(&scene, expression);
+    agree(name, scene, &tangent, Case::default());
 }
 
 /// Paths of two segments are what direct light is.
@@ -37,7 +37,7 @@ fn path_of_depth_two() {
 #[test]
 fn other_walks() {
     let scene = with(triangle());
-    let motion = motion(&scene, "thing.translate.x");
+    let tangent = tangent(&scene, "thing.translate.x");
     for (steps, max_radius, antithetic) in [(2, 0.6, false), (1, 0.05, true), (3, 3.0, true)] {
         let walk = WalkSettings {
             steps,
@@ -49,7 +49,7 @@ fn other_walks() {
         agree(
             &name,
             scene.clone(),
-            &motion,
+            &tangent,
             Case {
                 size: 42,
                 walk,
@@ -63,8 +63,8 @@ fn builtin_case(scene: &str, expression: &str, case: Case) {
     let name = format!("{scene}, {expression}");
     let mut scene = builtin::scene(scene).expect("a built-in scene");
     scene.film.crop_offset = [0, 0];
-    let motion = motion(&scene, expression);
-    agree(&name, scene, &motion, case);
+    let tangent = tangent(&scene, expression);
+    agree(&name, scene, &tangent, case);
 }
 
 #[test]
@@ -89,6 +89,6 @@ fn sobol_points() {
         reference_spp: 1024,
         ..Case::default()
     };
-    let motion = motion(&scene, "thing.translate.x");
-    agree("sobol", scene, &motion, case);
+    let tangent = tangent(&scene, "thing.translate.x");
+    agree("sobol", scene, &tangent, case);
 }

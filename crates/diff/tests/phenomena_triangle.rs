@@ -38,8 +38,8 @@ fn on_triangles(name: &str, scene: Scene, expression: &str, case: Case) {
 }
 
 fn with_method(method: Method, name: &str, scene: Scene, expression: &str, case: Case) {
-    let motion = motion(&scene, expression);
-    agree(name, scene, &motion, Case { method, ..case });
+    let tangent = tangent(&scene, expression);
+    agree(name, scene, &tangent, Case { method, ..case });
 }
 
 fn few_pixels() -> Case {
@@ -143,7 +143,7 @@ fn explicit_and_practical_walks_agree() {
     let mut scene = visible_cube();
     scene.film.size = [10; 2];
     scene.film.crop_size = [10; 2];
-    let motion = motion(&scene, "thing.rotate.z + 0.3*sensor.translate.x");
+    let tangent = tangent(&scene, "thing.rotate.z + 0.3*sensor.translate.x");
     let [practical, explicit] =
         [(Method::TriangleWalk, 1), (Method::ExplicitWalk, 2)].map(|(method, seed)| {
             let options = RenderOptions { spp: 1500, seed };
@@ -153,7 +153,7 @@ fn explicit_and_practical_walks_agree() {
             };
             gradient(
                 &PreparedScene::new(scene.clone()),
-                &motion,
+                &tangent,
                 &options,
                 &Unwatched,
             )

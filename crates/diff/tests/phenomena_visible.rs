@@ -14,8 +14,8 @@ use common::stages::*;
 use common::*;
 
 fn primary_case(name: &str, scene: Scene, expression: &str) {
-    let motion = motion(&scene, expression);
-    agree(name, scene, &motion, primary());
+    let tangent = tangent(&scene, expression);
+    agree(name, scene, &tangent, primary());
 }
 
 #[test]
@@ -26,8 +26,8 @@ fn turning_camera() {
         ..primary()
     };
     let scene = visible_cube();
-    let motion = motion(&scene, "sensor.rotate.z");
-    agree("camera turns", scene, &motion, case);
+    let tangent = tangent(&scene, "sensor.rotate.z");
+    agree("camera turns", scene, &tangent, case);
 }
 
 /// The built-in scenes as users get them, but small.
@@ -40,8 +40,8 @@ fn built_in_ball() {
 #[test]
 fn built_in_leaf() {
     let scene = builtin::scene("leaf").expect("a built-in scene");
-    let motion = motion(&scene, "leaf.translate.x");
-    agree("built-in leaf", scene, &motion, Case::default());
+    let tangent = tangent(&scene, "leaf.translate.x");
+    agree("built-in leaf", scene, &tangent, Case::default());
 }
 
 #[test]
@@ -60,13 +60,13 @@ fn coarse_smooth_ball_inside_out() {
     ball.faces.iter_mut().for_each(|face| face.swap(1, 2));
     let normals = ShadingNormals::computed(&ball);
     add(&mut scene, "ball", ball, normals, 0.6);
-    let motion = motion(&scene, "ball.rotate.y");
+    let tangent = tangent(&scene, "ball.rotate.y");
     let case = Case {
         gradient_spp: 600,
         reference_spp: 1600,
         ..primary()
     };
-    agree("coarse smooth ball, inside out", scene, &motion, case);
+    agree("coarse smooth ball, inside out", scene, &tangent, case);
 }
 
 /// The numbers of Russian roulette are nobody else's.
@@ -80,6 +80,6 @@ fn early_roulette() {
         rr_depth: 1,
         hide_emitters: false,
     };
-    let motion = motion(&scene, "sensor.rotate.x");
-    agree("early roulette", scene, &motion, primary());
+    let tangent = tangent(&scene, "sensor.rotate.x");
+    agree("early roulette", scene, &tangent, primary());
 }

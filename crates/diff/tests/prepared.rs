@@ -23,7 +23,7 @@ fn bits(image: &Image) -> Vec<u64> {
 /// methods, and the gradient with respect to everything.
 fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
     let scene = prepared.scene();
-    let motion = Registry::new(scene).motion(scene, along).expect("a name");
+    let tangent = Registry::new(scene).tangent(scene, along).expect("a name");
     let [width, height] = scene.film.crop_size.map(|n| n as usize);
     let mut adjoint = Image::new(width, height);
     adjoint.pixels.fill(Rgb::new(0.3, -0.7, 1.1));
@@ -33,7 +33,7 @@ fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
             method,
             ..SAMPLING.into()
         };
-        let forward = gradient(prepared, &motion, &options, &Unwatched).expect("covered");
+        let forward = gradient(prepared, &tangent, &options, &Unwatched).expect("covered");
         numbers.extend(bits(&forward.gradient.mean));
         let wanted = Wanted::all(scene);
         let reverse = backward(prepared, &adjoint, &wanted, &options, &Unwatched);
@@ -56,8 +56,8 @@ fn agree(mut start: Scene, along: &str, steps: &[(&str, f64)]) {
     answers(&prepared, along);
     for &(name, step) in steps {
         let scene = prepared.scene();
-        let motion = Registry::new(scene).motion(scene, name).expect("a name");
-        let next = scene.moved(&motion, step);
+        let tangent = Registry::new(scene).tangent(scene, name).expect("a name");
+        let next = scene.moved(&tangent, step);
         next.check().expect("a valid scene");
         prepared.update(next.clone());
         let fresh = PreparedScene::new(next);

@@ -361,36 +361,36 @@ fn make_sensor(sensor: &mut Sensor, random: &mut Random) {
 }
 
 /// Velocities of some numbers of a scene.
-fn random_motion(scene: &Scene, random: &mut Random) -> Motion {
-    let mut motion = Motion::zero(scene);
-    for (shape, motion) in scene.shapes.iter().zip(&mut motion.shapes) {
+fn random_tangent(scene: &Scene, random: &mut Random) -> Tangent {
+    let mut tangent = Tangent::zero(scene);
+    for (shape, tangent) in scene.shapes.iter().zip(&mut tangent.shapes) {
         if random.chance(0.5) {
             let v = random.vector(1.0);
             let vertices = vec![v; shape.mesh.positions.len()];
-            *motion = Some(ShapeMotion {
+            *tangent = Some(ShapeVectors {
                 vertices,
                 normals: None,
             });
         }
     }
-    for (texture, motion) in scene.textures.iter().zip(&mut motion.textures) {
+    for (texture, tangent) in scene.textures.iter().zip(&mut tangent.textures) {
         if random.chance(0.3) {
             let velocities = texture.data.iter().map(|_| random.number(-1.0, 1.0));
-            *motion = Some(velocities.collect());
+            *tangent = Some(velocities.collect());
         }
     }
     if random.chance(0.3) {
-        motion.sensor.translation = random.vector(1.0);
-        motion.sensor.rotation = random.vector(1.0);
+        tangent.sensor.translation = random.vector(1.0);
+        tangent.sensor.rotation = random.vector(1.0);
     }
     for array in params::Registry::new(scene).arrays() {
         let is_of_sensor = array.name.starts_with("sensor.");
         if (is_of_sensor || array.name.ends_with(".to_world")) && random.chance(0.1) {
             let velocities = (0..array.count()).map(|_| random.number(-1.0, 1.0));
-            motion.add(&array.motion(scene, &velocities.collect::<Vec<_>>()));
+            tangent.add(&array.tangent(scene, &velocities.collect::<Vec<_>>()));
         }
     }
-    motion
+    tangent
 }
 
 /// What became of the scenes.
@@ -446,11 +446,11 @@ fn run(seed: u64, tally: &mut Tally) {
     tally.samples += picture.statistics.samples;
     tally.non_finite += picture.statistics.non_finite;
 
-    let motion = random_motion(&scene, &mut Random(seed ^ 0xabcdef));
+    let tangent = random_tangent(&scene, &mut Random(seed ^ 0xabcdef));
     let settings = GradientOptions::new(options);
     let Ok(forward) = gradient(
         &PreparedScene::new(scene.clone()),
-        &motion,
+        &tangent,
         &settings,
         &Unwatched,
     ) else {
@@ -467,7 +467,7 @@ fn run(seed: u64, tally: &mut Tally) {
         pixels: vec![Rgb::new(1.0, -0.5, 0.25); picture.value.mean.pixels.len()],
         ..picture.value.mean
     };
-    let wanted = Wanted::by(&motion);
+    let wanted = Wanted::by(&tangent);
     let Ok(reverse) = backward(
         &PreparedScene::new(scene.clone()),
         &adjoint,
@@ -484,7 +484,7 @@ fn run(seed: u64, tally: &mut Tally) {
     }
     let pixels = forward.gradient.mean.pixels.iter().zip(&adjoint.pixels);
     let expected: f64 = pixels.map(|(a, &b)| a.dot(b)).sum();
-    let (found, error) = reverse.along(&motion);
+    let (found, error) = reverse.along(&tangent);
     let scale = expected
         .abs()
         .max(if error.is_finite() { error } else { 0.0 });

@@ -16,9 +16,9 @@ fn mean_variance(results: &[Irradiance]) -> f64 {
 
 /// Central differences with common random numbers. The step is small against
 /// the ball's faces; its bias is below a thousandth.
-fn differences(scene: &Scene, motion: &Motion) -> Vec<Moments> {
+fn differences(scene: &Scene, tangent: &Tangent) -> Vec<Moments> {
     let step = 1e-2;
-    let sides = [scene.moved(motion, step), scene.moved(motion, -step)];
+    let sides = [scene.moved(tangent, step), scene.moved(tangent, -step)];
     let mut moments = difference(&sides, &reference_points(), 20_000, 7);
     for point in &mut moments {
         point.mean /= 2.0 * step;
@@ -30,20 +30,20 @@ fn differences(scene: &Scene, motion: &Motion) -> Vec<Moments> {
 #[test]
 fn anchored_is_unbiased_and_has_the_promised_variance() {
     let scene = reference_scene();
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, "ball.translate.x")
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, "ball.translate.x")
         .expect("a known name");
     let walk = WalkSettings {
         max_radius: 0.6,
         ..Default::default()
     };
     let results =
-        irradiance(&scene, &motion, &reference_points(), walk, 2_000, 1).expect("covered");
+        irradiance(&scene, &tangent, &reference_points(), walk, 2_000, 1).expect("covered");
     let variance = mean_variance(&results);
     println!("anchored: mean variance per sample {variance:.3}");
     assert!(variance < 0.6, "{variance}");
 
-    let reference = differences(&scene, &motion);
+    let reference = differences(&scene, &tangent);
     let chi: f64 = results
         .iter()
         .zip(&reference)
@@ -65,8 +65,8 @@ fn anchored_is_unbiased_and_has_the_promised_variance() {
 #[test]
 fn literal_has_a_variance_beyond_use() {
     let scene = reference_scene();
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, "ball.translate.x")
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, "ball.translate.x")
         .expect("a known name");
     let walk = WalkSettings {
         estimator: Estimator::Literal,
@@ -74,7 +74,7 @@ fn literal_has_a_variance_beyond_use() {
         ..Default::default()
     };
     let results =
-        irradiance(&scene, &motion, &reference_points(), walk, 2_000, 1).expect("covered");
+        irradiance(&scene, &tangent, &reference_points(), walk, 2_000, 1).expect("covered");
     let variance = mean_variance(&results);
     println!("literal: mean variance per sample {variance:.3e}");
     assert!(variance > 1e4, "{variance}");

@@ -15,7 +15,7 @@ use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
-use common::agree::motion;
+use common::agree::tangent;
 use common::materials::*;
 use common::stages::*;
 use common::*;
@@ -53,25 +53,25 @@ fn mirror_floor() -> Scene {
 
 /// True if both modes refuse, by name.
 fn is_refused(scene: &Scene, name: &str) -> bool {
-    let reasons = refusals(scene, &motion(scene, name))
+    let reasons = refusals(scene, &tangent(scene, name))
         .map(|reason| reason.is_some_and(|reason| reason.contains("specular")));
     assert_eq!(reasons[0], reasons[1], "{name}: only one mode refuses");
     reasons[0]
 }
 
 /// Why forward and reverse mode refuse, if they do.
-fn refusals(scene: &Scene, motion: &Motion) -> [Option<String>; 2] {
-    refusals_with(scene, motion, Method::default())
+fn refusals(scene: &Scene, tangent: &Tangent) -> [Option<String>; 2] {
+    refusals_with(scene, tangent, Method::default())
 }
 
-fn refusals_with(scene: &Scene, motion: &Motion, method: Method) -> [Option<String>; 2] {
+fn refusals_with(scene: &Scene, tangent: &Tangent, method: Method) -> [Option<String>; 2] {
     let settings = GradientOptions {
         method,
         ..GradientOptions::new(RenderOptions { spp: 64, seed: 1 })
     };
     let forward = gradient(
         &PreparedScene::new(scene.clone()),
-        motion,
+        tangent,
         &settings,
         &Unwatched,
     );
@@ -81,7 +81,7 @@ fn refusals_with(scene: &Scene, motion: &Motion, method: Method) -> [Option<Stri
         height,
         pixels: vec![Rgb::splat(1.0); width * height],
     };
-    let wanted = Wanted::by(motion);
+    let wanted = Wanted::by(tangent);
     let reverse = backward(
         &PreparedScene::new(scene.clone()),
         &adjoint,
@@ -109,8 +109,8 @@ fn a_lamp_that_moves_in_a_flat_mirror() {
     let mut scene = mirror_floor();
     scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     for name in ["lamp.translate.x", "sensor.translate.x", "floor.rotate.x"] {
-        let motion = motion(&scene, name);
-        for reason in refusals_with(&scene, &motion, Method::TriangleWalk) {
+        let tangent = tangent(&scene, name);
+        for reason in refusals_with(&scene, &tangent, Method::TriangleWalk) {
             let reason = reason.expect("refused");
             assert!(reason.contains("on the sphere"), "{name}: {reason}");
         }
@@ -122,12 +122,12 @@ fn a_lamp_that_moves_in_a_flat_mirror() {
 fn too_many_edges_for_explicit_walks() {
     let mut scene = visible_cube();
     let method = Method::ExplicitWalk;
-    let translation = motion(&scene, "thing.translate.x");
+    let translation = tangent(&scene, "thing.translate.x");
     scene.film.crop_size = [2, 2];
     let reasons = refusals_with(&scene, &translation, method);
     assert_eq!(reasons, [None, None]);
     add(&mut scene, "ball", icosphere(12), ShadingNormals::Face, 0.5);
-    let translation = motion(&scene, "thing.translate.x");
+    let translation = tangent(&scene, "thing.translate.x");
     for reason in refusals_with(&scene, &translation, method) {
         let reason = reason.expect("refused");
         assert!(
@@ -197,7 +197,7 @@ fn mirrors_under_parallel_rays() {
     scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     assert!(!is_refused(&scene, "lamp.translate.x"));
     scene.sensor.model = SensorModel::Orthographic;
-    for reason in refusals(&scene, &motion(&scene, "lamp.translate.x")) {
+    for reason in refusals(&scene, &tangent(&scene, "lamp.translate.x")) {
         let reason = reason.expect("refused");
         assert!(
             reason.contains("mirrors by an orthographic sensor"),
@@ -216,7 +216,7 @@ fn warped_areas_under_parallel_rays() {
         method: Method::Was(WasSettings::default()),
         ..exact::settings(2)
     };
-    let moves = motion(&scene, "thing.translate.x");
+    let moves = tangent(&scene, "thing.translate.x");
     let refusal = gradient(
         &PreparedScene::new(scene.clone()),
         &moves,
@@ -232,7 +232,7 @@ fn warped_areas_under_parallel_rays() {
 #[test]
 fn surface_cut_by_the_film() {
     let mut scene = visible_cube();
-    let run = |scene: &Scene| refusals(scene, &motion(scene, "thing.translate.x"));
+    let run = |scene: &Scene| refusals(scene, &tangent(scene, "thing.translate.x"));
     scene.sensor.model = SensorModel::Orthographic;
     assert_eq!(run(&scene), [None, None]);
     let [.., forward] = scene.sensor.state().axes;
@@ -256,8 +256,8 @@ fn numbers_without_a_slope() {
                 ..n.principled(glass)
             })
         });
-        let motion = motion(&scene, &format!("floor.bsdf.{name}.value"));
-        refusals(&scene, &motion).map(|reason| reason.unwrap_or_default())
+        let tangent = tangent(&scene, &format!("floor.bsdf.{name}.value"));
+        refusals(&scene, &tangent).map(|reason| reason.unwrap_or_default())
     };
     for (base, glass, name, why) in [
         ([0.5, 0.0, 0.5], 0.4, "base_color", "square root"),
@@ -292,7 +292,7 @@ fn motion_beside_textures_that_jump() {
             },
         });
         material(&mut scene, "floor.bsdf", Bsdf::Diffuse { reflectance: id });
-        let reasons = refusals_with(&scene, &motion(&scene, "lamp.translate.x"), method);
+        let reasons = refusals_with(&scene, &tangent(&scene, "lamp.translate.x"), method);
         reasons.map(|reason| reason.unwrap_or_default())
     };
     let was = || Method::Was(WasSettings::default());
@@ -327,7 +327,7 @@ fn maps_that_cut_light_off() {
                 (limits.flip_invalid, limits.shadowing) = (flip_invalid, shadowing);
             }
         }
-        refusals(&scene, &motion(&scene, name)).map(|reason| reason.unwrap_or_default())
+        refusals(&scene, &tangent(&scene, name)).map(|reason| reason.unwrap_or_default())
     };
     let (moves, turns, colours) = (
         "lamp.translate.x",
@@ -371,7 +371,7 @@ fn cuts_seen_between_posts_are_refused() {
         scene
     };
     let refused = |posts: &[f64]| {
-        let reasons = refusals(&scene(posts), &motion(&scene(posts), "wall.translate.x"));
+        let reasons = refusals(&scene(posts), &tangent(&scene(posts), "wall.translate.x"));
         reasons.map(|reason| reason.is_some_and(|reason| reason.contains("far_clip")))
     };
     assert_eq!(refused(&[-0.73, 0.0, 0.73]), [true; 2]);
@@ -403,7 +403,7 @@ fn collapsed_texture_coordinates_say_nothing() {
         let uvs = [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|i| corners[i].map(|x| x * scale)));
         scene.shape_mut(ShapeId(0)).uvs = Some(uvs.to_vec());
         ["sheet.translate.z", "sheet.normals[2,0]"].map(|name| {
-            let reasons = refusals(&scene, &motion(&scene, name));
+            let reasons = refusals(&scene, &tangent(&scene, name));
             reasons.map(|reason| reason.is_some_and(|reason| reason.contains("without extent")))
         })
     };
@@ -417,7 +417,7 @@ fn collapsed_texture_coordinates_say_nothing() {
 #[test]
 fn walks_without_steps_or_reach() {
     let scene = mirror_floor();
-    let motion = motion(&scene, "lamp.translate.x");
+    let tangent = tangent(&scene, "lamp.translate.x");
     let mut wanted = GradientOptions::new(RenderOptions { spp: 2, seed: 1 });
     for (steps, max_radius, expected) in [
         (
@@ -431,7 +431,7 @@ fn walks_without_steps_or_reach() {
         wanted.walk.max_radius = max_radius;
         let refusal = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &wanted,
             &Unwatched,
         )
@@ -446,7 +446,7 @@ fn walks_without_steps_or_reach() {
         });
         let refusal = gradient(
             &PreparedScene::new(scene.clone()),
-            &motion,
+            &tangent,
             &wanted,
             &Unwatched,
         )

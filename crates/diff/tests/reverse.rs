@@ -14,7 +14,7 @@ use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
-use common::agree::motion;
+use common::agree::tangent;
 use common::materials::*;
 use common::stages::*;
 use common::*;
@@ -39,12 +39,12 @@ impl Numbers {
 }
 
 /// Every number of the scene changes at a velocity of its own.
-fn everything(scene: &Scene, seed: u64) -> Motion {
+fn everything(scene: &Scene, seed: u64) -> Tangent {
     let mut numbers = Numbers(seed);
-    let mut motion = Motion::zero(scene);
-    for (shape, motion) in scene.shapes.iter().zip(&mut motion.shapes) {
+    let mut tangent = Tangent::zero(scene);
+    for (shape, tangent) in scene.shapes.iter().zip(&mut tangent.shapes) {
         let count = shape.mesh.positions.len();
-        *motion = Some(ShapeMotion {
+        *tangent = Some(ShapeVectors {
             vertices: numbers.vectors(count),
             normals: match &shape.normals {
                 ShadingNormals::Given(_) => Some(numbers.vectors(count)),
@@ -52,16 +52,16 @@ fn everything(scene: &Scene, seed: u64) -> Motion {
             },
         });
     }
-    for (texture, motion) in scene.textures.iter().zip(&mut motion.textures) {
-        *motion = Some(texture.data.iter().map(|_| numbers.number()).collect());
+    for (texture, tangent) in scene.textures.iter().zip(&mut tangent.textures) {
+        *tangent = Some(texture.data.iter().map(|_| numbers.number()).collect());
     }
-    motion.sensor = SensorMotion {
+    tangent.sensor = SensorVectors {
         translation: numbers.vector(),
         rotation: numbers.vector(),
         axes: [0, 1, 2].map(|_| numbers.vector()),
         optics: numbers.vector(),
     };
-    motion
+    tangent
 }
 
 fn adjoint(scene: &Scene, seed: u64) -> Image {
@@ -94,14 +94,14 @@ fn reverse(scene: &Scene, wanted: &Wanted, spp: u32) -> Backward {
 }
 
 /// `⟨δ, J θ̇⟩` in forward mode.
-fn forward(scene: &Scene, motion: &Motion, spp: u32) -> f64 {
-    forward_by(scene, motion, &settings(spp))
+fn forward(scene: &Scene, tangent: &Tangent, spp: u32) -> f64 {
+    forward_by(scene, tangent, &settings(spp))
 }
 
-fn forward_by(scene: &Scene, motion: &Motion, settings: &GradientOptions) -> f64 {
+fn forward_by(scene: &Scene, tangent: &Tangent, settings: &GradientOptions) -> f64 {
     let result = gradient(
         &PreparedScene::new(scene.clone()),
-        motion,
+        tangent,
         settings,
         &Unwatched,
     )
@@ -113,8 +113,8 @@ fn forward_by(scene: &Scene, motion: &Motion, settings: &GradientOptions) -> f64
 
 fn agree_in_both_modes(name: &str, mut scene: Scene, depth: u32) {
     small(&mut scene, depth);
-    let motion = everything(&scene, 11);
-    agree_along(name, &scene, &motion);
+    let tangent = everything(&scene, 11);
+    agree_along(name, &scene, &tangent);
 }
 
 /// Few pixels, paths of so many segments.
@@ -129,19 +129,19 @@ fn small(scene: &mut Scene, depth: u32) {
     scene.check().expect("a valid scene");
 }
 
-fn agree_along(name: &str, scene: &Scene, motion: &Motion) {
+fn agree_along(name: &str, scene: &Scene, tangent: &Tangent) {
     for method in [Method::Walk, Method::Edges] {
         let settings = GradientOptions {
             method,
             ..settings(32)
         };
-        agree_by(&format!("{name}, {method:?}"), scene, motion, &settings);
+        agree_by(&format!("{name}, {method:?}"), scene, tangent, &settings);
     }
 }
 
-fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptions) {
-    let forward = forward_by(scene, motion, settings);
-    let wanted = Wanted::by(motion);
+fn agree_by(name: &str, scene: &Scene, tangent: &Tangent, settings: &GradientOptions) {
+    let forward = forward_by(scene, tangent, settings);
+    let wanted = Wanted::by(tangent);
     let reverse = backward(
         &PreparedScene::new(scene.clone()),
         &adjoint(scene, 3),
@@ -149,7 +149,7 @@ fn agree_by(name: &str, scene: &Scene, motion: &Motion, settings: &GradientOptio
         settings,
         &Unwatched,
     );
-    let (reverse, error) = reverse.expect("covered").along(motion);
+    let (reverse, error) = reverse.expect("covered").along(tangent);
     println!("{name}: forward {forward}, reverse {reverse} ± {error:.2e}");
     let difference = (forward - reverse).abs();
     assert!(forward.abs() > 1e-3, "{name}: nothing to compare");
@@ -193,10 +193,10 @@ fn thin_lens() {
             "sensor.aperture_radius",
             "sensor.focus_distance",
         ] {
-            let motion = params::Registry::new(&scene)
-                .motion(&scene, name)
+            let tangent = params::Registry::new(&scene)
+                .tangent(&scene, name)
                 .expect(name);
-            agree_along(name, &scene, &motion);
+            agree_along(name, &scene, &tangent);
         }
     }
 }
@@ -212,18 +212,18 @@ fn parallel_rays() {
             method: Method::Edges,
             ..settings(16)
         };
-        let motion = everything(&scene, 11);
-        agree_by("parallel rays, edges", &scene, &motion, &gathered);
+        let tangent = everything(&scene, 11);
+        agree_by("parallel rays, edges", &scene, &tangent, &gathered);
         for name in [
             "ball.translate.x",
             "sensor.translate.y - sensor.translate.x",
             "sensor.rotate.x",
             "sensor.to_world[0,2] - 0.4*sensor.to_world[1,1]",
         ] {
-            let motion = params::Registry::new(&scene)
-                .motion(&scene, name)
+            let tangent = params::Registry::new(&scene)
+                .tangent(&scene, name)
                 .expect(name);
-            agree_along(name, &scene, &motion);
+            agree_along(name, &scene, &tangent);
         }
     }
 }
@@ -235,7 +235,7 @@ fn warped_area_sampling() {
     let mut scene = visible_ball(Filter::Box);
     make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
     small(&mut scene, 4);
-    let motion = everything(&scene, 11);
+    let tangent = everything(&scene, 11);
     let debiased = WasSettings {
         boundary: WasBoundary::Normals,
         rays: 3,
@@ -248,7 +248,7 @@ fn warped_area_sampling() {
                 method,
                 ..settings(16)
             };
-            agree_by(method.name(), &scene, &motion, &settings);
+            agree_by(method.name(), &scene, &tangent, &settings);
         }
     }
 }
@@ -289,7 +289,7 @@ fn fields_on_triangles() {
         radiance,
     });
     small(&mut scene, 4);
-    let motion = everything(&scene, 11);
+    let tangent = everything(&scene, 11);
     for (method, steps) in [
         (Method::TriangleWalk, 1),
         (Method::TriangleWalk, 2),
@@ -299,7 +299,7 @@ fn fields_on_triangles() {
         options.method = method;
         options.walk.steps = steps;
         let name = format!("{}, M = {steps}", method.name());
-        agree_by(&name, &scene, &motion, &options);
+        agree_by(&name, &scene, &tangent, &options);
     }
 }
 
@@ -371,11 +371,9 @@ fn numbers_of_specular_materials() {
         nested: n.diffuse("green", [0.2, 0.7, 0.1]),
     });
     small(&mut scene, 5);
-    let motion = Motion {
-        textures: everything(&scene, 11).textures,
-        ..Motion::zero(&scene)
-    };
-    agree_along("specular materials", &scene, &motion);
+    let mut tangent = Tangent::zero(&scene);
+    tangent.textures = everything(&scene, 11).textures;
+    agree_along("specular materials", &scene, &tangent);
 }
 
 /// Flat mirrors across each other and a pane, everything moving.
@@ -404,11 +402,11 @@ fn single_parameters() {
     scene.film.size = [12; 2];
     scene.film.crop_size = [12; 2];
     for name in ["thing.translate.x", "lamp.rotate.y", "sensor.translate.z"] {
-        let motion = motion(&scene, name);
-        let wanted = Wanted::by(&motion);
-        let forward = forward(&scene, &motion, 16);
+        let tangent = tangent(&scene, name);
+        let wanted = Wanted::by(&tangent);
+        let forward = forward(&scene, &tangent, 16);
         let result = reverse(&scene, &wanted, 16);
-        let (reverse, error) = result.along(&motion);
+        let (reverse, error) = result.along(&tangent);
         assert!(
             (forward - reverse).abs() <= 1e-10 * forward.abs(),
             "{name}: {forward} {reverse}"
@@ -446,8 +444,8 @@ fn standard_errors_are_right() {
     let mut scene = visible_cube();
     scene.film.size = [8; 2];
     scene.film.crop_size = [8; 2];
-    let motion = motion(&scene, "thing.translate.x + 0.3*lamp.translate.y");
-    let (wanted, adjoint) = (Wanted::by(&motion), adjoint(&scene, 3));
+    let tangent = tangent(&scene, "thing.translate.x + 0.3*lamp.translate.y");
+    let (wanted, adjoint) = (Wanted::by(&tangent), adjoint(&scene, 3));
     let (mut spread, mut stated) = (capwalk_math::Moments::default(), 0.0);
     for seed in 0..40 {
         let mut settings = settings(32);
@@ -460,11 +458,11 @@ fn standard_errors_are_right() {
             &Unwatched,
         )
         .expect("covered");
-        let (value, error) = result.along(&motion);
+        let (value, error) = result.along(&tangent);
         spread.add(value);
         stated += error * error / 40.0;
         // The errors of all numbers, in the form of the gradient.
-        assert!(result.standard_error().dot(&result.standard_error()) > 0.0);
+        assert!(result.standard_error() != result.gradient().scaled(0.0));
     }
     let ratio = stated / spread.variance();
     assert!((0.45..2.6).contains(&ratio), "{ratio}");
@@ -486,7 +484,7 @@ fn normals_alone() {
     let ball = ball.expect("a ball");
     let mut turning = everything(&scene, 11);
     turning.textures.fill(None);
-    turning.sensor = SensorMotion::default();
+    turning.sensor = SensorVectors::default();
     for (i, shape) in turning.shapes.iter_mut().enumerate() {
         match shape {
             Some(shape) if i == ball => shape.vertices.fill(Vec3::zero()),
@@ -511,8 +509,8 @@ fn numbers_of_the_gradient() {
     scene.film.size = [8; 2];
     scene.film.crop_size = [8; 2];
     let result = reverse(&scene, &Wanted::all(&scene), 32);
-    let flat = |motion: &Motion| {
-        let shapes = motion.shapes.iter().flatten();
+    let flat = |gradient: &Gradient| {
+        let shapes = gradient.shapes.iter().flatten();
         shapes
             .flat_map(|shape| shape.vertices.iter().flat_map(|v| v.to_array()))
             .collect::<Vec<f64>>()

@@ -163,7 +163,7 @@ fn draw_case(
 fn statement(case: &Case) -> String {
     match case.name {
         "plain" => "Figure 11, plain: projective sampling deviates from finite differences".into(),
-        _ => "Figure 11, through a mirror: projective sampling misses the shadow's motion".into(),
+        _ => "Figure 11, through a mirror: projective sampling misses the shadow's tangent".into(),
     }
 }
 

@@ -8,7 +8,7 @@ use capwalk_diff::{
     finite_difference, gradient,
 };
 use capwalk_math::{Moments, Rgb};
-use capwalk_scene::{Film, Filter, Motion, Scene, builtin, params};
+use capwalk_scene::{Film, Filter, Scene, Tangent, builtin, params};
 use capwalk_scene_io::image::Style;
 
 use crate::claim::Measured;
@@ -18,7 +18,7 @@ use crate::settings::{Failure, Settings, complete};
 /// A scene and what moves in it.
 pub struct Subject {
     pub scene: Scene,
-    pub motion: Motion,
+    pub tangent: Tangent,
     /// Half the distance of finite differences.
     pub step: f64,
 }
@@ -40,9 +40,9 @@ impl Subject {
         step: f64,
     ) -> Result<Self, Failure> {
         scene.film = Film::new(width, height, Filter::Box);
-        let motion = params::Registry::new(&scene).motion(&scene, parameter);
+        let tangent = params::Registry::new(&scene).tangent(&scene, parameter);
         Ok(Self {
-            motion: motion.map_err(|error| Failure::Unusable(error.to_string()))?,
+            tangent: tangent.map_err(|error| Failure::Unusable(error.to_string()))?,
             scene,
             step,
         })
@@ -66,7 +66,7 @@ impl Subject {
         let started = Instant::now();
         let image = gradient(
             &PreparedScene::new(self.scene.clone()),
-            &self.motion,
+            &self.tangent,
             &wanted,
             &*watch,
         )?;
@@ -83,7 +83,7 @@ impl Subject {
         let watch = (settings.stages)("differences");
         let options = settings.options(spp, set);
         let started = Instant::now();
-        let image = finite_difference(&self.scene, &self.motion, self.step, &options, &*watch)?;
+        let image = finite_difference(&self.scene, &self.tangent, self.step, &options, &*watch)?;
         complete(&image.statistics)?;
         Ok(Run {
             image,

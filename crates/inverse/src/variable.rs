@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! unknowns -> values -> scene     Reparameterization::values, Variables::apply
-//! unknowns <- values <- Motion    gradients: Reparameterization::pull, Variables::pull
+//! unknowns <- values <- Tangent    gradients: Reparameterization::pull, Variables::pull
 //! ```
 //!
 //! A variable's *values* are what a user reads: the numbers of an array, a

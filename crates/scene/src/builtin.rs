@@ -102,10 +102,10 @@ mod tests {
             let scene = scene(name).expect("it is listed");
             scene.check().expect(name);
             let parameter = default_parameter(name).expect("it is listed");
-            let motion = params::Registry::new(&scene)
-                .motion(&scene, parameter)
+            let tangent = params::Registry::new(&scene)
+                .tangent(&scene, parameter)
                 .expect(parameter);
-            assert!(motion.shapes.iter().any(Option::is_some), "{name}");
+            assert!(tangent.shapes.iter().any(Option::is_some), "{name}");
             assert!(description(name).is_some_and(|text| text.len() < 100));
             assert_eq!(
                 super::scene(name),

@@ -1,12 +1,12 @@
 //! Which numbers of a scene can be differentiated, what they are called, and
-//! the [`Motion`](crate::Motion) that each of them means. A [`Registry`] knows all
+//! the [`Tangent`](crate::Tangent) that each of them means. A [`Registry`] knows all
 //! names of a scene:
 //!
 //! ```
 //! use capwalk_scene::{builtin, params::Registry};
 //! let scene = builtin::scene("ball").expect("built in");
 //! let registry = Registry::new(&scene);
-//! let motion = registry.motion(&scene, "ball.translate.x - 2*ball.scale")?;
+//! let tangent = registry.tangent(&scene, "ball.translate.x - 2*ball.scale")?;
 //! assert!(motion.textures.iter().all(Option::is_none));
 //! # Ok::<(), capwalk_scene::params::ParameterError>(())
 //! ```
@@ -84,7 +84,7 @@ pub use error::ParameterError;
 pub use parameter::{Parameter, ParameterKind};
 pub use registry::Registry;
 pub use request::Request;
-pub use velocity::vertex_motion;
+pub use velocity::vertex_tangent;
 
 #[cfg(test)]
 mod tests;

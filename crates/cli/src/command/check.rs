@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::{Result, ensure};
 use capwalk::{
-    Check, CheckOptions, Comparison, GradientImage, GradientOptions, Motion, Prepared, Verdict,
+    Check, CheckOptions, Comparison, GradientImage, GradientOptions, Prepared, Tangent, Verdict,
 };
 use serde_json::{Value, json};
 
@@ -32,7 +32,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
     let prepared = source::load(&typed.scene)?;
     let scene = prepared.scene();
-    let motion = moving::motion(&prepared, &typed.motion)?;
+    let tangent = moving::tangent(&prepared, &typed.tangent)?;
     let sampling = source::options(&typed.sampling, scene);
     let stem = format!("{}-check", source::stem(&typed.scene));
     let files = Files::new(&typed.output.output, &stem, &["png"])?;
@@ -46,7 +46,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         reference_spp: args.reference_spp,
         step: typed.step,
     };
-    let checked = check(&prepared, &motion, &options, typed.sampling.time_limit)?;
+    let checked = check(&prepared, &tangent, &options, typed.sampling.time_limit)?;
     let Check {
         gradient,
         reference,
@@ -55,7 +55,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     } = &checked.check;
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
-    let parameter = moving::describe(&typed.motion);
+    let parameter = moving::describe(&typed.tangent);
     let written = picture::write(&files, &typed.scene.scene, &parameter, &checked)?;
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
@@ -96,20 +96,20 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
 /// Checks a gradient, one bar after the other. Half of a time limit is for the gradient.
 pub fn check(
     prepared: &Prepared,
-    motion: &Motion,
+    tangent: &Tangent,
     options: &CheckOptions,
     limit: Option<Duration>,
 ) -> Result<Checked> {
-    let reference = options.reference(|| prepared.difference_step(motion));
+    let reference = options.reference(|| prepared.difference_step(tangent));
     let started = Instant::now();
     let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
-    let gradient = prepared.gradient(motion, &options.gradient, &progress);
+    let gradient = prepared.gradient(tangent, &options.gradient, &progress);
     let gradient_seconds = progress.finish().as_secs_f64();
     let gradient = gradient?;
 
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
-    let differences = prepared.finite_difference(motion, &reference.options(), &progress);
+    let differences = prepared.finite_difference(tangent, &reference.options(), &progress);
     let reference_seconds = progress.finish().as_secs_f64();
     Ok(Checked {
         check: Check::new(gradient, differences?, reference),

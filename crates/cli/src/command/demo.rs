@@ -4,8 +4,8 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 use capwalk::{
-    CheckOptions, Estimator, GradientImage, GradientOptions, Motion, Prepared, RenderOptions,
-    Rendering, WalkSettings,
+    CheckOptions, Estimator, GradientImage, GradientOptions, Prepared, RenderOptions, Rendering,
+    Tangent, WalkSettings,
 };
 use capwalk_scene::builtin;
 use serde_json::json;
@@ -58,7 +58,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     })?;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
     let scene = prepared.scene();
-    let motion = prepared.registry().motion(scene, parameter)?;
+    let tangent = prepared.registry().tangent(scene, parameter)?;
     let file = |what: &str| {
         let stem = args.output.join(format!("{SCENE}{what}"));
         Files::new(&[], &stem.display().to_string(), &["exr", "png"])
@@ -66,7 +66,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     let [picture_files, gradient_files, check_files] =
         [file("")?, file("-gradient")?, file("-check")?];
 
-    let results = work(args, &prepared, &motion)?;
+    let results = work(args, &prepared, &tangent)?;
     let Results {
         rendering,
         literal,
@@ -156,7 +156,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
 
 /// The picture, the literal gradient, and the check, one after the other. Each
 /// has what the earlier ones left of its share of a time limit.
-fn work(args: &Demo, prepared: &Prepared, motion: &Motion) -> Result<Results> {
+fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> {
     let started = Instant::now();
     let sampling = &args.sampling;
     let left_until = |share| left(sampling.time_limit, share, started.elapsed());
@@ -179,7 +179,7 @@ fn work(args: &Demo, prepared: &Prepared, motion: &Motion) -> Result<Results> {
 
     let progress = Progress::new("literal", left_until(LITERAL_UNTIL));
     let literal = settings(Estimator::Literal, literal_spp(spp));
-    let literal = prepared.gradient(motion, &literal, &progress);
+    let literal = prepared.gradient(tangent, &literal, &progress);
     let literal_seconds = progress.finish().as_secs_f64();
     let literal = literal?;
 
@@ -188,7 +188,7 @@ fn work(args: &Demo, prepared: &Prepared, motion: &Motion) -> Result<Results> {
         reference_spp: Some(spp.saturating_mul(REFERENCE_FACTOR)),
         step: None,
     };
-    let checked = check::check(prepared, motion, &options, left_until(1.0))?;
+    let checked = check::check(prepared, tangent, &options, left_until(1.0))?;
     Ok(Results {
         rendering,
         literal,

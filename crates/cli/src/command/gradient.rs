@@ -14,29 +14,29 @@ use crate::{console, method, moving, report, source};
 pub fn run(args: &Gradient) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
-    let motion = moving::motion(&prepared, &args.motion)?;
+    let tangent = moving::tangent(&prepared, &args.tangent)?;
     let options = source::options(&args.sampling, scene);
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
-    let way = Way::new(args, options, || prepared.difference_step(&motion))?;
+    let way = Way::new(args, options, || prepared.difference_step(&tangent))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
     let result = match &way {
-        Way::Samples(settings) => prepared.gradient(&motion, settings, &progress),
+        Way::Samples(settings) => prepared.gradient(&tangent, settings, &progress),
         Way::Differences { step } => {
             let options = DifferenceOptions {
                 spp: options.spp,
                 seed: options.seed,
                 step: Some(*step),
             };
-            prepared.finite_difference(&motion, &options, &progress)
+            prepared.finite_difference(&tangent, &options, &progress)
         }
     };
     let elapsed = progress.finish().as_secs_f64();
     let result = result?;
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
-    let parameter = moving::describe(&args.motion);
+    let parameter = moving::describe(&args.tangent);
     let name = &args.scene.scene;
     let mut picture = picture(name, &parameter, way.name(), &options, &result);
     if let Some(step) = way.step() {

@@ -1,7 +1,7 @@
 //! `capwalk backward`: arrays, scalars, losses and what is refused.
 
 use capwalk_math::{Moments, Rgb, Vec3};
-use capwalk_scene::{Image, Motion, builtin, params};
+use capwalk_scene::{Image, Tangent, builtin, params};
 use capwalk_scene_io::arrays::{self, Array, Arrays};
 use capwalk_scene_io::image::{self, Picture, Preview};
 
@@ -62,14 +62,14 @@ fn arrays_and_scalars_belong_together() {
     ));
     let file = read(&capwalk, "g.npz");
     let scene = builtin::scene("ball").expect("built in");
-    let motion = |name: &str| {
+    let tangent = |name: &str| {
         params::Registry::new(&scene)
-            .motion(&scene, name)
+            .tangent(&scene, name)
             .expect("known")
     };
     let ball = scene.shapes.iter().position(|s| s.id == "ball");
-    let velocities = |motion: &Motion| -> Vec<f64> {
-        let ball = motion.shapes[ball.expect("a ball")].as_ref();
+    let velocities = |tangent: &Tangent| -> Vec<f64> {
+        let ball = tangent.shapes[ball.expect("a ball")].as_ref();
         let ball = ball.expect("moves");
         let still = vec![Vec3::zero(); ball.vertices.len()];
         let normals = ball.normals.as_ref().unwrap_or(&still);
@@ -83,7 +83,7 @@ fn arrays_and_scalars_belong_together() {
     assert_eq!(normals.shape, [count, 3], "the ball has normals");
     let both = [&positions.numbers[..], &normals.numbers].concat();
     for name in &scalars[..3] {
-        let (value, expected) = (scalar(&file, name), dot(&both, &velocities(&motion(name))));
+        let (value, expected) = (scalar(&file, name), dot(&both, &velocities(&tangent(name))));
         let difference = (value - expected).abs();
         assert!(value.abs() > 1e-3, "{name}: nothing to compare");
         assert!(

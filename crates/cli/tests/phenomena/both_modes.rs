@@ -42,8 +42,8 @@ fn dot(a: &Image, b: &Image) -> f64 {
 pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, parameter)
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let settings = GradientOptions::new(RenderOptions {
         spp: SPP,
@@ -51,7 +51,7 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     });
     let forward = gradient(
         &PreparedScene::new(scene.clone()),
-        &motion,
+        &tangent,
         &settings,
         &Unwatched,
     )
@@ -62,11 +62,11 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let reverse = backward(
         &PreparedScene::new(scene.clone()),
         &weights,
-        &Wanted::by(&motion),
+        &Wanted::by(&tangent),
         &settings,
         &Unwatched,
     );
-    let (reverse, _) = reverse.expect("covered").along(&motion);
+    let (reverse, _) = reverse.expect("covered").along(&tangent);
     assert!(forward.abs() > 1e-9, "{name}: nothing to compare");
     let relative = (forward - reverse).abs() / forward.abs();
     assert!(

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use capwalk_diff::Method;
-use capwalk_scene::{SensorMotion, params};
+use capwalk_scene::{SensorVectors, params};
 
 use crate::folder::{Edges, Folder};
 use crate::methods::{by, meets};
@@ -17,15 +17,15 @@ const FEW: u32 = 4;
 pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     let name = format!("{}, {parameter}, edges", folder.name);
     let scene = folder.scene();
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, parameter)
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
-    let is_at_rest = motion.shapes.iter().all(Option::is_none);
-    if is_at_rest && motion.sensor == SensorMotion::default() {
+    let is_at_rest = tangent.shapes.iter().all(Option::is_none);
+    if is_at_rest && tangent.sensor == SensorVectors::default() {
         return;
     }
     let [few, walked] =
-        [Method::Edges, Method::Walk].map(|method| by(method, &scene, &motion, FEW));
+        [Method::Edges, Method::Walk].map(|method| by(method, &scene, &tangent, FEW));
     assert_eq!(
         few.mean == walked.mean,
         edges == Edges::Walked,
@@ -35,5 +35,5 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
         return;
     }
     let spp = scene.settings.spp;
-    meets(&name, &by(Method::Edges, &scene, &motion, spp), check);
+    meets(&name, &by(Method::Edges, &scene, &tangent, spp), check);
 }

@@ -9,13 +9,13 @@ use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
     Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
 };
-use capwalk_scene::{Motion, Scene};
+use capwalk_scene::{Scene, Tangent};
 use capwalk_scene_io::image;
 
 use crate::differences::SIGN;
 
 /// The derivative by a method.
-pub fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> Estimate {
+pub fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> Estimate {
     let settings = GradientOptions {
         method,
         ..GradientOptions::new(RenderOptions {
@@ -25,7 +25,7 @@ pub fn by(method: Method, scene: &Scene, motion: &Motion, spp: u32) -> Estimate 
     };
     let result = gradient(
         &PreparedScene::new(scene.clone()),
-        motion,
+        tangent,
         &settings,
         &Unwatched,
     )

@@ -13,13 +13,13 @@ use crate::methods::{by, meets};
 pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
     let name = format!("{}, {parameter}, triangles", folder.name);
     let scene = folder.scene();
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, parameter)
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let spp = scene.settings.spp;
     meets(
         &name,
-        &by(Method::TriangleWalk, &scene, &motion, spp),
+        &by(Method::TriangleWalk, &scene, &tangent, spp),
         check,
     );
 }

@@ -54,7 +54,7 @@ pub fn primary() -> Case {
 }
 
 /// Runs both and demands agreement.
-pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
+pub fn agree(name: &str, mut scene: Scene, tangent: &Tangent, case: Case) {
     scene.film.size = [case.size; 2];
     scene.film.crop_size = [case.size; 2];
     scene.check().expect("a valid scene");
@@ -66,18 +66,18 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
     };
     let ours = gradient(
         &PreparedScene::new(scene.clone()),
-        motion,
+        tangent,
         &settings,
         &Unwatched,
     )
     .expect("covered");
     let middle = match case.one_sided {
-        true => scene.moved(motion, case.step),
+        true => scene.moved(tangent, case.step),
         false => scene.clone(),
     };
     let reference = finite_difference(
         &middle,
-        motion,
+        tangent,
         case.step,
         &options(case.reference_spp, 2),
         &Unwatched,
@@ -109,8 +109,8 @@ pub fn agree(name: &str, mut scene: Scene, motion: &Motion, case: Case) {
     );
 }
 
-pub fn motion(scene: &Scene, expression: &str) -> Motion {
+pub fn tangent(scene: &Scene, expression: &str) -> Tangent {
     params::Registry::new(scene)
-        .motion(scene, expression)
+        .tangent(scene, expression)
         .expect("a known name")
 }

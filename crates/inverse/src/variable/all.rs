@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use capwalk_diff::Wanted;
 use capwalk_math::Vec3;
-use capwalk_scene::{Motion, Scene, SensorMotion};
+use capwalk_scene::{Gradient, Scene, SensorVectors, Tangent};
 
 use super::error::{ApplyError, VariableError};
 use super::kind::{Map, Variable, turn};
@@ -72,11 +72,11 @@ impl Variables {
     /// The scene with these values: `base` is the scene that the variables were
     /// made for. An error says why it cannot be rendered.
     pub fn apply(&self, base: &Scene, values: &[f64]) -> Result<Scene, ApplyError> {
-        let mut line = Motion::zero(base);
+        let mut line = Tangent::zero(base);
         for (variable, range) in self.iter() {
             match &variable.map {
-                Map::Line { motion, from } => {
-                    line.add(&motion.scaled(values[range.start] - from));
+                Map::Line { tangent, from } => {
+                    line.add(&tangent.scaled(values[range.start] - from));
                 }
                 Map::Vertices(vertices) => line.add(&vertices.push(base, &values[range])),
                 Map::Turn { axes } => line.add(&turn(base, axes, &values[range])),
@@ -106,37 +106,43 @@ impl Variables {
 
     /// How the scene moves when the values change at these velocities. `scene` is
     /// what [`Variables::apply`] made of `base` and the values.
-    pub fn push(&self, base: &Scene, scene: &Scene, values: &[f64], velocities: &[f64]) -> Motion {
-        let mut motion = Motion::zero(scene);
+    pub fn push(&self, base: &Scene, scene: &Scene, values: &[f64], velocities: &[f64]) -> Tangent {
+        let mut tangent = Tangent::zero(scene);
         for (variable, range) in self.iter() {
             let velocities = &velocities[range.clone()];
             match &variable.map {
-                Map::Array(array) => motion.add(&array.motion(scene, velocities)),
-                Map::Line { motion: line, .. } => motion.add(&line.scaled(velocities[0])),
-                Map::Vertices(vertices) => motion.add(&vertices.push(base, velocities)),
+                Map::Array(array) => tangent.add(&array.tangent(scene, velocities)),
+                Map::Line { tangent: line, .. } => tangent.add(&line.scaled(velocities[0])),
+                Map::Vertices(vertices) => tangent.add(&vertices.push(base, velocities)),
                 Map::Pose { shape, part } => {
                     let pose = self.poses(values)[shape];
                     let of_shape = pose.push(&base.shapes[*shape], *part, velocities[0]);
-                    let mut of_scene = Motion::zero(scene);
+                    let mut of_scene = Tangent::zero(scene);
                     of_scene.shapes[*shape] = Some(of_shape);
-                    motion.add(&of_scene);
+                    tangent.add(&of_scene);
                 }
                 Map::Turn { axes } => {
                     let change = turn(base, axes, velocities).sensor.rotation;
-                    motion.sensor.rotation += left_jacobian(self.turned(values), change);
+                    tangent.sensor.rotation += left_jacobian(self.turned(values), change);
                 }
             }
         }
-        motion
+        tangent
     }
 
     /// The derivative with respect to each value from that with respect to the scene: the
     /// transpose of [`Variables::push`]. Linear in the gradient.
-    pub fn pull(&self, base: &Scene, scene: &Scene, values: &[f64], gradient: &Motion) -> Vec<f64> {
+    pub fn pull(
+        &self,
+        base: &Scene,
+        scene: &Scene,
+        values: &[f64],
+        gradient: &Gradient,
+    ) -> Vec<f64> {
         let poses = self.poses(values);
         let of = |variable: &Variable| match &variable.map {
             Map::Array(array) => array.gradient(scene, gradient),
-            Map::Line { motion, .. } => vec![gradient.dot(motion)],
+            Map::Line { tangent, .. } => vec![gradient.dot(tangent)],
             Map::Vertices(vertices) => vertices.pull(gradient),
             Map::Pose { shape, part } => {
                 let of_shape = gradient.shapes[*shape].as_ref();
@@ -165,7 +171,7 @@ impl Variables {
 
     /// Which gradients of the scene are needed.
     pub fn wanted(&self, base: &Scene) -> Wanted {
-        let mut wanted = Wanted::by(&Motion::zero(base));
+        let mut wanted = Wanted::by(&Tangent::zero(base));
         for variable in 0..self.variables.len() {
             wanted.add(&self.wanted_by(base, variable));
         }
@@ -197,7 +203,7 @@ impl Variables {
     /// True if something moves the sensor.
     pub fn moves_sensor(&self, base: &Scene) -> bool {
         let mut supports = self.variables.iter().map(|v| overlap::support(base, v));
-        supports.any(|support| support.sensor != SensorMotion::default())
+        supports.any(|support| support.sensor != SensorVectors::default())
     }
 
     /// What the variable is in the scene, for files: the array itself, all

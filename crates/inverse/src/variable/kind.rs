@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use capwalk_scene::params::ArrayParameter;
-use capwalk_scene::{Motion, Scene};
+use capwalk_scene::{Scene, Tangent};
 
 use super::pose::Part;
 use super::reparameterization::Reparameterization;
@@ -32,7 +32,7 @@ pub(crate) enum Map {
     Array(ArrayParameter),
     /// The first is how far everything has gone along a motion in straight
     /// lines, from where it was when the value was `from`.
-    Line { motion: Box<Motion>, from: f64 },
+    Line { tangent: Box<Tangent>, from: f64 },
     /// Displacements of vertices.
     Vertices(Vertices),
     /// One number of the place of a shape.
@@ -42,10 +42,10 @@ pub(crate) enum Map {
 }
 
 /// A turn of the sensor about a vector, of which some numbers are given.
-pub(crate) fn turn(base: &Scene, axes: &Range<usize>, numbers: &[f64]) -> Motion {
+pub(crate) fn turn(base: &Scene, axes: &Range<usize>, numbers: &[f64]) -> Tangent {
     let mut vector = [0.0; 3];
     vector[axes.clone()].copy_from_slice(numbers);
-    let mut motion = Motion::zero(base);
-    motion.sensor.rotation = vector.into();
-    motion
+    let mut tangent = Tangent::zero(base);
+    tangent.sensor.rotation = vector.into();
+    tangent
 }

@@ -2,24 +2,24 @@
 //! other's way.
 
 use capwalk_math::Vec3;
-use capwalk_scene::{Motion, Scene, ShapeMotion};
+use capwalk_scene::{Scene, ShapeVectors, Tangent};
 
 use super::error::VariableError;
 use super::kind::{Map, Variable, turn};
 use super::pose::Pose;
 
 /// A motion that is not zero where the variable changes something.
-pub(super) fn support(scene: &Scene, variable: &Variable) -> Motion {
+pub(super) fn support(scene: &Scene, variable: &Variable) -> Tangent {
     let ones = vec![1.0; variable.initial.len()];
     match &variable.map {
-        Map::Array(array) => array.motion(scene, &ones),
-        Map::Line { motion, .. } => (**motion).clone(),
+        Map::Array(array) => array.tangent(scene, &ones),
+        Map::Line { tangent, .. } => (**tangent).clone(),
         Map::Vertices(vertices) => vertices.push(scene, &ones),
         Map::Pose { shape, part } => {
-            let mut motion = Motion::zero(scene);
+            let mut tangent = Tangent::zero(scene);
             let of_shape = Pose::default().push(&scene.shapes[*shape], *part, 1.0);
-            motion.shapes[*shape] = Some(of_shape);
-            motion
+            tangent.shapes[*shape] = Some(of_shape);
+            tangent
         }
         Map::Turn { axes } => turn(scene, axes, &ones),
     }
@@ -28,7 +28,7 @@ pub(super) fn support(scene: &Scene, variable: &Variable) -> Motion {
 /// An error if two variables change the same numbers, and the changes are not
 /// simply added.
 pub(super) fn refuse(scene: &Scene, variables: &[Variable]) -> Result<(), VariableError> {
-    let supports: Vec<Motion> = variables.iter().map(|v| support(scene, v)).collect();
+    let supports: Vec<Tangent> = variables.iter().map(|v| support(scene, v)).collect();
     for (i, first) in variables.iter().enumerate() {
         for (k, second) in variables.iter().enumerate().skip(i + 1) {
             if first.name == second.name {
@@ -54,15 +54,15 @@ fn add_up(first: &Variable, second: &Variable) -> bool {
     }
 }
 
-fn overlap(a: &Motion, b: &Motion) -> bool {
-    let moves = |shape: &ShapeMotion| shape.vertices.iter().any(|&v| v != Vec3::zero());
-    let turns = |shape: &ShapeMotion| shape.normals.is_some();
+fn overlap(a: &Tangent, b: &Tangent) -> bool {
+    let moves = |shape: &ShapeVectors| shape.vertices.iter().any(|&v| v != Vec3::zero());
+    let turns = |shape: &ShapeVectors| shape.normals.is_some();
     let shapes = a.shapes.iter().zip(&b.shapes);
     let mut shapes = shapes.filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)));
     let textures = a.textures.iter().zip(&b.textures);
     let mut textures = textures.filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)));
-    let places = |motion: &Motion| {
-        let sensor = &motion.sensor;
+    let places = |tangent: &Tangent| {
+        let sensor = &tangent.sensor;
         let turning = sensor.axes.iter().any(|&v| v != Vec3::zero());
         let turning = turning || sensor.rotation != Vec3::zero();
         let [t, o] = [sensor.translation, sensor.optics].map(|v| v.to_array().map(|x| x != 0.0));

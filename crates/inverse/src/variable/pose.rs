@@ -3,7 +3,7 @@
 //! in radians, so that a single number of it is a turn about a world axis.
 
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::{ShadingNormals, Shape, ShapeMotion, vertex_normals};
+use capwalk_scene::{ShadingNormals, Shape, ShapeVectors, vertex_normals};
 
 /// A number of a pose; axes are 0, 1, 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,7 +86,7 @@ impl Pose {
     }
 
     /// How the shape moves when one number changes at this velocity.
-    pub fn push(&self, base: &Shape, part: Part, velocity: f64) -> ShapeMotion {
+    pub fn push(&self, base: &Shape, part: Part, velocity: f64) -> ShapeVectors {
         let turning = match part {
             Part::Rotate(axis) => left_jacobian(self.rotation, unit(axis) * velocity),
             Part::Translate(_) | Part::Scale => Vec3::zero(),
@@ -105,14 +105,14 @@ impl Pose {
             _ => None,
         };
         let turned_by = |&n: &Vec3| turning.cross(turned.vector(n));
-        ShapeMotion {
+        ShapeVectors {
             vertices: base.mesh.positions.iter().map(moving).collect(),
             normals: given.map(|normals| normals.iter().map(turned_by).collect()),
         }
     }
 
     /// The derivative with respect to one number, the transpose of [`Pose::push`].
-    pub fn pull(&self, base: &Shape, part: Part, gradient: &ShapeMotion) -> f64 {
+    pub fn pull(&self, base: &Shape, part: Part, gradient: &ShapeVectors) -> f64 {
         let moving = self.push(base, part, 1.0);
         let dot = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, &b)| a.dot(b)).sum::<f64>();
         let normals = moving.normals.as_ref().zip(gradient.normals.as_ref());

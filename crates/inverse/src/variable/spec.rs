@@ -1,7 +1,7 @@
 //! From what a user asks for to a variable.
 
 use capwalk_scene::params::{ArrayParameter, ParameterKind, Registry, Request};
-use capwalk_scene::{Motion, Scene, SensorMotion};
+use capwalk_scene::{Scene, SensorVectors, Tangent};
 
 use super::error::VariableError;
 use super::kind::{Map, Variable};
@@ -57,7 +57,7 @@ pub fn variable(
     let request = registry.request(scene, &spec.name)?;
     let (map, rest) = match request {
         Request::Array(array) => array_map(scene, spec, array)?,
-        Request::Motion(motion) => scalar_map(scene, registry, spec, motion)?,
+        Request::Tangent(tangent) => scalar_map(scene, registry, spec, tangent)?,
     };
     let name = || spec.name.clone();
     if !matches!(map, Map::Vertices(_)) {
@@ -107,7 +107,7 @@ fn array_map(
 ) -> Result<(Map, Vec<f64>), VariableError> {
     match array.kind {
         ParameterKind::Positions => {
-            let all_ones = array.motion(scene, &vec![1.0; array.count()]);
+            let all_ones = array.tangent(scene, &vec![1.0; array.count()]);
             let shape = all_ones.shapes.iter().position(Option::is_some);
             let shape = shape.expect("positions are those of a shape");
             let selection = spec.vertices.clone().unwrap_or(Selection::All);
@@ -129,14 +129,14 @@ fn scalar_map(
     scene: &Scene,
     registry: &Registry,
     spec: &VariableSpec,
-    motion: Motion,
+    tangent: Tangent,
 ) -> Result<(Map, Vec<f64>), VariableError> {
     let name = spec.name.trim();
     let listed = registry.scalar(scene, name);
     let axis = ["x", "y", "z"]
         .iter()
         .position(|a| name.ends_with(&format!(".{a}")));
-    let shape = motion.shapes.iter().position(Option::is_some);
+    let shape = tangent.shapes.iter().position(Option::is_some);
     let pose = |part: Part| shape.map(|shape| Map::Pose { shape, part });
     let (map, value) = match (&listed, axis) {
         (Some(listed), Some(axis)) if listed.kind == ParameterKind::Translation => {
@@ -157,16 +157,16 @@ fn scalar_map(
                 Some(&[value]) => Some(value),
                 _ => element(scene, registry, name),
             };
-            let turns = motion.shapes.iter().flatten().any(|s| s.normals.is_some());
-            if turns || motion.sensor.rotation != SensorMotion::default().rotation {
+            let turns = tangent.shapes.iter().flatten().any(|s| s.normals.is_some());
+            if turns || tangent.sensor.rotation != SensorVectors::default().rotation {
                 let name = name.into();
                 return Err(VariableError::RotationInSum { name });
             }
             if value.is_none() {
-                refuse_offset(spec, &motion)?;
+                refuse_offset(spec, &tangent)?;
             }
-            let (motion, from) = (Box::new(motion), value.unwrap_or(0.0));
-            (Some(Map::Line { motion, from }), from)
+            let (tangent, from) = (Box::new(tangent), value.unwrap_or(0.0));
+            (Some(Map::Line { tangent, from }), from)
         }
     };
     let map = map.expect("a pose is that of a shape");
@@ -194,10 +194,10 @@ fn element(scene: &Scene, registry: &Registry, name: &str) -> Option<f64> {
 
 /// An error if values are asked for where the scene's numbers have values of their
 /// own, but this is only how far they have gone: a user would mean the former.
-fn refuse_offset(spec: &VariableSpec, motion: &Motion) -> Result<(), VariableError> {
+fn refuse_offset(spec: &VariableSpec, tangent: &Tangent) -> Result<(), VariableError> {
     let has_values = spec.name.contains('[')
-        || motion.textures.iter().any(Option::is_some)
-        || motion.sensor.optics != SensorMotion::default().optics;
+        || tangent.textures.iter().any(Option::is_some)
+        || tangent.sensor.optics != SensorVectors::default().optics;
     let asked = [
         ("its value", spec.start.is_some()),
         ("`bounds`", spec.bounds.is_some()),

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use capwalk_geometry::Mesh;
 use capwalk_geometry::topology::weld;
 use capwalk_math::Vec3;
-use capwalk_scene::{Motion, Scene, ShapeMotion, vertex_normals};
+use capwalk_scene::{Gradient, Scene, ShapeVectors, Tangent, vertex_normals};
 
 use super::error::VerticesError;
 
@@ -125,7 +125,7 @@ impl Vertices {
     }
 
     /// Displacements, as a motion for one unit.
-    pub fn push(&self, scene: &Scene, numbers: &[f64]) -> Motion {
+    pub fn push(&self, scene: &Scene, numbers: &[f64]) -> Tangent {
         let displacement = |node: u32| {
             let first = node as usize * self.dims;
             let own = first..first + self.dims;
@@ -134,16 +134,16 @@ impl Vertices {
         };
         let moves_with = self.moves_with.iter();
         let vertices = moves_with.map(|node| node.map_or(Vec3::zero(), displacement));
-        let mut motion = Motion::zero(scene);
-        motion.shapes[self.shape] = Some(ShapeMotion {
+        let mut tangent = Tangent::zero(scene);
+        tangent.shapes[self.shape] = Some(ShapeVectors {
             vertices: vertices.collect(),
             normals: None,
         });
-        motion
+        tangent
     }
 
     /// The transpose of [`Vertices::push`].
-    pub fn pull(&self, gradient: &Motion) -> Vec<f64> {
+    pub fn pull(&self, gradient: &Gradient) -> Vec<f64> {
         let mut sums = vec![Vec3::zero(); self.nodes()];
         if let Some(of_shape) = &gradient.shapes[self.shape] {
             for (node, &covector) in self.moves_with.iter().zip(&of_shape.vertices) {

@@ -66,7 +66,7 @@ fn points_and_spots() {
     );
     assert_eq!(emitted(&scene), Rgb::new(4.0, 5.0, 6.0));
     params::Registry::new(&scene)
-        .motion(&scene, "point.intensity.value.g")
+        .tangent(&scene, "point.intensity.value.g")
         .expect("listed");
 
     let scene = load(&with(
@@ -88,7 +88,7 @@ fn points_and_spots() {
     assert_eq!(scene.texture(*cutoff_angle).data, [20.0]);
     assert_eq!(scene.texture(*beam_width).data, [15.0]);
     let widening = params::Registry::new(&scene)
-        .motion(&scene, "spot.cutoff_angle")
+        .tangent(&scene, "spot.cutoff_angle")
         .expect("listed");
     let wide = scene
         .moved(&widening, -5.0)
@@ -101,7 +101,7 @@ fn points_and_spots() {
     assert_eq!(
         widening,
         params::Registry::new(&scene)
-            .motion(&scene, "spot.cutoff_angle.value")
+            .tangent(&scene, "spot.cutoff_angle.value")
             .expect("listed")
     );
 }

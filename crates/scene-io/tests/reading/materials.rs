@@ -152,10 +152,10 @@ fn parameters_have_the_names_that_users_type() {
             (kind, moves),
             "{name}"
         );
-        let motion = params::Registry::new(&scene)
-            .motion(&scene, name)
+        let tangent = params::Registry::new(&scene)
+            .tangent(&scene, name)
             .expect(name);
-        assert_eq!(motion.textures.iter().flatten().count(), 1, "{name}");
+        assert_eq!(tangent.textures.iter().flatten().count(), 1, "{name}");
     }
 }
 

@@ -101,10 +101,10 @@ fn bitmaps_have_their_form_and_names() {
     };
     assert_eq!((*width, *height), (4, 3));
     assert_eq!((*filter, *wrap), (TexelFilter::Nearest, Wrap::Clamp));
-    let motion = params::Registry::new(&scene)
-        .motion(&scene, "box.bsdf.reflectance.data.g")
+    let tangent = params::Registry::new(&scene)
+        .tangent(&scene, "box.bsdf.reflectance.data.g")
         .expect("listed");
-    let velocities = motion.textures.iter().flatten().next().expect("moves");
+    let velocities = tangent.textures.iter().flatten().next().expect("moves");
     let expected: Vec<f64> = [0.0, 1.0, 0.0].repeat(12);
     assert_eq!(*velocities, expected);
 }
@@ -121,7 +121,7 @@ fn references_share_one_texture() {
     assert_eq!(ids, ["wood", "environment.radiance"]);
     for name in ["wood.data", "a.reflectance.data.r", "b.reflectance.data"] {
         params::Registry::new(&scene)
-            .motion(&scene, name)
+            .tangent(&scene, name)
             .unwrap_or_else(|error| panic!("{error}"));
     }
 }
@@ -134,7 +134,7 @@ fn checkerboards_have_two_colours() {
     let texture = reflectance(&scene);
     assert_eq!(texture.data, [0.4, 0.4, 0.4, 0.1, 0.2, 0.3]);
     let second = params::Registry::new(&scene)
-        .motion(&scene, "box.bsdf.reflectance.color1.value.b")
+        .tangent(&scene, "box.bsdf.reflectance.color1.value.b")
         .expect("listed");
     let velocities = second.textures.iter().flatten().next().expect("moves");
     assert_eq!(*velocities, [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]);
@@ -171,7 +171,7 @@ fn meshes_bring_attributes() {
     let uvs = shape.uvs.as_ref().expect("s and t");
     assert_eq!(uvs[1], [[0.0, 0.0], [1.0, 0.75], [0.0, 1.0]]);
     params::Registry::new(&scene)
-        .motion(&scene, "sheet.vertex_color.r + sheet.vertex_heat")
+        .tangent(&scene, "sheet.vertex_color.r + sheet.vertex_heat")
         .expect("listed");
 }
 

@@ -12,8 +12,8 @@ use super::matrix;
 use super::optic::{optic_scale, optic_value};
 use super::parameter::ParameterKind;
 use crate::ids::{ShapeId, TextureId};
-use crate::motion::{Motion, ShapeMotion};
 use crate::scene::Scene;
+use crate::scene_vector::{Gradient, ShapeVectors, Tangent};
 use crate::sensor::Optic;
 use crate::shape::{ShadingNormals, vertex_normals};
 use crate::texture::Part;
@@ -118,7 +118,7 @@ impl ArrayParameter {
                 matrix::place(scene.shape_mut(id), matrix::affine(numbers));
             }
             Place::SensorTranslation | Place::SensorRotation => {
-                *scene = scene.moved(&self.motion(scene, numbers), 1.0);
+                *scene = scene.moved(&self.tangent(scene, numbers), 1.0);
             }
             Place::SensorToWorld => scene.sensor.world_from_camera = matrix::affine(numbers),
             Place::SensorOptic(optic) => {
@@ -170,12 +170,12 @@ impl ArrayParameter {
     ///
     /// # Panics
     /// If there are not as many.
-    pub fn motion(&self, scene: &Scene, velocities: &[f64]) -> Motion {
+    pub fn tangent(&self, scene: &Scene, velocities: &[f64]) -> Tangent {
         assert_eq!(velocities.len(), self.count(), "{}", self.name);
-        let mut motion = Motion::zero(scene);
+        let mut tangent = Tangent::zero(scene);
         match self.place {
             Place::Positions(id) => {
-                motion.shapes[id.0 as usize] = Some(ShapeMotion {
+                tangent.shapes[id.0 as usize] = Some(ShapeVectors {
                     vertices: vectors(velocities),
                     normals: None,
                 });
@@ -183,7 +183,7 @@ impl ArrayParameter {
             Place::Normals(id) => {
                 let normals = scene.shape(id).normals.per_vertex().unwrap_or_default();
                 let turning = normals.iter().zip(vectors(velocities));
-                motion.shapes[id.0 as usize] = Some(ShapeMotion {
+                tangent.shapes[id.0 as usize] = Some(ShapeVectors {
                     vertices: vec![Vec3::zero(); self.shape[0]],
                     normals: Some(turning.map(|(&n, v)| v.reject_from(n)).collect()),
                 });
@@ -191,31 +191,30 @@ impl ArrayParameter {
             Place::Texels(id, part) => {
                 let mut data = vec![0.0; scene.texture(id).data.len()];
                 data[numbers_of(scene, id, part)].copy_from_slice(velocities);
-                motion.textures[id.0 as usize] = Some(data);
+                tangent.textures[id.0 as usize] = Some(data);
             }
             Place::ShapeToWorld(id) => {
-                let of_shape = matrix::shape_motion(scene.shape(id), velocities);
-                motion.shapes[id.0 as usize] = Some(of_shape);
+                let of_shape = matrix::shape_vectors(scene.shape(id), velocities);
+                tangent.shapes[id.0 as usize] = Some(of_shape);
             }
-            Place::SensorTranslation => motion.sensor.translation = vectors(velocities)[0],
-            Place::SensorRotation => motion.sensor.rotation = vectors(velocities)[0],
-            Place::SensorToWorld => motion.sensor = matrix::sensor_motion(velocities),
+            Place::SensorTranslation => tangent.sensor.translation = vectors(velocities)[0],
+            Place::SensorRotation => tangent.sensor.rotation = vectors(velocities)[0],
+            Place::SensorToWorld => tangent.sensor = matrix::sensor_vectors(velocities),
             Place::SensorOptic(optic) => {
-                motion
+                tangent
                     .sensor
                     .add_optic(optic, velocities[0] * optic_scale(optic));
             }
         }
-        motion
+        tangent
     }
 
-    /// What a gradient (of the form of a [`Motion`]) says about its numbers:
-    /// the derivative by each, so that a step along it is one that
+    /// What a gradient says about its numbers: the derivative by each, so that a step along it is one that
     /// [`ArrayParameter::set`] takes. Vertices at the same place share the sum
     /// of their derivatives evenly, because they must stay together, and
     /// derivatives by normals are orthogonal to them, because their length does
     /// not count. Linear in the gradient; zero if it was not asked for this.
-    pub fn gradient(&self, scene: &Scene, gradient: &Motion) -> Vec<f64> {
+    pub fn gradient(&self, scene: &Scene, gradient: &Gradient) -> Vec<f64> {
         match self.place {
             Place::Positions(id) => {
                 let of_shape = gradient.shapes[id.0 as usize].as_ref();

@@ -8,8 +8,8 @@ use capwalk_geometry::topology::weld;
 use super::array::{ArrayParameter, Place};
 use super::error::ParameterError;
 use super::registry::Registry;
-use crate::motion::Motion;
 use crate::scene::Scene;
+use crate::scene_vector::Tangent;
 
 /// Numbers of an array that change together.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +62,7 @@ fn numbers(shape: &[usize], indices: &str) -> Option<Range<usize>> {
 impl Element {
     /// The motion in which its numbers change by one per unit. Vertices at the
     /// same place move with the one that is named.
-    pub fn motion(&self, scene: &Scene) -> Motion {
+    pub fn tangent(&self, scene: &Scene) -> Tangent {
         let mut velocities = vec![0.0; self.array.count()];
         velocities[self.numbers.clone()].fill(1.0);
         if let Place::Positions(id) = self.array.place {
@@ -74,6 +74,6 @@ impl Element {
                 velocities[3 * vertex..3 * vertex + 3].copy_from_slice(&row);
             }
         }
-        self.array.motion(scene, &velocities)
+        self.array.tangent(scene, &velocities)
     }
 }

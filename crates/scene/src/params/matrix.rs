@@ -2,7 +2,7 @@
 
 use capwalk_math::{Affine, Vec3};
 
-use crate::motion::{SensorMotion, ShapeMotion};
+use crate::scene_vector::{SensorVectors, ShapeVectors};
 use crate::shape::{ShadingNormals, Shape, vertex_normals};
 
 /// The numbers of a matrix, row by row.
@@ -49,10 +49,10 @@ pub(super) fn refusal(numbers: &[f64], old: &Affine) -> Option<(usize, &'static 
 
 /// The motion of a shape whose matrix changes at these velocities: its vertices
 /// stay where they are in the space that it is put into the world from.
-pub(super) fn shape_motion(shape: &Shape, velocities: &[f64]) -> ShapeMotion {
+pub(super) fn shape_vectors(shape: &Shape, velocities: &[f64]) -> ShapeVectors {
     let (rate, object_from_world) = (affine(velocities), object_from_world(shape));
     let positions = shape.mesh.positions.iter();
-    ShapeMotion {
+    ShapeVectors {
         vertices: positions
             .map(|&p| rate.point(object_from_world.point(p)))
             .collect(),
@@ -74,8 +74,8 @@ pub(super) fn shape_motion(shape: &Shape, velocities: &[f64]) -> ShapeMotion {
     }
 }
 
-/// The transpose of [`shape_motion`].
-pub(super) fn shape_gradient(shape: &Shape, covectors: &ShapeMotion) -> Vec<f64> {
+/// The transpose of [`shape_vectors`].
+pub(super) fn shape_gradient(shape: &Shape, covectors: &ShapeVectors) -> Vec<f64> {
     let object_from_world = object_from_world(shape);
     let (mut linear, mut translation) = ([Vec3::zero(); 3], Vec3::zero());
     for (&p, &covector) in shape.mesh.positions.iter().zip(&covectors.vertices) {
@@ -121,17 +121,17 @@ fn object_from_world(shape: &Shape) -> Affine {
 }
 
 /// The motion of a sensor whose matrix changes at these velocities.
-pub(super) fn sensor_motion(velocities: &[f64]) -> SensorMotion {
+pub(super) fn sensor_vectors(velocities: &[f64]) -> SensorVectors {
     let rate = affine(velocities);
-    SensorMotion {
+    SensorVectors {
         translation: rate.translation,
         axes: [0, 1, 2].map(|i| Vec3::from(rate.rows.map(|row| row[i]))),
-        ..SensorMotion::default()
+        ..SensorVectors::default()
     }
 }
 
-/// The transpose of [`sensor_motion`].
-pub(super) fn sensor_gradient(covectors: &SensorMotion) -> Vec<f64> {
+/// The transpose of [`sensor_vectors`].
+pub(super) fn sensor_gradient(covectors: &SensorVectors) -> Vec<f64> {
     let row = |i: usize| Vec3::from(covectors.axes.map(|axis| axis[i]));
     rows([row(0), row(1), row(2)], covectors.translation)
 }

@@ -221,14 +221,14 @@ mod tests {
         assert_eq!(scalars.len(), 20_000 * (7 + 4) + 2 * 9);
         assert_eq!(arrays.len(), 20_000 * 3 + 2 * 6);
         let sum = "shape19999.scale - 2*shape7.bsdf.reflectance.value.r + shape0.positions[2]";
-        assert!(registry.motion(&scene, sum).is_ok());
-        let unknown = registry.motion(&scene, "shape19999.bsdf.reflectence.value");
+        assert!(registry.tangent(&scene, sum).is_ok());
+        let unknown = registry.tangent(&scene, "shape19999.bsdf.reflectence.value");
         let message = unknown.expect_err("misspelt").to_string();
         assert!(
             message.contains("`shape19999.bsdf.reflectance.value`"),
             "{message}"
         );
-        let nothing = registry.motion(&scene, "no such thing");
+        let nothing = registry.tangent(&scene, "no such thing");
         assert!(nothing.is_err());
         let seconds = start.elapsed().as_secs_f64();
         assert!(seconds < 5.0, "{seconds} s");

@@ -7,8 +7,8 @@ use super::missing;
 use super::near::near;
 use super::registry::Registry;
 use super::velocity;
-use crate::motion::Motion;
 use crate::scene::Scene;
+use crate::scene_vector::Tangent;
 
 /// What a gradient can be asked for by one text.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,14 +16,14 @@ pub enum Request {
     /// An array, by its name.
     Array(ArrayParameter),
     /// One number, by an expression.
-    Motion(Motion),
+    Tangent(Tangent),
 }
 
 impl Registry {
     /// The motion of `scene` that an expression means: a parameter's name, or several
     /// with factors. See [the table](crate::params).
-    pub fn motion(&self, scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
-        let mut motion = Motion::zero(scene);
+    pub fn tangent(&self, scene: &Scene, expression: &str) -> Result<Tangent, ParameterError> {
+        let mut tangent = Tangent::zero(scene);
         let terms = expression::parse(self, expression).map_err(|error| match error {
             ParameterError::Unknown { name, .. } => self.unknown(scene, name),
             error => error,
@@ -31,14 +31,14 @@ impl Registry {
         for term in terms {
             match term.named {
                 Named::Target(target) => {
-                    velocity::accumulate(scene, target, term.factor, &mut motion);
+                    velocity::accumulate(scene, target, term.factor, &mut tangent);
                 }
                 Named::Element(element) => {
-                    motion.add(&element.motion(scene).scaled(term.factor));
+                    tangent.add(&element.tangent(scene).scaled(term.factor));
                 }
             }
         }
-        Ok(motion)
+        Ok(tangent)
     }
 
     /// What a text asks for. A name that is both means the array: `<id>.value` is
@@ -47,7 +47,7 @@ impl Registry {
         if let Some(array) = self.array(text.trim())? {
             return Ok(Request::Array(array.clone()));
         }
-        self.motion(scene, text).map(Request::Motion)
+        self.tangent(scene, text).map(Request::Tangent)
     }
 
     /// What is wrong with a name that is no scalar's.

@@ -4,9 +4,9 @@ use crate::film::Film;
 use crate::filter::Filter;
 use crate::ids::{BsdfId, EmitterId, ShapeId, TextureId};
 use crate::material::bsdf::{Bsdf, Material};
-use crate::motion::Motion;
 use crate::primitive;
 use crate::scene::Scene;
+use crate::scene_vector::Tangent;
 use crate::sensor::{Sensor, SensorModel};
 use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
@@ -19,8 +19,8 @@ fn list(scene: &Scene) -> Vec<Parameter> {
     Registry::new(scene).scalars(scene)
 }
 
-fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
-    Registry::new(scene).motion(scene, expression)
+fn tangent(scene: &Scene, expression: &str) -> Result<Tangent, ParameterError> {
+    Registry::new(scene).tangent(scene, expression)
 }
 
 fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
@@ -219,9 +219,9 @@ fn every_name_means_what_it_says() {
         let is_colour = says(".radiance") || says(".reflectance");
         assert_eq!(parameter.kind == ParameterKind::Radiance, says(".radiance"));
         assert_eq!(parameter.moves_discontinuities, !is_colour);
-        let motion = motion(&scene, &parameter.name).expect("it is listed");
-        let above = numbers(&scene.moved(&motion, h));
-        let below = numbers(&scene.moved(&motion, -h));
+        let tangent = tangent(&scene, &parameter.name).expect("it is listed");
+        let above = numbers(&scene.moved(&tangent, h));
+        let below = numbers(&scene.moved(&tangent, -h));
         let expected_above = numbers(&changed(&scene, &parameter, h));
         let expected_below = numbers(&changed(&scene, &parameter, -h));
         let mut moves = false;
@@ -241,14 +241,14 @@ fn every_name_means_what_it_says() {
 fn given_normals_turn() {
     let scene = example();
     let normals = scene.shapes[0].normals.per_vertex().expect("given");
-    let turning = motion(&scene, "ball.rotate.y").expect("listed");
+    let turning = tangent(&scene, "ball.rotate.y").expect("listed");
     let velocities = scene.normal_velocities(&turning, 0).expect("moves");
     for (n, v) in normals.iter().zip(velocities) {
         assert!((Vec3::new(n.z, 0.0, -n.x) - v).length() < 1e-15); // e_y × n
     }
     for name in ["ball.translate.x", "ball.scale"] {
-        let motion = motion(&scene, name).expect("listed");
-        let velocities = scene.normal_velocities(&motion, 0).expect("moves");
+        let tangent = tangent(&scene, name).expect("listed");
+        let velocities = scene.normal_velocities(&tangent, 0).expect("moves");
         assert!(velocities.iter().all(|&v| v == Vec3::zero()), "{name}");
     }
 }
@@ -256,7 +256,7 @@ fn given_normals_turn() {
 #[test]
 fn terms_add_with_signs_and_factors() {
     let scene = example();
-    let one = |name: &str| motion(&scene, name).expect(name);
+    let one = |name: &str| tangent(&scene, name).expect(name);
     let sum = one(" ball.translate.x+ -0.5 * lamp.translate.y - 2*sensor.rotate.z ");
     assert_eq!(sum.shapes[0], one("ball.translate.x").shapes[0]);
     let lamp = sum.shapes[1].as_ref().expect("moves");
@@ -276,7 +276,7 @@ fn terms_add_with_signs_and_factors() {
     // The same shape twice: a motion and a turn.
     let both = one("ball.translate.x + ball.rotate.z");
     let (moving, turning) = (one("ball.translate.x"), one("ball.rotate.z"));
-    let vertex = |m: &Motion| m.shapes[0].as_ref().expect("moves").vertices[5];
+    let vertex = |m: &Tangent| m.shapes[0].as_ref().expect("moves").vertices[5];
     assert_eq!(vertex(&both), vertex(&moving) + vertex(&turning));
     assert!(both.shapes[0].as_ref().expect("moves").normals.is_some());
 }
@@ -291,8 +291,8 @@ fn ids_may_contain_signs_and_dots() {
         ("ball.translate.y + -a.b+2*c.translate.x", 1.0),
         ("ball.translate.y - -a.b+2*c.translate.x", -1.0),
     ] {
-        let motion = motion(&scene, text).expect(text);
-        let vertices = &motion.shapes[2].as_ref().expect("moves").vertices;
+        let tangent = tangent(&scene, text).expect(text);
+        let vertices = &tangent.shapes[2].as_ref().expect("moves").vertices;
         assert!(vertices.iter().all(|v| v.x == x), "{text}");
     }
 }
@@ -300,7 +300,7 @@ fn ids_may_contain_signs_and_dots() {
 #[test]
 fn wrong_names_suggest_right_ones() {
     let scene = example();
-    let message = |text: &str| motion(&scene, text).expect_err(text).to_string();
+    let message = |text: &str| tangent(&scene, text).expect_err(text).to_string();
     assert_eq!(
         message("bal.translate.x"),
         "the scene has no parameter \"bal.translate.x\"; did you mean `ball.translate.x`, \
@@ -347,7 +347,7 @@ fn wrong_names_suggest_right_ones() {
 fn suggestions_stay_with_the_object() {
     let scene = example();
     for expression in ["ball.diffuse_reflectance.value", "1*ball.positons"] {
-        let message = motion(&scene, expression)
+        let message = tangent(&scene, expression)
             .expect_err(expression)
             .to_string();
         for other in ["lamp", "red", "sensor", "-a.b"] {
@@ -382,14 +382,14 @@ fn placement_of_emitters_is_explained() {
         intensity: TextureId(0),
     });
     for name in ["bulb.position", "bulb.translate.x", "bulb.to_world"] {
-        let message = motion(&scene, name).expect_err(name).to_string();
+        let message = tangent(&scene, name).expect_err(name).to_string();
         let start = format!("\"{name}\" is not a parameter: a light without extent casts hard");
         assert!(message.starts_with(&start), "{message}");
         assert!(message.contains("small area emitter"), "{message}");
         let array = request(&scene, name).expect_err(name).to_string();
         assert_eq!(array, message);
     }
-    let message = motion(&scene, "bulb.colour")
+    let message = tangent(&scene, "bulb.colour")
         .expect_err("unknown")
         .to_string();
     assert!(message.contains("no parameter"), "{message}");
@@ -399,10 +399,10 @@ fn placement_of_emitters_is_explained() {
 fn one_name_for_two_things_is_refused() {
     let mut scene = example();
     scene.shape_mut(ShapeId(0)).id = "sensor".into();
-    let error = motion(&scene, "sensor.translate.x").expect_err("ambiguous");
+    let error = tangent(&scene, "sensor.translate.x").expect_err("ambiguous");
     assert!(error.to_string().contains("two different things"));
-    assert!(motion(&scene, "eye.translate.x").is_ok());
-    assert!(motion(&scene, "sensor.scale").is_ok());
+    assert!(tangent(&scene, "eye.translate.x").is_ok());
+    assert!(tangent(&scene, "sensor.scale").is_ok());
 }
 
 #[test]
@@ -410,15 +410,17 @@ fn vertices_move_unless_the_mesh_would_tear() {
     let mut scene = example();
     let count = scene.shapes[0].mesh.positions.len();
     let velocities: Vec<Vec3> = (0..count).map(|i| Vec3::splat(i as f64)).collect();
-    let motion = vertex_motion(&scene, "ball", velocities.clone()).expect("right");
+    let tangent = vertex_tangent(&scene, "ball", velocities.clone()).expect("right");
     assert_eq!(
-        motion.shapes[0].as_ref().expect("moves").vertices,
+        tangent.shapes[0].as_ref().expect("moves").vertices,
         velocities
     );
-    assert!(motion.shapes[1].is_none());
+    assert!(tangent.shapes[1].is_none());
 
     let message = |scene: &Scene, shape: &str, v: Vec<Vec3>| {
-        vertex_motion(scene, shape, v).expect_err(shape).to_string()
+        vertex_tangent(scene, shape, v)
+            .expect_err(shape)
+            .to_string()
     };
     assert!(message(&scene, "bal", vec![]).contains("did you mean `ball`"));
     assert!(message(&scene, "ball", vec![]).contains("0 velocities were given"));
@@ -434,7 +436,7 @@ fn vertices_move_unless_the_mesh_would_tear() {
         "{torn}"
     );
     let together = vec![Vec3::splat(1.0); count];
-    assert!(vertex_motion(&scene, "ball", together).is_ok());
+    assert!(vertex_tangent(&scene, "ball", together).is_ok());
 }
 
 /// A texture that two materials and a lamp refer to is one parameter, called
@@ -460,13 +462,13 @@ fn a_shared_texture_is_one_parameter() {
     ];
     let parameters = list(&scene);
     for name in names {
-        assert_eq!(motion(&scene, name).expect(name).textures, expected);
+        assert_eq!(tangent(&scene, name).expect(name).textures, expected);
         let listed: Vec<_> = parameters.iter().filter(|p| p.name == name).collect();
         let alias = (name != "paint.value").then(|| "paint.value".to_owned());
         assert_eq!(listed.len(), 1, "{name}");
         assert_eq!(listed[0].alias_of, alias, "{name}");
     }
-    let green = motion(&scene, "red.reflectance.value.g").expect("listed");
+    let green = tangent(&scene, "red.reflectance.value.g").expect("listed");
     assert_eq!(green.textures, one_texel(&scene, 0, [0.0, 1.0, 0.0]));
 }
 

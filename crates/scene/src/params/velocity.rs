@@ -8,16 +8,16 @@ use super::near::near;
 use super::optic::optic_scale;
 use super::target::Target;
 use crate::ids::ShapeId;
-use crate::motion::{Motion, ShapeMotion};
 use crate::scene::Scene;
+use crate::scene_vector::{ShapeVectors, Tangent};
 use crate::shape::ShadingNormals;
 
 /// Adds `factor` times a parameter's velocities to a motion.
-pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mut Motion) {
+pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, tangent: &mut Tangent) {
     let axis = |axis: usize| Vec3::from([0, 1, 2].map(|i| if i == axis { factor } else { 0.0 }));
     match target {
-        Target::Translate(id, along) => add_rigid(scene, id, axis(along), Vec3::zero(), motion),
-        Target::Rotate(id, about) => add_rigid(scene, id, Vec3::zero(), axis(about), motion),
+        Target::Translate(id, along) => add_rigid(scene, id, axis(along), Vec3::zero(), tangent),
+        Target::Rotate(id, about) => add_rigid(scene, id, Vec3::zero(), axis(about), tangent),
         Target::Scale(id) => {
             let shape = scene.shape(id);
             let centre = shape.centre();
@@ -25,12 +25,12 @@ pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mu
             let vertices = positions.map(|&p| (p - centre) * factor).collect();
             // A uniform scale turns no normal.
             let normals = None;
-            motion.add_to_shape(id, ShapeMotion { vertices, normals });
+            tangent.add_to_shape(id, ShapeVectors { vertices, normals });
         }
         Target::Texels(id, part, _, channel) => {
             let texture = scene.texture(id);
             let (numbers, channels) = (texture.data.len(), texture.channels);
-            let velocities = &mut motion.textures[id.0 as usize];
+            let velocities = &mut tangent.textures[id.0 as usize];
             let velocities = velocities.get_or_insert_with(|| vec![0.0; numbers]);
             for texel in part.first..part.first + part.count {
                 for i in (0..channels).filter(|&i| channel.contains(i)) {
@@ -38,14 +38,14 @@ pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, motion: &mu
                 }
             }
         }
-        Target::TranslateSensor(along) => motion.sensor.translation += axis(along),
-        Target::RotateSensor(about) => motion.sensor.rotation += axis(about),
-        Target::SensorOptic(optic) => motion.sensor.add_optic(optic, factor * optic_scale(optic)),
+        Target::TranslateSensor(along) => tangent.sensor.translation += axis(along),
+        Target::RotateSensor(about) => tangent.sensor.rotation += axis(about),
+        Target::SensorOptic(optic) => tangent.sensor.add_optic(optic, factor * optic_scale(optic)),
     }
 }
 
 /// Adds a rigid motion of a shape: `translation + rotation × (p - centre)`.
-fn add_rigid(scene: &Scene, id: ShapeId, translation: Vec3, rotation: Vec3, motion: &mut Motion) {
+fn add_rigid(scene: &Scene, id: ShapeId, translation: Vec3, rotation: Vec3, tangent: &mut Tangent) {
     let shape = scene.shape(id);
     let centre = shape.centre();
     let positions = shape.mesh.positions.iter();
@@ -59,11 +59,11 @@ fn add_rigid(scene: &Scene, id: ShapeId, translation: Vec3, rotation: Vec3, moti
         // A translation turns no normal, and computed ones follow by themselves.
         ShadingNormals::Given(_) | ShadingNormals::Face | ShadingNormals::Computed(_) => None,
     };
-    motion.add_to_shape(id, ShapeMotion { vertices, normals });
+    tangent.add_to_shape(id, ShapeVectors { vertices, normals });
 }
 
-impl Motion {
-    fn add_to_shape(&mut self, id: ShapeId, velocities: ShapeMotion) {
+impl Tangent {
+    fn add_to_shape(&mut self, id: ShapeId, velocities: ShapeVectors) {
         match &mut self.shapes[id.0 as usize] {
             Some(own) => own.add(&velocities),
             rest => *rest = Some(velocities),
@@ -76,11 +76,11 @@ impl Motion {
 ///
 /// There must be one finite velocity per vertex, and the same one for vertices
 /// at the same position (seams of normals or texture coordinates).
-pub fn vertex_motion(
+pub fn vertex_tangent(
     scene: &Scene,
     shape: &str,
     velocities: Vec<Vec3>,
-) -> Result<Motion, ParameterError> {
+) -> Result<Tangent, ParameterError> {
     let Some(index) = scene.shapes.iter().position(|s| s.id == shape) else {
         return Err(ParameterError::UnknownShape {
             shape: shape.into(),
@@ -112,10 +112,10 @@ pub fn vertex_motion(
             });
         }
     }
-    let mut motion = Motion::zero(scene);
-    motion.shapes[index] = Some(ShapeMotion {
+    let mut tangent = Tangent::zero(scene);
+    tangent.shapes[index] = Some(ShapeVectors {
         vertices: velocities,
         normals: None,
     });
-    Ok(motion)
+    Ok(tangent)
 }

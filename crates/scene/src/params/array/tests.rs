@@ -1,7 +1,7 @@
 use super::super::tests::{example, numbers};
 use super::super::{Registry, Request};
 use super::*;
-use crate::motion::SensorMotion;
+use crate::scene_vector::{Gradient, SensorVectors};
 use crate::shape::Attribute;
 use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
 
@@ -80,8 +80,8 @@ fn named(scene: &Scene, name: &str) -> ArrayParameter {
     array.clone()
 }
 
-fn motion(scene: &Scene, expression: &str) -> Result<Motion, ParameterError> {
-    Registry::new(scene).motion(scene, expression)
+fn tangent(scene: &Scene, expression: &str) -> Result<Tangent, ParameterError> {
+    Registry::new(scene).tangent(scene, expression)
 }
 
 fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
@@ -179,9 +179,9 @@ fn every_array_means_what_it_says() {
     for array in Registry::new(&scene).arrays() {
         assert_eq!(array.get(&scene).len(), array.count(), "{}", array.name);
         let velocities = admissible(&scene, array);
-        let motion = array.motion(&scene, &velocities);
+        let tangent = array.tangent(&scene, &velocities);
         let set = [h, -h].map(|h| numbers(&stepped(&scene, array, &velocities, h)));
-        let moved = [h, -h].map(|h| numbers(&scene.moved(&motion, h)));
+        let moved = [h, -h].map(|h| numbers(&scene.moved(&tangent, h)));
         let mut moves = false;
         for i in 0..set[0].len() {
             let [by_set, by_motion] = [&set, &moved].map(|x| (x[0][i] - x[1][i]) / (2.0 * h));
@@ -219,11 +219,11 @@ fn wrong_matrices_are_refused() {
 #[test]
 fn gradients_are_transposed_motions() {
     let scene = with_textures();
-    let mut gradient = Motion::zero(&scene);
+    let mut gradient = Gradient::zero(&scene);
     for (i, shape) in scene.shapes.iter().enumerate() {
         let count = 3 * shape.mesh.positions.len();
         let given = matches!(shape.normals, ShadingNormals::Given(_));
-        gradient.shapes[i] = Some(ShapeMotion {
+        gradient.shapes[i] = Some(ShapeVectors {
             vertices: vectors(&random(count, 3)),
             normals: given.then(|| vectors(&random(count, 4))),
         });
@@ -231,7 +231,7 @@ fn gradients_are_transposed_motions() {
     for (texture, covectors) in scene.textures.iter().zip(&mut gradient.textures) {
         *covectors = Some(random(texture.data.len(), 5));
     }
-    gradient.sensor = SensorMotion {
+    gradient.sensor = SensorVectors {
         translation: vectors(&random(3, 1))[0],
         rotation: vectors(&random(3, 2))[0],
         axes: [0, 1, 2].map(|i| vectors(&random(9, 6))[i]),
@@ -241,13 +241,13 @@ fn gradients_are_transposed_motions() {
         let velocities = admissible(&scene, array);
         let read = array.gradient(&scene, &gradient);
         let dot: f64 = read.iter().zip(&velocities).map(|(a, b)| a * b).sum();
-        let expected = gradient.dot(&array.motion(&scene, &velocities));
+        let expected = gradient.dot(&array.tangent(&scene, &velocities));
         let name = &array.name;
         assert!((dot - expected).abs() < 1e-12, "{name}: {dot} {expected}");
         assert!(expected.abs() > 1e-3, "{name}: nothing to compare");
         // A step along it is admissible.
         stepped(&scene, array, &read, -0.01);
-        let nothing = array.gradient(&scene, &Motion::zero(&scene));
+        let nothing = array.gradient(&scene, &Gradient::zero(&scene));
         assert_eq!(nothing, vec![0.0; array.count()], "{name}");
     }
 }
@@ -340,7 +340,7 @@ fn requests_are_arrays_or_expressions() {
     ] {
         assert!(message(text).contains(part), "{text}: {}", message(text));
     }
-    let scalar = motion(&scene, "ball.positions").expect_err("an array");
+    let scalar = tangent(&scene, "ball.positions").expect_err("an array");
     assert!(scalar.to_string().contains("is an array"), "{scalar}");
     let mut twice = example();
     twice.texture_mut(TextureId(2)).id = "sky.radiance".into();
@@ -356,7 +356,7 @@ fn requests_are_arrays_or_expressions() {
 #[test]
 fn elements_are_parameters() {
     let scene = example();
-    let motion = |scene: &Scene, text: &str| motion(scene, text).expect(text);
+    let tangent = |scene: &Scene, text: &str| tangent(scene, text).expect(text);
     for (text, name, numbers) in [
         ("ball.positions[7,2]", "ball.positions", vec![(23, 1.0)]),
         (
@@ -385,17 +385,17 @@ fn elements_are_parameters() {
         for (index, velocity) in numbers {
             velocities[index] = velocity;
         }
-        let expected = array.motion(&scene, &velocities);
-        assert_eq!(motion(&scene, text), expected, "{text}");
+        let expected = array.tangent(&scene, &velocities);
+        assert_eq!(tangent(&scene, text), expected, "{text}");
     }
-    let mixed = motion(&scene, "ball.translate.x - ball.positions[0,0]");
+    let mixed = tangent(&scene, "ball.translate.x - ball.positions[0,0]");
     let ball = mixed.shapes[0].clone().expect("it moves");
     assert_eq!(ball.vertices[0], Vec3::zero());
     assert_eq!(ball.vertices[1], Vec3::new(1.0, 0.0, 0.0));
 
     let seamed = with_seam();
     let count = seamed.shapes[0].mesh.positions.len();
-    let welded = motion(&seamed, &format!("ball.positions[{},1]", count - 1));
+    let welded = tangent(&seamed, &format!("ball.positions[{},1]", count - 1));
     let ball = welded.shapes[0].clone().expect("it moves");
     let moved: Vec<usize> = (0..count)
         .filter(|&i| ball.vertices[i] == Vec3::new(0.0, 1.0, 0.0))

@@ -1,7 +1,8 @@
-//! A direction in parameter space: how fast every number of a scene changes
-//! for a unit change of the parameter.
+//! A number for every number of a scene: how fast it changes ([`Tangent`]), or what a loss
+//! gains by its change ([`Gradient`]).
 
 use std::array;
+use std::marker::PhantomData;
 use std::sync::Arc;
 
 use capwalk_math::{Affine, Dual, Rgb, Vec3};
@@ -12,49 +13,66 @@ use crate::sensor::{Optic, Sensor, SensorState};
 use crate::shape::{ShadingNormals, vertex_normals};
 use crate::texture::texel;
 
-/// Velocities of everything that can move or change.
+/// A vector with the form of a scene's numbers: those of shapes, textures and the sensor.
+/// `K` tells velocities from derivatives, so that none is taken for the other.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Motion {
-    /// One per shape; `None` does not move.
-    pub shapes: Vec<Option<ShapeMotion>>,
-    /// Change of each texture's data, in their form; `None` does not change.
+pub struct SceneVector<K> {
+    /// One per shape; `None` is zero.
+    pub shapes: Vec<Option<ShapeVectors>>,
+    /// One per texture, in the form of its data; `None` is zero.
     pub textures: Vec<Option<Vec<f64>>>,
-    /// Motion of the sensor.
-    pub sensor: SensorMotion,
+    /// The sensor.
+    pub sensor: SensorVectors,
+    kind: PhantomData<K>,
 }
 
-/// Velocities of a shape.
+/// A direction in parameter space: how fast every number of a scene changes for a unit
+/// change of the parameter.
+pub type Tangent = SceneVector<Velocities>;
+
+/// The derivative of a loss with respect to every number of a scene, per unit of that
+/// number. Its [product](Gradient::dot) with a [`Tangent`] is the derivative along it.
+pub type Gradient = SceneVector<Derivatives>;
+
+/// What a [`Tangent`] is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Velocities {}
+
+/// What a [`Gradient`] is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Derivatives {}
+
+/// Vectors of a shape.
 #[derive(Clone, Debug, PartialEq)]
-pub struct ShapeMotion {
-    /// One per vertex, world units.
+pub struct ShapeVectors {
+    /// One per vertex, world units (or per world unit).
     pub vertices: Vec<Vec3>,
-    /// One per vertex, orthogonal to its normal, for shapes with normals given
-    /// with the mesh. Computed normals follow the vertices, see
-    /// [`Scene::normal_velocities`].
+    /// One per vertex, orthogonal to its normal, for shapes with normals given with the
+    /// mesh. Computed normals follow the vertices, see [`Scene::normal_velocities`].
     pub normals: Option<Vec<Vec3>>,
 }
 
-/// A motion of the sensor; zero by default.
+/// Vectors of the sensor; zero by default.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SensorMotion {
-    /// Velocity of its origin, world units.
+pub struct SensorVectors {
+    /// Of its origin, world units (or per world unit).
     pub translation: Vec3,
-    /// Angular velocity about its origin, radians, in world axes.
+    /// Of its rotation about its origin, radians (or per radian), in world axes.
     pub rotation: Vec3,
-    /// Velocities of the images of the camera's axes, the columns of
-    /// `world_from_camera`, besides the rotation.
+    /// Of the images of the camera's axes, the columns of `world_from_camera`, besides the
+    /// rotation.
     pub axes: [Vec3; 3],
-    /// Change of its other numbers, by [`Optic`].
+    /// Of its other numbers, by [`Optic`].
     pub optics: Vec3,
 }
 
-impl Default for SensorMotion {
+impl Default for SensorVectors {
     fn default() -> Self {
         Self::from_vectors([Vec3::zero(); 6])
     }
 }
 
-impl SensorMotion {
+impl SensorVectors {
     fn vectors(&self) -> [Vec3; 6] {
         let [a, b, c] = self.axes;
         [self.translation, self.rotation, a, b, c, self.optics]
@@ -84,17 +102,32 @@ impl SensorMotion {
     }
 }
 
-impl Motion {
-    /// Nothing moves or changes.
+impl<K> SceneVector<K> {
+    /// A vector of its parts, one per shape and one per texture.
+    pub fn new(
+        shapes: Vec<Option<ShapeVectors>>,
+        textures: Vec<Option<Vec<f64>>>,
+        sensor: SensorVectors,
+    ) -> Self {
+        Self {
+            shapes,
+            textures,
+            sensor,
+            kind: PhantomData,
+        }
+    }
+
+    /// All numbers are zero.
     pub fn zero(scene: &Scene) -> Self {
         Self {
             shapes: vec![None; scene.shapes.len()],
             textures: vec![None; scene.textures.len()],
-            sensor: SensorMotion::default(),
+            sensor: SensorVectors::default(),
+            kind: PhantomData,
         }
     }
 
-    /// Both motions at once.
+    /// Adds another one.
     pub fn add(&mut self, other: &Self) {
         for (own, others) in self.shapes.iter_mut().zip(&other.shapes) {
             match (own.as_mut(), others) {
@@ -113,14 +146,13 @@ impl Motion {
             }
         }
         let (own, others) = (self.sensor.vectors(), other.sensor.vectors());
-        self.sensor = SensorMotion::from_vectors(array::from_fn(|i| own[i] + others[i]));
+        self.sensor = SensorVectors::from_vectors(array::from_fn(|i| own[i] + others[i]));
     }
 
-    /// The motion with every number replaced by a function of it, which must
-    /// keep zero.
+    /// The vector with every number replaced by a function of it, which must keep zero.
     pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
         let map = |v: &[Vec3]| v.iter().map(|v| v.map(&f)).collect::<Vec<_>>();
-        let shape = |shape: &ShapeMotion| ShapeMotion {
+        let shape = |shape: &ShapeVectors| ShapeVectors {
             vertices: map(&shape.vertices),
             normals: shape.normals.as_ref().map(|normals| map(normals)),
         };
@@ -132,19 +164,31 @@ impl Motion {
                 .iter()
                 .map(|t| t.as_ref().map(texture))
                 .collect(),
-            sensor: SensorMotion::from_vectors(self.sensor.vectors().map(|v| v.map(&f))),
+            sensor: SensorVectors::from_vectors(self.sensor.vectors().map(|v| v.map(&f))),
+            kind: PhantomData,
         }
     }
 
-    /// The motion `factor` times as fast.
+    /// `factor` times the vector.
     pub fn scaled(&self, factor: f64) -> Self {
         self.map(|x| x * factor)
     }
+}
 
-    /// The sum of the products of corresponding numbers: a gradient has the
-    /// form of a motion, and this is the derivative along the other one. What
-    /// one of them does not have counts as zero.
-    pub fn dot(&self, other: &Self) -> f64 {
+impl Tangent {
+    /// Change of a texel of a texture.
+    #[inline]
+    pub fn texel(&self, scene: &Scene, id: TextureId, index: usize) -> Rgb {
+        match &self.textures[id.0 as usize] {
+            Some(velocities) => texel(velocities, scene.texture(id).channels, index),
+            None => Rgb::zero(),
+        }
+    }
+}
+
+impl Gradient {
+    /// The derivative along a tangent: the sum of the products of corresponding numbers.
+    pub fn dot(&self, other: &Tangent) -> f64 {
         let dot = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, &b)| a.dot(b)).sum::<f64>();
         let shapes = self.shapes.iter().zip(&other.shapes);
         let of_shapes: f64 = shapes
@@ -162,19 +206,10 @@ impl Motion {
             .sum();
         of_shapes + of_textures + dot(&self.sensor.vectors(), &other.sensor.vectors())
     }
-
-    /// Change of a texel of a texture.
-    #[inline]
-    pub fn texel(&self, scene: &Scene, id: TextureId, index: usize) -> Rgb {
-        match &self.textures[id.0 as usize] {
-            Some(velocities) => texel(velocities, scene.texture(id).channels, index),
-            None => Rgb::zero(),
-        }
-    }
 }
 
-impl ShapeMotion {
-    /// Both motions at once.
+impl ShapeVectors {
+    /// Adds another one.
     pub fn add(&mut self, other: &Self) {
         let add = |own: &mut Vec<Vec3>, others: &[Vec3]| {
             own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
@@ -190,35 +225,35 @@ impl ShapeMotion {
 
 impl Sensor {
     /// Its numbers with their velocities.
-    pub fn moving_state(&self, motion: &SensorMotion) -> SensorState<Dual<1>> {
+    pub fn moving_state(&self, tangent: &SensorVectors) -> SensorState<Dual<1>> {
         let SensorState {
             axes,
             origin,
             optics,
         } = self.state();
-        let turning = |i: usize| motion.rotation.cross(axes[i]) + motion.axes[i];
+        let turning = |i: usize| tangent.rotation.cross(axes[i]) + tangent.axes[i];
         SensorState {
             axes: [0, 1, 2].map(|i| axes[i].with_tangent(turning(i))),
-            origin: origin.with_tangent(motion.translation),
-            optics: optics.with_tangent(motion.optics),
+            origin: origin.with_tangent(tangent.translation),
+            optics: optics.with_tangent(tangent.optics),
         }
     }
 
     /// Moves on along a motion for `step`, turning rigidly where it turns.
-    fn move_along(&mut self, motion: &SensorMotion, step: f64) {
+    fn move_along(&mut self, tangent: &SensorVectors, step: f64) {
         let camera = &mut self.world_from_camera;
-        let origin = camera.translation + motion.translation * step;
-        let rate = motion.rotation.length();
+        let origin = camera.translation + tangent.translation * step;
+        let rate = tangent.rotation.length();
         if rate > 0.0 {
-            *camera = Affine::rotate(motion.rotation, rate * step) * *camera;
+            *camera = Affine::rotate(tangent.rotation, rate * step) * *camera;
         }
         for (i, row) in camera.rows.iter_mut().enumerate() {
-            *row += Vec3::from(motion.axes.map(|axis| axis[i])) * step;
+            *row += Vec3::from(tangent.axes.map(|axis| axis[i])) * step;
         }
         camera.translation = origin;
         for optic in Optic::ALL {
             if let Some(number) = self.model.optic_mut(optic) {
-                *number += motion.optics[optic as usize] * step;
+                *number += tangent.optics[optic as usize] * step;
             }
         }
     }
@@ -230,7 +265,7 @@ impl Scene {
     /// derivative at `step = 0` is the motion; differences of it are what
     /// derivatives are checked against. Shapes and textures that stay are shared with
     /// this scene.
-    pub fn moved(&self, motion: &Motion, step: f64) -> Scene {
+    pub fn moved(&self, tangent: &Tangent, step: f64) -> Scene {
         let mut scene = self.clone();
         let along = |values: &mut [Vec3], velocities: &[Vec3]| {
             values
@@ -238,11 +273,11 @@ impl Scene {
                 .zip(velocities)
                 .for_each(|(p, &v)| *p += v * step);
         };
-        for (shape, motion) in scene.shapes.iter_mut().zip(&motion.shapes) {
-            let Some(motion) = motion else { continue };
+        for (shape, tangent) in scene.shapes.iter_mut().zip(&tangent.shapes) {
+            let Some(tangent) = tangent else { continue };
             let shape = Arc::make_mut(shape);
-            along(&mut shape.mesh.positions, &motion.vertices);
-            match (&mut shape.normals, &motion.normals) {
+            along(&mut shape.mesh.positions, &tangent.vertices);
+            match (&mut shape.normals, &tangent.normals) {
                 (ShadingNormals::Given(normals), Some(velocities)) => {
                     along(normals, velocities);
                     normals.iter_mut().for_each(|n| *n = n.normalized());
@@ -253,21 +288,21 @@ impl Scene {
                 (ShadingNormals::Face | ShadingNormals::Given(_), _) => {}
             }
         }
-        for (texture, velocities) in scene.textures.iter_mut().zip(&motion.textures) {
+        for (texture, velocities) in scene.textures.iter_mut().zip(&tangent.textures) {
             let Some(velocities) = velocities else {
                 continue;
             };
             let numbers = Arc::make_mut(texture).data.iter_mut().zip(velocities);
             numbers.for_each(|(x, &v)| *x += v * step);
         }
-        scene.sensor.move_along(&motion.sensor, step);
+        scene.sensor.move_along(&tangent.sensor, step);
         scene
     }
 
     /// Velocities of a shape's unit shading normals, one per vertex; `None` if
     /// its triangles are flat or it does not move.
-    pub fn normal_velocities(&self, motion: &Motion, shape: usize) -> Option<Vec<Vec3>> {
-        let velocities = motion.shapes[shape].as_ref()?;
+    pub fn normal_velocities(&self, tangent: &Tangent, shape: usize) -> Option<Vec<Vec3>> {
+        let velocities = tangent.shapes[shape].as_ref()?;
         let shape = &self.shapes[shape];
         match &shape.normals {
             ShadingNormals::Face => None,
@@ -299,10 +334,10 @@ mod tests {
     fn what_stays_is_shared() {
         let scene = builtin::scene("leaf").expect("built in");
         let expression = "leaf.translate.x + lamp.emitter.radiance.value";
-        let motion = params::Registry::new(&scene)
-            .motion(&scene, expression)
+        let tangent = params::Registry::new(&scene)
+            .tangent(&scene, expression)
             .expect("parameters");
-        let moved = scene.moved(&motion, 0.5);
+        let moved = scene.moved(&tangent, 0.5);
         for (i, shape) in scene.shapes.iter().enumerate() {
             assert_eq!(Arc::ptr_eq(shape, &moved.shapes[i]), shape.id != "leaf");
         }
