@@ -11,7 +11,7 @@ pub struct Sampler {
     kind: SamplerKind,
     seed: u64,
     /// Samples per independently scrambled batch; 1 for independent numbers.
-    batch: u32,
+    group: u32,
 }
 
 /// Batches per pixel that the error of Sobol sampling is estimated from.
@@ -23,7 +23,7 @@ const SOBOL_POINTS: u32 = 1 << 16;
 impl Sampler {
     /// The sampler for `spp` samples per pixel.
     pub fn new(settings: &Settings, seed: u64, spp: u32) -> Self {
-        let batch = match settings.sampler {
+        let group = match settings.sampler {
             SamplerKind::Independent => 1,
             // Sobol points are well spread in groups of a power of two.
             SamplerKind::Sobol => match (spp / SOBOL_BATCHES).min(SOBOL_POINTS) {
@@ -34,14 +34,14 @@ impl Sampler {
         Self {
             kind: settings.sampler,
             seed,
-            batch,
+            group,
         }
     }
 
     /// Consecutive samples that are not independent of each other; errors are
     /// estimated from the means of such batches.
-    pub fn batch(&self) -> u32 {
-        self.batch
+    pub fn group(&self) -> u32 {
+        self.group
     }
 
     /// The numbers of one sample of one pixel.
@@ -51,8 +51,8 @@ impl Sampler {
         let sobol = match self.kind {
             SamplerKind::Independent => None,
             SamplerKind::Sobol => {
-                let batch_key = mix(pixel_key ^ u64::from(sample / self.batch) ^ (1 << 63));
-                Some((sample % self.batch, batch_key as u32))
+                let batch_key = mix(pixel_key ^ u64::from(sample / self.group) ^ (1 << 63));
+                Some((sample % self.group, batch_key as u32))
             }
         };
         Stream { key: hashed, sobol }

@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .flat_map(|p| [p[0] + 0.1, p[1], p[2]])
             .collect();
         elsewhere.update("ball.positions", &moved)?;
-        let sampling = RenderOptions { spp: 64, seed: 7 };
+        let sampling = RenderOptions::new(64, 7);
         let target = elsewhere.render(&sampling, &Unwatched).value.mean;
 
         // Each view has a seed of its own, so that their noise is independent.

@@ -13,7 +13,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The target: an image with the colour that is to be found.
     let start = prepared.values(COLOUR)?.numbers;
     prepared.update(COLOUR, &[0.5, 0.6, 0.3])?;
-    let sampling = RenderOptions { spp: 256, seed: 1 };
+    let sampling = RenderOptions::new(256, 1);
     let target = prepared.render(&sampling, &Unwatched).value.mean;
     prepared.update(COLOUR, &start)?;
 

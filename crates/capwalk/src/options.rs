@@ -17,7 +17,7 @@ pub struct DifferenceOptions {
 impl Default for DifferenceOptions {
     /// 64 samples per pixel, the seed 0, and the step that fits the scene.
     fn default() -> Self {
-        let RenderOptions { spp, seed } = RenderOptions::default();
+        let RenderOptions { spp, seed, .. } = RenderOptions::default();
         Self {
             spp,
             seed,

@@ -72,7 +72,7 @@ impl Prepared {
     /// # use capwalk::{Prepared, RenderOptions, Unwatched};
     /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
     /// # let prepared = Prepared::new(scene)?;
-    /// let rendering = prepared.render(&RenderOptions { spp: 4, seed: 1 }, &Unwatched);
+    /// let rendering = prepared.render(&RenderOptions::new(4, 1), &Unwatched);
     /// assert!(rendering.statistics.complete);
     /// assert!(rendering.value.standard_error.pixels[0].is_finite());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -119,7 +119,7 @@ impl Prepared {
             .step
             .unwrap_or_else(|| self.difference_step(&tangent));
         let DifferenceOptions { spp, seed, .. } = *options;
-        let options = RenderOptions { spp, seed };
+        let options = RenderOptions::new(spp, seed);
         let result = self
             .engine
             .finite_difference(&tangent, step, &options, watch);

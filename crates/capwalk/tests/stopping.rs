@@ -61,7 +61,7 @@ impl Watch for StopsAtOnce {
 fn a_stopped_image_has_some_samples() {
     const SPP: u32 = 100_000_000;
     let watch = StopsIn::work_of(PIXELS * u64::from(SPP));
-    let options = RenderOptions { spp: SPP, seed: 0 };
+    let options = RenderOptions::new(SPP, 0);
     let statistics = leaf().render(&options, &watch).statistics;
     assert!(!statistics.complete);
     assert!(0 < statistics.samples && statistics.samples < PIXELS * u64::from(SPP));
@@ -101,7 +101,7 @@ fn a_loss_without_an_image_is_an_error() {
         distance: Distance::L2,
         levels: 1,
     };
-    let options = RenderOptions { spp: 4, seed: 0 };
+    let options = RenderOptions::new(4, 0);
     let prepared = leaf();
     let stopped = prepared.loss(&loss, &target, None, &options, &StopsAtOnce);
     assert!(matches!(stopped, Err(Error::Stopped { .. })), "{stopped:?}");

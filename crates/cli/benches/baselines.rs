@@ -87,7 +87,7 @@ fn measure(folder: &Folder) {
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, &parameter)
         .expect("a parameter of the scene");
-    let options = |spp, seed| RenderOptions { spp, seed };
+    let options = |spp, seed| RenderOptions::new(spp, seed);
     let run = |method, seed| {
         let settings = GradientOptions {
             method,

@@ -116,7 +116,7 @@ impl Way {
 
     /// The derivative, and the processor's time for it.
     fn run(&self, scene: &Scene, tangent: &Tangent, spp: u32, seed: u64) -> (f64, GradientImage) {
-        let options = RenderOptions { spp, seed };
+        let options = RenderOptions::new(spp, seed);
         let started = Clock::start();
         let picture = match *self {
             Self::Walk(estimator) => {

@@ -56,8 +56,8 @@ pub fn stem(args: &SceneArgs) -> String {
 /// How much to sample.
 pub fn options(args: &SamplingArgs, scene: &Scene) -> RenderOptions {
     let of_scene = RenderOptions::of(scene);
-    RenderOptions {
-        spp: args.spp.unwrap_or(of_scene.spp),
-        seed: args.seed.unwrap_or(of_scene.seed),
-    }
+    RenderOptions::new(
+        args.spp.unwrap_or(of_scene.spp),
+        args.seed.unwrap_or(of_scene.seed),
+    )
 }

@@ -185,7 +185,7 @@ fn run(
     spp: u32,
     seed: u64,
 ) -> (f64, GradientImage) {
-    let options = RenderOptions { spp, seed };
+    let options = RenderOptions::new(spp, seed);
     let settings = GradientOptions {
         method,
         ..GradientOptions::new(options)

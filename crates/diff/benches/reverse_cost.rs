@@ -207,7 +207,7 @@ impl Bench {
 }
 
 fn options(spp: u32) -> GradientOptions {
-    GradientOptions::new(RenderOptions { spp, seed: 1 })
+    GradientOptions::new(RenderOptions::new(spp, 1))
 }
 
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {

@@ -1,13 +1,17 @@
 //! What reverse mode collects: a covector on everything that can move or
 //! change, and the linear maps after the samples.
 
+use std::ops::AddAssign;
+
 use capwalk_boundary::{Accel, Boundaries};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Tape, Vec3};
+use capwalk_render::Term;
 use capwalk_scene::{
     Gradient, Optic, Scene, SensorVectors, ShadingNormals, ShapeId, ShapeVectors, Tangent,
     TextureId, corner_normals, normal_sums,
 };
+use serde::{Deserialize, Serialize};
 
 /// Which parameters' gradients are wanted: the others count as constants, and
 /// cost nothing.
@@ -138,13 +142,15 @@ pub enum Target {
 }
 
 /// Sums of covectors.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Adjoint {
     points: Vec<Vec3>,
     normals: Vec<Option<Vec<Vec3>>>,
     textures: Vec<Vec<f64>>,
     channels: Vec<usize>,
-    sensor: SensorVectors,
+    sensor_origin: Vec3,
+    sensor_axes: [Vec3; 3],
+    sensor_optics: Vec3,
 }
 
 impl Adjoint {
@@ -165,7 +171,9 @@ impl Adjoint {
                 .map(|(texture, &wanted)| vec![0.0; if wanted { texture.data.len() } else { 0 }])
                 .collect(),
             channels: scene.textures.iter().map(|t| t.channels).collect(),
-            sensor: SensorVectors::default(),
+            sensor_origin: Vec3::zero(),
+            sensor_axes: [Vec3::zero(); 3],
+            sensor_optics: Vec3::zero(),
         }
     }
 
@@ -189,29 +197,37 @@ impl Adjoint {
                     }
                 }
             }
-            Target::SensorOrigin => self.sensor.translation += covector,
-            Target::SensorAxis(i) => self.sensor.axes[i] += covector,
-            Target::SensorOptics => self.sensor.optics += covector,
+            Target::SensorOrigin => self.sensor_origin += covector,
+            Target::SensorAxis(i) => self.sensor_axes[i] += covector,
+            Target::SensorOptics => self.sensor_optics += covector,
         }
     }
 
-    /// The gradient, times `factor`: what is left are the maps that do not
-    /// depend on samples, from vertices to the curves where faces cross and to
-    /// computed normals.
-    pub fn gradient(
-        mut self,
-        accel: &Accel,
-        boundaries: &Boundaries,
-        wanted: &Wanted,
-        factor: f64,
-    ) -> Gradient {
+    /// Multiplies everything by a factor.
+    pub fn scale(&mut self, factor: f64) {
+        self.vectors_mut().for_each(|v| *v = *v * factor);
+        self.textures
+            .iter_mut()
+            .flatten()
+            .for_each(|x| *x *= factor);
+    }
+
+    fn vectors_mut(&mut self) -> impl Iterator<Item = &mut Vec3> {
+        let normals = self.normals.iter_mut().flatten().flatten();
+        let sensor = [&mut self.sensor_origin, &mut self.sensor_optics];
+        let sensor = self.sensor_axes.iter_mut().chain(sensor);
+        self.points.iter_mut().chain(normals).chain(sensor)
+    }
+
+    /// The gradient: what is left are the maps that do not depend on samples, from
+    /// vertices to the curves where faces cross and to computed normals.
+    pub fn gradient(mut self, accel: &Accel, boundaries: &Boundaries, wanted: &Wanted) -> Gradient {
         let scene = &accel.scene;
         let (vertices, ends) = self.points.split_at_mut(accel.mesh.positions.len());
         let crossings = boundaries.crossings.iter();
         for (end, &covector) in crossings.flat_map(|crossing| &crossing.ends).zip(&*ends) {
             end.pull_back(covector, vertices);
         }
-        let scaled = |v: Vec<Vec3>| v.into_iter().map(|v| v * factor).collect::<Vec<_>>();
         let mut shapes = Vec::new();
         for (i, shape) in scene.shapes.iter().enumerate() {
             let count = shape.mesh.positions.len();
@@ -228,7 +244,7 @@ impl Adjoint {
             let on_normals = self.normals[i].take();
             let normals = match (&shape.normals, on_normals) {
                 (ShadingNormals::Given(_), Some(on_normals)) if wanted.normals[i] => {
-                    Some(scaled(on_normals))
+                    Some(on_normals)
                 }
                 (ShadingNormals::Computed(_), Some(on_normals)) => {
                     pull_computed_normals(&shape.mesh, &on_normals, &mut on_vertices);
@@ -237,7 +253,7 @@ impl Adjoint {
                 _ => None,
             };
             shapes.push(Some(ShapeVectors {
-                vertices: scaled(on_vertices),
+                vertices: on_vertices,
                 normals,
             }));
         }
@@ -245,15 +261,38 @@ impl Adjoint {
             .textures
             .into_iter()
             .zip(&wanted.textures)
-            .map(|(data, wanted)| wanted.then(|| data.iter().map(|x| x * factor).collect()))
+            .map(|(data, wanted)| wanted.then_some(data))
             .collect();
         let sensor = SensorVectors {
-            translation: self.sensor.translation * factor,
-            rotation: turning(&scene.sensor.state().axes, &self.sensor.axes) * factor,
-            axes: self.sensor.axes.map(|axis| axis * factor),
-            optics: self.sensor.optics * factor,
+            translation: self.sensor_origin,
+            rotation: turning(&scene.sensor.state().axes, &self.sensor_axes),
+            axes: self.sensor_axes,
+            optics: self.sensor_optics,
         };
         Gradient::new(shapes, textures, sensor)
+    }
+}
+
+impl Term for Adjoint {
+    fn add(&mut self, next: &Self) {
+        fn sum<T: Copy + AddAssign>(own: &mut [T], next: &[T]) {
+            own.iter_mut().zip(next).for_each(|(a, &b)| *a += b);
+        }
+        sum(&mut self.points, &next.points);
+        for (own, next) in self
+            .normals
+            .iter_mut()
+            .flatten()
+            .zip(next.normals.iter().flatten())
+        {
+            sum(own, next);
+        }
+        for (own, next) in self.textures.iter_mut().zip(&next.textures) {
+            sum(own, next);
+        }
+        sum(&mut self.sensor_axes, &next.sensor_axes);
+        self.sensor_origin += next.sensor_origin;
+        self.sensor_optics += next.sensor_optics;
     }
 }
 

@@ -3,8 +3,8 @@
 
 use capwalk_boundary::{Counts, Draw, Refusal};
 use capwalk_math::Rgb;
-use capwalk_render::tiles::{self, Sample};
-use capwalk_render::{GradientImage, PreparedScene, Primal, RenderOptions, Tracer, Watch};
+use capwalk_render::tiles::{self, Averages, Sample};
+use capwalk_render::{GradientImage, Part, PreparedScene, Primal, RenderOptions, Tracer, Watch};
 use capwalk_scene::{Scene, Tangent};
 
 /// The derivative of the picture along `tangent` by central differences over
@@ -28,7 +28,8 @@ pub fn finite_difference(
     }
     let sides = sides.map(PreparedScene::new);
     let tracers = sides.each_ref().map(Tracer::primal);
-    let averages = tiles::average(scene, options, watch, |pixel, stream| {
+    let part = Part::whole(tiles::grid(scene, options));
+    let sums = tiles::average(scene, options, 0, &part, watch, |pixel, stream| {
         let draw = Draw {
             stream,
             counts: &Counts::default(),
@@ -44,6 +45,7 @@ pub fn finite_difference(
             uncovered: 0,
         }
     });
+    let averages = Averages::new(sums.into_sums(), options);
     Ok(GradientImage {
         value: averages.estimate(scene, 0),
         gradient: averages.estimate(scene, 3),

@@ -1,12 +1,18 @@
 //! The derivative image in forward mode.
 
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
 use capwalk_boundary::refuse::{
     is_specular_somewhere, refuse_cut_normals, refuse_infinite_derivatives, refuse_motion,
     refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Stream};
-use capwalk_render::tiles::{self, Sample};
-use capwalk_render::{GradientImage, PreparedScene, RenderOptions, SceneEval, Tracer, Watch};
+use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
+use capwalk_render::{
+    GradientImage, Grid, Part, PartError, Partial, PreparedScene, RenderOptions, SceneEval, Tracer,
+    Watch, fingerprint,
+};
 use capwalk_scene::{Tangent, TextureId};
 
 use crate::forward_eval::Forward;
@@ -20,54 +26,128 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    let (scene, accel) = (prepared.scene(), prepared.accel());
-    refuse_settings(&options.method, &options.walk)?;
-    let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
-    refuse_infinite_derivatives(scene, is_asked_for)?;
-    let field = Field::new(accel, prepared.boundaries(), options.method);
-    #[cfg(feature = "paper")]
-    capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
-    let eval = Forward::new(field, tangent);
-    let turns = tangent.shapes.iter().any(Option::is_some);
-    refuse_cut_normals(scene, turns || eval.moves(), is_asked_for)?;
-    if eval.moves() {
-        refuse_motion(accel, &options.method)?;
-    } else if turns {
-        refuse_turned_without_uvs(scene)?;
-    }
-    let tracer = Tracer::moving(prepared, field, options.walk);
-    let sample = |pixel: [u32; 2], stream: &Stream| {
-        let counts = Counts::default();
-        let draw = Draw {
-            stream,
-            counts: &counts,
-        };
-        let light = tracer.pixel(&eval, pixel, draw);
-        let (value, derivative) = (light.value(), light.tangent(0));
-        let [[a, b, c], [d, e, f]] = [value, derivative].map(|rgb| rgb.to_array());
-        Sample {
-            numbers: [a, b, c, d, e, f],
-            cone_queries: counts.queries.get(),
-            uncovered: counts.uncovered.get(),
+    let work = GradientWork::new(prepared, Cow::Borrowed(tangent), *options);
+    let partial = work.sums(0, &Part::whole(work.grid()), watch)?;
+    work.gradient_image(partial.into_sums())
+}
+
+/// A derivative image that is computed in parts.
+#[derive(Debug)]
+pub struct GradientWork<'a> {
+    prepared: &'a PreparedScene,
+    tangent: Cow<'a, Tangent>,
+    options: GradientOptions,
+    fingerprint: OnceLock<u64>,
+}
+
+impl<'a> GradientWork<'a> {
+    /// The derivative of the image along a tangent.
+    pub fn new(
+        prepared: &'a PreparedScene,
+        tangent: Cow<'a, Tangent>,
+        options: GradientOptions,
+    ) -> Self {
+        Self {
+            prepared,
+            tangent,
+            options,
+            fingerprint: OnceLock::new(),
         }
-    };
-    // What cannot be covered is found by looking, before the work is done.
-    let refuse = |uncovered, samples| refuse_uncovered(scene, uncovered, samples, &options.method);
-    if options.method.traits().is_unbiased && is_specular_somewhere(scene) {
-        let pilot = RenderOptions {
-            spp: options.spp.min(PILOT_SPP),
-            seed: options.seed,
-        };
-        let found = tiles::average(scene, &pilot, &Silent(watch), sample).statistics;
-        refuse(found.uncovered, found.samples)?;
     }
-    let averages = tiles::average(scene, &options.sampling(), watch, sample);
-    refuse(averages.statistics.uncovered, averages.statistics.samples)?;
-    Ok(GradientImage {
-        value: averages.estimate(scene, 0),
-        gradient: averages.estimate(scene, 3),
-        statistics: averages.statistics,
-    })
+
+    /// The cells that the work can be cut into.
+    pub fn grid(&self) -> Grid {
+        tiles::grid(self.prepared.scene(), &self.options.sampling())
+    }
+
+    /// What a part of the work gives; refused like the whole.
+    pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
+        part.check(self.grid())?;
+        Ok(self.sums(self.fingerprint(), part, watch)?)
+    }
+
+    /// The derivative image, from all of its parts. The bits are those of [`gradient`].
+    pub fn finish(&self, parts: Partial<PixelSums>) -> Result<GradientImage, PartError> {
+        let sums = parts.complete(self.fingerprint(), self.grid())?;
+        Ok(self.gradient_image(sums)?)
+    }
+
+    fn sums(
+        &self,
+        work: u64,
+        part: &Part,
+        watch: &dyn Watch,
+    ) -> Result<Partial<PixelSums>, Refusal> {
+        let (prepared, tangent, options) = (self.prepared, &*self.tangent, &self.options);
+        let (scene, accel) = (prepared.scene(), prepared.accel());
+        // What can be seen without a sample is refused at once.
+        refuse_settings(&options.method, &options.walk)?;
+        let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
+        refuse_infinite_derivatives(scene, is_asked_for)?;
+        let field = Field::new(accel, prepared.boundaries(), options.method);
+        #[cfg(feature = "paper")]
+        capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
+        let eval = Forward::new(field, tangent);
+        let turns = tangent.shapes.iter().any(Option::is_some);
+        refuse_cut_normals(scene, turns || eval.moves(), is_asked_for)?;
+        if eval.moves() {
+            refuse_motion(accel, &options.method)?;
+        } else if turns {
+            refuse_turned_without_uvs(scene)?;
+        }
+        // A sample is one of the image, over numbers that carry their derivative along
+        // the tangent.
+        let tracer = Tracer::moving(prepared, field, options.walk);
+        let sample = |pixel: [u32; 2], stream: &Stream| {
+            let counts = Counts::default();
+            let draw = Draw {
+                stream,
+                counts: &counts,
+            };
+            let light = tracer.pixel(&eval, pixel, draw);
+            let (value, derivative) = (light.value(), light.tangent(0));
+            let [[a, b, c], [d, e, f]] = [value, derivative].map(|rgb| rgb.to_array());
+            Sample {
+                numbers: [a, b, c, d, e, f],
+                cone_queries: counts.queries.get(),
+                uncovered: counts.uncovered.get(),
+            }
+        };
+        // What cannot be covered is found by looking, before the work is done.
+        if options.method.traits().is_unbiased && is_specular_somewhere(scene) {
+            let pilot = RenderOptions {
+                spp: options.spp.min(PILOT_SPP),
+                ..options.sampling()
+            };
+            let whole = Part::whole(tiles::grid(scene, &pilot));
+            let found = tiles::average(scene, &pilot, 0, &whole, &Silent(watch), sample);
+            self.refuse_uncovered(&Averages::new(found.into_sums(), &pilot))?;
+        }
+        let sampling = options.sampling();
+        Ok(tiles::average(scene, &sampling, work, part, watch, sample))
+    }
+
+    fn gradient_image(&self, sums: Vec<PixelSums>) -> Result<GradientImage, Refusal> {
+        let scene = self.prepared.scene();
+        let averages = Averages::new(sums, &self.options.sampling());
+        self.refuse_uncovered(&averages)?;
+        Ok(GradientImage {
+            value: averages.estimate(scene, 0),
+            gradient: averages.estimate(scene, 3),
+            statistics: averages.statistics,
+        })
+    }
+
+    fn refuse_uncovered(&self, averages: &Averages) -> Result<(), Refusal> {
+        let (scene, found) = (self.prepared.scene(), &averages.statistics);
+        refuse_uncovered(scene, found.uncovered, found.samples, &self.options.method)
+    }
+
+    fn fingerprint(&self) -> u64 {
+        let scene = self.prepared.scene();
+        let inputs: [&dyn std::fmt::Debug; 4] = [&"gradient", scene, &self.tangent, &self.options];
+        *self.fingerprint.get_or_init(|| fingerprint(&inputs))
+    }
 }
 
 /// Stops when another watch does, and says nothing.

@@ -25,14 +25,14 @@ pub use capwalk_boundary::{Method, Refusal, may_be_specular};
 #[cfg(feature = "paper")]
 pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{
-    Estimate, GradientImage, PreparedScene, RenderOptions, Rendering, Statistics, Unwatched, Watch,
-    render,
+    Estimate, GradientImage, Grid, Part, PartError, Partial, PixelSums, PreparedScene,
+    RenderOptions, RenderWork, Rendering, Statistics, Unwatched, Watch, render,
 };
 pub use capwalk_walk::{Estimator, WalkSettings};
 
 pub use adjoint::Wanted;
 pub use finite::finite_difference;
-pub use forward::gradient;
+pub use forward::{GradientWork, gradient};
 pub use options::GradientOptions;
 pub use refused::refusal;
-pub use reverse::{Backward, backward};
+pub use reverse::{Backward, BackwardWork, BatchSums, backward};

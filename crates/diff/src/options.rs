@@ -1,7 +1,7 @@
 //! What a caller chooses about a gradient.
 
 use capwalk_boundary::Method;
-use capwalk_render::RenderOptions;
+use capwalk_render::{Grid, RenderOptions};
 use capwalk_scene::Scene;
 use capwalk_walk::WalkSettings;
 
@@ -14,6 +14,9 @@ pub struct GradientOptions {
     pub seed: u64,
     /// How the discontinuities of the integrand are accounted for.
     pub method: Method,
+    /// The cells that the samples are cut into. In reverse mode the spread of its batches
+    /// gives the standard errors.
+    pub grid: Grid,
     /// The walk that builds the velocity field, for methods that walk.
     pub walk: WalkSettings,
 }
@@ -27,10 +30,11 @@ impl Default for GradientOptions {
 
 impl From<RenderOptions> for GradientOptions {
     /// The default method, sampled like this.
-    fn from(RenderOptions { spp, seed }: RenderOptions) -> Self {
+    fn from(RenderOptions { spp, seed, grid }: RenderOptions) -> Self {
         Self {
             spp,
             seed,
+            grid,
             method: Method::default(),
             walk: WalkSettings::default(),
         }
@@ -53,6 +57,7 @@ impl GradientOptions {
         RenderOptions {
             spp: self.spp,
             seed: self.seed,
+            grid: self.grid,
         }
     }
 }

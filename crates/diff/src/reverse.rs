@@ -1,6 +1,8 @@
 //! The gradient of a loss in reverse mode: from a covector on the picture to
 //! covectors on all parameters, in one pass.
 
+use std::ops::Range;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_boundary::refuse::{
@@ -9,25 +11,26 @@ use capwalk_boundary::refuse::{
 };
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
-use capwalk_math::{Moments, Tape};
-use capwalk_render::{PreparedScene, Statistics, Tracer, Watch};
+use capwalk_math::{Moments, Tape, Vec3};
+use capwalk_render::tiles;
+use capwalk_render::{
+    Along, Grid, OrderedSum, Part, PartError, Partial, PreparedScene, Statistics, Term, Tracer,
+    Watch, fingerprint,
+};
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
-use crate::adjoint::{Adjoint, Wanted};
+use crate::adjoint::{Adjoint, Target, Wanted};
 use crate::options::GradientOptions;
 use crate::reverse_eval::Reverse;
-
-/// Batches that the samples are split into, whatever the number of threads, so
-/// that sums are the same to the bit. Their spread gives the standard errors.
-const BATCHES: u32 = 16;
 
 /// The gradient of `Σ adjoint · picture` in all parameters, with errors.
 #[derive(Clone, Debug)]
 pub struct Backward {
-    /// Independent estimates with equal numbers of samples (the last ones may
-    /// have fewer if the work was stopped), and how many samples they have.
-    batches: Vec<(Gradient, u32)>,
+    /// Independent estimates, and how many samples they have: the same number unless the
+    /// work was stopped.
+    batches: Vec<(Gradient, u64)>,
     /// Their mean, weighted by their samples.
     mean: Gradient,
     /// What was done.
@@ -91,89 +94,156 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Backward, Refusal> {
-    let (scene, accel) = (prepared.scene(), prepared.accel());
-    refuse_settings(&options.method, &options.walk)?;
-    let expected = scene.film.crop_size.map(|n| n as usize);
-    let found = [adjoint.width, adjoint.height];
-    if found != expected {
-        return Err(Refusal::AdjointSize { found, expected });
-    }
-    let [width, height] = expected;
-    refuse_non_finite(adjoint)?;
-    let is_asked_for = |id: TextureId| wanted.textures[id.0 as usize];
-    refuse_infinite_derivatives(scene, is_asked_for)?;
-    let turns = wanted.normals.contains(&true);
-    refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
-    if wanted.geometry() {
-        refuse_motion(accel, &options.method)?;
-    } else if turns {
-        refuse_turned_without_uvs(scene)?;
-    }
-    let field = Field::new(accel, prepared.boundaries(), options.method);
-    #[cfg(feature = "paper")]
-    capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
-    let pass = Pass {
-        scene,
-        adjoint,
-        wanted,
-        points: wanted.points(accel, field.boundaries),
-        tracer: Tracer::moving(prepared, field, options.walk),
-        field,
-        sampler: Sampler::new(&scene.settings, options.seed, options.spp),
-        watch,
-        done: AtomicU64::new(0),
-        total: (width * height) as u64 * u64::from(options.spp),
-    };
-    let spp = options.spp;
-    // Consecutive samples that depend on each other stay together.
-    let group = pass.sampler.batch();
-    let groups = spp.div_ceil(group);
-    let count = groups.min(BATCHES);
-    let bounds = |batch: u32| (batch * groups / count * group).min(spp);
-    // What cannot be covered is found by looking, before the work is done.
-    pass.refuse_uncovered_soon()?;
-    let run = || -> Vec<Batch> {
-        (0..count)
-            .into_par_iter()
-            .map(|batch| pass.batch(bounds(batch)..bounds(batch + 1)))
-            .collect()
-    };
-    let batches = pool::install(run);
-    let taken: u32 = batches.iter().map(|batch| batch.taken).sum();
-    let mut statistics = Statistics {
-        samples_per_pixel: vec![taken; width * height],
-        complete: taken == spp,
-        samples: u64::from(taken) * (width * height) as u64,
-        ..Statistics::default()
-    };
-    let mut gradients = Vec::new();
-    for batch in batches {
-        statistics.non_finite += batch.non_finite;
-        statistics.cone_queries += batch.cone_queries;
-        statistics.uncovered += batch.uncovered;
-        if batch.taken > 0 || (taken == 0 && gradients.is_empty()) {
-            let factor = 1.0 / f64::from(batch.taken.max(1));
-            let sums = batch.sums;
-            let gradient = sums.gradient(accel, field.boundaries, wanted, factor);
-            gradients.push((gradient, batch.taken.max(1)));
+    let work = BackwardWork::new(prepared, adjoint, wanted.clone(), *options);
+    let partial = work.sums(0, &Part::whole(work.grid()), watch)?;
+    work.backward(partial.into_sums())
+}
+
+/// A gradient in reverse mode that is computed in parts.
+#[derive(Debug)]
+pub struct BackwardWork<'a> {
+    prepared: &'a PreparedScene,
+    adjoint: &'a Image,
+    wanted: Wanted,
+    options: GradientOptions,
+    fingerprint: OnceLock<u64>,
+}
+
+impl<'a> BackwardWork<'a> {
+    /// The gradient of `Σ adjoint · picture` in what is wanted, see [`backward`].
+    pub fn new(
+        prepared: &'a PreparedScene,
+        adjoint: &'a Image,
+        wanted: Wanted,
+        options: GradientOptions,
+    ) -> Self {
+        Self {
+            prepared,
+            adjoint,
+            wanted,
+            options,
+            fingerprint: OnceLock::new(),
         }
     }
-    refuse_uncovered(
-        scene,
-        statistics.uncovered,
-        statistics.samples,
-        &options.method,
-    )?;
-    let samples: u32 = gradients.iter().map(|(_, n)| n).sum();
-    let mut mean = gradients[0].0.scaled(0.0);
-    for (batch, n) in &gradients {
-        mean.add(&batch.scaled(f64::from(*n) / f64::from(samples)));
+
+    /// The cells that the work can be cut into.
+    pub fn grid(&self) -> Grid {
+        tiles::grid(self.prepared.scene(), &self.options.sampling())
     }
-    Ok(Backward {
-        batches: gradients,
-        mean,
-        statistics,
-    })
+
+    /// What a part of the work gives; refused like the whole.
+    pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, PartError> {
+        part.check(self.grid())?;
+        Ok(self.sums(self.fingerprint(), part, watch)?)
+    }
+
+    /// The gradient, from all of its parts. The bits are those of [`backward`].
+    pub fn finish(&self, parts: Partial<BatchSums>) -> Result<Backward, PartError> {
+        let sums = parts.complete(self.fingerprint(), self.grid())?;
+        Ok(self.backward(sums)?)
+    }
+
+    fn sums(
+        &self,
+        work: u64,
+        part: &Part,
+        watch: &dyn Watch,
+    ) -> Result<Partial<BatchSums>, Refusal> {
+        let (prepared, options, wanted) = (self.prepared, &self.options, &self.wanted);
+        let (scene, accel) = (prepared.scene(), prepared.accel());
+        // What can be seen without a sample is refused at once.
+        refuse_settings(&options.method, &options.walk)?;
+        let expected = scene.film.crop_size.map(|n| n as usize);
+        let found = [self.adjoint.width, self.adjoint.height];
+        if found != expected {
+            return Err(Refusal::AdjointSize { found, expected });
+        }
+        refuse_non_finite(self.adjoint)?;
+        let is_asked_for = |id: TextureId| wanted.textures[id.0 as usize];
+        refuse_infinite_derivatives(scene, is_asked_for)?;
+        let turns = wanted.normals.contains(&true);
+        refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
+        if wanted.geometry() {
+            refuse_motion(accel, &options.method)?;
+        } else if turns {
+            refuse_turned_without_uvs(scene)?;
+        }
+        let field = Field::new(accel, prepared.boundaries(), options.method);
+        #[cfg(feature = "paper")]
+        capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
+        let grid = self.grid();
+        let mut pass = Pass {
+            scene,
+            adjoint: self.adjoint,
+            wanted,
+            points: wanted.points(accel, field.boundaries),
+            tracer: Tracer::moving(prepared, field, options.walk),
+            field,
+            sampler: Sampler::new(&scene.settings, options.seed, options.spp),
+            spp: options.spp,
+            grid,
+            watch,
+            done: AtomicU64::new(0),
+            total: 0,
+        };
+        let cells = grid.cells().filter(|&cell| part.contains(cell));
+        pass.total = cells
+            .map(|cell| (pass.pixels(cell.band).len() * pass.samples(cell.batch).len()) as u64)
+            .sum();
+        // What cannot be covered is found by looking, before the work is done.
+        pass.refuse_uncovered_soon()?;
+        let batches = (0..grid.batches).into_par_iter();
+        let sums = batches.map(|batch| pass.batch(batch, &part.bands_of(batch)));
+        let sums = pool::install(|| sums.collect());
+        Ok(Partial::new(work, grid, Along::Bands, sums))
+    }
+
+    fn backward(&self, batches: Vec<BatchSums>) -> Result<Backward, Refusal> {
+        let (scene, accel) = (self.prepared.scene(), self.prepared.accel());
+        let boundaries = self.prepared.boundaries();
+        let mut statistics = Statistics {
+            samples_per_pixel: vec![0; scene.film.pixel_count()],
+            ..Statistics::default()
+        };
+        let is_empty = batches.iter().all(|batch| batch.samples() == 0);
+        let mut gradients: Vec<(Gradient, u64)> = Vec::new();
+        for batch in batches {
+            batch.add_to(&mut statistics);
+            let samples = batch.samples();
+            if samples > 0 || (is_empty && gradients.is_empty()) {
+                let gradient = batch.mean.gradient(accel, boundaries, &self.wanted);
+                gradients.push((gradient, samples.max(1)));
+            }
+        }
+        let taken = &statistics.samples_per_pixel;
+        statistics.complete = taken.iter().all(|&taken| taken == self.options.spp);
+        statistics.samples = taken.iter().map(|&taken| u64::from(taken)).sum();
+        let (uncovered, samples) = (statistics.uncovered, statistics.samples);
+        refuse_uncovered(scene, uncovered, samples, &self.options.method)?;
+        // The mean over all samples, however many each batch has.
+        let samples: u64 = gradients.iter().map(|(_, n)| n).sum();
+        let mut mean = gradients[0].0.scaled(0.0);
+        for (batch, n) in &gradients {
+            mean.add(&batch.scaled(*n as f64 / samples as f64));
+        }
+        Ok(Backward {
+            batches: gradients,
+            mean,
+            statistics,
+        })
+    }
+
+    fn fingerprint(&self) -> u64 {
+        let scene = self.prepared.scene();
+        let inputs: [&dyn std::fmt::Debug; 5] = [
+            &"backward",
+            scene,
+            self.adjoint,
+            &self.wanted,
+            &self.options,
+        ];
+        *self.fingerprint.get_or_init(|| fingerprint(&inputs))
+    }
 }
 
 /// A NaN would take the samples of its pixel out of the sum.
@@ -190,6 +260,59 @@ fn refuse_non_finite(adjoint: &Image) -> Result<(), Refusal> {
     }
 }
 
+/// What a batch of samples gives: of some bands of the image, or of all.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct BatchSums {
+    /// The mean over the samples, summed over the pixels.
+    mean: Adjoint,
+    /// Samples of each pixel in each band.
+    bands: Vec<Band>,
+    non_finite: u64,
+    cone_queries: u64,
+    uncovered: u64,
+}
+
+/// How many samples the pixels of a band have.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Band {
+    pixels: u32,
+    taken: u32,
+}
+
+impl BatchSums {
+    /// Samples in all; 0 if some pixel has none, because the work was stopped: the sum over
+    /// the pixels says nothing then.
+    fn samples(&self) -> u64 {
+        match self.bands.iter().any(|band| band.taken == 0) {
+            true => 0,
+            false => {
+                let of = |band: &Band| u64::from(band.pixels) * u64::from(band.taken);
+                self.bands.iter().map(of).sum()
+            }
+        }
+    }
+
+    fn add_to(&self, statistics: &mut Statistics) {
+        let bands = self.bands.iter();
+        let taken = bands.flat_map(|band| (0..band.pixels).map(|_| band.taken));
+        let counts = statistics.samples_per_pixel.iter_mut();
+        counts.zip(taken).for_each(|(count, taken)| *count += taken);
+        statistics.non_finite += self.non_finite;
+        statistics.cone_queries += self.cone_queries;
+        statistics.uncovered += self.uncovered;
+    }
+}
+
+impl Term for BatchSums {
+    fn add(&mut self, next: &Self) {
+        Term::add(&mut self.mean, &next.mean);
+        self.bands.extend(&next.bands);
+        self.non_finite += next.non_finite;
+        self.cone_queries += next.cone_queries;
+        self.uncovered += next.uncovered;
+    }
+}
+
 /// What all batches share.
 struct Pass<'a> {
     scene: &'a Scene,
@@ -200,19 +323,19 @@ struct Pass<'a> {
     tracer: Tracer<'a>,
     field: Field<'a>,
     sampler: Sampler,
+    spp: u32,
+    grid: Grid,
     watch: &'a dyn Watch,
     done: AtomicU64,
     total: u64,
 }
 
-/// What a batch of samples of all pixels gives.
-struct Batch {
-    sums: Adjoint,
-    /// Samples of each pixel.
-    taken: u32,
-    non_finite: u64,
-    cone_queries: u64,
-    uncovered: u64,
+/// Memory for one sample after another.
+#[derive(Default)]
+struct Memory {
+    tape: Tape,
+    adjoints: Adjoints,
+    covectors: Vec<(Target, Vec3)>,
 }
 
 impl Pass<'_> {
@@ -251,48 +374,88 @@ impl Pass<'_> {
         )
     }
 
-    fn batch(&self, numbers: std::ops::Range<u32>) -> Batch {
-        let mut batch = Batch {
-            sums: Adjoint::zero(self.scene, self.field.boundaries, self.wanted),
-            taken: 0,
-            non_finite: 0,
-            cone_queries: 0,
-            uncovered: 0,
-        };
-        let mut tape = Tape::default();
-        let (mut adjoints, mut covectors) = (Adjoints::default(), Vec::new());
-        let width = self.adjoint.width;
-        for number in numbers {
+    /// The pixels of a band, which are consecutive.
+    fn pixels(&self, band: u32) -> Range<usize> {
+        let [width, height] = self.scene.film.crop_size;
+        let rows = self.grid.rows(band, height);
+        (rows.start * width) as usize..(rows.end * width) as usize
+    }
+
+    /// The samples of a batch.
+    fn samples(&self, batch: u32) -> Range<u32> {
+        self.grid.samples(batch, self.spp, self.sampler.group())
+    }
+
+    /// The samples of a batch in some bands: sample by sample, so that all of its pixels
+    /// have as many when the work is stopped.
+    fn batch(&self, batch: u32, bands: &[u32]) -> OrderedSum<BatchSums> {
+        let mut memory = Memory::default();
+        let mut sums: Vec<BatchSums> = bands.iter().map(|&band| self.nothing(band)).collect();
+        for number in self.samples(batch) {
             if self.watch.should_stop() {
                 break;
             }
-            for (index, &adjoint) in self.adjoint.pixels.iter().enumerate() {
-                let stream = self.sampler.stream(index as u64, number);
-                let counts = Counts::default();
-                let draw = Draw {
-                    stream: &stream,
-                    counts: &counts,
-                };
-                let pixel = [(index % width) as u32, (index / width) as u32];
-                let eval = Reverse::new(self.field, self.wanted, &self.points, &tape);
-                let light = self.tracer.pixel(&eval, pixel, draw);
-                eval.pull_back(light, adjoint, &mut adjoints, &mut covectors);
-                tape.clear();
-                batch.cone_queries += counts.queries.get();
-                batch.uncovered += counts.uncovered.get();
-                if covectors.iter().all(|(_, covector)| covector.is_finite()) {
-                    for &(target, covector) in &covectors {
-                        batch.sums.add(target, covector);
-                    }
-                } else {
-                    batch.non_finite += 1;
+            for (&band, sums) in bands.iter().zip(&mut sums) {
+                let pixels = self.pixels(band);
+                let work = pixels.len() as u64;
+                for pixel in pixels {
+                    self.add_sample(pixel, number, sums, &mut memory);
                 }
+                sums.bands[0].taken += 1;
+                let done = self.done.fetch_add(work, Ordering::Relaxed) + work;
+                self.watch.progress(done, self.total);
             }
-            batch.taken += 1;
-            let work = self.adjoint.pixels.len() as u64;
-            let done = self.done.fetch_add(work, Ordering::Relaxed) + work;
-            self.watch.progress(done, self.total);
         }
-        batch
+        let mut sum = OrderedSum::default();
+        for (&band, mut sums) in bands.iter().zip(sums) {
+            sums.mean.scale(1.0 / f64::from(sums.bands[0].taken.max(1)));
+            sum.insert(band, sums);
+        }
+        sum
+    }
+
+    /// A band before its first sample.
+    fn nothing(&self, band: u32) -> BatchSums {
+        BatchSums {
+            mean: Adjoint::zero(self.scene, self.field.boundaries, self.wanted),
+            bands: vec![Band {
+                pixels: self.pixels(band).len() as u32,
+                taken: 0,
+            }],
+            non_finite: 0,
+            cone_queries: 0,
+            uncovered: 0,
+        }
+    }
+
+    /// Adds one sample of one pixel.
+    fn add_sample(&self, pixel: usize, number: u32, sums: &mut BatchSums, memory: &mut Memory) {
+        let Memory {
+            tape,
+            adjoints,
+            covectors,
+        } = memory;
+        let width = self.adjoint.width;
+        let position = [(pixel % width) as u32, (pixel / width) as u32];
+        let (stream, counts) = (self.sampler.stream(pixel as u64, number), Counts::default());
+        let draw = Draw {
+            stream: &stream,
+            counts: &counts,
+        };
+        // The sample is one of the image, over numbers that record how they came about.
+        let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
+        let light = self.tracer.pixel(&eval, position, draw);
+        // Backwards through the record: from the pixel's covector to those on the scene.
+        eval.pull_back(light, self.adjoint.pixels[pixel], adjoints, covectors);
+        tape.clear();
+        sums.cone_queries += counts.queries.get();
+        sums.uncovered += counts.uncovered.get();
+        if covectors.iter().all(|(_, covector)| covector.is_finite()) {
+            for &(target, covector) in &*covectors {
+                sums.mean.add(target, covector);
+            }
+        } else {
+            sums.non_finite += 1;
+        }
     }
 }

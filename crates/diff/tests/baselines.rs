@@ -41,7 +41,7 @@ fn card() -> Scene {
 }
 
 fn options(spp: u32, seed: u64) -> RenderOptions {
-    RenderOptions { spp, seed }
+    RenderOptions::new(spp, seed)
 }
 
 /// The derivative of the area by the size of the thing, see `relative_change`.

@@ -252,7 +252,7 @@ fn threads_change_nothing() {
     let scene = visible_ball(Filter::Gaussian { stddev: 0.5 });
     let tangent = tangent(&scene, "ball.translate.x + sensor.translate.z");
     let run = |threads| {
-        let options = RenderOptions { spp: 5, seed: 2 };
+        let options = RenderOptions::new(5, 2);
         let settings = GradientOptions {
             method: Method::Edges,
             ..GradientOptions::new(options)
@@ -271,10 +271,7 @@ fn threads_change_nothing() {
 fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> GradientImage {
     let options = GradientOptions {
         method,
-        ..GradientOptions::new(RenderOptions {
-            spp,
-            seed: u64::from(method == Method::Walk),
-        })
+        ..GradientOptions::new(RenderOptions::new(spp, u64::from(method == Method::Walk)))
     };
     let started = Instant::now();
     let result = gradient(

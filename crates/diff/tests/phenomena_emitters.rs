@@ -60,7 +60,7 @@ fn colours_of_a_black_sky() {
     scene.texture_mut(TextureId(sky as u32)).data[24..].fill(0.0);
     let mut change = Tangent::zero(&scene);
     change.textures[sky] = Some(vec![1.0; 96]);
-    let options = RenderOptions { spp: 400, seed: 1 };
+    let options = RenderOptions::new(400, 1);
     let settings = GradientOptions::new(options);
     let sum = |estimate: &capwalk_diff::Estimate| -> f64 {
         estimate.mean.pixels.iter().map(|p| p.r).sum()

@@ -93,8 +93,7 @@ fn black_reflector() {
         }
     }
     let change = tangent(&scene, "ceiling.bsdf.reflectance.value");
-    let settings =
-        capwalk_diff::GradientOptions::new(capwalk_diff::RenderOptions { spp: 256, seed: 1 });
+    let settings = capwalk_diff::GradientOptions::new(capwalk_diff::RenderOptions::new(256, 1));
     let nobody = &capwalk_diff::Unwatched;
     let ours = capwalk_diff::gradient(
         &capwalk_diff::PreparedScene::new(scene.clone()),

@@ -138,7 +138,7 @@ fn masked_floor(opacity: f64) -> Scene {
 #[test]
 fn weights_at_their_limits() {
     let derivative = |scene: &Scene, name: &str, seed: u64| {
-        let settings = GradientOptions::new(RenderOptions { spp: 200, seed });
+        let settings = GradientOptions::new(RenderOptions::new(200, seed));
         let result = gradient(
             &PreparedScene::new(scene.clone()),
             &tangent(scene, name),

@@ -183,7 +183,7 @@ fn halves_of_a_mirror_are_one() {
         paths(&mut scene, 2);
         scene.check().expect("a valid scene");
         let tangent = tangent(&scene, "block.translate.x");
-        let settings = GradientOptions::new(RenderOptions { spp: 32, seed: 1 });
+        let settings = GradientOptions::new(RenderOptions::new(32, 1));
         let result = gradient(
             &PreparedScene::new(scene.clone()),
             &tangent,

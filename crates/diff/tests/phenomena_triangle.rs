@@ -146,7 +146,7 @@ fn explicit_and_practical_walks_agree() {
     let tangent = tangent(&scene, "thing.rotate.z + 0.3*sensor.translate.x");
     let [practical, explicit] =
         [(Method::TriangleWalk, 1), (Method::ExplicitWalk, 2)].map(|(method, seed)| {
-            let options = RenderOptions { spp: 1500, seed };
+            let options = RenderOptions::new(1500, seed);
             let options = GradientOptions {
                 method,
                 ..GradientOptions::new(options)

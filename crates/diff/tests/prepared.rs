@@ -12,7 +12,7 @@ use capwalk_scene::params::Registry;
 use capwalk_scene::{Filter, Image, Scene};
 use common::stages::{visible_ball, visible_cube, with_parallel_rays};
 
-const SAMPLING: RenderOptions = RenderOptions { spp: 3, seed: 7 };
+const SAMPLING: RenderOptions = RenderOptions::new(3, 7);
 
 fn bits(image: &Image) -> Vec<u64> {
     let channels = image.pixels.iter().flat_map(|pixel| pixel.to_array());

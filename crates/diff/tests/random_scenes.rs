@@ -436,7 +436,7 @@ fn run(seed: u64, tally: &mut Tally) {
         tally.invalid += 1;
         return;
     }
-    let options = RenderOptions { spp: 4, seed };
+    let options = RenderOptions::new(4, seed);
     let picture = render(&PreparedScene::new(scene.clone()), &options, &Unwatched);
     let is_finite = |image: &Image| image.pixels.iter().all(|p| p.is_finite());
     assert!(

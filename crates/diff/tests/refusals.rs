@@ -67,7 +67,7 @@ fn refusals(scene: &Scene, tangent: &Tangent) -> [Option<String>; 2] {
 fn refusals_with(scene: &Scene, tangent: &Tangent, method: Method) -> [Option<String>; 2] {
     let settings = GradientOptions {
         method,
-        ..GradientOptions::new(RenderOptions { spp: 64, seed: 1 })
+        ..GradientOptions::new(RenderOptions::new(64, 1))
     };
     let forward = gradient(
         &PreparedScene::new(scene.clone()),
@@ -418,7 +418,7 @@ fn collapsed_texture_coordinates_say_nothing() {
 fn walks_without_steps_or_reach() {
     let scene = mirror_floor();
     let tangent = tangent(&scene, "lamp.translate.x");
-    let mut wanted = GradientOptions::new(RenderOptions { spp: 2, seed: 1 });
+    let mut wanted = GradientOptions::new(RenderOptions::new(2, 1));
     for (steps, max_radius, expected) in [
         (
             0,

@@ -78,7 +78,7 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
 }
 
 fn settings(spp: u32) -> GradientOptions {
-    GradientOptions::new(RenderOptions { spp, seed: 5 })
+    GradientOptions::new(RenderOptions::new(spp, 5))
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32) -> Backward {

@@ -61,10 +61,7 @@ impl Settings<'_> {
 
     /// Sampling with the `set`-th independent set of random numbers.
     pub(crate) fn options(&self, spp: u32, set: u64) -> RenderOptions {
-        RenderOptions {
-            spp,
-            seed: self.seed.wrapping_mul(1009).wrapping_add(set),
-        }
+        RenderOptions::new(spp, self.seed.wrapping_mul(1009).wrapping_add(set))
     }
 }
 

@@ -219,10 +219,7 @@ impl Problem {
         let (mut images, mut measured) = (Vec::new(), Vec::new());
         for (i, view) in self.views.iter().enumerate() {
             let seed = seed(self.seed, u64::from(iteration), i as u64, Purpose::Image);
-            let options = RenderOptions {
-                spp: self.spp,
-                seed,
-            };
+            let options = RenderOptions::new(self.spp, seed);
             let rendering = render(&views[i], &options, watch);
             refuse_unusable("image", iteration, &rendering.statistics)?;
             let (target, mask) = (&view.target, view.mask.as_ref());
@@ -332,10 +329,7 @@ impl Problem {
             // the mean of the product is the product of the means.
             let iteration = u64::from(row.iteration);
             let seed = seed(self.seed, iteration, i as u64, Purpose::Gradient);
-            let options = self.gradient_options(RenderOptions {
-                spp: self.spp_grad,
-                seed,
-            });
+            let options = self.gradient_options(RenderOptions::new(self.spp_grad, seed));
             let result =
                 backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
             refuse_unusable("gradient", row.iteration, &result.statistics)?;
@@ -362,10 +356,7 @@ impl Problem {
     /// The first variable whose derivative is refused in a state, each tried alone.
     pub fn refused_variable(&self, state: &State) -> Option<usize> {
         let scene = self.scene(state).ok()?;
-        let options = self.gradient_options(RenderOptions {
-            spp: 1,
-            seed: self.seed,
-        });
+        let options = self.gradient_options(RenderOptions::new(1, self.seed));
         let mut views = PreparedViews::new();
         let views = views.of(self, &scene);
         let is_refused = |variable: &usize| {

@@ -50,7 +50,7 @@ fn problem() -> Problem {
         .map(|spec| variable(&scene, &Registry::new(&scene), spec).expect("fine"));
     let variables = Variables::new(&scene, variables.collect()).expect("they fit");
     let target = |scene: &Scene, seed: u64| {
-        let options = RenderOptions { spp: 64, seed };
+        let options = RenderOptions::new(64, seed);
         let prepared = PreparedScene::new(scene.clone());
         let mut target = render(&prepared, &options, &Unwatched).value.mean;
         // Another picture than the scene's own: the gradient is not zero.

@@ -1,8 +1,10 @@
 //! Running statistics that can be merged, and tails of distributions.
 
+use serde::{Deserialize, Serialize};
+
 /// Count, mean and spread of a stream of numbers (Welford; merging after
 /// Chan et al. 1979).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Moments {
     /// How many numbers were added.
     pub count: u64,

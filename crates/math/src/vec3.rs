@@ -1,12 +1,14 @@
 //! Three-component vectors over any [`Real`].
 
+use serde::{Deserialize, Serialize};
+
 use std::ops::{Add, AddAssign, Div, Index, Mul, Neg, Sub};
 
 use crate::dual::Dual;
 use crate::real::Real;
 
 /// A vector, point or direction in space.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[repr(C)]
 pub struct Vec3<R = f64> {
     /// First component.

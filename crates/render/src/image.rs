@@ -1,30 +1,88 @@
 //! The primal image.
 
+use std::sync::OnceLock;
+
 use capwalk_boundary::{Counts, Draw};
 
 use crate::estimate::Rendering;
+use crate::grid::{Grid, Part};
 use crate::options::{RenderOptions, Watch};
+use crate::part_error::PartError;
+use crate::partial::{Partial, fingerprint};
 use crate::prepared::PreparedScene;
 use crate::scene_eval::Primal;
-use crate::tiles::{self, Sample};
+use crate::tiles::{self, Averages, PixelSums, Sample};
 use crate::tracer::Tracer;
 
 /// The image of a scene, with its standard error.
 pub fn render(prepared: &PreparedScene, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
-    let (tracer, eval) = (Tracer::primal(prepared), Primal(prepared.accel()));
-    let averages = tiles::average(prepared.scene(), options, watch, |pixel, stream| {
-        let draw = Draw {
-            stream,
-            counts: &Counts::default(),
-        };
-        Sample {
-            numbers: tracer.pixel(&eval, pixel, draw).to_array(),
-            cone_queries: 0,
-            uncovered: 0,
+    let work = RenderWork::new(prepared, *options);
+    let partial = work.sums(0, &Part::whole(work.grid()), watch);
+    work.rendering(partial.into_sums())
+}
+
+/// An image that is rendered in parts.
+#[derive(Debug)]
+pub struct RenderWork<'a> {
+    prepared: &'a PreparedScene,
+    options: RenderOptions,
+    fingerprint: OnceLock<u64>,
+}
+
+impl<'a> RenderWork<'a> {
+    /// The image of a scene.
+    pub fn new(prepared: &'a PreparedScene, options: RenderOptions) -> Self {
+        Self {
+            prepared,
+            options,
+            fingerprint: OnceLock::new(),
         }
-    });
-    Rendering {
-        value: averages.estimate(prepared.scene(), 0),
-        statistics: averages.statistics,
+    }
+
+    /// The cells that the work can be cut into.
+    pub fn grid(&self) -> Grid {
+        tiles::grid(self.prepared.scene(), &self.options)
+    }
+
+    /// What a part of the work gives.
+    pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
+        part.check(self.grid())?;
+        Ok(self.sums(self.fingerprint(), part, watch))
+    }
+
+    /// The image, from all of its parts. The bits are those of [`render`].
+    pub fn finish(&self, parts: Partial<PixelSums>) -> Result<Rendering, PartError> {
+        let sums = parts.complete(self.fingerprint(), self.grid())?;
+        Ok(self.rendering(sums))
+    }
+
+    fn sums(&self, work: u64, part: &Part, watch: &dyn Watch) -> Partial<PixelSums> {
+        let prepared = self.prepared;
+        let (tracer, eval) = (Tracer::primal(prepared), Primal(prepared.accel()));
+        let sample = |pixel: [u32; 2], stream: &_| {
+            let draw = Draw {
+                stream,
+                counts: &Counts::default(),
+            };
+            Sample {
+                numbers: tracer.pixel(&eval, pixel, draw).to_array(),
+                cone_queries: 0,
+                uncovered: 0,
+            }
+        };
+        tiles::average(prepared.scene(), &self.options, work, part, watch, sample)
+    }
+
+    fn rendering(&self, sums: Vec<PixelSums>) -> Rendering {
+        let averages = Averages::new(sums, &self.options);
+        Rendering {
+            value: averages.estimate(self.prepared.scene(), 0),
+            statistics: averages.statistics,
+        }
+    }
+
+    fn fingerprint(&self) -> u64 {
+        let inputs: [&dyn std::fmt::Debug; 3] = [&"image", self.prepared.scene(), &self.options];
+        *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
 }

@@ -2,6 +2,8 @@
 
 use capwalk_scene::Scene;
 
+use crate::grid::Grid;
+
 /// How an image is rendered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderOptions {
@@ -9,22 +11,31 @@ pub struct RenderOptions {
     pub spp: u32,
     /// Seed of all random numbers: the same scene and seed give the same bits.
     pub seed: u64,
+    /// The cells that the samples are cut into, for work in parts. Another grid rounds
+    /// differently, in the last bits.
+    pub grid: Grid,
 }
 
 impl Default for RenderOptions {
     /// 64 samples per pixel and the seed 0.
     fn default() -> Self {
-        Self { spp: 64, seed: 0 }
+        Self::new(64, 0)
     }
 }
 
 impl RenderOptions {
+    /// So many samples per pixel, from this seed.
+    pub const fn new(spp: u32, seed: u64) -> Self {
+        Self {
+            spp,
+            seed,
+            grid: Grid::DEFAULT,
+        }
+    }
+
     /// What the scene says of itself.
     pub fn of(scene: &Scene) -> Self {
-        Self {
-            spp: scene.settings.spp,
-            seed: scene.settings.seed,
-        }
+        Self::new(scene.settings.spp, scene.settings.seed)
     }
 
     /// The same with another seed, for an image whose noise must be independent of one

@@ -1,12 +1,19 @@
 //! The parallel loop over pixels and samples.
 
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use capwalk_boundary::{Sampler, Stream, pool};
 use capwalk_math::Moments;
 use capwalk_scene::{Image, Scene};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::estimate::{Estimate, Statistics};
+use crate::grid::{Grid, Part};
 use crate::options::{RenderOptions, Watch};
+use crate::ordered_sum::{OrderedSum, Term};
+use crate::partial::{Along, Partial};
 
 /// What one sample of one pixel gives: `C` numbers to be averaged, and what
 /// it cost.
@@ -20,24 +27,45 @@ pub struct Sample<const C: usize> {
     pub uncovered: u64,
 }
 
-/// Averages of all pixels, row by row.
-pub struct Averages<const C: usize> {
-    pixels: Vec<Accumulator<C>>,
-    /// What was done.
-    pub statistics: Statistics,
+/// Running averages of the pixels of a band, row by row.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct PixelSums {
+    /// As many per pixel as a sample has numbers.
+    moments: Vec<Moments>,
+    /// One per pixel.
+    tallies: Vec<Tally>,
 }
 
-/// The running averages of a pixel.
-#[derive(Clone)]
-struct Accumulator<const C: usize> {
-    moments: [Moments; C],
-    /// Sum over the batch that is not complete yet.
-    batch: [f64; C],
-    in_batch: u32,
+/// What was done in a pixel.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+struct Tally {
     samples: u32,
     non_finite: u32,
     cone_queries: u64,
     uncovered: u64,
+}
+
+impl PixelSums {
+    fn zero(pixels: usize, channels: usize) -> Self {
+        Self {
+            moments: vec![Moments::default(); pixels * channels],
+            tallies: vec![Tally::default(); pixels],
+        }
+    }
+}
+
+impl Term for PixelSums {
+    fn add(&mut self, next: &Self) {
+        for (own, other) in self.moments.iter_mut().zip(&next.moments) {
+            own.merge(other);
+        }
+        for (own, other) in self.tallies.iter_mut().zip(&next.tallies) {
+            own.samples += other.samples;
+            own.non_finite += other.non_finite;
+            own.cone_queries += other.cone_queries;
+            own.uncovered += other.uncovered;
+        }
+    }
 }
 
 /// Pixels that a worker takes at a time.
@@ -45,121 +73,157 @@ const CHUNK: usize = 16;
 /// The work is done in at least this many passes over the picture, so that it
 /// can be stopped with all pixels nearly equally far.
 const PASSES: u32 = 32;
-/// Samples of a pixel in one pass at most (except for a whole batch), so that
-/// it can be stopped at once.
+/// Samples of a pixel in one pass at most (except for a group), so that it can be
+/// stopped at once.
 const MOST_PER_PASS: u32 = 32;
 
-/// Averages `options.spp` samples of every pixel. `sample(pixel, stream)` gets
-/// the pixel's column and row. The same to the bit for every number of
-/// threads: each pixel adds its samples in order.
+/// The cells that the samples of an image are cut into.
+pub fn grid(scene: &Scene, options: &RenderOptions) -> Grid {
+    let group = Sampler::new(&scene.settings, options.seed, options.spp).group();
+    let groups = options.spp.div_ceil(group);
+    options.grid.filled(groups, scene.film.crop_size[1])
+}
+
+/// Averages the samples of the cells of a part. `sample(pixel, stream)` gets the pixel's
+/// column and row. The same to the bit for every number of threads and every way to cut
+/// the work: each pixel adds the samples of a batch in order, and then the batches.
 pub fn average<const C: usize>(
     scene: &Scene,
     options: &RenderOptions,
+    work: u64,
+    part: &Part,
     watch: &dyn Watch,
     sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,
-) -> Averages<C> {
+) -> Partial<PixelSums> {
     let sampler = Sampler::new(&scene.settings, options.seed, options.spp);
-    let batch = sampler.batch();
-    let width = scene.film.crop_size[0];
-    let empty = Accumulator {
-        moments: [Moments::default(); C],
-        batch: [0.0; C],
-        in_batch: 0,
-        samples: 0,
-        non_finite: 0,
-        cone_queries: 0,
-        uncovered: 0,
-    };
-    let mut pixels = vec![empty; scene.film.pixel_count()];
-    let total = pixels.len() as u64 * u64::from(options.spp);
-    let done = std::sync::atomic::AtomicU64::new(0);
+    let group = sampler.group();
+    let [width, height] = scene.film.crop_size;
+    let grid = part.grid();
     let per_pass = options.spp.div_ceil(PASSES).min(MOST_PER_PASS);
-    let per_pass = per_pass.next_multiple_of(batch);
-
-    let mut run = || {
-        let mut first = 0;
-        while first < options.spp && !watch.should_stop() {
-            let last = first.saturating_add(per_pass).min(options.spp);
-            let chunks = pixels.par_chunks_mut(CHUNK).enumerate();
-            chunks.for_each(|(chunk, pixels)| {
-                if watch.should_stop() {
-                    return;
-                }
-                for (i, pixel) in pixels.iter_mut().enumerate() {
-                    let index = (chunk * CHUNK + i) as u32;
-                    let position = [index % width, index / width];
-                    for number in first..last {
-                        let stream = sampler.stream(u64::from(index), number);
-                        pixel.add(sample(position, &stream), batch);
-                    }
-                }
-                let work = pixels.len() as u64 * u64::from(last - first);
-                let before = done.fetch_add(work, std::sync::atomic::Ordering::Relaxed);
-                watch.progress(before + work, total);
-            });
-            first = last;
-        }
+    let per_pass = per_pass.next_multiple_of(group);
+    let pixels_of = |band: u32| {
+        let rows = grid.rows(band, height);
+        rows.start * width..rows.end * width
     };
-    pool::install(&mut run);
+    let samples_of = |batch: u32| grid.samples(batch, options.spp, group);
+    let total = grid.cells().filter(|&cell| part.contains(cell));
+    let total = total
+        .map(|cell| pixels_of(cell.band).len() as u64 * samples_of(cell.batch).len() as u64)
+        .sum();
+    let done = AtomicU64::new(0);
 
-    pixels.iter_mut().for_each(Accumulator::finish_batch);
-    let sum = |of: fn(&Accumulator<C>) -> u64| pixels.iter().map(of).sum();
-    let statistics = Statistics {
-        samples_per_pixel: pixels.iter().map(|pixel| pixel.samples).collect(),
-        complete: pixels.iter().all(|pixel| pixel.samples == options.spp),
-        samples: sum(|pixel| u64::from(pixel.samples)),
-        non_finite: sum(|pixel| u64::from(pixel.non_finite)),
-        cone_queries: sum(|pixel| pixel.cone_queries),
-        uncovered: sum(|pixel| pixel.uncovered),
-    };
-    Averages { pixels, statistics }
-}
-
-impl<const C: usize> Accumulator<C> {
-    fn add(&mut self, sample: Sample<C>, batch: u32) {
-        self.samples += 1;
-        self.cone_queries += sample.cone_queries;
-        self.uncovered += sample.uncovered;
-        if sample.numbers.iter().all(|x| x.is_finite()) {
-            for (sum, x) in self.batch.iter_mut().zip(sample.numbers) {
-                *sum += x;
+    // Some samples of some pixels, which are consecutive.
+    let take =
+        |first: u32, samples: &Range<u32>, moments: &mut [Moments], tallies: &mut [Tally]| {
+            if watch.should_stop() {
+                return;
             }
-        } else {
-            self.non_finite += 1;
-        }
-        self.in_batch += 1;
-        if self.in_batch == batch {
-            self.finish_batch();
-        }
-    }
+            let work = tallies.len() as u64 * samples.len() as u64;
+            let pixels = moments.chunks_exact_mut(C).zip(tallies);
+            for (pixel, (moments, tally)) in (first..).zip(pixels) {
+                let position = [pixel % width, pixel / width];
+                let mut start = samples.start;
+                while start < samples.end {
+                    // Samples that depend on each other count as one number: their mean.
+                    let end = samples.end.min(start + group);
+                    let mut sum = [0.0; C];
+                    for number in start..end {
+                        let stream = sampler.stream(u64::from(pixel), number);
+                        let sample = sample(position, &stream);
+                        tally.cone_queries += sample.cone_queries;
+                        tally.uncovered += sample.uncovered;
+                        if sample.numbers.iter().all(|x| x.is_finite()) {
+                            sum.iter_mut()
+                                .zip(sample.numbers)
+                                .for_each(|(s, x)| *s += x);
+                        } else {
+                            tally.non_finite += 1;
+                        }
+                    }
+                    for (moments, sum) in moments.iter_mut().zip(sum) {
+                        moments.add(sum / f64::from(end - start));
+                    }
+                    tally.samples += end - start;
+                    start = end;
+                }
+            }
+            let before = done.fetch_add(work, Ordering::Relaxed);
+            watch.progress(before + work, total);
+        };
 
-    /// Averages what the batch has, which at the end may be less than a whole
-    /// one.
-    fn finish_batch(&mut self) {
-        if self.in_batch == 0 {
-            return;
+    let mut sums = vec![OrderedSum::default(); grid.bands as usize];
+    pool::install(|| {
+        for batch in 0..grid.batches {
+            let mut bands: Vec<(u32, PixelSums)> = part
+                .bands_of(batch)
+                .into_iter()
+                .map(|band| (band, PixelSums::zero(pixels_of(band).len(), C)))
+                .collect();
+            let Range { mut start, end } = samples_of(batch);
+            while start < end && !watch.should_stop() {
+                let samples = start..end.min(start.saturating_add(per_pass));
+                bands.par_iter_mut().for_each(|(band, sums)| {
+                    let first = pixels_of(*band).start;
+                    let moments = sums.moments.par_chunks_mut(C * CHUNK);
+                    let chunks = moments.zip(sums.tallies.par_chunks_mut(CHUNK));
+                    chunks.enumerate().for_each(|(chunk, (moments, tallies))| {
+                        let first = first + (chunk * CHUNK) as u32;
+                        take(first, &samples, moments, tallies);
+                    });
+                });
+                start = samples.end;
+            }
+            for (band, term) in bands {
+                sums[band as usize].insert(batch, term);
+            }
         }
-        for (moments, sum) in self.moments.iter_mut().zip(&mut self.batch) {
-            moments.add(*sum / f64::from(self.in_batch));
-            *sum = 0.0;
-        }
-        self.in_batch = 0;
-    }
+    });
+    Partial::new(work, grid, Along::Batches, sums)
 }
 
-impl<const C: usize> Averages<C> {
+/// Averages of all pixels, row by row.
+pub struct Averages {
+    bands: Vec<PixelSums>,
+    channels: usize,
+    /// What was done.
+    pub statistics: Statistics,
+}
+
+impl Averages {
+    /// Those of a complete work, from its bands.
+    pub fn new(bands: Vec<PixelSums>, options: &RenderOptions) -> Self {
+        let tallies = || bands.iter().flat_map(|band| &band.tallies);
+        let sum = |of: fn(&Tally) -> u64| tallies().map(of).sum();
+        let statistics = Statistics {
+            samples_per_pixel: tallies().map(|pixel| pixel.samples).collect(),
+            complete: tallies().all(|pixel| pixel.samples == options.spp),
+            samples: sum(|pixel| u64::from(pixel.samples)),
+            non_finite: sum(|pixel| u64::from(pixel.non_finite)),
+            cone_queries: sum(|pixel| pixel.cone_queries),
+            uncovered: sum(|pixel| pixel.uncovered),
+        };
+        let numbers: usize = bands.iter().map(|band| band.moments.len()).sum();
+        Self {
+            channels: numbers / statistics.samples_per_pixel.len(),
+            bands,
+            statistics,
+        }
+    }
+
     /// Three consecutive numbers as a picture with errors.
     pub fn estimate(&self, scene: &Scene, first: usize) -> Estimate {
         let [width, height] = scene.film.crop_size.map(|n| n as usize);
+        let pixels = || {
+            let bands = self.bands.iter();
+            bands.flat_map(|band| band.moments.chunks_exact(self.channels))
+        };
         let picture = |of: fn(&Moments) -> f64| Image {
             width,
             height,
-            pixels: self
-                .pixels
-                .iter()
-                .map(|pixel| {
+            pixels: pixels()
+                .map(|moments| {
                     [0, 1, 2]
-                        .map(|channel| of(&pixel.moments[first + channel]))
+                        .map(|channel| of(&moments[first + channel]))
                         .into()
                 })
                 .collect(),
@@ -183,9 +247,10 @@ mod tests {
         let mut scene = capwalk_scene::builtin::scene("leaf").expect("a built-in scene");
         scene.film.size = [8, 6];
         scene.film.crop_size = [8, 6];
-        let options = RenderOptions { spp: 50, seed: 3 };
+        let options = RenderOptions::new(50, 3);
         let bad = |stream: &Stream| stream.number(0) < 0.1;
-        let averages = average(&scene, &options, &Unwatched, |_, stream| Sample {
+        let part = Part::whole(grid(&scene, &options));
+        let partial = average(&scene, &options, 0, &part, &Unwatched, |_, stream| Sample {
             numbers: match bad(stream) {
                 true => [1.0, f64::NAN, f64::INFINITY],
                 false => [1.0; 3],
@@ -193,6 +258,8 @@ mod tests {
             cone_queries: 0,
             uncovered: 0,
         });
+        let sums = partial.complete(0, part.grid()).expect("all cells");
+        let averages = Averages::new(sums, &options);
         let statistics = &averages.statistics;
         let share = statistics.non_finite as f64 / statistics.samples as f64;
         assert_eq!(statistics.samples, 8 * 6 * 50);

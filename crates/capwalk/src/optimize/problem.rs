@@ -223,7 +223,7 @@ impl Job {
                 Some(Pending {
                     view: number,
                     scene,
-                    options: RenderOptions { spp: *spp, seed },
+                    options: RenderOptions::new(*spp, seed),
                 })
             }
         };

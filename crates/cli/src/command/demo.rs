@@ -160,10 +160,7 @@ fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> 
     let started = Instant::now();
     let sampling = &args.sampling;
     let left_until = |share| left(sampling.time_limit, share, started.elapsed());
-    let sampled = |spp: u32| RenderOptions {
-        spp,
-        seed: sampling.seed.unwrap_or(SEED),
-    };
+    let sampled = |spp: u32| RenderOptions::new(spp, sampling.seed.unwrap_or(SEED));
     let settings = |estimator, spp| GradientOptions {
         walk: WalkSettings {
             estimator,

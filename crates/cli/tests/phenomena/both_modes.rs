@@ -45,10 +45,7 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
-    let settings = GradientOptions::new(RenderOptions {
-        spp: SPP,
-        seed: SEED,
-    });
+    let settings = GradientOptions::new(RenderOptions::new(SPP, SEED));
     let forward = gradient(
         &PreparedScene::new(scene.clone()),
         &tangent,

@@ -18,10 +18,7 @@ use crate::differences::SIGN;
 pub fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> Estimate {
     let settings = GradientOptions {
         method,
-        ..GradientOptions::new(RenderOptions {
-            spp,
-            seed: scene.settings.seed,
-        })
+        ..GradientOptions::new(RenderOptions::new(spp, scene.settings.seed))
     };
     let result = gradient(
         &PreparedScene::new(scene.clone()),

@@ -58,7 +58,7 @@ pub fn agree(name: &str, mut scene: Scene, tangent: &Tangent, case: Case) {
     scene.film.size = [case.size; 2];
     scene.film.crop_size = [case.size; 2];
     scene.check().expect("a valid scene");
-    let options = |spp: u32, seed: u64| RenderOptions { spp, seed };
+    let options = |spp: u32, seed: u64| RenderOptions::new(spp, seed);
     let settings = GradientOptions {
         method: case.method,
         walk: case.walk,

@@ -16,7 +16,7 @@ pub fn meets(name: &str, mean: f64, error: f64, exact: f64, largest_error: f64) 
 
 /// So many samples per pixel.
 pub fn settings(spp: u32) -> GradientOptions {
-    GradientOptions::new(RenderOptions { spp, seed: 5 })
+    GradientOptions::new(RenderOptions::new(spp, 5))
 }
 
 /// The mean of a picture, and of each of its quarters, with errors.
