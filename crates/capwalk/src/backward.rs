@@ -3,14 +3,15 @@
 use std::collections::HashSet;
 use std::ops::Index;
 
-use capwalk_diff::{Backward, Refusal, Statistics, Wanted, Watch};
+use capwalk_diff::{
+    Backward, BatchSums, GradientOptions, Grid, Part, Partial, Refusal, Statistics, Wanted, Watch,
+};
 use capwalk_scene::params::{ArrayParameter, ParameterError, Request};
 use capwalk_scene::{Image, Scene, Tangent};
 
 use crate::direction::is_zero;
 use crate::engine::Engine;
 use crate::error::Error;
-use capwalk_diff::GradientOptions;
 
 /// The gradients of a loss, in the order in which they were asked for.
 #[derive(Clone, Debug)]
@@ -109,34 +110,69 @@ pub(crate) fn names(engine: &Engine) -> GradientNames {
     }
 }
 
-/// The gradient of `Σ adjoint · image` with respect to all that is named.
-pub(crate) fn backward<N: AsRef<str>>(
-    engine: &Engine,
-    adjoint: &Image,
-    names: &[N],
-    options: &GradientOptions,
-    watch: &dyn Watch,
-) -> Result<Gradients, Error> {
-    let scene = engine.scene();
-    let requests = requests(engine, names)?;
-    // One pass over the samples gives a covector on everything that any of them moves.
-    let mut wanted = Wanted::by(&Tangent::zero(scene));
-    for (_, request) in &requests {
-        wanted.add(&Wanted::by(&match request {
-            Request::Tangent(tangent) => tangent.clone(),
-            Request::Array(array) => array.tangent(scene, &vec![1.0; array.count()]),
-        }));
+/// A gradient with respect to all that is named, to be computed at once or in parts.
+#[derive(Debug)]
+pub struct BackwardWork<'a> {
+    engine: &'a Engine,
+    requests: Vec<(String, Request)>,
+    work: capwalk_diff::BackwardWork<'a>,
+}
+
+impl<'a> BackwardWork<'a> {
+    pub(crate) fn new<N: AsRef<str>>(
+        engine: &'a Engine,
+        adjoint: &'a Image,
+        names: &[N],
+        options: &GradientOptions,
+    ) -> Result<Self, Error> {
+        let scene = engine.scene();
+        let requests = requests(engine, names)?;
+        // One pass over the samples gives a covector on everything that any of them moves.
+        let mut wanted = Wanted::by(&Tangent::zero(scene));
+        for (_, request) in &requests {
+            wanted.add(&Wanted::by(&match request {
+                Request::Tangent(tangent) => tangent.clone(),
+                Request::Array(array) => array.tangent(scene, &vec![1.0; array.count()]),
+            }));
+        }
+        Ok(Self {
+            engine,
+            requests,
+            work: engine.backward_work(adjoint, wanted, options),
+        })
     }
-    let result = engine.backward(adjoint, &wanted, options, watch)?;
-    // Each parameter's gradient is a linear map of the covector.
-    let gradients = requests.into_iter().map(|(name, request)| match request {
-        Request::Tangent(tangent) => of_number(name, &tangent, &result),
-        Request::Array(array) => of_array(scene, name, &array, &result),
-    });
-    Ok(Gradients {
-        gradients: gradients.collect(),
-        statistics: result.statistics.clone(),
-    })
+
+    /// The cells that the work can be cut into.
+    pub fn grid(&self) -> Grid {
+        self.work.grid()
+    }
+
+    /// What a part of the work gives; refused like the whole.
+    pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, Error> {
+        Ok(self.work.part(part, watch)?)
+    }
+
+    /// The gradients, from all parts. The bits are those of [`Prepared::backward`](crate::Prepared::backward).
+    pub fn finish(&self, parts: Partial<BatchSums>) -> Result<Gradients, Error> {
+        Ok(self.by_name(&self.work.finish(parts)?))
+    }
+
+    pub(crate) fn whole(&self, watch: &dyn Watch) -> Result<Gradients, Error> {
+        Ok(self.by_name(&self.work.whole(watch)?))
+    }
+
+    /// Each parameter's gradient is a linear map of the covector on the scene.
+    fn by_name(&self, result: &Backward) -> Gradients {
+        let scene = self.engine.scene();
+        let gradients = self.requests.iter().map(|(name, request)| match request {
+            Request::Tangent(tangent) => of_number(name.clone(), tangent, result),
+            Request::Array(array) => of_array(scene, name.clone(), array, result),
+        });
+        Gradients {
+            gradients: gradients.collect(),
+            statistics: result.statistics.clone(),
+        }
+    }
 }
 
 /// What each name means in the scene.

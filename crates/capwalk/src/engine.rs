@@ -1,10 +1,11 @@
 //! The calls into the renderer, all in one place.
 
+use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    Backward, GradientImage, GradientOptions, PreparedScene, Refusal, RenderOptions, Rendering,
-    Wanted, Watch,
+    BackwardWork, GradientImage, GradientOptions, GradientWork, PreparedScene, Refusal,
+    RenderOptions, RenderWork, Rendering, Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, Tangent};
@@ -60,14 +61,25 @@ impl Engine {
         capwalk_diff::finite_difference(self.scene(), tangent, step, options, watch)
     }
 
-    pub fn backward(
-        &self,
-        adjoint: &Image,
-        wanted: &Wanted,
+    pub fn backward_work<'a>(
+        &'a self,
+        adjoint: &'a Image,
+        wanted: Wanted,
         options: &GradientOptions,
-        watch: &dyn Watch,
-    ) -> Result<Backward, Refusal> {
-        capwalk_diff::backward(&self.prepared, adjoint, wanted, options, watch)
+    ) -> BackwardWork<'a> {
+        BackwardWork::new(&self.prepared, adjoint, wanted, *options)
+    }
+
+    pub fn gradient_work<'a>(
+        &'a self,
+        tangent: Cow<'a, Tangent>,
+        options: &GradientOptions,
+    ) -> GradientWork<'a> {
+        GradientWork::new(&self.prepared, tangent, *options)
+    }
+
+    pub fn render_work(&self, options: &RenderOptions) -> RenderWork<'_> {
+        RenderWork::new(&self.prepared, *options)
     }
 
     /// Why derivatives with respect to what moves edges are refused, if they are.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use capwalk_diff::Refusal;
+use capwalk_diff::{PartError, Refusal};
 use capwalk_inverse::variable::ApplyError;
 use capwalk_scene::params::ParameterError;
 use capwalk_scene::{SceneError, builtin};
@@ -75,6 +75,9 @@ pub enum Error {
     /// The derivative cannot be estimated without bias.
     #[error(transparent)]
     Refused(#[from] Refusal),
+    /// Parts of a work that make no whole.
+    #[error(transparent)]
+    Part(#[from] PartError),
     /// Options that contradict each other.
     #[error(transparent)]
     Option(#[from] OptionError),

@@ -37,6 +37,7 @@
 //! | [`Prepared::loss`] | how far an image is from a target, and the adjoint for `backward` |
 //! | [`Prepared::check`] | a gradient against central differences, with a verdict |
 //! | [`Prepared::update`] | other numbers in the same scene |
+//! | [`Prepared::render_work`] and its like | the same in parts, computed elsewhere and merged to the same bits |
 //! | [`optimize`] | the loop around all that, from a TOML job, with checkpoints |
 //!
 //! Parameters are asked for by name: `"ball.translate.x"`, `"ball.positions"`,
@@ -69,8 +70,9 @@ mod step;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
-    Estimate, Estimator, GradientImage, GradientOptions, Method, Refusal, RenderOptions, Rendering,
-    Statistics, Unwatched, WalkSettings, Watch, with_threads,
+    BatchSums, Estimate, Estimator, GradientImage, GradientOptions, GradientWork, Grid, Method,
+    Part, PartError, Partial, PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Statistics,
+    Unwatched, WalkSettings, Watch, with_threads,
 };
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};
@@ -81,7 +83,7 @@ pub use capwalk_scene_io::{
     Diagnostic, LoadError, Loaded, VelocityFileError, Warning, read_velocities,
 };
 
-pub use backward::{GradientNames, Gradients, ParameterGradient};
+pub use backward::{BackwardWork, GradientNames, Gradients, ParameterGradient};
 pub use check::{Check, CheckOptions, Reference};
 pub use direction::Direction;
 pub use error::{Error, UnusableImage};

@@ -2,11 +2,14 @@
 
 use std::sync::Arc;
 
-use capwalk_diff::{GradientImage, Refusal, Rendering, Watch};
+use capwalk_diff::{
+    GradientImage, GradientOptions, GradientWork, Refusal, RenderOptions, RenderWork, Rendering,
+    Watch,
+};
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, SceneError, Tangent};
 
-use crate::backward::{self, GradientNames, Gradients};
+use crate::backward::{self, BackwardWork, GradientNames, Gradients};
 use crate::check::{Check, CheckOptions};
 use crate::direction::Direction;
 use crate::engine::Engine;
@@ -14,7 +17,6 @@ use crate::error::Error;
 use crate::loss::{self, ImageLoss, Loss};
 use crate::options::DifferenceOptions;
 use crate::step::difference_step;
-use capwalk_diff::{GradientOptions, RenderOptions};
 
 /// A scene that is ready to be rendered and differentiated. It owns all that it needs
 /// and can be shared between threads.
@@ -187,7 +189,69 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Gradients, Error> {
-        backward::backward(&self.engine, adjoint, names, options, watch)
+        self.backward_work(adjoint, names, options)?.whole(watch)
+    }
+
+    /// [`Prepared::render`] in parts, which may be computed elsewhere: each process loads
+    /// the same scene and asks for other parts. Merged in any order they give the bits of
+    /// the whole.
+    ///
+    /// ```
+    /// use capwalk::{Part, Partial, RenderOptions, Unwatched};
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = capwalk::Prepared::new(scene)?;
+    /// let options = RenderOptions::new(4, 1);
+    /// let work = prepared.render_work(&options);
+    /// let mut parts = Vec::new();
+    /// for i in [2, 0, 1] {
+    ///     let part = work.part(&Part::nth(work.grid(), i, 3)?, &Unwatched)?;
+    ///     // Bytes travel between processes.
+    ///     parts.push(Partial::from_bytes(&part.to_bytes()?)?);
+    /// }
+    /// let image = work.finish(Partial::merge(parts)?)?;
+    /// assert_eq!(image.value, prepared.render(&options, &Unwatched).value);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn render_work(&self, options: &RenderOptions) -> RenderWork<'_> {
+        self.engine.render_work(options)
+    }
+
+    /// [`Prepared::gradient`] in parts, see [`Prepared::render_work`].
+    pub fn gradient_work<'a, D: Direction + ?Sized>(
+        &'a self,
+        direction: &'a D,
+        options: &GradientOptions,
+    ) -> Result<GradientWork<'a>, Error> {
+        let tangent = direction.tangent(self.scene(), self.registry())?;
+        Ok(self.engine.gradient_work(tangent, options))
+    }
+
+    /// [`Prepared::backward`] in parts, see [`Prepared::render_work`].
+    ///
+    /// ```
+    /// use capwalk::{GradientOptions, Image, Part, Partial, Rgb, Unwatched};
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = capwalk::Prepared::new(scene)?;
+    /// let mut adjoint = Image::new(8, 6);
+    /// adjoint.pixels.fill(Rgb::splat(1.0));
+    /// let (names, options) = (["leaf.positions"], GradientOptions::default());
+    /// let work = prepared.backward_work(&adjoint, &names, &options)?;
+    /// // Two workers, half of the batches each.
+    /// let batches = work.grid().batches;
+    /// let first = work.part(&Part::batches(work.grid(), 0..batches / 2)?, &Unwatched)?;
+    /// let second = work.part(&Part::batches(work.grid(), batches / 2..batches)?, &Unwatched)?;
+    /// let gradients = work.finish(Partial::merge([second, first])?)?;
+    /// let whole = prepared.backward(&adjoint, &names, &options, &Unwatched)?;
+    /// assert_eq!(gradients["leaf.positions"], whole["leaf.positions"]);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn backward_work<'a, N: AsRef<str>>(
+        &'a self,
+        adjoint: &'a Image,
+        names: &[N],
+        options: &GradientOptions,
+    ) -> Result<BackwardWork<'a>, Error> {
+        BackwardWork::new(&self.engine, adjoint, names, options)
     }
 
     /// Why derivatives with respect to parameters that move edges are refused in this

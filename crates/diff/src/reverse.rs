@@ -94,9 +94,7 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Backward, Refusal> {
-    let work = BackwardWork::new(prepared, adjoint, wanted.clone(), *options);
-    let partial = work.sums(0, &Part::whole(work.grid()), watch)?;
-    work.backward(partial.into_sums())
+    BackwardWork::new(prepared, adjoint, wanted.clone(), *options).whole(watch)
 }
 
 /// A gradient in reverse mode that is computed in parts.
@@ -129,6 +127,12 @@ impl<'a> BackwardWork<'a> {
     /// The cells that the work can be cut into.
     pub fn grid(&self) -> Grid {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
+    }
+
+    /// All of it at once, see [`backward`].
+    pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
+        let partial = self.sums(0, &Part::whole(self.grid()), watch)?;
+        self.backward(partial.into_sums())
     }
 
     /// What a part of the work gives; refused like the whole.
