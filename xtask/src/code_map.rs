@@ -50,10 +50,12 @@ fn the_code_map_names_every_file() {
     let length = text[start..].find(MAP[1]).expect("a section after it");
     let map = &text[start..start + length];
 
-    let crates = fs::read_dir(root().join("crates")).expect("the crates");
-    let crates = crates.map(|entry| {
-        let name = entry.expect("an entry").file_name();
-        format!("crates/{}", name.to_string_lossy())
+    let crates = ["crates", "tools"].into_iter().flat_map(|folder| {
+        let entries = fs::read_dir(root().join(folder)).expect("a folder of crates");
+        entries.map(move |entry| {
+            let name = entry.expect("an entry").file_name();
+            format!("{folder}/{}", name.to_string_lossy())
+        })
     });
     let mut wrong = Vec::new();
     let mut files = 0;

@@ -28,7 +28,6 @@ use source::Crate;
 const TOLERATED: &[&str] = &[
     "cli, circle",
     "cli, file name used twice: demo.rs",
-    "cli, file name used twice: figures.rs",
     "exported twice: Curve",
     "exported twice: End",
     "exported twice: Layer",
@@ -42,7 +41,6 @@ const TOLERATED: &[&str] = &[
     "exported twice: Table",
     "exported twice: Verdict",
     "exported twice: View",
-    "figures, circle",
     "scene, type defined twice: Principled",
 ];
 

@@ -23,7 +23,7 @@ use std::process::ExitCode;
 
 use anyhow::Result;
 
-use shell::{cargo, step};
+use shell::{EVERYTHING, cargo, step};
 
 const HELP: &str = "\
 usage: cargo xtask <task>
@@ -73,7 +73,8 @@ fn main() -> ExitCode {
 }
 
 fn bench(rest: &[String]) -> Result<()> {
-    let mut command = cargo(&["bench", "--workspace", "--bench", "*"]);
+    let mut command = cargo(&["bench"]);
+    command.args(EVERYTHING).args(["--bench", "*"]);
     if !rest.is_empty() {
         command.arg("--").args(rest);
     }

@@ -15,6 +15,10 @@ pub fn root() -> PathBuf {
     here.parent().unwrap_or(Path::new(".")).to_owned()
 }
 
+/// Cargo's words for all crates with all that they can do, also the baselines of the
+/// command line, which are off otherwise.
+pub const EVERYTHING: [&str; 3] = ["--workspace", "--features", "capwalk-cli/paper"];
+
 /// A call of the cargo that runs this task, in the root of the workspace.
 pub fn cargo(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());

@@ -197,6 +197,13 @@ impl MethodName {
 }
 
 impl MethodChoice {
+    /// The first option that was given, and the first method that has it.
+    pub fn given(&self) -> Option<(&'static str, MethodName)> {
+        let mut options = OPTIONS.iter();
+        let given = options.find(|(_, _, is_given)| is_given(self));
+        given.map(|(option, methods, _)| (*option, methods[0]))
+    }
+
     /// The options of a gradient with this method instead of theirs.
     pub fn apply(&self, options: GradientOptions) -> Result<GradientOptions, OptionError> {
         let (method, walk) = self.resolve()?;

@@ -1,5 +1,5 @@
 //! Warped-area sampling beside the walk, as
-//! `cargo bench -p capwalk-cli --bench baselines` prints it for some folders of
+//! `cargo bench -p capwalk-cli --features paper --bench baselines` prints it for some folders of
 //! `tests/scenes`, or for those named behind `--`, with their first parameter:
 //! how large the derivative is relative to central differences, which shows bias,
 //! and variance times time of a sample relative to the walk.

@@ -1,7 +1,8 @@
 //! What was typed.
 
 mod demo;
-mod figures;
+#[cfg(feature = "paper")]
+mod was;
 
 use std::num::NonZeroU32;
 use std::path::PathBuf;
@@ -11,7 +12,8 @@ use capwalk::optimize::parse_duration;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 pub use demo::Demo;
-pub use figures::{Figures, QualityName};
+#[cfg(feature = "paper")]
+pub use was::{WasArgs, WasBoundaryName};
 
 /// Unbiased derivatives of rendered images.
 #[derive(Parser, Debug)]
@@ -77,10 +79,13 @@ pub enum Command {
     ///
     /// Takes about a minute on two cores. Exit status as for check.
     Demo(Demo),
-    /// Make the figures of the paper and test its claims, from measured data
-    ///
-    /// Writes images, CSV files and report.html, one page with everything.
-    Figures(Figures),
+    /// Say which program makes the figures of the paper
+    #[command(hide = true, disable_help_flag = true)]
+    Figures {
+        /// What that program would take
+        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
+        arguments: Vec<String>,
+    },
 }
 
 impl Command {
@@ -93,8 +98,7 @@ impl Command {
             Self::Check(args) => args.gradient.sampling.threads,
             Self::Optimize(args) => args.threads,
             Self::Demo(args) => args.sampling.threads,
-            Self::Figures(args) => args.threads,
-            Self::Info(_) | Self::Compare(_) | Self::Scenes(_) => None,
+            Self::Info(_) | Self::Compare(_) | Self::Scenes(_) | Self::Figures { .. } => None,
         }
     }
 }
@@ -179,11 +183,13 @@ pub struct MethodArgs {
     pub method: MethodName,
     #[command(flatten)]
     pub walk: WalkArgs,
+    #[cfg(feature = "paper")]
     #[command(flatten)]
     pub was: WasArgs,
 }
 
-/// Methods by name.
+/// Methods by name. Those of the paper are hidden, and refused, without the feature
+/// `paper`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MethodName {
     /// Walks on spherical caps: unbiased
@@ -191,8 +197,10 @@ pub enum MethodName {
     /// Points on all edges before emitters and the camera, walks elsewhere: unbiased
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020): biased
+    #[cfg_attr(not(feature = "paper"), value(hide = true))]
     Was,
     /// The same in path space (Xu et al. 2023): biased
+    #[cfg_attr(not(feature = "paper"), value(hide = true))]
     PsdrWas,
     /// Central finite differences, for `gradient`
     Fd,
@@ -202,7 +210,7 @@ pub enum MethodName {
 #[derive(Args, Debug, Default)]
 pub struct WalkArgs {
     /// Where the velocity field lives [default: sphere]
-    #[arg(long)]
+    #[arg(long, hide = cfg!(not(feature = "paper")))]
     pub domain: Option<DomainName>,
     /// Steps of the walk on spherical caps [default: 1]
     #[arg(long, value_name = "M", value_parser = clap::value_parser!(u32).range(1..=64))]
@@ -219,45 +227,17 @@ pub struct WalkArgs {
     pub antithetic: bool,
 }
 
-/// How it is with `--method was` and `psdr-was`.
-#[derive(Args, Debug, Default)]
-pub struct WasArgs {
-    /// was, psdr-was: concentration of auxiliary rays; they reach about K^(-1/2) radians
-    /// far [default: 100000]
-    #[arg(long, value_name = "K", value_parser = parse_concentration)]
-    pub was_kappa: Option<f64>,
-    /// was, psdr-was: auxiliary rays per direction; more of them, less bias [default: 8]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
-    pub was_rays: Option<u32>,
-    /// was, psdr-was: how to tell that a silhouette is near [default: edges]
-    #[arg(long)]
-    pub was_boundary: Option<WasBoundaryName>,
-    /// was, psdr-was: opposite pairs of auxiliary rays [default: true]
-    #[arg(long, value_name = "BOOL", num_args = 0..=1, default_missing_value = "true")]
-    pub was_antithetic: Option<bool>,
-    /// was, psdr-was: random numbers of auxiliary rays (Russian roulette) without that bias,
-    /// slower and noisier
-    #[arg(long)]
-    pub was_debias: bool,
-}
-
-/// Boundary tests of warped-area sampling by name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum WasBoundaryName {
-    /// Normals across the view: misses the silhouettes of flat faces
-    Normals,
-    /// Edges of triangles: right for all meshes, noisier
-    Edges,
-}
-
-/// Domains of walks by name.
+/// Domains of walks by name. Those of the paper are hidden, and refused, without the
+/// feature `paper`.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum DomainName {
     /// On all directions around a point
     Sphere,
     /// On the triangle that a direction meets, as in the paper: noisier
+    #[cfg_attr(not(feature = "paper"), value(hide = true))]
     Triangle,
     /// The same by walks on disks among all silhouettes, for small scenes
+    #[cfg_attr(not(feature = "paper"), value(hide = true))]
     Explicit,
 }
 
@@ -462,13 +442,6 @@ fn parse_angle(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
         _ => Err("expected an angle above 0 and up to 180 degrees".into()),
-    }
-}
-
-fn parse_concentration(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(kappa) if kappa > 0.0 && kappa.is_finite() => Ok(kappa),
-        _ => Err("expected a number above 0".into()),
     }
 }
 

@@ -5,7 +5,6 @@ pub mod backward;
 pub mod check;
 pub mod compare;
 pub mod demo;
-pub mod figures;
 pub mod gradient;
 pub mod info;
 pub mod optimize;

@@ -60,7 +60,11 @@ fn run(command: &Command) -> anyhow::Result<Outcome> {
         Command::Scenes(args) => command::scenes::run(args),
         Command::Optimize(args) => command::optimize::run(args),
         Command::Demo(args) => command::demo::run(args),
-        Command::Figures(args) => command::figures::run(args),
+        Command::Figures { arguments } => anyhow::bail!(
+            "the figures of the paper are made by a program of its own, from a checkout of \
+             capwalk: cargo run --release -p capwalk-paper -- figures {}",
+            arguments.join(" ")
+        ),
     }
 }
 

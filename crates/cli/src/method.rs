@@ -1,11 +1,14 @@
 //! The method that the command line names, in the library's terms.
 
 use anyhow::{Result, anyhow, bail};
+#[cfg(feature = "paper")]
+use capwalk::WasChoice;
 use capwalk::{
     Caveat, Choice, GradientOptions, MethodChoice, MethodName, OptionError, RenderOptions,
-    WalkChoice, WasChoice, caveat,
+    WalkChoice, caveat,
 };
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
 
 use crate::args::MethodArgs;
 
@@ -21,27 +24,45 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
     Ok(choice(method, args).apply(GradientOptions::new(sampling))?)
 }
 
-/// An error if an option is there that the method has no use for.
+/// An error if the method is left out of this program, or if an option is there that it
+/// has no use for.
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
+    refuse_left_out("--method", &args.method)?;
+    if let Some(domain) = &args.walk.domain {
+        refuse_left_out("--domain", domain)?;
+    }
     let refused = match MethodName::named(&name(&args.method)) {
-        Some(method) => choice(method, args).resolve().err(),
-        // Differences have no options: those that walks do not take, or warps.
-        None => [MethodName::Was, MethodName::Walk]
-            .into_iter()
-            .find_map(|other| choice(other, args).resolve().err()),
+        Some(method) => match choice(method, args).resolve() {
+            Err(OptionError::OfAnotherMethod { option, owner, .. }) => Some((option, owner)),
+            Err(other) => return Err(other.into()),
+            Ok(_) => None,
+        },
+        // Differences have no options.
+        None => choice(MethodName::default(), args).given(),
     };
-    match refused {
+    let Some((option, owner)) = refused else {
+        return Ok(());
+    };
+    let owner = owner.name();
+    Err(anyhow!(
+        "--{} belongs to the method {owner}, and the method is {}. Leave it out, or say \
+         --method {owner}",
+        flag(option, owner),
+        name(&args.method),
+    ))
+}
+
+/// An error for what is there with the feature `paper` only: without it, it is hidden.
+fn refuse_left_out(option: &str, value: &impl ValueEnum) -> Result<()> {
+    let value = value.to_possible_value();
+    match value.filter(PossibleValue::is_hide_set) {
         None => Ok(()),
-        Some(OptionError::OfAnotherMethod { option, owner, .. }) => {
-            let owner = owner.name();
-            Err(anyhow!(
-                "--{} belongs to the method {owner}, and the method is {}. Leave it out, or say \
-                 --method {owner}",
-                flag(option, owner),
-                name(&args.method),
-            ))
-        }
-        Some(other) => Err(other.into()),
+        Some(value) => Err(anyhow!(
+            "{option} {} is there to be compared with, and this program was built without it. \
+             Build it with the feature `paper`: cargo install --locked --path crates/cli \
+             --features paper",
+            value.get_name()
+        )),
     }
 }
 
@@ -55,24 +76,31 @@ fn flag(option: &str, owner: &str) -> String {
 }
 
 fn choice(method: MethodName, args: &MethodArgs) -> MethodChoice {
-    let (walk, was) = (&args.walk, &args.was);
-    MethodChoice {
+    let walk = &args.walk;
+    // The library may have more options than this program.
+    let mut choice = MethodChoice {
         method,
-        walk: WalkChoice {
-            domain: walk.domain.as_ref().map(named),
-            steps: walk.walk_steps,
-            estimator: walk.estimator.as_ref().map(named),
-            max_angle: walk.max_angle,
-            antithetic: walk.antithetic.then_some(true),
-        },
-        was: WasChoice {
+        ..MethodChoice::default()
+    };
+    choice.walk = WalkChoice {
+        domain: walk.domain.as_ref().map(named),
+        steps: walk.walk_steps,
+        estimator: walk.estimator.as_ref().map(named),
+        max_angle: walk.max_angle,
+        antithetic: walk.antithetic.then_some(true),
+    };
+    #[cfg(feature = "paper")]
+    {
+        let was = &args.was;
+        choice.was = WasChoice {
             kappa: was.was_kappa,
             rays: was.was_rays,
             boundary: was.was_boundary.as_ref().map(named),
             antithetic: was.was_antithetic,
             debias: was.was_debias.then_some(true),
-        },
+        };
     }
+    choice
 }
 
 /// The library's choice of the name that was typed.
@@ -116,22 +144,28 @@ pub fn remark(options: &GradientOptions) -> String {
 mod tests {
     use super::*;
     use crate::args;
-    use capwalk::{DomainName, Estimator, WasBoundary};
+    use capwalk::{DomainName, Estimator};
 
-    /// Everything that can be typed has a meaning, and the other way round.
+    /// Everything that can be typed has a meaning; with the feature `paper` also the
+    /// other way round.
     #[test]
     fn names_are_those_of_the_library() {
         fn same<T: Choice, A: ValueEnum>(only_typed: &[&str]) {
-            let typed: Vec<String> = A::value_variants().iter().map(name).collect();
+            let typed = A::value_variants().iter();
+            let offered = typed.filter_map(ValueEnum::to_possible_value);
+            let offered = offered.filter(|value| !value.is_hide_set());
+            let offered: Vec<String> = offered.map(|value| value.get_name().into()).collect();
             let known = T::NAMES.iter().map(|(name, _)| *name);
-            assert_eq!(
-                typed,
-                known.chain(only_typed.iter().copied()).collect::<Vec<_>>()
-            );
+            let known: Vec<&str> = known.chain(only_typed.iter().copied()).collect();
+            assert!(offered.iter().all(|name| known.contains(&name.as_str())));
+            if cfg!(feature = "paper") {
+                assert_eq!(offered, known);
+            }
         }
         same::<MethodName, args::MethodName>(&["fd"]);
         same::<DomainName, args::DomainName>(&[]);
         same::<Estimator, args::EstimatorName>(&[]);
-        same::<WasBoundary, args::WasBoundaryName>(&[]);
+        #[cfg(feature = "paper")]
+        same::<capwalk::WasBoundary, args::WasBoundaryName>(&[]);
     }
 }

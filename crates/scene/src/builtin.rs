@@ -5,9 +5,6 @@
 
 mod ball;
 mod box_room;
-mod bunny;
-mod bunny_shadow;
-mod isosurface;
 mod lattice;
 mod lattice_shadow;
 mod leaf;
@@ -29,7 +26,7 @@ pub struct Builtin {
 }
 
 /// All built-in scenes, the simplest first.
-pub const ALL: [Builtin; 5] = [
+pub const ALL: [Builtin; 4] = [
     Builtin {
         name: "leaf",
         description: "the shadow of one triangle on a floor; the triangle is out of sight",
@@ -54,13 +51,6 @@ pub const ALL: [Builtin; 5] = [
                       (after figure 11 of the paper)",
         default_parameter: "lattice.translate.y",
         make: lattice_shadow::scene,
-    },
-    Builtin {
-        name: "voronoi-bunny-shadow",
-        description: "the shadow of a bunny of thin struts with 168 000 triangles \
-                      (after figure 1 of the paper)",
-        default_parameter: "bunny.translate.y",
-        make: bunny_shadow::scene,
     },
 ];
 
@@ -129,7 +119,6 @@ mod tests {
                 &["ceiling", "lamp"],
             ),
             ("lattice-shadow", &["floor"], &[]),
-            ("voronoi-bunny-shadow", &["floor"], &[]),
         ] {
             let scene = scene(name).expect("it is listed");
             let mut seen = std::collections::BTreeSet::new();

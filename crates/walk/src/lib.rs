@@ -9,30 +9,26 @@
 //! sums them up; whoever wants the adjoint scatters them.
 //!
 //! The algorithm is written once over a [`Domain`]: [`Sphere`] walks on caps
-//! (Algorithms 6 and 7), [`Triangle`] on the part of it that shows a triangle,
-//! [`Plane`] on disks (Algorithms 2 to 4), [`Interval`] is the toy of Section
-//! 3.3. Beside the fixed-step walk stand what it replaces: the walk of random
-//! length ([`random_step`]) and, for the toy, the weighted average of earlier
-//! work ([`weighted_average`]).
+//! (Algorithms 6 and 7). The feature `paper` adds the paper's own domains, to compare
+//! with: `Triangle`, the part of the sphere that shows a triangle, and `Plane`, with
+//! disks (Algorithms 2 to 4).
 //!
 //! Nothing here knows about light.
 
 pub mod domain;
 pub mod field;
 pub mod fixed_step;
-pub mod interval;
+#[cfg(feature = "paper")]
 pub mod plane;
-pub mod random_step;
 pub mod sphere;
+#[cfg(feature = "paper")]
 pub mod triangle;
-pub mod weighted_average;
 
 pub use domain::{Domain, Nearest, Vector};
 pub use field::{FieldSample, Term};
 pub use fixed_step::{Estimator, WalkSettings, sample_field, sample_value};
-pub use interval::Interval;
+#[cfg(feature = "paper")]
 pub use plane::Plane;
-pub use random_step::{Arrival, ShellSettings, sample_harmonic};
 pub use sphere::Sphere;
+#[cfg(feature = "paper")]
 pub use triangle::{Triangle, TriangleBoundary};
-pub use weighted_average::WeightedAverage;

@@ -103,25 +103,3 @@ fn motions_that_cancel() {
     let message = String::from_utf8(output.stderr).expect("text");
     assert_has(&message, &["nothing moves"]);
 }
-
-/// Beside textures that jump, motion is differentiated by walks and gathered edges, and
-/// refused with the baselines.
-#[test]
-fn baselines_know_no_textures_that_jump() {
-    let capwalk = Capwalk::new("jumps");
-    let scene = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
-<emitter type="constant"/><shape type="cube" id="box"><bsdf type="diffuse">
-<texture name="reflectance" type="checkerboard"/></bsdf></shape></scene>"#;
-    capwalk.write("board.xml", scene);
-    let gradient = "gradient board.xml -p box.scale --size 8x8 --spp 1";
-    assert_eq!(capwalk.run(gradient).status, 0);
-    let message = capwalk.error(&format!("{gradient} --method was"));
-    assert_has(
-        &message,
-        &["box.bsdf.reflectance", "discontinuous", "bilinear"],
-    );
-    let info = capwalk.run("info board.xml").stdout;
-    let colours = ["checkerboard of (0.4", "box.bsdf.reflectance.color1.value"];
-    assert_has(&info, &colours);
-    assert!(!info.contains("refused"), "{info}");
-}

@@ -50,6 +50,14 @@ fn wrong_usage_is_bad_input() {
     assert_has(&message, &["--step", "above 0"]);
 }
 
+/// Whoever knows the command finds its program.
+#[test]
+fn figures_are_made_elsewhere() {
+    let message = Capwalk::new("figures").error("figures fig03 --quality smoke");
+    let command = "cargo run --release -p capwalk-paper -- figures fig03 --quality smoke";
+    assert_has(&message, &[command]);
+}
+
 #[test]
 fn info_lists_parameters() {
     let capwalk = Capwalk::new("info");

@@ -2,9 +2,12 @@
 
 mod backward;
 mod bad_input;
+#[cfg(feature = "paper")]
+mod baselines;
 mod compare;
+#[cfg(not(feature = "paper"))]
+mod default_build;
 mod demo;
-mod figures;
 mod help;
 mod methods;
 mod optimize;

@@ -36,6 +36,7 @@ pub struct Differences {
     /// What `--method edges` is like.
     pub edges: Edges,
     /// Whether fields on triangles (`--domain triangle`) meet them, too.
+    #[cfg_attr(not(feature = "paper"), expect(dead_code, reason = "there are none"))]
     pub triangles: bool,
 }
 

@@ -9,6 +9,7 @@ mod differences;
 mod folder;
 mod gathered;
 mod methods;
+#[cfg(feature = "paper")]
 mod on_triangles;
 
 use std::path::{Path, PathBuf};
@@ -138,6 +139,7 @@ fn run(name: &str) {
                 let check = out.join("check.npz");
                 differences::agree(&folder, parameter, differences, &check);
                 gathered::agree(&folder, parameter, differences.edges, &check);
+                #[cfg(feature = "paper")]
                 if differences.triangles {
                     on_triangles::agree(&folder, parameter, &check);
                 }

@@ -124,7 +124,7 @@ fn hull(points: &[Vec3]) -> Vec<[u32; 3]> {
 }
 
 /// A number in `[0, 1)`. SplitMix64 (Steele et al. 2014).
-pub fn uniform(state: &mut u64) -> f64 {
+fn uniform(state: &mut u64) -> f64 {
     *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
     let mut z = *state;
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -124,7 +124,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let detail = settings.quality.choose(8, 71, 71);
     let watch = (settings.stages)("queries");
     let smooth = icosphere(detail);
-    let lattice = lattice::mesh(settings)?;
+    let lattice = lattice::mesh(settings);
     let subjects = [
         Subject::new("smooth sphere", smooth, settings),
         Subject::new(lattice::name(settings), lattice, settings),

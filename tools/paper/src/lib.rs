@@ -4,15 +4,18 @@
 //! pictures, curves, tables, and for each of the paper's claims the paper's
 //! number, ours, and what follows by a test ([`Claim`]). [`write()`] puts figures
 //! into a folder: PNG, EXR and CSV files, and one HTML page that needs no other
-//! file.
+//! file. Beside them stand the walks that the paper compares its own with ([`walk`]) and
+//! its scene ([`bunny_shadow`]).
 //!
 //! ```no_run
-//! use capwalk_figures::{Quality, Settings, draw, write};
-//! let figure = draw("fig03", &Settings::new(Quality::Draft))?;
+//! use capwalk_paper::{ALL, Quality, Settings, write};
+//! let figure = ALL[0].draw(&Settings::new(Quality::Draft))?;
 //! write(&[figure], "report".as_ref())?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod bunny;
+pub mod bunny_shadow;
 mod claim;
 mod curves;
 mod equal;
@@ -34,6 +37,9 @@ mod reach;
 mod report;
 mod settings;
 mod variance;
+pub mod walk;
+
+use std::time::Instant;
 
 pub use claim::{Claim, Measured, Verdict};
 pub use figure::{Figure, Plot, Row, Scale, Shown, Table};
@@ -47,7 +53,7 @@ pub struct Entry {
     pub name: &'static str,
     /// What it shows, in one line.
     pub title: &'static str,
-    draw: fn(&Settings) -> Result<Figure, Failure>,
+    make: fn(&Settings) -> Result<Figure, Failure>,
 }
 
 /// All figures, in the order of the report.
@@ -55,59 +61,59 @@ pub const ALL: [Entry; 9] = [
     Entry {
         name: "fig01",
         title: "Figure 1: a shadow at equal samples",
-        draw: fig01::draw,
+        make: fig01::draw,
     },
     Entry {
         name: "fig03",
         title: "Figure 3: the toy in one dimension",
-        draw: fig03::draw,
+        make: fig03::draw,
     },
     Entry {
         name: "fig08",
         title: "Figure 8: derivatives of fields, flat and spherical",
-        draw: fig08::draw,
+        make: fig08::draw,
     },
     Entry {
         name: "fig09",
         title: "Figure 9: a box in a room",
-        draw: fig09::draw,
+        make: fig09::draw,
     },
     Entry {
         name: "fig10",
         title: "Figure 10: how many steps, at equal time",
-        draw: fig10::draw,
+        make: fig10::draw,
     },
     Entry {
         name: "fig11",
         title: "Figure 11: derivatives of shadows, plain and through a mirror",
-        draw: fig11::draw,
+        make: fig11::draw,
     },
     Entry {
         name: "fig12",
         title: "Figure 12: a shape from its shadow",
-        draw: fig12::draw,
+        make: fig12::draw,
     },
     Entry {
         name: "queries",
         title: "Section 7.2: cone queries and rays",
-        draw: queries::draw,
+        make: queries::draw,
     },
     Entry {
         name: "variance",
         title: "Beyond the paper: the printed estimator and the anchored one",
-        draw: variance::draw,
+        make: variance::draw,
     },
 ];
 
-/// Draws the figure of this name. `Err` for a name that is not in [`ALL`].
-pub fn draw(name: &str, settings: &Settings) -> Result<Figure, Failure> {
-    let entry = ALL.iter().find(|entry| entry.name == name);
-    let entry = entry.ok_or_else(|| Failure::Unknown { name: name.into() })?;
-    let started = std::time::Instant::now();
-    let mut figure = (entry.draw)(settings)?;
-    figure.name = entry.name;
-    figure.title = entry.title;
-    figure.quality = settings.quality;
-    figure.seconds = started.elapsed().as_secs_f64();
-    Ok(figure)
+impl Entry {
+    /// The figure, and how long it took.
+    pub fn draw(&self, settings: &Settings) -> Result<Figure, Failure> {
+        let started = Instant::now();
+        let mut figure = (self.make)(settings)?;
+        figure.name = self.name;
+        figure.title = self.title;
+        figure.quality = settings.quality;
+        figure.seconds = started.elapsed().as_secs_f64();
+        Ok(figure)
+    }
 }

@@ -2,17 +2,16 @@
 //! fields that the paper compares.
 
 use capwalk_math::Moments;
-use capwalk_walk::interval::End;
-use capwalk_walk::{
-    Estimator, Interval, ShellSettings, WalkSettings, WeightedAverage, sample_field,
-    sample_harmonic,
-};
+use capwalk_walk::{Estimator, WalkSettings, sample_field};
 use rayon::prelude::*;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};
 use crate::figure::{Curve, Figure, Plot, Row, Scale, Table};
 use crate::random::random;
 use crate::settings::{Failure, Settings};
+use crate::walk::interval::{End, Interval};
+use crate::walk::random_step::{ShellSettings, sample_harmonic};
+use crate::walk::weighted_average::WeightedAverage;
 
 /// A way to build a field.
 #[derive(Clone, Copy)]

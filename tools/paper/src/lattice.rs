@@ -8,34 +8,15 @@ use capwalk_scene::{
     BsdfId, Integrator, Scene, SensorModel, ShadingNormals, Shape, Texture, builtin, primitive,
 };
 
+use crate::bunny_shadow;
 use crate::gradients::Subject;
 use crate::settings::{Failure, Quality, Settings};
 
-/// A built-in scene, and the shape in it that casts the shadow.
-struct Caster {
-    scene: &'static str,
-    shape: &'static str,
-}
-
-const BUNNY: Caster = Caster {
-    scene: "voronoi-bunny-shadow",
-    shape: "bunny",
-};
-const SPHERE: Caster = Caster {
-    scene: "lattice-shadow",
-    shape: "lattice",
-};
+/// The shape that casts the shadow in the built-in scene `lattice-shadow`.
+const SPHERE: &str = "lattice";
 
 /// Half the distance of differences, world units: small against the half-shadows.
 const STEP: f64 = 4e-3;
-
-/// The bunny takes long to make: tests do with the sphere.
-fn caster(settings: &Settings) -> Caster {
-    match settings.quality {
-        Quality::Smoke => SPHERE,
-        Quality::Draft | Quality::Full => BUNNY,
-    }
-}
 
 /// What casts the shadow, in words: the user's mesh is no bunny.
 pub fn name(settings: &Settings) -> &'static str {
@@ -46,38 +27,54 @@ pub fn name(settings: &Settings) -> &'static str {
     }
 }
 
-/// The shape that casts the shadow.
+/// The id of the shape that casts the shadow.
 pub fn shape(settings: &Settings) -> &'static str {
-    caster(settings).shape
+    match settings.quality {
+        Quality::Smoke => SPHERE,
+        Quality::Draft | Quality::Full => bunny_shadow::SHAPE,
+    }
 }
 
 /// The scene in so many pixels.
 pub fn shadow(settings: &Settings, size: [u32; 2]) -> Result<Subject, Failure> {
-    let caster = caster(settings);
-    let mut scene = caster.scene()?;
+    let mut scene = scene(settings);
     if let Some(mesh) = &settings.mesh {
-        replace(caster.shape(&mut scene)?, mesh)?;
+        replace(caster(&mut scene, settings), mesh)?;
     }
-    let parameter = builtin::default_parameter(caster.scene).expect("it is built in");
-    Subject::new(scene, parameter, size, STEP)
+    let parameter = format!("{}.translate.y", shape(settings));
+    Subject::new(scene, &parameter, size, STEP)
 }
 
-/// The lattice, or the user's mesh.
-pub fn mesh(settings: &Settings) -> Result<Mesh, Failure> {
+/// The mesh that casts the shadow: the bunny's, or the user's.
+pub fn mesh(settings: &Settings) -> Mesh {
     match &settings.mesh {
-        Some(mesh) => Ok(mesh.clone()),
-        None => {
-            let caster = caster(settings);
-            let mut scene = caster.scene()?;
-            Ok(caster.shape(&mut scene)?.mesh.clone())
-        }
+        Some(mesh) => mesh.clone(),
+        None => caster(&mut scene(settings), settings).mesh.clone(),
     }
+}
+
+/// The bunny takes long to make: tests do with the sphere.
+fn scene(settings: &Settings) -> Scene {
+    match settings.quality {
+        Quality::Smoke => sphere_shadow(),
+        Quality::Draft | Quality::Full => bunny_shadow::scene(),
+    }
+}
+
+fn sphere_shadow() -> Scene {
+    builtin::scene("lattice-shadow").expect("it is built in")
+}
+
+fn caster<'a>(scene: &'a mut Scene, settings: &Settings) -> &'a mut Shape {
+    let mut shapes = scene.shapes_mut();
+    let caster = shapes.find(|shape| shape.id == self::shape(settings));
+    caster.expect("the scene is made for it")
 }
 
 /// The shadow of the Voronoi sphere in a mirror behind it, which is all that the
 /// camera sees.
 pub fn in_mirror([width, height]: [u32; 2]) -> Result<Subject, Failure> {
-    let mut scene = SPHERE.scene()?;
+    let mut scene = sphere_shadow();
     scene.sensor.world_from_camera = Affine::look_at(
         Vec3::new(0.25, 4.05, 4.0),
         Vec3::new(0.05, 0.0, -5.85),
@@ -111,27 +108,12 @@ pub fn in_mirror([width, height]: [u32; 2]) -> Result<Subject, Failure> {
         * Affine::scale(Vec3::new(3.5, 1.4, 1.0));
     let (mesh, normals) = primitive::rectangle(place);
     scene.add_shape(Shape::new("mirror", mesh, normals, material));
-    Subject::new(scene, "lattice.translate.x", [width, height], STEP)
-}
-
-impl Caster {
-    fn scene(&self) -> Result<Scene, Failure> {
-        builtin::scene(self.scene).ok_or_else(|| self.missing())
-    }
-
-    fn shape<'a>(&self, scene: &'a mut Scene) -> Result<&'a mut Shape, Failure> {
-        let mut shapes = scene.shapes_mut();
-        shapes
-            .find(|shape| shape.id == self.shape)
-            .ok_or_else(|| self.missing())
-    }
-
-    fn missing(&self) -> Failure {
-        Failure::Unusable(format!(
-            "there is no built-in scene {} with {}",
-            self.scene, self.shape
-        ))
-    }
+    Subject::new(
+        scene,
+        &format!("{SPHERE}.translate.x"),
+        [width, height],
+        STEP,
+    )
 }
 
 /// Puts a mesh in the place of a shape's, of the same size and with the same

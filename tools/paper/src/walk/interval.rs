@@ -1,6 +1,6 @@
 //! The toy of Section 3.3: an interval whose ends move.
 
-use crate::domain::{Domain, Nearest};
+use capwalk_walk::{Domain, Nearest};
 
 /// The interval from 0 to 1.
 #[derive(Clone, Copy, Debug)]

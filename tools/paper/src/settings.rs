@@ -4,16 +4,17 @@ use std::fmt;
 
 use capwalk_diff::{Refusal, RenderOptions, Statistics, Unwatched, Watch};
 use capwalk_geometry::Mesh;
+use clap::ValueEnum;
 
 /// How much work a figure is worth.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, ValueEnum)]
 pub enum Quality {
-    /// Seconds: everything runs, nothing is decided. For tests.
+    /// Seconds: everything runs, little is decided
     Smoke,
-    /// Minutes: most claims are decided.
+    /// Minutes: most claims are decided
     #[default]
     Draft,
-    /// The paper's sizes, an hour and more.
+    /// Hours: the paper's sizes
     Full,
 }
 
@@ -81,11 +82,6 @@ pub(crate) fn complete(statistics: &Statistics) -> Result<(), Failure> {
 /// Why a figure was not drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failure {
-    /// There is no figure of this name.
-    Unknown {
-        /// The name.
-        name: String,
-    },
     /// It was stopped before it was done.
     Stopped,
     /// The renderer refused a derivative.
@@ -108,14 +104,6 @@ impl From<Refusal> for Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unknown { name } => {
-                let names: Vec<&str> = crate::ALL.iter().map(|entry| entry.name).collect();
-                write!(
-                    f,
-                    "there is no figure \"{name}\"; there are {}, and \"all\"",
-                    names.join(", ")
-                )
-            }
             Self::Stopped => write!(f, "stopped before it was done"),
             Self::Refused(refusal) => refusal.fmt(f),
             Self::NonFinite { count } => {

@@ -3,11 +3,11 @@
 
 use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
+use capwalk_paper::walk::random_step::{ShellSettings, sample_harmonic};
 use capwalk_walk::plane::CurvePoint;
-use capwalk_walk::{
-    Domain, Estimator, Plane, ShellSettings, Sphere, WalkSettings, sample_harmonic, sample_value,
-};
+use capwalk_walk::{Domain, Estimator, Plane, Sphere, WalkSettings, sample_value};
 
+#[path = "../../../crates/walk/tests/common/mod.rs"]
 mod common;
 use common::{assert_mean, number};
 

@@ -51,7 +51,7 @@ pub fn html(figures: &[Figure]) -> Result<String, ImageError> {
     }
     let _ = writeln!(
         page,
-        "<p class=\"small\">Made by <code>capwalk figures</code>, version {}.</p>\n</body></html>",
+        "<p class=\"small\">Made by <code>capwalk-paper figures</code>, version {}.</p>\n</body></html>",
         env!("CARGO_PKG_VERSION")
     );
     Ok(page)

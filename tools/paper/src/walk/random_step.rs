@@ -8,11 +8,9 @@
 //! cap are circles around the image of that point in a conformal map to a disk.
 //!
 //! The renderer does not use it. Its fixed-step walk needs fewer queries and
-//! has no shell, see [`crate::fixed_step`].
+//! has no shell, see [`capwalk_walk::fixed_step`].
 
-use crate::domain::Domain;
-use crate::field::FieldSample;
-use crate::fixed_step::Estimator;
+use capwalk_walk::{Domain, Estimator, FieldSample};
 
 /// When a walk of random length ends, and how its gradient is estimated.
 #[derive(Clone, Copy, Debug, PartialEq)]

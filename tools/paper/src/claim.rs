@@ -31,13 +31,33 @@ pub enum Verdict {
     NotComparable(String),
 }
 
+impl Verdict {
+    /// Its words, without the reason.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::Holds => "holds",
+            Self::DoesNotHold(_) => "does not hold",
+            Self::CouldNotTell(_) => "could not tell",
+            Self::NotComparable(_) => "not comparable",
+        }
+    }
+
+    /// Why a claim is not said to hold.
+    pub fn reason(&self) -> Option<&str> {
+        match self {
+            Self::Holds => None,
+            Self::DoesNotHold(reason)
+            | Self::CouldNotTell(reason)
+            | Self::NotComparable(reason) => Some(reason),
+        }
+    }
+}
+
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Holds => write!(f, "holds"),
-            Self::DoesNotHold(reason) => write!(f, "does not hold: {reason}"),
-            Self::CouldNotTell(reason) => write!(f, "could not tell: {reason}"),
-            Self::NotComparable(reason) => write!(f, "not comparable: {reason}"),
+        match self.reason() {
+            None => f.write_str(self.name()),
+            Some(reason) => write!(f, "{}: {reason}", self.name()),
         }
     }
 }

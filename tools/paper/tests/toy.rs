@@ -3,12 +3,12 @@
 
 use capwalk_math::Moments;
 use capwalk_math::quadrature::gauss_legendre;
-use capwalk_walk::interval::End;
-use capwalk_walk::{
-    Estimator, Interval, ShellSettings, WalkSettings, WeightedAverage, sample_field,
-    sample_harmonic, sample_value,
-};
+use capwalk_paper::walk::interval::{End, Interval};
+use capwalk_paper::walk::random_step::{ShellSettings, sample_harmonic};
+use capwalk_paper::walk::weighted_average::WeightedAverage;
+use capwalk_walk::{Estimator, WalkSettings, sample_field, sample_value};
 
+#[path = "../../../crates/walk/tests/common/mod.rs"]
 mod common;
 use common::{assert_mean, number};
 

@@ -7,11 +7,13 @@
 //! plane, and the lattice is the surface where that distance is reached: closed,
 //! and without self-intersections.
 
+mod isosurface;
+
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
-use super::isosurface::{Lattice, relax, to_surface};
-use super::voronoi::uniform;
+use crate::random::uniform;
+use isosurface::{Lattice, relax, to_surface};
 
 /// Number of cells.
 const CELLS: usize = 200;
