@@ -2,7 +2,7 @@
 
 mod demo;
 #[cfg(feature = "paper")]
-mod was;
+pub mod was;
 
 use std::num::NonZeroU32;
 use std::path::PathBuf;
@@ -13,7 +13,7 @@ use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 pub use demo::Demo;
 #[cfg(feature = "paper")]
-pub use was::{WasArgs, WasBoundaryName};
+pub use was::WasArgs;
 
 /// Unbiased derivatives of rendered images.
 #[derive(Parser, Debug)]

@@ -166,6 +166,6 @@ mod tests {
         same::<DomainName, args::DomainName>(&[]);
         same::<Estimator, args::EstimatorName>(&[]);
         #[cfg(feature = "paper")]
-        same::<capwalk::WasBoundary, args::WasBoundaryName>(&[]);
+        same::<capwalk::WasBoundary, args::was::WasBoundaryName>(&[]);
     }
 }

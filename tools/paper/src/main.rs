@@ -110,7 +110,7 @@ fn draw(typed: &Figures) -> Result<ExitCode> {
 
 /// A figure's claims as text.
 fn describe(figure: &Figure) -> String {
-    let mut text = format!("{}, {:.1} s\n", figure.title, figure.seconds);
+    let mut text = format!("{}, {}\n", figure.title, duration(figure.seconds));
     for claim in &figure.claims {
         text += &format!(
             "  {}\n    paper: {}\n    here:  {}\n    {}\n",
@@ -118,6 +118,16 @@ fn describe(figure: &Figure) -> String {
         );
     }
     text
+}
+
+/// A time in its usual unit.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 0.1 => format!("{:.1} ms", 1e3 * s),
+        s if s < 120.0 => format!("{s:.1} s"),
+        s if s < 7200.0 => format!("{:.1} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
+    }
 }
 
 fn figure_json(figure: &Figure) -> Value {
