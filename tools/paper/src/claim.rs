@@ -26,7 +26,7 @@ pub enum Verdict {
     /// It is not so here, beyond the uncertainty.
     DoesNotHold(String),
     /// The uncertainty is too large.
-    CouldNotTell(String),
+    Inconclusive(String),
     /// The number depends on what differs between the paper and here.
     NotComparable(String),
 }
@@ -37,7 +37,7 @@ impl Verdict {
         match self {
             Self::Holds => "holds",
             Self::DoesNotHold(_) => "does not hold",
-            Self::CouldNotTell(_) => "could not tell",
+            Self::Inconclusive(_) => "inconclusive",
             Self::NotComparable(_) => "not comparable",
         }
     }
@@ -47,7 +47,7 @@ impl Verdict {
         match self {
             Self::Holds => None,
             Self::DoesNotHold(reason)
-            | Self::CouldNotTell(reason)
+            | Self::Inconclusive(reason)
             | Self::NotComparable(reason) => Some(reason),
         }
     }
@@ -172,7 +172,7 @@ pub fn all_equal(numbers: &[Measured], expected: f64, tolerance: f64) -> Verdict
         });
     }
     match numbers.iter().find(|n| n.error > tolerance) {
-        Some(noisy) => Verdict::CouldNotTell(format!("{noisy} is too noisy")),
+        Some(noisy) => Verdict::Inconclusive(format!("{noisy} is too noisy")),
         None => Verdict::Holds,
     }
 }
@@ -181,7 +181,7 @@ pub fn all_equal(numbers: &[Measured], expected: f64, tolerance: f64) -> Verdict
 pub fn positive(number: Measured) -> Verdict {
     match below(Measured::exact(0.0), number) {
         Verdict::DoesNotHold(_) => Verdict::DoesNotHold(format!("{number} is below zero")),
-        Verdict::CouldNotTell(_) => Verdict::CouldNotTell(format!("{number} may be zero")),
+        Verdict::Inconclusive(_) => Verdict::Inconclusive(format!("{number} may be zero")),
         other => other,
     }
 }
@@ -195,7 +195,7 @@ pub fn below(smaller: Measured, larger: Measured) -> Verdict {
     } else if z < -SIGNIFICANT {
         Verdict::DoesNotHold(format!("{smaller} is above {larger}"))
     } else {
-        Verdict::CouldNotTell(format!("{smaller} against {larger}"))
+        Verdict::Inconclusive(format!("{smaller} against {larger}"))
     }
 }
 
@@ -218,7 +218,7 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
         check::Verdict::Right => Verdict::Holds,
         check::Verdict::Wrong { reason } => Verdict::DoesNotHold(reason.clone()),
         check::Verdict::CouldNotTell { samples_factor } => {
-            Verdict::CouldNotTell(match samples_factor.is_finite() {
+            Verdict::Inconclusive(match samples_factor.is_finite() {
                 true => format!("needs {} times the samples", digits(*samples_factor)),
                 false => "too few samples to say how many are needed".into(),
             })
@@ -261,7 +261,7 @@ mod tests {
         let is = |verdict: Verdict| match verdict {
             Verdict::Holds => 1,
             Verdict::DoesNotHold(_) => -1,
-            Verdict::CouldNotTell(_) => 0,
+            Verdict::Inconclusive(_) => 0,
             Verdict::NotComparable(_) => 2,
         };
         assert_eq!(is(below(measured(1.0, 0.1), measured(2.0, 0.1))), 1);
@@ -272,7 +272,7 @@ mod tests {
         assert_eq!(is(all_equal(&close, 1.0, 0.005)), 0);
         assert_eq!(is(all_equal(&[measured(1.1, 0.01)], 1.0, 0.05)), -1);
         assert_eq!(is(all_equal(&[measured(1.1, 0.0)], 1.0, 0.05)), -1);
-        let unsure = || Verdict::CouldNotTell(String::new());
+        let unsure = || Verdict::Inconclusive(String::new());
         let wrong = || Verdict::DoesNotHold(String::new());
         assert_eq!(is(all([Verdict::Holds, unsure(), wrong()])), -1);
         assert_eq!(is(all([wrong(), unsure()])), -1);
@@ -313,7 +313,7 @@ mod tests {
             assert_eq!(unknown, "a number that cannot be told");
         }
         let zero = positive(measured(0.017, 0.012)).to_string();
-        assert_eq!(zero, "could not tell: 0.017 ± 0.012 may be zero");
+        assert_eq!(zero, "inconclusive: 0.017 ± 0.012 may be zero");
     }
 
     #[test]

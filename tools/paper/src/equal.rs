@@ -235,8 +235,8 @@ fn order(smaller: &Compared, larger: &Compared, reference: &Run, reaches: &[Reac
             noise_and_bias(smaller, larger),
             mean_size(reference.gradient())
         )),
-        Verdict::CouldNotTell(_) => {
-            Verdict::CouldNotTell(format!("they differ by {gain}, pixel by pixel{reach}"))
+        Verdict::Inconclusive(_) => {
+            Verdict::Inconclusive(format!("they differ by {gain}, pixel by pixel{reach}"))
         }
         other => other,
     }
@@ -390,7 +390,7 @@ mod tests {
         }
         let claims = claims_about([0.01, 0.01, 0.1, 0.1, 0.01]);
         let verdict = find(&claims, order).verdict.to_string();
-        assert!(verdict.contains("could not tell"), "{verdict}");
+        assert!(verdict.contains("inconclusive"), "{verdict}");
     }
 
     #[test]

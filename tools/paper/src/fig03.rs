@@ -268,7 +268,7 @@ fn in_list(
 /// That a number is not another.
 fn differs(number: Measured, expected: f64) -> Verdict {
     match claim::all_equal(&[number], expected, f64::INFINITY) {
-        Verdict::Holds => Verdict::CouldNotTell(format!("{number} may be {expected}")),
+        Verdict::Holds => Verdict::Inconclusive(format!("{number} may be {expected}")),
         _ => Verdict::Holds,
     }
 }

@@ -102,7 +102,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                 mean_size(reference.gradient())
             ),
             verdict: match unclear || !equal_times(&runs) {
-                true => Verdict::CouldNotTell("the times are not equal enough".into()),
+                true => Verdict::Inconclusive("the times are not equal enough".into()),
                 false => claim::all([claim::below(one, two), claim::below(one, four)]),
             },
         },
@@ -119,7 +119,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                 costs[2].over(costs[0])
             ),
             verdict: match unclear {
-                true => Verdict::CouldNotTell("the times are too noisy".into()),
+                true => Verdict::Inconclusive("the times are too noisy".into()),
                 false => linear(costs),
             },
         },
@@ -162,6 +162,6 @@ fn linear(costs: [Measured; 3]) -> Verdict {
     } else if (ratio.value - 1.0).abs() - 3.0 * ratio.error > TOLERANCE {
         Verdict::DoesNotHold(text)
     } else {
-        Verdict::CouldNotTell(text)
+        Verdict::Inconclusive(text)
     }
 }

@@ -152,7 +152,7 @@ fn draw_case(
             statement: statement(case),
             paper: "figure 11, by eye".into(),
             ours: "not run".into(),
-            verdict: Verdict::CouldNotTell(reason.clone()),
+            verdict: Verdict::Inconclusive(reason.clone()),
         }),
     }
     let limit = robust_limit([&ours.gradient().mean]);
@@ -195,7 +195,7 @@ fn projective_claim(
         ours: text,
         verdict: match (seen.value - 1.0).abs() < 0.05 {
             true => verdict,
-            false => Verdict::CouldNotTell(format!("its picture is {seen} times ours")),
+            false => Verdict::Inconclusive(format!("its picture is {seen} times ours")),
         },
     }
 }

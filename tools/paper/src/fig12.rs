@@ -1,9 +1,8 @@
 //! Figure 12: the shape of an occluder from its shadow.
 
-use std::f64::consts::TAU;
+mod flower;
 
 use capwalk_diff::{Method, PreparedScene, WalkSettings, WasSettings, render};
-use capwalk_geometry::Mesh;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
@@ -14,51 +13,13 @@ use capwalk_inverse::variable::{Variables, variable};
 use capwalk_inverse::{Limits, PreparedViews, Problem, State, Stop, View};
 use capwalk_math::{Moments, Vec3};
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Film, Filter, Image, Scene, ShadingNormals, builtin};
+use capwalk_scene::Image;
 use capwalk_scene_io::image::Style;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};
 use crate::figure::{Curve, Figure, Plot, Row, Scale, Shown, Table};
 use crate::settings::{Failure, Settings, complete};
-
-/// Vertices of the rim; each has two unknowns.
-const RIM: usize = 25;
-/// Radius of the disk, and how far the flower's outline is from it.
-const RADIUS: f64 = 0.45;
-const PETALS: f64 = 0.13;
-
-/// The middle of the disk.
-const CENTRE: Vec3 = Vec3::new(0.02, 1.6, 0.03);
-
-/// The outline at a vertex: a disk, or a flower with five petals.
-fn radius(vertex: usize, flower: bool) -> f64 {
-    let angle = TAU * vertex as f64 / RIM as f64;
-    match flower {
-        true => RADIUS + PETALS * (5.0 * angle).cos(),
-        false => RADIUS,
-    }
-}
-
-/// The scene `leaf` with a fan of triangles in the leaf's place, level above the
-/// floor.
-fn scene(flower: bool, size: [u32; 2]) -> Result<Scene, Failure> {
-    let missing = || Failure::Unusable("the built-in scene leaf has no leaf".into());
-    let mut scene = builtin::scene("leaf").ok_or_else(missing)?;
-    let leaf = scene.shapes_mut().find(|shape| shape.id == "leaf");
-    let rim = (0..RIM).map(|i| {
-        let (sin, cos) = (TAU * (i as f64 + 0.2) / RIM as f64).sin_cos();
-        CENTRE + Vec3::new(cos, 0.0, sin) * radius(i, flower)
-    });
-    let last = RIM as u32;
-    let shape = leaf.ok_or_else(missing)?;
-    shape.mesh = Mesh {
-        positions: rim.chain([CENTRE]).collect(),
-        faces: (0..last).map(|i| [last, (i + 1) % last, i]).collect(),
-    };
-    shape.normals = ShadingNormals::Face;
-    scene.film = Film::new(size[0], size[1], Filter::Box);
-    Ok(scene)
-}
+use flower::{RIM, scene, shape_error, vertex_distance};
 
 /// One way to find the shape, from several seeds.
 struct Search {
@@ -263,10 +224,10 @@ fn stalled(end: Measured, fall: Measured, again: f64) -> Verdict {
         Verdict::DoesNotHold(_) => {
             return Verdict::DoesNotHold(format!("it ends below the limit, {}", against(end)));
         }
-        _ => return Verdict::CouldNotTell(against(end)),
+        _ => return Verdict::Inconclusive(against(end)),
     }
     if claim::positive(fall) == Verdict::Holds {
-        return Verdict::CouldNotTell(format!(
+        return Verdict::Inconclusive(format!(
             "it is above the limit, {}, and still falling, by {} over the last third",
             against(end),
             in_percent(fall)
@@ -279,7 +240,7 @@ fn stalled(end: Measured, fall: Measured, again: f64) -> Verdict {
     };
     match claim::below(limit, reached) {
         Verdict::Holds => Verdict::Holds,
-        _ => Verdict::CouldNotTell(format!(
+        _ => Verdict::Inconclusive(format!(
             "it is above the limit, {}, but over the last third it fell by {}, and as many \
              iterations again may bring it to {}",
             against(end),
@@ -441,55 +402,6 @@ fn find(
     }
 }
 
-/// Points along each axis at which outlines are compared.
-const RASTER: usize = 512;
-
-/// The area that only one of two outlines encloses, of the found shape and the
-/// flower, over the same for the disk and the flower. Vertices that slide along
-/// the outline leave the shape as it is.
-fn shape_error(found: &Scene, size: [u32; 2]) -> Result<f64, Failure> {
-    let flower = rim(&scene(true, size)?);
-    let apart = |outline: &[[f64; 2]]| {
-        let side = |i: usize| 4.0 * RADIUS * ((i as f64 + 0.5) / RASTER as f64 - 0.5);
-        let points = (0..RASTER * RASTER).map(|i| [side(i % RASTER), side(i / RASTER)]);
-        points
-            .filter(|&p| encloses(outline, p) != encloses(&flower, p))
-            .count() as f64
-    };
-    Ok(apart(&rim(found)) / apart(&rim(&scene(false, size)?)))
-}
-
-/// The rim of the leaf seen from above, around the middle of the disk.
-fn rim(scene: &Scene) -> Vec<[f64; 2]> {
-    let leaf = scene.shapes.iter().find(|shape| shape.id == "leaf");
-    let positions = leaf.map_or(&[][..], |leaf| &leaf.mesh.positions[..RIM]);
-    positions
-        .iter()
-        .map(|p| [p.x - CENTRE.x, p.z - CENTRE.z])
-        .collect()
-}
-
-/// The mean distance of the rim's vertices from the flower's, over that of the disk's.
-/// It does not vanish where a shape does not depend on where along its outline the
-/// vertices are.
-fn vertex_distance(found: &Scene, size: [u32; 2]) -> Result<f64, Failure> {
-    let flower = rim(&scene(true, size)?);
-    let sum = |outline: &[[f64; 2]]| -> f64 {
-        let pairs = outline.iter().zip(&flower);
-        pairs.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).sum()
-    };
-    Ok(sum(&rim(found)) / sum(&rim(&scene(false, size)?)))
-}
-
-/// True if a closed outline runs around a point, an odd number of times.
-fn encloses(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let next = outline.iter().cycle().skip(1);
-    let crossed = outline.iter().zip(next).filter(|&(a, b)| {
-        (a[1] > y) != (b[1] > y) && x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1])
-    });
-    crossed.count() % 2 == 1
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -506,7 +418,7 @@ mod tests {
         let found = verdict((4.0, 0.1), (0.0, 0.01));
         assert!(matches!(found, Verdict::DoesNotHold(_)), "{found}");
         let unclear = verdict((5.5, 0.4), (0.0, 0.01));
-        assert!(matches!(unclear, Verdict::CouldNotTell(_)), "{unclear}");
+        assert!(matches!(unclear, Verdict::Inconclusive(_)), "{unclear}");
         // Above it, and at rest or even rising.
         assert_eq!(verdict((6.3, 0.3), (0.0, 0.03)), Verdict::Holds);
         assert_eq!(verdict((6.3, 0.3), (-0.5, 0.03)), Verdict::Holds);
@@ -522,7 +434,7 @@ mod tests {
             noisy.to_string().contains("may bring it to 4.50"),
             "{noisy}"
         );
-        assert!(matches!(noisy, Verdict::CouldNotTell(_)));
+        assert!(matches!(noisy, Verdict::Inconclusive(_)));
     }
 
     #[test]

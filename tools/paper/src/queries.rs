@@ -48,9 +48,9 @@ impl Subject {
                 let r = (1.0 - z * z).sqrt();
                 Vec3::new(r * cos, r * sin, z)
             };
-            let eye = direction(0) * (1.2 + 1.8 * number(2));
+            let origin = direction(0) * (1.2 + 1.8 * number(2));
             let target = direction(3) * (0.8 * number(5).cbrt());
-            (eye, (target - eye).normalized())
+            (origin, (target - origin).normalized())
         };
         Self {
             name: name.into(),
@@ -65,16 +65,16 @@ impl Subject {
     /// Seconds for a shadow ray, a cone within [`LIMIT`] and one without limit,
     /// each measured in turn, round by round.
     fn seconds(&self, rounds: u32) -> [Vec<f64>; 3] {
-        let shadow = |&(eye, axis): &(Vec3, Vec3)| {
+        let shadow = |&(origin, axis): &(Vec3, Vec3)| {
             let ray = Ray {
                 t_max: 4.0,
-                ..Ray::new(eye, axis)
+                ..Ray::new(origin, axis)
             };
             self.rays.occluded(&ray)
         };
-        let cone = |&(eye, axis): &(Vec3, Vec3), max_angle: f64| {
+        let cone = |&(origin, axis): &(Vec3, Vec3), max_angle: f64| {
             let query = ConeQuery {
-                apex: eye,
+                apex: origin,
                 axis,
                 max_angle,
                 edges: EdgeSelection::Silhouettes,
@@ -217,6 +217,6 @@ fn about(number: Measured, expected: f64) -> Verdict {
     } else if low > 2.0 * expected {
         Verdict::DoesNotHold(format!("it is more here, {number}"))
     } else {
-        Verdict::CouldNotTell(format!("{number}"))
+        Verdict::Inconclusive(format!("{number}"))
     }
 }

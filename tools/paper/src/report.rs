@@ -154,7 +154,7 @@ fn claims_table<'a>(claims: impl Iterator<Item = (Option<String>, &'a Claim)>) -
         let class = match claim.verdict {
             Verdict::Holds => "holds",
             Verdict::DoesNotHold(_) => "not",
-            Verdict::CouldNotTell(_) => "unsure",
+            Verdict::Inconclusive(_) => "unsure",
             Verdict::NotComparable(_) => "other",
         };
         linked |= link.is_some();

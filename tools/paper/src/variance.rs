@@ -264,6 +264,6 @@ fn between(number: Measured, low: f64, high: f64) -> Verdict {
     } else if most < low || least > high {
         Verdict::DoesNotHold(format!("the exponent is {number}"))
     } else {
-        Verdict::CouldNotTell(format!("the exponent is {number}"))
+        Verdict::Inconclusive(format!("the exponent is {number}"))
     }
 }
