@@ -12,8 +12,8 @@ use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Variables, variable};
 use capwalk_inverse::{Limits, PreparedViews, Problem, State, Stop, View};
 use capwalk_math::{Moments, Vec3};
-use capwalk_scene::params::Registry;
 use capwalk_scene::Image;
+use capwalk_scene::params::Registry;
 use capwalk_scene_io::image::Style;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};
