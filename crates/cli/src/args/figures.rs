@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::parse_threads;
+use super::parse;
 
 #[derive(Args, Debug)]
 pub struct Figures {
@@ -24,7 +24,7 @@ pub struct Figures {
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
     /// Worker threads; changes times only [default: all cores]
-    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
+    #[arg(short = 't', long, value_name = "N", value_parser = parse::threads)]
     pub threads: Option<usize>,
     /// Print one JSON object instead of text
     #[arg(long)]
