@@ -254,7 +254,7 @@ pub enum WasBoundaryName {
 pub enum DomainName {
     /// On all directions around a point
     Sphere,
-    /// On the triangle that a direction meets, as in the paper: noisier
+    /// On the triangle that a direction hits, as in the paper: noisier
     Triangle,
     /// The same by walks on disks among all silhouettes, for small scenes
     Explicit,
