@@ -91,21 +91,21 @@ fn keys_of_other_methods_are_errors() {
         "type = \"edges\"\ndomain = \"triangle\"",
         &[
             "job.toml:32:1",
-            "`domain` means nothing in [method] of type \"edges\"",
+            "unknown key `domain` in [method] of type \"edges\"",
             "one of: antithetic, estimator, max_angle, steps, type",
         ],
     );
     bad(
         "type = \"psdr-was\"\nsteps = 2",
         &[
-            "`steps` means nothing in [method] of type \"psdr-was\"",
+            "unknown key `steps` in [method] of type \"psdr-was\"",
             "one of: antithetic, boundary, debias, kappa, rays, type",
         ],
     );
     bad(
         "kappa = 10",
         &[
-            "`kappa` means nothing in [method] of type \"walk\"",
+            "unknown key `kappa` in [method] of type \"walk\"",
             "one of: antithetic, domain, estimator, max_angle, steps, type",
         ],
     );
