@@ -1,7 +1,7 @@
 //! Surfaces that the camera's clip planes cut.
 //!
-//! Where a clip plane cuts a surface in view, the picture jumps along a curve
-//! that no edge carries. Such scenes are refused.
+//! Where a clip plane cuts a visible surface, the image is discontinuous along a curve that
+//! is no edge of a mesh. Such scenes are refused.
 
 use capwalk_math::Vec3;
 use capwalk_scene::SensorModel;
@@ -10,7 +10,7 @@ use capwalk_scene::sensor::view::View;
 use crate::accel::Accel;
 use crate::refusal::Refusal;
 
-/// A refusal if the near or the far plane cuts a face within the picture.
+/// A refusal if the near or the far plane cuts a face within the image.
 pub fn refuse_clipped(accel: &Accel) -> Result<(), Refusal> {
     let planes = ["near_clip", "far_clip"].into_iter().zip(accel.view.clip());
     for face in 0..accel.mesh.faces.len() {
@@ -54,7 +54,7 @@ fn cut_at_depth(view: &View<f64>, corners: [Vec3; 3], depth: f64) -> Option<[Vec
 fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
     let (view, film) = (&accel.view, &accel.scene.film);
     let [a, b] = segment.map(|p| view.film(view.towards(p)));
-    let mut reach = if film.sample_border {
+    let mut margin = if film.sample_border {
         film.filter.radius()
     } else {
         0.0
@@ -67,14 +67,14 @@ fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
     } = accel.scene.sensor.model
     {
         let shift = (1.0 / focus_distance - 1.0 / depth).abs();
-        reach += aperture_radius * shift / view.pixel_size();
+        margin += aperture_radius * shift / view.pixel_size();
         is_blurred = aperture_radius > 0.0;
     }
     // Liang and Barsky 1984: the part of the segment inside the rectangle.
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
-        let low = f64::from(film.crop_offset[axis]) - reach;
-        let high = f64::from(film.crop_offset[axis] + film.crop_size[axis]) + reach;
+        let low = f64::from(film.crop_offset[axis]) - margin;
+        let high = f64::from(film.crop_offset[axis] + film.crop_size[axis]) + margin;
         let step = b[axis] - a[axis];
         let ends = [low, high].map(|side| (side - a[axis]) / step);
         if step == 0.0 {
@@ -96,7 +96,7 @@ fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
         let p = segment[0] + (segment[1] - segment[0]) * t;
         let direction = view.towards(p).normalized();
         let distance = (p - view.ray(direction).origin).length() * (1.0 - SHORT);
-        depth <= near || is_blurred || accel.camera_sees(view.eye, direction, distance)
+        depth <= near || is_blurred || accel.camera_sees(view.origin, direction, distance)
     };
     let place = |i: u32| first + (last - first) * (f64::from(i) / f64::from(LOOKS));
     (0..=LOOKS).map(place).any(sees)

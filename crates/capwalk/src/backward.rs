@@ -112,13 +112,13 @@ pub(crate) fn names(engine: &Engine) -> GradientNames {
 
 /// A gradient with respect to all that is named, to be computed at once or in parts.
 #[derive(Debug)]
-pub struct BackwardWork<'a> {
+pub struct GradientsWork<'a> {
     engine: &'a Engine,
     requests: Vec<(String, Request)>,
     work: capwalk_diff::BackwardWork<'a>,
 }
 
-impl<'a> BackwardWork<'a> {
+impl<'a> GradientsWork<'a> {
     pub(crate) fn new<N: AsRef<str>>(
         engine: &'a Engine,
         adjoint: &'a Image,

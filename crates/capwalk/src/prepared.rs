@@ -9,7 +9,7 @@ use capwalk_diff::{
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, SceneError, Tangent};
 
-use crate::backward::{self, BackwardWork, GradientNames, Gradients};
+use crate::backward::{self, GradientNames, Gradients, GradientsWork};
 use crate::check::{Check, CheckOptions};
 use crate::direction::Direction;
 use crate::engine::Engine;
@@ -250,8 +250,8 @@ impl Prepared {
         adjoint: &'a Image,
         names: &[N],
         options: &GradientOptions,
-    ) -> Result<BackwardWork<'a>, Error> {
-        BackwardWork::new(&self.engine, adjoint, names, options)
+    ) -> Result<GradientsWork<'a>, Error> {
+        GradientsWork::new(&self.engine, adjoint, names, options)
     }
 
     /// Why derivatives with respect to parameters that move edges are refused in this

@@ -152,8 +152,8 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     }
     if statistics.uncovered > 0 {
         text += &format!(
-            "warning: {} specular events of the {what} show things that may move, and the tangent \
-             of silhouettes there is missing: this method is biased there\n",
+            "warning: in {} specular events of the {what} objects are seen that may move, and the \
+             silhouettes seen there are not covered: this method is biased there\n",
             count(statistics.uncovered)
         );
     }
@@ -271,9 +271,9 @@ mod tests {
         };
         assert_eq!(outcome(&[&with(0), &with(1)]), Outcome::Done);
         assert_eq!(outcome(&[&with(0), &with(2)]), Outcome::NonFinite);
-        assert_eq!(warnings("picture", &with(0)), "");
-        assert!(warnings("picture", &with(1)).starts_with("warning: 1 of 1,000,000 samples"));
-        assert!(warnings("picture", &with(2)).starts_with("error: 2 of 1,000,000 samples"));
+        assert_eq!(warnings("image", &with(0)), "");
+        assert!(warnings("image", &with(1)).starts_with("warning: 1 of 1,000,000 samples"));
+        assert!(warnings("image", &with(2)).starts_with("error: 2 of 1,000,000 samples"));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::ops::AddAssign;
 use capwalk_boundary::{Accel, Boundaries};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Tape, Vec3};
-use capwalk_render::Term;
+use capwalk_render::Accumulate;
 use capwalk_scene::{
     Gradient, Optic, Scene, SensorVectors, ShadingNormals, ShapeId, ShapeVectors, Tangent,
     TextureId, corner_normals, normal_sums,
@@ -273,7 +273,7 @@ impl Adjoint {
     }
 }
 
-impl Term for Adjoint {
+impl Accumulate for Adjoint {
     fn add(&mut self, next: &Self) {
         fn sum<T: Copy + AddAssign>(own: &mut [T], next: &[T]) {
             own.iter_mut().zip(next).for_each(|(a, &b)| *a += b);

@@ -40,7 +40,7 @@ const EMITTERS_ALONE: Plan = Plan {
         bsdf_samples: 0,
     },
     hide_emitters: false,
-    layer: None,
+    aov: None,
 };
 
 /// Statistics of single samples of the red irradiance at a point at rest, and
@@ -54,7 +54,7 @@ pub struct Irradiance {
 }
 
 /// Samples of the irradiance at each point (with its unit normal), from one
-/// point drawn on an emitter and, for the derivative, one on the lamps' edges.
+/// point drawn on an emitter and, for the derivative, one on the emitters' edges.
 pub fn irradiance(
     scene: &Scene,
     tangent: &Tangent,

@@ -14,8 +14,8 @@ use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Tape, Vec3};
 use capwalk_render::tiles;
 use capwalk_render::{
-    Along, Grid, OrderedSum, Part, PartError, Partial, PreparedScene, Statistics, Term, Tracer,
-    Watch, fingerprint,
+    Accumulate, Along, Grid, OrderedSum, Part, PartError, Partial, PreparedScene, Statistics,
+    Tracer, Watch, fingerprint,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId};
 use rayon::prelude::*;
@@ -307,9 +307,9 @@ impl BatchSums {
     }
 }
 
-impl Term for BatchSums {
+impl Accumulate for BatchSums {
     fn add(&mut self, next: &Self) {
-        Term::add(&mut self.mean, &next.mean);
+        Accumulate::add(&mut self.mean, &next.mean);
         self.bands.extend(&next.bands);
         self.non_finite += next.non_finite;
         self.cone_queries += next.cone_queries;

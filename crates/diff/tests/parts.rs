@@ -47,7 +47,7 @@ fn through_bytes<T: serde::Serialize + serde::de::DeserializeOwned>(
     partial: &Partial<T>,
 ) -> Partial<T>
 where
-    T: capwalk_render::Term,
+    T: capwalk_render::Accumulate,
 {
     let bytes = partial.to_bytes().expect("numbers");
     Partial::from_bytes(&bytes).expect("whole bytes")

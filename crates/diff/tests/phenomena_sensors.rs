@@ -9,7 +9,7 @@ use capwalk_scene::*;
 use common::agree::*;
 use common::stages::*;
 
-/// A ball 4.3 away, seen through a lens: its outlines are three pixels wide.
+/// A ball 4.3 away, seen through a lens: its silhouettes are three pixels wide.
 fn blurred_ball(filter: Filter) -> Scene {
     through_lens(visible_ball(filter), 0.12, 2.9)
 }
@@ -78,7 +78,7 @@ fn focusing_lens() {
     agree("focus", scene, &tangent, case);
 }
 
-/// The film moves under the picture: everywhere, so that the flux through the
+/// The film moves under the image: everywhere, so that the flux through the
 /// borders of pixels counts.
 #[test]
 fn zooming() {

@@ -1,6 +1,6 @@
 //! What moves in curved mirrors and behind glass that refracts is found and
 //! refused, however short the paths are; in flat mirrors it is not. So is what
-//! has no slope.
+//! has no derivative.
 
 mod common;
 
@@ -10,7 +10,7 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::bsdf::{Glass, Metal, Principled};
+use capwalk_scene::bsdf::{Glass, Metal, PrincipledTextures};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::texture::UvTransform;
@@ -150,7 +150,7 @@ fn a_blocker_that_moves_in_a_mirror() {
         id: "sky".into(),
         radiance: TextureId(radiance),
     }];
-    // Above the picture, seen in the mirror only.
+    // Above the image, seen in the mirror only.
     let mut ball = icosphere(4);
     ball.positions
         .iter_mut()
@@ -246,12 +246,12 @@ fn surface_cut_by_the_film() {
 
 /// Square roots and hues of what is black have no derivative by it.
 #[test]
-fn numbers_without_a_slope() {
+fn numbers_without_a_derivative() {
     let run = |base: [f64; 3], glass: f64, name: &str| {
         let mut scene = shadow_stage();
         (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
         make(&mut scene, "floor", |n| {
-            Bsdf::Principled(Principled {
+            Bsdf::Principled(PrincipledTextures {
                 base_color: n.colour("base_color", base),
                 ..n.principled(glass)
             })

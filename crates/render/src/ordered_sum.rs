@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 /// What can be summed. Rounding makes the order count.
-pub trait Term {
+pub trait Accumulate {
     /// Adds the next term.
     fn add(&mut self, next: &Self);
 }
@@ -28,7 +28,7 @@ impl<T> Default for OrderedSum<T> {
     }
 }
 
-impl<T: Term> OrderedSum<T> {
+impl<T: Accumulate> OrderedSum<T> {
     /// Takes a term in; false if it was there already.
     pub fn insert(&mut self, number: u32, term: T) -> bool {
         let is_new = number >= self.summed() && self.waiting.insert(number, term).is_none();
@@ -88,7 +88,7 @@ impl<T: Term> OrderedSum<T> {
 mod tests {
     use super::*;
 
-    impl Term for String {
+    impl Accumulate for String {
         fn add(&mut self, next: &Self) {
             *self = format!("({self}{next})");
         }

@@ -7,7 +7,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::grid::Grid;
-use crate::ordered_sum::{OrderedSum, Term};
+use crate::ordered_sum::{Accumulate, OrderedSum};
 use crate::part_error::PartError;
 
 /// What some cells of the work for an estimate have given. However the work is cut and in
@@ -32,7 +32,7 @@ pub enum Along {
     Bands,
 }
 
-impl<T: Term> Partial<T> {
+impl<T: Accumulate> Partial<T> {
     /// Sums for a work with this [`fingerprint`], as many as `along` says.
     pub fn new(work: u64, grid: Grid, along: Along, sums: Vec<OrderedSum<T>>) -> Self {
         Self {

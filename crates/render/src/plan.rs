@@ -1,7 +1,7 @@
 //! Which paths are sampled, and which random numbers they take.
 
 use capwalk_boundary::MAX_EVENTS;
-use capwalk_scene::{Integrator, Layer, Scene};
+use capwalk_scene::{Aov, Integrator, Scene};
 
 /// The first vertex's numbers start here, if the camera has no lens.
 pub const FIRST_VERTEX: u32 = 3;
@@ -15,9 +15,9 @@ const BEHIND_ALL_VERTICES: u32 = 1 << 20;
 /// How many samples of each technique a shading point takes.
 #[derive(Clone, Copy, Debug)]
 pub struct LightSampling {
-    /// Points drawn on emitters.
+    /// Points sampled on emitters.
     pub emitter_samples: u32,
-    /// Directions drawn from the material.
+    /// Directions sampled from the material.
     pub bsdf_samples: u32,
 }
 
@@ -46,12 +46,12 @@ pub struct Plan {
     pub sampling: LightSampling,
     /// Emitters are not seen by the camera.
     pub hide_emitters: bool,
-    /// Instead of light: this.
-    pub layer: Option<Layer>,
+    /// The AOV to render instead of light.
+    pub aov: Option<Aov>,
 }
 
 impl Plan {
-    /// What a scene asks for.
+    /// The plan of a scene's integrator.
     pub fn new(scene: &Scene) -> Self {
         let first_vertex = match scene.sensor.model.has_lens() {
             true => FIRST_VERTEX + LENS_NUMBERS,
@@ -71,7 +71,7 @@ impl Plan {
                     bsdf_samples,
                 },
                 hide_emitters,
-                layer: None,
+                aov: None,
             },
             Integrator::Path {
                 max_depth,
@@ -86,9 +86,9 @@ impl Plan {
                     bsdf_samples: 1,
                 },
                 hide_emitters,
-                layer: None,
+                aov: None,
             },
-            Integrator::Aov(layer) => Self {
+            Integrator::Aov(aov) => Self {
                 first_vertex,
                 max_depth: Some(1),
                 rr_depth: u32::MAX,
@@ -97,7 +97,7 @@ impl Plan {
                     bsdf_samples: 0,
                 },
                 hide_emitters: false,
-                layer: Some(layer),
+                aov: Some(aov),
             },
         }
     }

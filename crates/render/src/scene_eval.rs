@@ -8,10 +8,9 @@ use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{Scene, SurfacePoint, TextureId};
 use capwalk_walk::WalkSettings;
 
-/// What a path reads of a scene, and how its directions move.
+/// What a path reads from a scene, and how its directions are warped.
 pub trait SceneEval<R: Real> {
-    /// False if nothing has a derivative: then what has the value zero need not
-    /// be computed.
+    /// False if nothing has a derivative: then terms of value zero are not computed.
     const MOVES: bool;
     /// Position of a vertex of the joined mesh.
     fn vertex(&self, index: u32) -> Vec3<R>;
@@ -25,20 +24,25 @@ pub trait SceneEval<R: Real> {
     fn is_asked_for(&self, id: TextureId) -> bool;
     /// The sensor's numbers.
     fn sensor(&self) -> SensorState<R>;
-    /// Where a point of the boundaries is; asked only of worlds that move.
+    /// Position of a point of the boundaries; used only if `MOVES`.
     fn boundary_point(&self, index: u32) -> Vec3<R>;
-    /// True if no boundary moves against the eye.
-    fn is_still(&self, eye: &Viewpoint<R>) -> bool;
-    /// True if curves in the picture can move against the rays.
+    /// True if no boundary moves against the viewpoint.
+    fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;
+    /// True if curves in the image can move against the rays.
     fn moves(&self) -> bool;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.
-    fn warp(&self, eye: &Viewpoint<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers)
-    -> Warped<R>;
+    fn warp(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Warped<R>;
     /// The same without the divergence, for flows through curves.
     fn warp_value(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         q: Vec3,
         walk: &WalkSettings,
         numbers: Numbers,

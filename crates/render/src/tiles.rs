@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use crate::estimate::{Estimate, Statistics};
 use crate::grid::{Grid, Part};
 use crate::options::{RenderOptions, Watch};
-use crate::ordered_sum::{OrderedSum, Term};
+use crate::ordered_sum::{Accumulate, OrderedSum};
 use crate::partial::{Along, Partial};
 
 /// What one sample of one pixel gives: `C` numbers to be averaged, and what
@@ -54,7 +54,7 @@ impl PixelSums {
     }
 }
 
-impl Term for PixelSums {
+impl Accumulate for PixelSums {
     fn add(&mut self, next: &Self) {
         for (own, other) in self.moments.iter_mut().zip(&next.moments) {
             own.merge(other);

@@ -1,32 +1,19 @@
 //! `capwalk check`: a gradient against finite differences, with a verdict.
 
-pub mod picture;
-
-use std::time::{Duration, Instant};
+pub mod layers;
+pub mod timed;
 
 use anyhow::{Result, ensure};
-use capwalk::{
-    Check, CheckOptions, Comparison, GradientImage, GradientOptions, Prepared, Tangent, Verdict,
-};
+use capwalk::{Check, CheckOptions, Comparison, GradientImage, Verdict};
 use serde_json::{Value, json};
 
 use crate::args::{self, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::Files;
-use crate::progress::Progress;
 use crate::{console, method, moving, report, source};
 
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
-
-/// A check, and how long it took.
-pub struct Checked {
-    pub check: Check,
-    /// How the gradient was estimated.
-    pub options: GradientOptions,
-    /// Seconds for the gradient and for the reference.
-    pub seconds: [f64; 2],
-}
 
 pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
@@ -46,7 +33,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         reference_spp: args.reference_spp,
         step: typed.step,
     };
-    let checked = check(&prepared, &tangent, &options, typed.sampling.time_limit)?;
+    let checked = timed::check(&prepared, &tangent, &options, typed.sampling.time_limit)?;
     let Check {
         gradient,
         reference,
@@ -56,7 +43,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
     let parameter = moving::describe(&typed.tangent);
-    let written = picture::write(&files, &typed.scene.scene, &parameter, &checked)?;
+    let written = layers::write(&files, &typed.scene.scene, &parameter, &checked)?;
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
     console::remark(&report::warnings("reference", of_reference));
@@ -93,31 +80,6 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     })
 }
 
-/// Checks a gradient, one bar after the other. Half of a time limit is for the gradient.
-pub fn check(
-    prepared: &Prepared,
-    tangent: &Tangent,
-    options: &CheckOptions,
-    limit: Option<Duration>,
-) -> Result<Checked> {
-    let reference = options.reference(|| prepared.difference_step(tangent));
-    let started = Instant::now();
-    let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
-    let gradient = prepared.gradient(tangent, &options.gradient, &progress);
-    let gradient_seconds = progress.finish().as_secs_f64();
-    let gradient = gradient?;
-
-    let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
-    let progress = Progress::new("reference", rest);
-    let differences = prepared.finite_difference(tangent, &reference.options(), &progress);
-    let reference_seconds = progress.finish().as_secs_f64();
-    Ok(Checked {
-        check: Check::new(gradient, differences?, reference),
-        options: options.gradient,
-        seconds: [gradient_seconds, reference_seconds],
-    })
-}
-
 /// The numbers of a comparison, one on each line; `-` stands for what images
 /// without noise, or of zeros, do not have.
 pub fn describe(c: &Comparison) -> String {
@@ -147,7 +109,10 @@ pub fn describe(c: &Comparison) -> String {
             "scale factor",
             format!(
                 "{} (reference / gradient)",
-                if_any(c.slope, report::plus_minus(c.slope, c.slope_error))
+                if_any(
+                    c.scale_factor,
+                    report::plus_minus(c.scale_factor, c.scale_factor_error)
+                )
             ),
         ),
         (
@@ -195,7 +160,7 @@ pub fn verdict(check: &Check) -> String {
     };
     let (spp, reference_spp) = (taken(&check.gradient), taken(&check.reference));
     match &check.comparison.verdict {
-        Verdict::Right if check.comparison.slope.is_nan() => {
+        Verdict::Right if check.comparison.scale_factor.is_nan() => {
             "right: both are zero everywhere: nothing in the image changes".into()
         }
         Verdict::Right => {
@@ -206,17 +171,17 @@ pub fn verdict(check: &Check) -> String {
                 "wrong: {reason}\n(if a smaller --step changes this, the reference is at fault)"
             )
         }
-        Verdict::CouldNotTell { .. } if spp.min(reference_spp) < 2.0 => {
+        Verdict::Inconclusive { .. } if spp.min(reference_spp) < 2.0 => {
             "inconclusive: standard errors need at least two samples per pixel".into()
         }
-        Verdict::CouldNotTell { samples_factor } if samples_factor.is_finite() => format!(
+        Verdict::Inconclusive { samples_factor } if samples_factor.is_finite() => format!(
             "inconclusive: about {} times the samples would be enough (--spp {} \
              --reference-spp {})",
             report::significant(*samples_factor, 2),
             (spp * samples_factor).ceil(),
             (reference_spp * samples_factor).ceil()
         ),
-        Verdict::CouldNotTell { .. } => {
+        Verdict::Inconclusive { .. } => {
             "inconclusive: there is no derivative to be seen, only noise".into()
         }
     }
@@ -227,7 +192,7 @@ pub fn outcome(comparison: &Comparison) -> Outcome {
     match comparison.verdict {
         Verdict::Right => Outcome::Done,
         Verdict::Wrong { .. } => Outcome::Wrong,
-        Verdict::CouldNotTell { .. } => Outcome::Inconclusive,
+        Verdict::Inconclusive { .. } => Outcome::Inconclusive,
     }
 }
 
@@ -236,7 +201,7 @@ pub fn comparison_json(c: &Comparison) -> Value {
     let (verdict, reason, samples_factor) = match &c.verdict {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::CouldNotTell { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
     };
     json!({
         "verdict": verdict,
@@ -251,8 +216,8 @@ pub fn comparison_json(c: &Comparison) -> Value {
         "pixels": c.pixels,
         "left_out": c.left_out,
         "sign": c.sign,
-        "scale_factor": c.slope,
-        "scale_factor_error": c.slope_error,
+        "scale_factor": c.scale_factor,
+        "scale_factor_error": c.scale_factor_error,
         "worst": c.worst.iter().map(|&(x, y, z)| json!({"x": x, "y": y, "z": z})).collect::<Vec<_>>(),
     })
 }

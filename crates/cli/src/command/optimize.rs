@@ -66,8 +66,8 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
 fn nothing() -> Result<Outcome> {
     ensure!(
         progress::interrupted(),
-        "the time limit is over before the targets were rendered, and nothing was written; give \
-         more time, or the targets fewer samples (`spp` of [target])"
+        "the time limit ended before the targets were rendered, and nothing was written; give \
+         more time, or render the targets with fewer samples (`spp` of [target])"
     );
     console::remark("stopped before the targets were rendered; nothing was written\n");
     Ok(Outcome::Interrupted)
@@ -111,9 +111,9 @@ fn report(args: &Optimize, run: &Run, stop: &Stop, is_late: bool, files: &[Strin
         match row.loss_noise {
             Some(noise) => {
                 let noise = report::significant(noise, 2);
-                text += &format!(", without the {noise} that noise of the picture adds\n");
+                text += &format!(", without the {noise} that noise of the image adds\n");
             }
-            None => text += ", with what noise of the picture adds\n",
+            None => text += ", with what noise of the image adds\n",
         }
     }
     console::print(&(text + &report::written(files)))

@@ -33,8 +33,8 @@ fn options_of_other_methods_are_errors() {
 pub fn gradient_by(capwalk: &Capwalk, method: &str) -> (String, Option<String>, Option<String>) {
     let finished = capwalk.run(&format!("gradient {LEAF} {method} -o out.exr"));
     assert_eq!(finished.status, 0, "{}", finished.stderr);
-    let picture = image::read(&capwalk.path("out.exr")).expect("it was written");
-    let notes = picture.metadata.into_iter();
+    let image = image::read(&capwalk.path("out.exr")).expect("it was written");
+    let notes = image.metadata.into_iter();
     let of = |key: &str| {
         let mut notes = notes.clone().filter(|(name, _)| name == key);
         notes.next().map(|(_, value)| value)
@@ -111,10 +111,10 @@ fn every_command_takes_edges() {
                 let positions = arrays.get("leaf.positions").expect("there");
                 (arrays.metadata.clone(), positions.numbers.clone())
             } else {
-                let picture = image::read(&file).expect("readable");
-                let gradient = picture.layer("gradient").expect("a layer");
+                let image = image::read(&file).expect("readable");
+                let gradient = image.layer("gradient").expect("a layer");
                 let numbers = gradient.pixels.iter().flat_map(|pixel| pixel.to_array());
-                (picture.metadata.clone(), numbers.collect())
+                (image.metadata.clone(), numbers.collect())
             };
             (
                 json["method"].as_str().map(str::to_owned),
