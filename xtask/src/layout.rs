@@ -25,18 +25,7 @@ use source::Crate;
 
 /// What is still wrong, under the name that the report gives it. An entry of
 /// which nothing is left is an error too, so that this list shrinks to nothing.
-const TOLERATED: &[&str] = &[
-    "cli, circle",
-    "cli, file name used twice: demo.rs",
-    "exported twice: Curve",
-    "exported twice: Layer",
-    "exported twice: Moments",
-    "exported twice: Numbers",
-    "exported twice: Part",
-    "exported twice: Principled",
-    "exported twice: View",
-    "scene, type defined twice: Principled",
-];
+const TOLERATED: &[&str] = &[];
 
 /// A crate of the workspace.
 struct Member {

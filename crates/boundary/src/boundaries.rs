@@ -9,7 +9,7 @@ use capwalk_scene::{Emitter, Pattern, Scene, Texture};
 use crate::accel::{Accel, MeshChange, WORN_OUT};
 use crate::crossing::{Crossing, crossings};
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
-use crate::picture_space::picture_tree;
+use crate::image_space::image_tree;
 use crate::shading::ShadingDiscontinuities;
 use crate::texture_line::texture_lines;
 use crate::viewpoint::{EMITTED, SEEN};
@@ -26,9 +26,9 @@ pub struct Boundaries {
     /// How much light may jump at each edge that is no silhouette.
     contrasts: Vec<f32>,
     tree: SilhouetteTree,
-    /// The same edges in picture space, if the sensor's rays are parallel: seen from
+    /// The same edges in image space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of the sensor's view.
-    picture: Option<SilhouetteTree>,
+    image_tree: Option<SilhouetteTree>,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
     /// The curves where faces cross and textures jump, in the order of their ends'
@@ -47,7 +47,7 @@ impl Boundaries {
         let listed = Listed::new(accel);
         Self {
             tree: SilhouetteTree::build(&listed.mesh, &listed.edges),
-            picture: picture_tree(
+            image_tree: image_tree(
                 &accel.view,
                 &listed.mesh.positions,
                 &listed.mesh.faces,
@@ -87,7 +87,7 @@ impl Boundaries {
         self.area_emitters = AreaEmitter::all(&accel.scene);
         // The sensor may have moved, too.
         let faces = &accel.mesh.faces;
-        self.picture = picture_tree(&accel.view, &self.positions, faces, &self.edges);
+        self.image_tree = image_tree(&accel.view, &self.positions, faces, &self.edges);
     }
 
     /// The edges.
@@ -146,9 +146,9 @@ impl Boundaries {
         &self.tree
     }
 
-    /// The edges in picture space; only for sensors whose rays are parallel.
-    pub(crate) fn picture_tree(&self) -> &SilhouetteTree {
-        let tree = self.picture.as_ref();
+    /// The edges in image space; only for sensors whose rays are parallel.
+    pub(crate) fn image_tree(&self) -> &SilhouetteTree {
+        let tree = self.image_tree.as_ref();
         tree.expect("asked only for sensors whose rays are parallel")
     }
 

@@ -1,6 +1,6 @@
 //! Surfaces that the camera's clip planes cut.
 //!
-//! Where a clip plane cuts a surface in view, the picture jumps along a curve
+//! Where a clip plane cuts a surface in view, the image jumps along a curve
 //! that no edge carries. Such scenes are refused.
 
 use capwalk_math::Vec3;
@@ -10,7 +10,7 @@ use capwalk_scene::sensor::view::View;
 use crate::accel::Accel;
 use crate::refusal::Refusal;
 
-/// A refusal if the near or the far plane cuts a face within the picture.
+/// A refusal if the near or the far plane cuts a face within the image.
 pub fn refuse_clipped(accel: &Accel) -> Result<(), Refusal> {
     let planes = ["near_clip", "far_clip"].into_iter().zip(accel.view.clip());
     for face in 0..accel.mesh.faces.len() {

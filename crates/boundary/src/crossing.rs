@@ -19,7 +19,7 @@ use crate::accel::Accel;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Its ends.
-    pub ends: [End; 2],
+    pub ends: [CrossingEnd; 2],
     /// True if emitted light jumps there: if one of the faces belongs to a lamp.
     pub emits: bool,
 }
@@ -27,7 +27,7 @@ pub struct Crossing {
 /// An end of a crossing. It stays in the faces that the curve is on and does not move
 /// along it, so its velocity depends linearly on those of the faces' vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End {
+pub struct CrossingEnd {
     /// Where it is.
     pub position: Vec3,
     /// What adds to its velocity: each of the faces.
@@ -44,7 +44,7 @@ pub(crate) struct Pull {
     pub(crate) column: Vec3,
 }
 
-impl End {
+impl CrossingEnd {
     /// Its velocity, across the curve, for velocities of the joined mesh's
     /// vertices.
     pub fn velocity(&self, velocities: &[Vec3]) -> Vec3 {
@@ -144,7 +144,7 @@ fn crossing(accel: &Accel, faces: [u32; 2], ends: [Vec3; 2]) -> Option<Crossing>
     }
     // ẋ with n₁·ẋ = n₁·v₁, n₂·ẋ = n₂·v₂, and no motion along the curve.
     let columns = [normals[1].cross(along), along.cross(normals[0])];
-    let end = |position: Vec3| End {
+    let end = |position: Vec3| CrossingEnd {
         position,
         pulls: [0, 1].map(|k| Pull {
             vertices: accel.mesh.faces[faces[k] as usize],

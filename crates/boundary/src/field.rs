@@ -123,12 +123,12 @@ impl<'a> Field<'a> {
 
     /// The angular velocity of a boundary point, or its image in mirrors, for a
     /// velocity `ẋ - ȯ` relative to the eye, `P_x̂ (ẋ - ȯ) / |x - o|`; if the eye's
-    /// rays are parallel, that of its direction in picture space.
+    /// rays are parallel, that of its direction in image space.
     #[inline]
     fn seen_velocity(&self, sample: &BoundarySample, relative: Vec3) -> Vec3 {
         match sample.place {
             None => sample.angular(relative),
-            Some(_) => sample.angular(self.accel.view.picture_velocity(relative)),
+            Some(_) => sample.angular(self.accel.view.image_velocity(relative)),
         }
     }
 
@@ -138,7 +138,7 @@ impl<'a> Field<'a> {
         let on_velocity = sample.angular(covector);
         match sample.place {
             None => on_velocity,
-            Some(_) => self.accel.view.pull_picture_velocity(on_velocity),
+            Some(_) => self.accel.view.pull_image_velocity(on_velocity),
         }
     }
 

@@ -1,7 +1,7 @@
 //! Numbers of materials that have no finite slope where they are.
 
 use capwalk_math::Rgb;
-use capwalk_scene::bsdf::{Principled, PrincipledIndex};
+use capwalk_scene::bsdf::{PrincipledIndex, PrincipledTextures};
 use capwalk_scene::{Bsdf, Scene, Shape, Texture, TextureId};
 
 use crate::refusal::Refusal;
@@ -44,7 +44,7 @@ impl Numbers<'_> {
     /// What has no finite slope somewhere, and why.
     fn without_slope(
         &self,
-        it: &Principled,
+        it: &PrincipledTextures,
         is_asked_for: impl Fn(TextureId) -> bool,
     ) -> Option<(&'static str, &'static str)> {
         let asked = |id| is_asked_for(self.scene.numbers_of(id, self.shape));

@@ -1,7 +1,7 @@
 //! Where neighbouring faces of a shape look different although they may lie in one
 //! plane: by their shading normals, their textures, or how these turn them.
 
-use capwalk_scene::{Integrator, Layer, Pattern, Scene, Shape, Texture};
+use capwalk_scene::{Aov, Integrator, Pattern, Scene, Shape, Texture};
 
 use crate::material::{needs_tangent, tangents_of_face, textures_of};
 
@@ -28,7 +28,7 @@ pub struct ShadingDiscontinuities<'s> {
     shows_uvs: bool,
     /// It matters how the material is turned about the normal.
     has_tangent: bool,
-    /// The picture shows what is there, not light.
+    /// The image shows what is there, not light.
     is_layer: bool,
 }
 
@@ -38,7 +38,7 @@ impl<'s> ShadingDiscontinuities<'s> {
         Self {
             shape,
             textures: textures_of(scene, shape),
-            shows_uvs: scene.settings.integrator == Integrator::Aov(Layer::Uv),
+            shows_uvs: scene.settings.integrator == Integrator::Aov(Aov::Uv),
             has_tangent: needs_tangent(scene, shape.bsdf),
             is_layer: matches!(scene.settings.integrator, Integrator::Aov(_)),
         }

@@ -80,7 +80,7 @@ pub fn clip(planes: &[Vec3], margin: f64, [a, b]: [Vec3; 2]) -> Option<[f64; 2]>
     (from < to).then_some([from, to])
 }
 
-/// Where on the part of an edge in a range a place on its picture is, in a plane or
+/// Where on the part of an edge in a range a place on its image is, in a plane or
 /// on the chord between directions: there, what is far is short. `depths` are those
 /// of the part's ends, in any unit.
 pub fn place([from, to]: [f64; 2], [near, far]: [f64; 2], part: f64) -> f64 {

@@ -12,7 +12,7 @@ use capwalk_scene::{Pattern, Shape, Texture};
 use crate::accel::Accel;
 use crate::material::textures_of;
 
-use crate::crossing::{Crossing, End, Pull};
+use crate::crossing::{Crossing, CrossingEnd, Pull};
 
 /// Most lines along which the textures of a shape may jump: a gigabyte.
 pub const MOST_LINES: f64 = 4e6;
@@ -185,7 +185,7 @@ fn line(accel: &Accel, face: usize, piece: Piece, emits: bool) -> Option<Crossin
     let [a, b] = piece.map(position);
     let normal = accel.mesh.face_cross(face).normalized();
     let across = normal.cross(b - a).normalized();
-    let end = |weights, position| End {
+    let end = |weights, position| CrossingEnd {
         position,
         // Along the line nothing changes.
         pulls: [normal, across].map(|axis| Pull {

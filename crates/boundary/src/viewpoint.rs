@@ -16,7 +16,7 @@ pub struct Viewpoint<R> {
     /// The shading point or the camera.
     pub position: Vec3<R>,
     /// The axes of a camera with parallel rays, around which directions are those of
-    /// picture space ([`View`]).
+    /// image space ([`View`]).
     pub axes: Option<[Vec3<R>; 3]>,
     /// Unit normal of the face it lies on, if it lies on one.
     pub face_normal: Option<Vec3>,

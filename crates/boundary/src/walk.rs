@@ -49,10 +49,10 @@ pub(crate) fn sphere<'e, R: Real>(
 ) -> ReflectedSphere<'e, R, impl Fn(&SilhouettePoint) -> bool> {
     let (accel, boundaries) = (field.accel, field.boundaries);
     let position = viewpoint.position.value();
-    // Parallel rays all start from the origin of picture space.
+    // Parallel rays all start from the origin of image space.
     let (tree, apex) = match viewpoint.axes {
         None => (boundaries.tree(), position),
-        Some(_) => (boundaries.picture_tree(), Vec3::zero()),
+        Some(_) => (boundaries.image_tree(), Vec3::zero()),
     };
     let is_camera = viewpoint.visibility == Visibility::Camera;
     let is_seen = move |point: &SilhouettePoint| {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use capwalk_scene::Image;
-use capwalk_scene_io::image::{self, Picture, Preview, VALUE};
+use capwalk_scene_io::image::{self, LayeredImage, Preview, VALUE};
 
 use crate::error::{Error, UnusableImage};
 
@@ -16,9 +16,9 @@ pub fn read_layer(path: &Path, layers: &[&str], size: [u32; 2]) -> Result<Image,
 /// Weights of pixels and channels from a file: its layer `value`, or else its first. They
 /// are finite, at least 0, and not all 0.
 pub fn read_mask(path: &Path, size: [u32; 2]) -> Result<Image, Error> {
-    let picture = image::read(path)?;
-    let first = picture.layers.first().map_or(VALUE, |layer| &layer.name);
-    let mask = usable(path, &picture, &[VALUE, first], size)?;
+    let layered = image::read(path)?;
+    let first = layered.layers.first().map_or(VALUE, |layer| &layer.name);
+    let mask = usable(path, &layered, &[VALUE, first], size)?;
     let weights = || mask.pixels.iter().flat_map(|pixel| pixel.to_array());
     let problem = match (weights().any(|w| w < 0.0), weights().all(|w| w == 0.0)) {
         (true, _) => "some pixels are below 0",
@@ -35,21 +35,26 @@ pub fn read_mask(path: &Path, size: [u32; 2]) -> Result<Image, Error> {
 /// `layer` is its name there: a PNG shows a `value` as a photograph, everything else in
 /// false colours, blue below zero and red above.
 pub fn write_image(path: impl AsRef<Path>, layer: &str, image: &Image) -> Result<(), Error> {
-    let mut picture = Picture::default();
-    picture.push(layer, image.clone());
-    image::write(path.as_ref(), &picture, &Preview::default())?;
+    let mut layered = LayeredImage::default();
+    layered.push(layer, image.clone());
+    image::write(path.as_ref(), &layered, &Preview::default())?;
     Ok(())
 }
 
-fn usable(path: &Path, picture: &Picture, layers: &[&str], size: [u32; 2]) -> Result<Image, Error> {
+fn usable(
+    path: &Path,
+    layered: &LayeredImage,
+    layers: &[&str],
+    size: [u32; 2],
+) -> Result<Image, Error> {
     let unusable = |error: UnusableImage| Error::UnusableImage {
         path: path.into(),
         error,
     };
-    let Some(image) = layers.iter().find_map(|name| picture.layer(name)) else {
+    let Some(image) = layers.iter().find_map(|name| layered.layer(name)) else {
         return Err(unusable(UnusableImage::NoLayer {
             asked: layers.iter().map(|&name| name.into()).collect(),
-            known: picture.layers.iter().map(|l| l.name.clone()).collect(),
+            known: layered.layers.iter().map(|l| l.name.clone()).collect(),
         }));
     };
     let expected = size.map(|n| n as usize);

@@ -9,7 +9,7 @@
 //!
 //! A scene is a Mitsuba 3 file or built in. These lines render the derivative of the
 //! image of a floating leaf and its shadow with respect to a motion of the leaf, and
-//! write it as a picture in which red gets brighter and blue darker:
+//! write it as an image in which red gets brighter and blue darker:
 //!
 //! ```
 //! use capwalk::{GradientOptions, Prepared, Unwatched, write_image};

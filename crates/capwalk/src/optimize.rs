@@ -18,7 +18,7 @@ pub use capwalk_inverse::schedule::{Decay, Schedule};
 pub use capwalk_inverse::variable::{
     ApplyError, Curve, VariableError, VariableSpec, Variables, variable,
 };
-pub use capwalk_inverse::{Iteration, Limits, PreparedViews, Problem, State, Stop, View};
+pub use capwalk_inverse::{Iteration, Limits, PreparedViews, Problem, State, Stop, TargetView};
 
 pub use crate::folder_error::FolderError;
 pub use duration::parse_duration;

@@ -94,23 +94,23 @@ fn measure(folder: &Folder) {
             ..GradientOptions::new(options(SPP, seed))
         };
         let clock = Clock::start();
-        let picture = gradient(
+        let image = gradient(
             &PreparedScene::new(scene.clone()),
             &tangent,
             &settings,
             &Unwatched,
         )
         .expect("covered");
-        let cost = variance(&picture) * clock.seconds();
-        (picture, cost)
+        let cost = variance(&image) * clock.seconds();
+        (image, cost)
     };
     let (weights, _) = run(Method::Walk, 1);
     let (walk, cost) = run(Method::Walk, 2);
     let spread = options(SPP * REFERENCE_FACTOR, 3);
     let differences = finite_difference(&scene, &tangent, step, &spread, &Unwatched);
     let (reference, reference_error) = size(&differences.expect("covered"), &weights);
-    let row = |name: &str, picture: &GradientImage, ratio: f64| {
-        let (size, error) = size(picture, &weights);
+    let row = |name: &str, image: &GradientImage, ratio: f64| {
+        let (size, error) = size(image, &weights);
         let relative = size / reference;
         let error = error.hypot(relative * reference_error) / reference.abs();
         println!(
@@ -121,17 +121,17 @@ fn measure(folder: &Folder) {
     };
     row("walk", &walk, 1.0);
     for (name, was) in baselines() {
-        let (picture, own) = run(Method::Was(was), 2);
-        row(name, &picture, own / cost);
+        let (image, own) = run(Method::Was(was), 2);
+        row(name, &image, own / cost);
     }
 }
 
 /// The inner product of a derivative with weights of each pixel, and its standard
 /// error.
-fn size(picture: &GradientImage, weights: &GradientImage) -> (f64, f64) {
+fn size(image: &GradientImage, weights: &GradientImage) -> (f64, f64) {
     let weights = &weights.gradient.mean.pixels;
-    let means = picture.gradient.mean.pixels.iter().zip(weights);
-    let errors = picture.gradient.standard_error.pixels.iter().zip(weights);
+    let means = image.gradient.mean.pixels.iter().zip(weights);
+    let errors = image.gradient.standard_error.pixels.iter().zip(weights);
     let sum: f64 = means.map(|(g, &w)| g.dot(w)).sum();
     // Channels of a pixel share their samples: at worst their errors add up.
     let error = |e: &capwalk_math::Rgb, w: &capwalk_math::Rgb| {

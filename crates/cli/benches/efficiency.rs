@@ -1,4 +1,4 @@
-//! Variance times time of derivative pictures, as
+//! Variance times time of derivative images, as
 //! `cargo bench -p capwalk-cli --bench efficiency` prints it for the first
 //! parameter of every folder of `tests/scenes`: of the estimators `anchored` and
 //! `literal`, and of central differences with common random numbers and the
@@ -88,11 +88,11 @@ fn measure(folder: &Folder, parameter: &str, step: f64) -> [f64; 3] {
     for round in 1..=ROUNDS {
         for (i, way) in ways.iter().enumerate() {
             let (few, _) = way.run(&scene, &tangent, FEW, round);
-            let (all, picture) = way.run(&scene, &tangent, many[i], round);
-            let pixels = picture.gradient.mean.pixels.len() as f64;
+            let (all, image) = way.run(&scene, &tangent, many[i], round);
+            let pixels = image.gradient.mean.pixels.len() as f64;
             let samples = f64::from(many[i] - FEW) * pixels;
             seconds[i] = seconds[i].min((all - few) / samples);
-            variances[i] += variance(&picture) / ROUNDS as f64;
+            variances[i] += variance(&image) / ROUNDS as f64;
         }
     }
     [0, 1, 2].map(|i| variances[i] * seconds[i])
@@ -118,7 +118,7 @@ impl Way {
     fn run(&self, scene: &Scene, tangent: &Tangent, spp: u32, seed: u64) -> (f64, GradientImage) {
         let options = RenderOptions::new(spp, seed);
         let started = Clock::start();
-        let picture = match *self {
+        let image = match *self {
             Self::Walk(estimator) => {
                 let walk = WalkSettings {
                     estimator,
@@ -138,6 +138,6 @@ impl Way {
                 finite_difference(scene, tangent, step, &options, &Unwatched)
             }
         };
-        (started.seconds(), picture.expect("covered"))
+        (started.seconds(), image.expect("covered"))
     }
 }

@@ -1,6 +1,6 @@
 //! What was typed.
 
-mod demo;
+mod parse;
 #[cfg(feature = "paper")]
 pub mod was;
 
@@ -11,7 +11,6 @@ use std::time::Duration;
 use capwalk::optimize::parse_duration;
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
-pub use demo::Demo;
 #[cfg(feature = "paper")]
 pub use was::WasArgs;
 
@@ -109,10 +108,10 @@ pub struct SceneArgs {
     /// Mitsuba XML file, or name of a built-in scene
     pub scene: String,
     /// Replace the default of a $name in the scene file
-    #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse_define)]
+    #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse::define)]
     pub defines: Vec<(String, String)>,
     /// Width and height of the image, without crop
-    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    #[arg(long, value_name = "WxH", value_parser = parse::size)]
     pub size: Option<[u32; 2]>,
     /// Reconstruction filter, with the widths that are Mitsuba's defaults
     #[arg(long)]
@@ -140,7 +139,7 @@ pub struct SamplingArgs {
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
     /// Worker threads; changes no bit of the result [default: all cores]
-    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
+    #[arg(short = 't', long, value_name = "N", value_parser = parse::threads)]
     pub threads: Option<usize>,
     /// Stop after this time (30, 30s, 5m, 1h) and keep what is done
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
@@ -170,7 +169,7 @@ pub struct MotionArgs {
     pub param: Option<String>,
     /// Velocity of each vertex of a shape: .npy array (V, 3), or a text file
     /// with one "x y z" per line; adds to --param
-    #[arg(long, value_name = "SHAPE=FILE", value_parser = parse_motion)]
+    #[arg(long, value_name = "SHAPE=FILE", value_parser = parse::motion)]
     pub tangent: Vec<(String, PathBuf)>,
 }
 
@@ -220,7 +219,7 @@ pub struct WalkArgs {
     pub estimator: Option<EstimatorName>,
     /// Ignore silhouettes farther than this angle, degrees; right for every
     /// value, smaller is faster and larger is smoother
-    #[arg(long, value_name = "DEGREES", value_parser = parse_angle, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = parse::angle, allow_negative_numbers = true)]
     pub max_angle: Option<f64>,
     /// Average each rim sample with the one on the other side of the cap
     #[arg(long)]
@@ -271,7 +270,7 @@ pub struct Gradient {
     /// Step of the finite differences, in units of the parameter [default:
     /// moves the fastest vertex by 1/500 of the size of the shape it belongs
     /// to (of the scene, where the sensor moves); for colours, 0.01]
-    #[arg(long, value_name = "H", value_parser = parse_step, allow_negative_numbers = true)]
+    #[arg(long, value_name = "H", value_parser = parse::step, allow_negative_numbers = true)]
     pub step: Option<f64>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
@@ -358,7 +357,7 @@ pub struct Info {
 #[derive(Args, Debug)]
 pub struct Compare {
     /// The image in question (.exr, .npz)
-    pub picture: PathBuf,
+    pub image: PathBuf,
     /// What it should be (.exr, .npz)
     pub reference: PathBuf,
     /// Compare these layers, for example "gradient" [default: gradient if both
@@ -396,7 +395,7 @@ pub struct Optimize {
     #[arg(short, long, value_name = "FOLDER")]
     pub output: Option<PathBuf>,
     /// Worker threads; changes no bit of the result [default: all cores]
-    #[arg(short = 't', long, value_name = "N", value_parser = parse_threads)]
+    #[arg(short = 't', long, value_name = "N", value_parser = parse::threads)]
     pub threads: Option<usize>,
     /// Stop after this time (30, 30s, 5m, 1h) and keep what is done [default:
     /// the job's]
@@ -407,49 +406,27 @@ pub struct Optimize {
     pub json: bool,
 }
 
-fn parse_define(text: &str) -> Result<(String, String), String> {
-    match text.split_once('=') {
-        Some((name, value)) if !name.is_empty() => Ok((name.into(), value.into())),
-        _ => Err("expected NAME=VALUE, for example spp=64".into()),
-    }
-}
-
-fn parse_motion(text: &str) -> Result<(String, PathBuf), String> {
-    match text.split_once('=') {
-        Some((shape, file)) if !shape.is_empty() && !file.is_empty() => {
-            Ok((shape.into(), file.into()))
-        }
-        _ => Err("expected SHAPE=FILE, for example bunny=velocities.npy".into()),
-    }
-}
-
-fn parse_size(text: &str) -> Result<[u32; 2], String> {
-    let sides = text.split_once(['x', 'X', '×']);
-    let parse = |(w, h): (&str, &str)| Some([w.trim().parse().ok()?, h.trim().parse().ok()?]);
-    sides
-        .and_then(parse)
-        .ok_or_else(|| "expected WIDTHxHEIGHT in pixels, for example 640x480".into())
-}
-
-fn parse_threads(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(threads) if (1..=4096).contains(&threads) => Ok(threads),
-        _ => Err("expected a number from 1 to 4096".into()),
-    }
-}
-
-fn parse_angle(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(degrees) if degrees > 0.0 && degrees <= 180.0 => Ok(degrees),
-        _ => Err("expected an angle above 0 and up to 180 degrees".into()),
-    }
-}
-
-fn parse_step(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(step) if step > 0.0 && step.is_finite() => Ok(step),
-        _ => Err("expected a number above 0, in units of the parameter".into()),
-    }
+#[derive(Args, Debug)]
+#[command(
+    mut_arg("spp", |arg| arg.help("Samples per pixel [default: 96]")),
+    mut_arg("seed", |arg| arg.help("Seed of all random numbers [default: 1]")),
+    mut_arg("time_limit", |arg| arg.help(
+        "Stop after this time (30, 30s, 5m, 1h), shared among image, gradients and reference, \
+         and keep what is done"
+    )),
+)]
+pub struct Demo {
+    /// Folder for the images
+    #[arg(short, long, value_name = "FOLDER", default_value = "demo")]
+    pub output: PathBuf,
+    /// Width and height of the images [default: 128x96]
+    #[arg(long, value_name = "WxH", value_parser = parse::size)]
+    pub size: Option<[u32; 2]>,
+    #[command(flatten)]
+    pub sampling: SamplingArgs,
+    /// Print one JSON object instead of text
+    #[arg(long)]
+    pub json: bool,
 }
 
 #[cfg(test)]
@@ -460,12 +437,5 @@ mod tests {
     fn the_command_line_is_consistent() {
         use clap::CommandFactory;
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn sizes() {
-        assert_eq!(parse_size("64x48"), Ok([64, 48]));
-        assert!(parse_size("64").is_err());
-        assert!(parse_size("-1x3").is_err());
     }
 }

@@ -1,12 +1,12 @@
-//! Where pictures go: places that are known to be writable before the work
-//! starts, and what a picture's file says about how it was made.
+//! Where images go: places that are known to be writable before the work
+//! starts, and what an image's file says about how it was made.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
 use capwalk::{Estimate, Image, RenderOptions, Statistics};
-use capwalk_scene_io::image::{self, Panel, Picture, Preview};
+use capwalk_scene_io::image::{self, LayeredImage, Panel, Preview};
 
 /// Output files of a command, checked.
 pub struct Files {
@@ -32,17 +32,17 @@ impl Files {
         Ok(Self { paths })
     }
 
-    /// Writes the picture into all files, PNG files as these panels if there
+    /// Writes the image into all files, PNG files as these panels if there
     /// are any. Returns the files' names.
-    pub fn write(&self, picture: &Picture, panels: &[Panel]) -> Result<Vec<String>> {
+    pub fn write(&self, layered: &LayeredImage, panels: &[Panel]) -> Result<Vec<String>> {
         for path in &self.paths {
             let is_png = path
                 .extension()
                 .is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
             if is_png && !panels.is_empty() {
-                image::write_panels(path, panels, &picture.metadata)?;
+                image::write_panels(path, panels, &layered.metadata)?;
             } else {
-                image::write(path, picture, &Preview::default())?;
+                image::write(path, layered, &Preview::default())?;
             }
         }
         let names = self.paths.iter();
@@ -64,21 +64,21 @@ pub fn make_folder(path: &Path) -> Result<()> {
     Ok(())
 }
 
-/// A picture to be filled with layers, which says what was asked for.
-pub fn picture(
+/// An image to be filled with layers, which says what was asked for.
+pub fn layered(
     command: &str,
     scene: &str,
     parameter: Option<&str>,
     options: &RenderOptions,
-) -> Picture {
-    let mut picture = Picture {
+) -> LayeredImage {
+    let mut layered = LayeredImage {
         metadata: origin(command, scene, options),
-        ..Picture::default()
+        ..LayeredImage::default()
     };
     if let Some(name) = parameter {
-        note(&mut picture, "parameter", name);
+        note(&mut layered, "parameter", name);
     }
-    picture
+    layered
 }
 
 /// What every file says about how it was made.
@@ -93,20 +93,20 @@ pub fn origin(command: &str, scene: &str, options: &RenderOptions) -> Vec<(Strin
     ]
 }
 
-/// Adds to what a picture says about itself.
-pub fn note(picture: &mut Picture, key: &str, value: impl ToString) {
-    picture.metadata.push((key.to_owned(), value.to_string()));
+/// Adds to what an image says about itself.
+pub fn note(layered: &mut LayeredImage, key: &str, value: impl ToString) {
+    layered.metadata.push((key.to_owned(), value.to_string()));
 }
 
-/// Says what was done, for a picture whose layers all come from these pieces of
+/// Says what was done, for an image whose layers all come from these pieces of
 /// work: the counts are sums, and it is complete if all of them are.
-pub fn push_statistics(picture: &mut Picture, pieces: &[&Statistics]) {
+pub fn push_statistics(layered: &mut LayeredImage, pieces: &[&Statistics]) {
     let sum = |of: fn(&Statistics) -> u64| pieces.iter().map(|s| of(s)).sum::<u64>();
-    note(picture, "samples", sum(|s| s.samples));
-    note(picture, "complete", pieces.iter().all(|s| s.complete));
-    note(picture, "non_finite_samples", sum(|s| s.non_finite));
+    note(layered, "samples", sum(|s| s.samples));
+    note(layered, "complete", pieces.iter().all(|s| s.complete));
+    note(layered, "non_finite_samples", sum(|s| s.non_finite));
     let counts = pieces.iter().map(|s| s.samples_per_pixel.clone());
-    picture.samples = counts.reduce(|sum, more| {
+    layered.samples = counts.reduce(|sum, more| {
         let pairs = sum.iter().zip(&more);
         pairs.map(|(a, b)| a.saturating_add(*b)).collect()
     });
@@ -114,15 +114,15 @@ pub fn push_statistics(picture: &mut Picture, pieces: &[&Statistics]) {
 
 /// Adds an estimate as a layer and another with its standard errors: `stderr`
 /// for what the command is about, `<name>_stderr` for what comes with it.
-pub fn push_estimate(picture: &mut Picture, name: &str, errors: &str, estimate: &Estimate) {
-    picture.push(name, estimate.mean.clone());
-    picture.push(errors, estimate.standard_error.clone());
+pub fn push_estimate(layered: &mut LayeredImage, name: &str, errors: &str, estimate: &Estimate) {
+    layered.push(name, estimate.mean.clone());
+    layered.push(errors, estimate.standard_error.clone());
 }
 
 /// A layer, or an error that names those that there are.
-pub fn layer<'a>(picture: &'a Picture, name: &str) -> Result<&'a Image> {
-    picture.layer(name).with_context(|| {
-        let known: Vec<&str> = picture.layers.iter().map(|l| l.name.as_str()).collect();
+pub fn layer<'a>(layered: &'a LayeredImage, name: &str) -> Result<&'a Image> {
+    layered.layer(name).with_context(|| {
+        let known: Vec<&str> = layered.layers.iter().map(|l| l.name.as_str()).collect();
         format!(
             "there is no layer \"{name}\"; there are {}",
             known.join(", ")
@@ -132,9 +132,9 @@ pub fn layer<'a>(picture: &'a Picture, name: &str) -> Result<&'a Image> {
 
 /// An estimate from a layer and that with its standard errors, if both are
 /// there.
-pub fn read_estimate(picture: &Picture, name: &str) -> Option<Estimate> {
-    let layer = |name: &str| -> Option<Image> { picture.layer(name).cloned() };
-    let about = match picture.layer("gradient") {
+pub fn read_estimate(layered: &LayeredImage, name: &str) -> Option<Estimate> {
+    let layer = |name: &str| -> Option<Image> { layered.layer(name).cloned() };
+    let about = match layered.layer("gradient") {
         Some(_) => "gradient",
         None => "value",
     };

@@ -271,9 +271,9 @@ mod tests {
         };
         assert_eq!(outcome(&[&with(0), &with(1)]), Outcome::Done);
         assert_eq!(outcome(&[&with(0), &with(2)]), Outcome::NonFinite);
-        assert_eq!(warnings("picture", &with(0)), "");
-        assert!(warnings("picture", &with(1)).starts_with("warning: 1 of 1,000,000 samples"));
-        assert!(warnings("picture", &with(2)).starts_with("error: 2 of 1,000,000 samples"));
+        assert_eq!(warnings("image", &with(0)), "");
+        assert!(warnings("image", &with(1)).starts_with("warning: 1 of 1,000,000 samples"));
+        assert!(warnings("image", &with(2)).starts_with("error: 2 of 1,000,000 samples"));
     }
 
     #[test]

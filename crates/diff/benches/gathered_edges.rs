@@ -1,4 +1,4 @@
-//! Variance and time of derivative pictures by gathered edges and by walks, side by
+//! Variance and time of derivative images by gathered edges and by walks, side by
 //! side, as `cargo bench -p capwalk-render --bench gathered_edges` prints them.
 //! Words behind `--` choose the scenes whose names have them.
 //!
@@ -167,10 +167,10 @@ fn measure(scene: &Scene, tangent: &Tangent) -> [[f64; 2]; 2] {
     for round in 1..=ROUNDS {
         for (i, method) in methods.into_iter().enumerate() {
             let (few, _) = run(method, scene, tangent, FEW, round);
-            let (all, picture) = run(method, scene, tangent, many[i], round);
-            let pixels = picture.gradient.mean.pixels.len() as f64;
+            let (all, image) = run(method, scene, tangent, many[i], round);
+            let pixels = image.gradient.mean.pixels.len() as f64;
             let samples = f64::from(many[i] - FEW) * pixels;
-            found[i][0] += variance(&picture) / ROUNDS as f64;
+            found[i][0] += variance(&image) / ROUNDS as f64;
             found[i][1] = found[i][1].min((all - few) / samples * 1e6);
         }
     }
@@ -191,23 +191,23 @@ fn run(
         ..GradientOptions::new(options)
     };
     let started = Instant::now();
-    let picture = gradient(
+    let image = gradient(
         &PreparedScene::new(scene.clone()),
         tangent,
         &settings,
         &Unwatched,
     )
     .expect("covered");
-    (started.elapsed().as_secs_f64(), picture)
+    (started.elapsed().as_secs_f64(), image)
 }
 
 /// Of a sample, averaged over pixels and channels.
-fn variance(picture: &GradientImage) -> f64 {
-    let errors = picture.gradient.standard_error.pixels.iter();
-    let samples = picture.statistics.samples_per_pixel.iter();
+fn variance(image: &GradientImage) -> f64 {
+    let errors = image.gradient.standard_error.pixels.iter();
+    let samples = image.statistics.samples_per_pixel.iter();
     let pixels = errors.zip(samples);
     let sum: f64 = pixels.map(|(&e, &n)| e.dot(e) / 3.0 * f64::from(n)).sum();
-    sum / picture.gradient.mean.pixels.len() as f64
+    sum / image.gradient.mean.pixels.len() as f64
 }
 
 /// Three digits that count.

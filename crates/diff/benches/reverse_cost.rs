@@ -1,13 +1,13 @@
 //! What the gradient of a loss costs, as
 //! `cargo bench -p capwalk-render --bench reverse_cost` prints it: the time of a
-//! sample on one thread, in ratios to the picture and to the derivative picture
+//! sample on one thread, in ratios to the image and to the derivative image
 //! for one parameter, on a mesh of about 250,000 vertices.
 //!
 //! Every way runs with few and with many samples, all of them in turn in each of
 //! several rounds. The difference of the two over the samples between them is the
 //! time of a sample; what is left is fixed: trees, and for reverse mode the sums
 //! over batches and the maps after the samples. Both are medians over the rounds.
-//! Derivatives by colours ask what the picture asks: their ratio to the picture is
+//! Derivatives by colours ask what the image asks: their ratio to the image is
 //! what recording and sweeping cost, with the queries of moving geometry left out.
 //! Memory is the process's peak after a way first ran, and can only grow from row
 //! to row.

@@ -1,6 +1,6 @@
 //! A gradient against finite differences: the verdict.
 //!
-//! Both pictures are estimates with stated standard errors, independent of each
+//! Both images are estimates with stated standard errors, independent of each
 //! other. Three sums over the pixels are tested, each of which is zero or one
 //! on average for a right gradient however skewed the noise is:
 //!
@@ -53,12 +53,12 @@ const WORST_PIXELS: usize = 10;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Mean absolute difference over mean absolute reference; 0 if both
-    /// pictures are zero, infinite if only the reference is.
+    /// images are zero, infinite if only the reference is.
     pub relative_l1: f64,
     /// What `relative_l1` would be from Gaussian noise of the stated size
     /// alone.
     pub relative_l1_of_noise: f64,
-    /// Correlation of the two pictures; NaN if one is constant.
+    /// Correlation of the two images; NaN if one is constant.
     pub correlation: f64,
     /// Mean of `z² = (gradient - reference)² / (their variances)`: 1 for a
     /// right gradient with right errors. Both sides of the fraction are
@@ -77,10 +77,10 @@ pub struct Comparison {
     /// standard normal variable for a right gradient, large for a systematic
     /// sign.
     pub sign: f64,
-    /// How many pixels entered `z`: those where either picture has noise.
+    /// How many pixels entered `z`: those where either image has noise.
     pub pixels: usize,
     /// How many pixels have no finite value or standard error in one of the
-    /// pictures (fewer than two samples reached them), and entered nothing.
+    /// images (fewer than two samples reached them), and entered nothing.
     pub left_out: usize,
     /// Best factor from gradient to reference, 1 for a right gradient,
     /// corrected for the noise of the gradient.
@@ -90,7 +90,7 @@ pub struct Comparison {
     pub slope_error: f64,
     /// The pixels with the largest `|z|`, worst first: column, row, z.
     pub worst: Vec<(usize, usize, f64)>,
-    /// `z` of each pixel, row by row; 0 where neither picture has noise.
+    /// `z` of each pixel, row by row; 0 where neither image has noise.
     pub z: Vec<f64>,
     /// What follows from it.
     pub verdict: Verdict,
@@ -136,7 +136,7 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     assert_eq!(
         (gradient.mean.width, gradient.mean.height),
         (reference.mean.width, reference.mean.height),
-        "the pictures have different sizes"
+        "the images have different sizes"
     );
     let mut comparison = without_errors(gradient, reference);
     let pixels = pixel::split(gradient, reference);
@@ -151,7 +151,7 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
         |f: fn(&Pixel) -> f64| -> f64 { noisy.iter().map(|p| f(p) * p.weight_squared()).sum() };
 
     // Squared differences less their expectation, pixel by pixel: their spread
-    // over the picture gives the error of the mean, heavy tails included.
+    // over the image gives the error of the mean, heavy tails included.
     let variances = weighted(Pixel::variance);
     let excess = |p: &Pixel| (p.difference().powi(2) - p.variance()) * p.weight_squared();
     let spread: f64 = noisy.iter().map(|p| excess(p).powi(2)).sum();
@@ -207,7 +207,7 @@ fn worst(noisy: &[Pixel], width: usize) -> Vec<(usize, usize, f64)> {
         .collect()
 }
 
-/// The numbers that need no standard errors, and the verdict of pictures that
+/// The numbers that need no standard errors, and the verdict of images that
 /// have them in less than half of their pixels.
 fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
     let both = || {
@@ -254,7 +254,7 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
     }
 }
 
-/// Everything in which the pictures differ by more than their errors allow.
+/// Everything in which the images differ by more than their errors allow.
 fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usize) -> Vec<String> {
     let mut reasons = Vec::new();
     let significant = (c.mean_z_squared - 1.0).abs() > SIGNIFICANT * c.mean_z_squared_error;
@@ -267,13 +267,13 @@ fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usi
     } else if significant && c.mean_z_squared < *Z_SQUARED_BAND.start() {
         reasons.push(format!(
             "the differences are smaller than the stated errors (mean z² is {:.3} ± {:.3} \
-             instead of 1): the errors are overstated, or the pictures share random numbers",
+             instead of 1): the errors are overstated, or the images share random numbers",
             c.mean_z_squared, c.mean_z_squared_error
         ));
     }
     if c.sign.abs() > SIGNIFICANT && relative_offset > REFERENCE_BIAS {
         reasons.push(format!(
-            "it is systematically too {} ({:.1} standard errors over the picture)",
+            "it is systematically too {} ({:.1} standard errors over the image)",
             if c.sign > 0.0 { "large" } else { "small" },
             c.sign.abs()
         ));

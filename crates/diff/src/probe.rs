@@ -40,7 +40,7 @@ const EMITTERS_ALONE: Plan = Plan {
         bsdf_samples: 0,
     },
     hide_emitters: false,
-    layer: None,
+    aov: None,
 };
 
 /// Statistics of single samples of the red irradiance at a point at rest, and

@@ -1,5 +1,5 @@
 //! Warped-area sampling keeps its promises, and breaks those that it is known to
-//! break: derivatives of areas in the picture, which have closed forms.
+//! break: derivatives of areas in the image, which have closed forms.
 
 mod common;
 
@@ -24,16 +24,16 @@ fn mask(mesh: capwalk_geometry::Mesh, normals: ShadingNormals) -> Scene {
     let mut scene = empty(v(0.0, 0.0, 4.0), Vec3::zero(), 3.0, 8);
     scene.film.filter = Filter::Gaussian { stddev: 0.5 };
     add(&mut scene, "thing", mesh, normals, 0.5);
-    scene.settings.integrator = Integrator::Aov(Layer::Mask);
+    scene.settings.integrator = Integrator::Aov(Aov::Mask);
     scene
 }
 
-/// Half of the picture's width in the plane through the origin.
+/// Half of the image's width in the plane through the origin.
 fn half_width() -> f64 {
     4.0 * 1.5_f64.to_radians().tan()
 }
 
-/// Half as wide as the picture, so that its area is 16 pixels.
+/// Half as wide as the image, so that its area is 16 pixels.
 fn card() -> Scene {
     let half = 0.5 * half_width();
     let (mesh, normals) = rectangle(Affine::scale(v(half, half, 1.0)));
@@ -54,7 +54,7 @@ fn relative_growth(
     relative_change(scene, "thing.scale", exact, Method::Was(was), spp)
 }
 
-/// The derivative of the picture, and that of the area divided by what it is, with
+/// The derivative of the image, and that of the area divided by what it is, with
 /// its standard error.
 fn relative_change(
     scene: &Scene,
@@ -194,12 +194,8 @@ fn shadows_and_lamps() {
         result.expect("covered").gradient
     };
     let weights = by(Method::Walk, 200, 3).mean.pixels;
-    let size = |picture: &Estimate| {
-        let pixels = picture
-            .mean
-            .pixels
-            .iter()
-            .zip(&picture.standard_error.pixels);
+    let size = |image: &Estimate| {
+        let pixels = image.mean.pixels.iter().zip(&image.standard_error.pixels);
         let terms = pixels
             .zip(&weights)
             .map(|((m, e), w)| (m.r * w.r, (e.r * w.r).powi(2)));
@@ -236,7 +232,7 @@ fn normals_are_for_smooth_surfaces() {
     assert!((growth - 1.0).abs() < Z * error + 0.02 && error < 0.03);
 }
 
-/// A black card before a white triangle that fills the picture: what is seen of the
+/// A black card before a white triangle that fills the image: what is seen of the
 /// triangle shrinks when the card grows.
 fn card_before_a_wall() -> Scene {
     let mut scene = card();
@@ -248,14 +244,14 @@ fn card_before_a_wall() -> Scene {
     let mut textures = scene.textures.iter_mut().map(std::sync::Arc::make_mut);
     let black = textures.find(|texture| texture.id == "thing.bsdf.reflectance");
     black.expect("a reflectance").data.fill(0.0);
-    scene.settings.integrator = Integrator::Aov(Layer::Albedo);
+    scene.settings.integrator = Integrator::Aov(Aov::Albedo);
     scene.check().expect("a valid scene");
     scene
 }
 
 /// In path space, too, the bias falls with the number of auxiliary rays, and roulette
 /// removes it. A thing's own border is at rest in its material: before nothing, there
-/// is no bias, and no noise but that of the picture.
+/// is no bias, and no noise but that of the image.
 #[test]
 fn more_rays_less_bias_in_path_space() {
     let scene = card_before_a_wall();

@@ -232,10 +232,10 @@ fn a_triangle_before_a_lamp() {
     meet_exact(&scene, &points, &motions, 40_000, 0.04);
 }
 
-/// The same in a picture, so narrow that its four pixels see one point of a floor,
+/// The same in an image, so narrow that its four pixels see one point of a floor,
 /// forward and reverse.
 #[test]
-fn a_point_in_a_picture() {
+fn a_point_in_an_image() {
     let point = v(0.35, -0.1, 0.0);
     let mut scene = empty(v(-3.0, -4.0, 1.0), point, 0.05, 2);
     add_lamp_behind_triangle(&mut scene);
@@ -257,7 +257,7 @@ fn a_point_in_a_picture() {
         &Unwatched,
     )
     .expect("covered");
-    // Where the ray of the picture meets the floor moves with the eye and the
+    // Where the ray of the image meets the floor moves with the eye and the
     // floor.
     let ray = point - scene.sensor.origin();
     for (name, slides) in [
@@ -284,7 +284,7 @@ fn a_point_in_a_picture() {
         )
         .expect("covered");
         let (mean, error) = means(&forward.value)[0];
-        meets("picture", mean, error, at(&scene, point), 0.01);
+        meets("image", mean, error, at(&scene, point), 0.01);
         let (mean, error) = means(&forward.gradient)[0];
         meets(&format!("forward, {name}"), mean, error, exact, 0.02);
         let (mean, error) = reverse.along(&tangent);

@@ -40,7 +40,7 @@ fn furnace(of_box: [f64; 2], of_block: [f64; 2]) -> Scene {
     scene
 }
 
-/// Demands a picture of 1 and a derivative of 0 along a motion of the block. `dark`
+/// Demands an image of 1 and a derivative of 0 along a motion of the block. `dark`
 /// is the same with a block that is no part of the furnace: it shows how large
 /// the parts are that must cancel.
 fn nothing_moves(name: &str, scene: &Scene, dark: &Scene, expression: &str, spp: u32) {

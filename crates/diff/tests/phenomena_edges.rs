@@ -181,7 +181,7 @@ fn outlines() {
     }
 }
 
-/// Every edge moves, and the picture between them.
+/// Every edge moves, and the image between them.
 #[test]
 fn camera() {
     let case = Case {

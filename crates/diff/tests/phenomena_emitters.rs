@@ -72,7 +72,7 @@ fn colours_of_a_black_sky() {
         &Unwatched,
     )
     .expect("covered");
-    // The picture is linear in the sky's colours.
+    // The image is linear in the sky's colours.
     let [before, after] = [scene.clone(), scene.moved(&change, 1.0)].map(|scene| {
         sum(&capwalk_diff::render(&PreparedScene::new(scene.clone()), &options, &Unwatched).value)
     });

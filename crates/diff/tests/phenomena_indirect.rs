@@ -42,7 +42,7 @@ fn bounced_light() -> Scene {
     deep(scene, Some(3))
 }
 
-/// PixelSilhouettes in the picture may only move by a small part of a pixel, or the
+/// Silhouettes in the image may only move by a small part of a pixel, or the
 /// differences smear them over pixel borders.
 fn visible_case(spp: u32) -> Case {
     Case {

@@ -23,7 +23,7 @@ fn paths(scene: &mut Scene, segments: u32) {
 }
 
 /// A block on a floor, seen from behind it; what it hides is seen in a leaning
-/// mirror. Nothing but the mirror and the block is inside the picture.
+/// mirror. Nothing but the mirror and the block is inside the image.
 fn block_before_a_mirror() -> Scene {
     let mut scene = empty(v(0.35, -2.2, 1.3), v(0.05, 1.5, 0.75), 32.0, 36);
     add_floor(&mut scene, 6.0);
@@ -58,7 +58,7 @@ fn case(spp: u32) -> Case {
         reference_spp: 2 * spp,
         size: 28,
         min_pixels: 300,
-        // PixelSilhouettes and their images cross.
+        // Silhouettes and their images cross.
         patience: 3.0,
         ..Case::default()
     }
@@ -163,7 +163,7 @@ fn shadow_by_way_of_a_mirror() {
 /// edge are one mirror: what lies far behind the camera is seen across both.
 #[test]
 fn halves_of_a_mirror_are_one() {
-    let picture = |bend: f64| {
+    let image = |bend: f64| {
         let mut scene = empty(v(0.05, 0.2, 0.3), v(0.05, 1.5, 0.3), 24.0, 12);
         let mesh = Mesh {
             positions: vec![
@@ -193,7 +193,7 @@ fn halves_of_a_mirror_are_one() {
         .expect("covered");
         result.gradient.mean.pixels
     };
-    let (flat, bent) = (picture(0.0), picture(1.5e-6));
+    let (flat, bent) = (image(0.0), image(1.5e-6));
     let size = |pixels: &[Rgb]| pixels.iter().map(|p| p.r.abs()).sum::<f64>();
     let differences: Vec<Rgb> = flat.iter().zip(&bent).map(|(&a, &b)| a - b).collect();
     let (off, all) = (size(&differences), size(&flat));

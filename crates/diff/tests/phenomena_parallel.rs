@@ -77,7 +77,7 @@ fn area(polygon: &[[f64; 2]]) -> f64 {
 }
 
 /// The outline of a triangle, without any light that it could reflect: what moves is
-/// its picture, and that is an affine map of it.
+/// its image, and that is an affine map of it.
 #[test]
 fn triangle_against_its_area() {
     const STEP: f64 = 1e-4;
@@ -117,7 +117,7 @@ fn agree_before(name: &str, scene: Scene, expression: &str, step: f64) {
     agree(name, with_parallel_rays(scene, 0.85), &tangent, case);
 }
 
-/// Every edge of the picture moves at a velocity of its own: black things under a sky,
+/// Every edge of the image moves at a velocity of its own: black things under a sky,
 /// so that nothing but outlines has a derivative.
 #[test]
 fn sensor_of_any_matrix() {

@@ -78,7 +78,7 @@ fn focusing_lens() {
     agree("focus", scene, &tangent, case);
 }
 
-/// The film moves under the picture: everywhere, so that the flux through the
+/// The film moves under the image: everywhere, so that the flux through the
 /// borders of pixels counts.
 #[test]
 fn zooming() {

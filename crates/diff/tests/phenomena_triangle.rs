@@ -89,9 +89,9 @@ fn outlines_cross_borders() {
     on_triangles("crossing", scene, "thing.translate.x", case);
 }
 
-/// PixelSilhouettes in the picture, and their interiors.
+/// Silhouettes in the image, and their interiors.
 #[test]
-fn picture_of_a_moving_thing() {
+fn image_of_a_moving_thing() {
     let case = Case {
         step: 2e-3,
         ..few_pixels()

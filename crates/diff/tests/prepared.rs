@@ -95,7 +95,7 @@ fn large_motions() {
     agree(ball, "ball.translate.x", &steps);
 }
 
-/// Where the edges have a second tree, in picture space.
+/// Where the edges have a second tree, in image space.
 #[test]
 fn before_an_orthographic_sensor() {
     let scene = with_parallel_rays(visible_cube(), 1.5);

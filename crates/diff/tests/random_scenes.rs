@@ -14,7 +14,9 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb};
-use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
+use capwalk_scene::bsdf::{
+    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures,
+};
 use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, disk, icosphere, rectangle};
@@ -81,8 +83,8 @@ impl Builder {
         }
     }
 
-    fn principled(&mut self) -> Principled {
-        Principled {
+    fn principled(&mut self) -> PrincipledTextures {
+        PrincipledTextures {
             base_color: self.colour(),
             roughness: self.number(0.1, 1.0),
             anisotropic: self.fraction(),
@@ -316,7 +318,7 @@ fn random_scene(seed: u64) -> Scene {
     };
     let hide_emitters = random.chance(0.2);
     scene.settings.integrator = match random.below(8) {
-        0 => Integrator::Aov(Layer::ALL[random.below(7)]),
+        0 => Integrator::Aov(Aov::ALL[random.below(7)]),
         1..=3 => Integrator::Direct {
             emitter_samples: random.below(3) as u32,
             bsdf_samples: 1 + random.below(2) as u32,
@@ -437,14 +439,14 @@ fn run(seed: u64, tally: &mut Tally) {
         return;
     }
     let options = RenderOptions::new(4, seed);
-    let picture = render(&PreparedScene::new(scene.clone()), &options, &Unwatched);
+    let image = render(&PreparedScene::new(scene.clone()), &options, &Unwatched);
     let is_finite = |image: &Image| image.pixels.iter().all(|p| p.is_finite());
     assert!(
-        is_finite(&picture.value.mean),
-        "{seed}: a picture that is not finite"
+        is_finite(&image.value.mean),
+        "{seed}: an image that is not finite"
     );
-    tally.samples += picture.statistics.samples;
-    tally.non_finite += picture.statistics.non_finite;
+    tally.samples += image.statistics.samples;
+    tally.non_finite += image.statistics.non_finite;
 
     let tangent = random_tangent(&scene, &mut Random(seed ^ 0xabcdef));
     let settings = GradientOptions::new(options);
@@ -464,8 +466,8 @@ fn run(seed: u64, tally: &mut Tally) {
         "{seed}: a gradient that is not finite"
     );
     let adjoint = Image {
-        pixels: vec![Rgb::new(1.0, -0.5, 0.25); picture.value.mean.pixels.len()],
-        ..picture.value.mean
+        pixels: vec![Rgb::new(1.0, -0.5, 0.25); image.value.mean.pixels.len()],
+        ..image.value.mean
     };
     let wanted = Wanted::by(&tangent);
     let Ok(reverse) = backward(

@@ -10,7 +10,7 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::bsdf::{Glass, Metal, Principled};
+use capwalk_scene::bsdf::{Glass, Metal, PrincipledTextures};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::texture::UvTransform;
@@ -150,7 +150,7 @@ fn a_blocker_that_moves_in_a_mirror() {
         id: "sky".into(),
         radiance: TextureId(radiance),
     }];
-    // Above the picture, seen in the mirror only.
+    // Above the image, seen in the mirror only.
     let mut ball = icosphere(4);
     ball.positions
         .iter_mut()
@@ -251,7 +251,7 @@ fn numbers_without_a_slope() {
         let mut scene = shadow_stage();
         (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
         make(&mut scene, "floor", |n| {
-            Bsdf::Principled(Principled {
+            Bsdf::Principled(PrincipledTextures {
                 base_color: n.colour("base_color", base),
                 ..n.principled(glass)
             })

@@ -23,7 +23,7 @@ impl Default for Adam {
 
 /// Running means of a group of unknowns.
 #[derive(Debug)]
-pub struct Moments<'a> {
+pub struct MomentEstimates<'a> {
     /// Of the gradient.
     pub first: &'a mut [f64],
     /// Of its square.
@@ -39,7 +39,7 @@ impl Adam {
         lr: f64,
         uniform: bool,
         gradient: &[f64],
-        moments: Moments,
+        moments: MomentEstimates,
         unknowns: &mut [f64],
     ) {
         let [beta1, beta2] = self.betas;
@@ -67,7 +67,7 @@ mod tests {
     fn run(uniform: bool, gradients: &[[f64; 2]]) -> Vec<[f64; 2]> {
         let (mut first, mut second, mut x) = ([0.0; 2], [0.0; 2], [1.0, -1.0]);
         let steps = gradients.iter().zip(1..).map(|(gradient, step)| {
-            let moments = Moments {
+            let moments = MomentEstimates {
                 first: &mut first,
                 second: &mut second,
             };
@@ -120,7 +120,7 @@ mod tests {
     fn no_gradient_no_step() {
         let adam = Adam::default();
         let (mut first, mut second, mut x) = ([0.0], [0.0], [3.0]);
-        let moments = Moments {
+        let moments = MomentEstimates {
             first: &mut first,
             second: &mut second,
         };

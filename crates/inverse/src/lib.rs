@@ -26,7 +26,7 @@ pub mod state;
 pub mod variable;
 pub mod views;
 
-pub use problem::{Limits, Problem, View};
+pub use problem::{Limits, Problem, TargetView};
 pub use run::{Iteration, Stop};
 pub use state::State;
 pub use views::PreparedViews;

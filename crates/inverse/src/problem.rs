@@ -17,7 +17,7 @@ pub struct Problem {
     /// Which of its numbers are looked for.
     pub variables: Variables,
     /// From where it is seen, and what should be seen; at least one.
-    pub views: Vec<View>,
+    pub views: Vec<TargetView>,
     /// How images are compared.
     pub loss: Loss,
     /// How steps are made of gradients.
@@ -44,7 +44,7 @@ pub struct Problem {
 
 /// An image that is compared with a target.
 #[derive(Clone, Debug)]
-pub struct View {
+pub struct TargetView {
     /// Another sensor than the scene's, with its film.
     pub sensor: Option<(Sensor, Film)>,
     /// What should be seen.
@@ -66,7 +66,7 @@ pub struct Limits {
     pub patience: Option<u32>,
 }
 
-impl View {
+impl TargetView {
     /// The scene, as it is seen from here.
     pub fn scene(&self, scene: &Scene) -> Scene {
         let mut seen = scene.clone();

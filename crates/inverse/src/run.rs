@@ -8,7 +8,7 @@ use capwalk_diff::{
 };
 use capwalk_scene::{Image, Scene};
 
-use crate::adam::Moments;
+use crate::adam::MomentEstimates;
 use crate::guard::Violation;
 use crate::loss::Measured;
 use crate::problem::{Limits, Problem};
@@ -274,7 +274,7 @@ impl Problem {
         // Each variable takes a step of its own rate, times the factor of the schedule.
         let factor = self.schedule.factor(row.iteration, self.limits.iterations);
         for (variable, range) in self.variables.iter() {
-            let moments = Moments {
+            let moments = MomentEstimates {
                 first: &mut next.first[range.clone()],
                 second: &mut next.second[range.clone()],
             };

@@ -21,7 +21,7 @@ pub struct State {
 }
 
 /// An array of a checkpoint: its name and its numbers.
-pub type Numbers = (&'static str, Vec<f64>);
+pub type NamedArray = (&'static str, Vec<f64>);
 
 impl State {
     /// Before the first step.
@@ -38,7 +38,7 @@ impl State {
     }
 
     /// The state as named arrays, to the bit.
-    pub fn to_numbers(&self) -> Vec<Numbers> {
+    pub fn to_numbers(&self) -> Vec<NamedArray> {
         let counts = [self.iteration, self.best_iteration].map(f64::from);
         vec![
             ("unknowns", self.unknowns.clone()),

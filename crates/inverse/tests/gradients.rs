@@ -9,7 +9,7 @@ use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Curve, VariableSpec};
 use capwalk_inverse::variable::{Variables, variable};
-use capwalk_inverse::{PreparedViews, Problem, State, View, adam::Adam};
+use capwalk_inverse::{PreparedViews, Problem, State, TargetView, adam::Adam};
 use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Film, Filter, Image, Scene, builtin};
@@ -53,7 +53,7 @@ fn problem() -> Problem {
         let options = RenderOptions::new(64, seed);
         let prepared = PreparedScene::new(scene.clone());
         let mut target = render(&prepared, &options, &Unwatched).value.mean;
-        // Another picture than the scene's own: the gradient is not zero.
+        // Another image than the scene's own: the gradient is not zero.
         for (i, pixel) in target.pixels.iter_mut().enumerate() {
             *pixel = *pixel * (0.7 + 0.5 * (i as f64).sin());
         }
@@ -66,13 +66,13 @@ fn problem() -> Problem {
         *pixel = Rgb::splat((i % 3) as f64);
     }
     let views = vec![
-        View {
+        TargetView {
             sensor: None,
             target: target(&scene, 1),
             mask: Some(mask),
             weight: 2.0,
         },
-        View {
+        TargetView {
             sensor: Some((second.sensor.clone(), second.film.clone())),
             target: target(&second, 2),
             mask: None,
@@ -115,12 +115,12 @@ fn at(problem: &Problem, unknowns: Vec<f64>) -> State {
 }
 
 /// The mean gradient over many seeds is the derivative of the mean loss, in which
-/// noise of the pictures does not count: along one direction in which all unknowns
+/// noise of the images does not count: along one direction in which all unknowns
 /// change, and along one for each variable, in which only its own do. z below 4 in
 /// five comparisons: by accident one run in 3000, with fixed seeds.
 ///
-/// The pictures of a seed and its differences share random numbers. A gradient that
-/// shared them with its picture would be off by far more.
+/// The images of a seed and its differences share random numbers. A gradient that
+/// shared them with its image would be off by far more.
 #[test]
 fn gradients_are_derivatives_of_the_loss() {
     let mut problem = problem();
@@ -150,7 +150,7 @@ fn gradients_are_derivatives_of_the_loss() {
                 let moved = initial.iter().zip(direction).map(|(u, d)| u + h * d);
                 let state = at(&problem, moved.collect());
                 let looked = looking.iterate(&state, &mut views, &Unwatched);
-                looked.expect("a picture").row.loss
+                looked.expect("an image").row.loss
             };
             let difference = (loss(step) - loss(-step)) / (2.0 * step);
             let along: f64 = gradient.iter().zip(direction).map(|(g, d)| g * d).sum();

@@ -83,7 +83,7 @@ impl Affine {
     }
 
     /// Mitsuba's camera-to-world: `+z` looks at `target`, `+x` is
-    /// `up × forward` (to the left of the picture), `+y` is up.
+    /// `up × forward` (to the left of the image), `+y` is up.
     /// `None` if `up` is parallel to the view or the two points coincide.
     pub fn look_at(origin: Vec3, target: Vec3, up: Vec3) -> Option<Self> {
         let forward = (target - origin).normalized();

@@ -71,7 +71,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// The integral at film points that stay, drawn as for the picture.
+    /// The integral at film points that stay, drawn as for the image.
     fn interior_at_rest<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -103,7 +103,7 @@ impl Tracer<'_> {
             return self.share(eval, support, &point, density, draw);
         }
         // The filter's slope points opposite ways on opposite sides of its
-        // centre: where the picture moves, averaging both removes most of its
+        // centre: where the image moves, averaging both removes most of its
         // noise.
         let other = self.film_point(eval, camera, support.mirror(s), 1, draw);
         if !point.moves() && !other.moves() {
@@ -130,7 +130,7 @@ impl Tracer<'_> {
 
     /// `-∮ W L ṡ·n dl` along the sides of the support where the filter jumps.
     /// Opposite sides are sampled at the same place with the same numbers, so
-    /// that a picture that moves as a whole costs little noise.
+    /// that an image that moves as a whole costs little noise.
     fn pixel_border_term<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,

@@ -80,7 +80,7 @@ impl Supports {
         }
     }
 
-    /// The support of the pixel in column `x` and row `y` of the picture.
+    /// The support of the pixel in column `x` and row `y` of the image.
     #[inline]
     pub fn pixel(&self, [x, y]: [u32; 2]) -> Support<'_> {
         Support {

@@ -1,7 +1,7 @@
 //! Which paths are sampled, and which random numbers they take.
 
 use capwalk_boundary::MAX_EVENTS;
-use capwalk_scene::{Integrator, Layer, Scene};
+use capwalk_scene::{Aov, Integrator, Scene};
 
 /// The first vertex's numbers start here, if the camera has no lens.
 pub const FIRST_VERTEX: u32 = 3;
@@ -47,7 +47,7 @@ pub struct Plan {
     /// Emitters are not seen by the camera.
     pub hide_emitters: bool,
     /// Instead of light: this.
-    pub layer: Option<Layer>,
+    pub aov: Option<Aov>,
 }
 
 impl Plan {
@@ -71,7 +71,7 @@ impl Plan {
                     bsdf_samples,
                 },
                 hide_emitters,
-                layer: None,
+                aov: None,
             },
             Integrator::Path {
                 max_depth,
@@ -86,9 +86,9 @@ impl Plan {
                     bsdf_samples: 1,
                 },
                 hide_emitters,
-                layer: None,
+                aov: None,
             },
-            Integrator::Aov(layer) => Self {
+            Integrator::Aov(aov) => Self {
                 first_vertex,
                 max_depth: Some(1),
                 rr_depth: u32::MAX,
@@ -97,7 +97,7 @@ impl Plan {
                     bsdf_samples: 0,
                 },
                 hide_emitters: false,
-                layer: Some(layer),
+                aov: Some(aov),
             },
         }
     }

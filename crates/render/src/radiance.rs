@@ -25,7 +25,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::ViewRay;
 
-use crate::aov::layer_at;
+use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
 use crate::gathered_term::{self, gathered_term};
 use crate::light::{Continuation, emitter_towards, sample_lights};
@@ -48,7 +48,7 @@ pub struct SpecularChain {
     count: Option<u32>,
     /// After which further ones at this place it has them, too.
     here: FlatEvents,
-    /// True for fields in picture space, which have no images in mirrors.
+    /// True for fields in image space, which have no images in mirrors.
     is_parallel: bool,
 }
 
@@ -94,10 +94,10 @@ impl Tracer<'_> {
             t_max,
         });
         // An image of something else than light ends there.
-        if let Some(layer) = plan.layer {
+        if let Some(aov) = plan.aov {
             return hit.map_or(Rgb::zero(), |hit| {
                 let surface = surface_at(eval, accel, &hit, origin, direction);
-                layer_at(eval, accel, layer, &surface, origin, direction)
+                aov_at(eval, accel, aov, &surface, origin, direction)
             });
         }
         // Radiance collected so far; paths of one segment end at what emits.

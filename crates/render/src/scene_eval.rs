@@ -29,7 +29,7 @@ pub trait SceneEval<R: Real> {
     fn boundary_point(&self, index: u32) -> Vec3<R>;
     /// True if no boundary moves against the eye.
     fn is_still(&self, eye: &Viewpoint<R>) -> bool;
-    /// True if curves in the picture can move against the rays.
+    /// True if curves in the image can move against the rays.
     fn moves(&self) -> bool;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.

@@ -70,8 +70,8 @@ pub(crate) fn read(bytes: &[u8], ending: &str, raw: bool) -> Result<BitmapFile, 
 }
 
 fn read_exr(bytes: &[u8]) -> Result<BitmapFile, String> {
-    let picture = decode_exr(bytes)?;
-    let image = picture
+    let layered = decode_exr(bytes)?;
+    let image = layered
         .layer(VALUE)
         .ok_or("it has no channels R, G, B or Y")?;
     let pixels = image.pixels.iter();

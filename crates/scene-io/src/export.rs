@@ -29,7 +29,7 @@ use beside::Files;
 pub use error::ExportError;
 
 use crate::atomic::write_atomically;
-use crate::image::{Picture, VALUE, encode_exr};
+use crate::image::{LayeredImage, VALUE, encode_exr};
 
 /// Writes the scene and returns the path of its XML file. A path that ends in
 /// `.xml` is that file; any other is a directory to put `scene.xml` into. The
@@ -110,8 +110,8 @@ fn at<T>(path: &Path, result: io::Result<T>) -> Result<T, ExportError> {
 fn exr_of(texture: &Texture, size: [u32; 2]) -> Result<Vec<u8>, String> {
     let [width, height] = size.map(|n| n as usize);
     let pixels = (0..texture.texels()).map(|i| texture.texel(i)).collect();
-    let mut picture = Picture::default();
-    picture.push(
+    let mut layered = LayeredImage::default();
+    layered.push(
         VALUE,
         Image {
             width,
@@ -119,7 +119,7 @@ fn exr_of(texture: &Texture, size: [u32; 2]) -> Result<Vec<u8>, String> {
             pixels,
         },
     );
-    encode_exr(&picture, [width, height])
+    encode_exr(&layered, [width, height])
 }
 
 /// A file name for each id: the id, with what file systems dislike replaced

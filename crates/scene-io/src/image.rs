@@ -15,17 +15,17 @@ mod error;
 mod exr;
 mod file;
 mod format;
+mod layered;
 mod npz_file;
 mod panel;
-mod picture;
 mod png;
 mod tone;
 
 pub use error::ImageError;
 pub(crate) use exr::{decode as decode_exr, encode as encode_exr};
 pub use file::{check_writable, read, write};
+pub use layered::{GRADIENT, Layer, LayeredImage, VALUE};
 pub use panel::{Panel, Preview, Style, Written, colour_bar_as_png, pixels_as_png, write_panels};
-pub use picture::{GRADIENT, Layer, Picture, VALUE};
 pub use tone::{photographic, robust_limit};
 
 #[cfg(test)]

@@ -36,7 +36,7 @@ pub use scene::Scene;
 pub use scene_error::SceneError;
 pub use scene_vector::{Gradient, SceneVector, SensorVectors, ShapeVectors, Tangent};
 pub use sensor::{Optic, Sensor, SensorModel};
-pub use settings::{Integrator, Layer, SamplerKind, Settings};
+pub use settings::{Aov, Integrator, SamplerKind, Settings};
 pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, normal_sums, vertex_normals};
 pub use slot::Slot;
 pub use surface_point::SurfacePoint;

@@ -36,13 +36,13 @@ pub enum Integrator {
         hide_emitters: bool,
     },
     /// What the camera sees first, without light.
-    Aov(Layer),
+    Aov(Aov),
 }
 
 /// What can be said of the surface that the camera sees; zero where it sees
 /// none. Names as in Mitsuba's `aov` integrator, and `mask`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Layer {
+pub enum Aov {
     /// Distance from the camera along the ray, world units.
     Depth,
     /// World position.
@@ -59,8 +59,8 @@ pub enum Layer {
     Mask,
 }
 
-impl Layer {
-    /// All layers.
+impl Aov {
+    /// All of them.
     pub const ALL: [Self; 7] = [
         Self::Depth,
         Self::Position,

@@ -128,7 +128,7 @@ impl Texture {
 
     /// Its value at texture coordinates `uv`. `texel` gives its texels, with
     /// or without derivatives. Rows of bitmaps begin at `v = 0`, the top of the
-    /// picture, as in Mitsuba.
+    /// image, as in Mitsuba.
     ///
     /// # Panics
     /// If it depends on more than texture coordinates ([`Scene::lookup`](crate::Scene::lookup)).

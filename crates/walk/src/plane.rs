@@ -6,7 +6,7 @@ use crate::domain::{Domain, Nearest};
 
 /// A curve with boundary values on it.
 #[derive(Clone, Copy, Debug)]
-pub enum Curve {
+pub enum BoundaryCurve {
     /// The straight line between two points.
     Segment([Vec2; 2]),
     /// A circle.
@@ -34,15 +34,15 @@ pub struct CurvePoint {
 #[derive(Clone, Debug)]
 pub struct Plane {
     /// The boundary.
-    pub curves: Vec<Curve>,
+    pub curves: Vec<BoundaryCurve>,
 }
 
-impl Curve {
+impl BoundaryCurve {
     /// The curve's point at `t` from 0 to 1, see [`CurvePoint::t`].
     pub fn at(&self, t: f64) -> Vec2 {
         match *self {
-            Curve::Segment([a, b]) => a + (b - a) * t,
-            Curve::Circle { centre, radius } => centre + Vec2::unit(t) * radius,
+            BoundaryCurve::Segment([a, b]) => a + (b - a) * t,
+            BoundaryCurve::Circle { centre, radius } => centre + Vec2::unit(t) * radius,
         }
     }
 
@@ -50,7 +50,7 @@ impl Curve {
     /// circle all its points are equally close; the rightmost is returned.
     pub fn closest(&self, x: Vec2) -> f64 {
         match *self {
-            Curve::Segment([a, b]) => {
+            BoundaryCurve::Segment([a, b]) => {
                 let along = b - a;
                 let t = (x - a).dot(along) / along.dot(along);
                 // A segment of no length has one point.
@@ -60,7 +60,7 @@ impl Curve {
                     0.0
                 }
             }
-            Curve::Circle { centre, .. } => {
+            BoundaryCurve::Circle { centre, .. } => {
                 let from_centre = x - centre;
                 let turn = from_centre.y.atan2(from_centre.x) / std::f64::consts::TAU;
                 if turn < 0.0 { turn + 1.0 } else { turn }
@@ -75,14 +75,16 @@ impl Plane {
         let following = corners.iter().cycle().skip(1);
         let sides = corners.iter().zip(following);
         Self {
-            curves: sides.map(|(&a, &b)| Curve::Segment([a, b])).collect(),
+            curves: sides
+                .map(|(&a, &b)| BoundaryCurve::Segment([a, b]))
+                .collect(),
         }
     }
 
     /// The plane around a circle.
     pub fn circle(centre: Vec2, radius: f64) -> Self {
         Self {
-            curves: vec![Curve::Circle { centre, radius }],
+            curves: vec![BoundaryCurve::Circle { centre, radius }],
         }
     }
 }
@@ -151,9 +153,9 @@ mod tests {
     #[test]
     fn closest_is_closest_of_many() {
         let curves = [
-            Curve::Segment([Vec2::new(-1.0, 0.5), Vec2::new(2.0, -0.3)]),
-            Curve::Segment([Vec2::new(0.3, 0.3), Vec2::new(0.3, 0.3)]),
-            Curve::Circle {
+            BoundaryCurve::Segment([Vec2::new(-1.0, 0.5), Vec2::new(2.0, -0.3)]),
+            BoundaryCurve::Segment([Vec2::new(0.3, 0.3), Vec2::new(0.3, 0.3)]),
+            BoundaryCurve::Circle {
                 centre: Vec2::new(0.4, -0.2),
                 radius: 0.7,
             },

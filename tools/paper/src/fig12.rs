@@ -10,7 +10,7 @@ use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_inverse::variable::VariableSpec;
 use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Variables, variable};
-use capwalk_inverse::{Limits, PreparedViews, Problem, State, Stop, View};
+use capwalk_inverse::{Limits, PreparedViews, Problem, State, Stop, TargetView};
 use capwalk_math::{Moments, Vec3};
 use capwalk_scene::Image;
 use capwalk_scene::params::Registry;
@@ -331,7 +331,7 @@ fn find(
     let problem = Problem {
         scene: start,
         variables,
-        views: vec![View {
+        views: vec![TargetView {
             sensor: None,
             target: target.clone(),
             mask: None,

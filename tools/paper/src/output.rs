@@ -5,7 +5,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use capwalk_scene_io::image::{self, ImageError, Panel, Picture, Preview};
+use capwalk_scene_io::image::{self, ImageError, LayeredImage, Panel, Preview};
 
 use crate::curves;
 use crate::figure::{Figure, Plot, Row, Shown, Table};
@@ -117,9 +117,9 @@ impl Writer<'_> {
         image::write_panels(&path, &panels, &metadata)?;
         self.written.push(path);
 
-        let mut picture = Picture {
+        let mut picture = LayeredImage {
             metadata: metadata.into(),
-            ..Picture::default()
+            ..LayeredImage::default()
         };
         let size = |shown: &Shown| (shown.image.width, shown.image.height);
         for other in shown.iter().filter(|other| size(other) == size(&shown[0])) {

@@ -8,7 +8,7 @@
 
 use capwalk_geometry::{Edge, SilhouettePoint};
 use capwalk_math::{Frame, Real, Vec2, Vec3};
-use capwalk_walk::plane::Curve;
+use capwalk_walk::plane::BoundaryCurve;
 use capwalk_walk::{Plane, WalkSettings, sample_field};
 
 use super::flow::Flow;
@@ -146,7 +146,9 @@ impl Field<'_> {
         let border = [[a, b], [b, c], [c, a]];
         let segments = border.into_iter().chain(shadows.iter().map(|it| it.ends));
         let plane = Plane {
-            curves: segments.map(|it| Curve::Segment(it.map(flat))).collect(),
+            curves: segments
+                .map(|it| BoundaryCurve::Segment(it.map(flat)))
+                .collect(),
         };
         let unlimited = WalkSettings {
             max_radius: f64::INFINITY,

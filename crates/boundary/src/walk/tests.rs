@@ -101,7 +101,7 @@ fn lattice(film: &Film, part: f64) -> impl Iterator<Item = [f64; 2]> {
 /// All edges, one after the other: those whose closest point is the first that its
 /// ray meets between the clip planes.
 #[test]
-fn the_closest_edge_in_the_picture() {
+fn the_closest_edge_in_the_image() {
     let mut scene = flattened(1.0);
     scene.sensor.near_clip = 2.5;
     let accel = Accel::new(scene.clone());
@@ -114,7 +114,7 @@ fn the_closest_edge_in_the_picture() {
     let mut found = 0;
     for at in lattice(&scene.film, 1.0).take(300) {
         let q = view.direction(at);
-        let in_picture = |edge: &Edge| {
+        let in_image = |edge: &Edge| {
             let ends = edge.vertices.map(|i| field.boundaries.point([i; 2], 0.0));
             let [a, b] = ends.map(|p| view.towards(p));
             let closest = closest_direction(a, b, q).filter(|it| it.angle < limit)?;
@@ -124,7 +124,7 @@ fn the_closest_edge_in_the_picture() {
             let is_seen = place.z > ray.t_min && place.z < first + 1e-7;
             is_seen.then_some(closest.angle)
         };
-        let expected = edges.iter().filter_map(in_picture).reduce(f64::min);
+        let expected = edges.iter().filter_map(in_image).reduce(f64::min);
         let nearest = sphere.closest(q, limit);
         let angle = nearest.as_ref().map(|nearest| nearest.distance);
         assert_eq!(angle.is_some(), expected.is_some(), "{at:?}");

@@ -124,7 +124,7 @@ impl Job {
         for view in &self.keys.views {
             named.extend([&view.scene, &view.mask].into_iter().flatten());
             match &view.target {
-                TargetKeys::Picture { file, .. } => named.push(file),
+                TargetKeys::Image { file, .. } => named.push(file),
                 TargetKeys::Rendered { scene, .. } => named.extend(scene),
             }
         }

@@ -3,7 +3,7 @@
 use capwalk_diff::Watch;
 use capwalk_inverse::seed::{Purpose, seed};
 use capwalk_inverse::variable::{VariableSpec, Variables, variable};
-use capwalk_inverse::{Problem, Stop, View};
+use capwalk_inverse::{Problem, Stop, TargetView};
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Film, Image, Scene, Sensor, builtin};
 use capwalk_scene_io::LoadError;
@@ -148,7 +148,7 @@ impl Job {
     fn refuse_unused_defines(&self) -> Result<(), LoadError> {
         let keys = &self.keys;
         let of_views = keys.views.iter().flat_map(|view| match &view.target {
-            TargetKeys::Picture { .. } => [view.scene.as_ref(), None],
+            TargetKeys::Image { .. } => [view.scene.as_ref(), None],
             TargetKeys::Rendered { scene, .. } => [view.scene.as_ref(), scene.as_ref()],
         });
         let mut scenes = std::iter::once(&keys.scene).chain(of_views.flatten());
@@ -185,7 +185,7 @@ impl Job {
         variables: &Variables,
         keys: &ViewKeys,
         number: usize,
-    ) -> Result<(View, Option<Pending>), Error> {
+    ) -> Result<(TargetView, Option<Pending>), Error> {
         let sensor = self.sensor(scene, keys)?;
         if sensor.is_some()
             && let Some(place) = self.moved_sensor(scene, variables)
@@ -194,7 +194,7 @@ impl Job {
             let help = "leave out the views, or what moves the sensor";
             return Err(self.document.error_with_help(place, message, help).into());
         }
-        let mut view = View {
+        let mut view = TargetView {
             sensor,
             target: Image::new(0, 0),
             mask: None,
@@ -206,7 +206,7 @@ impl Job {
             view.mask = Some(read.map_err(|error| self.at(mask.place, &error))?);
         }
         let pending = match &keys.target {
-            TargetKeys::Picture { file, layer } => {
+            TargetKeys::Image { file, layer } => {
                 let path = self.document.path(&file.text);
                 let layer = layer.as_deref().unwrap_or("value");
                 let read = read_layer(&path, &[layer], size);
@@ -243,7 +243,7 @@ impl Job {
     fn target_scene(
         &self,
         scene: &Scene,
-        view: &View,
+        view: &TargetView,
         keys: &ViewKeys,
     ) -> Result<Scene, LoadError> {
         let TargetKeys::Rendered {

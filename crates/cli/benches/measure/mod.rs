@@ -1,16 +1,16 @@
-//! What benches of derivative pictures measure.
+//! What benches of derivative images measure.
 
 use std::time::Instant;
 
 use capwalk_diff::GradientImage;
 
 /// Variance of a sample, averaged over pixels and channels.
-pub fn variance(picture: &GradientImage) -> f64 {
-    let errors = picture.gradient.standard_error.pixels.iter();
-    let samples = picture.statistics.samples_per_pixel.iter();
+pub fn variance(image: &GradientImage) -> f64 {
+    let errors = image.gradient.standard_error.pixels.iter();
+    let samples = image.statistics.samples_per_pixel.iter();
     let pixels = errors.zip(samples);
     let sum: f64 = pixels.map(|(&e, &n)| e.dot(e) / 3.0 * f64::from(n)).sum();
-    sum / picture.gradient.mean.pixels.len() as f64
+    sum / image.gradient.mean.pixels.len() as f64
 }
 
 /// Time of the processor where the system says it, which other programs disturb

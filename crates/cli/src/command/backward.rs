@@ -61,7 +61,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     let written = vec![file.display().to_string()];
     let mut pieces = vec![statistics];
     if let Some(loss) = &loss {
-        console::remark(&report::warnings("picture", &loss.image.statistics));
+        console::remark(&report::warnings("image", &loss.image.statistics));
         pieces.push(&loss.image.statistics);
     }
     console::remark(&method::remark(&options));
@@ -190,7 +190,7 @@ fn measured(
         levels: 1,
     };
     let limit = args.sampling.time_limit.map(|limit| limit / IMAGE_SHARE);
-    let progress = Progress::new("picture", limit);
+    let progress = Progress::new("image", limit);
     let image = prepared.loss(&loss, target, None, sampling, &progress);
     let elapsed = progress.finish();
     match image {
@@ -216,11 +216,11 @@ impl MeasuredLoss {
         let mut text = format!("loss ({}): {:.6e}", self.name(), self.value());
         if let Some(noise) = self.image.measured.noise {
             let noise = report::significant(noise, 2);
-            text += &format!(", of which about {noise} is noise of the picture");
+            text += &format!(", of which about {noise} is noise of the image");
         }
-        text += &format!("\nthe picture has the seed {}\n", self.image.seed);
+        text += &format!("\nthe image has the seed {}\n", self.image.seed);
         let seconds = self.elapsed.as_secs_f64();
-        report::work("picture", &self.image.statistics, seconds) + &text
+        report::work("image", &self.image.statistics, seconds) + &text
     }
 
     /// The same as JSON.

@@ -1,32 +1,19 @@
 //! `capwalk check`: a gradient against finite differences, with a verdict.
 
-pub mod picture;
-
-use std::time::{Duration, Instant};
+pub mod layers;
+pub mod timed;
 
 use anyhow::{Result, ensure};
-use capwalk::{
-    Check, CheckOptions, Comparison, GradientImage, GradientOptions, Prepared, Tangent, Verdict,
-};
+use capwalk::{Check, CheckOptions, Comparison, GradientImage, Verdict};
 use serde_json::{Value, json};
 
 use crate::args::{self, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::Files;
-use crate::progress::Progress;
 use crate::{console, method, moving, report, source};
 
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
-
-/// A check, and how long it took.
-pub struct Checked {
-    pub check: Check,
-    /// How the gradient was estimated.
-    pub options: GradientOptions,
-    /// Seconds for the gradient and for the reference.
-    pub seconds: [f64; 2],
-}
 
 pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
@@ -46,7 +33,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         reference_spp: args.reference_spp,
         step: typed.step,
     };
-    let checked = check(&prepared, &tangent, &options, typed.sampling.time_limit)?;
+    let checked = timed::check(&prepared, &tangent, &options, typed.sampling.time_limit)?;
     let Check {
         gradient,
         reference,
@@ -56,7 +43,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
     let parameter = moving::describe(&typed.tangent);
-    let written = picture::write(&files, &typed.scene.scene, &parameter, &checked)?;
+    let written = layers::write(&files, &typed.scene.scene, &parameter, &checked)?;
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
     console::remark(&report::warnings("reference", of_reference));
@@ -90,31 +77,6 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     Ok(match report::outcome(&[of_gradient, of_reference]) {
         Outcome::Done => outcome(comparison),
         trouble => trouble,
-    })
-}
-
-/// Checks a gradient, one bar after the other. Half of a time limit is for the gradient.
-pub fn check(
-    prepared: &Prepared,
-    tangent: &Tangent,
-    options: &CheckOptions,
-    limit: Option<Duration>,
-) -> Result<Checked> {
-    let reference = options.reference(|| prepared.difference_step(tangent));
-    let started = Instant::now();
-    let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
-    let gradient = prepared.gradient(tangent, &options.gradient, &progress);
-    let gradient_seconds = progress.finish().as_secs_f64();
-    let gradient = gradient?;
-
-    let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
-    let progress = Progress::new("reference", rest);
-    let differences = prepared.finite_difference(tangent, &reference.options(), &progress);
-    let reference_seconds = progress.finish().as_secs_f64();
-    Ok(Checked {
-        check: Check::new(gradient, differences?, reference),
-        options: options.gradient,
-        seconds: [gradient_seconds, reference_seconds],
     })
 }
 

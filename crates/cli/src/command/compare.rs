@@ -2,7 +2,7 @@
 
 use anyhow::{Context, Result, ensure};
 use capwalk::{Comparison, Image, Rgb, Verdict};
-use capwalk_scene_io::image::{self, GRADIENT, Panel, Picture, Style, VALUE};
+use capwalk_scene_io::image::{self, GRADIENT, LayeredImage, Panel, Style, VALUE};
 use serde_json::json;
 
 use super::check as verdicts;
@@ -12,17 +12,15 @@ use crate::output::{self, Files};
 use crate::{console, report};
 
 pub fn run(args: &Compare) -> Result<Outcome> {
-    let pictures = [&args.picture, &args.reference].map(|path| image::read(path));
-    let [picture, reference] = pictures;
-    let (picture, reference) = (picture?, reference?);
+    let images = [&args.image, &args.reference].map(|path| image::read(path));
+    let [tested, reference] = images;
+    let (tested, reference) = (tested?, reference?);
     let layer = match &args.layer {
         Some(layer) => layer.as_str(),
-        None if picture.layer(GRADIENT).is_some() && reference.layer(GRADIENT).is_some() => {
-            GRADIENT
-        }
+        None if tested.layer(GRADIENT).is_some() && reference.layer(GRADIENT).is_some() => GRADIENT,
         None => VALUE,
     };
-    let a = output::layer(&picture, layer).with_context(|| args.picture.display().to_string())?;
+    let a = output::layer(&tested, layer).with_context(|| args.image.display().to_string())?;
     let b =
         output::layer(&reference, layer).with_context(|| args.reference.display().to_string())?;
     ensure!(
@@ -43,9 +41,9 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         ..*a
     };
     let errors = Errors::new(&difference, b);
-    let estimates = [&picture, &reference].map(|p| output::read_estimate(p, layer));
+    let estimates = [&tested, &reference].map(|p| output::read_estimate(p, layer));
     let comparison = match &estimates {
-        // Equal pictures need no statistics, which would find the errors of
+        // Equal images need no statistics, which would find the errors of
         // two runs with the same random numbers too large.
         [Some(a), Some(b)] if errors.largest > 0.0 => Some(capwalk::compare(a, b)),
         _ => None,
@@ -54,7 +52,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
     let mut written = Vec::new();
     if !args.output.output.is_empty() {
         let files = Files::new(&args.output.output, "", &[])?;
-        let mut result = Picture::default();
+        let mut result = LayeredImage::default();
         result.push("difference", difference.clone());
         let limit = image::robust_limit([&difference]);
         let panel = Panel {

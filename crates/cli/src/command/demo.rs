@@ -10,7 +10,7 @@ use capwalk::{
 use capwalk_scene::builtin;
 use serde_json::json;
 
-use super::check::{self, Checked};
+use super::check::{self, layers, timed};
 use super::gradient;
 use crate::args::{Demo, SceneArgs};
 use crate::diagnostics::Outcome;
@@ -34,7 +34,7 @@ const LEAST_FOR_VARIANCE: u32 = 2;
 const REFERENCE_FACTOR: u32 = 8;
 const SEED: u64 = 1;
 
-/// When the picture and the literal gradient must be done, as shares of a time
+/// When the image and the literal gradient must be done, as shares of a time
 /// limit; the check has the rest. Without a limit each takes less than a tenth
 /// of the time.
 const PICTURE_UNTIL: f64 = 0.1;
@@ -44,8 +44,8 @@ const LITERAL_UNTIL: f64 = 0.2;
 struct Results {
     rendering: Rendering,
     literal: GradientImage,
-    checked: Checked,
-    /// Seconds for the picture, the literal gradient, and everything.
+    checked: timed::Checked,
+    /// Seconds for the image, the literal gradient, and everything.
     seconds: [f64; 3],
 }
 
@@ -63,7 +63,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         let stem = args.output.join(format!("{SCENE}{what}"));
         Files::new(&[], &stem.display().to_string(), &["exr", "png"])
     };
-    let [picture_files, gradient_files, check_files] =
+    let [image_files, gradient_files, check_files] =
         [file("")?, file("-gradient")?, file("-check")?];
 
     let results = work(args, &prepared, &tangent)?;
@@ -76,19 +76,19 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     let (check, options) = (&checked.check, checked.options.sampling());
     let gradient = &check.gradient;
 
-    let mut picture = output::picture("render", SCENE, None, &options);
-    output::push_statistics(&mut picture, &[&rendering.statistics]);
-    output::push_estimate(&mut picture, "value", "stderr", &rendering.value);
-    let mut written = picture_files.write(&picture, &[])?;
-    let picture = gradient::picture(
+    let mut layered = output::layered("render", SCENE, None, &options);
+    output::push_statistics(&mut layered, &[&rendering.statistics]);
+    output::push_estimate(&mut layered, "value", "stderr", &rendering.value);
+    let mut written = image_files.write(&layered, &[])?;
+    let layered = gradient::layered(
         SCENE,
         parameter,
         checked.options.method.name(),
         &options,
         gradient,
     );
-    written.extend(gradient_files.write(&picture, &[])?);
-    let of_check = check::picture::write(&check_files, SCENE, parameter, checked)?;
+    written.extend(gradient_files.write(&layered, &[])?);
+    let of_check = layers::write(&check_files, SCENE, parameter, checked)?;
     written.extend(of_check);
 
     let all = [
@@ -97,7 +97,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         &gradient.statistics,
         &check.reference.statistics,
     ];
-    for (what, statistics) in ["picture", "literal gradient", "gradient", "reference"]
+    for (what, statistics) in ["image", "literal gradient", "gradient", "reference"]
         .iter()
         .zip(all)
     {
@@ -154,7 +154,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     })
 }
 
-/// The picture, the literal gradient, and the check, one after the other. Each
+/// The image, the literal gradient, and the check, one after the other. Each
 /// has what the earlier ones left of its share of a time limit.
 fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> {
     let started = Instant::now();
@@ -185,7 +185,7 @@ fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> 
         reference_spp: Some(spp.saturating_mul(REFERENCE_FACTOR)),
         step: None,
     };
-    let checked = check::check(prepared, tangent, &options, left_until(1.0))?;
+    let checked = timed::check(prepared, tangent, &options, left_until(1.0))?;
     Ok(Results {
         rendering,
         literal,

@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 use capwalk::{DifferenceOptions, GradientImage, GradientOptions, RenderOptions};
-use capwalk_scene_io::image::Picture;
+use capwalk_scene_io::image::LayeredImage;
 use serde_json::json;
 
 use crate::args::{Gradient, MethodName};
@@ -38,11 +38,11 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
     let parameter = moving::describe(&args.tangent);
     let name = &args.scene.scene;
-    let mut picture = picture(name, &parameter, way.name(), &options, &result);
+    let mut layered = layered(name, &parameter, way.name(), &options, &result);
     if let Some(step) = way.step() {
-        output::note(&mut picture, "step", step);
+        output::note(&mut layered, "step", step);
     }
-    let written = files.write(&picture, &[])?;
+    let written = files.write(&layered, &[])?;
     console::remark(&way.remark());
     console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
@@ -80,7 +80,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
 enum Way {
     /// Samples are differentiated.
     Samples(GradientOptions),
-    /// Pictures on both sides are subtracted.
+    /// Images on both sides are subtracted.
     Differences {
         /// In units of the parameter.
         step: f64,
@@ -131,17 +131,17 @@ impl Way {
 }
 
 /// What the files of a gradient hold that was made by the method of this name.
-pub fn picture(
+pub fn layered(
     scene: &str,
     parameter: &str,
     method: &str,
     options: &RenderOptions,
     result: &GradientImage,
-) -> Picture {
-    let mut picture = output::picture("gradient", scene, Some(parameter), options);
-    output::note(&mut picture, "method", method);
-    output::push_statistics(&mut picture, &[&result.statistics]);
-    output::push_estimate(&mut picture, "value", "value_stderr", &result.value);
-    output::push_estimate(&mut picture, "gradient", "stderr", &result.gradient);
-    picture
+) -> LayeredImage {
+    let mut layered = output::layered("gradient", scene, Some(parameter), options);
+    output::note(&mut layered, "method", method);
+    output::push_statistics(&mut layered, &[&result.statistics]);
+    output::push_estimate(&mut layered, "value", "value_stderr", &result.value);
+    output::push_estimate(&mut layered, "gradient", "stderr", &result.gradient);
+    layered
 }

@@ -63,7 +63,7 @@ fn summary(name: &str, scene: &Scene) -> String {
     report::list(&[
         ("scene", name.into()),
         (
-            "picture",
+            "image",
             format!("{w} x {h} pixels{crop}, {} filter", filter(&film.filter)),
         ),
         ("integrator", integrator(&settings.integrator)),
@@ -136,7 +136,7 @@ fn integrator(integrator: &Integrator) -> String {
             Some(depth) => format!("paths of up to {depth} segments"),
             None => "paths of any length".into(),
         },
-        Integrator::Aov(layer) => format!("no light: {}", layer.name()),
+        Integrator::Aov(aov) => format!("no light: {}", aov.name()),
     }
 }
 

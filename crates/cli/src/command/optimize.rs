@@ -111,9 +111,9 @@ fn report(args: &Optimize, run: &Run, stop: &Stop, is_late: bool, files: &[Strin
         match row.loss_noise {
             Some(noise) => {
                 let noise = report::significant(noise, 2);
-                text += &format!(", without the {noise} that noise of the picture adds\n");
+                text += &format!(", without the {noise} that noise of the image adds\n");
             }
-            None => text += ", with what noise of the picture adds\n",
+            None => text += ", with what noise of the image adds\n",
         }
     }
     console::print(&(text + &report::written(files)))

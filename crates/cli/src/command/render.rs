@@ -22,11 +22,11 @@ pub fn run(args: &Render) -> Result<Outcome> {
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
     let name = &args.scene.scene;
-    let mut picture = output::picture("render", name, None, &options);
-    output::push_statistics(&mut picture, &[statistics]);
-    output::push_estimate(&mut picture, "value", "stderr", value);
-    let written = files.write(&picture, &[])?;
-    console::remark(&report::warnings("picture", statistics));
+    let mut layered = output::layered("render", name, None, &options);
+    output::push_statistics(&mut layered, &[statistics]);
+    output::push_estimate(&mut layered, "value", "stderr", value);
+    let written = files.write(&layered, &[])?;
+    console::remark(&report::warnings("image", statistics));
     if args.output.json {
         let document = json!({
             "scene": args.scene.scene,

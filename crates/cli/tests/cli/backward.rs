@@ -3,22 +3,22 @@
 use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_scene::{Image, Tangent, builtin, params};
 use capwalk_scene_io::arrays::{self, Array, Arrays};
-use capwalk_scene_io::image::{self, Picture, Preview};
+use capwalk_scene_io::image::{self, LayeredImage, Preview};
 
 use crate::{Capwalk, assert_has};
 
 const SIZE: &str = "--size 16x12";
 
-/// Writes a picture of numbers that look random, as `name` and as a layer.
+/// Writes an image of numbers that look random, as `name` and as a layer.
 fn write_adjoint(capwalk: &Capwalk, name: &str, layer: &str, change: impl Fn(&mut Image)) {
     let mut image = Image::new(16, 12);
     for (i, pixel) in image.pixels.iter_mut().enumerate() {
         *pixel = [0, 1, 2].map(|c| ((7 * i + 3 * c) as f64).sin()).into();
     }
     change(&mut image);
-    let mut picture = Picture::default();
-    picture.push(layer, image);
-    image::write(&capwalk.path(name), &picture, &Preview::default()).expect("writable");
+    let mut layered = LayeredImage::default();
+    layered.push(layer, image);
+    image::write(&capwalk.path(name), &layered, &Preview::default()).expect("writable");
 }
 
 fn read(capwalk: &Capwalk, name: &str) -> Arrays {
@@ -139,7 +139,7 @@ fn arrays_and_scalars_belong_together() {
     assert!(file.metadata.contains(&("adjoint".into(), "a.npz".into())));
 }
 
-/// The same number from the picture of derivatives, with other random numbers:
+/// The same number from the image of derivatives, with other random numbers:
 /// apart by five standard errors of the difference once in 10^6 runs.
 #[test]
 fn forward_and_reverse_agree_within_their_errors() {
@@ -161,8 +161,8 @@ fn forward_and_reverse_agree_within_their_errors() {
         "gradient leaf {SIZE} --spp 2048 --seed 9 --json -o f.npz -p {name}"
     ));
     let layer = |file: &str, layer: &str| {
-        let picture = image::read(&capwalk.path(file)).expect("readable");
-        let image = picture.layer(layer).expect("a layer");
+        let layered = image::read(&capwalk.path(file)).expect("readable");
+        let image = layered.layer(layer).expect("a layer");
         let channels = image.pixels.iter().flat_map(|p| p.to_array());
         channels.collect::<Vec<f64>>()
     };
@@ -188,11 +188,11 @@ fn forward_and_reverse_agree_within_their_errors() {
     );
 }
 
-/// A picture is the best one for itself: the derivative of the square is zero
-/// on average over seeds. It would not be if picture and gradient shared their
+/// An image is the best one for itself: the derivative of the square is zero
+/// on average over seeds. It would not be if image and gradient shared their
 /// random numbers: by 12 of its standard errors, for the lamp.
 #[test]
-fn a_picture_is_the_best_one_for_itself() {
+fn an_image_is_the_best_one_for_itself() {
     let capwalk = Capwalk::new("backward_minimum");
     capwalk.json(&format!(
         "render leaf {SIZE} --spp 4096 --seed 77 --json -o target.npz"
@@ -226,7 +226,7 @@ fn a_picture_is_the_best_one_for_itself() {
     }
 }
 
-/// Against a brighter lamp the loss and its gradient are known: pictures are
+/// Against a brighter lamp the loss and its gradient are known: images are
 /// linear in radiance.
 #[test]
 fn losses_and_their_gradients() {
@@ -245,12 +245,12 @@ fn losses_and_their_gradients() {
     capwalk.json("scenes --export . --json leaf");
     let xml = String::from_utf8(capwalk.bytes("leaf.xml")).expect("text");
     capwalk.write("bright.xml", &xml.replace("70", "105"));
-    let picture = image::read(&capwalk.path("target.npz")).expect("readable");
-    let target = picture.layer("value").expect("a layer");
+    let layered = image::read(&capwalk.path("target.npz")).expect("readable");
+    let target = layered.layer("value").expect("a layer");
     let channels = target.pixels.iter().flat_map(|p| p.to_array());
     let values: Vec<f64> = channels.collect();
     let mean = |f: fn(f64) -> f64| values.iter().map(|&x| f(x)).sum::<f64>() / values.len() as f64;
-    // With the picture I = 1.5 T and dI/dradiance = T / 70:
+    // With the image I = 1.5 T and dI/dradiance = T / 70:
     // l1: |I - T| = T / 2, and T / 70; l2: (I - T)² = T² / 4, and T² / 70.
     for (loss, value, slope) in [
         ("l1", mean(|t| t / 2.0), mean(|t| t / 70.0)),
@@ -276,7 +276,7 @@ fn texels_of_a_bitmap() {
     write_adjoint(&capwalk, "a.npz", "adjoint", |image| {
         image.pixels.fill(Rgb::new(1.0, 2.0, 3.0));
     });
-    let mut bitmap = Picture::default();
+    let mut bitmap = LayeredImage::default();
     let pixels = (1..=6).map(|i| Rgb::splat(0.1 * f64::from(i)));
     let image = Image {
         width: 3,

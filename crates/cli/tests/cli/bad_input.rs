@@ -27,8 +27,8 @@ fn names_of_other_renderers_are_explained() {
 }
 
 #[test]
-fn picture_sizes() {
-    let capwalk = Capwalk::new("picture_size");
+fn image_size() {
+    let capwalk = Capwalk::new("image_size");
     let none = capwalk.error("render leaf --size 0x4");
     assert_has(&none, &["0 x 4 pixels", "at least 1 x 1"]);
     let billion = capwalk.error("render leaf --size 100000x10000");
@@ -52,7 +52,7 @@ fn unwritable_outputs() {
 }
 
 #[test]
-fn unknown_picture_format() {
+fn unknown_image_format() {
     let message = Capwalk::new("format").error("render leaf -o picture.bmp");
     assert_has(&message, &["picture.bmp", ".exr, .png, .npz"]);
 }

@@ -1,7 +1,7 @@
 use crate::{Capwalk, assert_has};
 
 #[test]
-fn pictures_of_two_seeds_agree_within_their_errors() {
+fn images_of_two_seeds_agree_within_their_errors() {
     let capwalk = Capwalk::new("compare");
     for seed in [1, 2] {
         capwalk.run(&format!(
@@ -22,7 +22,7 @@ fn pictures_of_two_seeds_agree_within_their_errors() {
 }
 
 #[test]
-fn a_darker_picture_differs() {
+fn a_darker_image_differs() {
     let capwalk = Capwalk::new("compare_darker");
     let options = "--size 24x18 --spp 256 -o";
     capwalk.json("scenes --export . --json leaf");

@@ -1,6 +1,6 @@
 //! `demo`, small: its table, its JSON, its files, and its time limit.
 
-use capwalk_scene_io::image::Picture;
+use capwalk_scene_io::image::LayeredImage;
 use serde_json::{Value, json};
 
 use crate::{Capwalk, assert_has};
@@ -23,12 +23,12 @@ const FILES: [(&str, &[&str]); 3] = [
 /// Status of a gradient that four samples cannot judge.
 const COULD_NOT_TELL: i32 = 2;
 
-fn read(capwalk: &Capwalk, file: &str) -> Picture {
+fn read(capwalk: &Capwalk, file: &str) -> LayeredImage {
     capwalk_scene_io::image::read(&capwalk.path(file)).expect("readable")
 }
 
-fn metadata(picture: &Picture, key: &str) -> String {
-    let found = picture.metadata.iter().find(|(k, _)| k == key);
+fn metadata(layered: &LayeredImage, key: &str) -> String {
+    let found = layered.metadata.iter().find(|(k, _)| k == key);
     found.expect(key).1.clone()
 }
 
@@ -85,16 +85,16 @@ fn the_files_have_the_right_shape() {
 
     let mut expected: Vec<String> = Vec::new();
     for (file, layers) in FILES {
-        let picture = read(&capwalk, file);
+        let layered = read(&capwalk, file);
         for layer in layers {
-            let image = picture.layer(layer).expect(layer);
+            let image = layered.layer(layer).expect(layer);
             assert_eq!((image.width, image.height), (16, 12), "{file} {layer}");
             let not_zero = image.pixels.iter().any(|p| p.r != 0.0);
             assert!(not_zero, "{file}: {layer} is empty");
         }
-        assert_eq!(metadata(&picture, "complete"), "true", "{file}");
-        assert_eq!(metadata(&picture, "seed"), "3", "{file}");
-        assert_eq!(metadata(&picture, "spp"), "4", "{file}");
+        assert_eq!(metadata(&layered, "complete"), "true", "{file}");
+        assert_eq!(metadata(&layered, "seed"), "3", "{file}");
+        assert_eq!(metadata(&layered, "spp"), "4", "{file}");
         let preview = file.replace(".exr", ".png");
         assert!(capwalk.bytes(&preview).starts_with(b"\x89PNG"));
         expected.extend([file.to_owned(), preview]);
@@ -108,8 +108,8 @@ fn the_files_have_the_right_shape() {
         capwalk.run(&format!("{SMALL} --seed 4 -o other").replacen("--seed 3 -o out", "", 1));
     assert_eq!(other.status, COULD_NOT_TELL, "{}", other.stderr);
     let [a, b] = ["out", "other"].map(|folder| {
-        let picture = read(&capwalk, &format!("{folder}/lattice-shadow.exr"));
-        picture.layer("value").expect("a layer").clone()
+        let layered = read(&capwalk, &format!("{folder}/lattice-shadow.exr"));
+        layered.layer("value").expect("a layer").clone()
     });
     assert!(a != b);
 }
@@ -120,7 +120,7 @@ fn the_files_have_the_right_shape() {
 fn a_time_limit_makes_everything_partial() {
     let capwalk = Capwalk::new("demo_time_limit");
     let finished = capwalk.run("demo --size 16x12 --spp 10000000 --time-limit 2s --json -o out");
-    let partial = ["picture", "literal gradient", "gradient", "reference"];
+    let partial = ["image", "literal gradient", "gradient", "reference"];
     let partial = partial.map(|what| format!("warning: the {what} is partial: "));
     assert_has(&finished.stderr, &partial.each_ref().map(String::as_str));
     let result: Value = serde_json::from_str(&finished.stdout).expect("one JSON object");
@@ -128,7 +128,7 @@ fn a_time_limit_makes_everything_partial() {
         assert_eq!(result[stage]["complete"], false, "{stage}");
     }
     for (file, _) in FILES {
-        let picture = read(&capwalk, file);
-        assert_eq!(metadata(&picture, "complete"), "false", "{file}");
+        let layered = read(&capwalk, file);
+        assert_eq!(metadata(&layered, "complete"), "false", "{file}");
     }
 }

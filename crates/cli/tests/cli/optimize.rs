@@ -144,14 +144,14 @@ fn several_views_with_masks_and_files() {
     );
     let mut mask = capwalk_scene::Image::new(8, 6);
     mask.pixels[..24].fill(capwalk_math::Rgb::splat(1.0));
-    let mut picture = capwalk_scene_io::image::Picture::default();
-    picture.push("value", mask);
+    let mut layered = capwalk_scene_io::image::LayeredImage::default();
+    layered.push("value", mask);
     let preview = capwalk_scene_io::image::Preview::default();
-    capwalk_scene_io::image::write(&capwalk.path("mask.npz"), &picture, &preview).expect("fine");
+    capwalk_scene_io::image::write(&capwalk.path("mask.npz"), &layered, &preview).expect("fine");
     let views = r#"
 [[view]]
 mask = "mask.npz"
-target = { picture = "target.exr" }
+target = { layered = "target.exr" }
 weight = 2
 
 [[view]]

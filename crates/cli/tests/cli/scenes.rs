@@ -20,7 +20,7 @@ fn scenes_are_listed() {
 }
 
 /// A scene comes back from its files as it was. The field of view passes
-/// through degrees, so pictures are equal up to rounding.
+/// through degrees, so images are equal up to rounding.
 #[test]
 fn exported_scenes_load_again() {
     let capwalk = Capwalk::new("scenes_export");

@@ -31,10 +31,10 @@ fn ctrl_c_stops_cleanly() {
     assert_has(&finished.stderr, &["stopping", "partial"]);
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     assert_eq!(json["statistics"]["complete"], false);
-    let picture = capwalk_scene_io::image::read(&capwalk.path("partial.npz")).expect("readable");
-    let complete = picture.metadata.iter().find(|(key, _)| key == "complete");
+    let image = capwalk_scene_io::image::read(&capwalk.path("partial.npz")).expect("readable");
+    let complete = image.metadata.iter().find(|(key, _)| key == "complete");
     assert_eq!(complete.expect("it is said").1, "false");
-    let samples: u64 = picture
+    let samples: u64 = image
         .samples
         .expect("counts")
         .iter()

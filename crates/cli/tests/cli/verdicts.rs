@@ -14,9 +14,9 @@ fn a_right_gradient_is_right() {
     assert_eq!(comparison["verdict"], "right");
     let factor = comparison["scale_factor"].as_f64().expect("a number");
     assert!((factor - 1.0).abs() < 0.1, "{factor}");
-    // The plain mean of z² is that of the picture's own z.
-    let picture = capwalk_scene_io::image::read(&capwalk.path("c.npz")).expect("readable");
-    let z = picture.layer("z").expect("a layer").pixels.iter();
+    // The plain mean of z² is that of the image's own z.
+    let image = capwalk_scene_io::image::read(&capwalk.path("c.npz")).expect("readable");
+    let z = image.layer("z").expect("a layer").pixels.iter();
     let sum: f64 = z.map(|pixel| pixel.r.powi(2)).sum();
     let pixels = comparison["pixels"].as_f64().expect("a count");
     let plain = comparison["mean_z_squared_plain"].as_f64();

@@ -13,7 +13,7 @@ use std::process::Command;
 
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
-use capwalk_scene_io::image::{self, Picture, Preview};
+use capwalk_scene_io::image::{self, LayeredImage, Preview};
 use serde_json::Value;
 use statistics::{Comparison, Grid, Reference, TESTS};
 
@@ -187,7 +187,7 @@ fn mosaic(image: &Image) -> Grid {
 }
 
 /// A golden image, whose layers are grey: one channel of each pixel.
-fn reference(golden: &Picture) -> Reference {
+fn reference(golden: &LayeredImage) -> Reference {
     let layer = |name| mosaic(golden.layer(name).expect("golden images have it"));
     let number = |key: &str| {
         let mut pairs = golden.metadata.iter();
@@ -238,7 +238,7 @@ fn write(file: &Path, grid: &Grid) {
         height: grid.height,
         pixels: pixels.collect(),
     };
-    let mut picture = Picture::default();
-    picture.push(image::VALUE, image);
-    image::write(file, &picture, &Preview::default()).expect("the build folder is writable");
+    let mut layered = LayeredImage::default();
+    layered.push(image::VALUE, image);
+    image::write(file, &layered, &Preview::default()).expect("the build folder is writable");
 }

@@ -1,5 +1,5 @@
 //! Forward and reverse mode with the same random numbers: the derivative of
-//! `Σ w · picture` for a fixed picture `w`, along a parameter.
+//! `Σ w · image` for a fixed image `w`, along a parameter.
 
 use std::path::Path;
 
@@ -9,7 +9,7 @@ use capwalk_diff::{
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, params};
 use capwalk_scene_io::arrays;
-use capwalk_scene_io::image::{self, Picture, Preview};
+use capwalk_scene_io::image::{self, LayeredImage, Preview};
 
 use crate::capwalk;
 use crate::folder::Folder;
@@ -19,7 +19,7 @@ const SPP: u32 = 4;
 const SEED: u64 = 5;
 /// Sums in another order; multiplied by the largest part of the sum.
 const DOUBLE: f64 = 1e-10;
-/// Pictures in files have single precision.
+/// Images in files have single precision.
 const SINGLE: f64 = 1e-4;
 
 /// Numbers between -1 and 1 that look random and are exact in single precision.
@@ -73,9 +73,9 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
 
     let (written, gradient) = (out.join("weights.exr"), out.join("gradient.exr"));
     let (npz, reversed) = (out.join("gradient.npz"), out.join("backward.npz"));
-    let mut picture = Picture::default();
-    picture.push("adjoint", weights.clone());
-    image::write(&written, &picture, &Preview::default()).expect("writable");
+    let mut layered = LayeredImage::default();
+    layered.push("adjoint", weights.clone());
+    image::write(&written, &layered, &Preview::default()).expect("writable");
     let (spp, seed) = (SPP.to_string(), SEED.to_string());
     let file = folder.scene_file();
     let path = |path: &Path| path.to_str().expect("plain letters").to_owned();
@@ -110,8 +110,8 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
         .iter()
         .sum();
     for file in [&gradient, &npz] {
-        let picture = image::read(file).expect("readable");
-        let forward = dot(&weights, picture.layer("gradient").expect("written"));
+        let layered = image::read(file).expect("readable");
+        let forward = dot(&weights, layered.layer("gradient").expect("written"));
         let relative = (forward - reverse).abs() / reverse.abs();
         assert!(
             relative <= SINGLE,

@@ -59,9 +59,9 @@ pub fn agree(folder: &Folder, parameter: &str, differences: &Differences, file: 
         number("/reference/seconds"),
     );
     assert_eq!(done.status, 0, "{name}: {}", said["comparison"]);
-    for picture in ["gradient", "reference"] {
-        let bad = number(&format!("/{picture}/non_finite"));
-        assert_eq!(bad, 0.0, "{name}: samples of the {picture}");
+    for layer in ["gradient", "reference"] {
+        let bad = number(&format!("/{layer}/non_finite"));
+        assert_eq!(bad, 0.0, "{name}: samples of the {layer}");
     }
     assert!(MEAN_Z_SQUARED.contains(&z2), "{name}: mean z² {z2}");
     assert!(sign.abs() < SIGN, "{name}: systematic sign {sign}");

@@ -1,5 +1,5 @@
 //! The phenomena: every folder of `tests/scenes` has a scene and the parameters
-//! by which its picture is differentiated. Each derivative meets finite
+//! by which its image is differentiated. Each derivative meets finite
 //! differences, with edges gathered as well as walked to, some with the paper's fields
 //! on triangles; forward mode meets reverse mode; or it is refused with the reason.
 //! `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
@@ -159,7 +159,7 @@ fn refuse(folder: &Folder, parameter: &str, words: &[String], out: &Path) {
         .to_str()
         .expect("plain letters")
         .to_owned();
-    let picture = capwalk(&["render", &file, "--spp", "1", "-o", &target]);
+    let image = capwalk(&["render", &file, "--spp", "1", "-o", &target]);
     let loss = ["--loss", "l2", "--target", &target];
     let gradient = ["gradient", &file, "-p", parameter];
     let mut commands = vec![
@@ -167,7 +167,7 @@ fn refuse(folder: &Folder, parameter: &str, words: &[String], out: &Path) {
         [&gradient[..], &["--method", "edges"]].concat(),
     ];
     // What cannot be rendered has no target.
-    if picture.status == 0 {
+    if image.status == 0 {
         commands.push([&["backward", &file, "-p", parameter], &loss[..]].concat());
     }
     for command in commands {

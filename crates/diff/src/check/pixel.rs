@@ -7,7 +7,7 @@ use capwalk_render::Estimate;
 /// What one pixel contributes to the comparison.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pixel {
-    /// Index into the pictures.
+    /// Index into the images.
     pub index: usize,
     /// The gradient's number.
     pub gradient: f64,
@@ -29,7 +29,7 @@ impl Pixel {
         self.gradient - self.reference
     }
 
-    /// Stated variance of the difference of two independent pictures.
+    /// Stated variance of the difference of two independent images.
     pub fn variance(&self) -> f64 {
         self.gradient_variance + self.reference_variance
     }
@@ -44,7 +44,7 @@ impl Pixel {
 
 /// Squares over which variances are averaged, as radius in pixels and share in
 /// the average. The nearest 24 neighbours say most; the wider ones and the
-/// whole picture only keep weights finite where all of them are without noise.
+/// whole image only keep weights finite where all of them are without noise.
 const NEIGHBOURHOODS: [(usize, f64); 3] = [(2, 0.9), (8, 0.09), (usize::MAX, 0.01)];
 
 /// A pixel whose standard error is below this fraction of its value counts as
@@ -53,7 +53,7 @@ const NOISE_FREE: f64 = 1e-3;
 
 /// A pixel that claims to have no noise.
 pub(super) struct NoiseFree {
-    /// Its index in the picture.
+    /// Its index in the image.
     pub index: usize,
     /// The gradient.
     pub gradient: Rgb,
@@ -66,16 +66,16 @@ pub(super) struct NoiseFree {
 
 /// The pixels with noise, and those without.
 pub(super) struct Pixels {
-    /// Pixels where at least one picture has noise.
+    /// Pixels where at least one image has noise.
     pub noisy: Vec<Pixel>,
     /// The others.
     pub noise_free: Vec<NoiseFree>,
-    /// How many have no finite value or standard error in one of the pictures,
+    /// How many have no finite value or standard error in one of the images,
     /// and are in neither list: fewer than two samples reached them.
     pub left_out: usize,
 }
 
-/// Splits the pictures into pixels with and without noise.
+/// Splits the images into pixels with and without noise.
 ///
 /// The channels of a pixel come from the same samples, so only one of them
 /// enters: channel `(x + y) mod 3`, or the next one with noise. A fixed mosaic
@@ -141,7 +141,7 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
     pixels
 }
 
-/// Variance of a difference, where a picture that states an error of exactly
+/// Variance of a difference, where an image that states an error of exactly
 /// zero is given the variance around the pixel. Beside noisy neighbours, zero
 /// means that no sample met the rare event that makes the noise, not that
 /// there is none.
@@ -155,13 +155,13 @@ pub(super) fn channel(colour: Rgb, c: usize) -> f64 {
     colour[c]
 }
 
-/// Sums of variances over rectangles of a picture.
+/// Sums of variances over rectangles of an image.
 struct Surroundings {
     width: usize,
     height: usize,
     variances: Vec<Rgb>,
     /// Sum over all pixels above and to the left, one column and row more than
-    /// the picture (Crow 1984).
+    /// the image (Crow 1984).
     sums: Vec<Rgb>,
 }
 

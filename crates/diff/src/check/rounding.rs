@@ -4,12 +4,12 @@ use capwalk_math::Rgb;
 
 use capwalk_render::{Estimate, GradientImage};
 
-/// What rounding can leave of a difference of two pictures, in units of their
+/// What rounding can leave of a difference of two images, in units of their
 /// largest value: some thousand operations in double precision, each off by
 /// one part in 10^16.
 const ROUNDING: f64 = 1e-12;
 
-/// The derivative of a picture of central differences over `±step`, in which
+/// The derivative of an image of central differences over `±step`, in which
 /// values and standard errors at the level of rounding are exactly zero.
 ///
 /// Where the two sides of a difference go through the same numbers in another

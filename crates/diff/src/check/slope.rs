@@ -1,6 +1,6 @@
 //! The best factor from the gradient to the reference.
 //!
-//! Both pictures are noisy, and noise in the gradient makes an ordinary
+//! Both images are noisy, and noise in the gradient makes an ordinary
 //! regression too flat. With stated variances the bias can be taken out
 //! (Fuller 1987, *Measurement Error Models*, section 1.2):
 //!

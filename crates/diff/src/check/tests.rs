@@ -1,4 +1,4 @@
-//! Synthetic pictures with known truth, fixed seeds, counted failures.
+//! Synthetic images with known truth, fixed seeds, counted failures.
 
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
@@ -50,17 +50,17 @@ fn noise_at(x: usize, y: usize) -> f64 {
     0.1 + truth(x, y).abs()
 }
 
-/// A picture of `factor · truth + offset` with noise, whose stated errors are
+/// An image of `factor · truth + offset` with noise, whose stated errors are
 /// `stated` times the true ones.
 fn gaussian(noise: &mut Noise, sigma: f64, factor: f64, offset: f64, stated: f64) -> Estimate {
-    picture(|x, y| {
+    estimate_of(|x, y| {
         let sigma = sigma * noise_at(x, y);
         let value = factor * truth(x, y) + offset + sigma * noise.normal();
         (value, stated * sigma)
     })
 }
 
-fn picture(mut pixel: impl FnMut(usize, usize) -> (f64, f64)) -> Estimate {
+fn estimate_of(mut pixel: impl FnMut(usize, usize) -> (f64, f64)) -> Estimate {
     let mut mean = Image::new(SIZE, SIZE);
     let mut standard_error = Image::new(SIZE, SIZE);
     for (y, x) in (0..SIZE).flat_map(|y| (0..SIZE).map(move |x| (y, x))) {
@@ -196,7 +196,7 @@ fn one_wrong_pixel_is_found() {
 fn rare_events_raise_no_false_alarm() {
     for events in [1.0, 4.0, 30.0] {
         let sparse = |noise: &mut Noise| {
-            picture(|x, y| {
+            estimate_of(|x, y| {
                 let (truth, size) = (truth(x, y), 1.0 / events);
                 let count = noise.poisson(events * truth.abs());
                 (truth.signum() * size * count, size * f64::sqrt(count))
@@ -252,14 +252,14 @@ fn the_promised_samples_are_enough() {
 fn a_zero_gradient_is_wrong() {
     let counts = count(20, |noise| {
         let reference = gaussian(noise, 0.3, 1.0, 0.0, 1.0);
-        compare(&picture(|_, _| (0.0, 0.0)), &reference)
+        compare(&estimate_of(|_, _| (0.0, 0.0)), &reference)
     });
     assert_eq!(counts, [0, 20, 0]);
 }
 
 #[test]
-fn pictures_without_noise() {
-    let exact = |factor: f64| picture(|x, y| (factor * truth(x, y), 0.0));
+fn images_without_noise() {
+    let exact = |factor: f64| estimate_of(|x, y| (factor * truth(x, y), 0.0));
     let verdict = |a: &Estimate, b: &Estimate| compare(a, b).verdict;
     assert_eq!(verdict(&exact(0.0), &exact(0.0)), Verdict::Right);
     assert_eq!(verdict(&exact(1.0), &exact(1.001)), Verdict::Right);
@@ -275,7 +275,7 @@ fn pictures_without_noise() {
 
 #[test]
 fn one_sample_tells_nothing() {
-    let unknown = picture(|x, y| (truth(x, y), f64::NAN));
+    let unknown = estimate_of(|x, y| (truth(x, y), f64::NAN));
     let comparison = compare(&unknown, &unknown);
     assert_eq!(
         comparison.verdict,
@@ -287,7 +287,7 @@ fn one_sample_tells_nothing() {
     assert!((comparison.correlation - 1.0).abs() < 1e-12);
 }
 
-/// Pictures that were stopped early are judged by the pixels that were reached.
+/// Images that were stopped early are judged by the pixels that were reached.
 #[test]
 fn pixels_without_an_error_are_left_out() {
     let mut noise = Noise(3);
@@ -308,8 +308,8 @@ fn pixels_without_an_error_are_left_out() {
 #[test]
 fn mean_z_squared_with_and_without_weights() {
     let stated = |x: usize| if x % 10 == 3 { 0.1 } else { 1.0 };
-    let gradient = picture(|x, _| (1.0, 0.6 * stated(x)));
-    let reference = picture(|x, _| (0.0, 0.8 * stated(x)));
+    let gradient = estimate_of(|x, _| (1.0, 0.6 * stated(x)));
+    let reference = estimate_of(|x, _| (0.0, 0.8 * stated(x)));
     let comparison = compare(&gradient, &reference);
     let plain = 0.1 * 100.0 + 0.9;
     let found = comparison.mean_z_squared_plain;
@@ -321,8 +321,8 @@ fn mean_z_squared_with_and_without_weights() {
 
 /// Where nothing has noise there is no z.
 #[test]
-fn pictures_without_noise_have_no_z_squared() {
-    let exact = picture(|x, y| (truth(x, y), 0.0));
+fn images_without_noise_have_no_z_squared() {
+    let exact = estimate_of(|x, y| (truth(x, y), 0.0));
     let comparison = compare(&exact, &exact);
     assert!(comparison.mean_z_squared.is_nan());
     assert!(comparison.mean_z_squared_plain.is_nan());
@@ -361,7 +361,7 @@ fn rounding_counts_as_zero() {
         gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0),
     );
     let with_corner = |estimate: &Estimate, value: f64, error: f64| {
-        picture(|x, y| match corner(x, y) {
+        estimate_of(|x, y| match corner(x, y) {
             true => (value, error),
             false => {
                 let i = y * SIZE + x;
@@ -372,7 +372,7 @@ fn rounding_counts_as_zero() {
     };
     let gradient = with_corner(&gradient, 1e-3, 1e-5);
     let image = |gradient: Estimate| crate::GradientImage {
-        value: picture(|_, _| (0.5, 0.01)),
+        value: estimate_of(|_, _| (0.5, 0.01)),
         gradient,
         statistics: Default::default(),
     };
@@ -387,6 +387,6 @@ fn rounding_counts_as_zero() {
     let small = image(with_corner(&noisy, 2e-11, 1e-11));
     assert_eq!(without_rounding(&small, step), small.gradient);
     // Nothing but rounding is nothing.
-    let nothing = without_rounding(&image(picture(|_, _| (1e-15, 1e-15))), step);
-    assert_eq!(nothing, picture(|_, _| (0.0, 0.0)));
+    let nothing = without_rounding(&image(estimate_of(|_, _| (1e-15, 1e-15))), step);
+    assert_eq!(nothing, estimate_of(|_, _| (0.0, 0.0)));
 }

@@ -19,15 +19,15 @@ pub fn settings(spp: u32) -> GradientOptions {
     GradientOptions::new(RenderOptions::new(spp, 5))
 }
 
-/// The mean of a picture, and of each of its quarters, with errors.
-pub fn means(picture: &Estimate) -> [(f64, f64); 5] {
-    let (width, height) = (picture.mean.width, picture.mean.height);
+/// The mean of an image, and of each of its quarters, with errors.
+pub fn means(image: &Estimate) -> [(f64, f64); 5] {
+    let (width, height) = (image.mean.width, image.mean.height);
     let mean = |is_in: &dyn Fn(usize, usize) -> bool| {
         let (mut sum, mut variance, mut count) = (0.0, 0.0, 0.0);
-        for (i, pixel) in picture.mean.pixels.iter().enumerate() {
+        for (i, pixel) in image.mean.pixels.iter().enumerate() {
             if is_in(i % width, i / width) {
                 sum += pixel.r;
-                variance += picture.standard_error.pixels[i].r.powi(2);
+                variance += image.standard_error.pixels[i].r.powi(2);
                 count += 1.0;
             }
         }

@@ -1,6 +1,8 @@
 //! Materials for the cases.
 
-use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
+use capwalk_scene::bsdf::{
+    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures,
+};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
@@ -59,8 +61,8 @@ impl Slots<'_> {
             nonlinear,
         }
     }
-    pub fn principled(&mut self, glass: f64) -> Principled {
-        Principled {
+    pub fn principled(&mut self, glass: f64) -> PrincipledTextures {
+        PrincipledTextures {
             base_color: self.colour("base_color", [0.8, 0.5, 0.3]),
             roughness: self.number("roughness", 0.5),
             anisotropic: self.number("anisotropic", 0.2),

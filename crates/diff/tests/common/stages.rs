@@ -46,7 +46,7 @@ pub fn with(mesh: Mesh) -> Scene {
     scene
 }
 
-/// A visible, shaded thing over a lit floor, its shadow in the picture too.
+/// A visible, shaded thing over a lit floor, its shadow in the image too.
 pub fn visible_stage(from: Vec3) -> Scene {
     let mut scene = empty(from, v(0.0, 0.05, 0.4), 22.0, 36);
     add_floor(&mut scene, 4.0);

@@ -37,11 +37,11 @@ const DISTANCES: [Distance; 4] = [
 
 /// Derivatives by every pixel and channel against central differences, for every
 /// distance, with and without a mask that has zeros, at one size and at several,
-/// of pictures whose sides are odd.
+/// of images whose sides are odd.
 #[test]
 fn adjoints_are_derivatives() {
     let (width, height) = (7, 5);
-    let picture = image(width, height, numbers(1));
+    let rendered = image(width, height, numbers(1));
     let target = image(width, height, numbers(2));
     let mut random = numbers(3);
     let mask = image(width, height, || match random() {
@@ -52,16 +52,16 @@ fn adjoints_are_derivatives() {
         for levels in [1, 2, 4, 9] {
             for weights in [None, Some(&mask)] {
                 let loss = Loss { distance, levels };
-                let value = |picture: &Image| {
-                    let exact = estimate(picture.clone(), 0.0);
+                let value = |rendered: &Image| {
+                    let exact = estimate(rendered.clone(), 0.0);
                     loss.measure(&exact, &target, weights).value
                 };
-                let exact = estimate(picture.clone(), 0.0);
+                let exact = estimate(rendered.clone(), 0.0);
                 let adjoint = loss.measure(&exact, &target, weights).adjoint;
-                for pixel in 0..picture.pixels.len() {
+                for pixel in 0..rendered.pixels.len() {
                     for channel in 0..3 {
                         let at = |h: f64| {
-                            let mut moved = picture.clone();
+                            let mut moved = rendered.clone();
                             let mut colour = moved.pixels[pixel].to_array();
                             colour[channel] += h;
                             moved.pixels[pixel] = colour.into();
@@ -83,7 +83,7 @@ fn adjoints_are_derivatives() {
 /// By hand, of one pixel against another.
 #[test]
 fn values_are_those_by_hand() {
-    let picture = estimate(image(2, 1, || 0.5), 0.0);
+    let rendered = estimate(image(2, 1, || 0.5), 0.0);
     let mut target = image(2, 1, || 0.25);
     target.pixels[1] = Rgb::splat(1.0);
     let value = |distance, weights| {
@@ -91,7 +91,7 @@ fn values_are_those_by_hand() {
             distance,
             levels: 1,
         };
-        loss.measure(&picture, &target, weights).value
+        loss.measure(&rendered, &target, weights).value
     };
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-15, "{a} {b}");
     near(value(Distance::L1, None), (0.25 + 0.5) / 2.0);
@@ -108,14 +108,14 @@ fn values_are_those_by_hand() {
         distance: Distance::L1,
         levels: 2,
     };
-    let both = two.measure(&picture, &target, None).value;
+    let both = two.measure(&rendered, &target, None).value;
     near(both, (0.375 + 0.125) / 2.0);
 }
 
 /// What stands under a mask may be anything.
 #[test]
 fn what_is_masked_does_not_count() {
-    let mut picture = estimate(image(4, 3, numbers(5)), 0.1);
+    let mut rendered = estimate(image(4, 3, numbers(5)), 0.1);
     let target = image(4, 3, numbers(6));
     let mut mask = image(4, 3, || 1.0);
     mask.pixels[5] = Rgb::zero();
@@ -124,21 +124,21 @@ fn what_is_masked_does_not_count() {
             distance,
             levels: 3,
         };
-        let clean = loss.measure(&picture, &target, Some(&mask));
+        let clean = loss.measure(&rendered, &target, Some(&mask));
         assert_eq!(clean.adjoint.pixels[5], Rgb::zero());
-        picture.mean.pixels[5] = Rgb::splat(-7.0);
-        picture.standard_error.pixels[5] = Rgb::splat(f64::NAN);
-        assert_eq!(loss.measure(&picture, &target, Some(&mask)), clean);
-        picture.mean.pixels[5] = Rgb::splat(0.5);
-        picture.standard_error.pixels[5] = Rgb::splat(0.1);
+        rendered.mean.pixels[5] = Rgb::splat(-7.0);
+        rendered.standard_error.pixels[5] = Rgb::splat(f64::NAN);
+        assert_eq!(loss.measure(&rendered, &target, Some(&mask)), clean);
+        rendered.mean.pixels[5] = Rgb::splat(0.5);
+        rendered.standard_error.pixels[5] = Rgb::splat(0.1);
     }
 }
 
-/// The mean loss of noisy pictures is that of the mean picture, if the distance is
+/// The mean loss of noisy images is that of the mean image, if the distance is
 /// a square; and its spread is at most the standard error, and at least a fifth of
 /// it (the error adds the channels as if they had the same noise, which is √3 too
 /// much; near zero it is another √2, and squares of uniform noise spread by 0.63 of
-/// what those of normal noise do). 4 standard errors of the mean over 2000 pictures:
+/// what those of normal noise do). 4 standard errors of the mean over 2000 images:
 /// one run in 10⁴ per case, with a fixed seed.
 #[test]
 fn noise_is_subtracted_and_errors_hold() {

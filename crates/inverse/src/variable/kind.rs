@@ -5,7 +5,7 @@ use std::ops::Range;
 use capwalk_scene::params::ArrayParameter;
 use capwalk_scene::{Scene, Tangent};
 
-use super::pose::Part;
+use super::pose::PoseComponent;
 use super::reparameterization::Reparameterization;
 use super::vertices::Vertices;
 
@@ -36,7 +36,7 @@ pub(crate) enum Map {
     /// Displacements of vertices.
     Vertices(Vertices),
     /// One number of the place of a shape.
-    Pose { shape: usize, part: Part },
+    Pose { shape: usize, part: PoseComponent },
     /// Numbers of the vector about which the sensor turns, from this axis on.
     Turn { axes: Range<usize> },
 }

@@ -7,7 +7,7 @@ use capwalk_scene::{ShadingNormals, Shape, ShapeVectors, vertex_normals};
 
 /// A number of a pose; axes are 0, 1, 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
+pub enum PoseComponent {
     /// Of `t`.
     Translate(usize),
     /// Of `r`.
@@ -16,7 +16,7 @@ pub enum Part {
     Scale,
 }
 
-impl Part {
+impl PoseComponent {
     /// The value, if it makes no pose: a scale of 0 flattens a shape to a point,
     /// and one below turns it inside out.
     pub fn refused(self, value: f64) -> Option<f64> {
@@ -44,16 +44,16 @@ impl Default for Pose {
 
 impl Pose {
     /// Replaces one number.
-    pub fn set(&mut self, part: Part, value: f64) {
+    pub fn set(&mut self, part: PoseComponent, value: f64) {
         let with = |v: Vec3, axis: usize| {
             let mut numbers = v.to_array();
             numbers[axis] = value;
             Vec3::from(numbers)
         };
         match part {
-            Part::Translate(axis) => self.translation = with(self.translation, axis),
-            Part::Rotate(axis) => self.rotation = with(self.rotation, axis),
-            Part::Scale => self.scale = value,
+            PoseComponent::Translate(axis) => self.translation = with(self.translation, axis),
+            PoseComponent::Rotate(axis) => self.rotation = with(self.rotation, axis),
+            PoseComponent::Scale => self.scale = value,
         }
     }
 
@@ -86,22 +86,24 @@ impl Pose {
     }
 
     /// How the shape moves when one number changes at this velocity.
-    pub fn push(&self, base: &Shape, part: Part, velocity: f64) -> ShapeVectors {
+    pub fn push(&self, base: &Shape, part: PoseComponent, velocity: f64) -> ShapeVectors {
         let turning = match part {
-            Part::Rotate(axis) => left_jacobian(self.rotation, unit(axis) * velocity),
-            Part::Translate(_) | Part::Scale => Vec3::zero(),
+            PoseComponent::Rotate(axis) => left_jacobian(self.rotation, unit(axis) * velocity),
+            PoseComponent::Translate(_) | PoseComponent::Scale => Vec3::zero(),
         };
         let (centre, turned) = (base.centre(), self.turned());
         let moving = |&rest: &Vec3| {
             let arm = turned.vector(rest - centre);
             match part {
-                Part::Translate(axis) => unit(axis) * velocity,
-                Part::Rotate(_) => turning.cross(arm * self.scale),
-                Part::Scale => arm * velocity,
+                PoseComponent::Translate(axis) => unit(axis) * velocity,
+                PoseComponent::Rotate(_) => turning.cross(arm * self.scale),
+                PoseComponent::Scale => arm * velocity,
             }
         };
         let given = match &base.normals {
-            ShadingNormals::Given(normals) if matches!(part, Part::Rotate(_)) => Some(normals),
+            ShadingNormals::Given(normals) if matches!(part, PoseComponent::Rotate(_)) => {
+                Some(normals)
+            }
             _ => None,
         };
         let turned_by = |&n: &Vec3| turning.cross(turned.vector(n));
@@ -112,7 +114,7 @@ impl Pose {
     }
 
     /// The derivative with respect to one number, the transpose of [`Pose::push`].
-    pub fn pull(&self, base: &Shape, part: Part, gradient: &ShapeVectors) -> f64 {
+    pub fn pull(&self, base: &Shape, part: PoseComponent, gradient: &ShapeVectors) -> f64 {
         let moving = self.push(base, part, 1.0);
         let dot = |a: &[Vec3], b: &[Vec3]| a.iter().zip(b).map(|(a, &b)| a.dot(b)).sum::<f64>();
         let normals = moving.normals.as_ref().zip(gradient.normals.as_ref());

@@ -5,7 +5,7 @@ use capwalk_scene::{Scene, SensorVectors, Tangent};
 
 use super::error::VariableError;
 use super::kind::{Map, Variable};
-use super::pose::Part;
+use super::pose::PoseComponent;
 use super::reparameterization::Reparameterization;
 use super::vertices::{Directions, Selection, Vertices};
 use crate::smooth::Smoother;
@@ -137,15 +137,17 @@ fn scalar_map(
         .iter()
         .position(|a| name.ends_with(&format!(".{a}")));
     let shape = tangent.shapes.iter().position(Option::is_some);
-    let pose = |part: Part| shape.map(|shape| Map::Pose { shape, part });
+    let pose = |part: PoseComponent| shape.map(|shape| Map::Pose { shape, part });
     let (map, value) = match (&listed, axis) {
         (Some(listed), Some(axis)) if listed.kind == ParameterKind::Translation => {
-            (pose(Part::Translate(axis)), 0.0)
+            (pose(PoseComponent::Translate(axis)), 0.0)
         }
         (Some(listed), Some(axis)) if listed.kind == ParameterKind::Rotation => {
-            (pose(Part::Rotate(axis)), 0.0)
+            (pose(PoseComponent::Rotate(axis)), 0.0)
         }
-        (Some(listed), _) if listed.kind == ParameterKind::Scale => (pose(Part::Scale), 1.0),
+        (Some(listed), _) if listed.kind == ParameterKind::Scale => {
+            (pose(PoseComponent::Scale), 1.0)
+        }
         (Some(listed), Some(axis)) if listed.kind == ParameterKind::SensorRotation => {
             let axes = axis..axis + 1;
             (Some(Map::Turn { axes }), 0.0)

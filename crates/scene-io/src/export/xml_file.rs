@@ -66,8 +66,8 @@ fn integrator(integrator: &Integrator, xml: &mut Xml) {
             xml.property("integer", "rr_depth", rr_depth);
             xml.property("boolean", "hide_emitters", hide_emitters);
         }
-        Integrator::Aov(layer) => {
-            let name = layer.name();
+        Integrator::Aov(aov) => {
+            let name = aov.name();
             xml.open("integrator", &[("type", "aov")]);
             xml.property("string", "aovs", format!("{name}:{name}"));
         }

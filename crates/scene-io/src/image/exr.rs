@@ -11,7 +11,7 @@ use exr::prelude::{
     ImageAttributes, LayerAttributes, LineOrder, ReadChannels, ReadLayers, Text, Vec2,
 };
 
-use super::picture::{Layer, Picture, VALUE};
+use super::layered::{Layer, LayeredImage, VALUE};
 
 /// Metadata keys get this prefix, so that they cannot meet EXR's own names.
 const PREFIX: &str = "capwalk:";
@@ -20,9 +20,12 @@ const SAMPLES: &str = "samples";
 const COLOURS: [&str; 3] = ["R", "G", "B"];
 
 /// The bytes of an EXR file: all channels in one part, losslessly compressed.
-pub(crate) fn encode(picture: &Picture, [width, height]: [usize; 2]) -> Result<Vec<u8>, String> {
+pub(crate) fn encode(
+    layered: &LayeredImage,
+    [width, height]: [usize; 2],
+) -> Result<Vec<u8>, String> {
     let mut channels = Vec::new();
-    for Layer { name, image } in &picture.layers {
+    for Layer { name, image } in &layered.layers {
         for (i, colour) in COLOURS.iter().enumerate() {
             let name = match name.as_str() {
                 VALUE => (*colour).to_owned(),
@@ -32,7 +35,7 @@ pub(crate) fn encode(picture: &Picture, [width, height]: [usize; 2]) -> Result<V
             channels.push(AnyChannel::new(text(&name), FlatSamples::F32(values)));
         }
     }
-    if let Some(samples) = &picture.samples {
+    if let Some(samples) = &layered.samples {
         let values = FlatSamples::U32(samples.clone());
         channels.push(AnyChannel::new(text(SAMPLES), values));
     }
@@ -49,7 +52,7 @@ pub(crate) fn encode(picture: &Picture, [width, height]: [usize; 2]) -> Result<V
     );
     let attributes = ImageAttributes::with_size(Vec2(width, height));
     let mut image = exr::image::Image::new(attributes, layer);
-    for (key, value) in &picture.metadata {
+    for (key, value) in &layered.metadata {
         let key = text(&format!("{PREFIX}{key}"));
         image
             .attributes
@@ -95,7 +98,7 @@ fn sort_attributes(bytes: &mut [u8]) {
 }
 
 /// The layers in all parts of an EXR file.
-pub(crate) fn decode(bytes: &[u8]) -> Result<Picture, String> {
+pub(crate) fn decode(bytes: &[u8]) -> Result<LayeredImage, String> {
     let image: FlatImage = read()
         .no_deep_data()
         .largest_resolution_level()
@@ -104,7 +107,7 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Picture, String> {
         .all_attributes()
         .from_buffered(Cursor::new(bytes))
         .map_err(|error| error.to_string())?;
-    let mut picture = Picture::default();
+    let mut layered = LayeredImage::default();
     let shared = image.attributes.other.iter();
     let of_parts = image
         .layer_data
@@ -114,11 +117,11 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Picture, String> {
         if let AttributeValue::Text(value) = value {
             let key = string(key);
             let key = key.strip_prefix(PREFIX).unwrap_or(&key).to_owned();
-            picture.metadata.push((key, string(value)));
+            layered.metadata.push((key, string(value)));
         }
     }
-    picture.metadata.sort();
-    picture.metadata.dedup();
+    layered.metadata.sort();
+    layered.metadata.dedup();
     for part in image.layer_data {
         let Vec2(width, height) = part.size;
         let prefix = part.attributes.layer_name.as_ref().map(string);
@@ -138,15 +141,15 @@ pub(crate) fn decode(bytes: &[u8]) -> Result<Picture, String> {
                 ));
             }
             match channel.sample_data {
-                FlatSamples::U32(counts) if name == SAMPLES => picture.samples = Some(counts),
+                FlatSamples::U32(counts) if name == SAMPLES => layered.samples = Some(counts),
                 values => channels.push((name, values)),
             }
         }
-        picture.layers.extend(layers(channels, width, height));
+        layered.layers.extend(layers(channels, width, height));
     }
     // Stable: the value, then the others as their channels are sorted.
-    picture.layers.sort_by_key(|layer| layer.name != VALUE);
-    Ok(picture)
+    layered.layers.sort_by_key(|layer| layer.name != VALUE);
+    Ok(layered)
 }
 
 fn string(text: &Text) -> String {

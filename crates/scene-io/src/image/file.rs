@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::error::ImageError;
 use super::format::{Format, READABLE, WRITABLE, format, save};
+use super::layered::{GRADIENT, LayeredImage, VALUE};
 use super::panel::{self, Preview, Written};
-use super::picture::{GRADIENT, Picture, VALUE};
 use super::{exr, npz_file, tone};
 use crate::atomic;
 
@@ -18,23 +18,27 @@ pub fn check_writable(path: &Path) -> Result<(), ImageError> {
 }
 
 /// Writes an image in the format that its name ends in.
-pub fn write(path: &Path, picture: &Picture, preview: &Preview) -> Result<Written, ImageError> {
+pub fn write(
+    path: &Path,
+    layered: &LayeredImage,
+    preview: &Preview,
+) -> Result<Written, ImageError> {
     let format = format(path, WRITABLE)?;
-    let size = picture
+    let size = layered
         .size()
         .map_err(|reason| ImageError::write(path, reason))?;
     if format == Format::Png {
-        return panel::write_preview(path, picture, preview);
+        return panel::write_preview(path, layered, preview);
     }
     let bytes = match format {
-        Format::Exr => exr::encode(picture, size),
-        Format::Npz | Format::Png => npz_file::encode(picture, size),
+        Format::Exr => exr::encode(layered, size),
+        Format::Npz | Format::Png => npz_file::encode(layered, size),
     };
     let bytes = bytes.map_err(|reason| ImageError::write(path, reason))?;
     save(path, &bytes)?;
     let shown = [VALUE, GRADIENT]
         .iter()
-        .filter_map(|name| picture.layer(name));
+        .filter_map(|name| layered.layer(name));
     Ok(Written {
         non_finite_pixels: shown.map(tone::non_finite_pixels).sum(),
         limit: None,
@@ -44,7 +48,7 @@ pub fn write(path: &Path, picture: &Picture, preview: &Preview) -> Result<Writte
 /// Reads an image: the layer `value` from the channels `R, G, B`, other
 /// layers from channels with a common prefix, and everything else as a grey
 /// layer of its own, so nothing is left out. Values are single precision.
-pub fn read(path: &Path) -> Result<Picture, ImageError> {
+pub fn read(path: &Path) -> Result<LayeredImage, ImageError> {
     let format = format(path, READABLE)?;
     let read_error = |reason: String| ImageError::read(path, reason);
     let bytes = || {
@@ -53,7 +57,7 @@ pub fn read(path: &Path) -> Result<Picture, ImageError> {
             read_error(format!("{error}; {expected}"))
         })
     };
-    let picture = match format {
+    let layered = match format {
         Format::Exr => exr::decode(&bytes()?),
         Format::Npz => npz_file::decode(&bytes()?),
         Format::Png => {
@@ -63,7 +67,7 @@ pub fn read(path: &Path) -> Result<Picture, ImageError> {
             });
         }
     };
-    let picture = picture.map_err(read_error)?;
-    picture.size().map_err(read_error)?;
-    Ok(picture)
+    let layered = layered.map_err(read_error)?;
+    layered.size().map_err(read_error)?;
+    Ok(layered)
 }

@@ -7,7 +7,7 @@ use capwalk_scene::Image;
 use npyz::{DType, NpyFile, Order, TypeChar};
 use zip::{ZipArchive, ZipWriter};
 
-use super::picture::{Layer, Picture};
+use super::layered::{Layer, LayeredImage};
 use crate::archive::{add_array, add_pairs, open, pairs};
 
 /// The array of sample counts.
@@ -16,28 +16,31 @@ const SAMPLES: &str = "samples";
 const METADATA: &str = "metadata";
 
 /// The bytes of an NPZ file.
-pub(super) fn encode(picture: &Picture, [width, height]: [usize; 2]) -> Result<Vec<u8>, String> {
+pub(super) fn encode(
+    layered: &LayeredImage,
+    [width, height]: [usize; 2],
+) -> Result<Vec<u8>, String> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     let (width, height) = (width as u64, height as u64);
-    for Layer { name, image } in &picture.layers {
+    for Layer { name, image } in &layered.layers {
         let pixels = image.pixels.iter().flat_map(|pixel| pixel.to_array());
         let values = pixels.map(|value| value as f32);
         add_array(&mut archive, name, "<f4", &[height, width, 3], values)?;
     }
-    if let Some(samples) = &picture.samples {
+    if let Some(samples) = &layered.samples {
         let values = samples.iter().copied();
         add_array(&mut archive, SAMPLES, "<u4", &[height, width], values)?;
     }
-    add_pairs(&mut archive, METADATA, &picture.metadata)?;
+    add_pairs(&mut archive, METADATA, &layered.metadata)?;
     let bytes = archive.finish().map_err(|error| error.to_string())?;
     Ok(bytes.into_inner())
 }
 
 /// The layers in an NPZ file: arrays of shape `(height, width,
 /// 3)`, or `(height, width)` for grey ones, of 4 or 8 byte floats.
-pub(super) fn decode(bytes: &[u8]) -> Result<Picture, String> {
+pub(super) fn decode(bytes: &[u8]) -> Result<LayeredImage, String> {
     let mut archive = ZipArchive::new(Cursor::new(bytes)).map_err(|error| error.to_string())?;
-    let mut picture = Picture::default();
+    let mut layered = LayeredImage::default();
     for i in 0..archive.len() {
         let (name, array) = open(&mut archive, i)?;
         let in_array = |error: std::io::Error| format!("the array \"{name}\": {error}");
@@ -47,18 +50,18 @@ pub(super) fn decode(bytes: &[u8]) -> Result<Picture, String> {
         };
         match name.as_str() {
             SAMPLES if holds(TypeChar::Uint) => {
-                picture.samples = Some(array.into_vec().map_err(in_array)?);
+                layered.samples = Some(array.into_vec().map_err(in_array)?);
             }
             METADATA if holds(TypeChar::UnicodeStr) => {
-                picture.metadata = pairs(array).map_err(in_array)?;
+                layered.metadata = pairs(array).map_err(in_array)?;
             }
             _ => {
                 let image = image(array).map_err(|why| format!("the array \"{name}\" {why}"))?;
-                picture.push(&name, image);
+                layered.push(&name, image);
             }
         }
     }
-    Ok(picture)
+    Ok(layered)
 }
 
 fn image(array: NpyFile<impl Read>) -> Result<Image, String> {

@@ -8,7 +8,7 @@ use capwalk_scene::Image;
 use super::canvas::{Canvas, text_size};
 use super::error::ImageError;
 use super::format::{Format, format, save};
-use super::picture::{GRADIENT, Picture, VALUE};
+use super::layered::{GRADIENT, LayeredImage, VALUE};
 use super::tone::robust_limit;
 use super::{png, tone};
 
@@ -128,14 +128,14 @@ impl Style {
 /// the first.
 pub(super) fn write_preview(
     path: &Path,
-    picture: &Picture,
+    layered: &LayeredImage,
     preview: &Preview,
 ) -> Result<Written, ImageError> {
-    let first = &picture.layers[0]; // there is one, or it had no size
+    let first = &layered.layers[0]; // there is one, or it had no size
     let names = [GRADIENT, VALUE];
-    let name = names.into_iter().find(|name| picture.layer(name).is_some());
+    let name = names.into_iter().find(|name| layered.layer(name).is_some());
     let name = name.unwrap_or(&first.name);
-    let image = picture.layer(name).unwrap_or(&first.image);
+    let image = layered.layer(name).unwrap_or(&first.image);
     let mut limit = None;
     let canvas = if name == VALUE {
         photograph(image, preview.exposure)
@@ -149,7 +149,7 @@ pub(super) fn write_preview(
             style: Style::Diverging { limit: chosen },
         }])
     };
-    save_canvas(path, &canvas, &picture.metadata)?;
+    save_canvas(path, &canvas, &layered.metadata)?;
     Ok(Written {
         non_finite_pixels: tone::non_finite_pixels(image),
         limit,

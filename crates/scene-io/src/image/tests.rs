@@ -19,7 +19,7 @@ impl Drop for Temporary {
 }
 
 /// Values that single precision holds exactly.
-fn example() -> Picture {
+fn example() -> LayeredImage {
     let (width, height) = (7, 5);
     let image = |f: fn(f64, f64) -> [f64; 3]| {
         let mut image = Image::new(width, height);
@@ -30,36 +30,36 @@ fn example() -> Picture {
         }
         image
     };
-    let mut picture = Picture::default();
-    picture.push("value", image(|x, y| [0.125 * x, 0.25 * y, 0.5]));
-    picture.push(
+    let mut layered = LayeredImage::default();
+    layered.push("value", image(|x, y| [0.125 * x, 0.25 * y, 0.5]));
+    layered.push(
         "gradient",
         image(|x, y| [x - 3.0, 2.0 * (y - 2.0), 1e-3_f32.into()]),
     );
-    picture.push("stderr", image(|x, y| [0.5, x * y, f64::INFINITY]));
-    picture.metadata = [
+    layered.push("stderr", image(|x, y| [0.5, x * y, f64::INFINITY]));
+    layered.metadata = [
         ("parameter", "ball.translate.x"),
         ("scene", "bälle.xml"),
         ("seed", "7"),
     ]
     .map(|(k, v)| (k.into(), v.into()))
     .to_vec();
-    picture.samples = Some((0..35).collect());
-    picture
+    layered.samples = Some((0..35).collect());
+    layered
 }
 
 #[test]
 fn exr_and_npz_give_back_what_was_written() {
     for ending in ["exr", "npz"] {
         let file = Temporary::new(&format!("back.{ending}"));
-        let picture = example();
-        let written = write(&file.0, &picture, &Preview::default()).expect("writable");
+        let layered = example();
+        let written = write(&file.0, &layered, &Preview::default()).expect("writable");
         assert_eq!(written.non_finite_pixels, 0);
-        assert_eq!(read(&file.0).expect("readable"), picture, "{ending}");
+        assert_eq!(read(&file.0).expect("readable"), layered, "{ending}");
         // The same bytes each time.
         let bytes = std::fs::read(&file.0).expect("readable");
         for _ in 0..5 {
-            write(&file.0, &picture, &Preview::default()).expect("writable");
+            write(&file.0, &layered, &Preview::default()).expect("writable");
             assert_eq!(std::fs::read(&file.0).expect("readable"), bytes, "{ending}");
         }
     }
@@ -68,12 +68,12 @@ fn exr_and_npz_give_back_what_was_written() {
 /// NaN comes back as NaN and is counted where it matters.
 #[test]
 fn non_finite_pixels_are_counted_and_kept() {
-    let mut picture = example();
-    picture.layers[0].image.pixels[3].g = f64::NAN;
-    picture.layers[1].image.pixels[4].r = f64::NEG_INFINITY;
+    let mut layered = example();
+    layered.layers[0].image.pixels[3].g = f64::NAN;
+    layered.layers[1].image.pixels[4].r = f64::NEG_INFINITY;
     for (ending, count) in [("exr", 2), ("npz", 2), ("png", 1)] {
         let file = Temporary::new(&format!("nan.{ending}"));
-        let written = write(&file.0, &picture, &Preview::default()).expect("writable");
+        let written = write(&file.0, &layered, &Preview::default()).expect("writable");
         assert_eq!(written.non_finite_pixels, count, "{ending}");
         if ending != "png" {
             let back = read(&file.0).expect("readable");
@@ -85,25 +85,25 @@ fn non_finite_pixels_are_counted_and_kept() {
 #[test]
 fn png_shows_the_gradient_or_else_the_value() {
     let file = Temporary::new("preview.png");
-    let mut picture = example();
-    let gradient = write(&file.0, &picture, &Preview::default()).expect("writable");
+    let mut layered = example();
+    let gradient = write(&file.0, &layered, &Preview::default()).expect("writable");
     assert_eq!(
         gradient.limit,
-        Some(robust_limit([&picture.layers[1].image]))
+        Some(robust_limit([&layered.layers[1].image]))
     );
     let preview = Preview {
         limit: Some(0.5),
         exposure: 0.0,
     };
-    let limited = write(&file.0, &picture, &preview).expect("writable");
+    let limited = write(&file.0, &layered, &preview).expect("writable");
     assert_eq!(limited.limit, Some(0.5));
 
-    picture.layers.remove(1);
-    let value = write(&file.0, &picture, &Preview::default()).expect("writable");
+    layered.layers.remove(1);
+    let value = write(&file.0, &layered, &Preview::default()).expect("writable");
     assert_eq!(value.limit, None);
     let (width, height, pixels) = decode_png(&file.0);
     assert_eq!((width, height), (7, 5));
-    for (i, pixel) in picture.layers[0].image.pixels.iter().enumerate() {
+    for (i, pixel) in layered.layers[0].image.pixels.iter().enumerate() {
         assert_eq!(pixels[3 * i..3 * i + 3], tone::photographic(*pixel, 1.0));
     }
 }
@@ -120,29 +120,29 @@ fn decode_png(path: &Path) -> (u32, u32, Vec<u8>) {
 #[test]
 fn panels_show_non_finite_pixels() {
     let file = Temporary::new("panels.png");
-    let picture = example();
-    let mut broken = picture.layers[1].image.clone();
+    let layered = example();
+    let mut broken = layered.layers[1].image.clone();
     broken.pixels[0].r = f64::NAN;
     let panel = |title, image, style| Panel {
         title,
         image,
         style,
     };
-    let limit = robust_limit([&picture.layers[1].image]);
+    let limit = robust_limit([&layered.layers[1].image]);
     let panels = [
         panel(
             "value",
-            &picture.layers[0].image,
+            &layered.layers[0].image,
             Style::Photographic { exposure: 0.0 },
         ),
         panel(
             "gradient",
-            &picture.layers[1].image,
+            &layered.layers[1].image,
             Style::Diverging { limit },
         ),
         panel("reference", &broken, Style::Diverging { limit }),
     ];
-    assert_eq!(write_panels(&file.0, &panels, &picture.metadata), Ok(1));
+    assert_eq!(write_panels(&file.0, &panels, &layered.metadata), Ok(1));
     let (_, _, pixels) = decode_png(&file.0);
     let magenta = pixels.chunks(3).filter(|c| *c == tone::NON_FINITE).count();
     let zoom = 192 / 5;
@@ -154,15 +154,15 @@ fn panels_show_non_finite_pixels() {
 #[test]
 fn errors_say_what_to_do() {
     let message = |result: Result<Written, ImageError>| result.expect_err("wrong").to_string();
-    let picture = example();
+    let layered = example();
     let options = Preview::default();
     for name in ["out.jpg", "out", "out.exr.gz"] {
-        let text = message(write(Path::new(name), &picture, &options));
+        let text = message(write(Path::new(name), &layered, &options));
         assert!(text.contains("known endings: .exr, .png, .npz"), "{text}");
         assert!(check_writable(Path::new(name)).is_err());
     }
     let nowhere = Path::new("/nonexistent/directory/out.exr");
-    let text = message(write(nowhere, &picture, &options));
+    let text = message(write(nowhere, &layered, &options));
     assert!(
         text.starts_with("cannot write /nonexistent/directory/out.exr: "),
         "{text}"
@@ -177,7 +177,7 @@ fn errors_say_what_to_do() {
         limit: Some(0.0),
         exposure: 0.0,
     };
-    let text = message(write(Path::new("flat.png"), &picture, &flat));
+    let text = message(write(Path::new("flat.png"), &layered, &flat));
     assert!(text.contains("limit of its colours is 0"), "{text}");
 
     let mut uneven = example();
@@ -187,7 +187,7 @@ fn errors_say_what_to_do() {
         text.contains("\"value\" has 7 x 5 pixels, but \"z\" has 3 x 3"),
         "{text}"
     );
-    let text = message(write(&file.0, &Picture::default(), &options));
+    let text = message(write(&file.0, &LayeredImage::default(), &options));
     assert!(text.contains("no layers"), "{text}");
     assert!(!file.0.exists());
 
@@ -196,7 +196,7 @@ fn errors_say_what_to_do() {
         let missing = read(&file.0).expect_err("missing").to_string();
         assert!(missing.starts_with("cannot read "), "{missing}");
         assert!(missing.contains("expected an image"), "{missing}");
-        write(&file.0, &picture, &options).expect("writable");
+        write(&file.0, &layered, &options).expect("writable");
         let bytes = std::fs::read(&file.0).expect("readable");
         for length in [0, 10, bytes.len() / 2, bytes.len() - 30] {
             std::fs::write(&file.0, &bytes[..length]).expect("writable");

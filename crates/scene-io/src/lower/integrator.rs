@@ -1,7 +1,7 @@
 //! Integrators: `direct`, `path`, and `aov` for one AOV. Mitsuba's integrators
 //! of derivatives are read as the one that makes the same image.
 
-use capwalk_scene::{Integrator, Layer};
+use capwalk_scene::{Aov, Integrator};
 
 use crate::fields::Fields;
 use crate::node::Kind;
@@ -145,7 +145,7 @@ fn aov(fields: &Fields) -> Result<Integrator, Problem> {
         "keep the nested integrator for the image, without the \"aov\" around it, and make a \
          second file with \"aov\" alone",
     )?;
-    let known = || Layer::ALL.map(Layer::name).join(", ");
+    let known = || Aov::ALL.map(Aov::name).join(", ");
     let Some(text) = fields.string("aovs")? else {
         return Err(
             Problem::missing(fields.node.span, "the integrator \"aov\" has no \"aovs\"").help(
@@ -166,8 +166,8 @@ fn aov(fields: &Fields) -> Result<Integrator, Problem> {
         );
     };
     let kind = entry.rsplit_once(':').map_or(entry, |(_, kind)| kind);
-    match Layer::ALL.into_iter().find(|layer| layer.name() == kind) {
-        Some(layer) => Ok(Integrator::Aov(layer)),
+    match Aov::ALL.into_iter().find(|aov| aov.name() == kind) {
+        Some(aov) => Ok(Integrator::Aov(aov)),
         None => wrong(
             format!("unknown AOV \"{kind}\""),
             format!("known AOVs: {}", known()),

@@ -2,7 +2,9 @@
 
 use capwalk_math::Rgb;
 use capwalk_scene::BsdfId;
-use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits, Principled, PrincipledIndex};
+use capwalk_scene::bsdf::{
+    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures,
+};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::{Bsdf, Material, Quantity, Texture, TextureId};
 
@@ -283,7 +285,7 @@ impl Lowering<'_> {
         }
     }
 
-    fn principled(&mut self, fields: &Fields, name: &str) -> Result<Principled, Problem> {
+    fn principled(&mut self, fields: &Fields, name: &str) -> Result<PrincipledTextures, Problem> {
         let reason = "directions are chosen by our own rule; the mean is the same";
         let rates = [
             "main_specular_sampling_rate",
@@ -308,7 +310,7 @@ impl Lowering<'_> {
         };
         let mut fraction =
             |slot, default| self.number(fields, name, slot, Quantity::Fraction, default);
-        Ok(Principled {
+        Ok(PrincipledTextures {
             base_color,
             index,
             roughness: fraction("roughness", 0.5)?,

@@ -314,7 +314,7 @@ fn unknown_film() {
 }
 
 #[test]
-fn picture_of_no_pixels() {
+fn image_of_no_pixels() {
     check(
         &film(r#"<integer name="width" value="0"/><integer name="height" value="48"/>"#),
         &[
@@ -324,7 +324,7 @@ fn picture_of_no_pixels() {
 }
 
 #[test]
-fn picture_of_too_many_pixels() {
+fn image_of_too_many_pixels() {
     check(
         &film(r#"<integer name="width" value="100000"/><integer name="height" value="10000"/>"#),
         &[
@@ -334,7 +334,7 @@ fn picture_of_too_many_pixels() {
 }
 
 #[test]
-fn picture_of_negative_size() {
+fn image_of_negative_size() {
     check(
         &film(r#"<integer name="width" value="-3"/>"#),
         &[

@@ -266,10 +266,10 @@ fn integrators_and_samplers_are_set() {
     assert_eq!(settings.integrator, expected);
 }
 
-/// Mitsuba's integrators of derivatives stand for the pictures that they make,
+/// Mitsuba's integrators of derivatives stand for the images that they make,
 /// with its defaults for them.
 #[test]
-fn integrators_of_derivatives_are_read_as_those_of_their_pictures() {
+fn integrators_of_derivatives_are_read_as_those_of_their_images() {
     let with = |plugin: &str, properties: &str| {
         let integrator = format!("<integrator type=\"{plugin}\">{properties}</integrator>");
         let text = sensor("").replace("<integrator type=\"path\"/>", &integrator);

@@ -15,7 +15,7 @@ use crate::settings::{Integrator, SamplerKind, Settings};
 use crate::shape::{ShadingNormals, Shape};
 use crate::texture::Texture;
 
-/// An empty scene: a picture of 256 x 192 pixels with a box filter and direct
+/// An empty scene: an image of 256 x 192 pixels with a box filter and direct
 /// light, seen from `origin` towards `target` with a horizontal field of view
 /// in degrees.
 pub fn empty(origin: Vec3, target: Vec3, fov_x: f64) -> Scene {

@@ -45,7 +45,7 @@ pub enum Bsdf {
         alpha: TextureId,
     },
     /// Many looks from few numbers.
-    Principled(Principled),
+    Principled(PrincipledTextures),
     /// Nothing: light passes.
     Null,
     /// Has a front and a back.
@@ -142,7 +142,7 @@ pub struct Coat {
 /// The numbers of [`Bsdf::Principled`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs, reason = "the names are those of the literature")]
-pub struct Principled {
+pub struct PrincipledTextures {
     pub base_color: TextureId,
     pub roughness: TextureId,
     pub anisotropic: TextureId,
@@ -291,7 +291,7 @@ impl Coat {
     }
 }
 
-impl Principled {
+impl PrincipledTextures {
     fn slots(&self, mut add: impl FnMut(&'static str, TextureId, Quantity)) {
         add("base_color", self.base_color, Quantity::Reflectance);
         match self.index {

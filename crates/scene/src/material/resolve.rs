@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::bsdf::{Bsdf, Coat, Facets, Glass, Principled, PrincipledIndex};
+use super::bsdf::{Bsdf, Coat, Facets, Glass, PrincipledIndex, PrincipledTextures};
 use super::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
 use super::traits::Composition;
 use crate::ids::{BsdfId, TextureId};
@@ -297,7 +297,7 @@ fn coat_index<R: Real>(scene: &Scene, coat: &Coat, textures: &mut impl TexturesA
 
 fn principled_lobe<R: Real>(
     scene: &Scene,
-    principled: &Principled,
+    principled: &PrincipledTextures,
     is_opaque: bool,
     textures: &mut impl TexturesAt<R>,
 ) -> lobe::Principled<R> {

@@ -220,13 +220,13 @@ impl View<f64> {
 
     /// With parallel rays, the velocity of [`View::towards`] for that of a point
     /// against the camera.
-    pub fn picture_velocity(&self, relative: Vec3) -> Vec3 {
+    pub fn image_velocity(&self, relative: Vec3) -> Vec3 {
         let Vec3 { x, y, .. } = self.camera_from_world(relative);
         Vec3::new(x, y, 0.0)
     }
 
-    /// The transpose of [`View::picture_velocity`].
-    pub fn pull_picture_velocity(&self, covector: Vec3) -> Vec3 {
+    /// The transpose of [`View::image_velocity`].
+    pub fn pull_image_velocity(&self, covector: Vec3) -> Vec3 {
         self.rows[0] * covector.x + self.rows[1] * covector.y
     }
 

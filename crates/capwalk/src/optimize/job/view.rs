@@ -40,7 +40,7 @@ pub struct ViewKeys {
 #[derive(Clone, Debug)]
 pub enum TargetKeys {
     /// An image in a file.
-    Picture {
+    Image {
         file: Located,
         layer: Option<String>,
     },
@@ -151,7 +151,7 @@ pub fn views(document: &Document, root: &Table) -> Result<Vec<ViewKeys>, LoadErr
 
 fn target(table: &Table) -> Result<TargetKeys, LoadError> {
     let target = match table.get("picture") {
-        Some(file) => TargetKeys::Picture {
+        Some(file) => TargetKeys::Image {
             file: located(&file)?,
             layer: maybe_located(table, "layer")?.map(|layer| layer.text),
         },

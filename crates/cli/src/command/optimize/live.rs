@@ -1,4 +1,4 @@
-//! A run in the terminal: how far it is, the loss so far, and the picture. Nothing
+//! A run in the terminal: how far it is, the loss so far, and the image. Nothing
 //! where the standard error is no terminal.
 
 use std::io::IsTerminal;
@@ -11,9 +11,9 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::{progress, report};
 
-/// Largest width of the picture, in characters.
+/// Largest width of the image, in characters.
 const COLUMNS: usize = 64;
-/// Largest height of the picture, in lines of two pixels.
+/// Largest height of the image, in lines of two pixels.
 const LINES: usize = 20;
 /// Losses in the curve.
 const CURVE: usize = 48;
@@ -86,7 +86,7 @@ impl Live {
     }
 
     /// Shows an iteration.
-    pub fn show(&mut self, row: &Row, pictures: &[Image]) {
+    pub fn show(&mut self, row: &Row, images: &[Image]) {
         if !self.is_shown {
             return;
         }
@@ -94,8 +94,8 @@ impl Live {
         let recent = &self.losses[self.losses.len().saturating_sub(CURVE)..];
         let loss = report::plus_minus(row.loss, row.loss_error);
         let mut text = format!("loss {loss}  {}", curve(recent));
-        if let Some(picture) = pictures.first() {
-            text += &format!("\n{}", half_blocks(picture, COLUMNS, LINES));
+        if let Some(image) = images.first() {
+            text += &format!("\n{}", half_blocks(image, COLUMNS, LINES));
         }
         self.bar.set_message(text);
         let done = u64::from(row.iteration) + 1;
@@ -124,10 +124,10 @@ fn curve(numbers: &[f64]) -> String {
     numbers.iter().map(bar).collect()
 }
 
-/// A picture in half blocks, each two pixels, of at most so many columns and
+/// An image in half blocks, each two pixels, of at most so many columns and
 /// lines: means of what falls into each.
-fn half_blocks(picture: &Image, columns: usize, lines: usize) -> String {
-    let (width, height) = (picture.width, picture.height);
+fn half_blocks(image: &Image, columns: usize, lines: usize) -> String {
+    let (width, height) = (image.width, image.height);
     let shrink = (width.div_ceil(columns))
         .max(height.div_ceil(2 * lines))
         .max(1);
@@ -137,7 +137,7 @@ fn half_blocks(picture: &Image, columns: usize, lines: usize) -> String {
         let xs = xs.start.min(width)..xs.end.min(width);
         let count = (xs.len() * ys.len()) as f64;
         let rows = ys.flat_map(|y| xs.clone().map(move |x| (x, y)));
-        let sum = rows.fold(Rgb::zero(), |sum, (x, y)| sum + picture.at(x, y));
+        let sum = rows.fold(Rgb::zero(), |sum, (x, y)| sum + image.at(x, y));
         match count > 0.0 {
             true => photographic(sum / count, 1.0),
             false => [0; 3],
@@ -161,16 +161,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_fit_and_keep_their_colours() {
-        let mut picture = Image::new(100, 60);
-        for (i, pixel) in picture.pixels.iter_mut().enumerate() {
+    fn images_fit_and_keep_their_colours() {
+        let mut image = Image::new(100, 60);
+        for (i, pixel) in image.pixels.iter_mut().enumerate() {
             // White above, red below.
             *pixel = match i < 100 * 30 {
                 true => Rgb::splat(1.0),
                 false => Rgb::new(1.0, 0.0, 0.0),
             };
         }
-        let text = half_blocks(&picture, 25, 40);
+        let text = half_blocks(&image, 25, 40);
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines.len(), 8, "15 rows of pixels");
         assert!(lines.iter().all(|line| line.matches('▀').count() == 25));
@@ -178,7 +178,7 @@ mod tests {
         assert!(lines[0].starts_with(white));
         assert!(lines[7].starts_with("\x1b[38;2;255;0;0m\x1b[48;2;0;0;0m▀"));
         assert!(lines.iter().all(|line| line.ends_with("\x1b[0m")));
-        assert_eq!(half_blocks(&picture, 1000, 1000).lines().count(), 30);
+        assert_eq!(half_blocks(&image, 1000, 1000).lines().count(), 30);
     }
 
     #[test]

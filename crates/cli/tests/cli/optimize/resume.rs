@@ -89,7 +89,7 @@ fn every_order_of_writing_can_be_resumed() {
         let resumed = capwalk.run(&format!("optimize job.toml -o {case} --resume"));
         assert_eq!(resumed.status, 0, "{case}: {}", resumed.stderr);
         assert_has(&resumed.stderr, &["going on after iteration 12"]);
-        // The short run drew its last picture, which the whole one did not.
+        // The short run drew its last image, which the whole one did not.
         fs::remove_file(capwalk.path(&format!("{case}/pictures/000012.png"))).expect("there");
         assert_same_files(&capwalk.path("whole"), &capwalk.path(case));
     }

@@ -11,8 +11,8 @@ use common::agree::*;
 use common::stages::*;
 use common::*;
 
-fn layer_case(layer: Layer, mut scene: Scene, expression: &str) {
-    scene.settings.integrator = Integrator::Aov(layer);
+fn aov_case(aov: Aov, mut scene: Scene, expression: &str) {
+    scene.settings.integrator = Integrator::Aov(aov);
     let tangent = tangent(&scene, expression);
     let case = Case {
         size: 48,
@@ -27,7 +27,7 @@ fn layer_case(layer: Layer, mut scene: Scene, expression: &str) {
         Filter::Box => 1e-3,
         _ => 3e-3,
     };
-    agree(layer.name(), scene, &tangent, Case { step, ..case });
+    agree(aov.name(), scene, &tangent, Case { step, ..case });
 }
 
 fn close_ball() -> Scene {
@@ -40,13 +40,13 @@ fn close_ball() -> Scene {
 fn position() {
     let mut scene = visible_cube();
     scene.film.filter = Filter::Tent { radius: 1.0 };
-    layer_case(Layer::Position, scene, "thing.translate.x + thing.rotate.z");
+    aov_case(Aov::Position, scene, "thing.translate.x + thing.rotate.z");
 }
 
 #[test]
 fn texture_coordinates() {
-    layer_case(
-        Layer::Uv,
+    aov_case(
+        Aov::Uv,
         visible_cube(),
         "thing.translate.x + thing.rotate.x",
     );
@@ -54,8 +54,8 @@ fn texture_coordinates() {
 
 #[test]
 fn face_normals() {
-    layer_case(
-        Layer::GeometricNormal,
+    aov_case(
+        Aov::GeometricNormal,
         visible_cube(),
         "thing.rotate.x + thing.translate.z",
     );
@@ -65,14 +65,14 @@ fn face_normals() {
 #[test]
 fn shading_normals() {
     let mut scene = close_ball();
-    scene.settings.integrator = Integrator::Aov(Layer::ShadingNormal);
-    layer_case(Layer::ShadingNormal, scene, "ball.scale + ball.translate.y");
+    scene.settings.integrator = Integrator::Aov(Aov::ShadingNormal);
+    aov_case(Aov::ShadingNormal, scene, "ball.scale + ball.translate.y");
 }
 
 #[test]
 fn albedo() {
-    layer_case(
-        Layer::Albedo,
+    aov_case(
+        Aov::Albedo,
         visible_cube(),
         "thing.translate.x + sensor.rotate.y",
     );
@@ -86,7 +86,7 @@ fn area_of_a_disk() {
     let mut scene = empty(v(0.0, -4.0, 0.0), v(0.0, 0.0, 0.0), 30.0, 32);
     let (mesh, normals) = primitive::sphere(capwalk_math::Affine::IDENTITY, Vec3::zero(), 0.5);
     add(&mut scene, "ball", mesh, normals, 0.5);
-    scene.settings.integrator = Integrator::Aov(Layer::Mask);
+    scene.settings.integrator = Integrator::Aov(Aov::Mask);
     let (r, d) = (0.5_f64, 4.0_f64);
     let focal = 16.0 / 15f64.to_radians().tan(); // pixels
     let squared = d * d - r * r;

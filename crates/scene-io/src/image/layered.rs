@@ -4,7 +4,7 @@ use capwalk_scene::Image;
 
 /// Images of the same size, by name, and what is known about them.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Picture {
+pub struct LayeredImage {
     /// The images: `value`, `gradient`, `stderr` and so on.
     pub layers: Vec<Layer>,
     /// Keys and values: `scene`, `parameter`, `seed`, `spp`, `version`.
@@ -28,7 +28,7 @@ pub const VALUE: &str = "value";
 /// The name of the layer that is a derivative.
 pub const GRADIENT: &str = "gradient";
 
-impl Picture {
+impl LayeredImage {
     /// Adds a layer behind the others.
     pub fn push(&mut self, name: &str, image: Image) {
         self.layers.push(Layer {

@@ -31,13 +31,13 @@ fn files_say_what_they_are() {
         "gradient leaf -p leaf.translate.x {TINY} --seed 5 -o g.npz,g.exr"
     ));
     for file in ["g.npz", "g.exr"] {
-        let picture = capwalk_scene_io::image::read(&capwalk.path(file)).expect("readable");
+        let layered = capwalk_scene_io::image::read(&capwalk.path(file)).expect("readable");
         for layer in ["value", "gradient", "stderr"] {
-            let image = picture.layer(layer).expect("a layer");
+            let image = layered.layer(layer).expect("a layer");
             assert_eq!((image.width, image.height), (12, 9), "{file}");
         }
         let of = |key: &str| {
-            picture
+            layered
                 .metadata
                 .iter()
                 .find(|(k, _)| k == key)

@@ -1,6 +1,6 @@
 //! The field around a camera whose rays are parallel, and meet in no point.
 //!
-//! It is the field around the origin of picture space, in which the camera-space
+//! It is the field around the origin of image space, in which the camera-space
 //! point `(X, Y, Z)` lies at `(X, Y, 1)`: there, all rays start. Straight edges stay
 //! straight and their points divide them as before, so that the tree of silhouettes
 //! serves as it is. What the map loses is depth, which is looked up where an edge was
@@ -10,15 +10,15 @@
 //! A⁻¹ (ẋ - ȯ - X ȧ - Y ḃ - Z ċ)
 //! ```
 //!
-//! in picture space: `A` has the camera's axes `a`, `b`, `c` as columns, and `o` is
+//! in image space: `A` has the camera's axes `a`, `b`, `c` as columns, and `o` is
 //! where it stands.
 
 use capwalk_geometry::{Edge, Mesh, SilhouetteTree};
 use capwalk_math::Vec3;
 use capwalk_scene::sensor::view::View;
 
-/// The edges in picture space, if the rays of a view are parallel.
-pub fn picture_tree(
+/// The edges in image space, if the rays of a view are parallel.
+pub fn image_tree(
     view: &View<f64>,
     positions: &[Vec3],
     faces: &[[u32; 3]],

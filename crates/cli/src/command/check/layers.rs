@@ -3,9 +3,9 @@
 
 use anyhow::Result;
 use capwalk::{Check, Comparison, Image, Rgb};
-use capwalk_scene_io::image::{self, Panel, Picture, Style};
+use capwalk_scene_io::image::{self, LayeredImage, Panel, Style};
 
-use super::Checked;
+use super::timed::Checked;
 use crate::output::{self, Files};
 
 /// Where the colours of z end: beyond this, a pixel is not an accident.
@@ -19,15 +19,15 @@ pub fn write(
     checked: &Checked,
 ) -> Result<Vec<String>> {
     let check = &checked.check;
-    let z = z_picture(&check.comparison, &check.gradient.value.mean);
-    let mut picture = picture(scene, parameter, checked);
-    picture.push("z", z.clone());
-    files.write(&picture, &panels(check, &z))
+    let z = z_image(&check.comparison, &check.gradient.value.mean);
+    let mut layered = layered(scene, parameter, checked);
+    layered.push("z", z.clone());
+    files.write(&layered, &panels(check, &z))
 }
 
-/// All layers but z. What the picture says of itself is true for gradient and
+/// All layers but z. What the image says of itself is true for gradient and
 /// reference together, unless it names one of them.
-fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
+fn layered(scene: &str, parameter: &str, checked: &Checked) -> LayeredImage {
     let Check {
         gradient,
         reference,
@@ -35,34 +35,34 @@ fn picture(scene: &str, parameter: &str, checked: &Checked) -> Picture {
         ..
     } = &checked.check;
     let sampling = checked.options.sampling();
-    let mut picture = output::picture("check", scene, Some(parameter), &sampling);
-    output::note(&mut picture, "method", checked.options.method.name());
-    output::note(&mut picture, "step", made.step);
-    output::note(&mut picture, "reference_spp", made.spp);
-    output::note(&mut picture, "reference_seed", made.seed);
+    let mut layered = output::layered("check", scene, Some(parameter), &sampling);
+    output::note(&mut layered, "method", checked.options.method.name());
+    output::note(&mut layered, "step", made.step);
+    output::note(&mut layered, "reference_spp", made.spp);
+    output::note(&mut layered, "reference_seed", made.seed);
     let both = [&gradient.statistics, &reference.statistics];
-    output::push_statistics(&mut picture, &both);
+    output::push_statistics(&mut layered, &both);
     for (name, statistics) in ["gradient", "reference"].iter().zip(both) {
         let mut note = |what: &str, value: String| {
-            output::note(&mut picture, &format!("{name}_{what}"), value);
+            output::note(&mut layered, &format!("{name}_{what}"), value);
         };
         note("samples", statistics.samples.to_string());
         note("complete", statistics.complete.to_string());
         note("non_finite_samples", statistics.non_finite.to_string());
     }
-    output::push_estimate(&mut picture, "value", "value_stderr", &gradient.value);
-    output::push_estimate(&mut picture, "gradient", "stderr", &gradient.gradient);
+    output::push_estimate(&mut layered, "value", "value_stderr", &gradient.value);
+    output::push_estimate(&mut layered, "gradient", "stderr", &gradient.gradient);
     output::push_estimate(
-        &mut picture,
+        &mut layered,
         "reference",
         "reference_stderr",
         &reference.gradient,
     );
-    picture
+    layered
 }
 
 /// The z of each pixel as an image of the same size as another.
-fn z_picture(comparison: &Comparison, like: &Image) -> Image {
+fn z_image(comparison: &Comparison, like: &Image) -> Image {
     let z = comparison.z.iter();
     Image {
         pixels: z.map(|&z| Rgb::splat(z)).collect(),
@@ -100,7 +100,7 @@ mod tests {
 
     use super::*;
 
-    /// A picture of two pixels with these samples each.
+    /// An image of two pixels with these samples each.
     fn image(samples: [u32; 2], complete: bool, non_finite: u64) -> GradientImage {
         let estimate = Estimate {
             mean: Image::new(2, 1),
@@ -152,9 +152,9 @@ mod tests {
                 },
                 seconds: [1.0, 1.0],
             };
-            let picture = picture("leaf", "leaf.translate.x", &checked);
+            let layered = layered("leaf", "leaf.translate.x", &checked);
             let of = |key: &str| {
-                let mut found = picture.metadata.iter().filter(|(k, _)| k == key);
+                let mut found = layered.metadata.iter().filter(|(k, _)| k == key);
                 let value = found.next().map(|(_, value)| value.as_str());
                 assert!(found.next().is_none(), "{key} is said twice");
                 value
@@ -162,7 +162,7 @@ mod tests {
             assert_eq!(of("complete"), Some("false"));
             assert_eq!(of("samples"), Some("24"));
             assert_eq!(of("non_finite_samples"), Some("3"));
-            assert_eq!(picture.samples, Some(vec![13, 11]));
+            assert_eq!(layered.samples, Some(vec![13, 11]));
             assert_eq!(of(&format!("{whole}_complete")), Some("true"));
             assert_eq!(of(&format!("{whole}_samples")), Some("16"));
             assert_eq!(of(&format!("{whole}_non_finite_samples")), Some("1"));

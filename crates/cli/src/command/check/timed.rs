@@ -1,0 +1,42 @@
+//! A check that shows its progress and takes its time.
+
+use std::time::{Duration, Instant};
+
+use anyhow::Result;
+use capwalk::{Check, CheckOptions, GradientOptions, Prepared, Tangent};
+
+use crate::progress::Progress;
+
+/// A check, and how long it took.
+pub struct Checked {
+    pub check: Check,
+    /// How the gradient was estimated.
+    pub options: GradientOptions,
+    /// Seconds for the gradient and for the reference.
+    pub seconds: [f64; 2],
+}
+
+/// Checks a gradient, one bar after the other. Half of a time limit is for the gradient.
+pub fn check(
+    prepared: &Prepared,
+    tangent: &Tangent,
+    options: &CheckOptions,
+    limit: Option<Duration>,
+) -> Result<Checked> {
+    let reference = options.reference(|| prepared.difference_step(tangent));
+    let started = Instant::now();
+    let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
+    let gradient = prepared.gradient(tangent, &options.gradient, &progress);
+    let gradient_seconds = progress.finish().as_secs_f64();
+    let gradient = gradient?;
+
+    let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
+    let progress = Progress::new("reference", rest);
+    let differences = prepared.finite_difference(tangent, &reference.options(), &progress);
+    let reference_seconds = progress.finish().as_secs_f64();
+    Ok(Checked {
+        check: Check::new(gradient, differences?, reference),
+        options: options.gradient,
+        seconds: [gradient_seconds, reference_seconds],
+    })
+}
