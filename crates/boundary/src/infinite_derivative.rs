@@ -1,4 +1,4 @@
-//! Numbers of materials that have no finite slope where they are.
+//! Numbers of materials that have no finite derivative where they are.
 
 use capwalk_math::Rgb;
 use capwalk_scene::bsdf::{PrincipledIndex, PrincipledTextures};
@@ -7,7 +7,7 @@ use capwalk_scene::{Bsdf, Scene, Shape, Texture, TextureId};
 use crate::refusal::Refusal;
 
 /// A refusal if derivatives are asked for by a texture with texels at which
-/// what a principled material does has no finite slope.
+/// what a principled material does has no finite derivative.
 pub fn refuse_infinite_derivatives(
     scene: &Scene,
     is_asked_for: impl Fn(TextureId) -> bool,
@@ -18,7 +18,7 @@ pub fn refuse_infinite_derivatives(
                 continue;
             };
             let numbers = Numbers { scene, shape };
-            if let Some((slot, why)) = numbers.without_slope(principled, &is_asked_for) {
+            if let Some((slot, why)) = numbers.without_derivative(principled, &is_asked_for) {
                 return Err(Refusal::InfiniteDerivative {
                     material: scene.material(id).id.clone(),
                     slot,
@@ -41,8 +41,8 @@ impl Numbers<'_> {
         self.scene.texture(self.scene.numbers_of(id, self.shape))
     }
 
-    /// What has no finite slope somewhere, and why.
-    fn without_slope(
+    /// What has no finite derivative somewhere, and why.
+    fn without_derivative(
         &self,
         it: &PrincipledTextures,
         is_asked_for: impl Fn(TextureId) -> bool,

@@ -39,7 +39,7 @@ impl Mirror {
     /// normal. With `d` the point's height, `y` its foot and `h` the plane's
     /// motion along its normal `n`, linear between the corners, the image moves
     /// by `2 h(y) n + 2 d ∇h`: the normal turns by `-∇h`.
-    fn slopes(&self, point: Vec3) -> [Vec3; 3] {
+    fn derivatives(&self, point: Vec3) -> [Vec3; 3] {
         let [a, b, c] = self.corners;
         let (edge1, edge2) = (b - a, c - a);
         let cross = edge1.cross(edge2);
@@ -90,12 +90,12 @@ impl Mirrors {
         for &face in self.faces().iter().rev() {
             let mirror = Mirror::new(mesh, face);
             velocity = mirror.direction(velocity);
-            for (slope, i) in mirror
-                .slopes(point)
+            for (derivative, i) in mirror
+                .derivatives(point)
                 .into_iter()
                 .zip(mesh.faces[face as usize])
             {
-                velocity += slope * mirror.normal.dot(corner(i));
+                velocity += derivative * mirror.normal.dot(corner(i));
             }
             point = mirror.point(point);
         }
@@ -118,12 +118,12 @@ impl Mirrors {
         }
         for (&face, point) in self.faces().iter().zip(points) {
             let mirror = Mirror::new(mesh, face);
-            for (slope, i) in mirror
-                .slopes(point)
+            for (derivative, i) in mirror
+                .derivatives(point)
                 .into_iter()
                 .zip(mesh.faces[face as usize])
             {
-                corner(i, mirror.normal * slope.dot(covector));
+                corner(i, mirror.normal * derivative.dot(covector));
             }
             covector = mirror.direction(covector);
         }

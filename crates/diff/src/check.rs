@@ -7,14 +7,14 @@
 //! * squared differences over stated variances (`mean_z_squared`): local
 //!   errors, and standard errors that are wrong;
 //! * differences (`sign`): a common offset;
-//! * the regression of the reference on the gradient (`slope`): a wrong factor;
+//! * the regression of the reference on the gradient (`scale_factor`): a wrong factor;
 //!
 //! and the largest difference by itself. Each test raises a false alarm with a
 //! probability near [`FALSE_ALARM`], if noise is close to Gaussian.
 
 mod pixel;
 mod rounding;
-mod slope;
+mod scale_factor;
 #[cfg(test)]
 mod tests;
 
@@ -27,7 +27,7 @@ use capwalk_render::Estimate;
 pub use rounding::without_rounding;
 
 use pixel::{NoiseFree, Pixel, Pixels, channel};
-use slope::Slope;
+use scale_factor::ScaleFactor;
 
 /// Standard errors beyond which a statistic is not an accident.
 const SIGNIFICANT: f64 = 4.0;
@@ -39,7 +39,7 @@ const Z_SQUARED_BAND: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 /// Relative differences below this are not held against a gradient: central
 /// differences have a bias of order `step²` themselves.
 const REFERENCE_BIAS: f64 = 0.02;
-/// The error of the slope that a verdict of "right" excludes.
+/// The error of the scale factor that a verdict of "right" excludes.
 const EXCLUDED_ERROR: f64 = 0.1;
 /// How many standard errors away it is excluded.
 const EXCLUDED_AT: f64 = 2.0;
@@ -84,10 +84,10 @@ pub struct Comparison {
     pub left_out: usize,
     /// Best factor from gradient to reference, 1 for a right gradient,
     /// corrected for the noise of the gradient.
-    pub slope: f64,
-    /// Standard error of the slope: what size of error could be seen. Infinite
+    pub scale_factor: f64,
+    /// Standard error of the scale factor: what size of error could be seen. Infinite
     /// if the gradient shows nothing above its noise.
-    pub slope_error: f64,
+    pub scale_factor_error: f64,
     /// The pixels with the largest `|z|`, worst first: column, row, z.
     pub worst: Vec<(usize, usize, f64)>,
     /// `z` of each pixel, row by row; 0 where neither image has noise.
@@ -100,13 +100,13 @@ impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, slope {:.3} ± {:.3}",
+            "{} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, scale factor {:.3} ± {:.3}",
             self.pixels,
             self.mean_z_squared,
             self.mean_z_squared_error,
             self.sign,
-            self.slope,
-            self.slope_error,
+            self.scale_factor,
+            self.scale_factor_error,
         )
     }
 }
@@ -123,7 +123,7 @@ pub enum Verdict {
         reason: String,
     },
     /// The noise hides what is asked for.
-    CouldNotTell {
+    Inconclusive {
         /// Samples per pixel, as a multiple of those taken, that would be
         /// enough; infinite if there is nothing to see.
         samples_factor: f64,
@@ -145,7 +145,7 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     if 2 * pixels.left_out > total {
         return comparison;
     }
-    let slope = slope::fit(&pixels);
+    let fitted = scale_factor::fit(&pixels);
     let noisy = &pixels.noisy;
     let weighted =
         |f: fn(&Pixel) -> f64| -> f64 { noisy.iter().map(|p| f(p) * p.weight_squared()).sum() };
@@ -178,21 +178,21 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
     };
 
     comparison.pixels = noisy.len();
-    comparison.slope = slope.factor;
-    comparison.slope_error = slope.error;
+    comparison.scale_factor = fitted.factor;
+    comparison.scale_factor_error = fitted.error;
     for pixel in noisy {
         comparison.z[pixel.index] = pixel.z;
     }
     comparison.worst = worst(noisy, gradient.mean.width);
 
-    let relative_offset = offset.abs() / (slope.signal.max(0.0) * noisy.len() as f64).sqrt();
+    let relative_offset = offset.abs() / (fitted.signal.max(0.0) * noisy.len() as f64).sqrt();
     let reasons = differences(&comparison, &pixels, relative_offset, gradient.mean.width);
     comparison.verdict = if !reasons.is_empty() {
         Verdict::Wrong {
             reason: reasons.join("; "),
         }
     } else {
-        visible(&pixels, &slope)
+        visible(&pixels, &fitted)
     };
     comparison
 }
@@ -243,12 +243,12 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
         sign: f64::NAN,
         pixels: 0,
         left_out: 0,
-        slope: f64::NAN,
-        slope_error: f64::INFINITY,
+        scale_factor: f64::NAN,
+        scale_factor_error: f64::INFINITY,
         worst: Vec::new(),
         z: vec![0.0; gradient.mean.pixels.len()],
         // Two samples are the fewest that have a standard error.
-        verdict: Verdict::CouldNotTell {
+        verdict: Verdict::Inconclusive {
             samples_factor: 2.0,
         },
     }
@@ -278,11 +278,11 @@ fn differences(c: &Comparison, pixels: &Pixels, relative_offset: f64, width: usi
             c.sign.abs()
         ));
     }
-    let slope_off = (c.slope - 1.0).abs();
-    if slope_off > SIGNIFICANT * c.slope_error && slope_off > REFERENCE_BIAS {
+    let factor_off = (c.scale_factor - 1.0).abs();
+    if factor_off > SIGNIFICANT * c.scale_factor_error && factor_off > REFERENCE_BIAS {
         reasons.push(format!(
             "the reference is {:.3} ± {:.3} times as large",
-            c.slope, c.slope_error
+            c.scale_factor, c.scale_factor_error
         ));
     }
     if let Some(outlier) = worst_outlier(&pixels.noisy) {
@@ -338,15 +338,15 @@ fn worst_outlier(noisy: &[Pixel]) -> Option<&Pixel> {
 }
 
 /// Right, or how many more samples would tell.
-fn visible(pixels: &Pixels, slope: &Slope) -> Verdict {
+fn visible(pixels: &Pixels, fitted: &ScaleFactor) -> Verdict {
     let zero = |p: &NoiseFree| p.gradient == Rgb::zero() && p.reference == Rgb::zero();
     let nothing_there = pixels.noisy.is_empty() && pixels.noise_free.iter().all(zero);
-    let largest_error = (slope.factor - 1.0).abs() + EXCLUDED_AT * slope.error;
+    let largest_error = (fitted.factor - 1.0).abs() + EXCLUDED_AT * fitted.error;
     if nothing_there || largest_error <= EXCLUDED_ERROR {
         return Verdict::Right;
     }
     // A right gradient comes out within two standard errors of 1, and two more
     // must fit between that and the error to be excluded.
-    let samples_factor = slope.samples_factor(EXCLUDED_ERROR / (2.0 * EXCLUDED_AT));
-    Verdict::CouldNotTell { samples_factor }
+    let samples_factor = fitted.samples_factor(EXCLUDED_ERROR / (2.0 * EXCLUDED_AT));
+    Verdict::Inconclusive { samples_factor }
 }

@@ -121,10 +121,10 @@ fn verdict(what: &str, exact: f64, was: WasSettings, spp: u32) -> (Verdict, f64)
     let reference = reference.expect("covered").gradient;
     let (ours, (size, error)) = relative_change(&scene, what, exact, Method::Was(was), spp);
     let result = compare(&ours, &reference);
-    let (z, slope) = (result.mean_z_squared, result.slope);
+    let (z, factor) = (result.mean_z_squared, result.scale_factor);
     println!(
-        "{what}: mean z² {z:.2}, slope {slope:.3} ± {:.3}",
-        result.slope_error
+        "{what}: mean z² {z:.2}, scale factor {factor:.3} ± {:.3}",
+        result.scale_factor_error
     );
     (result.verdict, (size - 1.0) / error)
 }

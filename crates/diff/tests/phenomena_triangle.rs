@@ -161,7 +161,10 @@ fn explicit_and_practical_walks_agree() {
             .gradient
         });
     let result = compare(&practical, &explicit);
-    println!("slope {} ± {}", result.slope, result.slope_error);
+    println!(
+        "scale factor {} ± {}",
+        result.scale_factor, result.scale_factor_error
+    );
     assert!(result.pixels > 60, "{result:?}");
     assert!((0.7..1.4).contains(&result.mean_z_squared), "{result:?}");
     assert!(result.sign.abs() < 4.0, "{result:?}");

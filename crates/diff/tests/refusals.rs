@@ -1,6 +1,6 @@
 //! What moves in curved mirrors and behind glass that refracts is found and
 //! refused, however short the paths are; in flat mirrors it is not. So is what
-//! has no slope.
+//! has no derivative.
 
 mod common;
 
@@ -246,7 +246,7 @@ fn surface_cut_by_the_film() {
 
 /// Square roots and hues of what is black have no derivative by it.
 #[test]
-fn numbers_without_a_slope() {
+fn numbers_without_a_derivative() {
     let run = |base: [f64; 3], glass: f64, name: &str| {
         let mut scene = shadow_stage();
         (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);

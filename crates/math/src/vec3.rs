@@ -292,10 +292,10 @@ mod tests {
         ]
     }
 
-    /// What methods give in one step has the values and the slopes of what numbers
+    /// What methods give in one step has the values and the derivatives of what numbers
     /// give in several, forward and on a tape; also if one vector is constant.
     #[test]
-    fn methods_have_the_slopes_of_their_formulas() {
+    fn methods_have_the_derivatives_of_their_formulas() {
         let (a, b) = (Vec3::new(0.3, -1.2, 0.7), Vec3::new(-0.4, 0.9, 2.1));
         let vector = |v: Vec3, first: usize| {
             let component = |i: usize| Dual::<6>::variable(v[i], first + i);

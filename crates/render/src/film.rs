@@ -17,7 +17,7 @@ use crate::tracer::Tracer;
 const FILM: u32 = 0;
 /// Which way to draw the film point.
 const FILM_CHOICE: u32 = 2;
-/// Share of film points drawn uniformly over the support: the slope of a
+/// Share of film points drawn uniformly over the support: the derivative of a
 /// filter stays finite where the filter goes to zero, so drawing by the filter
 /// alone would give derivatives infinite variance.
 const UNIFORM: f64 = 0.5;
@@ -102,7 +102,7 @@ impl Tracer<'_> {
         if !W::MOVES || support.jumps() {
             return self.share(eval, support, &point, density, draw);
         }
-        // The filter's slope points opposite ways on opposite sides of its
+        // The filter's derivative points opposite ways on opposite sides of its
         // centre: where the image moves, averaging both removes most of its
         // noise.
         let other = self.film_point(eval, camera, support.mirror(s), 1, draw);

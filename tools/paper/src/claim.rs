@@ -217,7 +217,7 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
     match &comparison.verdict {
         check::Verdict::Right => Verdict::Holds,
         check::Verdict::Wrong { reason } => Verdict::DoesNotHold(reason.clone()),
-        check::Verdict::CouldNotTell { samples_factor } => {
+        check::Verdict::Inconclusive { samples_factor } => {
             Verdict::Inconclusive(match samples_factor.is_finite() {
                 true => format!("needs {} times the samples", digits(*samples_factor)),
                 false => "too few samples to say how many are needed".into(),
@@ -238,8 +238,8 @@ pub fn of_deviation(comparison: &check::Comparison) -> Verdict {
 /// What a comparison of pictures found, in one line.
 pub fn in_words(comparison: &check::Comparison) -> String {
     let slope = Measured {
-        value: comparison.slope,
-        error: comparison.slope_error,
+        value: comparison.scale_factor,
+        error: comparison.scale_factor_error,
     };
     let z_squared = Measured {
         value: comparison.mean_z_squared,

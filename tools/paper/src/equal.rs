@@ -93,8 +93,8 @@ pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Fail
             error: mean_l1(run.gradient(), reference.gradient()),
             squares: Squares::of(run.gradient(), reference.gradient()),
             factor: Measured {
-                value: against.slope,
-                error: against.slope_error,
+                value: against.scale_factor,
+                error: against.scale_factor_error,
             },
             run,
         });

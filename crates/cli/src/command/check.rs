@@ -109,7 +109,10 @@ pub fn describe(c: &Comparison) -> String {
             "scale factor",
             format!(
                 "{} (reference / gradient)",
-                if_any(c.slope, report::plus_minus(c.slope, c.slope_error))
+                if_any(
+                    c.scale_factor,
+                    report::plus_minus(c.scale_factor, c.scale_factor_error)
+                )
             ),
         ),
         (
@@ -157,7 +160,7 @@ pub fn verdict(check: &Check) -> String {
     };
     let (spp, reference_spp) = (taken(&check.gradient), taken(&check.reference));
     match &check.comparison.verdict {
-        Verdict::Right if check.comparison.slope.is_nan() => {
+        Verdict::Right if check.comparison.scale_factor.is_nan() => {
             "right: both are zero everywhere: nothing in the image changes".into()
         }
         Verdict::Right => {
@@ -168,17 +171,17 @@ pub fn verdict(check: &Check) -> String {
                 "wrong: {reason}\n(if a smaller --step changes this, the reference is at fault)"
             )
         }
-        Verdict::CouldNotTell { .. } if spp.min(reference_spp) < 2.0 => {
+        Verdict::Inconclusive { .. } if spp.min(reference_spp) < 2.0 => {
             "inconclusive: standard errors need at least two samples per pixel".into()
         }
-        Verdict::CouldNotTell { samples_factor } if samples_factor.is_finite() => format!(
+        Verdict::Inconclusive { samples_factor } if samples_factor.is_finite() => format!(
             "inconclusive: about {} times the samples would be enough (--spp {} \
              --reference-spp {})",
             report::significant(*samples_factor, 2),
             (spp * samples_factor).ceil(),
             (reference_spp * samples_factor).ceil()
         ),
-        Verdict::CouldNotTell { .. } => {
+        Verdict::Inconclusive { .. } => {
             "inconclusive: there is no derivative to be seen, only noise".into()
         }
     }
@@ -189,7 +192,7 @@ pub fn outcome(comparison: &Comparison) -> Outcome {
     match comparison.verdict {
         Verdict::Right => Outcome::Done,
         Verdict::Wrong { .. } => Outcome::Wrong,
-        Verdict::CouldNotTell { .. } => Outcome::Inconclusive,
+        Verdict::Inconclusive { .. } => Outcome::Inconclusive,
     }
 }
 
@@ -198,7 +201,7 @@ pub fn comparison_json(c: &Comparison) -> Value {
     let (verdict, reason, samples_factor) = match &c.verdict {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::CouldNotTell { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
     };
     json!({
         "verdict": verdict,
@@ -213,8 +216,8 @@ pub fn comparison_json(c: &Comparison) -> Value {
         "pixels": c.pixels,
         "left_out": c.left_out,
         "sign": c.sign,
-        "scale_factor": c.slope,
-        "scale_factor_error": c.slope_error,
+        "scale_factor": c.scale_factor,
+        "scale_factor_error": c.scale_factor_error,
         "worst": c.worst.iter().map(|&(x, y, z)| json!({"x": x, "y": y, "z": z})).collect::<Vec<_>>(),
     })
 }

@@ -81,7 +81,7 @@ fn count(trials: u64, mut trial: impl FnMut(&mut Noise) -> Comparison) -> [u32; 
         counts[match trial(&mut Noise(seed << 32)).verdict {
             Verdict::Right => 0,
             Verdict::Wrong { .. } => 1,
-            Verdict::CouldNotTell { .. } => 2,
+            Verdict::Inconclusive { .. } => 2,
         }] += 1;
     }
     counts
@@ -91,7 +91,7 @@ fn count(trials: u64, mut trial: impl FnMut(&mut Noise) -> Comparison) -> [u32; 
 /// 13 such runs of other seeds. The statistics have the moments they claim.
 #[test]
 fn right_gradients_pass() {
-    let (mut z_squared, mut signs, mut slopes) = (0.0, 0.0, 0.0);
+    let (mut z_squared, mut signs, mut factors) = (0.0, 0.0, 0.0);
     let mut plain = capwalk_math::Moments::default();
     let counts = count(300, |noise| {
         let reference = gaussian(noise, 0.3, 1.0, 0.0, 1.0);
@@ -99,14 +99,14 @@ fn right_gradients_pass() {
         z_squared += ((c.mean_z_squared - 1.0) / c.mean_z_squared_error).powi(2) / 300.0;
         signs += c.sign.powi(2) / 300.0;
         plain.add(c.mean_z_squared_plain);
-        slopes += ((c.slope - 1.0) / c.slope_error).powi(2) / 300.0;
+        factors += ((c.scale_factor - 1.0) / c.scale_factor_error).powi(2) / 300.0;
         c
     });
     assert_eq!(counts, [300, 0, 0]);
     // A mean of 300 squared standard normal variables is within four standard
     // errors, 0.33, of 1.
-    for mean in [z_squared, signs, slopes] {
-        assert!((mean - 1.0).abs() < 0.33, "{z_squared} {signs} {slopes}");
+    for mean in [z_squared, signs, factors] {
+        assert!((mean - 1.0).abs() < 0.33, "{z_squared} {signs} {factors}");
     }
     // With Gaussian noise the plain mean of z² is 1 as well.
     let off = plain.mean - 1.0;
@@ -138,14 +138,14 @@ fn a_wrong_factor_is_never_right() {
     }
 }
 
-/// Noise in the gradient does not flatten the slope.
+/// Noise in the gradient does not bring the scale factor down.
 #[test]
-fn the_slope_is_not_attenuated() {
+fn the_scale_factor_is_not_attenuated() {
     let mut mean = capwalk_math::Moments::default();
     for seed in 0..100 {
         let mut noise = Noise(seed << 32);
         let reference = gaussian(&mut noise, 0.1, 1.0, 0.0, 1.0);
-        mean.add(compare(&gaussian(&mut noise, 1.0, 1.0, 0.0, 1.0), &reference).slope);
+        mean.add(compare(&gaussian(&mut noise, 1.0, 1.0, 0.0, 1.0), &reference).scale_factor);
     }
     let off = mean.mean - 1.0;
     assert!(off.abs() < 4.0 * mean.standard_error(), "{mean:?}");
@@ -226,7 +226,7 @@ fn the_promised_samples_are_enough() {
         let mut noise = Noise(5 << 32);
         let reference = gaussian(&mut noise, sigma, 1.0, 0.0, 1.0);
         let first = compare(&gaussian(&mut noise, sigma, 1.0, 0.0, 1.0), &reference);
-        let Verdict::CouldNotTell { samples_factor } = first.verdict else {
+        let Verdict::Inconclusive { samples_factor } = first.verdict else {
             panic!("sigma {sigma}: {:?}", first.verdict);
         };
         let with = |factor: f64| {
@@ -279,7 +279,7 @@ fn one_sample_tells_nothing() {
     let comparison = compare(&unknown, &unknown);
     assert_eq!(
         comparison.verdict,
-        Verdict::CouldNotTell {
+        Verdict::Inconclusive {
             samples_factor: 2.0
         }
     );

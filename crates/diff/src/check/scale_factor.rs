@@ -5,7 +5,7 @@
 //! (Fuller 1987, *Measurement Error Models*, section 1.2):
 //!
 //! ```text
-//! slope = Σ w² g r / Σ w² (g² - var g)
+//! factor = Σ w² g r / Σ w² (g² - var g)
 //! ```
 //!
 //! Its error has a part from signal times noise, which falls with the number of
@@ -15,7 +15,7 @@ use super::pixel::{Pixel, Pixels, channel};
 
 /// A fitted factor.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slope {
+pub(super) struct ScaleFactor {
     /// The factor; NaN if there is nothing to fit.
     pub factor: f64,
     /// Its standard error; infinite if the gradient shows nothing above its
@@ -36,14 +36,14 @@ const SEEN: f64 = 3.0;
 
 /// Fits the factor over the pixels with noise, or over those without where
 /// there are no others.
-pub(super) fn fit(pixels: &Pixels) -> Slope {
+pub(super) fn fit(pixels: &Pixels) -> ScaleFactor {
     if pixels.noisy.is_empty() {
         let both = || {
             let channels = pixels.noise_free.iter();
             channels.flat_map(|p| (0..3).map(|c| (channel(p.gradient, c), channel(p.reference, c))))
         };
         let signal: f64 = both().map(|(g, _)| g * g).sum();
-        return Slope {
+        return ScaleFactor {
             factor: both().map(|(g, r)| g * r).sum::<f64>() / signal,
             error: 0.0,
             signal,
@@ -73,7 +73,7 @@ pub(super) fn fit(pixels: &Pixels) -> Slope {
         p.weight_squared() * (p.gradient * p.reference - factor * square)
     };
     let residuals: f64 = pixels.noisy.iter().map(|p| residual(p).powi(2)).sum();
-    Slope {
+    ScaleFactor {
         factor,
         error: if seen {
             (mixed + noise).max(residuals).sqrt() / signal
@@ -91,7 +91,7 @@ pub(super) fn fit(pixels: &Pixels) -> Slope {
 /// what these could not.
 const FEWEST: f64 = 2.0;
 
-impl Slope {
+impl ScaleFactor {
     /// How many times the samples bring the error down to `target`: the `f` at
     /// which `mixed / f + noise / f² = (target · signal)²`. Where no signal is
     /// seen yet, one of the size of its error is assumed.
