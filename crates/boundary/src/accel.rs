@@ -1,4 +1,4 @@
-//! A scene made ready to answer: one mesh, its rays, its lamps.
+//! A scene made ready to answer: one mesh, its rays, its emitters.
 
 use std::sync::Arc;
 
@@ -192,8 +192,8 @@ impl Accel {
 
     /// The camera's ray from a point of its lens in a unit direction, between its
     /// clip planes.
-    pub fn camera_ray(&self, eye: Vec3, direction: Vec3) -> Ray {
-        let ray = self.view.from(eye).ray(direction);
+    pub fn camera_ray(&self, viewpoint: Vec3, direction: Vec3) -> Ray {
+        let ray = self.view.from(viewpoint).ray(direction);
         let [t_min, t_max] = ray.range;
         Ray {
             origin: ray.origin,
@@ -205,8 +205,8 @@ impl Accel {
 
     /// True if the camera sees the point at a distance along its ray from a point
     /// of its lens: between its clip planes, nothing is before it.
-    pub fn camera_sees(&self, eye: Vec3, direction: Vec3, distance: f64) -> bool {
-        let ray = self.camera_ray(eye, direction);
+    pub fn camera_sees(&self, viewpoint: Vec3, direction: Vec3, distance: f64) -> bool {
+        let ray = self.camera_ray(viewpoint, direction);
         ray.t_min < distance
             && distance < ray.t_max
             && !self.rays.occluded(&Ray {
@@ -239,9 +239,9 @@ impl Accel {
         self.shape_of_face[hit.face as usize]
     }
 
-    /// The face of the joined mesh that is the given one of a lamp.
+    /// The face of the joined mesh that is the given one of an emitter.
     #[inline]
-    pub fn lamp_face(&self, emitter: EmitterId, face: u32) -> u32 {
+    pub fn emitter_face(&self, emitter: EmitterId, face: u32) -> u32 {
         match self.scene.emitter(emitter) {
             Emitter::Area { shape, .. } => self.first_face[shape.0 as usize] + face,
             _ => unreachable!("only lamps of area have faces"),

@@ -15,7 +15,7 @@ use crate::texture_line::texture_lines;
 use crate::viewpoint::{EMITTED, SEEN};
 use crate::window::AreaEmitter;
 
-/// Lamps with at most this many edges have their flux sampled explicitly
+/// Emitters with at most this many edges have their flux sampled explicitly
 /// (METHOD 3); the edges of others join the boundaries.
 const FEW_EDGES: usize = 64;
 
@@ -112,9 +112,9 @@ impl Boundaries {
     }
 
     /// How much light may jump at an edge, from above 0 to 1: 1 where it is a
-    /// silhouette, seen from the eye, or where its faces look different.
-    pub fn contrast(&self, edge: u32, mesh: &Mesh, eye: Vec3) -> f64 {
-        match self.edge(edge).is_silhouette(mesh, eye) {
+    /// silhouette, seen from the viewpoint, or where its faces look different.
+    pub fn contrast(&self, edge: u32, mesh: &Mesh, viewpoint: Vec3) -> f64 {
+        match self.edge(edge).is_silhouette(mesh, viewpoint) {
             true => 1.0,
             false => f64::from(self.contrasts[edge as usize]),
         }
@@ -207,7 +207,7 @@ impl Listed {
                 shift(edge, first_vertex, first_face);
                 edge.groups = if is_explicit { SEEN } else { SEEN | EMITTED };
                 if let (Some(_), Sides::Between { faces, flipped }) = (shape.emitter, edge.sides) {
-                    // Light ends where a lamp turns its back, folded or not, and
+                    // Light ends where an emitter turns its back, folded or not, and
                     // jumps with its texture.
                     let local = faces.map(|face| face - first_face);
                     if flipped || discontinuities.textures_differ(local) {
@@ -230,7 +230,7 @@ impl Listed {
             edges.push(Edge {
                 vertices: [first, first + 1],
                 sides: Sides::Open,
-                // A lamp that something cuts through ends there.
+                // An emitter that something cuts through ends there.
                 groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
             });
             contrasts.push(1.0);

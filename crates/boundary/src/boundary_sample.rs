@@ -5,7 +5,7 @@ use capwalk_math::Vec3;
 
 use crate::mirror::Mirrors;
 
-/// A boundary point seen from an eye.
+/// A boundary point seen from a viewpoint.
 #[derive(Clone, Copy, Debug)]
 pub struct BoundarySample {
     /// Two points of the boundaries ([`Boundaries`](crate::Boundaries)), and the
@@ -18,20 +18,20 @@ pub struct BoundarySample {
     pub(crate) direction: Vec3,
     pub(crate) is_horizon: bool,
     pub(crate) distance: f64,
-    /// Where it is in camera space, if the eye's rays are parallel.
+    /// Where it is in camera space, if the viewpoint's rays are parallel.
     pub(crate) place: Option<Vec3>,
-    /// The mirrors in which the eye sees the point.
+    /// The mirrors in which the viewpoint sees the point.
     pub mirrors: Mirrors,
 }
 
 impl BoundarySample {
-    /// How much each of [`Viewpoint::vectors`](crate::Viewpoint::vectors) moves what is fixed to the eye here.
+    /// How much each of [`Viewpoint::vectors`](crate::Viewpoint::vectors) moves what is fixed to the viewpoint here.
     pub fn shares(&self) -> [f64; 4] {
         let Vec3 { x, y, z } = self.place.unwrap_or(Vec3::zero());
         [1.0, x, y, z]
     }
 
-    /// `P_x̂ v / |x - o|` of a velocity relative to the eye, in the space of its
+    /// `P_x̂ v / |x - o|` of a velocity relative to the viewpoint, in the space of its
     /// directions. A symmetric map: its own transpose.
     #[inline]
     pub fn angular(&self, relative: Vec3) -> Vec3 {

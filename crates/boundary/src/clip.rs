@@ -96,7 +96,7 @@ fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
         let p = segment[0] + (segment[1] - segment[0]) * t;
         let direction = view.towards(p).normalized();
         let distance = (p - view.ray(direction).origin).length() * (1.0 - SHORT);
-        depth <= near || is_blurred || accel.camera_sees(view.eye, direction, distance)
+        depth <= near || is_blurred || accel.camera_sees(view.origin, direction, distance)
     };
     let place = |i: u32| first + (last - first) * (f64::from(i) / f64::from(LOOKS));
     (0..=LOOKS).map(place).any(sees)

@@ -4,7 +4,7 @@
 //! mesh has an edge there. The curve is made of straight pieces, one for each
 //! pair of crossing faces, and its motion follows from theirs: a point of it
 //! stays in both moving planes. Shadows need none of it, since both faces hide,
-//! unless one of them is the lamp.
+//! unless one of them is the emitter.
 
 use std::collections::BTreeMap;
 
@@ -20,7 +20,7 @@ use crate::accel::Accel;
 pub struct Crossing {
     /// Its ends.
     pub ends: [CrossingEnd; 2],
-    /// True if emitted light jumps there: if one of the faces belongs to a lamp.
+    /// True if emitted light jumps there: if one of the faces belongs to an emitter.
     pub emits: bool,
 }
 

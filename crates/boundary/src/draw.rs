@@ -18,7 +18,7 @@ pub struct Draw<'a> {
 pub struct Counts {
     /// Closest-silhouette queries.
     pub queries: Cell<u64>,
-    /// Specular events behind which outlines can move: these bound no field.
+    /// Specular events behind which silhouettes can move: these bound no field.
     pub uncovered: Cell<u64>,
 }
 

@@ -1,16 +1,16 @@
-//! Edges of lamps whose flux is sampled, and where they lie on each other: lamps
+//! Edges of emitters whose flux is sampled, and where they lie on each other: emitters
 //! that touch.
 
 use capwalk_math::Vec3;
 
-/// An edge of a lamp with few edges.
+/// An edge of an emitter with few edges.
 #[derive(Clone, Debug)]
 pub struct EmitterEdge {
     /// Its ends, vertices of the joined mesh.
     pub ends: [u32; 2],
     /// Total length of the edges up to and including it.
     pub cumulative: f64,
-    /// Where other lamps' edges lie on it. In lengths from its first end over its
+    /// Where other emitters' edges lie on it. In lengths from its first end over its
     /// own.
     shared: Vec<[f64; 2]>,
 }
@@ -66,7 +66,7 @@ fn overlap([a, b]: [Vec3; 2], other: [Vec3; 2]) -> Option<[f64; 2]> {
     (to - from > ON_EDGE).then_some([from, to])
 }
 
-/// A direction that scenes are not aligned with: along it, lamps in rows and
+/// A direction that scenes are not aligned with: along it, emitters in rows and
 /// layers are spread out.
 const SWEEP: Vec3 = Vec3::new(0.536_187_1, 0.618_033_9, 0.575_219_3);
 
@@ -106,7 +106,7 @@ fn shared(segments: &[[Vec3; 2]]) -> Vec<Vec<[f64; 2]>> {
 mod tests {
     use super::*;
 
-    /// Squares in a grid that touch, some of them moved, turned or shrunk: lamps
+    /// Squares in a grid that touch, some of them moved, turned or shrunk: emitters
     /// by the dozen.
     fn squares(count: usize, mut random: u64) -> Vec<[Vec3; 2]> {
         let mut number = || {

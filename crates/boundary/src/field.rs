@@ -40,9 +40,9 @@ impl<'a> Field<'a> {
     ) -> BoundarySample {
         let found = &seen.point;
         let edge = &self.boundaries.edge(found.edge);
-        // Around the face that the eye slides on, its edges are the horizon.
+        // Around the face that the viewpoint slides on, its edges are the horizon.
         // Only the motion across the horizon matters; that along it grows
-        // without bound as the eye nears the edge.
+        // without bound as the viewpoint nears the edge.
         let horizon = viewpoint
             .face_normal
             .filter(|normal| {
@@ -69,9 +69,9 @@ impl<'a> Field<'a> {
         self.boundaries.point(sample.points, sample.t)
     }
 
-    fn in_horizon(&self, eye: Vec3, edge: &Edge, normal: Vec3) -> bool {
+    fn in_horizon(&self, viewpoint: Vec3, edge: &Edge, normal: Vec3) -> bool {
         edge.vertices.iter().all(|&i| {
-            let offset = self.boundaries.position(i) - eye;
+            let offset = self.boundaries.position(i) - viewpoint;
             offset.dot(normal).abs() <= self.accel.horizon_distance()
         })
     }
@@ -122,7 +122,7 @@ impl<'a> Field<'a> {
     }
 
     /// The angular velocity of a boundary point, or its image in mirrors, for a
-    /// velocity `ẋ - ȯ` relative to the eye, `P_x̂ (ẋ - ȯ) / |x - o|`; if the eye's
+    /// velocity `ẋ - ȯ` relative to the viewpoint, `P_x̂ (ẋ - ȯ) / |x - o|`; if the viewpoint's
     /// rays are parallel, that of its direction in image space.
     #[inline]
     fn seen_velocity(&self, sample: &BoundarySample, relative: Vec3) -> Vec3 {
@@ -142,8 +142,8 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Where a point is that an eye's tree found around `apex`, and how far along the
-    /// eye's ray.
+    /// Where a point is that a viewpoint's tree found around `apex`, and how far along the
+    /// viewpoint's ray.
     pub(crate) fn located<R>(
         &self,
         viewpoint: &Viewpoint<R>,

@@ -4,7 +4,7 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
-/// Most specular events between an eye and an edge that is seen.
+/// Most specular events between a viewpoint and an edge that is seen.
 pub const MAX_EVENTS: u32 = 6;
 
 /// The plane of a face, which may move, as a mirror.
@@ -55,7 +55,7 @@ impl Mirror {
     }
 }
 
-/// The mirrors in which a point is seen, the one nearest to the eye first.
+/// The mirrors in which a point is seen, the one nearest to the viewpoint first.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Mirrors {
     faces: [u32; MAX_EVENTS as usize],

@@ -1,11 +1,11 @@
 //! What is seen in flat mirrors and through panes (METHOD 6): edges seen there
-//! are boundaries around the eye, too, in the directions of their images.
+//! are boundaries around the viewpoint, too, in the directions of their images.
 //!
-//! An image stays on the sphere around the eye. From behind the mirror, where
-//! the eye's own image is, the edge itself is seen in the reflected direction
-//! and at the image's distance: the query is the same with another eye. Which
+//! An image stays on the sphere around the viewpoint. From behind the mirror, where
+//! the viewpoint's own image is, the edge itself is seen in the reflected direction
+//! and at the image's distance: the query is the same with another viewpoint. Which
 //! mirrors are looked into is decided by the direction; images that are seen
-//! in other mirrors lie behind these mirrors' outlines, which are boundaries.
+//! in other mirrors lie behind these mirrors' silhouettes, which are boundaries.
 
 use capwalk_geometry::topology::COPLANAR;
 use capwalk_geometry::{ConeQuery, HalfSpace, Hit, Ray, SilhouettePoint};
@@ -19,7 +19,7 @@ use crate::field::Field;
 use crate::mirror::{MAX_EVENTS, Mirror, Mirrors};
 use crate::viewpoint::{Viewpoint, Visibility};
 
-/// The sphere of directions around an eye, bounded by edges and their images.
+/// The sphere of directions around a viewpoint, bounded by edges and their images.
 pub struct ReflectedSphere<'a, R, F> {
     /// The edges that are seen without mirrors.
     pub direct: Sphere<'a, F>,
@@ -29,13 +29,13 @@ pub struct ReflectedSphere<'a, R, F> {
     pub viewpoint: &'a Viewpoint<R>,
 }
 
-/// A ray on its way from an eye through flat specular surfaces.
+/// A ray on its way from a viewpoint through flat specular surfaces.
 #[derive(Clone, Copy)]
 struct SpecularRay {
     ray: Ray,
-    /// The image of the eye from where the ray seems to come, and in which direction
+    /// The image of the viewpoint from where the ray seems to come, and in which direction
     /// of the edges' space.
-    eye: Vec3,
+    viewpoint: Vec3,
     axis: Vec3,
     events: [Event; MAX_EVENTS as usize],
     mirrors: Mirrors,
@@ -57,7 +57,7 @@ impl SpecularRay {
             let mirror = Mirror::new(&accel.mesh, hit.face);
             direction = mirror.direction(direction);
             next.axis = direction;
-            next.eye = mirror.point(self.eye);
+            next.viewpoint = mirror.point(self.viewpoint);
             next.mirrors.push(hit.face);
         }
         next.ray = accel.surface_ray(self.ray.at(hit.t), direction);
@@ -72,15 +72,15 @@ const SAME_MIRROR: f64 = 4.0 * COPLANAR;
 
 impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
     fn first_ray(&self, direction: Vec3) -> SpecularRay {
-        let eye = self.viewpoint.position.value();
+        let viewpoint = self.viewpoint.position.value();
         SpecularRay {
             ray: match self.viewpoint.visibility {
-                Visibility::Camera => self.field.accel.camera_ray(eye, direction),
+                Visibility::Camera => self.field.accel.camera_ray(viewpoint, direction),
                 Visibility::Surface | Visibility::All => {
-                    self.field.accel.surface_ray(eye, direction)
+                    self.field.accel.surface_ray(viewpoint, direction)
                 }
             },
-            eye: self.direct.origin,
+            viewpoint: self.direct.origin,
             axis: direction,
             events: [Event::Pass; MAX_EVENTS as usize],
             mirrors: Mirrors::default(),
@@ -105,7 +105,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
             let normal = accel.mesh.face_cross(hit.face as usize);
             let side = normal.dot(behind.ray.direction).signum();
             let query = ConeQuery {
-                apex: behind.eye,
+                apex: behind.viewpoint,
                 axis: behind.axis,
                 max_angle: best.map_or(limit, |nearest| nearest.distance),
                 edges: self.direct.edges,
@@ -136,7 +136,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
         }
     }
 
-    /// A direction from the eye's image as the eye sees it.
+    /// A direction from the viewpoint's image as the viewpoint sees it.
     fn unfolded(&self, sight: &SpecularRay, direction: Vec3) -> Vec3 {
         let faces = sight.mirrors.faces().iter().rev();
         faces.fold(direction, |direction, &face| {
@@ -144,19 +144,19 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
         })
     }
 
-    /// The mirrors in which a point found from the eye's image is seen by the eye:
+    /// The mirrors in which a point found from the viewpoint's image is seen by the viewpoint:
     /// faces of the planes that were looked into. `None` if it is hidden.
     fn mirrors_before(&self, sight: &SpecularRay, point: &SilhouettePoint) -> Option<Mirrors> {
         let accel = self.field.accel;
         let direction = self.unfolded(sight, point.direction);
-        // What lies in the plane of the eye's own face is seen edge-on: nothing jumps,
+        // What lies in the plane of the viewpoint's own face is seen edge-on: nothing jumps,
         // and whether a ray along the plane meets something is a matter of rounding.
         let height = |normal: Vec3| (direction.dot(normal) * point.distance).abs();
         let horizon = self.viewpoint.face_normal.map(height);
         if horizon.is_some_and(|height| height <= accel.horizon_distance()) {
             return None;
         }
-        let (target, distance) = self.field.located(self.viewpoint, sight.eye, point);
+        let (target, distance) = self.field.located(self.viewpoint, sight.viewpoint, point);
         let mut trace = self.first_ray(direction);
         let mut left = distance;
         for &event in sight.events() {

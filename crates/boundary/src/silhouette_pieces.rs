@@ -1,4 +1,4 @@
-//! Edges gathered around an eye, and points drawn on them (METHOD 8).
+//! Edges gathered around a viewpoint, and points drawn on them (METHOD 8).
 //!
 //! Each edge is an arc on the sphere of directions, or a few pieces of one. A
 //! piece is chosen by weights that do not depend on any motion, and a direction
@@ -46,9 +46,9 @@ pub struct EdgePoint {
     t: f64,
     /// The unit direction.
     pub direction: Vec3,
-    /// Distance from the eye.
+    /// Distance from the viewpoint.
     pub distance: f64,
-    /// Unit normal of the plane through the eye and the edge.
+    /// Unit normal of the plane through the viewpoint and the edge.
     normal: Vec3,
     /// One over the density per radian along the edge, shared among edges that lie
     /// on each other.
@@ -112,14 +112,14 @@ impl SilhouettePieces {
     }
 
     /// A point on an edge, by the number `u`.
-    pub fn draw(&self, boundaries: &Boundaries, eye: Vec3, u: f64) -> Option<EdgePoint> {
+    pub fn draw(&self, boundaries: &Boundaries, viewpoint: Vec3, u: f64) -> Option<EdgePoint> {
         let target = u * self.total;
         let i = self.pieces.partition_point(|p| p.cumulative <= target);
         let piece = self.pieces.get(i)?;
         let before = i.checked_sub(1).map_or(0.0, |i| self.pieces[i].cumulative);
         let own = piece.cumulative - before;
         let ends = boundaries.ends(piece.edge);
-        let [a, b] = ends.map(|p| p - eye);
+        let [a, b] = ends.map(|p| p - viewpoint);
         let along = b - a;
         let normal = a.cross(along).normalized();
         let [from, to] = piece.range.map(|t| (a + along * t).normalized());
@@ -138,23 +138,24 @@ impl SilhouettePieces {
             direction: offset / distance,
             distance,
             normal,
-            weight: angle * self.total / (own * self.multiplicity(boundaries, eye, piece.edge, q)),
+            weight: angle * self.total
+                / (own * self.multiplicity(boundaries, viewpoint, piece.edge, q)),
         })
     }
 
     /// How many edges lie where an edge is seen in the direction `q`, itself among
     /// them: each takes its share of what jumps there.
-    fn multiplicity(&self, boundaries: &Boundaries, eye: Vec3, edge: u32, q: Vec3) -> f64 {
-        let [a, b] = boundaries.ends(edge).map(|p| p - eye);
+    fn multiplicity(&self, boundaries: &Boundaries, viewpoint: Vec3, edge: u32, q: Vec3) -> f64 {
+        let [a, b] = boundaries.ends(edge).map(|p| p - viewpoint);
         let normal = a.cross(b).normalized();
         let along = normal.cross(q);
         let is_there = |other: &&Piece| {
             if other.edge == edge {
                 return false;
             }
-            let [a, b] = boundaries.ends(other.edge).map(|p| p - eye);
+            let [a, b] = boundaries.ends(other.edge).map(|p| p - viewpoint);
             let direction = b - a;
-            // Where it meets the plane through the eye across the first edge.
+            // Where it meets the plane through the viewpoint across the first edge.
             let place = -a.dot(along) / direction.dot(along);
             let point = a + direction * place;
             (other.range[0]..=other.range[1]).contains(&place)

@@ -31,7 +31,7 @@ pub struct Viewpoint<R> {
 }
 
 /// Which boundary points count. If the closest point of an edge is hidden, what
-/// hides it has an outline between that point and the rest of the edge: leaving
+/// hides it has a silhouette between that point and the rest of the edge: leaving
 /// out the edge leaves out no visible point that would be the closest.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Visibility {
@@ -47,7 +47,7 @@ impl<R: Real> Viewpoint<R> {
     /// The camera, whose paths can take so many specular events.
     pub fn camera(view: &View<R>, events: u32) -> Self {
         Self {
-            position: view.eye,
+            position: view.origin,
             axes: view.is_parallel().then(|| view.axes()),
             face_normal: None,
             // Shading jumps at every crease, seen from either side.
@@ -67,7 +67,7 @@ impl<R: Real> Viewpoint<R> {
             selection: EdgeSelection::Silhouettes,
             group: EMITTED,
             // Around a direction that reaches light nothing is hidden: what
-            // hides an edge would have an outline nearer than the edge.
+            // hides an edge would have a silhouette nearer than the edge.
             visibility: Visibility::All,
             events: 0,
         }
@@ -87,7 +87,7 @@ impl<R: Real> Viewpoint<R> {
         }
     }
 
-    /// The vectors that move what is fixed to the eye, by [`BoundarySample::shares`](crate::BoundarySample::shares).
+    /// The vectors that move what is fixed to the viewpoint, by [`BoundarySample::shares`](crate::BoundarySample::shares).
     pub fn vectors(&self) -> [Vec3<R>; 4] {
         let [a, b, c] = self.axes.unwrap_or([Vec3::zero(); 3]);
         [self.position, a, b, c]

@@ -1,4 +1,4 @@
-//! Lamps as windows: the directions in which a point can see one.
+//! Emitters as windows: the directions in which a point can see one.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,7 +8,7 @@ use capwalk_scene::{Emitter, EmitterId, Scene};
 
 use crate::viewpoint::SEEN;
 
-/// A lamp.
+/// An emitter.
 #[derive(Clone, Debug)]
 pub struct AreaEmitter {
     /// Which one.
@@ -16,7 +16,7 @@ pub struct AreaEmitter {
     extent: Extent,
 }
 
-/// Where a lamp is.
+/// Where an emitter is.
 #[derive(Clone, Debug)]
 enum Extent {
     /// In a plane: the corners of a polygon around it, counterclockwise around the
@@ -26,31 +26,31 @@ enum Extent {
     Ball { centre: Vec3, radius: f64 },
 }
 
-/// The directions in which a lamp may be seen from an eye.
+/// The directions in which an emitter may be seen from a viewpoint.
 pub struct Window {
     /// A cone around them.
     pub cone: ConeQuery,
-    /// Planes through the eye around them, by unit normals that point inside.
+    /// Planes through the viewpoint around them, by unit normals that point inside.
     pub planes: Vec<Vec3>,
 }
 
-/// Lamps lie in a plane if their vertices do up to this part of their size.
+/// Emitters lie in a plane if their vertices do up to this part of their size.
 const FLAT: f64 = 1e-9;
-/// Flat lamps with more corners get windows of four.
+/// Flat emitters with more corners get windows of four.
 const MANY_CORNERS: usize = 8;
-/// Radians by which cones are opened, and the part of its size by which a lamp's
+/// Radians by which cones are opened, and the part of its size by which an emitter's
 /// plane is moved back: more than rounding.
 const MARGIN: f64 = 1e-6;
 
 impl AreaEmitter {
-    /// All lamps of a scene.
+    /// All emitters of a scene.
     pub fn all(scene: &Scene) -> Vec<Self> {
         let emitters = (0..).map(EmitterId).zip(&scene.emitters);
-        let lamps = emitters.filter_map(|(emitter, what)| match what {
+        let found = emitters.filter_map(|(emitter, what)| match what {
             Emitter::Area { shape, .. } => Some(Self::new(emitter, &scene.shape(*shape).mesh)),
             _ => None,
         });
-        lamps.collect()
+        found.collect()
     }
 
     fn new(emitter: EmitterId, mesh: &Mesh) -> Self {
@@ -80,12 +80,12 @@ impl AreaEmitter {
         Self { emitter, extent }
     }
 
-    /// What an eye sees of it; `None` if only its back.
-    pub fn window(&self, eye: Vec3) -> Option<Window> {
+    /// What a viewpoint sees of it; `None` if only its back.
+    pub fn window(&self, viewpoint: Vec3) -> Option<Window> {
         let mut in_front_of = None;
         let (axis, max_angle, planes) = match &self.extent {
             Extent::Flat { hull, normal } => {
-                let offsets: Vec<Vec3> = hull.iter().map(|&p| p - eye).collect();
+                let offsets: Vec<Vec3> = hull.iter().map(|&p| p - viewpoint).collect();
                 if normal.dot(offsets[0]) >= 0.0 {
                     return None;
                 }
@@ -99,14 +99,14 @@ impl AreaEmitter {
                 let axis = corners.clone().fold(Vec3::zero(), |sum, c| sum + c);
                 let axis = axis.normalized();
                 let widest = corners.map(|c| sphere::angle_between(axis, c));
-                // Counterclockwise around the normal, which points to the eye.
+                // Counterclockwise around the normal, which points to the viewpoint.
                 let next = offsets.iter().cycle().skip(1);
                 let sides = offsets.iter().zip(next);
                 let planes = sides.map(|(a, b)| b.cross(*a).normalized()).collect();
                 (axis, widest.fold(0.0, f64::max) + MARGIN, planes)
             }
             Extent::Ball { centre, radius } => {
-                let offset = *centre - eye;
+                let offset = *centre - viewpoint;
                 let axis = offset.normalized();
                 let angle = (radius / offset.length()).asin() + MARGIN;
                 let (sin, cos) = angle.sin_cos();
@@ -121,7 +121,7 @@ impl AreaEmitter {
         let (axis, max_angle) = if is_narrow { (axis, max_angle) } else { all };
         Some(Window {
             cone: ConeQuery {
-                apex: eye,
+                apex: viewpoint,
                 axis,
                 max_angle,
                 edges: EdgeSelection::Silhouettes,
@@ -181,10 +181,10 @@ mod tests {
     use capwalk_math::Affine;
     use capwalk_scene::primitive::{cube, disk, rectangle, sphere as ball};
 
-    /// Whatever is seen of a lamp's front is seen through its window, and a flat
-    /// lamp of few corners fills it.
+    /// Whatever is seen of an emitter's front is seen through its window, and a flat
+    /// emitter of few corners fills it.
     #[test]
-    fn lamps_are_seen_through_their_windows() {
+    fn emitters_are_seen_through_their_windows() {
         let place = Affine::translate(Vec3::new(0.3, -0.2, 1.5))
             * Affine::rotate(Vec3::new(1.0, 0.4, -0.2), 2.6)
             * Affine::scale(Vec3::new(0.8, 0.5, 0.7));
@@ -202,8 +202,8 @@ mod tests {
             (ball(place, Vec3::zero(), 0.6).0, None),
         ];
         for (mesh, corners) in meshes {
-            let lamp = AreaEmitter::new(EmitterId(0), &mesh);
-            let found = match &lamp.extent {
+            let emitter = AreaEmitter::new(EmitterId(0), &mesh);
+            let found = match &emitter.extent {
                 Extent::Flat { hull, .. } => Some(hull.len()),
                 Extent::Ball { .. } => None,
             };
@@ -211,15 +211,15 @@ mod tests {
             let mut seen = 0;
             for i in 0..200 {
                 let number = |k: i32| (f64::from(i * 7 + k) * 12.9898).sin() * 2.5;
-                let eye = Vec3::new(number(1), number(2), number(3));
+                let viewpoint = Vec3::new(number(1), number(2), number(3));
                 for face in 0..mesh.faces.len() {
-                    let [a, b, c] = mesh.corners(face).map(|p| p - eye);
+                    let [a, b, c] = mesh.corners(face).map(|p| p - viewpoint);
                     let is_front = (b - a).cross(c - a).dot(a) < 0.0;
                     if !is_front {
                         continue;
                     }
                     seen += 1;
-                    let window = lamp.window(eye).expect("its front is seen");
+                    let window = emitter.window(viewpoint).expect("its front is seen");
                     for p in [a, b, c, (a + b + c) / 3.0] {
                         let angle = sphere::angle_between(p.normalized(), window.cone.axis);
                         assert!(angle <= window.cone.max_angle);

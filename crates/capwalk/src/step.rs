@@ -146,7 +146,7 @@ fn mirrored_speed(scene: &Scene, tangent: &Tangent) -> f64 {
             return 0.0;
         };
         let positions = &shape.mesh.positions;
-        let angular = |(&p, v): (&Vec3, &Vec3)| v.length() / (p - view.eye).length();
+        let angular = |(&p, v): (&Vec3, &Vec3)| v.length() / (p - view.origin).length();
         let rates = positions.iter().zip(vertices).map(angular);
         let fastest = rates.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
         let turn = |[a, b, c]: &[u32; 3]| {

@@ -54,7 +54,7 @@ pub struct Irradiance {
 }
 
 /// Samples of the irradiance at each point (with its unit normal), from one
-/// point drawn on an emitter and, for the derivative, one on the lamps' edges.
+/// point drawn on an emitter and, for the derivative, one on the emitters' edges.
 pub fn irradiance(
     scene: &Scene,
     tangent: &Tangent,

@@ -202,7 +202,7 @@ fn add_lamp_behind_triangle(scene: &mut Scene) {
     add(scene, "thing", triangle, ShadingNormals::Face, 0.5);
 }
 
-/// A triangle before the lamp: within its outline as seen from the first point,
+/// A triangle before the lamp: within its silhouette as seen from the first point,
 /// across an edge of it from the second, beside it from the third.
 #[test]
 fn a_triangle_before_a_lamp() {
@@ -257,7 +257,7 @@ fn a_point_in_an_image() {
         &Unwatched,
     )
     .expect("covered");
-    // Where the ray of the image meets the floor moves with the eye and the
+    // Where the ray of the image meets the floor moves with the camera and the
     // floor.
     let ray = point - scene.sensor.origin();
     for (name, slides) in [

@@ -73,7 +73,7 @@ fn sunk_before_parallel_rays() {
     agree("parallel", scene, &tangent, case(Method::Walk));
 }
 
-/// Two outlines that no eye tells apart, far and near.
+/// Two silhouettes that no viewpoint tells apart, far and near.
 #[test]
 fn slabs_as_thin_as_rounding() {
     let near = (v(0.2, -3.0, 1.2), 40.0, 3e-7);

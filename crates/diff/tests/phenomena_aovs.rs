@@ -1,6 +1,6 @@
 //! Gradients against finite differences: what the camera sees first, without
 //! light. What is demanded of each case, and how often it raises a false alarm,
-//! is said in `phenomena_shadows.rs`; here a pixel without an outline has no
+//! is said in `phenomena_shadows.rs`; here a pixel without a silhouette has no
 //! noise, so fewer of them have some.
 
 mod common;
@@ -21,7 +21,7 @@ fn aov_case(aov: Aov, mut scene: Scene, expression: &str) {
         min_pixels: 500,
         ..Case::default()
     };
-    // Differences with a box filter are smeared where outlines pass the borders
+    // Differences with a box filter are smeared where silhouettes pass the borders
     // of pixels: small steps.
     let step = match scene.film.filter {
         Filter::Box => 1e-3,

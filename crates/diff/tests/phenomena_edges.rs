@@ -166,9 +166,9 @@ fn camera_case(name: &str, scene: Scene, expression: &str, case: Case) {
     agree(name, scene, &tangent, edges(case));
 }
 
-/// An outline and a shadow.
+/// A silhouette and a shadow.
 #[test]
-fn outlines() {
+fn silhouettes() {
     for filter in [Filter::Box, Filter::Gaussian { stddev: 0.5 }] {
         let case = Case {
             step: 3e-3,
@@ -176,7 +176,7 @@ fn outlines() {
             min_pixels: 700,
             ..primary()
         };
-        let name = format!("outline, {filter:?}");
+        let name = format!("silhouette, {filter:?}");
         camera_case(&name, visible_ball(filter), "ball.translate.x", case);
     }
 }
@@ -194,7 +194,7 @@ fn camera() {
     camera_case("camera", visible_cube(), expression, case);
 }
 
-/// Each point of the lens has its own outlines.
+/// Each point of the lens has its own silhouettes.
 #[test]
 fn lens() {
     let scene = through_lens(visible_ball(Filter::Gaussian { stddev: 0.5 }), 0.12, 2.9);

@@ -50,7 +50,7 @@ fn add_sky(scene: &mut Scene) {
     });
 }
 
-/// A step that moves outlines by less than 0.2 pixels, for a smooth filter.
+/// A step that moves silhouettes by less than 0.2 pixels, for a smooth filter.
 fn case(spp: u32) -> Case {
     Case {
         step: 6e-3,

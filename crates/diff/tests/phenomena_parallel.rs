@@ -1,5 +1,5 @@
 //! Derivatives of what moves before an orthographic sensor, and of such sensors
-//! that move: against the exact outline of a triangle, and against finite
+//! that move: against the exact silhouette of a triangle, and against finite
 //! differences.
 
 mod common;
@@ -76,7 +76,7 @@ fn area(polygon: &[[f64; 2]]) -> f64 {
     0.5 * twice.sum::<f64>().abs()
 }
 
-/// The outline of a triangle, without any light that it could reflect: what moves is
+/// The silhouette of a triangle, without any light that it could reflect: what moves is
 /// its image, and that is an affine map of it.
 #[test]
 fn triangle_against_its_area() {
@@ -118,7 +118,7 @@ fn agree_before(name: &str, scene: Scene, expression: &str, step: f64) {
 }
 
 /// Every edge of the image moves at a velocity of its own: black things under a sky,
-/// so that nothing but outlines has a derivative.
+/// so that nothing but silhouettes has a derivative.
 #[test]
 fn sensor_of_any_matrix() {
     let mut scene = triangle_under_sky(Filter::Gaussian { stddev: 0.5 });
@@ -136,7 +136,7 @@ fn sensor_of_any_matrix() {
     agree("any matrix", scene, &tangent, case);
 }
 
-/// A dusty pane stands before a cube and its shadow: outlines are seen through it.
+/// A dusty pane stands before a cube and its shadow: silhouettes are seen through it.
 #[test]
 fn cube_behind_a_pane() {
     let mut scene = visible_cube();

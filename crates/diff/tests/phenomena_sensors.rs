@@ -9,7 +9,7 @@ use capwalk_scene::*;
 use common::agree::*;
 use common::stages::*;
 
-/// A ball 4.3 away, seen through a lens: its outlines are three pixels wide.
+/// A ball 4.3 away, seen through a lens: its silhouettes are three pixels wide.
 fn blurred_ball(filter: Filter) -> Scene {
     through_lens(visible_ball(filter), 0.12, 2.9)
 }

@@ -18,7 +18,7 @@ use common::agree::*;
 use common::stages::*;
 use common::*;
 
-/// A floor below a lamp of one large triangle, before which outlines pass.
+/// A floor below a lamp of one large triangle, before which silhouettes pass.
 fn under_a_triangle(thing: Mesh) -> Scene {
     let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 12.0, 40);
     scene.sensor.near_clip = 5.6;
@@ -78,7 +78,7 @@ fn everything_moves_under_one_triangle() {
     on_triangles("everything", scene, expression, few_pixels());
 }
 
-/// The shadow's outline crosses the lamp's border and its diagonal.
+/// The shadow's border crosses the lamp's border and its diagonal.
 #[test]
 fn outlines_cross_borders() {
     let case = Case {
@@ -136,7 +136,7 @@ fn walks_among_explicit_boundaries() {
     );
 }
 
-/// Both meet each other as they meet differences: light and outlines together, from
+/// Both meet each other as they meet differences: light and silhouettes together, from
 /// the camera and from surfaces.
 #[test]
 fn explicit_and_practical_walks_agree() {

@@ -14,7 +14,7 @@ use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Film, Filter, Image, Scene, builtin};
 
-/// The leaf over its floor, in so few pixels that outlines move little in each.
+/// The leaf over its floor, in so few pixels that silhouettes move little in each.
 fn scene() -> Scene {
     let mut scene = builtin::scene("leaf").expect("built in");
     scene.film = Film::new(10, 8, Filter::Tent { radius: 1.0 });

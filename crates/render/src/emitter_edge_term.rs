@@ -1,9 +1,9 @@
-//! The flux through the edges of lamps, METHOD 3: the field runs over them,
-//! and what it carries across is taken back.
+//! The boundary term of emitter edges (METHOD 3): the velocity field ignores these
+//! edges, and a line integral along them accounts for the difference.
 //!
-//! Lamp edges are few and known. Were they boundaries of the field, it would
-//! be singular wherever a shadow's edge runs over the lamp's own, and the
-//! variance would diverge.
+//! Emitter edges are few and known. If the field followed them too, it would be
+//! singular wherever the silhouette of an occluder crosses an emitter edge, and the
+//! variance would be infinite.
 
 use capwalk_boundary::{Accel, Boundaries, Numbers, Viewpoint, beside};
 use capwalk_math::{Real, Rgb, Vec3};
@@ -15,17 +15,20 @@ use crate::scene_eval::{Primal, SceneEval};
 use crate::surface::emitted_at;
 use crate::vertex::Vertex;
 
-/// Zero, with the derivative of the light reflected at a surface by the motion
-/// of lamp edges against the field,
+/// An estimate of the emitter-edge term: a number of value zero whose derivative is
 ///
 /// ```text
 /// ∮ [f(inside) - f(outside)] (u_edge - u)·n dl
 /// ```
 ///
-/// along the lamps' edges on the sphere of directions, from one point drawn on
-/// them by length with the number `u`. `f` is the light of all emitters that
-/// `counts` accepts, so that it does not matter what lies behind the lamp, nor what
-/// hides it. `vertex` is the surface at rest, `eye` the same point in motion.
+/// along the edges on the sphere of directions around the shading point. `f` is the
+/// radiance of the emitters that `counts` accepts, times BSDF and cosine; `u_edge` is
+/// the angular velocity of the edge, `u` the field's, and `n` the normal of the edge's
+/// projection. Both sides are traced, so it does not matter what is behind an emitter
+/// or in front of it.
+///
+/// `vertex` is the primal shading point and `viewpoint` the same point with its
+/// derivatives; `u` in `[0, 1)` chooses a point on the edges, uniformly by length.
 #[allow(clippy::too_many_arguments, reason = "a formula with many symbols")]
 pub fn emitter_edge_term<R: Real, W: SceneEval<R>>(
     accel: &Accel,
@@ -42,39 +45,45 @@ pub fn emitter_edge_term<R: Real, W: SceneEval<R>>(
     let Some(total) = edges.last().map(|edge| edge.cumulative) else {
         return Rgb::zero();
     };
+    // Choose an edge in proportion to its length, and reuse the random number for the
+    // place on it.
     let target = u * total;
     let i = edges
         .partition_point(|edge| edge.cumulative <= target)
         .min(edges.len() - 1);
-    let lamp_edge = &edges[i];
-    let [a, b] = lamp_edge.ends.map(|v| eval.vertex(v));
+    let chosen = &edges[i];
+    let [a, b] = chosen.ends.map(|v| eval.vertex(v));
     let along = (b - a).value();
     let length = along.length();
-    let t = ((lamp_edge.cumulative - target) / length).clamp(0.0, 1.0);
+    let t = ((chosen.cumulative - target) / length).clamp(0.0, 1.0);
 
-    // The moving direction of the edge, and that of the field.
+    // Evaluate the direction to that point, which moves with u_edge, and the same
+    // direction warped by the field, which moves with u.
     let offset = a + (b - a) * R::constant(t) - viewpoint.position;
     let edge = offset.normalized();
     let q = edge.value();
     let warped = eval.warp_value(viewpoint, q, walk, numbers);
-    // Per unit of length along the edge, the curve on the sphere advances by
-    // P_q ê / r; this is its normal times that length.
+    // n dl: per unit of length along the edge ê, its projection advances by P_q ê / r
+    // on the sphere, and q × ê / r is the normal times that length.
     let across = q.cross(along) / (length * offset.value().length());
-    let share = total / lamp_edge.multiplicity(t);
+    // Divide by the density 1 / total. Where edges of several emitters coincide, each of
+    // them finds the same step in f and takes its share of it.
+    let share = total / chosen.multiplicity(t);
     let flow = (edge - warped).dot(Vec3::constant(across * share));
-    // Not a number where the surface touches the edge: it goes on, to be counted.
+    // Skip the two rays where nothing moves. A shading point on the edge itself gives a
+    // NaN, which is not constant and is counted with the sample.
     if flow.is_constant() {
         return Rgb::zero();
     }
+    // Trace both sides of the edge; the normal points from the first to the second.
     let normal = across.normalized();
-    // The normal points from the first side to the second.
     let [behind, before] =
         beside(q, normal).map(|direction| emitted_and_reflected(accel, vertex, direction, &counts));
     Rgb::constant(behind - before) * flow
 }
 
-/// The light of those emitters that `counts` accepts that arrives at a surface from a
-/// direction, as reflected there.
+/// Emitted radiance that arrives from `direction` at the shading point, times BSDF and
+/// cosine; zero if what is seen is no emitter that `counts` accepts.
 pub fn emitted_and_reflected(
     accel: &Accel,
     vertex: &Vertex<f64>,

@@ -1,4 +1,4 @@
-//! How directions towards emitters are drawn, and points on lamps.
+//! How directions towards emitters are drawn, and points on emitters.
 
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
@@ -8,7 +8,7 @@ use capwalk_scene::{Emitter, Scene};
 /// How directions towards an emitter are drawn.
 #[derive(Clone, Debug)]
 pub enum EmitterSampler {
-    /// By points on a lamp.
+    /// By points on an emitter.
     Area(TriangleSampler),
     /// By the cosine at the surface, or uniformly: light from everywhere.
     Constant,
@@ -36,7 +36,7 @@ impl EmitterSampler {
     }
 }
 
-/// A lamp's triangles, to be drawn by area. Indices are the shape's own.
+/// An emitter's triangles, to be drawn by area. Indices are the shape's own.
 #[derive(Clone, Debug)]
 pub struct TriangleSampler {
     triangles: Vec<[Vec3; 3]>,
@@ -44,7 +44,7 @@ pub struct TriangleSampler {
     cumulative: Vec<f64>,
 }
 
-/// A point drawn on a lamp.
+/// A point drawn on an emitter.
 #[derive(Clone, Copy, Debug)]
 pub struct TrianglePoint {
     /// Where it is.
@@ -58,7 +58,7 @@ pub struct TrianglePoint {
 }
 
 impl TriangleSampler {
-    /// A lamp that emits from the whole mesh.
+    /// An emitter that emits from the whole mesh.
     pub fn new(mesh: &Mesh) -> Self {
         let mut area = 0.0;
         let cumulative = (0..mesh.faces.len())
@@ -103,7 +103,7 @@ impl TriangleSampler {
     }
 
     /// Density per solid angle of [`TriangleSampler::sample`], for a direction from a
-    /// point at `distance` that meets the lamp at the cosine `cos_l`.
+    /// point at `distance` that meets the emitter at the cosine `cos_l`.
     #[inline]
     pub fn solid_angle_pdf(&self, distance: f64, cos_l: f64) -> f64 {
         distance * distance / (cos_l.abs() * self.area())
@@ -126,13 +126,13 @@ mod tests {
             ],
             faces: vec![[0, 1, 2], [0, 2, 3]],
         };
-        let lamp = TriangleSampler::new(&mesh);
-        assert!((lamp.area() - 2.0).abs() < 1e-15);
+        let triangles = TriangleSampler::new(&mesh);
+        assert!((triangles.area() - 2.0).abs() < 1e-15);
         let (mut mean, n) = (Vec3::zero(), 400);
         for i in 0..n {
             for k in 0..n {
                 let u = [(i as f64 + 0.5) / n as f64, (k as f64 + 0.5) / n as f64];
-                let point = lamp.sample(u);
+                let point = triangles.sample(u);
                 assert!(point.normal.z > 0.999);
                 mean += point.position / f64::from(n * n);
             }

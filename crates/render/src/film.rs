@@ -1,5 +1,13 @@
-//! The integral over a pixel: film points that move with the field around the
-//! camera, and the flux where the filter ends.
+//! The integral over a pixel (METHOD 4). With `s` a film point, `W` the reconstruction
+//! filter, `L` the radiance, `u` the field around the camera, `ṡ` the velocity that it
+//! gives to film points, and `J` solid angle per film area, its derivative is
+//!
+//! ```text
+//! ∫ [d/dε (W L / J)(warped) + (W L / J) div u] dω  -  ∮ W L ṡ·n dl
+//! ```
+//!
+//! The first is the interior term; the second, the pixel-border term, is over the sides
+//! of the support where the filter is discontinuous.
 
 use std::f64::consts::PI;
 
@@ -13,24 +21,24 @@ use crate::plan::LENS;
 use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::Tracer;
 
-/// Random numbers by purpose: where in the pixel.
+/// First of the two random numbers that choose the place on the film.
 const FILM: u32 = 0;
-/// Which way to draw the film point.
+/// The random number that chooses between the two densities of film points.
 const FILM_CHOICE: u32 = 2;
 /// Share of film points drawn uniformly over the support: the derivative of a
 /// filter stays finite where the filter goes to zero, so drawing by the filter
 /// alone would give derivatives infinite variance.
 const UNIFORM: f64 = 0.5;
 
-/// A film point that moves with the field around the camera.
+/// A film point, warped by the field around the camera.
 struct FilmPoint<R> {
-    /// Where it looks.
+    /// The camera ray through it.
     ray: ViewRay<R>,
-    /// The moving film point.
+    /// Where it is on the film, pixels.
     film: [R; 2],
-    /// Film area per solid angle over its value, times the field's jacobian: 1,
-    /// and its change.
+    /// `1 / J` relative to its primal value, times the Jacobian of the warp: value 1.
     jacobian: R,
+    /// True if a boundary was within the reach of the field.
     near_boundary: bool,
 }
 
@@ -41,12 +49,12 @@ impl<R: Real> FilmPoint<R> {
 }
 
 impl Tracer<'_> {
-    /// One sample of a pixel.
+    /// One sample of a pixel: filtered radiance, and its derivative if `R` has one.
     pub fn pixel<R: Real, W: SceneEval<R>>(&self, eval: &W, pixel: [u32; 2], draw: Draw) -> Rgb<R> {
         let support = self.supports.pixel(pixel);
         let camera = self.camera(eval, draw);
         if W::MOVES && self.gathers_for_camera() && eval.moves() {
-            // Film points stay, also at the border of the pixel.
+            // Film points stay, also those on the border: there is no pixel-border term.
             return self.interior_at_rest(eval, &camera, &support, draw)
                 + self.pixel_silhouette_term(eval, &camera, pixel, &support, draw);
         }
@@ -57,7 +65,7 @@ impl Tracer<'_> {
         }
     }
 
-    /// The camera, from a point of its lens.
+    /// The camera as seen from a point sampled on its lens.
     fn camera<R: Real, W: SceneEval<R>>(&self, eval: &W, draw: Draw) -> Camera<R> {
         let scene = &self.accel.scene;
         let lens = match scene.sensor.model.has_lens() {
@@ -71,7 +79,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// The integral at film points that stay, drawn as for the image.
+    /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, sampled as in
+    /// a primal rendering.
     fn interior_at_rest<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -79,6 +88,7 @@ impl Tracer<'_> {
         support: &Support,
         draw: Draw,
     ) -> Rgb<R> {
+        // Sample the film point by the filter.
         let stream = draw.stream;
         let s = support.sample(0.0, stream.number(FILM_CHOICE), stream.pair(FILM));
         let view = &camera.moving;
@@ -87,6 +97,7 @@ impl Tracer<'_> {
         self.radiance(eval, ray, draw) * R::constant(weight)
     }
 
+    /// The interior term with warped film points.
     fn interior<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -95,6 +106,7 @@ impl Tracer<'_> {
         draw: Draw,
     ) -> Rgb<R> {
         let stream = draw.stream;
+        // Sample a film point by the filter, for derivatives half of the time uniformly.
         let uniform = if W::MOVES { UNIFORM } else { 0.0 };
         let s = support.sample(uniform, stream.number(FILM_CHOICE), stream.pair(FILM));
         let density = support.pdf(uniform, s);
@@ -102,8 +114,8 @@ impl Tracer<'_> {
         if !W::MOVES || support.jumps() {
             return self.share(eval, support, &point, density, draw);
         }
-        // The filter's derivative points opposite ways on opposite sides of its
-        // centre: where the image moves, averaging both removes most of its
+        // The filter's derivative has opposite signs on opposite sides of its centre: where
+        // the image moves, the mean over a film point and its mirror image has far less
         // noise.
         let other = self.film_point(eval, camera, support.mirror(s), 1, draw);
         if !point.moves() && !other.moves() {
@@ -114,8 +126,8 @@ impl Tracer<'_> {
         both * R::constant(0.5)
     }
 
-    /// The share of a film point drawn with `density`: `W L / J` times the
-    /// field's jacobian.
+    /// What a film point sampled with this density adds: `W L / J` times the Jacobian of the
+    /// warp, over the density.
     fn share<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -128,9 +140,9 @@ impl Tracer<'_> {
         self.radiance(eval, point.ray, draw) * weight
     }
 
-    /// `-∮ W L ṡ·n dl` along the sides of the support where the filter jumps.
-    /// Opposite sides are sampled at the same place with the same numbers, so
-    /// that an image that moves as a whole costs little noise.
+    /// The pixel-border term `-∮ W L ṡ·n dl`: a number of value zero, with a derivative.
+    /// Opposite sides are sampled at the same place with the same random numbers, so that
+    /// their noise cancels where the image moves as a whole.
     fn pixel_border_term<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -138,8 +150,9 @@ impl Tracer<'_> {
         support: &Support,
         draw: Draw,
     ) -> Rgb<R> {
-        let mut flux = Rgb::zero();
+        let mut light = Rgb::zero();
         let stream = draw.stream;
+        // Choose the pair of sides across one axis, and a place along them.
         let first = self.film_numbers();
         let axis = usize::from(stream.number(first) < 0.5);
         let (side, along) = (support.sides[axis], support.sides[1 - axis]);
@@ -148,21 +161,23 @@ impl Tracer<'_> {
             if !side.jumps[end] {
                 continue;
             }
+            // Evaluate ṡ·n: how fast the warp moves the film point across the side.
             let mut s = [place; 2];
             s[axis] = side.bounds[end];
-            let film = self.carried_film_point(eval, camera, s, draw)[axis];
+            let film = self.warped_film_point(eval, camera, s, draw)[axis];
             let flow = film - R::constant(film.value());
             if !flow.is_constant() {
-                // Two axes, each drawn half of the time.
+                // Divide by the density: one axis of two, uniform along the side.
                 let weight = support.weight(s) * 2.0 * along.width();
                 let ray = camera.primal.ray(camera.primal.direction(s));
-                let light = self.radiance(&Primal(self.accel), ray, draw);
-                flux += Rgb::constant(light * (-outward * weight)) * flow;
+                let radiance = self.radiance(&Primal(self.accel), ray, draw);
+                light += Rgb::constant(radiance * (-outward * weight)) * flow;
             }
         }
-        flux
+        light
     }
 
+    /// A film point in its place, and in derivatives warped by the field.
     fn film_point<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -182,7 +197,7 @@ impl Tracer<'_> {
             };
         }
         let (settings, numbers) = self.film_walk(walk, draw);
-        let warped = eval.warp(&self.camera_eye(view), q, settings, numbers);
+        let warped = eval.warp(&self.camera_viewpoint(view), q, settings, numbers);
         let area = view.film_area_per_solid_angle(warped.direction);
         FilmPoint {
             ray: view.ray(warped.direction),
@@ -192,8 +207,8 @@ impl Tracer<'_> {
         }
     }
 
-    /// Where the field carries a film point, pixels.
-    fn carried_film_point<R: Real, W: SceneEval<R>>(
+    /// Where the warp moves a film point, pixels.
+    fn warped_film_point<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         camera: &Camera<R>,
@@ -203,10 +218,10 @@ impl Tracer<'_> {
         let (settings, numbers) = self.film_walk(2, draw);
         let q = camera.primal.direction(s);
         let view = &camera.moving;
-        view.film(eval.warp_value(&self.camera_eye(view), q, settings, numbers))
+        view.film(eval.warp_value(&self.camera_viewpoint(view), q, settings, numbers))
     }
 
-    fn camera_eye<R: Real>(&self, view: &View<R>) -> Viewpoint<R> {
+    fn camera_viewpoint<R: Real>(&self, view: &View<R>) -> Viewpoint<R> {
         Viewpoint::camera(view, self.events_behind(0))
     }
 }

@@ -164,9 +164,9 @@ fn emitter_pdf(
 ) -> f64 {
     let chosen = 1.0 / emitters.len() as f64;
     match (&emitters[emitter.0 as usize], hit) {
-        (EmitterSampler::Area(lamp), Some(hit)) => {
+        (EmitterSampler::Area(triangles), Some(hit)) => {
             let face_normal = accel.mesh.face_cross(hit.face as usize).normalized();
-            chosen * lamp.solid_angle_pdf(hit.t, face_normal.dot(direction))
+            chosen * triangles.solid_angle_pdf(hit.t, face_normal.dot(direction))
         }
         (EmitterSampler::Environment(table), _) => chosen * map_pdf(table.as_ref(), direction),
         (EmitterSampler::Constant, _) => {
@@ -176,11 +176,11 @@ fn emitter_pdf(
     }
 }
 
-/// A lamp seen at a smaller cosine is seen from its own plane, up to rounding.
+/// An emitter seen at a smaller cosine is seen from its own plane, up to rounding.
 const IN_ITS_PLANE: f64 = 1e-12;
 
 /// Draws an emitter uniformly and a direction towards it: a uniform point of a
-/// lamp, or a direction to the environment; with its density, and no weight
+/// emitter, or a direction to the environment; with its density, and no weight
 /// yet. `None` if it is occluded or seen from behind.
 fn sample_emitter(
     accel: &Accel,
@@ -199,8 +199,8 @@ fn sample_emitter(
     let position = vertex.position;
     let is_free = |direction: Vec3| accel.first_hit(position, direction).is_none();
     let (direction, hit, pdf) = match &emitters[index] {
-        EmitterSampler::Area(lamp) => {
-            let point = lamp.sample(u);
+        EmitterSampler::Area(triangles) => {
+            let point = triangles.sample(u);
             let offset = point.position - position;
             let distance = offset.length();
             let direction = offset / distance;
@@ -212,10 +212,14 @@ fn sample_emitter(
             }
             let hit = Hit {
                 t: distance,
-                face: accel.lamp_face(emitter, point.face),
+                face: accel.emitter_face(emitter, point.face),
                 barycentric: point.barycentric,
             };
-            (direction, Some(hit), lamp.solid_angle_pdf(distance, cos_l))
+            (
+                direction,
+                Some(hit),
+                triangles.solid_angle_pdf(distance, cos_l),
+            )
         }
         EmitterSampler::Constant => {
             let local = sample_environment(vertex, u);

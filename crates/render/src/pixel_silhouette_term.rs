@@ -1,14 +1,13 @@
-//! The flux through the edges that the camera sees, METHOD 8: film points stay, and
-//! what moves across them is sampled on the edges themselves.
-//!
-//! With `W` the filter, `L` the radiance on either side of an edge, and `ṡ` the
-//! velocity of the edge on the film,
+//! The boundary term of the edges that the camera sees (METHOD 8): film points do not
+//! move, and points are sampled on the projected edges instead.
 //!
 //! ```text
 //! Σ ∫ W [L(behind) - L(before)] ṡ·n dl
 //! ```
 //!
-//! over all visible edges in the support of the filter.
+//! over all visible edges in the support of the filter, with `W` the filter, `L` the
+//! radiance on either side of an edge, `ṡ` the velocity of its projection on the film,
+//! and `n` the normal of the projection, from behind to before.
 
 use capwalk_boundary::Draw;
 use capwalk_math::{Real, Rgb};
@@ -20,8 +19,8 @@ use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::{EDGE_NUMBERS, Moving, Tracer};
 
 impl Tracer<'_> {
-    /// True if film points stay, and edges before the camera are gathered: if none
-    /// of them is seen in a mirror.
+    /// True if the method gathers edges and can do so for the camera: with perspective
+    /// rays, and no boundary seen through specular surfaces.
     pub(super) fn gathers_for_camera(&self) -> bool {
         let gathers = |moving: &Moving| moving.field.method.traits().gathers;
         self.moving.as_ref().is_some_and(gathers)
@@ -29,7 +28,7 @@ impl Tracer<'_> {
             && self.events_behind(0) == 0
     }
 
-    /// A sample of the flux in a pixel.
+    /// A sample of this term for one pixel: a number of value zero, with a derivative.
     pub(super) fn pixel_silhouette_term<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -41,30 +40,36 @@ impl Tracer<'_> {
         let moving = self.moving.as_ref();
         let field = &moving.expect("only scenes that move have this term").field;
         let view = &camera.primal;
-        // Whether the list is kept does not show in what is counted.
+        // Gather the edges in the pixel, or take the list that another sample has gathered:
+        // the count of queries is the same.
         draw.count_queries(1);
         let make = || silhouettes(field, view, support);
+        // Sample a point on one of them.
         let u = draw.stream.number(EDGE_NUMBERS);
         let point = self.silhouettes.with(pixel, make, |silhouettes| {
-            silhouettes.draw(field.boundaries, view.eye, u)
+            silhouettes.draw(field.boundaries, view.origin, u)
         });
         let Some(point) = point else {
             return Rgb::zero();
         };
+        // Evaluate ṡ·n over the density: the motion of the edge against the ray of a fixed
+        // film point, which moves with the camera.
         let s = view.film(point.direction);
         let film = camera.moving.direction(s.map(R::constant));
         let ends = point.ends().map(|i| eval.boundary_point(i));
-        let flow = point.flow(ends, camera.moving.eye, film);
-        // Not a number where the camera touches the edge: it goes on, to be counted.
+        let flow = point.flow(ends, camera.moving.origin, film);
+        // Stop where nothing moves. A camera on the edge itself gives a NaN, which is not
+        // constant and is counted with the sample.
         if flow.is_constant() {
             return Rgb::zero();
         }
+        // Hidden edges contribute nothing.
         let accel = self.accel;
-        if !accel.camera_sees(view.eye, point.direction, point.distance) {
+        if !accel.camera_sees(view.origin, point.direction, point.distance) {
             return Rgb::zero();
         }
         let weight = support.weight(s) * view.film_area_per_solid_angle(point.direction);
-        // The same random numbers on both sides.
+        // Trace both sides with the same random numbers, so that their noise cancels.
         let [behind, before] = point
             .sides()
             .map(|direction| self.radiance(&Primal(accel), view.ray(direction), draw));

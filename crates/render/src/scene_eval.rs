@@ -27,18 +27,23 @@ pub trait SceneEval<R: Real> {
     fn sensor(&self) -> SensorState<R>;
     /// Where a point of the boundaries is; asked only of worlds that move.
     fn boundary_point(&self, index: u32) -> Vec3<R>;
-    /// True if no boundary moves against the eye.
-    fn is_still(&self, eye: &Viewpoint<R>) -> bool;
+    /// True if no boundary moves against the viewpoint.
+    fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;
     /// True if curves in the image can move against the rays.
     fn moves(&self) -> bool;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.
-    fn warp(&self, eye: &Viewpoint<R>, q: Vec3, walk: &WalkSettings, numbers: Numbers)
-    -> Warped<R>;
+    fn warp(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+        numbers: Numbers,
+    ) -> Warped<R>;
     /// The same without the divergence, for flows through curves.
     fn warp_value(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         q: Vec3,
         walk: &WalkSettings,
         numbers: Numbers,

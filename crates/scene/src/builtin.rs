@@ -127,7 +127,7 @@ mod tests {
                     let [w, h] = scene.film.size.map(f64::from);
                     let point = [w * f64::from(i) / 12.0, h * f64::from(j) / 9.0];
                     let view = scene.sensor.view(&scene.film);
-                    let ray = Ray::new(view.eye, view.direction(point));
+                    let ray = Ray::new(view.origin, view.direction(point));
                     seen.insert(first_shape(&scene, &ray).expect("no hole in the background"));
                 }
             }

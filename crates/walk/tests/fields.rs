@@ -15,8 +15,8 @@ struct Moving {
     edges: Vec<Edge>,
     tree: SilhouetteTree,
     velocities: [Vec3; 3],
-    eye: Vec3,
-    eye_velocity: Vec3,
+    viewpoint: Vec3,
+    viewpoint_velocity: Vec3,
 }
 
 impl Moving {
@@ -39,30 +39,30 @@ impl Moving {
                 Vec3::new(0.3, -0.8, 0.0),
                 Vec3::new(-0.2, 0.5, 1.0),
             ],
-            eye: Vec3::new(0.05, 0.02, -0.1),
-            eye_velocity: Vec3::new(0.2, -0.1, 0.3),
+            viewpoint: Vec3::new(0.05, 0.02, -0.1),
+            viewpoint_velocity: Vec3::new(0.2, -0.1, 0.3),
         }
     }
 
     fn domain(&self) -> Sphere<'_> {
-        Sphere::of_silhouettes(&self.tree, self.eye)
+        Sphere::of_silhouettes(&self.tree, self.viewpoint)
     }
 
     /// Angular velocity of the direction to a point, METHOD 2.
     fn angular(&self, x: Vec3, velocity: Vec3) -> Vec3 {
-        let offset = x - self.eye;
+        let offset = x - self.viewpoint;
         let q = offset.normalized();
-        (velocity - self.eye_velocity).reject_from(q) / offset.length()
+        (velocity - self.viewpoint_velocity).reject_from(q) / offset.length()
     }
 
     fn velocity(&self, site: &SilhouettePoint) -> Vec3 {
         let [i, k] = self.edges[site.edge as usize].vertices.map(|v| v as usize);
         let v = self.velocities[i] * (1.0 - site.t) + self.velocities[k] * site.t;
-        self.angular(self.eye + site.direction * site.distance, v)
+        self.angular(self.viewpoint + site.direction * site.distance, v)
     }
 
     fn hides(&self, d: Vec3) -> bool {
-        let [p, q, r] = self.mesh.corners(0).map(|p| p - self.eye);
+        let [p, q, r] = self.mesh.corners(0).map(|p| p - self.viewpoint);
         let sides = [d.dot(p.cross(q)), d.dot(q.cross(r)), d.dot(r.cross(p))];
         sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0)
     }
@@ -71,12 +71,12 @@ impl Moving {
     /// over the directions that miss the triangle.
     fn exact(&self, window: impl Fn(Vec3) -> f64) -> f64 {
         let p = &self.mesh.positions;
-        let centre = (p[0] + p[1] + p[2]) / 3.0 - self.eye;
+        let centre = (p[0] + p[1] + p[2]) / 3.0 - self.viewpoint;
         let n = 20_000;
         let mut sum = 0.0;
         for i in 0..3 {
             let next_corner = (i + 1) % 3;
-            let (a, b) = (p[i] - self.eye, p[next_corner] - self.eye);
+            let (a, b) = (p[i] - self.viewpoint, p[next_corner] - self.viewpoint);
             let normal = a.cross(b).normalized();
             let outward = normal * -normal.dot(centre).signum();
             let at = |k: f64| a + (b - a) * (k / f64::from(n));
@@ -85,7 +85,7 @@ impl Moving {
                 let t = (k + 0.5) / f64::from(n);
                 let middle = at(k + 0.5);
                 let v = self.velocities[i] * (1.0 - t) + self.velocities[next_corner] * t;
-                let u = self.angular(middle + self.eye, v);
+                let u = self.angular(middle + self.viewpoint, v);
                 let length = sphere::angle_between(at(k).normalized(), at(k + 1.0).normalized());
                 sum -= window(middle.normalized()) * u.dot(outward) * length;
             }

@@ -3,7 +3,7 @@
 //! one can be compared with.
 //!
 //! Every edge of the scene is asked whether it is a silhouette before the
-//! triangle's plane, and projected through the eye on the plane. The walk is on
+//! triangle's plane, and projected through the viewpoint on the plane. The walk is on
 //! disks there, not on caps: another field, with the same boundary values.
 
 use capwalk_geometry::{Edge, SilhouettePoint};
@@ -22,8 +22,8 @@ use crate::viewpoint::{Viewpoint, Visibility};
 /// several times.
 pub const MOST_EDGES: usize = 4000;
 
-/// Silhouettes are cut off at this fraction of the eye's height over the plane
-/// below the eye: there, they are projected to where no triangle is.
+/// Silhouettes are cut off at this fraction of the viewpoint's height over the plane
+/// below the viewpoint: there, they are projected to where no triangle is.
 const BELOW_EYE: f64 = 1e-6;
 
 /// A silhouette and its projection.
@@ -31,14 +31,14 @@ struct Shadow {
     edge: u32,
     /// The part of the edge that is projected.
     bounds: [f64; 2],
-    /// How far below the eye its ends are, over the eye's height.
+    /// How far below the viewpoint its ends are, over the viewpoint's height.
     depths: [f64; 2],
     /// Their projections.
     ends: [Vec3; 2],
 }
 
 impl Shadow {
-    /// The projection of an edge through the receiver's eye on its plane, unless
+    /// The projection of an edge through the receiver's viewpoint on its plane, unless
     /// nothing of it is there. `range` tells how far an end is inside of what can be
     /// seen: below zero, it cannot.
     fn new(
@@ -48,7 +48,7 @@ impl Shadow {
         range: &[&dyn Fn(Vec3) -> f64],
     ) -> Option<Self> {
         let plane = receiver.plane(0.0);
-        let depth = |p: Vec3| (receiver.eye - p).dot(plane.normal);
+        let depth = |p: Vec3| (receiver.viewpoint - p).dot(plane.normal);
         let full = depth(plane.point);
         let [a, b] = ends.map(|p| depth(p) / full);
         let mut bounds = cut([0.0, 1.0], [a - BELOW_EYE, b - BELOW_EYE])?;
@@ -56,12 +56,12 @@ impl Shadow {
             bounds = cut(bounds, ends.map(inside))?;
         }
         let depths = bounds.map(|t| a + (b - a) * t);
-        let offset = |t: f64| ends[0] + (ends[1] - ends[0]) * t - receiver.eye;
+        let offset = |t: f64| ends[0] + (ends[1] - ends[0]) * t - receiver.viewpoint;
         Some(Self {
             edge: index,
             bounds,
             depths,
-            ends: [0, 1].map(|i| receiver.eye + offset(bounds[i]) / depths[i]),
+            ends: [0, 1].map(|i| receiver.viewpoint + offset(bounds[i]) / depths[i]),
         })
     }
 
@@ -71,7 +71,7 @@ impl Shadow {
         let [a, b] = self.depths;
         let part = t * a / (t * a + (1.0 - t) * b);
         let t = self.bounds[0] + (self.bounds[1] - self.bounds[0]) * part;
-        let offset = edge_ends[0] + (edge_ends[1] - edge_ends[0]) * t - receiver.eye;
+        let offset = edge_ends[0] + (edge_ends[1] - edge_ends[0]) * t - receiver.viewpoint;
         let distance = offset.length();
         SilhouettePoint {
             edge: self.edge,
@@ -96,10 +96,10 @@ fn cut([from, to]: [f64; 2], [a, b]: [f64; 2]) -> Option<[f64; 2]> {
 }
 
 impl Field<'_> {
-    /// All silhouettes between an eye and a receiver, projected on its plane.
+    /// All silhouettes between a viewpoint and a receiver, projected on its plane.
     fn shadows(&self, receiver: &Receiver, visibility: Visibility) -> Vec<Shadow> {
         // The camera sees between its clip planes.
-        let view = self.accel.view.from(receiver.eye);
+        let view = self.accel.view.from(receiver.viewpoint);
         let [near, far] = view.clip();
         let behind_near = |p: Vec3| view.depth(p) - near;
         let before_far = |p: Vec3| far - view.depth(p);
@@ -113,7 +113,7 @@ impl Field<'_> {
         let shadow = |(index, edge): (usize, &Edge)| {
             let ends = self.ends(edge);
             let is_boundary =
-                !plane.hides(ends) && edge.is_silhouette(&self.accel.mesh, receiver.eye);
+                !plane.hides(ends) && edge.is_silhouette(&self.accel.mesh, receiver.viewpoint);
             match is_boundary {
                 true => Shadow::new(receiver, index as u32, ends, range),
                 false => None,
@@ -131,15 +131,15 @@ impl Field<'_> {
     /// triangle that it meets, Algorithm 3; `None` if it meets nothing.
     pub(crate) fn explicit_flow<R: Real>(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         q: Vec3,
         walk: &WalkSettings,
         random: Numbers,
     ) -> Option<Flow> {
-        let receiver = self.receiver(eye, q)?;
-        let shadows = self.shadows(&receiver, eye.visibility);
+        let receiver = self.receiver(viewpoint, q)?;
+        let shadows = self.shadows(&receiver, viewpoint.visibility);
         let frame = Frame::from_normal(receiver.plane(0.0).normal);
-        let hit = receiver.eye + q * receiver.distance;
+        let hit = receiver.viewpoint + q * receiver.distance;
         let flat = |p: Vec3| Vec2::new(frame.s.dot(p - hit), frame.t.dot(p - hit));
         // The border first, then the projected silhouettes.
         let [a, b, c] = receiver.corners;
@@ -164,7 +164,7 @@ impl Field<'_> {
             let shadow = &shadows[index];
             let ends = self.ends(&self.boundaries.edges()[shadow.edge as usize]);
             let point = shadow.point(&receiver, ends, term.site.t);
-            let velocity = self.projected(eye, &receiver, &point);
+            let velocity = self.projected(viewpoint, &receiver, &point);
             let divergence = frame.s * term.gradient.x + frame.t * term.gradient.y;
             receiver.add(&mut flow, &velocity, term.weight, divergence);
         }
@@ -178,7 +178,7 @@ mod tests {
     use capwalk_geometry::{Hit, Mesh};
 
     /// Points of a projected edge are projections of the edge's points, also where it
-    /// rises above the eye.
+    /// rises above the viewpoint.
     #[test]
     fn points_of_shadows_are_shadows_of_points() {
         let v = |x: f64, y: f64, z: f64| Vec3::new(x, y, z);
@@ -186,13 +186,13 @@ mod tests {
             positions: vec![v(-1.0, -0.8, 2.0), v(1.2, -0.7, 2.6), v(0.1, 1.3, 1.7)],
             faces: vec![[0, 1, 2]],
         };
-        let eye = v(0.1, 0.05, -0.3);
+        let viewpoint = v(0.1, 0.05, -0.3);
         let hit = Hit {
             face: 0,
             t: 2.2,
             barycentric: [0.3, 0.3],
         };
-        let receiver = Receiver::new(&mesh, &hit, eye, v(0.0, 0.0, 1.0));
+        let receiver = Receiver::new(&mesh, &hit, viewpoint, v(0.0, 0.0, 1.0));
         let inner = [v(-0.1, 0.1, 0.8), v(0.2, 0.3, 1.4)];
         for ends in [
             inner,
@@ -203,12 +203,12 @@ mod tests {
                 Shadow::new(&receiver, 0, ends, &[]).expect("some of it is before the plane");
             for t in [0.2, 0.7, 0.95] {
                 let point = shadow.point(&receiver, ends, t);
-                let at = eye + point.direction * point.distance;
+                let at = viewpoint + point.direction * point.distance;
                 let on_edge = ends[0] + (ends[1] - ends[0]) * point.t;
                 assert!((at - on_edge).length() < 1e-12);
                 let expected = shadow.ends[0] + (shadow.ends[1] - shadow.ends[0]) * t;
                 let distance = receiver.distance_along(point.direction);
-                let projected = eye + point.direction * distance;
+                let projected = viewpoint + point.direction * distance;
                 let error = (projected - expected).length() / distance;
                 assert!(error < 1e-9, "{projected:?} {expected:?}");
             }

@@ -3,7 +3,7 @@
 //! relative to its material.
 //!
 //! Auxiliary points `z` are drawn on the triangle's plane around the hit point `p`,
-//! and rays from the eye are sent there. What such a ray meets before the plane
+//! and rays from the viewpoint are sent there. What such a ray meets before the plane
 //! prescribes the velocity of its projection, with its place on its own triangle
 //! fixed; where nothing is before it the material is at rest.
 //!
@@ -54,19 +54,19 @@ impl Field<'_> {
     /// The motion of the direction `q` and the divergence there.
     pub(crate) fn psdr_was_flow<R: Real>(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         q: Vec3,
         settings: &WasSettings,
         numbers: &Stream,
     ) -> Flow {
-        let Some(receiver) = self.receiver(eye, q) else {
-            return was::flow(self.accel, eye, q, settings, numbers);
+        let Some(receiver) = self.receiver(viewpoint, q) else {
+            return was::flow(self.accel, viewpoint, q, settings, numbers);
         };
         let draw = |index, rays: &mut Vec<_>| {
             for (u, mirrored) in ray_numbers(settings, numbers, index) {
                 let (offset, inverse_density) = sample_offset(&receiver, settings.kappa, u);
                 let offset = if mirrored { -offset } else { offset };
-                rays.push(self.auxiliary(eye, &receiver, settings, offset, inverse_density));
+                rays.push(self.auxiliary(viewpoint, &receiver, settings, offset, inverse_density));
             }
         };
         let weight = |ray: &Auxiliary| {
@@ -91,17 +91,17 @@ impl Field<'_> {
 
     fn auxiliary<R: Real>(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         receiver: &Receiver,
         settings: &WasSettings,
         offset: Vec3,
         inverse_density: f64,
     ) -> Auxiliary {
         let point = receiver.point() + offset;
-        let to_point = point - receiver.eye;
+        let to_point = point - receiver.viewpoint;
         let distance = to_point.length();
         let direction = to_point / distance;
-        let hit = was::cast(self.accel, eye, direction);
+        let hit = was::cast(self.accel, viewpoint, direction);
         let before =
             hit.filter(|hit| hit.t < distance * (1.0 - IN_PLANE) && hit.face != receiver.face);
         Auxiliary {
@@ -153,16 +153,16 @@ mod tests {
             positions: vec![v(-1.0, -0.8, 2.0), v(1.2, -0.7, 2.6), v(0.1, 1.3, 1.7)],
             faces: vec![[0, 1, 2]],
         };
-        let eye = v(0.1, 0.05, -0.3);
+        let viewpoint = v(0.1, 0.05, -0.3);
         let point = (mesh.positions[0] + mesh.positions[1] + mesh.positions[2]) / 3.0;
         let at = |point: Vec3| {
-            let offset = point - eye;
+            let offset = point - viewpoint;
             let hit = Hit {
                 face: 0,
                 t: offset.length(),
                 barycentric: [0.0; 2],
             };
-            Receiver::new(&mesh, &hit, eye, offset.normalized())
+            Receiver::new(&mesh, &hit, viewpoint, offset.normalized())
         };
         let receiver = at(point);
         let frame = Frame::from_normal(receiver.normal());

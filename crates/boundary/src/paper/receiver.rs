@@ -4,7 +4,7 @@
 //! The paper's fields live on the surface that is seen, and their vectors are
 //! velocities of the hit point `p` *relative to its material*, in the triangle's
 //! plane (Eqs. 4 and 5). With the material's velocity `ṁ(p)`, linear between the
-//! corners, the hit point moves with `ṁ + v`, and the direction from the eye to it
+//! corners, the hit point moves with `ṁ + v`, and the direction from the viewpoint to it
 //! with `u = P_q w / r`, where `w = ṁ + v - ȯ`. An area of the triangle is seen
 //! under the solid angle `|n·q| / r²`, so that along the motion the solid angle
 //! grows by
@@ -14,7 +14,7 @@
 //! ```
 //!
 //! All of this is linear in the velocities of the triangle's corners, of the
-//! boundary points that `v` is made of, and of the eye: a [`Flow`].
+//! boundary points that `v` is made of, and of the viewpoint: a [`Flow`].
 
 use capwalk_geometry::{HalfSpace, Hit, Mesh};
 use capwalk_math::{Frame, Vec3};
@@ -22,10 +22,10 @@ use capwalk_math::{Frame, Vec3};
 use super::flow::{Flow, FlowSource};
 use crate::boundary_sample::BoundarySample;
 
-/// A triangle and the direction that meets it from an eye.
+/// A triangle and the direction that meets it from a viewpoint.
 pub struct Receiver {
-    /// The eye.
-    pub eye: Vec3,
+    /// The viewpoint.
+    pub viewpoint: Vec3,
     /// Unit direction from there.
     pub direction: Vec3,
     /// Distance of the hit point.
@@ -44,10 +44,10 @@ pub struct Receiver {
 pub type PlaneVelocity = Vec<(FlowSource, [Vec3; 3])>;
 
 impl Receiver {
-    /// What a ray from the eye hits.
-    pub fn new(mesh: &Mesh, hit: &Hit, eye: Vec3, direction: Vec3) -> Self {
+    /// What a ray from the viewpoint hits.
+    pub fn new(mesh: &Mesh, hit: &Hit, viewpoint: Vec3, direction: Vec3) -> Self {
         Self {
-            eye,
+            viewpoint,
             direction,
             distance: hit.t,
             corners: mesh.corners(hit.face as usize),
@@ -59,7 +59,7 @@ impl Receiver {
 
     /// The hit point.
     pub fn point(&self) -> Vec3 {
-        self.eye + self.direction * self.distance
+        self.viewpoint + self.direction * self.distance
     }
 
     /// The unit normal.
@@ -67,12 +67,12 @@ impl Receiver {
         self.cross.normalized()
     }
 
-    /// The corners as seen from the eye.
+    /// The corners as seen from the viewpoint.
     pub fn offsets(&self) -> [Vec3; 3] {
-        self.corners.map(|corner| corner - self.eye)
+        self.corners.map(|corner| corner - self.viewpoint)
     }
 
-    /// The triangle's plane, its front towards the eye, moved back by a distance:
+    /// The triangle's plane, its front towards the viewpoint, moved back by a distance:
     /// what lies behind hides nothing of the triangle (Section 6.1).
     pub fn plane(&self, back: f64) -> HalfSpace {
         let towards = -self.cross.dot(self.direction).signum();
@@ -83,9 +83,9 @@ impl Receiver {
         }
     }
 
-    /// Distance from the eye to the plane along a direction.
+    /// Distance from the viewpoint to the plane along a direction.
     pub fn distance_along(&self, direction: Vec3) -> f64 {
-        self.cross.dot(self.corners[0] - self.eye) / self.cross.dot(direction)
+        self.cross.dot(self.corners[0] - self.viewpoint) / self.cross.dot(direction)
     }
 
     /// Weights of the corners at a point of the plane, by areas.
@@ -102,7 +102,7 @@ impl Receiver {
     }
 
     /// The velocity `v^∂`, relative to the material, of the projection of a boundary
-    /// point through the eye on the triangle's plane, Eqs. (6) and (28). `seen` is
+    /// point through the viewpoint on the triangle's plane, Eqs. (6) and (28). `seen` is
     /// the unit direction of the point.
     pub fn boundary(&self, site: &BoundarySample, seen: Vec3) -> PlaneVelocity {
         let [a, b] = site.points;
@@ -111,7 +111,7 @@ impl Receiver {
     }
 
     /// The same of any point seen in a direction: a sum of others with weights, and
-    /// the map from its velocity relative to the eye to that of its direction.
+    /// the map from its velocity relative to the viewpoint to that of its direction.
     pub fn projected(
         &self,
         parts: &[(u32, f64)],
@@ -127,7 +127,7 @@ impl Receiver {
         for &(point, weight) in parts {
             terms.push((FlowSource::Point(point), columns(|v| turned(v) * weight)));
         }
-        let weights = self.weights(self.eye + seen * r);
+        let weights = self.weights(self.viewpoint + seen * r);
         for (i, weight) in self.vertices.into_iter().zip(weights) {
             terms.push((FlowSource::Point(i), columns(|v| plane(v) * -weight)));
         }
@@ -154,7 +154,7 @@ impl Receiver {
         let mut flow = Flow::default();
         let w = self.stretch_covector();
         let offset = self.direction * self.distance;
-        let weights = self.weights(self.eye + offset);
+        let weights = self.weights(self.viewpoint + offset);
         let scale = 1.0 / self.cross.dot(offset);
         for (i, weight) in weights.into_iter().enumerate() {
             let opposite = self.corners[(i + 1) % 3] - self.corners[(i + 2) % 3];
@@ -183,7 +183,7 @@ impl Receiver {
         }
     }
 
-    /// The covector on `w`, the hit point's velocity relative to the eye, in the
+    /// The covector on `w`, the hit point's velocity relative to the viewpoint, in the
     /// divergence of the direction's field.
     fn stretch_covector(&self) -> Vec3 {
         let r = self.distance;
@@ -208,8 +208,8 @@ mod tests {
     struct Example {
         mesh: Mesh,
         velocities: [Vec3; 3],
-        eye: Vec3,
-        eye_velocity: Vec3,
+        viewpoint: Vec3,
+        viewpoint_velocity: Vec3,
     }
 
     impl Example {
@@ -220,8 +220,8 @@ mod tests {
                     faces: vec![[0, 1, 2]],
                 },
                 velocities: [v(0.3, -0.2, 0.5), v(-0.4, 0.1, 0.7), v(0.2, 0.6, -0.9)],
-                eye: v(0.1, 0.05, -0.3),
-                eye_velocity: v(-0.3, 0.2, 0.4),
+                viewpoint: v(0.1, 0.05, -0.3),
+                viewpoint_velocity: v(-0.3, 0.2, 0.4),
             }
         }
 
@@ -230,16 +230,16 @@ mod tests {
             let cross = (b - a).cross(c - a);
             let hit = Hit {
                 face: 0,
-                t: cross.dot(a - self.eye) / cross.dot(q),
+                t: cross.dot(a - self.viewpoint) / cross.dot(q),
                 barycentric: [0.0; 2],
             };
-            Receiver::new(&self.mesh, &hit, self.eye, q)
+            Receiver::new(&self.mesh, &hit, self.viewpoint, q)
         }
 
         fn evaluate(&self, flow: &Flow) -> (Vec3, f64) {
             flow.evaluate(|source| match source {
                 FlowSource::Point(i) => self.velocities[i as usize],
-                FlowSource::Viewpoint => self.eye_velocity,
+                FlowSource::Viewpoint => self.viewpoint_velocity,
             })
         }
     }
@@ -265,7 +265,7 @@ mod tests {
                 let mut flow = receiver.material();
                 if with_field {
                     let normal = receiver.cross.normalized();
-                    let point = receiver.eye + q * receiver.distance;
+                    let point = receiver.viewpoint + q * receiver.distance;
                     let velocity = columns(|x| x.reject_from(normal));
                     receiver.add(
                         &mut flow,
@@ -294,18 +294,18 @@ mod tests {
     }
 
     /// The material's flow is where a point of the moving triangle is seen from the
-    /// moving eye.
+    /// moving viewpoint.
     #[test]
     fn material_is_seen_where_it_moves() {
         let example = Example::new();
         for q in DIRECTIONS {
             let q = q.normalized();
             let receiver = example.receiver(q);
-            let weights = receiver.weights(receiver.eye + q * receiver.distance);
+            let weights = receiver.weights(receiver.viewpoint + q * receiver.distance);
             let seen = |h: f64| {
                 let corner = |i: usize| receiver.corners[i] + example.velocities[i] * h;
-                let eye = receiver.eye + example.eye_velocity * h;
-                let at = |i: usize| (corner(i) - eye) * weights[i];
+                let viewpoint = receiver.viewpoint + example.viewpoint_velocity * h;
+                let at = |i: usize| (corner(i) - viewpoint) * weights[i];
                 (at(0) + at(1) + at(2)).normalized()
             };
             let h = 1e-5;
@@ -326,7 +326,7 @@ mod tests {
         let t = 0.3;
         let point = ends[0] + (ends[1] - ends[0]) * t;
         let velocity = end_velocities[0] + (end_velocities[1] - end_velocities[0]) * t;
-        let offset = point - example.eye;
+        let offset = point - example.viewpoint;
         let seen = offset.normalized();
         let receiver = example.receiver(seen);
         let site = BoundarySample {
@@ -343,7 +343,7 @@ mod tests {
             let v = match *source {
                 FlowSource::Point(i) if i >= 3 => end_velocities[i as usize - 3],
                 FlowSource::Point(i) => example.velocities[i as usize],
-                FlowSource::Viewpoint => example.eye_velocity,
+                FlowSource::Viewpoint => example.viewpoint_velocity,
             };
             sum + *x * v.x + *y * v.y + *z * v.z
         });
@@ -352,10 +352,10 @@ mod tests {
             for i in 0..3 {
                 moved.mesh.positions[i] += example.velocities[i] * h;
             }
-            moved.eye += example.eye_velocity * h;
-            let seen = (point + velocity * h - moved.eye).normalized();
+            moved.viewpoint += example.viewpoint_velocity * h;
+            let seen = (point + velocity * h - moved.viewpoint).normalized();
             let receiver = moved.receiver(seen);
-            receiver.weights(receiver.eye + seen * receiver.distance)
+            receiver.weights(receiver.viewpoint + seen * receiver.distance)
         };
         let h = 1e-5;
         let (ahead, behind) = (weights(h), weights(-h));

@@ -33,7 +33,7 @@ impl Default for WasSettings {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WasBoundary {
     /// Normals across the view: for smooth surfaces. Flat faces end without it,
-    /// and their outlines are missed.
+    /// and their silhouettes are missed.
     Normals,
     /// The nearest edge of the triangle: right for all meshes, noisy at every
     /// edge.

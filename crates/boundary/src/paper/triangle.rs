@@ -39,9 +39,9 @@ pub(super) const IN_PLANE: f64 = 1e-6;
 
 impl Field<'_> {
     /// The triangle that a direction meets.
-    pub(super) fn receiver<R: Real>(&self, eye: &Viewpoint<R>, q: Vec3) -> Option<Receiver> {
-        let position = eye.position.value();
-        let ray = match eye.visibility {
+    pub(super) fn receiver<R: Real>(&self, viewpoint: &Viewpoint<R>, q: Vec3) -> Option<Receiver> {
+        let position = viewpoint.position.value();
+        let ray = match viewpoint.visibility {
             Visibility::Camera => self.accel.camera_ray(position, q),
             Visibility::Surface | Visibility::All => self.accel.surface_ray(position, q),
         };
@@ -52,7 +52,7 @@ impl Field<'_> {
     /// The velocity of a silhouette's projection on the receiver.
     pub(super) fn projected<R: Real>(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         receiver: &Receiver,
         point: &SilhouettePoint,
     ) -> PlaneVelocity {
@@ -61,17 +61,17 @@ impl Field<'_> {
             mirrors: Mirrors::default(),
             is_direct: true,
         };
-        receiver.boundary(&self.boundary_sample(eye, &seen), point.direction)
+        receiver.boundary(&self.boundary_sample(viewpoint, &seen), point.direction)
     }
 
     /// The directions in which the receiver is seen, and what bounds them.
     fn triangle<R: Real>(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         receiver: &Receiver,
     ) -> Triangle<'_, impl Fn(&SilhouettePoint) -> bool> {
-        let position = receiver.eye;
-        let is_camera = eye.visibility == Visibility::Camera;
+        let position = receiver.viewpoint;
+        let is_camera = viewpoint.visibility == Visibility::Camera;
         // Nothing hides what bounds the visible part of a triangle, but the camera
         // sees no edge before its near plane. One that passes it counts as a whole:
         // if its closest point decided, the field would jump where that passes.
@@ -99,19 +99,19 @@ impl Field<'_> {
     /// triangle that it meets, Algorithm 7; `None` if it meets nothing.
     pub(crate) fn triangle_flow<R: Real>(
         &self,
-        eye: &Viewpoint<R>,
+        viewpoint: &Viewpoint<R>,
         q: Vec3,
         walk: &WalkSettings,
         random: Numbers,
     ) -> Option<Flow> {
-        let receiver = self.receiver(eye, q)?;
-        let triangle = self.triangle(eye, &receiver);
+        let receiver = self.receiver(viewpoint, q)?;
+        let triangle = self.triangle(viewpoint, &receiver);
         let sample = sample_field(&triangle, q, &unlimited(walk), |i| random.number(i));
         random.draw.count_queries(triangle.sphere.queries.get());
         let mut flow = receiver.material();
         for term in sample.terms() {
             if let TriangleBoundary::Silhouette(point) = &term.site {
-                let velocity = self.projected(eye, &receiver, point);
+                let velocity = self.projected(viewpoint, &receiver, point);
                 let divergence = receiver.divergence(term.gradient);
                 receiver.add(&mut flow, &velocity, term.weight, divergence);
             }
@@ -151,7 +151,7 @@ mod tests {
         let [width, height] = scene.film.size.map(f64::from);
         let view = Accel::new(scene.clone()).view;
         let corner = |[x, y, distance]: [f64; 3]| {
-            view.eye + view.direction([width * x, height * y]) * distance
+            view.origin + view.direction([width * x, height * y]) * distance
         };
         let leaf = scene.shapes_mut().find(|shape| shape.id == "leaf");
         let corners = [[0.1, 0.3, 0.3], [0.9, 0.5, 1.0], [0.4, 0.7, 0.9]];
@@ -160,7 +160,7 @@ mod tests {
         let accel = Accel::new(scene.clone());
         let boundaries = Boundaries::new(&accel);
         let field = Field::new(&accel, &boundaries, Method::TriangleWalk);
-        let eye: Viewpoint<f64> = Viewpoint::camera(&accel.view, 0);
+        let viewpoint: Viewpoint<f64> = Viewpoint::camera(&accel.view, 0);
         let mut meets = 0;
         for row in 0..16 {
             let steps = 2000;
@@ -168,10 +168,10 @@ mod tests {
                 let [x, y] = [f64::from(step) / f64::from(steps), f64::from(row) / 16.0];
                 accel.view.direction([width * x, height * y])
             };
-            let Some(receiver) = field.receiver(&eye, at(steps / 2)) else {
+            let Some(receiver) = field.receiver(&viewpoint, at(steps / 2)) else {
                 continue;
             };
-            let triangle = field.triangle(&eye, &receiver);
+            let triangle = field.triangle(&viewpoint, &receiver);
             let nearest = |step: u32| triangle.closest(at(step), std::f64::consts::PI);
             for step in 0..steps {
                 let (Some(a), Some(b)) = (nearest(step), nearest(step + 1)) else {
@@ -194,7 +194,7 @@ mod tests {
         let accel = Accel::new(scene.clone());
         let boundaries = Boundaries::new(&accel);
         let field = Field::new(&accel, &boundaries, Method::TriangleWalk);
-        let eye: Viewpoint<f64> = Viewpoint::camera(&accel.view, 0);
+        let viewpoint: Viewpoint<f64> = Viewpoint::camera(&accel.view, 0);
         let sampler = Sampler::new(&scene.settings, 3, 1);
         let [width, height] = scene.film.size.map(f64::from);
         let estimate = |q: Vec3, steps: u32, estimator: Estimator| {
@@ -213,7 +213,7 @@ mod tests {
                 };
                 let random = Numbers { draw, dimension: 0 };
                 let flow = field
-                    .triangle_flow(&eye, q, &walk, random)
+                    .triangle_flow(&viewpoint, q, &walk, random)
                     .expect("a surface");
                 let (u, divergence) = flow.evaluate(velocity);
                 moments[0].add(u.dot(Vec3::new(0.3, -0.5, 0.8)));
@@ -226,7 +226,7 @@ mod tests {
             // A lattice that fills the film evenly.
             let at = [0.754_877_666, 0.569_840_291].map(|a| (f64::from(i) * a).fract());
             let q = accel.view.direction([width * at[0], height * at[1]]);
-            if field.receiver(&eye, q).is_none() {
+            if field.receiver(&viewpoint, q).is_none() {
                 continue;
             }
             let steps = 1 + i as u32 % 2;

@@ -12,7 +12,7 @@
 //! near. Both integrals are estimated with the same few rays: the ratio is
 //! biased, and consistent as their number grows. Constants and sampling are
 //! those of the authors' implementation in Falcor (WARDiffPathTracer) but for
-//! what misses, where `B` is one as in Mitsuba 3.4: with zero, outlines before
+//! what misses, where `B` is one as in Mitsuba 3.4: with zero, silhouettes before
 //! the sky would stay at rest. Their clamps for single precision are left out:
 //! they are biased for any number of rays.
 
@@ -45,12 +45,13 @@ struct Auxiliary {
 /// velocities of the vertices around what auxiliary rays hit, Eq. (7).
 pub fn flow<R: Real>(
     accel: &Accel,
-    eye: &Viewpoint<R>,
+    viewpoint: &Viewpoint<R>,
     q: Vec3,
     settings: &WasSettings,
     numbers: &Stream,
 ) -> Flow {
-    let draw = |index, rays: &mut Vec<_>| batch(accel, eye, q, settings, numbers, index, rays);
+    let draw =
+        |index, rays: &mut Vec<_>| batch(accel, viewpoint, q, settings, numbers, index, rays);
     let weight = |ray: &Auxiliary| weight(ray, q, settings.kappa);
     let (rays, shares) = weighted_mean::shares(settings, numbers, draw, weight, curvature(q));
     flow_of(accel, &rays, &shares)
@@ -64,7 +65,7 @@ fn curvature(q: Vec3) -> Vec3 {
 /// Draws as many auxiliary rays as the settings say, the `index`-th batch.
 fn batch<R: Real>(
     accel: &Accel,
-    eye: &Viewpoint<R>,
+    viewpoint: &Viewpoint<R>,
     q: Vec3,
     settings: &WasSettings,
     numbers: &Stream,
@@ -79,7 +80,7 @@ fn batch<R: Real>(
             false => local,
         };
         let direction = frame.to_world(local).normalized();
-        let hit = cast(accel, eye, direction);
+        let hit = cast(accel, viewpoint, direction);
         rays.push(Auxiliary {
             direction,
             inverse_density,
@@ -105,10 +106,14 @@ fn sample_direction(kappa: f64, u: [f64; 2]) -> (Vec3, f64) {
     (direction, 1.0 / density)
 }
 
-/// What the eye sees in a direction.
-pub(super) fn cast<R: Real>(accel: &Accel, eye: &Viewpoint<R>, direction: Vec3) -> Option<Hit> {
-    let position = eye.position.value();
-    match eye.visibility {
+/// What the viewpoint sees in a direction.
+pub(super) fn cast<R: Real>(
+    accel: &Accel,
+    viewpoint: &Viewpoint<R>,
+    direction: Vec3,
+) -> Option<Hit> {
+    let position = viewpoint.position.value();
+    match viewpoint.visibility {
         Visibility::Camera => accel.first_hit_within(&accel.camera_ray(position, direction)),
         Visibility::All | Visibility::Surface => accel.first_hit(position, direction),
     }
@@ -119,7 +124,7 @@ pub(super) fn boundary_test(accel: &Accel, test: WasBoundary, hit: &Hit, directi
     let weights = corner_weights(hit);
     match test {
         WasBoundary::Edges => edge_test(weights),
-        // Normals turn away from the eye at outlines of smooth surfaces. The
+        // Normals turn away from the viewpoint at silhouettes of smooth surfaces. The
         // mean is not normalised (Falcor).
         WasBoundary::Normals => {
             let shape_id = accel.shape_of(hit);
@@ -160,7 +165,7 @@ fn weight(ray: &Auxiliary, q: Vec3, kappa: f64) -> (f64, Vec3) {
 /// triangle, so it is seen to move with `V = P_z (Σ b_k ẋ_k - ȯ) / r`.
 fn flow_of(accel: &Accel, rays: &[Auxiliary], shares: &[Share]) -> Flow {
     let mut flow = Flow::default();
-    let (mut eye_columns, mut eye_divergence) = ([Vec3::zero(); 3], Vec3::zero());
+    let (mut viewpoint_columns, mut viewpoint_divergence) = ([Vec3::zero(); 3], Vec3::zero());
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     for (ray, share) in rays.iter().zip(shares) {
         let Some(hit) = &ray.hit else {
@@ -179,12 +184,16 @@ fn flow_of(accel: &Accel, rays: &[Auxiliary], shares: &[Share]) -> Flow {
                 divergence * b,
             );
         }
-        for (sum, column) in eye_columns.iter_mut().zip(columns) {
+        for (sum, column) in viewpoint_columns.iter_mut().zip(columns) {
             *sum += -column;
         }
-        eye_divergence += -divergence;
+        viewpoint_divergence += -divergence;
     }
-    flow.add(FlowSource::Viewpoint, eye_columns, eye_divergence);
+    flow.add(
+        FlowSource::Viewpoint,
+        viewpoint_columns,
+        viewpoint_divergence,
+    );
     flow
 }
 

@@ -10,7 +10,7 @@ use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 use crate::method::Method;
 
-/// The ball and its lamp, flat-shaded, over a floor that is a mirror.
+/// The ball and its emitter, flat-shaded, over a floor that is a mirror.
 fn mirrored() -> Scene {
     let mut scene = builtin::scene("ball").expect("built in");
     let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
@@ -31,10 +31,10 @@ fn mirrored() -> Scene {
 /// The same world without the mirror, and behind it what it shows.
 fn doubled() -> Scene {
     let mut scene = mirrored();
-    let eye = scene.sensor.origin();
+    let viewpoint = scene.sensor.origin();
     let floor = &mut scene.shape_mut(capwalk_scene::ShapeId(0)).mesh;
-    // Out of sight, above the eye.
-    let away = |p: &Vec3| *p * 1e-3 + eye * 50.0;
+    // Out of sight, above the viewpoint.
+    let away = |p: &Vec3| *p * 1e-3 + viewpoint * 50.0;
     floor.positions = floor.positions.iter().map(away).collect();
     for shape in scene.shapes_mut().skip(1) {
         let mut image = shape.mesh.clone();
@@ -56,8 +56,8 @@ fn images_are_seen_through_windows() {
         Field::new(&with, &boundaries[0], Method::Walk),
         Field::new(&without, &boundaries[1], Method::Walk),
     ];
-    let eye: Viewpoint<f64> = Viewpoint::camera(&with.view, 1);
-    let [mirror, window] = fields.each_ref().map(|field| sphere(field, &eye));
+    let viewpoint: Viewpoint<f64> = Viewpoint::camera(&with.view, 1);
+    let [mirror, window] = fields.each_ref().map(|field| sphere(field, &viewpoint));
     let view = scenes[0].sensor.view(&scenes[0].film);
     let [width, height] = scenes[0].film.size.map(f64::from);
     let mut images = 0;
@@ -108,8 +108,8 @@ fn the_closest_edge_in_the_image() {
     let boundaries = Boundaries::new(&accel);
     let field = Field::new(&accel, &boundaries, Method::Walk);
     let (view, edges) = (&accel.view, field.boundaries.edges());
-    let eye: Viewpoint<f64> = Viewpoint::camera(view, 0);
-    let sphere = sphere(&field, &eye);
+    let viewpoint: Viewpoint<f64> = Viewpoint::camera(view, 0);
+    let sphere = sphere(&field, &viewpoint);
     let limit = 0.05;
     let mut found = 0;
     for at in lattice(&scene.film, 1.0).take(300) {
@@ -119,7 +119,7 @@ fn the_closest_edge_in_the_image() {
             let [a, b] = ends.map(|p| view.towards(p));
             let closest = closest_direction(a, b, q).filter(|it| it.angle < limit)?;
             let place = view.place(ends[0] + (ends[1] - ends[0]) * closest.t);
-            let ray = accel.camera_ray(view.eye, closest.direction);
+            let ray = accel.camera_ray(view.origin, closest.direction);
             let first = accel.first_hit_within(&ray).map_or(ray.t_max, |hit| hit.t);
             let is_seen = place.z > ray.t_min && place.z < first + 1e-7;
             is_seen.then_some(closest.angle)

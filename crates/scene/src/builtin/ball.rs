@@ -1,4 +1,4 @@
-//! A sphere above a floor: a smooth outline that is seen and casts a shadow.
+//! A sphere above a floor: a smooth silhouette that is seen and casts a shadow.
 
 use capwalk_math::{Affine, Rgb, Vec3};
 

@@ -229,7 +229,7 @@ mod tests {
         assert!((mesh.area() / (4.0 * PI * radius * radius) - 1.0).abs() < 2.0 * OUTLINE_ERROR);
     }
 
-    /// Seen from anywhere, the outline lies between the sphere and the sphere
+    /// Seen from anywhere, the silhouette lies between the sphere and the sphere
     /// inscribed in the mesh: its error is at most the largest face depth.
     #[test]
     fn sphere_outline_is_within_its_error() {

@@ -28,7 +28,7 @@ use crate::film::Film;
 #[derive(Clone, Copy, Debug)]
 pub struct View<R> {
     /// World-space position of that point; of the camera if rays are parallel.
-    pub eye: Vec3<R>,
+    pub origin: Vec3<R>,
     axes: [Vec3<R>; 3],
     /// Rows of the linear part of `camera_from_world`.
     rows: [Vec3<R>; 3],
@@ -73,7 +73,7 @@ impl<R: Real> View<R> {
             half_width * cos / sin
         };
         let middle = [0.5 * w, 0.5 * h].map(R::constant);
-        let mut eye = state.origin;
+        let mut origin = state.origin;
         let (focal, centre) = match sensor.model {
             SensorModel::Orthographic => (half_width, middle),
             SensorModel::Perspective {
@@ -83,7 +83,7 @@ impl<R: Real> View<R> {
             SensorModel::ThinLens { .. } => {
                 let [x, y] =
                     lens.map(|l| state.optics[Optic::ApertureRadius as usize] * R::constant(l));
-                eye += state.axes[0] * x + state.axes[1] * y;
+                origin += state.axes[0] * x + state.axes[1] * y;
                 let focal = focal();
                 let shift = focal / state.optics[Optic::FocusDistance as usize];
                 (focal, [middle[0] - x * shift, middle[1] - y * shift])
@@ -93,7 +93,7 @@ impl<R: Real> View<R> {
         let volume = a.dot(b.cross(c));
         let is_parallel = sensor.model == SensorModel::Orthographic;
         Self {
-            eye,
+            origin,
             axes: state.axes,
             rows: [b.cross(c), c.cross(a), a.cross(b)].map(|row| row / volume),
             volume,
@@ -113,7 +113,7 @@ impl<R: Real> View<R> {
     /// The same without derivatives.
     pub fn value(&self) -> View<f64> {
         View {
-            eye: self.eye.value(),
+            origin: self.origin.value(),
             axes: self.axes.map(Vec3::value),
             rows: self.rows.map(Vec3::value),
             volume: self.volume.value(),
@@ -167,7 +167,7 @@ impl<R: Real> View<R> {
 
     /// The direction (of any length) in which a world-space point is seen.
     pub fn towards(&self, point: Vec3<R>) -> Vec3<R> {
-        let offset = point - self.eye;
+        let offset = point - self.origin;
         match self.is_parallel {
             true => {
                 let Vec3 { x, y, .. } = self.camera_from_world(offset);
@@ -193,14 +193,14 @@ impl<R: Real> View<R> {
             let [left, up, forward] = self.axes;
             let [x, y] = [direction.x / direction.z, direction.y / direction.z];
             return ViewRay {
-                origin: self.eye + left * x + up * y,
+                origin: self.origin + left * x + up * y,
                 direction: forward.normalized(),
                 range: self.clip,
             };
         }
         let depth = self.rows[2].value().dot(direction.value());
         ViewRay {
-            origin: self.eye,
+            origin: self.origin,
             direction,
             range: self.clip.map(|clip| clip / depth),
         }
@@ -209,13 +209,13 @@ impl<R: Real> View<R> {
 
 impl View<f64> {
     /// The view from another point of the lens, for rays; the film stays.
-    pub fn from(&self, eye: Vec3) -> Self {
-        Self { eye, ..*self }
+    pub fn from(&self, origin: Vec3) -> Self {
+        Self { origin, ..*self }
     }
 
     /// A world-space point in camera space.
     pub fn place(&self, point: Vec3) -> Vec3 {
-        self.camera_from_world(point - self.eye)
+        self.camera_from_world(point - self.origin)
     }
 
     /// With parallel rays, the velocity of [`View::towards`] for that of a point
@@ -232,7 +232,7 @@ impl View<f64> {
 
     /// Depth of a world-space point, to be compared with [`View::clip`].
     pub fn depth(&self, point: Vec3) -> f64 {
-        let depth = self.rows[2].dot(point - self.eye);
+        let depth = self.rows[2].dot(point - self.origin);
         match self.is_parallel {
             true => depth * self.axes[2].length(),
             false => depth,
