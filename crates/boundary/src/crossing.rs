@@ -1,10 +1,9 @@
-//! Where surfaces pass through each other.
+//! Crossings: the segments along which surfaces intersect each other.
 //!
-//! The camera sees a jump along the curve in which two faces cross, though no
-//! mesh has an edge there. The curve is made of straight pieces, one for each
-//! pair of crossing faces, and its motion follows from theirs: a point of it
-//! stays in both moving planes. Shadows need none of it, since both faces hide,
-//! unless one of them is the emitter.
+//! Radiance is discontinuous along the intersection of two surfaces, although no mesh has
+//! an edge there. Each pair of intersecting triangles gives one segment, and its motion
+//! follows from theirs: its points stay in both moving planes. Shadows do not need it,
+//! since both triangles occlude, unless one of them emits.
 
 use std::collections::BTreeMap;
 
@@ -14,28 +13,29 @@ use rayon::prelude::*;
 
 use crate::accel::Accel;
 
-/// The piece of curve in which two faces cross, and how it moves; or another piece of
-/// a curve on faces.
+/// The segment in which two faces intersect, and how it moves; or a segment of another
+/// curve on faces, such as a line of texels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Its ends.
     pub ends: [CrossingEnd; 2],
-    /// True if emitted light jumps there: if one of the faces belongs to an emitter.
+    /// True if emitted radiance is discontinuous there: one of the faces belongs to an
+    /// emitter.
     pub emits: bool,
 }
 
-/// An end of a crossing. It stays in the faces that the curve is on and does not move
-/// along it, so its velocity depends linearly on those of the faces' vertices.
+/// An end of a crossing. It stays in the planes of both faces and does not move along the
+/// segment, so its velocity is a linear function of those of the faces' vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrossingEnd {
-    /// Where it is.
+    /// World space.
     pub position: Vec3,
-    /// What adds to its velocity: each of the faces.
+    /// What each of the two faces adds to its velocity.
     pub(crate) pulls: [Pull; 2],
 }
 
-/// The velocity `column (normal · Σ weight v)` of a face with vertices that
-/// move with `v`.
+/// What a face adds to the velocity of a crossing's end: `column (normal · Σ weight v)`,
+/// with `v` the velocities of the face's vertices.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pull {
     pub(crate) vertices: [u32; 3],
@@ -45,8 +45,8 @@ pub(crate) struct Pull {
 }
 
 impl CrossingEnd {
-    /// Its velocity, across the curve, for velocities of the joined mesh's
-    /// vertices.
+    /// Its velocity, perpendicular to the segment, for the velocities of the vertices of the
+    /// joined mesh.
     pub fn velocity(&self, velocities: &[Vec3]) -> Vec3 {
         let pull = |pull: &Pull| {
             let vertices = pull.vertices.iter().zip(pull.weights);
@@ -63,8 +63,8 @@ impl CrossingEnd {
         self.pulls.iter().flat_map(|pull| pull.vertices)
     }
 
-    /// The transpose: passes a covector on its velocity on to covectors on the
-    /// velocities of the joined mesh's vertices.
+    /// The transpose of [`CrossingEnd::velocity`]: adds to the covectors of the vertices of
+    /// the joined mesh what follows from one on this velocity.
     pub fn pull_back(&self, covector: Vec3, covectors: &mut [Vec3]) {
         for pull in &self.pulls {
             let along = pull.normal * pull.column.dot(covector);
@@ -75,24 +75,25 @@ impl CrossingEnd {
     }
 }
 
-/// Fraction of an edge at its ends that may touch another face without
-/// crossing it: things that stand on each other do not cross. Far less than the
-/// fraction by which a hidden point is taken for a visible one, and than the
-/// single precision of mesh files, which sinks what should stand: no edge is
-/// left out as hidden where no crossing takes its place.
+/// Fraction of an edge, at each of its ends, in which a hit is contact rather than an
+/// intersection: things that stand on each other do not cross. Far less than the margin
+/// of visibility tests, and than the single precision of mesh files, by which things sink
+/// into what they stand on: wherever an edge counts as hidden, there is a crossing in its
+/// place.
 const TOUCHING: f64 = 1e-11;
-/// Faces whose unit normals differ by less than this sine lie in each other
-/// rather than cross.
+/// Sine of the angle between two faces below which they count as coplanar and not as
+/// crossing.
 const COPLANAR: f64 = 1e-6;
 
 /// All crossings of faces of the joined mesh, in a fixed order.
 pub fn crossings(accel: &Accel) -> Vec<Crossing> {
+    // Find every point where an edge of one face passes through another face.
     let pierced: Vec<_> = (0..accel.mesh.faces.len() as u32)
         .into_par_iter()
         .flat_map_iter(|face| piercings(accel, face))
         .collect();
-    // Two faces cross in a segment; at its ends an edge of one of them pierces
-    // the other.
+    // Collect these points by pairs of faces. Two triangles intersect in a segment, and at
+    // each of its ends an edge of one passes through the other.
     let mut pairs: BTreeMap<[u32; 2], Vec<Vec3>> = BTreeMap::new();
     for (face, other, point) in pierced {
         pairs
@@ -104,14 +105,13 @@ pub fn crossings(accel: &Accel) -> Vec<Crossing> {
         .into_iter()
         .filter_map(|(faces, points)| match points[..] {
             [a, b] => crossing(accel, faces, [a, b]),
-            // Touching, not crossing.
+            // Any other number of points is contact.
             _ => None,
         })
         .collect()
 }
 
-/// Where the edges of a face pierce other faces: the face, the other, the
-/// point.
+/// Where the edges of a face pass through other faces: this face, the other, the point.
 fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
     let corners = accel.mesh.corners(face as usize);
     let mut found = Vec::new();
@@ -122,9 +122,10 @@ fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
             t_max: 1.0 - TOUCHING,
             ..Ray::new(ends[0], ends[1] - ends[0])
         };
+        // Continue behind each hit up to the end of the edge.
         while let Some(hit) = accel.first_hit_within(&ray) {
             let others = accel.mesh.corners(hit.face as usize);
-            // Neighbours share the ends of the edge.
+            // Faces that share a vertex with the edge are its neighbours.
             if !others.iter().any(|corner| ends.contains(corner)) {
                 found.push((face, hit.face, ray.at(hit.t)));
             }
@@ -134,7 +135,7 @@ fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
     found
 }
 
-/// The crossing of two faces between two points, if they are not coplanar.
+/// The crossing of two faces between two points; `None` if the faces are coplanar.
 fn crossing(accel: &Accel, faces: [u32; 2], ends: [Vec3; 2]) -> Option<Crossing> {
     let normals = faces.map(|face| accel.mesh.face_cross(face as usize).normalized());
     let along = normals[0].cross(normals[1]);
@@ -142,7 +143,9 @@ fn crossing(accel: &Accel, faces: [u32; 2], ends: [Vec3; 2]) -> Option<Crossing>
     if square.sqrt() < COPLANAR || !square.is_finite() {
         return None;
     }
-    // ẋ with n₁·ẋ = n₁·v₁, n₂·ẋ = n₂·v₂, and no motion along the curve.
+    // Solve n₁·ẋ = n₁·v₁, n₂·ẋ = n₂·v₂ and (n₁ × n₂)·ẋ = 0 for the velocity ẋ of the point,
+    // with v₁ and v₂ the velocities of the faces there. With s = n₁ × n₂, the solution is
+    // ẋ = [(n₂ × s) (n₁·v₁) + (s × n₁) (n₂·v₂)] / |s|².
     let columns = [normals[1].cross(along), along.cross(normals[0])];
     let end = |position: Vec3| CrossingEnd {
         position,

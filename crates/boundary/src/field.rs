@@ -1,4 +1,5 @@
-//! The fields around all viewpoints of a scene, as linear maps from its velocities.
+//! The velocity fields around all viewpoints of a scene, as linear maps from the
+//! velocities of its vertices.
 
 use capwalk_geometry::{Edge, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
@@ -16,7 +17,7 @@ pub struct Field<'a> {
     pub accel: &'a Accel,
     /// Its boundaries.
     pub boundaries: &'a Boundaries,
-    /// What makes the fields.
+    /// The estimator.
     pub method: Method,
 }
 
@@ -30,9 +31,9 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// A boundary point as a map from velocities: what counts is how it moves across
-    /// the line of sight or, at the horizon of the face that the viewpoint lies on,
-    /// across the horizon.
+    /// A boundary point as a linear map from velocities. What counts is its motion
+    /// perpendicular to the direction in which it is seen or, on the horizon of the face
+    /// that the viewpoint is on, its motion across the horizon.
     pub(crate) fn boundary_sample<R: Real>(
         &self,
         viewpoint: &Viewpoint<R>,
@@ -40,9 +41,8 @@ impl<'a> Field<'a> {
     ) -> BoundarySample {
         let found = &seen.point;
         let edge = &self.boundaries.edge(found.edge);
-        // Around the face that the viewpoint slides on, its edges are the horizon.
-        // Only the motion across the horizon matters; that along it grows
-        // without bound as the viewpoint nears the edge.
+        // The edges of the viewpoint's own face are on its horizon. Only motion across the
+        // horizon matters; that along it grows without bound as the viewpoint nears the edge.
         let horizon = viewpoint
             .face_normal
             .filter(|normal| {
@@ -64,11 +64,12 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Where a boundary point is.
+    /// World position of a boundary point.
     pub fn position(&self, sample: &BoundarySample) -> Vec3 {
         self.boundaries.point(sample.points, sample.t)
     }
 
+    /// True if an edge is in the plane of the viewpoint's face.
     fn in_horizon(&self, viewpoint: Vec3, edge: &Edge, normal: Vec3) -> bool {
         edge.vertices.iter().all(|&i| {
             let offset = self.boundaries.position(i) - viewpoint;
@@ -84,14 +85,14 @@ impl<'a> Field<'a> {
         point: impl Fn(u32) -> Vec3,
         viewpoint: &[Vec3; 4],
     ) -> Vec3 {
-        // The point moves with its edge's ends, its image with the mirrors, too.
+        // The point moves with the ends of its edge, its mirror image also with the mirrors.
         let [a, b] = sample.points.map(&point);
         let mut velocity = a + (b - a) * sample.t;
         if !sample.mirrors.is_empty() {
             let (mesh, position) = (&self.accel.mesh, self.position(sample));
             velocity = sample.mirrors.velocity(mesh, position, velocity, point);
         }
-        // It is seen against what is fixed to the viewpoint.
+        // Subtract the velocity of what is fixed to the viewpoint.
         for (&vector, share) in viewpoint.iter().zip(sample.shares()) {
             velocity += vector * -share;
         }
@@ -121,9 +122,9 @@ impl<'a> Field<'a> {
         on_point(b, covector * sample.t);
     }
 
-    /// The angular velocity of a boundary point, or its image in mirrors, for a
-    /// velocity `ẋ - ȯ` relative to the viewpoint, `P_x̂ (ẋ - ȯ) / |x - o|`; if the viewpoint's
-    /// rays are parallel, that of its direction in image space.
+    /// The angular velocity of a boundary point, or of its mirror image, for a velocity
+    /// `ẋ - ȯ` relative to the viewpoint: `P_x̂ (ẋ - ȯ) / |x - o|`. If the viewpoint's rays
+    /// are parallel, it is that of the direction in image space.
     #[inline]
     fn seen_velocity(&self, sample: &BoundarySample, relative: Vec3) -> Vec3 {
         match sample.place {
@@ -142,8 +143,8 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Where a point is that a viewpoint's tree found around `apex`, and how far along the
-    /// viewpoint's ray.
+    /// World position of a point that a query found around `apex`, and its distance along
+    /// the viewpoint's ray.
     pub(crate) fn located<R>(
         &self,
         viewpoint: &Viewpoint<R>,

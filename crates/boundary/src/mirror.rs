@@ -4,7 +4,7 @@
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
-/// Most specular events between a viewpoint and an edge that is seen.
+/// The most specular events between a viewpoint and an edge.
 pub const MAX_EVENTS: u32 = 6;
 
 /// The plane of a face, which may move, as a mirror.

@@ -1,11 +1,12 @@
-//! What is seen in flat mirrors and through panes (METHOD 6): edges seen there
-//! are boundaries around the viewpoint, too, in the directions of their images.
+//! Reflected boundaries (METHOD 6): edges seen in flat mirrors and through panes are
+//! boundaries of the field around the viewpoint, in the directions of their mirror images.
 //!
-//! An image stays on the sphere around the viewpoint. From behind the mirror, where
-//! the viewpoint's own image is, the edge itself is seen in the reflected direction
-//! and at the image's distance: the query is the same with another viewpoint. Which
-//! mirrors are looked into is decided by the direction; images that are seen
-//! in other mirrors lie behind these mirrors' silhouettes, which are boundaries.
+//! The mirror image of an edge is not built. Instead the viewpoint is reflected: from its
+//! mirror image, the edge itself is seen in the reflected direction and at the same
+//! distance, so the same query in the same tree finds it from another apex. The specular
+//! chains that are searched are those of the ray in the direction `q`. Images seen in
+//! other mirrors are beyond the silhouettes of these mirrors, which are boundaries
+//! themselves, so the field stays continuous.
 
 use capwalk_geometry::topology::COPLANAR;
 use capwalk_geometry::{ConeQuery, HalfSpace, Hit, Ray, SilhouettePoint};
@@ -19,23 +20,25 @@ use crate::field::Field;
 use crate::mirror::{MAX_EVENTS, Mirror, Mirrors};
 use crate::viewpoint::{Viewpoint, Visibility};
 
-/// The sphere of directions around a viewpoint, bounded by edges and their images.
+/// The sphere of directions around a viewpoint, bounded by edges and by their mirror
+/// images.
 pub struct ReflectedSphere<'a, R, F> {
-    /// The edges that are seen without mirrors.
+    /// The same without mirror images.
     pub direct: Sphere<'a, F>,
-    /// The edges.
+    /// The scene and its boundaries.
     pub field: &'a Field<'a>,
-    /// Where they start.
+    /// Its centre.
     pub viewpoint: &'a Viewpoint<R>,
 }
 
-/// A ray on its way from a viewpoint through flat specular surfaces.
+/// A ray from a viewpoint, after the first events of a specular chain.
 #[derive(Clone, Copy)]
 struct SpecularRay {
+    /// From the last event on.
     ray: Ray,
-    /// The image of the viewpoint from where the ray seems to come, and in which direction
-    /// of the edges' space.
-    viewpoint: Vec3,
+    /// The viewpoint, reflected at all mirrors of the chain; in the space of the tree.
+    apex: Vec3,
+    /// The direction `q`, reflected likewise.
     axis: Vec3,
     events: [Event; MAX_EVENTS as usize],
     mirrors: Mirrors,
@@ -47,7 +50,7 @@ impl SpecularRay {
         &self.events[..self.count as usize]
     }
 
-    /// The ray behind an event.
+    /// The ray after one more event at `hit`.
     fn after(&self, accel: &Accel, hit: &Hit, event: Event) -> Self {
         let mut next = *self;
         next.events[self.count as usize] = event;
@@ -57,7 +60,7 @@ impl SpecularRay {
             let mirror = Mirror::new(&accel.mesh, hit.face);
             direction = mirror.direction(direction);
             next.axis = direction;
-            next.viewpoint = mirror.point(self.viewpoint);
+            next.apex = mirror.point(self.apex);
             next.mirrors.push(hit.face);
         }
         next.ray = accel.surface_ray(self.ray.at(hit.t), direction);
@@ -65,12 +68,14 @@ impl SpecularRay {
     }
 }
 
-/// Fraction of its distance by which each mirror may make the image of a point miss
-/// the point, seen in another face of the same mirror: twice the angle between
-/// faces without an edge between them, and as much again for rounding.
+/// How far, per mirror and as a fraction of the distance, a path traced to a point may
+/// miss it and still arrive. Neighbouring faces of one mirror differ by up to
+/// [`COPLANAR`], which turns the reflected ray by twice as much; as much again is for
+/// rounding.
 const SAME_MIRROR: f64 = 4.0 * COPLANAR;
 
 impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
+    /// The ray before any event.
     fn first_ray(&self, direction: Vec3) -> SpecularRay {
         let viewpoint = self.viewpoint.position.value();
         SpecularRay {
@@ -80,7 +85,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
                     self.field.accel.surface_ray(viewpoint, direction)
                 }
             },
-            viewpoint: self.direct.origin,
+            apex: self.direct.origin,
             axis: direction,
             events: [Event::Pass; MAX_EVENTS as usize],
             mirrors: Mirrors::default(),
@@ -88,24 +93,32 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
         }
     }
 
-    /// Looks for images closer to a direction than the best point so far, behind
-    /// what a ray hits.
-    fn look_behind(&self, sight: &SpecularRay, limit: f64, best: &mut Option<Nearest<Seen, Vec3>>) {
+    /// Replaces `best` by a boundary point that is closer to the direction `q` if there is
+    /// one beyond the next specular surface of the chain, or beyond those after it. `limit`
+    /// is in radians.
+    fn search_behind(
+        &self,
+        specular: &SpecularRay,
+        limit: f64,
+        best: &mut Option<Nearest<Seen, Vec3>>,
+    ) {
         let accel = self.field.accel;
-        let Some(hit) = accel.first_hit_within(&sight.ray) else {
+        // Extend the chain by each specular event that the next surface has.
+        let Some(hit) = accel.first_hit_within(&specular.ray) else {
             return;
         };
         for event in accel.flat_events(&hit).iter() {
             let is_parallel = self.viewpoint.axes.is_some();
             if is_parallel && event == Event::Reflect {
-                continue; // What moves there is refused.
+                continue; // such derivatives are refused
             }
-            let behind = sight.after(accel, &hit, event);
-            // Only what lies before a mirror is seen in it.
+            let behind = specular.after(accel, &hit, event);
+            // Search around the reflected direction, on that side of the surface to which the
+            // ray continues: only what is in front of a mirror is seen in it.
             let normal = accel.mesh.face_cross(hit.face as usize);
             let side = normal.dot(behind.ray.direction).signum();
             let query = ConeQuery {
-                apex: behind.viewpoint,
+                apex: behind.apex,
                 axis: behind.axis,
                 max_angle: best.map_or(limit, |nearest| nearest.distance),
                 edges: self.direct.edges,
@@ -116,10 +129,11 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
                 }),
             };
             self.direct.queries.set(self.direct.queries.get() + 1);
-            let is_seen = |point: &SilhouettePoint| self.mirrors_before(&behind, point).is_some();
+            let is_seen = |point: &SilhouettePoint| self.mirrors_towards(&behind, point).is_some();
+            // Keep the closest edge point to which the specular chain leads.
             if let Some(point) = self.direct.tree.closest_where(&query, is_seen) {
-                let mirrors = self.mirrors_before(&behind, &point);
-                let direction = self.unfolded(&behind, point.direction);
+                let mirrors = self.mirrors_towards(&behind, &point);
+                let direction = self.reflected_back(&behind, point.direction);
                 *best = Some(Nearest {
                     site: Seen {
                         point: SilhouettePoint { direction, ..point },
@@ -130,36 +144,41 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
                     distance: point.angle,
                 });
             }
+            // Follow the chain to the surface after this one.
             if behind.count < self.viewpoint.events {
-                self.look_behind(&behind, limit, best);
+                self.search_behind(&behind, limit, best);
             }
         }
     }
 
-    /// A direction from the viewpoint's image as the viewpoint sees it.
-    fn unfolded(&self, sight: &SpecularRay, direction: Vec3) -> Vec3 {
-        let faces = sight.mirrors.faces().iter().rev();
+    /// A direction from the reflected apex as the viewpoint sees it: reflected at the mirrors
+    /// of the chain, last to first.
+    fn reflected_back(&self, specular: &SpecularRay, direction: Vec3) -> Vec3 {
+        let faces = specular.mirrors.faces().iter().rev();
         faces.fold(direction, |direction, &face| {
             Mirror::new(&self.field.accel.mesh, face).direction(direction)
         })
     }
 
-    /// The mirrors in which a point found from the viewpoint's image is seen by the viewpoint:
-    /// faces of the planes that were looked into. `None` if it is hidden.
-    fn mirrors_before(&self, sight: &SpecularRay, point: &SilhouettePoint) -> Option<Mirrors> {
+    /// The mirrors in which the viewpoint sees a point that was found from the reflected apex,
+    /// possibly other faces of the same planes. `None` if no path with the events of this
+    /// chain arrives there.
+    fn mirrors_towards(&self, specular: &SpecularRay, point: &SilhouettePoint) -> Option<Mirrors> {
         let accel = self.field.accel;
-        let direction = self.unfolded(sight, point.direction);
-        // What lies in the plane of the viewpoint's own face is seen edge-on: nothing jumps,
-        // and whether a ray along the plane meets something is a matter of rounding.
+        let direction = self.reflected_back(specular, point.direction);
+        // Leave out what lies in the plane of the viewpoint's own face: seen edge-on it is no
+        // discontinuity, and what a ray along the plane hits is decided by rounding.
         let height = |normal: Vec3| (direction.dot(normal) * point.distance).abs();
         let horizon = self.viewpoint.face_normal.map(height);
         if horizon.is_some_and(|height| height <= accel.horizon_distance()) {
             return None;
         }
-        let (target, distance) = self.field.located(self.viewpoint, sight.viewpoint, point);
+        // Trace the path: each surface on the way must be hit before the point's distance is
+        // used up, and must have the event of the chain.
+        let (target, distance) = self.field.located(self.viewpoint, specular.apex, point);
         let mut trace = self.first_ray(direction);
         let mut left = distance;
-        for &event in sight.events() {
+        for &event in specular.events() {
             let hit = accel.first_hit_within(&trace.ray)?;
             if hit.t >= left || !accel.flat_events(&hit).contains(event) {
                 return None;
@@ -167,8 +186,9 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
             left -= hit.t;
             trace = trace.after(accel, &hit, event);
         }
+        // It must end at the point, and nothing may hide the point after the last event.
         let miss = trace.ray.at(left) - target;
-        // Without mirrors it is there up to rounding.
+        // Without mirrors the margin is for rounding alone.
         let reflections = trace.mirrors.faces().len().max(1) as f64;
         let is_there = miss.length() < SAME_MIRROR * reflections * distance;
         let sees = || accel.surface_sees(trace.ray.origin, trace.ray.direction, left);
@@ -181,6 +201,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ReflectedSphere<'_, R,
     type Site = Seen;
 
     fn closest(&self, q: Vec3, limit: f64) -> Option<Nearest<Seen, Vec3>> {
+        // The closest edge that is seen directly.
         let direct = self.direct.closest(q, limit);
         let mut best = direct.map(|nearest| Nearest {
             site: Seen {
@@ -191,8 +212,9 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ReflectedSphere<'_, R,
             point: nearest.point,
             distance: nearest.distance,
         });
+        // A reflected one takes its place if it is closer.
         if self.viewpoint.events > 0 {
-            self.look_behind(&self.first_ray(q), limit, &mut best);
+            self.search_behind(&self.first_ray(q), limit, &mut best);
         }
         best
     }

@@ -1,19 +1,19 @@
-//! Points that look at the boundaries around them: which edges count there.
+//! Viewpoints, the centres of velocity fields, and which edges are boundaries around them.
 
 use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::sensor::view::View;
 
-/// Edges that are boundaries for all light that is seen.
+/// The group of edges that bound all incident light.
 pub const SEEN: u8 = 1;
-/// Edges that are boundaries for emitted light alone: all but those of area emitters
-/// with few edges, whose term is added explicitly.
+/// The group of edges that bound emitted light alone: all but those of area emitters with
+/// few edges, which have a term of their own (METHOD 3).
 pub const EMITTED: u8 = 2;
 
-/// A point that looks at the boundaries around it.
+/// The centre of a velocity field: the camera or a shading point.
 #[derive(Clone, Copy, Debug)]
 pub struct Viewpoint<R> {
-    /// The shading point or the camera.
+    /// World space.
     pub position: Vec3<R>,
     /// The axes of a camera with parallel rays, around which directions are those of
     /// image space ([`View`]).
@@ -30,27 +30,29 @@ pub struct Viewpoint<R> {
     pub events: u32,
 }
 
-/// Which boundary points count. If the closest point of an edge is hidden, what
-/// hides it has a silhouette between that point and the rest of the edge: leaving
-/// out the edge leaves out no visible point that would be the closest.
+/// Which boundary points count.
+///
+/// The closest point of an edge decides for the whole edge. If that point is hidden, its
+/// occluder has a silhouette between it and the visible rest of the edge, and that
+/// silhouette is closer: no visible closest point is lost.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Visibility {
-    /// All of them: right, too, and enough where nothing is hidden.
+    /// All of them: also unbiased, and sufficient where nothing is hidden.
     All,
-    /// Those that a point on a surface sees.
+    /// Those visible from a point on a surface.
     Surface,
-    /// Those that the camera sees, between its clip planes.
+    /// Those visible from the camera, between its clip planes.
     Camera,
 }
 
 impl<R: Real> Viewpoint<R> {
-    /// The camera, whose paths can take so many specular events.
+    /// The camera. Edges count behind at most `events` flat specular events.
     pub fn camera(view: &View<R>, events: u32) -> Self {
         Self {
             position: view.origin,
             axes: view.is_parallel().then(|| view.axes()),
             face_normal: None,
-            // Shading jumps at every crease, seen from either side.
+            // Shading is discontinuous at every crease, also where both faces are visible.
             selection: EdgeSelection::All,
             group: SEEN,
             visibility: Visibility::Camera,
@@ -58,7 +60,7 @@ impl<R: Real> Viewpoint<R> {
         }
     }
 
-    /// A surface point that looks for emitted light.
+    /// A shading point, for directions towards emitters.
     pub fn towards_emitters(position: Vec3<R>, face_normal: Vec3) -> Self {
         Self {
             position,
@@ -66,15 +68,15 @@ impl<R: Real> Viewpoint<R> {
             face_normal: Some(face_normal),
             selection: EdgeSelection::Silhouettes,
             group: EMITTED,
-            // Around a direction that reaches light nothing is hidden: what
-            // hides an edge would have a silhouette nearer than the edge.
+            // Around a direction that reaches an emitter nothing closest is hidden: an
+            // occluder of an edge would have a silhouette closer than the edge.
             visibility: Visibility::All,
             events: 0,
         }
     }
 
-    /// A surface point that looks at other surfaces, along paths that can take so
-    /// many specular events.
+    /// A shading point, for directions towards other surfaces. Edges count behind at most
+    /// `events` flat specular events.
     pub fn towards_surfaces(position: Vec3<R>, face_normal: Vec3, events: u32) -> Self {
         Self {
             position,
@@ -87,7 +89,8 @@ impl<R: Real> Viewpoint<R> {
         }
     }
 
-    /// The vectors that move what is fixed to the viewpoint, by [`BoundarySample::shares`](crate::BoundarySample::shares).
+    /// The vectors on which the position of what is fixed to the viewpoint depends, with the
+    /// coefficients of [`BoundarySample::shares`](crate::BoundarySample::shares).
     pub fn vectors(&self) -> [Vec3<R>; 4] {
         let [a, b, c] = self.axes.unwrap_or([Vec3::zero(); 3]);
         [self.position, a, b, c]

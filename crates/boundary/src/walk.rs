@@ -1,5 +1,6 @@
-//! The field around a viewpoint by fixed-step walks on spherical caps (METHOD 2), with
-//! silhouettes seen directly, in flat mirrors and through panes as boundaries.
+//! The velocity field around a viewpoint, estimated by fixed-step walks on spherical caps
+//! (METHOD 2). Its boundaries are the edges seen directly, in flat mirrors and through
+//! panes.
 
 use std::cell::Cell;
 
@@ -13,7 +14,8 @@ use crate::field::Field;
 use crate::reflected::ReflectedSphere;
 use crate::viewpoint::{Viewpoint, Visibility};
 
-/// A sample of the field and its divergence in the direction `q`.
+/// A sample of the field `u(q)` and its divergence `div u(q)`: boundary points with the
+/// weights of their velocities in both.
 pub fn walk<R: Real>(
     field: &Field,
     viewpoint: &Viewpoint<R>,
@@ -21,14 +23,16 @@ pub fn walk<R: Real>(
     settings: &WalkSettings,
     random: Numbers,
 ) -> FieldSample<BoundarySample, Vec3> {
+    // Walk among the boundaries, which knows no velocities yet.
     let sphere = sphere(field, viewpoint);
     let sample = sample_field(&sphere, q, settings, |i| random.number(i));
     random.draw.count_queries(sphere.direct.queries.get());
+    // Turn each boundary point into a linear map from velocities to its angular velocity.
     sample.map(|seen| field.boundary_sample(viewpoint, seen))
 }
 
-/// A sample of the field alone: the boundary point whose velocity it is; `None` for
-/// velocity zero.
+/// A sample of the field `u(q)` alone: the boundary point where the walk ends, whose
+/// angular velocity it is; `None` if no boundary is near and the field is zero.
 pub fn walk_value<R: Real>(
     field: &Field,
     viewpoint: &Viewpoint<R>,
@@ -42,18 +46,19 @@ pub fn walk_value<R: Real>(
     Some(field.boundary_sample(viewpoint, &seen?))
 }
 
-/// The directions around a viewpoint, bounded by edges and their images.
+/// The sphere of directions around a viewpoint, bounded by edges and their mirror images.
 pub(crate) fn sphere<'e, R: Real>(
     field: &'e Field,
     viewpoint: &'e Viewpoint<R>,
 ) -> ReflectedSphere<'e, R, impl Fn(&SilhouettePoint) -> bool> {
     let (accel, boundaries) = (field.accel, field.boundaries);
     let position = viewpoint.position.value();
-    // Parallel rays all start from the origin of image space.
+    // A camera with parallel rays sees directions from the origin of image space.
     let (tree, apex) = match viewpoint.axes {
         None => (boundaries.tree(), position),
         Some(_) => (boundaries.image_tree(), Vec3::zero()),
     };
+    // Leave out what is hidden, from the camera also what its clip planes cut off.
     let is_camera = viewpoint.visibility == Visibility::Camera;
     let is_seen = move |point: &SilhouettePoint| {
         let (_, distance) = field.located(viewpoint, apex, point);
