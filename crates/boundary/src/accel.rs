@@ -1,4 +1,4 @@
-//! A scene made ready to answer: one mesh, its rays, its emitters.
+//! A scene prepared for queries: one mesh, its ray tree, its emitters.
 
 use std::sync::Arc;
 
@@ -24,11 +24,11 @@ pub struct Accel {
     pub first_vertex: Vec<u32>,
     /// First face of each shape.
     pub first_face: Vec<u32>,
-    /// Whether it matters how each shape's material is turned about the normal.
+    /// Whether each shape's material depends on its rotation about the normal.
     pub needs_tangent: Vec<bool>,
     /// What the camera sees from the middle of its lens.
     pub view: View<f64>,
-    /// Whether it matters where on a face of each shape a ray meets it.
+    /// Whether each shape's shading depends on where on a face it is hit.
     pub needs_place: Vec<bool>,
     /// What materials need besides their textures.
     pub resolver: Resolver,
@@ -244,7 +244,7 @@ impl Accel {
     pub fn emitter_face(&self, emitter: EmitterId, face: u32) -> u32 {
         match self.scene.emitter(emitter) {
             Emitter::Area { shape, .. } => self.first_face[shape.0 as usize] + face,
-            _ => unreachable!("only lamps of area have faces"),
+            _ => unreachable!("only area emitters have faces"),
         }
     }
 

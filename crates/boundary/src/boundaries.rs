@@ -15,15 +15,15 @@ use crate::texture_line::texture_lines;
 use crate::viewpoint::{EMITTED, SEEN};
 use crate::window::AreaEmitter;
 
-/// Emitters with at most this many edges have their flux sampled explicitly
-/// (METHOD 3); the edges of others join the boundaries.
+/// The edges of emitters with at most this many have a term of their own (METHOD 3); those
+/// of others are boundaries.
 const FEW_EDGES: usize = 64;
 
 /// The edges of a scene that can be boundaries.
 #[derive(Debug)]
 pub struct Boundaries {
     edges: Vec<Edge>,
-    /// How much light may jump at each edge that is no silhouette.
+    /// A guess of how large the discontinuity is at each edge that is no silhouette.
     contrasts: Vec<f32>,
     tree: SilhouetteTree,
     /// The same edges in image space, if the sensor's rays are parallel: seen from
@@ -31,12 +31,12 @@ pub struct Boundaries {
     image_tree: Option<SilhouetteTree>,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
-    /// The curves where faces cross and textures jump, in the order of their ends'
-    /// positions.
+    /// The segments where faces cross and where textures are discontinuous, in the order of
+    /// the positions of their ends.
     pub crossings: Vec<Crossing>,
     /// The edges of area emitters with few edges.
     pub emitter_edges: Vec<EmitterEdge>,
-    /// The area emitters, before which edges can be gathered.
+    /// The area emitters, in front of which edges can be gathered.
     pub area_emitters: Vec<AreaEmitter>,
 }
 
@@ -111,8 +111,8 @@ impl Boundaries {
         &self.edges[edge as usize]
     }
 
-    /// How much light may jump at an edge, from above 0 to 1: 1 where it is a
-    /// silhouette, seen from the viewpoint, or where its faces look different.
+    /// A guess of how large the discontinuity is at an edge, above 0 and at most 1: it is 1
+    /// at silhouettes as seen from the viewpoint and at shading discontinuities.
     pub fn contrast(&self, edge: u32, mesh: &Mesh, viewpoint: Vec3) -> f64 {
         match self.edge(edge).is_silhouette(mesh, viewpoint) {
             true => 1.0,
@@ -131,8 +131,8 @@ impl Boundaries {
         self.positions[point as usize]
     }
 
-    /// The edges in a cone with their ends, by their numbers: the order must not tell how
-    /// the tree came about.
+    /// The edges in a cone with their ends, sorted by their numbers, so that the order does
+    /// not depend on how the tree was built.
     pub fn gather(&self, query: &ConeQuery) -> Vec<(u32, [Vec3; 2])> {
         let mut found = Vec::new();
         self.tree
@@ -207,8 +207,8 @@ impl Listed {
                 shift(edge, first_vertex, first_face);
                 edge.groups = if is_explicit { SEEN } else { SEEN | EMITTED };
                 if let (Some(_), Sides::Between { faces, flipped }) = (shape.emitter, edge.sides) {
-                    // Light ends where an emitter turns its back, folded or not, and
-                    // jumps with its texture.
+                    // Emitted light ends where an emitter shows its back, folded or not, and is
+                    // discontinuous where its texture is.
                     let local = faces.map(|face| face - first_face);
                     if flipped || discontinuities.textures_differ(local) {
                         edge.sides = Sides::Open;
@@ -230,7 +230,7 @@ impl Listed {
             edges.push(Edge {
                 vertices: [first, first + 1],
                 sides: Sides::Open,
-                // An emitter that something cuts through ends there.
+                // An emitter ends where another surface passes through it.
                 groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
             });
             contrasts.push(1.0);

@@ -1,7 +1,7 @@
 //! Surfaces that the camera's clip planes cut.
 //!
-//! Where a clip plane cuts a surface in view, the image jumps along a curve
-//! that no edge carries. Such scenes are refused.
+//! Where a clip plane cuts a visible surface, the image is discontinuous along a curve that
+//! is no edge of a mesh. Such scenes are refused.
 
 use capwalk_math::Vec3;
 use capwalk_scene::SensorModel;
@@ -54,7 +54,7 @@ fn cut_at_depth(view: &View<f64>, corners: [Vec3; 3], depth: f64) -> Option<[Vec
 fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
     let (view, film) = (&accel.view, &accel.scene.film);
     let [a, b] = segment.map(|p| view.film(view.towards(p)));
-    let mut reach = if film.sample_border {
+    let mut margin = if film.sample_border {
         film.filter.radius()
     } else {
         0.0
@@ -67,14 +67,14 @@ fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
     } = accel.scene.sensor.model
     {
         let shift = (1.0 / focus_distance - 1.0 / depth).abs();
-        reach += aperture_radius * shift / view.pixel_size();
+        margin += aperture_radius * shift / view.pixel_size();
         is_blurred = aperture_radius > 0.0;
     }
     // Liang and Barsky 1984: the part of the segment inside the rectangle.
     let (mut first, mut last) = (0.0_f64, 1.0_f64);
     for axis in 0..2 {
-        let low = f64::from(film.crop_offset[axis]) - reach;
-        let high = f64::from(film.crop_offset[axis] + film.crop_size[axis]) + reach;
+        let low = f64::from(film.crop_offset[axis]) - margin;
+        let high = f64::from(film.crop_offset[axis] + film.crop_size[axis]) + margin;
         let step = b[axis] - a[axis];
         let ends = [low, high].map(|side| (side - a[axis]) / step);
         if step == 0.0 {

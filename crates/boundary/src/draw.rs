@@ -1,29 +1,29 @@
-//! One sample: its random numbers, and what it cost.
+//! The random numbers of one sample, and its counters.
 
 use std::cell::Cell;
 
 use crate::random::Stream;
 
-/// One sample: its random numbers, and what it cost.
+/// The random numbers of one sample, and its counters.
 #[derive(Clone, Copy)]
 pub struct Draw<'a> {
-    /// The numbers.
+    /// The random numbers.
     pub stream: &'a Stream,
-    /// What it costs, and what it could not do.
+    /// The counters.
     pub counts: &'a Counts,
 }
 
-/// Counts of one sample.
+/// What is counted in one sample.
 #[derive(Debug, Default)]
 pub struct Counts {
     /// Closest-silhouette queries.
     pub queries: Cell<u64>,
-    /// Specular events behind which silhouettes can move: these bound no field.
+    /// Specular events behind which silhouettes can move that are not covered.
     pub uncovered: Cell<u64>,
 }
 
 impl Draw<'_> {
-    /// Counts queries for silhouettes.
+    /// Adds to the closest-silhouette queries.
     pub fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);
     }
@@ -32,14 +32,14 @@ impl Draw<'_> {
 /// The random numbers of one walk.
 #[derive(Clone, Copy)]
 pub struct Numbers<'a> {
-    /// Of this sample.
+    /// The sample.
     pub draw: Draw<'a>,
     /// The first of the walk's dimensions.
     pub dimension: u32,
 }
 
 impl Numbers<'_> {
-    /// Any number of them, for what does not walk.
+    /// A stream of its own, for estimators that need any number of them.
     #[cfg(feature = "paper")]
     pub(crate) fn branch(&self) -> Stream {
         self.draw.stream.branch(self.dimension)

@@ -1,5 +1,5 @@
-//! Edges of emitters whose flux is sampled, and where they lie on each other: emitters
-//! that touch.
+//! The emitter edges with a term of their own (METHOD 3), and where they coincide: at
+//! emitters that touch.
 
 use capwalk_math::Vec3;
 
@@ -16,8 +16,8 @@ pub struct EmitterEdge {
 }
 
 impl EmitterEdge {
-    /// How many edges lie at a place on it, itself among them: each of them takes
-    /// its share of what jumps there.
+    /// How many edges coincide at a place on it, itself included: each of them adds its
+    /// share of the discontinuity there.
     pub fn multiplicity(&self, t: f64) -> f64 {
         let covers = |[from, to]: &&[f64; 2]| *from <= t && t <= *to;
         1.0 + self.shared.iter().filter(covers).count() as f64
@@ -66,16 +66,16 @@ fn overlap([a, b]: [Vec3; 2], other: [Vec3; 2]) -> Option<[f64; 2]> {
     (to - from > ON_EDGE).then_some([from, to])
 }
 
-/// A direction that scenes are not aligned with: along it, emitters in rows and
-/// layers are spread out.
+/// A direction that scenes are not aligned with: along it, emitters in a grid have
+/// different coordinates.
 const SWEEP: Vec3 = Vec3::new(0.536_187_1, 0.618_033_9, 0.575_219_3);
 
 /// Where other edges lie on each edge, in the order of the others. Only edges whose
 /// shadows on a line overlap are compared.
 fn shared(segments: &[[Vec3; 2]]) -> Vec<Vec<[f64; 2]>> {
-    // From where to where each edge reaches, with room for what lies beside it
-    // and for rounding.
-    let mut reaches: Vec<(f64, f64, usize)> = (0..segments.len())
+    // The interval of each edge along that direction, with a margin for edges beside it and
+    // for rounding.
+    let mut intervals: Vec<(f64, f64, usize)> = (0..segments.len())
         .map(|i| {
             let [a, b] = segments[i];
             let [s, t] = [a, b].map(|p| p.dot(SWEEP));
@@ -83,10 +83,10 @@ fn shared(segments: &[[Vec3; 2]]) -> Vec<Vec<[f64; 2]>> {
             (s.min(t) - margin, s.max(t) + margin, i)
         })
         .collect();
-    reaches.sort_by(|a, b| a.0.total_cmp(&b.0));
+    intervals.sort_by(|a, b| a.0.total_cmp(&b.0));
     let mut found: Vec<Vec<(usize, [f64; 2])>> = vec![Vec::new(); segments.len()];
-    for (rank, &(_, end, i)) in reaches.iter().enumerate() {
-        let behind = reaches[rank + 1..].iter();
+    for (rank, &(_, end, i)) in intervals.iter().enumerate() {
+        let behind = intervals[rank + 1..].iter();
         for &(_, _, k) in behind.take_while(|(start, ..)| *start <= end) {
             for (on, other) in [(i, k), (k, i)] {
                 if let Some(place) = overlap(segments[on], segments[other]) {

@@ -1,4 +1,4 @@
-//! The field around a camera whose rays are parallel, and meet in no point.
+//! The field around a camera whose rays are parallel and have no common origin.
 //!
 //! It is the field around the origin of image space, in which the camera-space
 //! point `(X, Y, Z)` lies at `(X, Y, 1)`: there, all rays start. Straight edges stay

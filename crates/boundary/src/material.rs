@@ -6,16 +6,16 @@ use capwalk_scene::lobe::Event;
 use capwalk_scene::material::Anisotropy;
 use capwalk_scene::{Bsdf, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId};
 
-/// True if it matters, for the value or a derivative, how a material is turned
-/// about the normal.
+/// True if the value or a derivative depends on how a material is rotated about the
+/// normal.
 pub fn needs_tangent(scene: &Scene, id: BsdfId) -> bool {
     any_part(scene, id, |bsdf| {
         bsdf.traits().anisotropy != Anisotropy::Isotropic
     }) || scene.map_in(id).is_some()
 }
 
-/// True if it matters where on a face of a shape a ray meets it, besides the
-/// position: for interpolated normals, for textures, for layers of these.
+/// True if shading depends on where on a face of a shape a ray hits it, besides the
+/// position: by interpolated normals, textures, or AOVs of these.
 pub fn needs_place(scene: &Scene, shape: &Shape) -> bool {
     let mut textures = textures_of(scene, shape).into_iter();
     shape.normals.per_vertex().is_some()
@@ -23,7 +23,7 @@ pub fn needs_place(scene: &Scene, shape: &Shape) -> bool {
         || matches!(scene.settings.integrator, Integrator::Aov(_))
 }
 
-/// True if the value depends on how a material is turned about the normal.
+/// True if the value depends on how a material is rotated about the normal.
 pub fn looks_turned(scene: &Scene, id: BsdfId) -> bool {
     any_part(scene, id, |bsdf| is_anisotropic(scene, bsdf))
 }
@@ -113,8 +113,8 @@ pub fn tangents_of_face<R: Real>(
     are_finite.then_some(tangents)
 }
 
-/// The textures that decide how a shape looks: those of its materials and of
-/// what it emits, attributes in the place of what looks them up.
+/// The textures on which the appearance of a shape depends: those of its materials and of
+/// its emission, with attributes in place of the textures that refer to them.
 pub fn textures_of<'s>(scene: &'s Scene, shape: &Shape) -> Vec<&'s Texture> {
     let mut ids: Vec<TextureId> = shape
         .emitter

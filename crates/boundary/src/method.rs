@@ -6,19 +6,18 @@ pub use crate::paper::settings::{WasBoundary, WasSettings};
 /// How the derivative of a discontinuous integrand is estimated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Method {
-    /// A velocity field by walks on spherical caps, around every point that light
-    /// arrives at. Unbiased.
+    /// A velocity field around every shading point and the camera, estimated by walks on
+    /// spherical caps. Unbiased.
     #[default]
     Walk,
-    /// Directions towards area emitters, and those of a camera that sees through no
-    /// flat mirror or pane and whose rays are not parallel, stay where they are, and
-    /// points are drawn on all edges that move across them; elsewhere like
-    /// [`Method::Walk`]. Unbiased.
+    /// Boundary terms, with points sampled on all edges in front of area emitters and of the
+    /// camera, whose directions then do not move; elsewhere as [`Method::Walk`], also for a
+    /// camera that sees flat mirrors or panes or has parallel rays. Unbiased.
     Edges,
-    /// The same walk on the triangle that each direction meets, where the field is
+    /// The same walk on the triangle that each direction hits, where the field is
     /// relative to the material: the paper to the letter. Borders of triangles
     /// limit its walks, in the place of `max_radius`, which is left for directions
-    /// that meet nothing. Unbiased; reflected boundaries are not covered.
+    /// that hit nothing. Unbiased; reflected boundaries are not covered.
     #[cfg(feature = "paper")]
     TriangleWalk,
     /// The same with a walk on disks in the triangle's plane, among all silhouettes
@@ -29,24 +28,23 @@ pub enum Method {
     /// more auxiliary rays; what is seen in mirrors is not covered.
     #[cfg(feature = "paper")]
     Was(WasSettings),
-    /// The same on the triangle that each direction meets, relative to its material
+    /// The same on the triangle that each direction hits, relative to its material
     /// (Xu et al. 2023).
     #[cfg(feature = "paper")]
     PsdrWas(WasSettings),
 }
 
-/// What a method promises and needs: one answer for every method, so that a new one
-/// states all of them.
+/// The properties of a method: every method states all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MethodTraits {
     /// Its name in files and messages.
     pub name: &'static str,
-    /// True if it promises the truth: what it does not cover is refused.
+    /// True if it is unbiased: what it does not cover is refused.
     pub is_unbiased: bool,
-    /// True if its field is made by walks, whose settings must give a continuous one.
+    /// True if it walks: its settings must give a continuous field.
     pub walks: bool,
-    /// True if directions towards area emitters stay, and edges before them are
-    /// gathered.
+    /// True if directions towards area emitters do not move, and edges in front of the
+    /// emitters are gathered.
     pub gathers: bool,
     /// True if its fields have reflected boundaries, lines of textures, parallel rays,
     /// and run over the edges of emitters, whose term is then added: the fields of
@@ -55,7 +53,7 @@ pub struct MethodTraits {
 }
 
 impl Method {
-    /// What it promises and needs.
+    /// Its properties.
     pub fn traits(&self) -> MethodTraits {
         let spherical = MethodTraits {
             name: "walk",

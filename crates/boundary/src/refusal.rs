@@ -155,8 +155,8 @@ impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NoSteps => f.write_str(
-                "a walk of 0 steps gives a field that is not continuous, and a wrong derivative; \
-                 use at least 1 step",
+                "a walk of 0 steps gives a discontinuous velocity field, and with it a wrong \
+                 derivative; use at least 1 step",
             ),
             Self::MaxAngle(angle) => write!(
                 f,
@@ -171,20 +171,21 @@ impl fmt::Display for Refusal {
             #[cfg(feature = "paper")]
             Self::ManyEdges { count, most } => write!(
                 f,
-                "the scene has {count} edges, and walks among explicit boundaries look at all of \
-                 them for every direction; expected at most {most}. Use fields on triangles, which \
-                 ask a tree for the closest ones, or on the sphere"
+                "the scene has {count} edges, and walks among explicit boundaries test all of them \
+                 for every direction; expected at most {most}. Use fields on triangles or on the \
+                 sphere, which find the closest ones in a tree"
             ),
             Self::HardShadows { emitter, plugin } => write!(
                 f,
-                "the emitter \"{emitter}\" ({plugin}) has no extent, and the tangent of the hard \
-                 edges of its shadows is not available. Use a small area emitter instead, or finite \
-                 differences"
+                "the emitter \"{emitter}\" ({plugin}) has no extent, so its shadows have hard \
+                 edges, and how these move is not differentiated. Use a small area emitter, or \
+                 finite differences"
             ),
             Self::ParallelRays { method } => write!(
                 f,
-                "the method `{method}` has no field for the parallel rays of an orthographic \
-                 sensor. Use the default method, or a perspective sensor far away with a small fov"
+                "the method `{method}` has no velocity field for the parallel rays of an \
+                 orthographic sensor. Use the default method, or a perspective sensor far away with \
+                 a small fov"
             ),
             Self::TextureDiscontinuities {
                 texture,
@@ -193,8 +194,8 @@ impl fmt::Display for Refusal {
             } => write!(
                 f,
                 "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
-                 texels, and the method `{method}` misses the tangent of these discontinuities. Use \
-                 the filter `bilinear`, the default method, or finite differences"
+                 texels, and the method `{method}` does not differentiate how these discontinuities \
+                 move. Use the filter `bilinear`, the default method, or finite differences"
             ),
             Self::ManyTextureLines {
                 texture,
@@ -228,8 +229,8 @@ impl fmt::Display for Refusal {
                     )?,
                 }
                 f.write_str(
-                    " to say in which directions; these are discontinuous somewhere on smooth \
-                     surfaces. Add texture coordinates to the mesh that span every face",
+                    " that would give its tangents. Tangents made up without them are discontinuous \
+                     on smooth surfaces. Add texture coordinates to the mesh that span every face",
                 )
             }
             Self::CutNormals {
@@ -238,8 +239,9 @@ impl fmt::Display for Refusal {
                 flag,
             } => write!(
                 f,
-                "without `{flag}` the {plugin} \"{material}\" cuts light off along curves inside \
-                 faces, and their tangent is not available. Set it to true, or use finite differences"
+                "without `{flag}` the {plugin} \"{material}\" cuts off light along curves inside \
+                 faces, and how these move is not differentiated. Set `{flag}` to true, or use \
+                 finite differences"
             ),
             Self::Clipped {
                 shape,
@@ -248,8 +250,8 @@ impl fmt::Display for Refusal {
             } => write!(
                 f,
                 "the camera's {plane} of {depth} cuts through the shape \"{shape}\" within the \
-                 image, and the derivative of what is cut off there is not available. Choose \
-                 another {plane}, or move the camera"
+                 image, and how the cut moves is not differentiated. Choose another {plane}, or \
+                 move the camera"
             ),
             Self::InfiniteDerivative {
                 material,
@@ -258,8 +260,8 @@ impl fmt::Display for Refusal {
             } => write!(
                 f,
                 "the derivative with respect to \"{slot}\" of the principled material \
-                 \"{material}\" is infinite where it is 0: {why}. Raise these numbers a little, to \
-                 0.001 perhaps"
+                 \"{material}\" is infinite where it is 0: {why}. Raise such values a little, for \
+                 example to 0.001"
             ),
             Self::SpecularMotion { share, cause } => specular_motion(f, *share, *cause),
             Self::AdjointSize {
@@ -289,14 +291,14 @@ impl fmt::Display for Refusal {
 
 fn specular_motion(f: &mut fmt::Formatter<'_>, share: f64, cause: SpecularCause) -> fmt::Result {
     let per_cent = 100.0 * share;
-    let (seen, covered, most) = match cause {
+    let (mirrors, covered, most) = match cause {
         SpecularCause::Method => {
             return write!(
                 f,
-                "things move that are seen in mirrors or through what lets light pass (about \
-                 {per_cent:.2} specular events in 100 samples), and the tangent of their silhouettes \
-                 there is not available with fields on triangles. Use fields on the sphere, the \
-                 default, which have it for flat mirrors and panes"
+                "objects move that are seen in mirrors or through transparent surfaces (about \
+                 {per_cent:.2} specular events in 100 samples), and fields on triangles do not \
+                 cover the silhouettes seen there. Use fields on the sphere, the default, which \
+                 cover them in flat mirrors and through panes"
             );
         }
         SpecularCause::Orthographic { most_events } => (
@@ -310,11 +312,11 @@ fn specular_motion(f: &mut fmt::Formatter<'_>, share: f64, cause: SpecularCause)
     };
     write!(
         f,
-        "things move that are seen {seen}, through refracting glass, or after more than {most} \
-         reflections (about {per_cent:.2} specular events in 100 samples), and the tangent of their \
-         silhouettes there is not available. It is {covered} (without vertex normals) and through \
-         panes (`thindielectric`), and so are shadows seen in mirrors at rest. Use one of these, a \
-         rough material (alpha of 0.01 or more), or finite differences"
+        "objects move that are seen {mirrors}, through refracting glass, or after more than {most} \
+         reflections (about {per_cent:.2} specular events in 100 samples), and the silhouettes seen \
+         there are not covered. Covered are those seen {covered} (without vertex normals) and \
+         through panes (`thindielectric`), and all shadows seen in mirrors that do not move. Use \
+         one of these, a rough material (alpha of 0.01 or more), or finite differences"
     )
 }
 

@@ -1,4 +1,5 @@
-//! What cannot be differentiated rightly, asked before or while it is tried.
+//! Which derivatives are refused, decided before they are estimated or from counts of
+//! the samples.
 
 use capwalk_scene::{Emitter, Scene, SensorModel, TextureId};
 use capwalk_walk::WalkSettings;
@@ -33,8 +34,7 @@ fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
     }
 }
 
-/// A refusal if the camera's rays are parallel and the method has a field around
-/// points only.
+/// A refusal if the camera's rays are parallel and the method has no field for them.
 fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
     match scene.sensor.model {
         SensorModel::Orthographic if !method.traits().is_spherical => Err(Refusal::ParallelRays {
@@ -44,12 +44,15 @@ fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
     }
 }
 
-/// A refusal if a texture jumps inside faces and the method misses its motion against
-/// the rays, or if it does so along too many lines (METHOD 7).
+/// A refusal if a texture is discontinuous inside faces and the method does not cover the
+/// motion of these discontinuities, or if there are too many lines of them (METHOD 7).
 fn refuse_jumping_textures(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     for shape in &accel.scene.shapes {
         let textures = textures_of(&accel.scene, shape);
-        let Some(texture) = textures.iter().find(|texture| texture_line::jumps(texture)) else {
+        let Some(texture) = textures
+            .iter()
+            .find(|texture| texture_line::is_discontinuous(texture))
+        else {
             continue;
         };
         let (texture, shape_name) = (texture.id.clone(), shape.id.clone());
@@ -73,8 +76,8 @@ fn refuse_jumping_textures(accel: &Accel, method: &Method) -> Result<(), Refusal
     Ok(())
 }
 
-/// A refusal if a smooth surface looks different when it is turned, and nothing says
-/// how it is turned: the frame that is then made up jumps.
+/// A refusal if the material of a smooth surface depends on tangents and the mesh has no
+/// texture coordinates to define them: tangents made up without them are discontinuous.
 pub fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
     for shape in &scene.shapes {
         let Some(normals) = shape.normals.per_vertex() else {
@@ -105,8 +108,8 @@ pub fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A refusal if a map of normals cuts light off along curves inside faces, and
-/// these move: with the geometry, or with the numbers of the map.
+/// A refusal if a normal map cuts off light along curves inside faces, and these move with
+/// the geometry or with the numbers of the map.
 pub fn refuse_cut_normals(
     scene: &Scene,
     moves: bool,
@@ -143,8 +146,8 @@ pub fn is_specular_somewhere(scene: &Scene) -> bool {
     shapes.any(|shape| may_be_specular(scene, shape.bsdf))
 }
 
-/// A refusal if silhouettes moved behind specular events that are not covered, in
-/// `uncovered` of so many `samples`, and the method promises the truth.
+/// A refusal if the method is unbiased, and silhouettes that it does not cover may have
+/// moved behind `uncovered` specular events in so many `samples`.
 pub fn refuse_uncovered(
     scene: &Scene,
     uncovered: u64,
@@ -172,7 +175,7 @@ pub fn refuse_uncovered(
     })
 }
 
-/// A refusal if the scene has what cannot be differentiated by what moves edges.
+/// A refusal if the scene has discontinuities whose motion no method covers.
 pub fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     refuse_parallel_rays(&accel.scene, method)?;
     refuse_hard_shadows(&accel.scene)?;
@@ -181,7 +184,7 @@ pub fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     refuse_clipped(accel)
 }
 
-/// A refusal if a method would look at too many edges.
+/// A refusal if the scene has too many edges for the method.
 #[cfg(feature = "paper")]
 pub fn refuse_many_edges(boundaries: &Boundaries, method: &Method) -> Result<(), Refusal> {
     use crate::paper::MOST_EDGES;
@@ -195,7 +198,7 @@ pub fn refuse_many_edges(boundaries: &Boundaries, method: &Method) -> Result<(),
     }
 }
 
-/// A refusal if the settings of a method do not give a field.
+/// A refusal if the settings of a method give no valid field.
 pub fn refuse_settings(method: &Method, walk: &WalkSettings) -> Result<(), Refusal> {
     #[cfg(feature = "paper")]
     if let Method::Was(was) | Method::PsdrWas(was) = method
@@ -212,7 +215,7 @@ pub fn refuse_settings(method: &Method, walk: &WalkSettings) -> Result<(), Refus
     }
 }
 
-/// A refusal if a walk does not give a continuous field.
+/// A refusal if the settings of a walk give no continuous field.
 pub fn refuse_walk(walk: &WalkSettings) -> Result<(), Refusal> {
     if walk.steps == 0 {
         return Err(Refusal::NoSteps);

@@ -1,5 +1,5 @@
-//! Where neighbouring faces of a shape look different although they may lie in one
-//! plane: by their shading normals, their textures, or how these turn them.
+//! Shading discontinuities: edges between neighbouring faces, possibly coplanar, whose
+//! shading normals, textures or tangents differ.
 
 use capwalk_scene::{Aov, Integrator, Pattern, Scene, Shape, Texture};
 
@@ -15,45 +15,44 @@ const SAME_TANGENT: f64 = 1e-6;
 /// Texture coordinates that differ by less than this are the same.
 const SAME_UV: f64 = 1e-6;
 
-/// Part of the contrast of flat faces that is left where normals are interpolated.
+/// Contrast of faces with interpolated normals, relative to that of flat ones.
 const SMOOTH: f64 = 0.1;
 /// Smallest contrast.
 const LEAST_CONTRAST: f64 = 1e-3;
 
-/// What decides how the faces of a shape look.
+/// What shading discontinuities of a shape depend on.
 pub struct ShadingDiscontinuities<'s> {
     shape: &'s Shape,
     textures: Vec<&'s Texture>,
-    /// Texture coordinates are looked at themselves.
+    /// The image shows the texture coordinates themselves.
     shows_uvs: bool,
-    /// It matters how the material is turned about the normal.
+    /// The material depends on its rotation about the normal.
     has_tangent: bool,
-    /// The image shows what is there, not light.
-    is_layer: bool,
+    /// The image is an AOV.
+    is_aov: bool,
 }
 
 impl<'s> ShadingDiscontinuities<'s> {
-    /// The look of a shape in a scene.
     pub fn new(scene: &'s Scene, shape: &'s Shape) -> Self {
         Self {
             shape,
             textures: textures_of(scene, shape),
             shows_uvs: scene.settings.integrator == Integrator::Aov(Aov::Uv),
             has_tangent: needs_tangent(scene, shape.bsdf),
-            is_layer: matches!(scene.settings.integrator, Integrator::Aov(_)),
+            is_aov: matches!(scene.settings.integrator, Integrator::Aov(_)),
         }
     }
 
-    /// True if two neighbouring faces look different at their common edge even if
-    /// they are coplanar.
+    /// True if there is a shading discontinuity between two neighbouring faces, even if they
+    /// are coplanar.
     pub fn differs(&self, faces: [u32; 2]) -> bool {
         self.normals_differ(faces)
             || self.textures_differ(faces)
             || self.has_tangent && self.tangents_differ(faces)
     }
 
-    /// How much light may jump between two neighbouring faces that are seen from the
-    /// same side, from above 0 to 1: a guess.
+    /// A guess of how large the discontinuity is between two neighbouring faces that are seen
+    /// from the same side, above 0 and at most 1.
     pub fn contrast(&self, faces: [u32; 2], flipped: bool) -> f64 {
         if self.textures_differ(faces) || self.has_tangent && self.tangents_differ(faces) {
             return 1.0;
@@ -61,15 +60,15 @@ impl<'s> ShadingDiscontinuities<'s> {
         let mesh = &self.shape.mesh;
         let [first, second] = faces.map(|face| mesh.face_cross(face as usize).normalized());
         let turn = (first - second * if flipped { -1.0 } else { 1.0 }).length();
-        // Between normals of vertices only the shadow of a face on itself jumps.
+        // With interpolated normals, only the shadow of a face on itself is discontinuous.
         let is_smooth = self.shape.normals.per_vertex().is_some() && !self.normals_differ(faces);
-        let share = if is_smooth && !self.is_layer {
+        let share = if is_smooth && !self.is_aov {
             SMOOTH
         } else {
             1.0
         };
-        // Paths that go on from both sides in the same way miss each other, in what
-        // is bright and small, as often as their directions differ.
+        // Paths that continue from both sides differ by the angle between the faces, and so
+        // does the chance that only one of them hits something small and bright.
         (turn.sqrt() * share).clamp(LEAST_CONTRAST, 1.0)
     }
 
@@ -88,7 +87,7 @@ impl<'s> ShadingDiscontinuities<'s> {
         })
     }
 
-    /// True if two neighbouring faces show textures turned or stretched differently.
+    /// True if the tangents of two neighbouring faces differ in direction or length.
     fn tangents_differ(&self, faces: [u32; 2]) -> bool {
         let [first, second] = faces.map(|face| {
             let [a, b, c] = self.shape.mesh.corners(face as usize);

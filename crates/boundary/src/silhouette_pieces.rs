@@ -1,17 +1,17 @@
-//! Edges gathered around a viewpoint, and points drawn on them (METHOD 8).
+//! Edges gathered around a viewpoint, and points sampled on them (METHOD 8).
 //!
-//! Each edge is an arc on the sphere of directions, or a few pieces of one. A
-//! piece is chosen by weights that do not depend on any motion, and a direction
-//! on it uniformly.
+//! Projected on the sphere of directions, an edge is an arc, cut into pieces. A piece is
+//! chosen by a weight that does not depend on any velocity, and a direction on it
+//! uniformly by angle.
 
 use capwalk_math::{Real, Vec3, sphere};
 
 use crate::boundaries::Boundaries;
 
-/// Radians by which a ray passes an edge on either side of it: a million times the
-/// rounding of directions, and far less than what the single precision of mesh
-/// files sets edges apart. The integrand is taken this far from where it jumps,
-/// which changes the boundary term by a fraction of this size.
+/// Angle between an edge and the rays that are traced beside it, radians: a million times
+/// the rounding of directions, and far less than the distance between edges that differ
+/// by the single precision of mesh files. The integrand is evaluated this far from its
+/// discontinuity, which changes the boundary term by a fraction of this size.
 const BESIDE: f64 = 1e-10;
 
 /// Unit directions on either side of an edge that is seen in the direction `q`:
@@ -24,41 +24,41 @@ pub fn beside(q: Vec3, normal: Vec3) -> [Vec3; 2] {
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     edge: u32,
-    /// Where it starts and ends on the edge: 0 is its first vertex, 1 its second.
+    /// Its ends on the edge, from 0 at the first vertex to 1 at the second.
     range: [f64; 2],
-    /// Weights of all pieces up to and including this one.
+    /// Sum of the weights up to and including this one.
     cumulative: f64,
 }
 
-/// Pieces of edges to draw points from.
+/// Pieces of edges with sampling weights.
 #[derive(Clone, Debug, Default)]
 pub struct SilhouettePieces {
     pieces: Vec<Piece>,
     total: f64,
 }
 
-/// A direction in which an edge is seen.
+/// A sampled point of an edge, as seen from the viewpoint.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgePoint {
     /// The ends of the edge, points of the boundaries.
     points: [u32; 2],
     /// Position between them.
     t: f64,
-    /// The unit direction.
+    /// Unit direction from the viewpoint.
     pub direction: Vec3,
     /// Distance from the viewpoint.
     pub distance: f64,
     /// Unit normal of the plane through the viewpoint and the edge.
     normal: Vec3,
-    /// One over the density per radian along the edge, shared among edges that lie
-    /// on each other.
+    /// One over the density per radian along the edge, and over the number of edges that
+    /// coincide there.
     weight: f64,
 }
 
-// Edges seen closer to each other than [`BESIDE`] lie on each other: what jumps
-// there is the sum of what jumps at each, seen from either side of all.
+// Edges that are seen less than [`BESIDE`] apart count as coincident: the rays beside one
+// of them pass all of them, and see the sum of their discontinuities.
 
-/// Largest sine between edges that lie on each other.
+/// Largest sine of the angle between coincident edges.
 const PARALLEL: f64 = 1e-6;
 
 /// The part of a segment, seen from the origin, on the inner sides of planes
@@ -80,17 +80,18 @@ pub fn clip(planes: &[Vec3], margin: f64, [a, b]: [Vec3; 2]) -> Option<[f64; 2]>
     (from < to).then_some([from, to])
 }
 
-/// Where on the part of an edge in a range a place on its image is, in a plane or
-/// on the chord between directions: there, what is far is short. `depths` are those
-/// of the part's ends, in any unit.
+/// The place on an edge, between the ends of a range, whose projection divides that of the
+/// range at the fraction `part`, in an image plane or on the chord between directions.
+/// `near` and `far` are the depths of the range's ends, in any unit: perspective shortens
+/// what is far.
 pub fn place([from, to]: [f64; 2], [near, far]: [f64; 2], part: f64) -> f64 {
     from + (to - from) * part * near / (part * near + (1.0 - part) * far)
 }
 
 impl SilhouettePieces {
-    /// Adds the part of an edge in a range. Without a weight it is not drawn.
+    /// Adds a piece of an edge. One whose weight is not above 0 is never sampled.
     pub fn push(&mut self, edge: u32, range: [f64; 2], weight: f64) {
-        // Not for NaN.
+        // False for NaN.
         if weight > 0.0 {
             self.total += weight;
             self.pieces.push(Piece {
@@ -101,7 +102,7 @@ impl SilhouettePieces {
         }
     }
 
-    /// Adds the chance that no point is drawn, if there are any to draw.
+    /// Adds a probability that no point is sampled. Comes after all pieces.
     pub fn push_nothing(&mut self, weight: f64) {
         self.total += weight;
     }
@@ -111,23 +112,25 @@ impl SilhouettePieces {
         self.pieces.len()
     }
 
-    /// A point on an edge, by the number `u`.
+    /// A point on an edge by the random number `u` in `[0, 1)`; `None` where there is no
+    /// piece, or with the probability of [`SilhouettePieces::push_nothing`].
     pub fn draw(&self, boundaries: &Boundaries, viewpoint: Vec3, u: f64) -> Option<EdgePoint> {
         let target = u * self.total;
         let i = self.pieces.partition_point(|p| p.cumulative <= target);
         let piece = self.pieces.get(i)?;
         let before = i.checked_sub(1).map_or(0.0, |i| self.pieces[i].cumulative);
         let own = piece.cumulative - before;
+        // The arc of this piece, from its ends as seen from the viewpoint.
         let ends = boundaries.ends(piece.edge);
         let [a, b] = ends.map(|p| p - viewpoint);
         let along = b - a;
         let normal = a.cross(along).normalized();
         let [from, to] = piece.range.map(|t| (a + along * t).normalized());
         let angle = sphere::angle_between(from, to);
-        // What is left of the number within its piece is uniform again.
+        // The random number, rescaled within the piece, is uniform again: a place on the arc.
         let inside = ((target - before) / own).clamp(0.0, 1.0);
         let q = sphere::walk_along(from, normal.cross(from), angle * inside);
-        // Where on the edge that is: (a + t along) × q = 0.
+        // Project the direction back on the edge: (a + t along) × q = 0.
         let t = -a.cross(q).dot(normal) / along.cross(q).dot(normal);
         let t = t.clamp(piece.range[0], piece.range[1]);
         let offset = a + along * t;
@@ -143,8 +146,8 @@ impl SilhouettePieces {
         })
     }
 
-    /// How many edges lie where an edge is seen in the direction `q`, itself among
-    /// them: each takes its share of what jumps there.
+    /// How many edges coincide where an edge is seen in the direction `q`, itself included:
+    /// each of them adds its share of the discontinuity.
     fn multiplicity(&self, boundaries: &Boundaries, viewpoint: Vec3, edge: u32, q: Vec3) -> f64 {
         let [a, b] = boundaries.ends(edge).map(|p| p - viewpoint);
         let normal = a.cross(b).normalized();
@@ -155,7 +158,7 @@ impl SilhouettePieces {
             }
             let [a, b] = boundaries.ends(other.edge).map(|p| p - viewpoint);
             let direction = b - a;
-            // Where it meets the plane through the viewpoint across the first edge.
+            // Intersect it with the plane through the viewpoint, perpendicular to the first edge.
             let place = -a.dot(along) / direction.dot(along);
             let point = a + direction * place;
             (other.range[0]..=other.range[1]).contains(&place)
@@ -173,15 +176,16 @@ impl EdgePoint {
         self.points
     }
 
-    /// Unit directions beside the edge: on the side that [`EdgePoint::flow`] counts
-    /// as behind, and on the other.
+    /// Unit directions beside the edge: behind it, from where [`EdgePoint::flow`] counts, and
+    /// before it.
     pub fn sides(&self) -> [Vec3; 2] {
         beside(self.direction, self.normal)
     }
 
-    /// Zero, with the velocity of the edge across itself, seen from `origin`, against
-    /// that of a warped direction, from the first of [`EdgePoint::sides`] to the second,
-    /// divided by the density of the point. `ends` are those of the edge, in motion.
+    /// `(u_edge - u)·n` over the density of the point: a number of value zero with this
+    /// derivative. `u_edge` is the angular velocity of the edge around `origin`, `u` that of
+    /// the direction `warped`, and `n` points from the first of [`EdgePoint::sides`] to the
+    /// second. `a` and `b` are the ends of the edge with their derivatives.
     pub fn flow<R: Real>(&self, [a, b]: [Vec3<R>; 2], origin: Vec3<R>, warped: Vec3<R>) -> R {
         let edge = (a + (b - a) * R::constant(self.t) - origin).normalized();
         let flow = (edge - warped).dot(Vec3::constant(self.normal * self.weight));

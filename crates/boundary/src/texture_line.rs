@@ -1,9 +1,9 @@
-//! Where textures jump inside faces: between the squares of a checkerboard, and
-//! between texels that are not interpolated.
+//! Lines inside faces along which textures are discontinuous: between the squares of a
+//! checkerboard, and between texels that are not interpolated.
 //!
-//! On a face that happens along straight lines, which stay where they are in its
-//! material. So they are boundaries like the curves in which faces cross, though no
-//! mesh has an edge there (METHOD 7 leaves them out).
+//! On a face these lines are straight, and they are fixed in its material. So they are
+//! boundaries like the segments in which faces cross, though no mesh has an edge there
+//! (METHOD 7 leaves them out).
 
 use capwalk_math::Vec3;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
@@ -14,7 +14,7 @@ use crate::material::textures_of;
 
 use crate::crossing::{Crossing, CrossingEnd, Pull};
 
-/// Most lines along which the textures of a shape may jump: a gigabyte.
+/// The most lines along which the textures of a shape may be discontinuous: a gigabyte.
 pub const MOST_LINES: f64 = 4e6;
 
 /// Equidistant lines in texture space, in both directions: where each of
@@ -32,7 +32,8 @@ struct Grid {
 type Piece = [[f64; 3]; 2];
 
 impl Grid {
-    /// Where a texture jumps; `None` if nowhere inside faces.
+    /// The grid of lines where a texture is discontinuous; `None` if there are none inside
+    /// faces.
     fn of(texture: &Texture) -> Option<Self> {
         match &texture.pattern {
             Pattern::Checkerboard { to_uv } => Some(Self {
@@ -97,7 +98,7 @@ impl Grid {
     }
 }
 
-/// Where a linear function with these values at the corners of a face has a value.
+/// Where on a face a linear function with these values at the corners has a given value.
 /// Along an edge it counts to the face on the side of lower values, so that it is
 /// found once.
 fn piece(places: [f64; 3], value: f64) -> Option<Piece> {
@@ -118,7 +119,7 @@ fn piece(places: [f64; 3], value: f64) -> Option<Piece> {
     (piece[0] != piece[1]).then_some(piece)
 }
 
-/// The grids of a shape, each once, and whether what it emits jumps there.
+/// The grids of a shape, each once, and whether its emission is discontinuous there.
 fn grids(accel: &Accel, shape: &Shape) -> Vec<(Grid, bool)> {
     let scene = &accel.scene;
     let emitted = shape.emitter.map(|id| {
@@ -135,8 +136,8 @@ fn grids(accel: &Accel, shape: &Shape) -> Vec<(Grid, bool)> {
     grids
 }
 
-/// True if a texture jumps along lines inside faces.
-pub fn jumps(texture: &Texture) -> bool {
+/// True if a texture is discontinuous along lines inside faces.
+pub fn is_discontinuous(texture: &Texture) -> bool {
     Grid::of(texture).is_some()
 }
 
@@ -156,7 +157,7 @@ pub fn count(accel: &Accel, shape: &Shape) -> f64 {
     }
 }
 
-/// The lines along which textures jump inside faces, in a fixed order. Shapes with more
+/// The lines along which textures are discontinuous inside faces, in a fixed order. Shapes with more
 /// than [`MOST_LINES`] are left out: no derivative by motion is taken beside them.
 pub fn texture_lines(accel: &Accel) -> Vec<Crossing> {
     let mut lines = Vec::new();
@@ -175,7 +176,7 @@ pub fn texture_lines(accel: &Accel) -> Vec<Crossing> {
     lines
 }
 
-/// A piece of a line in motion: it stays in the material of the face.
+/// A segment of a line, which moves with the material of the face.
 fn line(accel: &Accel, face: usize, piece: Piece, emits: bool) -> Option<Crossing> {
     let corners = accel.mesh.corners(face);
     let position = |weights: [f64; 3]| {

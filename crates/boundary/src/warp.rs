@@ -25,7 +25,7 @@ use crate::walk::{walk, walk_value};
 pub enum Warp {
     /// The weighted velocities of a few boundary points.
     Boundary(FieldSample<BoundarySample, Vec3>),
-    /// The velocity of one boundary point, without a divergence.
+    /// The angular velocity of one boundary point, without a divergence.
     Value(Option<BoundarySample>),
     /// Any other linear map.
     #[cfg(feature = "paper")]
@@ -33,8 +33,8 @@ pub enum Warp {
 }
 
 impl Field<'_> {
-    /// How the direction `q` moves, and the divergence of the field there. The divergence
-    /// is per solid angle. Takes the numbers of `random` from its first dimension on.
+    /// A sample of the velocity of the direction `q` and of the divergence of the field there.
+    /// Uses the numbers of `random` from its first dimension on.
     pub fn warp<R: Real>(
         &self,
         viewpoint: &Viewpoint<R>,
@@ -75,7 +75,7 @@ impl Field<'_> {
         }
     }
 
-    /// The same without the divergence, for the motion of curves across the field.
+    /// The same without the divergence, for the terms of curves that move against the field.
     pub fn warp_value<R: Real>(
         &self,
         viewpoint: &Viewpoint<R>,
@@ -89,7 +89,7 @@ impl Field<'_> {
         }
     }
 
-    /// The field among directions that meet no triangle, bounded by all silhouettes.
+    /// The field in directions that hit no triangle, bounded by all silhouettes.
     #[cfg(feature = "paper")]
     fn warp_beside<R: Real>(
         &self,
@@ -108,7 +108,7 @@ impl Field<'_> {
 }
 
 impl Warp {
-    /// True if no boundary is near: the direction stays, whatever moves.
+    /// True if no boundary is near: the direction does not move, whatever else does.
     pub fn is_zero(&self) -> bool {
         match self {
             Self::Boundary(samples) => samples.is_zero(),

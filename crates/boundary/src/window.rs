@@ -1,4 +1,5 @@
-//! Emitters as windows: the directions in which a point can see one.
+//! The directions in which an emitter can be seen from a point, bounded by a cone and by
+//! planes.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,15 +9,15 @@ use capwalk_scene::{Emitter, EmitterId, Scene};
 
 use crate::viewpoint::SEEN;
 
-/// An emitter.
+/// An area emitter and its bounds.
 #[derive(Clone, Debug)]
 pub struct AreaEmitter {
-    /// Which one.
+    /// The emitter.
     pub emitter: EmitterId,
     extent: Extent,
 }
 
-/// Where an emitter is.
+/// Bounds of an emitter.
 #[derive(Clone, Debug)]
 enum Extent {
     /// In a plane: the corners of a polygon around it, counterclockwise around the

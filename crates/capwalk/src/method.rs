@@ -74,7 +74,7 @@ pub enum DomainName {
     /// `sphere`: on all directions around a point.
     #[default]
     Sphere,
-    /// `triangle`: on the triangle that a direction meets, as in the paper.
+    /// `triangle`: on the triangle that a direction hits, as in the paper.
     #[cfg(feature = "paper")]
     Triangle,
     /// `explicit`: the same among all silhouettes, for small scenes.

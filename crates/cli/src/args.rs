@@ -232,7 +232,7 @@ pub struct WalkArgs {
 pub enum DomainName {
     /// On all directions around a point
     Sphere,
-    /// On the triangle that a direction meets, as in the paper: noisier
+    /// On the triangle that a direction hits, as in the paper: noisier
     #[cfg_attr(not(feature = "paper"), value(hide = true))]
     Triangle,
     /// The same by walks on disks among all silhouettes, for small scenes

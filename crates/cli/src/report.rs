@@ -152,8 +152,8 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     }
     if statistics.uncovered > 0 {
         text += &format!(
-            "warning: {} specular events of the {what} show things that may move, and the tangent \
-             of silhouettes there is missing: this method is biased there\n",
+            "warning: in {} specular events of the {what} objects are seen that may move, and the \
+             silhouettes seen there are not covered: this method is biased there\n",
             count(statistics.uncovered)
         );
     }

@@ -1,11 +1,11 @@
-//! How directions towards emitters are drawn, and points on emitters.
+//! Sampling of directions towards emitters, and of points on them.
 
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 use capwalk_scene::emitter::EnvironmentTable;
 use capwalk_scene::{Emitter, Scene};
 
-/// How directions towards an emitter are drawn.
+/// How directions towards an emitter are sampled.
 #[derive(Clone, Debug)]
 pub enum EmitterSampler {
     /// By points on an emitter.
@@ -14,12 +14,12 @@ pub enum EmitterSampler {
     Constant,
     /// By the brightness of an environment map, unless it is black.
     Environment(Option<EnvironmentTable>),
-    /// There is only one.
+    /// Not at all: there is only one.
     Delta,
 }
 
 impl EmitterSampler {
-    /// The source of a scene's emitter.
+    /// The sampler of a scene's emitter.
     pub fn new(scene: &Scene, emitter: &Emitter) -> Self {
         match emitter {
             Emitter::Area { shape, .. } => {
@@ -36,7 +36,7 @@ impl EmitterSampler {
     }
 }
 
-/// An emitter's triangles, to be drawn by area. Indices are the shape's own.
+/// An emitter's triangles, sampled by area. Indices are the shape's own.
 #[derive(Clone, Debug)]
 pub struct TriangleSampler {
     triangles: Vec<[Vec3; 3]>,
@@ -44,10 +44,10 @@ pub struct TriangleSampler {
     cumulative: Vec<f64>,
 }
 
-/// A point drawn on an emitter.
+/// A point sampled on an emitter.
 #[derive(Clone, Copy, Debug)]
 pub struct TrianglePoint {
-    /// Where it is.
+    /// World-space position.
     pub position: Vec3,
     /// Unit normal of the emitting side.
     pub normal: Vec3,
@@ -58,7 +58,7 @@ pub struct TrianglePoint {
 }
 
 impl TriangleSampler {
-    /// An emitter that emits from the whole mesh.
+    /// A sampler of all triangles of a mesh.
     pub fn new(mesh: &Mesh) -> Self {
         let mut area = 0.0;
         let cumulative = (0..mesh.faces.len())
@@ -87,7 +87,7 @@ impl TriangleSampler {
         let i = self.cumulative.partition_point(|&c| c <= target);
         let i = i.min(self.triangles.len() - 1);
         let before = if i == 0 { 0.0 } else { self.cumulative[i - 1] };
-        // What is left of the number within its triangle is uniform again.
+        // The random number, rescaled within the triangle, is uniform again.
         let share = self.cumulative[i] - before;
         let u0 = ((target - before) / share).clamp(0.0, 1.0);
         let [a, b, c] = self.triangles[i];
@@ -103,7 +103,7 @@ impl TriangleSampler {
     }
 
     /// Density per solid angle of [`TriangleSampler::sample`], for a direction from a
-    /// point at `distance` that meets the emitter at the cosine `cos_l`.
+    /// point at `distance` that sees the emitter at the cosine `cos_l`.
     #[inline]
     pub fn solid_angle_pdf(&self, distance: f64, cos_l: f64) -> f64 {
         distance * distance / (cos_l.abs() * self.area())

@@ -55,11 +55,11 @@ impl Tracer<'_> {
         let camera = self.camera(eval, draw);
         if W::MOVES && self.gathers_for_camera() && eval.moves() {
             // Film points stay, also those on the border: there is no pixel-border term.
-            return self.interior_at_rest(eval, &camera, &support, draw)
+            return self.interior_of_fixed_points(eval, &camera, &support, draw)
                 + self.pixel_silhouette_term(eval, &camera, pixel, &support, draw);
         }
         let light = self.interior(eval, &camera, &support, draw);
-        match W::MOVES && support.jumps() {
+        match W::MOVES && support.is_discontinuous() {
             true => light + self.pixel_border_term(eval, &camera, &support, draw),
             false => light,
         }
@@ -81,7 +81,7 @@ impl Tracer<'_> {
 
     /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, sampled as in
     /// a primal rendering.
-    fn interior_at_rest<R: Real, W: SceneEval<R>>(
+    fn interior_of_fixed_points<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         camera: &Camera<R>,
@@ -111,7 +111,7 @@ impl Tracer<'_> {
         let s = support.sample(uniform, stream.number(FILM_CHOICE), stream.pair(FILM));
         let density = support.pdf(uniform, s);
         let point = self.film_point(eval, camera, s, 0, draw);
-        if !W::MOVES || support.jumps() {
+        if !W::MOVES || support.is_discontinuous() {
             return self.share(eval, support, &point, density, draw);
         }
         // The filter's derivative has opposite signs on opposite sides of its centre: where
@@ -158,7 +158,7 @@ impl Tracer<'_> {
         let (side, along) = (support.sides[axis], support.sides[1 - axis]);
         let place = along.bounds[0] + along.width() * stream.number(first + 1);
         for (end, outward) in [(0, -1.0), (1, 1.0)] {
-            if !side.jumps[end] {
+            if !side.discontinuous[end] {
                 continue;
             }
             // Evaluate ṡ·n: how fast the warp moves the film point across the side.

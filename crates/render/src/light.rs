@@ -22,7 +22,7 @@ pub struct LightSample {
     pub direction: Vec3,
     /// The emitter seen there.
     pub emitter: EmitterId,
-    /// Where it is met, if it is on a surface.
+    /// Where the direction hits it, if it is on a surface.
     pub hit: Option<Hit>,
     /// Multiple-importance weight over density per solid angle, divided by the
     /// number of samples of the technique.
@@ -41,16 +41,15 @@ pub struct Continuation {
     pub pdf: f64,
     /// The specular event, if it is one.
     pub specular: Option<Specular>,
-    /// What it meets.
+    /// What it hits.
     pub hit: Option<Hit>,
 }
 
-/// Draws directions towards light from a surface, by points on emitters and by
-/// the material, combined with the power heuristic (Veach 1997), and passes on
-/// those that reach an emitter, with the number of the sample. `look` hears of
-/// all perfectly specular events, and of what is seen there. Takes
-/// `sampling.dimensions()` numbers from `dimension` on. Gives back the first
-/// direction drawn from the material.
+/// Samples directions towards emitters from a shading point, by points on emitters and by
+/// the material, combined with the power heuristic (Veach 1997). Calls `shade` with each
+/// sample that reaches an emitter and its number, and `look` with each perfectly specular
+/// event and what the ray hits after it. Uses `sampling.dimensions()` random numbers from
+/// `dimension` on. Returns the first direction sampled from the material.
 pub fn sample_lights(
     accel: &Accel,
     emitters: &[EmitterSampler],
@@ -77,7 +76,7 @@ pub fn sample_lights(
         let Some((drawn, pdf)) = sample_emitter(accel, emitters, vertex, stream, base) else {
             continue;
         };
-        // Nothing else draws the direction of a light without extent.
+        // Nothing else samples the direction of an emitter without extent.
         let other = match emitters[drawn.emitter.0 as usize] {
             EmitterSampler::Delta => 0.0,
             _ => of_bsdf(vertex.pdf(drawn.direction)),
@@ -112,7 +111,7 @@ pub fn sample_lights(
             continue;
         };
         let own = of_bsdf(drawn.pdf);
-        // Nothing else draws a specular direction.
+        // Nothing else samples a specular direction.
         let other = match drawn.specular {
             Some(_) => 0.0,
             None => of_emitters(emitter_pdf(
@@ -152,7 +151,7 @@ pub fn emitter_towards(accel: &Accel, hit: Option<&Hit>, direction: Vec3) -> Opt
     }
 }
 
-/// Density per solid angle with which [`sample_emitter`] draws a direction in
+/// Density per solid angle with which [`sample_emitter`] samples a direction in
 /// which `emitter` is seen.
 fn emitter_pdf(
     accel: &Accel,

@@ -7,9 +7,9 @@
 //! independent of each other, so their errors are known, and the expectation
 //! is that of splatting.
 //!
-//! `W` jumps where the rectangle ends while the filter is not zero: all sides
-//! for the box filter, cut-off sides for the others. The derivative lives
-//! there: [`crate::Tracer::pixel`] adds it as a term of its own.
+//! `W` is discontinuous where the rectangle ends and the filter is not zero: at all sides
+//! of the box filter, and at cut-off sides of the others. The derivative has a boundary term
+//! there, which [`crate::Tracer::pixel`] adds.
 
 use capwalk_math::Real;
 use capwalk_scene::{Film, Filter};
@@ -22,8 +22,8 @@ pub struct Side {
     centre: f64,
     /// Where the support starts and ends.
     pub bounds: [f64; 2],
-    /// True where the filter is not zero at that bound, but ends: it jumps.
-    pub jumps: [bool; 2],
+    /// True where the filter is not zero at that bound: it is discontinuous there.
+    pub discontinuous: [bool; 2],
     /// Integral of the filter between the bounds.
     integral: f64,
     /// The filter between the bounds as probabilities of equal bins.
@@ -96,9 +96,11 @@ impl Support<'_> {
         self.sides[0].weight(s[0]) * self.sides[1].weight(s[1])
     }
 
-    /// True if the filter jumps at some side of the support.
-    pub fn jumps(&self) -> bool {
-        self.sides.iter().any(|side| side.jumps[0] || side.jumps[1])
+    /// True if the filter is discontinuous at some side of the support.
+    pub fn is_discontinuous(&self) -> bool {
+        self.sides
+            .iter()
+            .any(|side| side.discontinuous[0] || side.discontinuous[1])
     }
 
     /// The film point opposite to `s`, seen from the middle of the support.
@@ -145,7 +147,7 @@ impl Side {
             filter,
             centre,
             bounds,
-            jumps: [0, 1].map(|end| filter == Filter::Box || bounds[end] != whole[end]),
+            discontinuous: [0, 1].map(|end| filter == Filter::Box || bounds[end] != whole[end]),
             integral: integrate(f, bounds[0], centre) + integrate(f, centre, bounds[1]),
             bins: bins.map(|mass| mass / total),
         }
@@ -243,11 +245,11 @@ mod tests {
         let mut film = film(Filter::Gaussian { stddev: 0.5 });
         let supports = Supports::new(&film);
         let [x, y] = supports.pixel([0, 3]).sides;
-        assert_eq!((x.bounds, x.jumps), ([0.0, 2.5], [true, false]));
-        assert_eq!((y.bounds, y.jumps), ([1.5, 4.0], [false, true]));
+        assert_eq!((x.bounds, x.discontinuous), ([0.0, 2.5], [true, false]));
+        assert_eq!((y.bounds, y.discontinuous), ([1.5, 4.0], [false, true]));
         film.sample_border = true;
         let supports = Supports::new(&film);
         let [x, _] = supports.pixel([0, 3]).sides;
-        assert_eq!((x.bounds, x.jumps), ([-1.5, 2.5], [false, false]));
+        assert_eq!((x.bounds, x.discontinuous), ([-1.5, 2.5], [false, false]));
     }
 }

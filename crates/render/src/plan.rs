@@ -15,9 +15,9 @@ const BEHIND_ALL_VERTICES: u32 = 1 << 20;
 /// How many samples of each technique a shading point takes.
 #[derive(Clone, Copy, Debug)]
 pub struct LightSampling {
-    /// Points drawn on emitters.
+    /// Points sampled on emitters.
     pub emitter_samples: u32,
-    /// Directions drawn from the material.
+    /// Directions sampled from the material.
     pub bsdf_samples: u32,
 }
 
@@ -46,12 +46,12 @@ pub struct Plan {
     pub sampling: LightSampling,
     /// Emitters are not seen by the camera.
     pub hide_emitters: bool,
-    /// Instead of light: this.
+    /// The AOV to render instead of light.
     pub aov: Option<Aov>,
 }
 
 impl Plan {
-    /// What a scene asks for.
+    /// The plan of a scene's integrator.
     pub fn new(scene: &Scene) -> Self {
         let first_vertex = match scene.sensor.model.has_lens() {
             true => FIRST_VERTEX + LENS_NUMBERS,

@@ -8,10 +8,9 @@ use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{Scene, SurfacePoint, TextureId};
 use capwalk_walk::WalkSettings;
 
-/// What a path reads of a scene, and how its directions move.
+/// What a path reads from a scene, and how its directions are warped.
 pub trait SceneEval<R: Real> {
-    /// False if nothing has a derivative: then what has the value zero need not
-    /// be computed.
+    /// False if nothing has a derivative: then terms of value zero are not computed.
     const MOVES: bool;
     /// Position of a vertex of the joined mesh.
     fn vertex(&self, index: u32) -> Vec3<R>;
@@ -25,7 +24,7 @@ pub trait SceneEval<R: Real> {
     fn is_asked_for(&self, id: TextureId) -> bool;
     /// The sensor's numbers.
     fn sensor(&self) -> SensorState<R>;
-    /// Where a point of the boundaries is; asked only of worlds that move.
+    /// Position of a point of the boundaries; used only if `MOVES`.
     fn boundary_point(&self, index: u32) -> Vec3<R>;
     /// True if no boundary moves against the viewpoint.
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;

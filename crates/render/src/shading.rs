@@ -1,4 +1,4 @@
-//! What a surface does to light at a point: its material with its numbers.
+//! The vertex of a path at a surface: its material, evaluated at a point.
 
 use capwalk_boundary::Accel;
 use capwalk_math::{Frame, Real, Rgb, Vec3};
@@ -9,8 +9,8 @@ use crate::scene_eval::SceneEval;
 use crate::surface::Surface;
 use crate::vertex::Vertex;
 
-/// The vertex of a path at a surface that is seen along `direction`; `None` if
-/// the side that is seen is black.
+/// The vertex of a path that hits a surface along `direction`; `None` if the side that it
+/// hits reflects and transmits nothing.
 pub fn vertex_at<R: Real, W: SceneEval<R>>(
     eval: &W,
     accel: &Accel,
@@ -46,7 +46,7 @@ pub fn vertex_at<R: Real, W: SceneEval<R>>(
     ))
 }
 
-/// The textures where a surface is met.
+/// The textures at an intersection.
 struct Textures<'a, R, W> {
     eval: &'a W,
     surface: &'a Surface<R>,

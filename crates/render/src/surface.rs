@@ -1,4 +1,5 @@
-//! Where a ray meets a surface, both of which may move, and what is emitted there.
+//! Intersections of rays with surfaces, with the derivatives of both, and what is emitted
+//! there.
 
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::Hit;
@@ -8,21 +9,21 @@ use capwalk_scene::{BsdfId, Emitter, EmitterId, SurfacePoint};
 
 use crate::scene_eval::SceneEval;
 
-/// Where a (moving) ray meets the (moving) surface that it hits.
+/// The intersection of a ray and a surface, both possibly moving.
 #[derive(Clone, Copy, Debug)]
 pub struct Surface<R> {
-    /// The hit point.
+    /// World-space position.
     pub position: Vec3<R>,
     /// The same on the shape.
     pub point: SurfacePoint<R>,
-    /// Normal of the face by its winding, twice as long as the face is large.
+    /// Normal of the face by its winding; its length is twice the area of the face.
     cross: Vec3<R>,
     /// 1 if that is on the outside, else -1.
     out: f64,
     /// Unit shading normal on the outside.
     pub outward: Vec3<R>,
-    /// How the position changes with each texture coordinate, if the material asks
-    /// for it and the shape has some.
+    /// Derivatives of the position with respect to the texture coordinates, if the material
+    /// needs them and the shape has texture coordinates.
     pub tangents: Option<[Vec3<R>; 2]>,
     /// Unit geometric normal on the viewer's side.
     pub face_normal: Vec3,
@@ -59,7 +60,7 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
     let (edge1, edge2) = (b - a, c - a);
     let cross = edge1.cross(edge2);
 
-    // The ray meets the plane of the triangle, both moving.
+    // Intersect the moving ray with the moving plane of the triangle.
     let t = (a - origin).dot(cross) / direction.dot(cross);
     let position = origin + direction * t;
 
@@ -103,7 +104,7 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
             barycentric,
             uv: match needs_place {
                 true => shape.uv(face, barycentric),
-                false => [wb, wc], // nobody looks
+                false => [wb, wc], // not needed
             },
         },
         cross,
@@ -123,8 +124,8 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
     }
 }
 
-/// What an emitter sends back along a ray that meets it at `hit`, or in no
-/// surface if it is the environment. Lights without extent are met by no ray.
+/// Radiance that an emitter sends back along a ray that hits it at `hit`, or that misses
+/// everything if it is the environment. No ray hits an emitter without extent.
 pub fn emitted_at<R: Real, W: SceneEval<R>>(
     eval: &W,
     accel: &Accel,
@@ -152,7 +153,7 @@ pub fn emitted_at<R: Real, W: SceneEval<R>>(
             texels * eval.texel(*scale, 0)
         }
         (Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }, _) => {
-            unreachable!("no ray meets a light without extent")
+            unreachable!("no ray hits an emitter without extent")
         }
     }
 }

@@ -81,7 +81,7 @@ impl<'a> Tracer<'a> {
         Self { plan, ..self }
     }
 
-    /// Most specular events behind which edges count.
+    /// The most specular events behind which edges are boundaries.
     pub(crate) fn events_behind(&self, segments: u32) -> u32 {
         match self.accel.has_flat_events() {
             true => self.plan.events_behind(segments),
@@ -89,14 +89,14 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// True if directions towards an emitter stay, and edges before it are gathered.
+    /// True if directions towards an emitter do not move, and edges in front of it are gathered.
     pub(crate) fn gathers(&self, emitter: EmitterId) -> bool {
         let gathers = |moving: &Moving| moving.field.method.traits().gathers;
         self.moving.as_ref().is_some_and(gathers)
             && matches!(self.accel.scene.emitter(emitter), Emitter::Area { .. })
     }
 
-    /// True if the field knows nothing of what mirrors show.
+    /// True if the field has no reflected boundaries.
     pub(crate) fn misses_mirrors(&self) -> bool {
         let is_spherical = |moving: &Moving| moving.field.method.traits().is_spherical;
         !self.moving.as_ref().is_none_or(is_spherical)
@@ -133,7 +133,7 @@ impl<'a> Tracer<'a> {
         draw: Draw<'d>,
     ) -> (&WalkSettings, Numbers<'d>) {
         let Some(Moving { walks, .. }) = &self.moving else {
-            // Asked for the primal image, where nobody walks.
+            // The primal image has no walks.
             return (&NO_WALK, Numbers { draw, dimension: 0 });
         };
         let walk = &walks.surface;
@@ -147,10 +147,10 @@ impl<'a> Tracer<'a> {
     }
 }
 
-/// Largest angle of the camera's field, in pixels: beyond it everything visible
-/// stays where it is on the film. A field that reaches farther moves pixels without
-/// need, and their derivatives become noisy; one that reaches less far than a
-/// pixel has steep derivatives. Two pixels measured best on the built-in scenes.
+/// Angular cutoff of the camera's field, in pixels: farther than this from every boundary,
+/// film points do not move. A larger cutoff moves pixels without need and makes their
+/// derivatives noisy; one below a pixel gives a steep field. Two pixels measured best on
+/// the built-in scenes.
 const CAMERA_PIXELS: f64 = 2.0;
 
 /// [`CAMERA_PIXELS`] as an angle, radians, in the middle of the film.

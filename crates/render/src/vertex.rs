@@ -6,7 +6,7 @@ use capwalk_scene::lobe::{LocalBsdf, Specular};
 /// A surface point that scatters light.
 #[derive(Clone, Debug)]
 pub struct Vertex<R> {
-    /// Where it is.
+    /// World-space position.
     pub position: Vec3<R>,
     /// Unit normal of the face on the viewer's side.
     pub face_normal: Vec3,
@@ -14,7 +14,7 @@ pub struct Vertex<R> {
     pub frame: Frame<R>,
     /// Unit direction to the viewer in that frame.
     pub wi: Vec3<R>,
-    /// What it does to light.
+    /// The BSDF, in that frame.
     pub bsdf: LocalBsdf<R>,
     /// True if light can come from both sides.
     pub transmits: bool,
@@ -40,8 +40,8 @@ impl<R: Real> Vertex<R> {
         }
     }
 
-    /// Scattered radiance per incident radiance and solid angle, the cosine
-    /// included; zero for what is perfectly specular.
+    /// BSDF times cosine for the unit direction of incident light, per solid angle; zero for
+    /// perfectly specular events.
     #[inline]
     pub fn eval(&self, direction: Vec3<R>) -> Rgb<R> {
         self.bsdf.eval(self.wi, self.frame.to_local(direction))
@@ -68,7 +68,7 @@ impl<R: Real> Vertex<R> {
 }
 
 impl Vertex<f64> {
-    /// Density per solid angle with which the material draws a direction.
+    /// Density per solid angle with which the material samples a direction.
     #[inline]
     pub fn pdf(&self, direction: Vec3) -> f64 {
         self.bsdf.pdf(self.wi, self.frame.to_local(direction))
