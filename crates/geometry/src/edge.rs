@@ -165,7 +165,7 @@ mod tests {
 
     /// Segments through the viewpoint have no direction, whichever end comes first.
     #[test]
-    fn segments_through_the_eye() {
+    fn segments_through_the_viewpoint() {
         let (zero, p) = (Vec3::zero(), Vec3::new(1.0, 2.0, 3.0));
         for (a, b) in [(zero, p), (p, zero), (p, -p), (zero, zero)] {
             assert!(closest_direction(a, b, AXIS).is_none(), "{a:?} {b:?}");
