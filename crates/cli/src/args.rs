@@ -1,4 +1,4 @@
-//! What was typed.
+//! The arguments of the command line.
 
 mod parse;
 #[cfg(feature = "paper")]
@@ -63,16 +63,16 @@ pub enum Command {
     /// Writes SCENE-check.png (value | gradient | reference | z) unless -o
     /// says otherwise. Exit status 0: right, 1: wrong, 2: inconclusive.
     Check(Check),
-    /// Show what is in a scene, and which of its numbers can be differentiated
+    /// Show what is in a scene, and which of its parameters can be differentiated
     Info(Info),
     /// Compare two images, with their standard errors if they have them
     Compare(Compare),
     /// List the built-in scenes, or export them as files
     Scenes(Scenes),
-    /// Find the numbers of a scene that make its images look like given ones
+    /// Find the parameters for which the images of a scene match given ones
     ///
-    /// A JOB is a TOML file, see docs/optimize.md. Every iteration is kept: a
-    /// run that was killed goes on with --resume, and ends in the same bits.
+    /// A JOB is a TOML file, see docs/optimize.md. Every iteration is saved: a
+    /// run that was stopped continues with --resume, and ends in the same bits.
     Optimize(Optimize),
     /// Render, differentiate and check the scene lattice-shadow
     ///
@@ -170,7 +170,7 @@ pub struct MotionArgs {
     /// Velocity of each vertex of a shape: .npy array (V, 3), or a text file
     /// with one "x y z" per line; adds to --param
     #[arg(long, value_name = "SHAPE=FILE", value_parser = parse::motion)]
-    pub tangent: Vec<(String, PathBuf)>,
+    pub motion: Vec<(String, PathBuf)>,
 }
 
 /// How derivatives are estimated.
@@ -193,12 +193,12 @@ pub struct MethodArgs {
 pub enum MethodName {
     /// Walks on spherical caps: unbiased
     Walk,
-    /// Points on all edges before emitters and the camera, walks elsewhere: unbiased
+    /// Points on all edges in front of emitters and the camera, walks elsewhere: unbiased
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020): biased
     #[cfg_attr(not(feature = "paper"), value(hide = true))]
     Was,
-    /// The same in path space (Xu et al. 2023): biased
+    /// Warped-area sampling in path space (Xu et al. 2023): biased
     #[cfg_attr(not(feature = "paper"), value(hide = true))]
     PsdrWas,
     /// Central finite differences, for `gradient`
@@ -217,8 +217,8 @@ pub struct WalkArgs {
     /// Estimator of the field's divergence [default: anchored]
     #[arg(long)]
     pub estimator: Option<EstimatorName>,
-    /// Ignore silhouettes farther than this angle, degrees; right for every
-    /// value, smaller is faster and larger is smoother
+    /// Angular cutoff: ignore silhouettes farther than this, degrees; unbiased for
+    /// every value, smaller is faster and larger is less noisy
     #[arg(long, value_name = "DEGREES", value_parser = parse::angle, allow_negative_numbers = true)]
     pub max_angle: Option<f64>,
     /// Average each rim sample with the one on the other side of the cap
@@ -235,7 +235,7 @@ pub enum DomainName {
     /// On the triangle that a direction hits, as in the paper: noisier
     #[cfg_attr(not(feature = "paper"), value(hide = true))]
     Triangle,
-    /// The same by walks on disks among all silhouettes, for small scenes
+    /// The same, with walks on disks among all silhouettes: for small scenes
     #[cfg_attr(not(feature = "paper"), value(hide = true))]
     Explicit,
 }
@@ -283,7 +283,7 @@ pub struct Gradient {
 #[group(required = true, multiple = false)]
 pub struct ObjectiveArgs {
     /// Image (.exr, .npz) of the derivative of a loss with respect to every pixel
-    /// and channel; its noise must not come from the seed of this command
+    /// and channel, computed from a rendering with another seed
     #[arg(long, value_name = "FILE")]
     pub adjoint: Option<PathBuf>,
     /// Distance of the image to the --target, a mean over pixels and
@@ -296,7 +296,7 @@ pub struct ObjectiveArgs {
 /// Losses by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum LossName {
-    /// Absolute difference; noise in the image makes its gradient too small
+    /// Absolute difference; noise in the image biases its gradient towards zero
     L1,
     /// Squared difference; its gradient is unbiased
     L2,
@@ -308,7 +308,7 @@ pub struct Backward {
     pub scene: SceneArgs,
     #[command(flatten)]
     pub objective: ObjectiveArgs,
-    /// What the image should look like (.exr, .npz), for --loss
+    /// Target image (.exr, .npz), for --loss
     #[arg(long, value_name = "FILE", requires = "loss")]
     pub target: Option<PathBuf>,
     /// Layer of the --adjoint [default: adjoint, else value] or of the --target
@@ -320,7 +320,7 @@ pub struct Backward {
     /// all arrays that can be] (`capwalk info SCENE` lists them)
     #[arg(short, long, value_name = "NAMES", num_args = 1..)]
     pub param: Vec<String>,
-    /// Write the standard error of every number too, as NAME.stderr
+    /// Also write the standard error of every number, as NAME.stderr
     #[arg(long)]
     pub errors: bool,
     #[command(flatten)]
@@ -356,9 +356,9 @@ pub struct Info {
 
 #[derive(Args, Debug)]
 pub struct Compare {
-    /// The image in question (.exr, .npz)
+    /// Image to be compared (.exr, .npz)
     pub image: PathBuf,
-    /// What it should be (.exr, .npz)
+    /// Reference image (.exr, .npz)
     pub reference: PathBuf,
     /// Compare these layers, for example "gradient" [default: gradient if both
     /// have it, else value]
@@ -382,12 +382,12 @@ pub struct Scenes {
 
 #[derive(Args, Debug)]
 pub struct Optimize {
-    /// TOML file that says what to look for, and how
+    /// TOML file with parameters, targets and options
     pub job: PathBuf,
-    /// Go on with the run in the output folder, if there is one
+    /// Continue the run in the output folder, if there is one
     #[arg(long)]
     pub resume: bool,
-    /// Stop after so many iterations more; --resume goes on from there
+    /// Stop after N more iterations; --resume continues from there
     #[arg(long, value_name = "N")]
     pub pause_after: Option<NonZeroU32>,
     /// Output folder [default: the job's `output`, or its path with the ending

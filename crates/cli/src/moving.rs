@@ -12,7 +12,7 @@ pub fn tangent(prepared: &Prepared, args: &MotionArgs) -> Result<Tangent> {
         Some(expression) => prepared.registry().tangent(scene, expression)?,
         None => Tangent::zero(scene),
     };
-    for (shape, file) in &args.tangent {
+    for (shape, file) in &args.motion {
         let velocities = read_velocities(file)
             .with_context(|| format!("cannot read the velocities of \"{shape}\""))?;
         let of_shape = vertex_tangent(scene, shape, velocities)
@@ -24,7 +24,7 @@ pub fn tangent(prepared: &Prepared, args: &MotionArgs) -> Result<Tangent> {
 
 /// A name for the motion in file headers and tables.
 pub fn describe(args: &MotionArgs) -> String {
-    let files = args.tangent.iter();
+    let files = args.motion.iter();
     let files = files.map(|(shape, file)| format!("{shape}={}", file.display()));
     let parameters = args.param.iter().cloned();
     parameters.chain(files).collect::<Vec<_>>().join(" + ")

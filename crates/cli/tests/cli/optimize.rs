@@ -151,7 +151,7 @@ fn several_views_with_masks_and_files() {
     let views = r#"
 [[view]]
 mask = "mask.npz"
-target = { layered = "target.exr" }
+target = { picture = "target.exr" }
 weight = 2
 
 [[view]]
