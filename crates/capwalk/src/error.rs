@@ -61,7 +61,7 @@ pub enum Error {
     #[error(transparent)]
     Parameter(#[from] ParameterError),
     /// Nothing moves or changes, so the derivative is zero everywhere.
-    #[error("nothing moves: {what} add up to zero")]
+    #[error("nothing changes: {what} add up to zero")]
     NothingMoves {
         /// What was asked for, such as `the parameters in "a - a"`.
         what: String,
@@ -155,7 +155,7 @@ pub enum UnusableImage {
         pixel: [f64; 3],
     },
     /// Pixels of a mask are below 0, or all of them are 0.
-    #[error("{problem}; expected how much each pixel counts")]
+    #[error("{problem}; expected the weight of each pixel")]
     NotWeights {
         /// What is wrong.
         problem: &'static str,

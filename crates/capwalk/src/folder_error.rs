@@ -21,28 +21,28 @@ pub enum FolderError {
         error: io::Error,
     },
     /// There is a run already, and it was not to be resumed.
-    #[error("there is a run in {} already", folder.display())]
+    #[error("the folder {} already has a run", folder.display())]
     Taken {
         /// The folder.
         folder: PathBuf,
     },
     /// Another process is running there.
-    #[error("another run is writing into {}; wait for its end", folder.display())]
+    #[error("another run is writing into {}; wait until it ends", folder.display())]
     Busy {
         /// The folder.
         folder: PathBuf,
     },
-    /// The run would write over a file that it reads.
-    #[error("the run reads {}, but would write over {}", input.display(), output.display())]
+    /// The run would overwrite a file that it reads.
+    #[error("the run reads {}, but would overwrite {}", input.display(), output.display())]
     InputInTheWay {
         /// The file that is read.
         input: PathBuf,
         /// What would be written.
         output: PathBuf,
     },
-    /// The run would write over something that is no run's.
+    /// The run would overwrite something that is no run's.
     #[error(
-        "{} is there already, and no checkpoint says that a run wrote it", file.display()
+        "{} already exists, and there is no checkpoint of a run that wrote it", file.display()
     )]
     ResultInTheWay {
         /// What is there.
@@ -68,8 +68,8 @@ pub enum FolderError {
     },
     /// The record has fewer rows than the checkpoint knows.
     #[error(
-        "{} does not have the rows of the {iterations} iterations that the checkpoint knows; \
-         restore it, or begin anew in another folder",
+        "{} lacks rows of the {iterations} iterations in the checkpoint; restore it, or \
+         start in another folder",
         file.display()
     )]
     MissingRows {
@@ -81,7 +81,7 @@ pub enum FolderError {
     /// The checkpoint is not the file that the run wrote.
     #[error(
         "the checkpoint is damaged: {0}; expected the file that the run wrote. Restore it, or \
-         begin anew in another folder"
+         start in another folder"
     )]
     DamagedCheckpoint(ImageError),
     /// The checkpoint does not fit the job in a way that its fingerprint does not say.
@@ -94,8 +94,8 @@ pub enum FolderError {
     },
     /// The run in the folder was of another job.
     #[error(
-        "the run in {} was of another job, and cannot go on with this one: {}. Undo the change, \
-         or begin anew in another folder",
+        "the run in {} had another job and cannot continue with this one: {}. Undo the change, \
+         or start in another folder",
         folder.display(), changed.join("; ")
     )]
     OtherJob {

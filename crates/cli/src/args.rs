@@ -218,7 +218,7 @@ pub struct WalkArgs {
     #[arg(long)]
     pub estimator: Option<EstimatorName>,
     /// Angular cutoff: ignore silhouettes farther than this, degrees; unbiased for
-    /// every value, smaller is faster and larger is less noisy
+    /// every value, smaller is faster, larger gives a smoother field
     #[arg(long, value_name = "DEGREES", value_parser = parse::angle, allow_negative_numbers = true)]
     pub max_angle: Option<f64>,
     /// Average each rim sample with the one on the other side of the cap

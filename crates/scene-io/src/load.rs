@@ -88,7 +88,7 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
         context.warn(upgraded.span, &upgraded.message);
     }
     for &stray in &expanded.stray {
-        context.warn(stray, "text outside of an attribute means nothing");
+        context.warn(stray, "text outside of attributes has no effect");
     }
     let mut directories = expanded.search_directories;
     directories.push(texts.main().directory.clone());
@@ -147,7 +147,7 @@ stray text
             .map(|w| w.split(": ").take(2).collect::<Vec<_>>().join(": "))
             .collect();
         let expected = [
-            "scene.xml:11:1: text outside of an attribute means nothing",
+            "scene.xml:11:1: text outside of attributes has no effect",
             "scene.xml:2:16: \"kd_max_depth\" has no effect here",
             "scene.xml:3:40: \"block_size\" has no effect here",
             "scene.xml:8:15: \"file_format\" has no effect here",

@@ -265,7 +265,7 @@ impl<'d> Table<'d> {
         known.dedup();
         let problem = Problem::unknown(
             entry.place.0,
-            format!("`{}` means nothing in {}", entry.key, self.name),
+            format!("unknown key `{}` in {}", entry.key, self.name),
         );
         let problem = problem
             .near(nearest(&entry.key, known.iter().copied()))

@@ -72,7 +72,7 @@ impl Element {
     }
 }
 
-/// The root element of a text, and places of stray text that means nothing.
+/// The root element of a text, and places of stray text, which has no effect.
 pub(crate) fn parse(texts: &Texts, file: FileId) -> Result<(Element, Vec<Span>), Problem> {
     let text = &texts.get(file).content;
     let options = ParsingOptions {

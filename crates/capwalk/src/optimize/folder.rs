@@ -89,7 +89,7 @@ pub fn claim(path: &Path, resume: bool, inputs: &[PathBuf]) -> Result<Claimed, F
     })
 }
 
-/// An error if a run in this folder would write over what it did not write.
+/// An error if a run in this folder would overwrite what it did not write.
 fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<(), FolderError> {
     // What is not there cannot be lost.
     let Ok(folder) = path.canonicalize() else {

@@ -129,8 +129,8 @@ fn check_names(names: &[String], errors: bool) -> Result<()> {
     for name in names {
         ensure!(
             taken.insert(name.clone()) && (!errors || taken.insert(errors_name(name))),
-            "two arrays of the output would be called \"{name}\"; ask for it once, and give \
-             things with equal ids different ones"
+            "two arrays of the output would have the name \"{name}\"; ask for it once, and give \
+             objects different ids"
         );
     }
     Ok(())

@@ -100,7 +100,7 @@ impl Way {
         }
         ensure!(
             args.step.is_none(),
-            "--step is that of finite differences, and the method is {}. Leave it out, or say \
+            "--step is for finite differences, but the method is {}. Leave it out, or use \
              --method fd",
             method::name(&args.method.method)
         );

@@ -66,8 +66,8 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
 fn nothing() -> Result<Outcome> {
     ensure!(
         progress::interrupted(),
-        "the time limit is over before the targets were rendered, and nothing was written; give \
-         more time, or the targets fewer samples (`spp` of [target])"
+        "the time limit ended before the targets were rendered, and nothing was written; give \
+         more time, or render the targets with fewer samples (`spp` of [target])"
     );
     console::remark("stopped before the targets were rendered; nothing was written\n");
     Ok(Outcome::Interrupted)

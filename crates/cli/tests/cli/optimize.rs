@@ -205,7 +205,7 @@ fn bad_jobs_name_the_place() {
         "sed = 5",
         &[
             "job.toml:7:1",
-            "`sed` means nothing",
+            "unknown key `sed`",
             "expected one of",
             "\"seed\"?",
         ],

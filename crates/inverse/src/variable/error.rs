@@ -14,7 +14,7 @@ pub enum VariableError {
     #[error(transparent)]
     Vertices(#[from] VerticesError),
     /// An option was given that is for vertices only.
-    #[error("`{option}` means nothing for \"{name}\"; it is for vertices: `<shape>.positions`")]
+    #[error("`{option}` has no meaning for \"{name}\"; it is for vertices, `<shape>.positions`")]
     OnlyForVertices {
         /// What was asked for.
         name: String,
@@ -45,8 +45,8 @@ pub enum VariableError {
     },
     /// A rotation in a sum would not stay a rotation.
     #[error(
-        "\"{name}\" has a rotation in a sum, which would not stay one; make it a parameter of \
-         its own, such as `<shape>.rotate.x`"
+        "\"{name}\" is a sum with a rotation, and linear motion does not stay a rotation; make it \
+         a parameter of its own, such as `<shape>.rotate.x`"
     )]
     RotationInSum {
         /// What was asked for.
@@ -54,9 +54,9 @@ pub enum VariableError {
     },
     /// Values were asked for of what only has a distance from where it is.
     #[error(
-        "\"{name}\" is no single number of the scene: {what} would be how far its numbers have \
-         gone from where they are, not what they are; name an array such as \
-         `<material>.reflectance.value`, or one number of it, without a factor"
+        "\"{name}\" is no single number of the scene: {what} would be a distance from the \
+         scene's values and no value; name an array such as `<material>.reflectance.value`, or \
+         one number of it, without a factor"
     )]
     NoValue {
         /// What was asked for.
@@ -87,7 +87,7 @@ pub enum VariableError {
     /// The strength of the smoothing is out of range.
     #[error(
         "the `lambda` of \"{name}\" is {lambda}; expected a number from 0 to {largest:e}, above \
-         which rounding swallows the unknowns; 10 to 50 is usual"
+         which rounding dominates; 10 to 50 is usual"
     )]
     Lambda {
         /// What was asked for.
@@ -99,7 +99,7 @@ pub enum VariableError {
     },
     /// Memory ran out while the smoothing was prepared.
     #[error(
-        "the matrix that smooths \"{name}\" cannot be factored; leave out `lambda`, or take fewer \
+        "the matrix that smooths \"{name}\" cannot be factored; leave out `lambda`, or select fewer \
          vertices"
     )]
     Factorization {
@@ -108,7 +108,7 @@ pub enum VariableError {
     },
     /// A logarithm has no bounds.
     #[error(
-        "\"{name}\" has both bounds and `reparam = \"log\"`; leave one of them out, or take \
+        "\"{name}\" has both bounds and `reparam = \"log\"`; leave one of them out, or use \
          `reparam = \"sigmoid\"`"
     )]
     LogWithBounds {
@@ -116,7 +116,7 @@ pub enum VariableError {
         name: String,
     },
     /// Two variables have the same name.
-    #[error("\"{name}\" is asked for twice; keep one of them")]
+    #[error("\"{name}\" is listed twice; keep one of them")]
     Twice {
         /// The name.
         name: String,

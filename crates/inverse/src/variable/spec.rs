@@ -321,8 +321,8 @@ mod tests {
             "1*lamp.emitter.radiance.value",
             "ball.positions[12,0] + ball.positions[13,0]",
         ] {
-            refused(&[with(name, None)], "`bounds` would be how far");
-            refused(&[with(name, Some(0.5))], "its value would be how far");
+            refused(&[with(name, None)], "`bounds` would be a distance");
+            refused(&[with(name, Some(0.5))], "its value would be a distance");
         }
         let sum = with("lamp.translate.x - 2*floor.translate.y", Some(2.0));
         assert_eq!(variables(&scene, &[sum]).initial(), [2.0]);

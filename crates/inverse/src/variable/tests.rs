@@ -430,14 +430,17 @@ fn what_does_not_fit_is_refused() {
     );
     refused(
         &[spec("ball.rotate.x + ball.rotate.y")],
-        "a rotation in a sum",
+        "a sum with a rotation",
     );
     let with = |change: &dyn Fn(&mut VariableSpec)| {
         let mut spec = one.clone();
         change(&mut spec);
         spec
     };
-    refused(&[with(&|w| w.lambda = Some(3.0))], "`lambda` means nothing");
+    refused(
+        &[with(&|w| w.lambda = Some(3.0))],
+        "`lambda` has no meaning",
+    );
     refused(
         &[with(&|w| w.bounds = Some([1.0, 0.0]))],
         "the lower one first",

@@ -51,7 +51,7 @@ fn errors_have_places() {
     table.get("learning_rate");
     fails(
         table.finish(),
-        "job.toml:2:1: `learning` means nothing in [optimizer]\n  expected one of: beta, \
+        "job.toml:2:1: unknown key `learning` in [optimizer]\n  expected one of: beta, \
          learning_rate, lr",
     );
     fails(
@@ -72,7 +72,7 @@ fn near_keys_and_words_are_suggested() {
     );
     fails(
         root.finish(),
-        "job.toml:1:1: `iteratons` means nothing in the file\n  expected one of: iterations, \
+        "job.toml:1:1: unknown key `iteratons` in the file\n  expected one of: iterations, \
          loss\n  did you mean \"iterations\"?",
     );
 }

@@ -99,14 +99,14 @@ fn keys_of_other_methods_are_errors() {
         "type = \"edges\"\ndomain = \"sphere\"",
         &[
             "job.toml:32:1",
-            "`domain` means nothing in [method] of type \"edges\"",
+            "unknown key `domain` in [method] of type \"edges\"",
             "one of: antithetic, estimator, max_angle, steps, type",
         ],
     );
     bad(
         "kappa = 10",
         &[
-            "`kappa` means nothing in [method] of type \"walk\"",
+            "unknown key `kappa` in [method] of type \"walk\"",
             "one of: antithetic, domain, estimator, max_angle, steps, type",
         ],
     );

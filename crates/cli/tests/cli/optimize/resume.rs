@@ -125,7 +125,7 @@ fn another_job_cannot_go_on() {
         capwalk.write("job.toml", &changed);
         let error = capwalk.error("optimize job.toml --resume");
         let message = message.replace("lr was", "[optimizer] was lr 0.02");
-        assert_has(&error, &[&message, "cannot go on"]);
+        assert_has(&error, &[&message, "cannot continue"]);
     }
     capwalk.write(
         "job.toml",
@@ -153,17 +153,17 @@ fn files_of_others_are_not_written_over() {
     capwalk.write("job.toml", &of_file);
     let before = files(&capwalk.path("."));
     let error = capwalk.error("optimize job.toml -o .");
-    assert_has(&error, &["scene.xml", "would write over", "-o"]);
+    assert_has(&error, &["scene.xml", "would overwrite", "-o"]);
     assert!(files(&capwalk.path(".")) == before);
     // With --resume too, and where it is no input.
     assert_has(
         &capwalk.error("optimize job.toml -o . --resume"),
-        &["would write over"],
+        &["would overwrite"],
     );
     capwalk.write("job.toml", SMALL);
     assert_has(
         &capwalk.error("optimize job.toml -o ."),
-        &["scene.xml is there already", "-o"],
+        &["scene.xml already exists", "-o"],
     );
     for (folder, file, text) in [
         ("record", "record.csv", "mine\n1\n"),
@@ -172,7 +172,7 @@ fn files_of_others_are_not_written_over() {
         fs::create_dir(capwalk.path(folder)).expect("made");
         capwalk.write(&format!("{folder}/{file}"), text);
         let error = capwalk.error(&format!("optimize job.toml -o {folder}"));
-        assert_has(&error, &[file, "is there already"]);
+        assert_has(&error, &[file, "already exists"]);
         assert_eq!(files(&capwalk.path(folder)).len(), 1);
     }
     // What a run leaves that was killed before its first checkpoint.
