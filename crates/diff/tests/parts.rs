@@ -43,11 +43,9 @@ fn shuffled<T>(mut parts: Vec<T>) -> Vec<T> {
     result
 }
 
-fn through_bytes<T: serde::Serialize + serde::de::DeserializeOwned>(
-    partial: &Partial<T>,
-) -> Partial<T>
+fn through_bytes<T>(partial: &Partial<T>) -> Partial<T>
 where
-    T: capwalk_render::Accumulate,
+    T: capwalk_render::Accumulate + serde::Serialize + serde::de::DeserializeOwned,
 {
     let bytes = partial.to_bytes().expect("numbers");
     Partial::from_bytes(&bytes).expect("whole bytes")

@@ -54,7 +54,7 @@ pub enum Pattern {
 
 /// Part of the data of a texture that has a name of its own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Part {
+pub struct NamedTexels {
     /// What stands behind the texture's id and a dot; empty for nothing.
     pub name: &'static str,
     /// The first texel of it.
@@ -154,8 +154,8 @@ impl Texture {
 
     /// The parts of its data that have names. An attribute that is looked up
     /// by name has none: its numbers are the shape's.
-    pub fn parts(&self) -> Vec<Part> {
-        let part = |name, first, count| Part { name, first, count };
+    pub fn parts(&self) -> Vec<NamedTexels> {
+        let part = |name, first, count| NamedTexels { name, first, count };
         match self.pattern {
             Pattern::Constant => vec![part("value", 0, 1)],
             Pattern::Bitmap(_) | Pattern::Environment => vec![part("data", 0, self.texels())],
@@ -168,7 +168,7 @@ impl Texture {
     }
 
     /// The name of a part as a parameter.
-    pub fn part_name(&self, part: Part) -> String {
+    pub fn part_name(&self, part: NamedTexels) -> String {
         match part.name {
             "" => self.id.clone(),
             name => format!("{}.{name}", self.id),
@@ -178,7 +178,7 @@ impl Texture {
     /// The error for a texel that is not what it should be.
     pub(crate) fn bad_number(
         &self,
-        part: Part,
+        part: NamedTexels,
         index: usize,
         expected: &'static str,
     ) -> SceneError {

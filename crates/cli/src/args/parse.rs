@@ -45,15 +45,6 @@ pub fn angle(text: &str) -> Result<f64, String> {
     }
 }
 
-/// A concentration above 0.
-#[cfg(feature = "paper")]
-pub fn concentration(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(kappa) if kappa > 0.0 && kappa.is_finite() => Ok(kappa),
-        _ => Err("expected a number above 0".into()),
-    }
-}
-
 /// A difference step above 0, in units of the parameter.
 pub fn step(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

@@ -1,15 +1,13 @@
-//! The arguments for warped-area sampling.
+//! The arguments of warped-area sampling.
 
 use clap::{Args, ValueEnum};
 
-use super::parse;
-
-/// How it is with `--method was` and `psdr-was`.
+/// The options of `--method was` and `psdr-was`.
 #[derive(Args, Debug, Default)]
 pub struct WasArgs {
     /// was, psdr-was: concentration of auxiliary rays, which spread over about K^(-1/2)
     /// radians [default: 100000]
-    #[arg(long, value_name = "K", value_parser = parse::concentration)]
+    #[arg(long, value_name = "K", value_parser = parse_concentration)]
     pub was_kappa: Option<f64>,
     /// was, psdr-was: auxiliary rays per direction; more rays, less bias [default: 8]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=65536))]
@@ -33,4 +31,11 @@ pub enum WasBoundaryName {
     Normals,
     /// By edges of triangles: correct for all meshes, noisier
     Edges,
+}
+
+fn parse_concentration(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(kappa) if kappa > 0.0 && kappa.is_finite() => Ok(kappa),
+        _ => Err("expected a number above 0".into()),
+    }
 }

@@ -66,7 +66,7 @@ fn mirrors_are_a_warning() {
     let words = [
         "baseline and biased",
         "specular events",
-        "silhouettes there is missing",
+        "silhouettes seen there are not covered",
     ];
     assert_has(&finished.stderr, &words);
 }

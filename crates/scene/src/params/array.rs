@@ -16,7 +16,7 @@ use crate::scene::Scene;
 use crate::scene_vector::{Gradient, ShapeVectors, Tangent};
 use crate::sensor::Optic;
 use crate::shape::{ShadingNormals, vertex_normals};
-use crate::texture::Part;
+use crate::texture::NamedTexels;
 
 /// An array of numbers of the scene, each of which may change by itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,7 +45,7 @@ pub struct ArrayParameter {
 pub(super) enum Place {
     Positions(ShapeId),
     Normals(ShapeId),
-    Texels(TextureId, Part),
+    Texels(TextureId, NamedTexels),
     ShapeToWorld(ShapeId),
     SensorTranslation,
     SensorRotation,
@@ -252,7 +252,7 @@ impl ArrayParameter {
 }
 
 /// Where the numbers of a part of a texture are in its data.
-fn numbers_of(scene: &Scene, id: TextureId, part: Part) -> Range<usize> {
+fn numbers_of(scene: &Scene, id: TextureId, part: NamedTexels) -> Range<usize> {
     let channels = scene.texture(id).channels;
     part.first * channels..(part.first + part.count) * channels
 }

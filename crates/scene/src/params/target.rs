@@ -3,7 +3,7 @@
 use crate::ids::{ShapeId, TextureId};
 use crate::quantity::Quantity;
 use crate::sensor::Optic;
-use crate::texture::Part;
+use crate::texture::NamedTexels;
 
 /// What a name refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub(super) enum Target {
     Rotate(ShapeId, usize),
     Scale(ShapeId),
     /// Some texels of a texture together.
-    Texels(TextureId, Part, Quantity, Channel),
+    Texels(TextureId, NamedTexels, Quantity, Channel),
     TranslateSensor(usize),
     RotateSensor(usize),
     SensorOptic(Optic),

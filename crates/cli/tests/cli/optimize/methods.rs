@@ -122,7 +122,7 @@ fn baselines_have_keys_of_their_own() {
     bad(
         "type = \"psdr-was\"\nsteps = 2",
         &[
-            "`steps` means nothing in [method] of type \"psdr-was\"",
+            "unknown key `steps` in [method] of type \"psdr-was\"",
             "one of: antithetic, boundary, debias, kappa, rays, type",
         ],
     );

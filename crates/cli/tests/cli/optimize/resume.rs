@@ -93,11 +93,11 @@ fn every_order_of_writing_can_be_resumed() {
         fs::remove_file(capwalk.path(&format!("{case}/pictures/000012.png"))).expect("there");
         assert_same_files(&capwalk.path("whole"), &capwalk.path(case));
     }
-    // Fewer rows than the checkpoint knows cannot be made up.
+    // Fewer rows than the checkpoint counts cannot be made up.
     let text: String = whole.split_inclusive('\n').take(6).collect();
     capwalk.write("exact/record.csv", &text);
     let error = capwalk.error("optimize job.toml -o exact --resume");
-    assert_has(&error, &["record.csv", "does not have the rows of the 40"]);
+    assert_has(&error, &["record.csv", "lacks rows of the 40"]);
 }
 
 /// A run goes on only with the job that it began with; how long, and when it
