@@ -15,17 +15,13 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, ensure};
 use serde_json::Value;
 
 use crate::shell::{packages, root};
 use circles::circles;
 use imports::imports;
 use source::Crate;
-
-/// What is still wrong, under the name that the report gives it. An entry of
-/// which nothing is left is an error too, so that this list shrinks to nothing.
-const TOLERATED: &[&str] = &[];
 
 /// A crate of the workspace.
 struct Member {
@@ -37,41 +33,22 @@ struct Member {
     krate: Crate,
 }
 
-/// Checks all crates, or those of these names (`geometry`, `scene-io`) without
-/// tolerance, and prints what is wrong. An error if anything is.
+/// Checks all crates, or those of these names (`geometry`, `scene-io`), and prints what
+/// is wrong. An error if anything is.
 pub fn run(wanted: &[String]) -> Result<()> {
     let mut members = members()?;
     for name in wanted {
         let known = members.iter().any(|member| member.name == *name);
         ensure!(known, "no crate is called \"{name}\"");
     }
-    let tolerated = match wanted {
-        [] => TOLERATED,
-        _ => &[],
-    };
     members.retain(|member| wanted.is_empty() || wanted.contains(&member.name));
     println!("--- layout of {} crates", members.len());
-    let mut found = findings(&members);
-    let stale: Vec<_> = tolerated
-        .iter()
-        .filter(|&&name| found.remove(name).is_none())
-        .collect();
+    let found = findings(&members);
     for (name, details) in &found {
         println!("    {name}\n{details}");
     }
-    for name in &stale {
-        println!("    {name}: no longer so; take it out of TOLERATED in xtask/src/layout.rs");
-    }
-    if tolerated.len() > stale.len() {
-        println!(
-            "    {} older findings are tolerated",
-            tolerated.len() - stale.len()
-        );
-    }
-    match found.len() + stale.len() {
-        0 => Ok(()),
-        _ => bail!("the layout is not as it must be"),
-    }
+    ensure!(found.is_empty(), "the layout is not as it must be");
+    Ok(())
 }
 
 /// All that is wrong: a name for it, and the lines that say where.
