@@ -73,7 +73,7 @@ mod tests {
                 .tangent(&scene, &registry)
                 .expect_err("zero")
                 .to_string();
-            assert!(error.contains("nothing moves"), "{error}");
+            assert!(error.contains("nothing changes"), "{error}");
         }
     }
 }

@@ -438,7 +438,7 @@ fn bad_names_and_files() {
     );
     assert_has(
         &leaf("-p leaf.scale-leaf.scale"),
-        &["leaf.scale-leaf.scale", "nothing moves"],
+        &["leaf.scale-leaf.scale", "nothing changes"],
     );
     let message = leaf("-o new/gradient.exr");
     assert_has(&message, &["gradient.exr", "known endings: .npz"]);

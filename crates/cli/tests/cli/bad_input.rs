@@ -101,5 +101,5 @@ fn motions_that_cancel() {
     let output = output.expect("it starts");
     assert_eq!(output.status.code(), Some(3));
     let message = String::from_utf8(output.stderr).expect("text");
-    assert_has(&message, &["nothing moves"]);
+    assert_has(&message, &["nothing changes"]);
 }
