@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use capwalk_geometry::{ConeQuery, Edge, Mesh, Sides, SilhouetteTree, topology};
 use capwalk_math::Vec3;
-use capwalk_scene::{Emitter, Pattern, Scene, Texture};
+use capwalk_scene::{Emitter, Pattern, Scene, Shape, Texture};
 
 use crate::accel::{Accel, MeshChange, WORN_OUT};
 use crate::crossing::{Crossing, crossings};
@@ -66,8 +66,16 @@ impl Boundaries {
     /// changed the list of edges, they are listed again, since any motion can bend
     /// coplanar neighbours or make faces cross elsewhere; where the list turns out the
     /// same, its tree is refitted. Answers are those of [`Boundaries::new`], to the bit.
-    pub fn update(&mut self, accel: &Accel, change: MeshChange, same_edges: bool) {
-        if !(same_edges && change == MeshChange::None) {
+    /// `same_sensor` says that the sensor is where it was.
+    pub fn update(
+        &mut self,
+        accel: &Accel,
+        change: MeshChange,
+        same_edges: bool,
+        same_sensor: bool,
+    ) {
+        let stays = same_edges && change == MeshChange::None;
+        if !stays {
             let listed = Listed::new(accel);
             let same_list = change != MeshChange::Rebuilt
                 && listed.edges == self.edges
@@ -85,9 +93,10 @@ impl Boundaries {
             self.crossings = listed.crossings;
         }
         self.area_emitters = AreaEmitter::all(&accel.scene);
-        // The sensor may have moved, too.
-        let faces = &accel.mesh.faces;
-        self.image_tree = image_tree(&accel.view, &self.positions, faces, &self.edges);
+        if !(stays && same_sensor) {
+            let faces = &accel.mesh.faces;
+            self.image_tree = image_tree(&accel.view, &self.positions, faces, &self.edges);
+        }
     }
 
     /// The edges.
@@ -167,7 +176,15 @@ pub fn same_edges(a: &Scene, b: &Scene) -> bool {
         let is_discontinuous_by_its_numbers = matches!(a.pattern, Pattern::PerVertex);
         Arc::ptr_eq(a, b) || a.pattern == b.pattern && !is_discontinuous_by_its_numbers
     };
-    a.textures.len() == b.textures.len()
+    // What of a shape decides where shading is discontinuous, beside its vertices.
+    let same_shape = |(a, b): (&Arc<Shape>, &Arc<Shape>)| {
+        Arc::ptr_eq(a, b)
+            || (&a.normals, &a.uvs, &a.attributes, a.bsdf, a.emitter)
+                == (&b.normals, &b.uvs, &b.attributes, b.bsdf, b.emitter)
+    };
+    a.shapes.len() == b.shapes.len()
+        && a.shapes.iter().zip(&b.shapes).all(same_shape)
+        && a.textures.len() == b.textures.len()
         && a.textures.iter().zip(&b.textures).all(same_texture)
         && a.materials == b.materials
         && a.emitters == b.emitters

@@ -5,7 +5,9 @@
 
 use std::time::{Duration, Instant};
 
-use capwalk::{Loader, Prepared, RenderOptions, Unwatched};
+use capwalk::{
+    Estimate, GradientOptions, Loader, ParameterGradient, Prepared, RenderOptions, Rgb, Unwatched,
+};
 
 /// Ends the child whatever happens: nothing of the test harness may run in it.
 struct ExitAtEnd(i32);
@@ -17,19 +19,33 @@ impl Drop for ExitAtEnd {
     }
 }
 
+/// An image, a gradient with respect to vertices, and a change of them.
+fn answers(prepared: &mut Prepared) -> (Estimate, ParameterGradient) {
+    let name = "lattice.positions";
+    let vertices = prepared.values(name).expect("a mesh").numbers;
+    prepared.update(name, &vertices).expect("the same");
+    let image = prepared.render(&RenderOptions::new(2, 3), &Unwatched).value;
+    let mut adjoint = image.mean.clone();
+    adjoint.pixels.fill(Rgb::splat(1.0));
+    let options = GradientOptions::new(RenderOptions::new(2, 3));
+    let gradients = prepared.backward(&adjoint, &[name], &options, &Unwatched);
+    (image, gradients.expect("covered")[name].clone())
+}
+
 #[test]
 fn a_forked_child_computes() {
-    let scene = Loader::new("leaf").size([16, 12]).load().expect("built in");
-    let prepared = Prepared::new(scene.scene).expect("a valid scene");
-    let options = RenderOptions::new(8, 3);
+    // So many vertices that whatever can be done in parallel is.
+    let scene = Loader::new("lattice-shadow").size([16, 12]).load();
+    let scene = scene.expect("built in").scene;
+    let mut prepared = Prepared::new(scene).expect("a valid scene");
     // The parent's pool has started.
-    let expected = prepared.render(&options, &Unwatched).value;
+    let expected = answers(&mut prepared);
     // SAFETY: the child only computes, and ends by `_exit`.
     let child = unsafe { libc::fork() };
     assert!(child >= 0, "fork failed");
     if child == 0 {
         let mut exit = ExitAtEnd(2);
-        let found = prepared.render(&options, &Unwatched).value;
+        let found = answers(&mut prepared);
         exit.0 = i32::from(found != expected);
         return;
     }
@@ -47,5 +63,5 @@ fn a_forked_child_computes() {
     assert!(libc::WIFEXITED(status), "the child was killed");
     assert_eq!(libc::WEXITSTATUS(status), 0, "1: other bits, 2: a panic");
     // The parent goes on.
-    assert!(prepared.render(&options, &Unwatched).value == expected);
+    assert!(answers(&mut prepared) == expected);
 }

@@ -274,6 +274,21 @@ impl Adjoint {
 }
 
 impl Accumulate for Adjoint {
+    fn fits(&self, next: &Self) -> bool {
+        let form = |adjoint: &Self| {
+            let normals = adjoint.normals.iter();
+            let normals = normals.map(|normals| normals.as_ref().map(Vec::len));
+            let textures = adjoint.textures.iter().map(Vec::len);
+            (
+                adjoint.points.len(),
+                normals.collect::<Vec<_>>(),
+                textures.collect::<Vec<_>>(),
+                adjoint.channels.clone(),
+            )
+        };
+        form(self) == form(next)
+    }
+
     fn add(&mut self, next: &Self) {
         fn sum<T: Copy + AddAssign>(own: &mut [T], next: &[T]) {
             own.iter_mut().zip(next).for_each(|(a, &b)| *a += b);

@@ -29,7 +29,7 @@ pub fn finite_difference(
     let sides = sides.map(PreparedScene::new);
     let tracers = sides.each_ref().map(Tracer::primal);
     let part = Part::whole(tiles::grid(scene, options));
-    let sums = tiles::average(scene, options, 0, &part, watch, |pixel, stream| {
+    let sums = tiles::average(scene, options, None, &part, watch, |pixel, stream| {
         let draw = Draw {
             stream,
             counts: &Counts::default(),

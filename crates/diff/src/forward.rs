@@ -27,7 +27,7 @@ pub fn gradient(
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
     let work = GradientWork::new(prepared, Cow::Borrowed(tangent), *options);
-    let partial = work.sums(0, &Part::whole(work.grid()), watch)?;
+    let partial = work.sums(None, &Part::whole(work.grid()), watch)?;
     work.gradient_image(partial.into_sums())
 }
 
@@ -60,21 +60,24 @@ impl<'a> GradientWork<'a> {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
     }
 
-    /// What a part of the work gives; refused like the whole.
+    /// What a part of the work gives: of its cells those that are finished when `watch` stops
+    /// the work. Refused like the whole.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
         part.check(self.grid())?;
-        Ok(self.sums(self.fingerprint(), part, watch)?)
+        Ok(self.sums(Some(self.fingerprint()), part, watch)?)
     }
 
     /// The derivative image, from all of its parts. The bits are those of [`gradient`].
     pub fn finish(&self, parts: Partial<PixelSums>) -> Result<GradientImage, PartError> {
-        let sums = parts.complete(self.fingerprint(), self.grid())?;
+        let (scene, grid) = (self.prepared.scene(), self.grid());
+        let right = |band: u32, sums: &PixelSums| sums.is_of(scene, grid, band, 6);
+        let sums = parts.complete(self.fingerprint(), grid, right)?;
         Ok(self.gradient_image(sums)?)
     }
 
     fn sums(
         &self,
-        work: u64,
+        work: Option<u64>,
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<PixelSums>, Refusal> {
@@ -120,7 +123,7 @@ impl<'a> GradientWork<'a> {
                 ..options.sampling()
             };
             let whole = Part::whole(tiles::grid(scene, &pilot));
-            let found = tiles::average(scene, &pilot, 0, &whole, &Silent(watch), sample);
+            let found = tiles::average(scene, &pilot, None, &whole, &Silent(watch), sample);
             self.refuse_uncovered(&Averages::new(found.into_sums(), &pilot))?;
         }
         let sampling = options.sampling();

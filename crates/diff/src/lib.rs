@@ -25,8 +25,8 @@ pub use capwalk_boundary::{Method, Refusal, may_be_specular};
 #[cfg(feature = "paper")]
 pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{
-    Estimate, GradientImage, Grid, Part, PartError, Partial, PixelSums, PreparedScene,
-    RenderOptions, RenderWork, Rendering, Statistics, Unwatched, Watch, render,
+    Accumulate, Cell, Estimate, GradientImage, Grid, Part, PartError, Partial, PixelSums,
+    PreparedScene, RenderOptions, RenderWork, Rendering, Statistics, Unwatched, Watch, render,
 };
 pub use capwalk_walk::{Estimator, WalkSettings};
 

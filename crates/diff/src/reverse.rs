@@ -131,25 +131,31 @@ impl<'a> BackwardWork<'a> {
 
     /// All of it at once, see [`backward`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
-        let partial = self.sums(0, &Part::whole(self.grid()), watch)?;
+        let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
         self.backward(partial.into_sums())
     }
 
-    /// What a part of the work gives; refused like the whole.
+    /// What a part of the work gives: of its cells those that are finished when `watch` stops
+    /// the work. Refused like the whole.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, PartError> {
         part.check(self.grid())?;
-        Ok(self.sums(self.fingerprint(), part, watch)?)
+        Ok(self.sums(Some(self.fingerprint()), part, watch)?)
     }
 
     /// The gradient, from all of its parts. The bits are those of [`backward`].
     pub fn finish(&self, parts: Partial<BatchSums>) -> Result<Backward, PartError> {
-        let sums = parts.complete(self.fingerprint(), self.grid())?;
+        let (accel, boundaries) = (self.prepared.accel(), self.prepared.boundaries());
+        let right = |_, sums: &BatchSums| {
+            let zero = Adjoint::zero(&accel.scene, boundaries, &self.wanted);
+            sums.mean.fits(&zero)
+        };
+        let sums = parts.complete(self.fingerprint(), self.grid(), right)?;
         Ok(self.backward(sums)?)
     }
 
     fn sums(
         &self,
-        work: u64,
+        work: Option<u64>,
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<BatchSums>, Refusal> {
@@ -196,10 +202,18 @@ impl<'a> BackwardWork<'a> {
             .sum();
         // What cannot be covered is found by looking, before the work is done.
         pass.refuse_uncovered_soon()?;
-        let batches = (0..grid.batches).into_par_iter();
-        let sums = batches.map(|batch| pass.batch(batch, &part.bands_of(batch)));
-        let sums = pool::install(|| sums.collect());
-        Ok(Partial::new(work, grid, Along::Bands, sums))
+        let is_part = work.is_some();
+        let sums = pool::install(|| {
+            let batches = (0..grid.batches).into_par_iter();
+            let sum_of = |batch| pass.batch(batch, &part.bands_of(batch), is_part);
+            batches.map(sum_of).collect()
+        });
+        Ok(Partial::new(
+            work.unwrap_or_default(),
+            grid,
+            Along::Bands,
+            sums,
+        ))
     }
 
     fn backward(&self, batches: Vec<BatchSums>) -> Result<Backward, Refusal> {
@@ -308,6 +322,10 @@ impl BatchSums {
 }
 
 impl Accumulate for BatchSums {
+    fn fits(&self, next: &Self) -> bool {
+        self.mean.fits(&next.mean)
+    }
+
     fn add(&mut self, next: &Self) {
         Accumulate::add(&mut self.mean, &next.mean);
         self.bands.extend(&next.bands);
@@ -390,12 +408,34 @@ impl Pass<'_> {
         self.grid.samples(batch, self.spp, self.sampler.group())
     }
 
-    /// The samples of a batch in some bands: sample by sample, so that all of its pixels
-    /// have as many when the work is stopped.
-    fn batch(&self, batch: u32, bands: &[u32]) -> OrderedSum<BatchSums> {
+    /// The samples of a batch in some bands, in a part without those that were stopped.
+    fn batch(&self, batch: u32, bands: &[u32], is_part: bool) -> OrderedSum<BatchSums> {
+        let samples = self.samples(batch);
+        let sums: Vec<BatchSums> = match is_part {
+            // A part may be one batch: its bands are done at once.
+            true => bands
+                .par_iter()
+                .flat_map_iter(|&band| self.bands(samples.clone(), &[band]))
+                .collect(),
+            false => self.bands(samples.clone(), bands),
+        };
+        let mut sum = OrderedSum::default();
+        for (&band, mut sums) in bands.iter().zip(sums) {
+            let taken = sums.bands[0].taken;
+            if !is_part || taken == samples.len() as u32 {
+                sums.mean.scale(1.0 / f64::from(taken.max(1)));
+                sum.insert(band, sums);
+            }
+        }
+        sum
+    }
+
+    /// Samples of some bands, one after the other, so that all pixels have as many when the
+    /// work is stopped.
+    fn bands(&self, samples: Range<u32>, bands: &[u32]) -> Vec<BatchSums> {
         let mut memory = Memory::default();
         let mut sums: Vec<BatchSums> = bands.iter().map(|&band| self.nothing(band)).collect();
-        for number in self.samples(batch) {
+        for number in samples {
             if self.watch.should_stop() {
                 break;
             }
@@ -410,12 +450,7 @@ impl Pass<'_> {
                 self.watch.progress(done, self.total);
             }
         }
-        let mut sum = OrderedSum::default();
-        for (&band, mut sums) in bands.iter().zip(sums) {
-            sums.mean.scale(1.0 / f64::from(sums.bands[0].taken.max(1)));
-            sum.insert(band, sums);
-        }
-        sum
+        sums
     }
 
     /// A band before its first sample.

@@ -6,7 +6,7 @@ use std::borrow::Cow;
 
 use capwalk_diff::{
     BackwardWork, GradientOptions, GradientWork, Grid, Method, Part, PartError, Partial,
-    PreparedScene, RenderOptions, RenderWork, Unwatched, Wanted, backward, gradient, render,
+    PreparedScene, RenderOptions, RenderWork, Unwatched, Wanted, Watch, backward, gradient, render,
     with_threads,
 };
 use capwalk_math::Rgb;
@@ -180,6 +180,81 @@ fn reverse_gradients() {
                     options.method,
                     parts.len()
                 );
+            }
+        }
+    }
+}
+
+/// Stops after some progress.
+struct StopsAt(u64, std::sync::atomic::AtomicU64);
+
+impl Watch for StopsAt {
+    fn progress(&self, done: u64, _: u64) {
+        self.1.fetch_max(done, std::sync::atomic::Ordering::Relaxed);
+    }
+    fn should_stop(&self) -> bool {
+        self.1.load(std::sync::atomic::Ordering::Relaxed) >= self.0
+    }
+}
+
+/// A part that is stopped has what was finished; the rest is another part.
+#[test]
+fn stopped_work_goes_on() {
+    let prepared = PreparedScene::new(scene());
+    let (adjoint, wanted) = (adjoint(), Wanted::all(prepared.scene()));
+    let options = all_options()[0];
+    let whole = backward(&prepared, &adjoint, &wanted, &options, &Unwatched).expect("covered");
+    let work = BackwardWork::new(&prepared, &adjoint, wanted, options);
+    let grid = work.grid();
+    let stop = StopsAt(9 * 7 * 20, 0.into());
+    let first = work.part(&Part::whole(grid), &stop).expect("covered");
+    let done = first.cells();
+    let missing: Vec<_> = grid.cells().filter(|cell| !done.contains(cell)).collect();
+    assert!(
+        !done.is_empty() && !missing.is_empty(),
+        "{} cells done",
+        done.len()
+    );
+    let rest = Part::cells(grid, &missing).expect("its cells");
+    let rest = work.part(&rest, &Unwatched).expect("covered");
+    let found = work.finish(Partial::merge([rest, first]).expect("one work"));
+    let found = found.expect("all cells");
+    assert!(bits_of_gradient(found.gradient()) == bits_of_gradient(whole.gradient()));
+
+    let image = render(&prepared, &options.sampling(), &Unwatched);
+    let work = RenderWork::new(&prepared, options.sampling());
+    let stop = StopsAt(9 * 7 * 20, 0.into());
+    let first = work.part(&Part::whole(grid), &stop).expect("its grid");
+    let done = first.cells();
+    let missing: Vec<_> = grid.cells().filter(|cell| !done.contains(cell)).collect();
+    assert!(
+        !done.is_empty() && !missing.is_empty(),
+        "{} cells done",
+        done.len()
+    );
+    let rest = Part::cells(grid, &missing).expect("its cells");
+    let rest = work.part(&rest, &Unwatched).expect("its grid");
+    let found = work.finish(Partial::merge([first, rest]).expect("one work"));
+    assert_eq!(found.expect("all cells").value, image.value);
+}
+
+/// Numbers of another work with the fingerprint of this one.
+#[test]
+fn forged_parts() {
+    let prepared = PreparedScene::new(scene());
+    let options = RenderOptions::new(4, 1);
+    let work = RenderWork::new(&prepared, options);
+    let part = work.part(&Part::whole(work.grid()), &Unwatched);
+    let bytes = part.expect("its grid").to_bytes().expect("numbers");
+    // Each byte that tells how many there are of something, one after the other.
+    for i in 0..bytes.len().min(60) {
+        for change in [1, 3, 0x80] {
+            let mut forged = bytes[..bytes.len() - 4].to_vec();
+            forged[i] = forged[i].wrapping_add(change);
+            forged.extend(crc32fast::hash(&forged).to_le_bytes());
+            if let Ok(partial) = Partial::from_bytes(&forged) {
+                // An error or other numbers, but no panic.
+                let _ = work.finish(partial);
             }
         }
     }

@@ -7,9 +7,11 @@ use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
     render,
 };
-use capwalk_math::Rgb;
+use capwalk_geometry::Mesh;
+use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Filter, Image, Scene};
+use capwalk_scene::{Filter, Image, Scene, ShadingNormals};
+use common::add;
 use common::stages::{visible_ball, visible_cube, with_parallel_rays};
 
 const SAMPLING: RenderOptions = RenderOptions::new(3, 7);
@@ -95,6 +97,33 @@ fn large_motions() {
     agree(ball, "ball.translate.x", &steps);
 }
 
+/// Normals that come apart along the seam of a flat sheet, and come together again: no
+/// vertex moves, and the seam becomes an edge.
+#[test]
+fn normals_at_a_seam() {
+    let mut scene = visible_cube();
+    let corners = [
+        [-0.7, 0.9],
+        [0.7, 0.9],
+        [0.7, 1.8],
+        [-0.7, 0.9],
+        [0.7, 1.8],
+        [-0.7, 1.8],
+    ];
+    let sheet = Mesh {
+        positions: corners.map(|[x, y]| Vec3::new(x, y, 0.3)).to_vec(),
+        faces: vec![[0, 1, 2], [3, 4, 5]],
+    };
+    let up = ShadingNormals::Given(vec![Vec3::new(0.0, 0.0, 1.0); 6]);
+    add(&mut scene, "sheet", sheet, up, 0.7);
+    let steps = [
+        ("sheet.normals[3,0]", 0.3),
+        ("sheet.normals[4,0] + sheet.normals[5,1]", -0.2),
+        ("floor.bsdf.reflectance.value", 0.1),
+    ];
+    agree(scene, "sheet.translate.x + thing.translate.y", &steps);
+}
+
 /// Where the edges have a second tree, in image space.
 #[test]
 fn before_an_orthographic_sensor() {
@@ -103,6 +132,7 @@ fn before_an_orthographic_sensor() {
         ("thing.translate.x", 0.05),
         ("sensor.translate.x", 0.1),
         ("sensor.rotate.z", 0.1),
+        ("floor.bsdf.reflectance.value", 0.1),
     ];
     agree(scene, "thing.translate.y", &steps);
 }

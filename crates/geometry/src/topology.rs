@@ -175,7 +175,8 @@ pub fn weld(positions: &[Vec3]) -> Vec<u32> {
     // Adding 0 makes -0 and 0 the same.
     let key = |p: &Vec3| p.to_array().map(|c| (c + 0.0).to_bits());
     let mut sorted: Vec<([u64; 3], u32)> = positions.iter().map(key).zip(0..).collect();
-    sorted.par_sort_unstable();
+    // Not in parallel: callers are on threads of their own, outside of any pool.
+    sorted.sort_unstable();
     let mut first = vec![0; positions.len()];
     for same in sorted.chunk_by(|a, b| a.0 == b.0) {
         for &(_, vertex) in same {

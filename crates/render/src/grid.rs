@@ -109,9 +109,11 @@ impl Part {
         if index >= count {
             return Err(grid.has_no(format!("part {index} of {count}")));
         }
-        let range = split(grid.batches.saturating_mul(grid.bands), count, index);
+        let cells = u128::from(grid.batches) * u128::from(grid.bands);
+        let bound = |i: u32| u128::from(i) * cells / u128::from(count);
+        let range = bound(index)..bound(index + 1);
         Ok(Self::of(grid, |cell| {
-            range.contains(&(grid.index(cell) as u32))
+            range.contains(&(grid.index(cell) as u128))
         }))
     }
 
@@ -129,6 +131,15 @@ impl Part {
             return Err(grid.has_no(format!("range of bands {bands:?}")));
         }
         Ok(Self::of(grid, |cell| bands.contains(&cell.band)))
+    }
+
+    /// These cells, such as those that are still missing.
+    pub fn cells(grid: Grid, cells: &[Cell]) -> Result<Self, PartError> {
+        let whole = Self::whole(grid);
+        if let Some(cell) = cells.iter().find(|&&cell| !whole.contains(cell)) {
+            return Err(grid.has_no(format!("cell {cell:?}")));
+        }
+        Ok(Self::of(grid, |cell| cells.contains(&cell)))
     }
 
     /// An error if it is a part of other cells than these.
@@ -156,18 +167,14 @@ impl Part {
 
     /// True if a cell is in the part.
     pub fn contains(&self, cell: Cell) -> bool {
-        self.chosen[self.grid.index(cell)]
+        let is_in_grid = cell.batch < self.grid.batches && cell.band < self.grid.bands;
+        is_in_grid && self.chosen[self.grid.index(cell)]
     }
 
     /// The bands of a batch that are in the part.
     pub fn bands_of(&self, batch: u32) -> Vec<u32> {
         let is_in = |&band: &u32| self.contains(Cell { batch, band });
         (0..self.grid.bands).filter(is_in).collect()
-    }
-
-    /// How many cells are in the part.
-    pub fn cell_count(&self) -> usize {
-        self.chosen.iter().filter(|&&chosen| chosen).count()
     }
 }
 

@@ -17,7 +17,7 @@ use crate::tracer::Tracer;
 /// The image of a scene, with its standard error.
 pub fn render(prepared: &PreparedScene, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
     let work = RenderWork::new(prepared, *options);
-    let partial = work.sums(0, &Part::whole(work.grid()), watch);
+    let partial = work.sums(None, &Part::whole(work.grid()), watch);
     work.rendering(partial.into_sums())
 }
 
@@ -44,19 +44,22 @@ impl<'a> RenderWork<'a> {
         tiles::grid(self.prepared.scene(), &self.options)
     }
 
-    /// What a part of the work gives.
+    /// What a part of the work gives: of its cells those that are finished when `watch` stops
+    /// the work.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
         part.check(self.grid())?;
-        Ok(self.sums(self.fingerprint(), part, watch))
+        Ok(self.sums(Some(self.fingerprint()), part, watch))
     }
 
     /// The image, from all of its parts. The bits are those of [`render`].
     pub fn finish(&self, parts: Partial<PixelSums>) -> Result<Rendering, PartError> {
-        let sums = parts.complete(self.fingerprint(), self.grid())?;
+        let (scene, grid) = (self.prepared.scene(), self.grid());
+        let right = |band: u32, sums: &PixelSums| sums.is_of(scene, grid, band, 3);
+        let sums = parts.complete(self.fingerprint(), grid, right)?;
         Ok(self.rendering(sums))
     }
 
-    fn sums(&self, work: u64, part: &Part, watch: &dyn Watch) -> Partial<PixelSums> {
+    fn sums(&self, work: Option<u64>, part: &Part, watch: &dyn Watch) -> Partial<PixelSums> {
         let prepared = self.prepared;
         let (tracer, eval) = (Tracer::primal(prepared), Primal(prepared.accel()));
         let sample = |pixel: [u32; 2], stream: &_| {

@@ -40,7 +40,7 @@ pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
 pub use image::{RenderWork, render};
 pub use options::{RenderOptions, Unwatched, Watch};
-pub use ordered_sum::{Accumulate, OrderedSum};
+pub use ordered_sum::{Accumulate, CannotMerge, OrderedSum};
 pub use part_error::PartError;
 pub use partial::{Along, Partial, fingerprint};
 pub use plan::{FIRST_VERTEX, LightSampling, Plan};

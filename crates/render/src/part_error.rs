@@ -34,9 +34,9 @@ pub enum PartError {
     #[error("{cells} of {of} cells are missing: merge all parts first")]
     Missing {
         /// How many.
-        cells: u32,
+        cells: u64,
         /// Of how many.
-        of: u32,
+        of: u64,
     },
     /// Bytes that are no part.
     #[error("these bytes are no part of a work, or were damaged: {reason}")]

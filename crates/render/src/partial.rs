@@ -1,13 +1,12 @@
 //! What parts of the work have given: sent elsewhere, merged, and made a whole.
 
 use std::fmt::{self, Write};
-use std::hash::{DefaultHasher, Hasher};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use crate::grid::Grid;
-use crate::ordered_sum::{Accumulate, OrderedSum};
+use crate::grid::{Cell, Grid};
+use crate::ordered_sum::{Accumulate, CannotMerge, OrderedSum};
 use crate::part_error::PartError;
 
 /// What some cells of the work for an estimate have given. However the work is cut and in
@@ -43,6 +42,13 @@ impl<T: Accumulate> Partial<T> {
         }
     }
 
+    /// Which cells are there: those of a part that were finished before the work was stopped.
+    pub fn cells(&self) -> Vec<Cell> {
+        let sums = (0..).zip(&self.sums);
+        sums.flat_map(|(i, sum)| sum.numbers().map(move |number| self.cell(i, number)))
+            .collect()
+    }
+
     /// All cells of all of these. They must come from the same work, and no cell may be in
     /// two of them.
     pub fn merge(parts: impl IntoIterator<Item = Self>) -> Result<Self, PartError> {
@@ -52,34 +58,41 @@ impl<T: Accumulate> Partial<T> {
             if (part.work, part.grid, part.along) != (merged.work, merged.grid, merged.along) {
                 return Err(PartError::DifferentWork);
             }
-            let pairs = merged.sums.iter_mut().zip(part.sums);
-            for (i, (sum, other)) in (0..).zip(pairs) {
-                sum.merge(other).map_err(|number| {
-                    let (batch, band) = match merged.along {
-                        Along::Batches => (number, i),
-                        Along::Bands => (i, number),
-                    };
-                    PartError::Twice { batch, band }
+            for (i, other) in part.sums.into_iter().enumerate() {
+                merged.sums[i].merge(other).map_err(|error| match error {
+                    CannotMerge::Misfit => misfit(),
+                    CannotMerge::Twice(number) => {
+                        let Cell { batch, band } = merged.cell(i as u32, number);
+                        PartError::Twice { batch, band }
+                    }
                 })?;
             }
         }
         Ok(merged)
     }
 
-    /// The sums of all cells; an error if some are missing or belong to another work.
-    pub fn complete(self, work: u64, grid: Grid) -> Result<Vec<T>, PartError> {
+    /// The sums of all cells, which must be `right` for their numbers; an error if some are
+    /// missing or belong to another work.
+    pub fn complete(
+        self,
+        work: u64,
+        grid: Grid,
+        right: impl Fn(u32, &T) -> bool,
+    ) -> Result<Vec<T>, PartError> {
         if (self.work, self.grid) != (work, grid) {
             return Err(PartError::DifferentWork);
         }
-        let there: u32 = self.sums.iter().map(OrderedSum::count).sum();
-        let of = grid.batches * grid.bands;
-        match there == of {
-            true => Ok(self.into_sums()),
-            false => Err(PartError::Missing {
+        let there = self.cells().len() as u64;
+        let of = u64::from(grid.batches) * u64::from(grid.bands);
+        if there < of {
+            return Err(PartError::Missing {
                 cells: of - there,
                 of,
-            }),
+            });
         }
+        let sums = self.into_sums();
+        let are_right = (0..).zip(&sums).all(|(i, sum)| right(i, sum));
+        are_right.then_some(sums).ok_or_else(misfit)
     }
 
     /// The sums of a work that was not cut.
@@ -87,9 +100,38 @@ impl<T: Accumulate> Partial<T> {
         let sums = self.sums.into_iter();
         sums.filter_map(OrderedSum::into_sum).collect()
     }
+
+    /// The cell with a number in one of the sums.
+    fn cell(&self, sum: u32, number: u32) -> Cell {
+        match self.along {
+            Along::Batches => Cell {
+                batch: number,
+                band: sum,
+            },
+            Along::Bands => Cell {
+                batch: sum,
+                band: number,
+            },
+        }
+    }
+
+    fn is_valid(&self) -> bool {
+        let Grid { batches, bands } = self.grid;
+        let (sums, terms) = match self.along {
+            Along::Batches => (bands, batches),
+            Along::Bands => (batches, bands),
+        };
+        self.sums.len() == sums as usize && self.sums.iter().all(|sum| sum.is_valid(terms))
+    }
 }
 
-impl<T: Serialize + DeserializeOwned> Partial<T> {
+fn misfit() -> PartError {
+    PartError::Bytes {
+        reason: "their numbers do not fit the work".into(),
+    }
+}
+
+impl<T: Accumulate + Serialize + DeserializeOwned> Partial<T> {
     /// The bytes to send it elsewhere, with a checksum. Read them with the same version.
     pub fn to_bytes(&self) -> Result<Vec<u8>, PartError> {
         let mut bytes = postcard::to_allocvec(self).map_err(|error| PartError::Bytes {
@@ -110,28 +152,32 @@ impl<T: Serialize + DeserializeOwned> Partial<T> {
         if crc32fast::hash(content).to_le_bytes() != *checksum {
             return Err(damaged("their checksum is wrong"));
         }
-        postcard::from_bytes(content).map_err(|error| damaged(&error.to_string()))
+        let partial: Self =
+            postcard::from_bytes(content).map_err(|error| damaged(&error.to_string()))?;
+        partial.is_valid().then_some(partial).ok_or_else(misfit)
     }
 }
 
-/// A number that tells works apart: of everything that its result depends on. The same on
-/// all machines.
+/// A number that tells works apart: FNV-1a of all that `Debug` says of what a result depends
+/// on, which is every digit of every number, and of the version.
 pub fn fingerprint(inputs: &[&dyn fmt::Debug]) -> u64 {
-    let mut hash = Hash(DefaultHasher::new());
+    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
     let mut write = |input: &dyn fmt::Debug| {
         write!(hash, "{input:?};").expect("a hash takes everything");
     };
     write(&env!("CARGO_PKG_VERSION"));
     inputs.iter().for_each(|input| write(input));
-    hash.0.finish()
+    hash.0
 }
 
 /// Hashes what is written.
-struct Hash(DefaultHasher);
+struct Hash(u64);
 
 impl Write for Hash {
     fn write_str(&mut self, text: &str) -> fmt::Result {
-        self.0.write(text.as_bytes());
+        for byte in text.bytes() {
+            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+        }
         Ok(())
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::{Accel, Boundaries, pool, same_edges};
-use capwalk_scene::Scene;
+use capwalk_scene::{Emitter, Scene};
 
 use crate::emitter_sampler::EmitterSampler;
 
@@ -47,8 +47,13 @@ impl PreparedScene {
 
     /// The boundaries of the scene; built by the first call.
     pub fn boundaries(&self) -> &Boundaries {
-        self.boundaries
-            .get_or_init(|| pool::install(|| Boundaries::new(&self.accel)))
+        if let Some(boundaries) = self.boundaries.get() {
+            return boundaries;
+        }
+        // Built outside of the lock: a worker that waits for others while it builds may take
+        // up other work on this scene, which asks for them, too. Who is first is kept.
+        let boundaries = pool::install(|| Boundaries::new(&self.accel));
+        self.boundaries.get_or_init(|| boundaries)
     }
 
     /// Goes over to another scene, which must have passed [`Scene::check`] and should
@@ -58,13 +63,40 @@ impl PreparedScene {
     pub fn update(&mut self, scene: impl Into<Arc<Scene>>) {
         let scene = scene.into();
         pool::install(|| {
-            self.emitters = emitter_samplers(&scene);
-            let same_edges = same_edges(self.scene(), &scene);
+            self.update_emitters(&scene);
+            let old = self.scene();
+            let same_sensor = old.sensor == scene.sensor && old.film == scene.film;
+            let same_edges = same_edges(old, &scene);
             let change = self.accel.update(scene);
             if let Some(boundaries) = self.boundaries.get_mut() {
-                boundaries.update(&self.accel, change, same_edges);
+                boundaries.update(&self.accel, change, same_edges, same_sensor);
             }
         });
+    }
+
+    /// Keeps the samplers of emitters whose light and shape are the same.
+    fn update_emitters(&mut self, scene: &Scene) {
+        let old = Arc::clone(self.scene());
+        if scene.emitters.len() != old.emitters.len() {
+            self.emitters = emitter_samplers(scene);
+            return;
+        }
+        let radiance = |scene: &Scene, emitter: &Emitter| {
+            std::ptr::from_ref(scene.texture(emitter.radiance()))
+        };
+        let shape = |scene: &Scene, emitter: &Emitter| match emitter {
+            Emitter::Area { shape, .. } => Some(std::ptr::from_ref(scene.shape(*shape))),
+            _ => None,
+        };
+        let pairs = scene.emitters.iter().zip(&old.emitters);
+        for (sampler, (new, before)) in self.emitters.iter_mut().zip(pairs) {
+            let is_same = new == before
+                && radiance(scene, new) == radiance(&old, before)
+                && shape(scene, new) == shape(&old, before);
+            if !is_same {
+                *sampler = EmitterSampler::new(scene, new);
+            }
+        }
     }
 }
 

@@ -55,6 +55,10 @@ impl PixelSums {
 }
 
 impl Accumulate for PixelSums {
+    fn fits(&self, next: &Self) -> bool {
+        (self.moments.len(), self.tallies.len()) == (next.moments.len(), next.tallies.len())
+    }
+
     fn add(&mut self, next: &Self) {
         for (own, other) in self.moments.iter_mut().zip(&next.moments) {
             own.merge(other);
@@ -87,10 +91,13 @@ pub fn grid(scene: &Scene, options: &RenderOptions) -> Grid {
 /// Averages the samples of the cells of a part. `sample(pixel, stream)` gets the pixel's
 /// column and row. The same to the bit for every number of threads and every way to cut
 /// the work: each pixel adds the samples of a batch in order, and then the batches.
+///
+/// `work` is the fingerprint of a work that is cut: then only cells that were finished
+/// before the watch stopped are there. Without, all are, with the samples that they have.
 pub fn average<const C: usize>(
     scene: &Scene,
     options: &RenderOptions,
-    work: u64,
+    work: Option<u64>,
     part: &Part,
     watch: &dyn Watch,
     sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,
@@ -173,12 +180,25 @@ pub fn average<const C: usize>(
                 });
                 start = samples.end;
             }
+            let wanted = samples_of(batch).len() as u32;
             for (band, term) in bands {
-                sums[band as usize].insert(batch, term);
+                let is_finished = term.tallies.iter().all(|pixel| pixel.samples == wanted);
+                if work.is_none() || is_finished {
+                    sums[band as usize].insert(batch, term);
+                }
             }
         }
     });
-    Partial::new(work, grid, Along::Batches, sums)
+    Partial::new(work.unwrap_or_default(), grid, Along::Batches, sums)
+}
+
+impl PixelSums {
+    /// True if these are sums for the pixels of a band, with so many numbers for each.
+    pub fn is_of(&self, scene: &Scene, grid: Grid, band: u32, channels: usize) -> bool {
+        let [width, height] = scene.film.crop_size;
+        let pixels = grid.rows(band, height).len() * width as usize;
+        self.tallies.len() == pixels && self.moments.len() == pixels * channels
+    }
 }
 
 /// Averages of all pixels, row by row.
@@ -250,15 +270,17 @@ mod tests {
         let options = RenderOptions::new(50, 3);
         let bad = |stream: &Stream| stream.number(0) < 0.1;
         let part = Part::whole(grid(&scene, &options));
-        let partial = average(&scene, &options, 0, &part, &Unwatched, |_, stream| Sample {
-            numbers: match bad(stream) {
-                true => [1.0, f64::NAN, f64::INFINITY],
-                false => [1.0; 3],
-            },
-            cone_queries: 0,
-            uncovered: 0,
+        let partial = average(&scene, &options, None, &part, &Unwatched, |_, stream| {
+            Sample {
+                numbers: match bad(stream) {
+                    true => [1.0, f64::NAN, f64::INFINITY],
+                    false => [1.0; 3],
+                },
+                cone_queries: 0,
+                uncovered: 0,
+            }
         });
-        let sums = partial.complete(0, part.grid()).expect("all cells");
+        let sums = partial.into_sums();
         let averages = Averages::new(sums, &options);
         let statistics = &averages.statistics;
         let share = statistics.non_finite as f64 / statistics.samples as f64;
