@@ -16,8 +16,8 @@ fn aov_case(aov: Aov, mut scene: Scene, expression: &str) {
     let tangent = tangent(&scene, expression);
     let case = Case {
         size: 48,
-        gradient_spp: 256,
-        reference_spp: 768,
+        gradient_spp: 128,
+        reference_spp: 384,
         min_pixels: 500,
         ..Case::default()
     };

@@ -32,8 +32,8 @@ fn shadow_case(name: &str, scene: Scene, expression: &str) {
     // Little noise: a longer step, which blurs what it looks at, would be seen.
     let case = Case {
         step: 1e-2,
-        gradient_spp: 128,
-        reference_spp: 1200,
+        gradient_spp: 64,
+        reference_spp: 600,
         min_pixels: 400,
         ..Case::default()
     };
@@ -172,7 +172,7 @@ fn silhouettes() {
     for filter in [Filter::Box, Filter::Gaussian { stddev: 0.5 }] {
         let case = Case {
             step: 3e-3,
-            gradient_spp: 128,
+            gradient_spp: 64,
             min_pixels: 700,
             ..primary()
         };
@@ -201,7 +201,7 @@ fn lens() {
     let expression = "ball.translate.x + 0.3*sensor.translate.x + 0.2*sensor.aperture_radius";
     let case = Case {
         step: 3e-3,
-        gradient_spp: 128,
+        gradient_spp: 64,
         ..primary()
     };
     camera_case("lens", scene, expression, case);
@@ -216,7 +216,7 @@ fn crossing() {
     add(&mut scene, "blade", mesh, normals, 0.4);
     let case = Case {
         step: 2e-3,
-        gradient_spp: 128,
+        gradient_spp: 64,
         ..primary()
     };
     camera_case(
@@ -239,7 +239,7 @@ fn mirror() {
     common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
     let case = Case {
         step: 2e-3,
-        gradient_spp: 200,
+        gradient_spp: 100,
         min_pixels: 300,
         ..primary()
     };

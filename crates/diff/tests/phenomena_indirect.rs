@@ -48,7 +48,7 @@ fn visible_case(spp: u32) -> Case {
     Case {
         step: 2e-3,
         gradient_spp: spp,
-        reference_spp: 2 * spp,
+        reference_spp: 1 * spp,
         ..Case::default()
     }
 }

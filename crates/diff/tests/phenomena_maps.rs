@@ -39,7 +39,7 @@ fn case(spp: u32) -> Case {
     Case {
         step: 4e-3,
         gradient_spp: spp,
-        reference_spp: 2 * spp,
+        reference_spp: 1 * spp,
         ..Case::default()
     }
 }

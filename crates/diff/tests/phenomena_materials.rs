@@ -44,8 +44,8 @@ fn numbers_change(name: &str, scene: Scene, expression: &str) {
     let along = tangent(&scene, expression);
     let case = Case {
         step: 1e-2,
-        gradient_spp: 200,
-        reference_spp: 400,
+        gradient_spp: 100,
+        reference_spp: 200,
         min_pixels: 900,
         ..Case::default()
     };
@@ -114,8 +114,8 @@ fn numbers_of_principled() {
     ] {
         let case = Case {
             step,
-            gradient_spp: 200,
-            reference_spp: 1200,
+            gradient_spp: 100,
+            reference_spp: 600,
             min_pixels: 900,
             ..Case::default()
         };
@@ -191,8 +191,8 @@ fn texels_at_the_ends(name: &str, mut scene: Scene, ends: [f64; 2]) {
     let case = Case {
         step: 0.125, // sums of it are exact, and stay inside
         one_sided: true,
-        gradient_spp: 200,
-        reference_spp: 600,
+        gradient_spp: 100,
+        reference_spp: 300,
         min_pixels: 900,
         ..Case::default()
     };

@@ -128,8 +128,8 @@ fn sensor_of_any_matrix() {
     let case = Case {
         size: 24,
         step: 2e-3,
-        gradient_spp: 1000,
-        reference_spp: 3000,
+        gradient_spp: 500,
+        reference_spp: 1500,
         min_pixels: 100,
         ..primary()
     };

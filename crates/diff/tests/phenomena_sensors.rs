@@ -27,7 +27,7 @@ fn moving_lens() {
     let tangent = tangent(&scene, "sensor.translate.x");
     let case = Case {
         step: 1e-3,
-        reference_spp: 2000,
+        reference_spp: 1000,
         ..primary()
     };
     agree("lens moves", scene, &tangent, case);
@@ -38,7 +38,7 @@ fn moving_lens() {
 fn turning_lens() {
     let case = Case {
         step: 2.5e-4,
-        reference_spp: 2000,
+        reference_spp: 1000,
         ..primary()
     };
     let scene = through_lens(visible_cube(), 0.3, 2.9);
@@ -60,8 +60,8 @@ fn opening_lens() {
     let tangent = tangent(&scene, "sensor.aperture_radius");
     let case = Case {
         step: 4e-3,
-        gradient_spp: 500,
-        reference_spp: 1600,
+        gradient_spp: 250,
+        reference_spp: 800,
         ..primary()
     };
     agree("aperture", scene, &tangent, case);
@@ -86,7 +86,7 @@ fn zooming() {
     let tangent = tangent(&scene, "sensor.x_fov");
     let case = Case {
         step: 1.5e-2,
-        reference_spp: 2000,
+        reference_spp: 1000,
         ..primary()
     };
     agree("field of view", scene, &tangent, case);
@@ -103,7 +103,7 @@ fn camera_of_any_matrix() {
     );
     let case = Case {
         step: 2.5e-4,
-        reference_spp: 2000,
+        reference_spp: 1000,
         ..primary()
     };
     agree("any matrix", scene, &tangent, case);

@@ -85,8 +85,8 @@ fn sobol_points() {
     let mut scene = with(triangle());
     scene.settings.sampler = SamplerKind::Sobol;
     let case = Case {
-        gradient_spp: 512,
-        reference_spp: 1024,
+        gradient_spp: 256,
+        reference_spp: 512,
         ..Case::default()
     };
     let tangent = tangent(&scene, "thing.translate.x");

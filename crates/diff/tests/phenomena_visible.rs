@@ -22,7 +22,7 @@ fn primary_case(name: &str, scene: Scene, expression: &str) {
 fn turning_camera() {
     let case = Case {
         step: 2.5e-4,
-        reference_spp: 2000,
+        reference_spp: 1000,
         ..primary()
     };
     let scene = visible_cube();
@@ -62,8 +62,8 @@ fn coarse_smooth_ball_inside_out() {
     add(&mut scene, "ball", ball, normals, 0.6);
     let tangent = tangent(&scene, "ball.rotate.y");
     let case = Case {
-        gradient_spp: 600,
-        reference_spp: 1600,
+        gradient_spp: 300,
+        reference_spp: 800,
         ..primary()
     };
     agree("coarse smooth ball, inside out", scene, &tangent, case);

@@ -29,8 +29,8 @@ impl Default for Case {
     fn default() -> Self {
         Self {
             size: 36,
-            gradient_spp: 400,
-            reference_spp: 1024,
+            gradient_spp: 200,
+            reference_spp: 512,
             step: 3e-2,
             one_sided: false,
             method: Method::default(),
@@ -47,8 +47,8 @@ pub fn primary() -> Case {
     Case {
         size: 46,
         step: 4e-3,
-        gradient_spp: 320,
-        reference_spp: 960,
+        gradient_spp: 160,
+        reference_spp: 480,
         ..Case::default()
     }
 }
