@@ -23,4 +23,5 @@ pub use capwalk_inverse::{Iteration, Limits, PreparedViews, Problem, State, Stop
 pub use crate::folder_error::FolderError;
 pub use duration::parse_duration;
 pub use job::Job;
+pub use problem::LoadedProblem;
 pub use run::Run;

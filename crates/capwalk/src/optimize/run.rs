@@ -7,10 +7,12 @@ use std::time::Instant;
 use capwalk_diff::Watch;
 use capwalk_inverse::record::Row;
 use capwalk_inverse::{Iteration, PreparedViews, Problem, State, Stop};
+use capwalk_scene_io::Warning;
 
 use super::fingerprint::fingerprint;
 use super::folder::{self, Folder};
 use super::job::Job;
+use super::problem::LoadedProblem;
 use crate::error::Error;
 
 /// An optimisation that keeps every iteration in a folder: killed at any moment and begun
@@ -49,6 +51,7 @@ use crate::error::Error;
 pub struct Run<'j> {
     job: &'j Job,
     problem: Problem,
+    warnings: Vec<Warning>,
     state: State,
     views: PreparedViews,
     folder: Folder,
@@ -66,12 +69,13 @@ impl<'j> Run<'j> {
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
         let claimed = folder::claim(folder.as_ref(), resume, &job.inputs())?;
-        let problem = job.problem(watch)?;
+        let LoadedProblem { problem, warnings } = job.problem(watch)?;
         let fingerprint = fingerprint(&problem, &job.specs());
         let (folder, state) = claimed.begin(&problem, fingerprint)?;
         Ok(Self {
             job,
             problem,
+            warnings,
             state,
             views: PreparedViews::new(),
             folder,
@@ -82,6 +86,11 @@ impl<'j> Run<'j> {
     /// What is looked for.
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// What the scene files of the job say in vain.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
     }
 
     /// Where the run is.

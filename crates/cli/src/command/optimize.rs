@@ -26,6 +26,9 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         Err(Error::Stopped { .. }) => return nothing(),
         begun => begun?,
     };
+    for warning in run.warnings() {
+        log::warn!("{warning}");
+    }
     let first = run.state().iteration;
     if first > 0 && !args.json {
         console::remark(&format!("going on after iteration {first}\n"));
