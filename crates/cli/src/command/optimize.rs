@@ -55,7 +55,10 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         }
     });
     live.finish();
-    let stop = stop?;
+    let stop = stop.map_err(|error| match error {
+        Error::Refused(refusal) => run.located(&refusal).into(),
+        error => error,
+    })?;
     let files = run.finish(&stop)?;
     let files: Vec<String> = files
         .iter()
