@@ -195,7 +195,7 @@ mod tests {
     fn errors_of_all_functions_are_taken() {
         fn all() -> Result<(), Error> {
             crate::Prepared::new(crate::load("leaf")?.scene)?;
-            crate::read_velocities("no such file")?;
+            crate::read_velocities("no such file".as_ref())?;
             Ok(())
         }
         assert!(matches!(all(), Err(Error::Velocities(_))));
