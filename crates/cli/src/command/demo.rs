@@ -3,11 +3,11 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
+use capwalk::scene::builtin;
 use capwalk::{
     CheckOptions, Estimator, GradientImage, GradientOptions, Prepared, RenderOptions, Rendering,
     Tangent, WalkSettings,
 };
-use capwalk_scene::builtin;
 use serde_json::json;
 
 use super::check::{self, layers, timed};

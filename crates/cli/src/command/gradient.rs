@@ -1,8 +1,8 @@
 //! `capwalk gradient`: the derivative of an image with respect to one parameter.
 
 use anyhow::{Result, ensure};
+use capwalk::scene_io::image::LayeredImage;
 use capwalk::{DifferenceOptions, GradientImage, GradientOptions, RenderOptions};
-use capwalk_scene_io::image::LayeredImage;
 use serde_json::json;
 
 use crate::args::{Gradient, MethodName};
