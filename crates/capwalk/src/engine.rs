@@ -8,7 +8,7 @@ use capwalk_diff::{
     RenderOptions, RenderWork, Rendering, Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Image, Scene, ShadingNormals, Shape, Tangent};
+use capwalk_scene::{Image, Scene, Tangent};
 
 /// A scene that is ready to be rendered.
 #[derive(Debug)]
@@ -41,10 +41,7 @@ impl Engine {
 
     /// Goes over to any other scene.
     pub fn replace(&mut self, scene: Arc<Scene>) {
-        match differs_in_numbers(self.scene(), &scene) {
-            true => self.prepared.update(scene),
-            false => self.prepared = PreparedScene::new(scene),
-        }
+        self.prepared.update(scene);
         self.registry = OnceLock::new();
     }
 
@@ -96,23 +93,4 @@ impl Engine {
     pub fn refusal(&self) -> Option<Refusal> {
         capwalk_diff::refusal(&self.prepared)
     }
-}
-
-/// True if the shapes of two scenes differ in nothing but the places of their vertices,
-/// which is what trees and boundaries can follow.
-fn differs_in_numbers(old: &Scene, new: &Scene) -> bool {
-    let same_shape = |(a, b): (&Arc<Shape>, &Arc<Shape>)| {
-        let same_normals = || match (&a.normals, &b.normals) {
-            (ShadingNormals::Computed(_), ShadingNormals::Computed(_)) => true,
-            (a, b) => a == b,
-        };
-        let same = || {
-            a.mesh.faces == b.mesh.faces
-                && same_normals()
-                && (a.bsdf, a.emitter, &a.uvs, &a.attributes)
-                    == (b.bsdf, b.emitter, &b.uvs, &b.attributes)
-        };
-        Arc::ptr_eq(a, b) || same()
-    };
-    old.shapes.len() == new.shapes.len() && old.shapes.iter().zip(&new.shapes).all(same_shape)
 }

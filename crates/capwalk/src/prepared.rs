@@ -329,9 +329,9 @@ impl Prepared {
         Ok(())
     }
 
-    /// Goes over to another scene and refits what it can: everything if the shapes differ
-    /// only in where their vertices are. Later answers are those of [`Prepared::new`] for
-    /// it, to the bit. Nothing is changed if it cannot be rendered.
+    /// Goes over to another scene, whatever differs in it, and refits what it can: the
+    /// trees if shapes differ only in where their vertices are. Later answers are those of
+    /// [`Prepared::new`] for it, to the bit. Nothing is changed if it cannot be rendered.
     ///
     /// ```
     /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
