@@ -1,7 +1,7 @@
 //! Which derivatives are refused, decided before they are estimated or from counts of
 //! the samples.
 
-use capwalk_scene::{Emitter, Scene, SensorModel, TextureId};
+use capwalk_scene::{Scene, SensorModel, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
@@ -16,16 +16,10 @@ use crate::texture_line::{self, MOST_LINES};
 
 pub use crate::infinite_derivative::refuse_infinite_derivatives;
 
-/// A refusal if there are lights without extent: the edges of their shadows lie on
+/// A refusal if there are emitters without extent: the edges of their shadows lie on
 /// surfaces, not among directions (METHOD 7).
 fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
-    let is_delta = |emitter: &&Emitter| {
-        matches!(
-            emitter,
-            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }
-        )
-    };
-    match scene.emitters.iter().find(is_delta) {
+    match scene.emitters.iter().find(|emitter| emitter.is_delta()) {
         None => Ok(()),
         Some(emitter) => Err(Refusal::HardShadows {
             emitter: emitter.name(scene),
@@ -40,7 +34,9 @@ fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
         SensorModel::Orthographic if !method.traits().is_spherical => Err(Refusal::ParallelRays {
             method: method.name(),
         }),
-        _ => Ok(()),
+        SensorModel::Orthographic
+        | SensorModel::Perspective { .. }
+        | SensorModel::ThinLens { .. } => Ok(()),
     }
 }
 

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use capwalk_geometry::{ConeQuery, EdgeSelection, HalfSpace, Mesh};
 use capwalk_math::{Frame, Vec3, sphere};
-use capwalk_scene::{Emitter, EmitterId, Scene};
+use capwalk_scene::{EmitterId, Scene};
 
 use crate::viewpoint::SEEN;
 
@@ -47,9 +47,9 @@ impl AreaEmitter {
     /// All emitters of a scene.
     pub fn all(scene: &Scene) -> Vec<Self> {
         let emitters = (0..).map(EmitterId).zip(&scene.emitters);
-        let found = emitters.filter_map(|(emitter, what)| match what {
-            Emitter::Area { shape, .. } => Some(Self::new(emitter, &scene.shape(*shape).mesh)),
-            _ => None,
+        let found = emitters.filter_map(|(emitter, what)| {
+            let shape = what.shape()?;
+            Some(Self::new(emitter, &scene.shape(shape).mesh))
         });
         found.collect()
     }

@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             .collect();
         elsewhere.update("ball.positions", &moved)?;
         let sampling = RenderOptions::new(64, 7);
-        let target = elsewhere.render(&sampling, &Unwatched).value.mean;
+        let target = elsewhere.render(&sampling, &Unwatched)?.value.mean;
 
         // Each view has a seed of its own, so that their noise is independent.
         let options = GradientOptions {

@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let start = prepared.values(COLOUR)?.numbers;
     prepared.update(COLOUR, &[0.5, 0.6, 0.3])?;
     let sampling = RenderOptions::new(256, 1);
-    let target = prepared.render(&sampling, &Unwatched).value.mean;
+    let target = prepared.render(&sampling, &Unwatched)?.value.mean;
     prepared.update(COLOUR, &start)?;
 
     let loss = Loss {

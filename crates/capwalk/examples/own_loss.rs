@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // The image that the loss is of. Its noise must be independent of the gradient's: the
     // mean of a product is the product of the means only then.
     let sampling: RenderOptions = options.sampling().with_independent_seed();
-    let image = prepared.render(&sampling, &Unwatched).value.mean;
+    let image = prepared.render(&sampling, &Unwatched)?.value.mean;
 
     // The loss is the square of the mean brightness of a window, `L = m²`.
     let (columns, rows) = (16..24, 12..18);

@@ -34,8 +34,15 @@ impl Engine {
         self.registry.get_or_init(|| Registry::new(self.scene()))
     }
 
+    /// Goes over to a scene with the same names and other numbers.
     pub fn update(&mut self, scene: Scene) {
         self.prepared.update(scene);
+    }
+
+    /// Goes over to any other scene.
+    pub fn replace(&mut self, scene: Arc<Scene>) {
+        self.prepared.update(scene);
+        self.registry = OnceLock::new();
     }
 
     pub fn render(&self, options: &RenderOptions, watch: &dyn Watch) -> Rendering {

@@ -3,11 +3,11 @@
 use std::path::PathBuf;
 
 use capwalk_diff::{PartError, Refusal};
-use capwalk_inverse::variable::ApplyError;
+use capwalk_inverse::variable::{ApplyError, VariableError};
 use capwalk_scene::params::ParameterError;
 use capwalk_scene::{SceneError, builtin};
-use capwalk_scene_io::LoadError;
 use capwalk_scene_io::image::ImageError;
+use capwalk_scene_io::{LoadError, VelocityFileError};
 
 use crate::folder_error::FolderError;
 use crate::method::OptionError;
@@ -51,15 +51,24 @@ pub enum Error {
         #[source]
         error: SceneError,
     },
+    /// A scene that was made by hand cannot be rendered.
+    #[error("the scene cannot be rendered")]
+    Scene(#[from] SceneError),
     /// The change to the scene would make one that cannot be rendered.
     #[error("the changed scene cannot be rendered")]
     InvalidUpdate(#[source] SceneError),
+    /// There is no unknown of an optimisation like this.
+    #[error(transparent)]
+    Variable(#[from] VariableError),
     /// Values for which an unknown of an optimisation makes no scene.
     #[error(transparent)]
     Apply(#[from] ApplyError),
     /// A name or an expression means no parameter.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
+    /// A file holds no velocities.
+    #[error(transparent)]
+    Velocities(#[from] VelocityFileError),
     /// Nothing moves or changes, so the derivative is zero everywhere.
     #[error("nothing changes: {what} add up to zero")]
     NothingMoves {
@@ -76,8 +85,8 @@ pub enum Error {
     #[error(transparent)]
     Refused(#[from] Refusal),
     /// Parts of a work that make no whole.
-    #[error(transparent)]
-    Part(#[from] PartError),
+    #[error("{0}")]
+    Part(PartError),
     /// Options that contradict each other.
     #[error(transparent)]
     Option(#[from] OptionError),
@@ -115,6 +124,16 @@ pub enum Error {
         #[source]
         error: UnusableImage,
     },
+}
+
+/// A refusal is one, whether the work was done at once or in parts.
+impl From<PartError> for Error {
+    fn from(error: PartError) -> Self {
+        match error {
+            PartError::Refused(refusal) => Self::Refused(refusal),
+            error => Self::Part(error),
+        }
+    }
 }
 
 /// What is wrong with an image that was read.
@@ -165,4 +184,34 @@ pub enum UnusableImage {
 /// The names of the built-in scenes.
 fn known() -> String {
     builtin::names().collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `?` works on every error that a function of this crate returns.
+    #[test]
+    fn errors_of_all_functions_are_taken() {
+        fn all() -> Result<(), Error> {
+            crate::Prepared::new(crate::load("leaf")?.scene)?;
+            crate::read_velocities("no such file".as_ref())?;
+            Ok(())
+        }
+        assert!(matches!(all(), Err(Error::Velocities(_))));
+        fn takes<E: Into<Error>>() {}
+        takes::<SceneError>();
+        takes::<VariableError>();
+        takes::<ParameterError>();
+        takes::<OptionError>();
+    }
+
+    #[test]
+    fn refused_parts_are_refusals() {
+        let refusal = || Refusal::ParallelRays { method: "was" };
+        let error = Error::from(PartError::Refused(refusal()));
+        assert!(matches!(error, Error::Refused(found) if found == refusal()));
+        let error = Error::from(PartError::DifferentWork);
+        assert!(matches!(error, Error::Part(PartError::DifferentWork)));
+    }
 }

@@ -36,9 +36,11 @@
 //! | [`Prepared::backward`] | the gradient of a loss with respect to everything named (reverse mode) |
 //! | [`Prepared::loss`] | how far an image is from a target, and the adjoint for `backward` |
 //! | [`Prepared::check`] | a gradient against central differences, with a verdict |
-//! | [`Prepared::update`] | other numbers in the same scene |
+//! | [`Prepared::update`], [`Prepared::update_scene`] | other numbers in the same scene, another scene |
 //! | [`Prepared::render_work`] and its like | the same in parts, computed elsewhere and merged to the same bits |
 //! | [`optimize`] | the loop around all that, from a TOML job, with checkpoints |
+//! | [`scene`], [`scene::builtin`] | what a scene is made of, and scenes that are built in |
+//! | [`scene_io`] | scenes, images and arrays as files |
 //!
 //! Parameters are asked for by name: `"ball.translate.x"`, `"ball.positions"`,
 //! `"floor.bsdf.reflectance.value"`; [`params`] lists those of a scene.
@@ -70,18 +72,27 @@ mod step;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
-    BatchSums, Estimate, Estimator, GradientImage, GradientOptions, GradientWork, Grid, Method,
-    Part, PartError, Partial, PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Statistics,
-    Unwatched, WalkSettings, Watch, with_threads,
+    Accumulate, BatchSums, Cell, Estimate, Estimator, GradientImage, GradientOptions, GradientWork,
+    Grid, Method, Part, PartError, Partial, PixelSums, Refusal, RenderOptions, RenderWork,
+    Rendering, Statistics, Unwatched, WalkSettings, Watch, with_threads,
 };
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};
 pub use capwalk_math::{Rgb, Vec3};
 pub use capwalk_scene::params::{self, ParameterError, vertex_tangent};
-pub use capwalk_scene::{Filter, Image, Scene, SceneError, Sensor, ShapeVectors, Tangent};
-pub use capwalk_scene_io::{
-    Diagnostic, LoadError, Loaded, VelocityFileError, Warning, read_velocities,
+pub use capwalk_scene::{
+    Film, Filter, Gradient, Image, Integrator, Mesh, MeshError, Scene, SceneError, Sensor,
+    SensorVectors, Shape, ShapeVectors, Tangent, Texture,
 };
+pub use capwalk_scene_io::export::ExportError;
+pub use capwalk_scene_io::image::ImageError;
+pub use capwalk_scene_io::{
+    Diagnostic, LoadError, Loaded, NotVelocities, VelocityFileError, Warning, read_velocities,
+};
+
+// What a command line or another face needs besides.
+pub use capwalk_scene as scene;
+pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
 pub use check::{Check, CheckOptions, Reference};

@@ -1,6 +1,6 @@
 //! From the name of a scene to the scene.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use capwalk_scene::{Filter, builtin};
 use capwalk_scene_io::{LoadOptions, Loaded, load_scene_with};
@@ -32,7 +32,7 @@ pub fn load(name: impl AsRef<Path>) -> Result<Loaded, Error> {
 #[derive(Clone, Debug)]
 #[must_use = "nothing is loaded before `load`"]
 pub struct Loader {
-    name: String,
+    name: PathBuf,
     options: LoadOptions,
     size: Option<[u32; 2]>,
     filter: Option<Filter>,
@@ -42,7 +42,7 @@ impl Loader {
     /// For a Mitsuba 3 XML file, or the built-in scene of this name.
     pub fn new(name: impl AsRef<Path>) -> Self {
         Self {
-            name: name.as_ref().display().to_string(),
+            name: name.as_ref().into(),
             options: LoadOptions::default(),
             size: None,
             filter: None,
@@ -76,7 +76,7 @@ impl Loader {
 
     /// The scene, checked.
     pub fn load(&self) -> Result<Loaded, Error> {
-        let mut loaded = match builtin::scene(&self.name) {
+        let mut loaded = match self.name.to_str().and_then(builtin::scene) {
             Some(scene) => {
                 self.refuse_options_of_files()?;
                 Loaded {
@@ -94,7 +94,7 @@ impl Loader {
             film.filter = filter;
         }
         loaded.scene.check().map_err(|error| Error::InvalidScene {
-            scene: self.name.clone(),
+            scene: self.shown(),
             error,
         })?;
         Ok(loaded)
@@ -102,7 +102,7 @@ impl Loader {
 
     /// A built-in scene has no `$name` and one sensor.
     fn refuse_options_of_files(&self) -> Result<(), Error> {
-        let scene = || self.name.clone();
+        let scene = || self.shown();
         if !self.options.defines.is_empty() {
             return Err(Error::NothingToDefine { scene: scene() });
         }
@@ -116,12 +116,37 @@ impl Loader {
     }
 
     fn read(&self) -> Result<Loaded, Error> {
-        let path = Path::new(&self.name);
-        if !path.exists() {
-            return Err(Error::UnknownScene {
-                name: self.name.clone(),
-            });
+        if !self.name.exists() {
+            return Err(Error::UnknownScene { name: self.shown() });
         }
-        Ok(load_scene_with(path, &self.options)?)
+        Ok(load_scene_with(&self.name, &self.options)?)
+    }
+
+    /// The name as messages show it.
+    fn shown(&self) -> String {
+        self.name.display().to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Names that are no UTF-8 are opened as they are.
+    #[cfg(unix)]
+    #[test]
+    fn paths_are_kept_as_they_are() {
+        use std::ffi::OsStr;
+        use std::os::unix::ffi::OsStrExt;
+
+        let name = format!("capwalk-load-{}-", std::process::id());
+        let name = [name.as_bytes(), b"\xff.xml"].concat();
+        let path = std::env::temp_dir().join(OsStr::from_bytes(&name));
+        let xml = r#"<scene version="3.0.0"><integrator type="path"/>
+<sensor type="perspective"/><emitter type="constant"/><shape type="cube" id="box"/></scene>"#;
+        std::fs::write(&path, xml).expect("writable");
+        let loaded = load(&path);
+        std::fs::remove_file(&path).expect("it was written");
+        assert_eq!(loaded.expect("a scene").scene.shapes[0].id, "box");
     }
 }

@@ -152,6 +152,18 @@ pub enum OptionError {
         /// The first method that has the option.
         owner: MethodName,
     },
+    /// Nothing would be sampled.
+    #[error("`{option}` is 0; expected at least one sample per pixel")]
+    NoSamples {
+        /// The option: `spp`.
+        option: &'static str,
+    },
+    /// Differences need a distance to divide by.
+    #[error("`step` is {step}; expected a finite number above 0")]
+    NoStep {
+        /// What was asked for.
+        step: f64,
+    },
 }
 
 /// An option: its name, the methods that have it, and whether it was given.

@@ -12,15 +12,17 @@ mod problem;
 mod run;
 
 pub use capwalk_inverse::adam::Adam;
-pub use capwalk_inverse::guard::Guards;
-pub use capwalk_inverse::record::Row;
+pub use capwalk_inverse::guard::{Guards, Violation, ViolationKind};
+pub use capwalk_inverse::record::{Row, Step};
 pub use capwalk_inverse::schedule::{Decay, Schedule};
 pub use capwalk_inverse::variable::{
-    ApplyError, Curve, VariableError, VariableSpec, Variables, variable,
+    ApplyError, Curve, Reparameterization, Variable, VariableError, VariableSpec, Variables,
+    VerticesError, variable,
 };
 pub use capwalk_inverse::{Iteration, Limits, PreparedViews, Problem, State, Stop, TargetView};
 
 pub use crate::folder_error::FolderError;
 pub use duration::parse_duration;
 pub use job::Job;
+pub use problem::LoadedProblem;
 pub use run::Run;

@@ -2,6 +2,8 @@
 
 use capwalk_diff::RenderOptions;
 
+use crate::method::OptionError;
+
 /// How central differences are taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DifferenceOptions {
@@ -23,5 +25,21 @@ impl Default for DifferenceOptions {
             seed,
             step: None,
         }
+    }
+}
+
+/// An error if this number of samples per pixel is none.
+pub(crate) fn check_spp(option: &'static str, spp: u32) -> Result<(), OptionError> {
+    match spp {
+        0 => Err(OptionError::NoSamples { option }),
+        _ => Ok(()),
+    }
+}
+
+/// An error if differences cannot be divided by this step.
+pub(crate) fn check_step(step: f64) -> Result<(), OptionError> {
+    match step.is_finite() && step > 0.0 {
+        true => Ok(()),
+        false => Err(OptionError::NoStep { step }),
     }
 }

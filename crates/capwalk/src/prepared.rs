@@ -15,7 +15,8 @@ use crate::direction::Direction;
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::loss::{self, ImageLoss, Loss};
-use crate::options::DifferenceOptions;
+use crate::method::OptionError;
+use crate::options::{DifferenceOptions, check_spp, check_step};
 use crate::step::difference_step;
 
 /// A scene that is ready to be rendered and differentiated. It owns all that it needs
@@ -27,7 +28,7 @@ use crate::step::difference_step;
 /// let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
 /// let prepared = Prepared::new(scene)?;
 /// let options = RenderOptions { spp: 4, ..RenderOptions::default() };
-/// let image = prepared.render(&options, &Unwatched).value.mean;
+/// let image = prepared.render(&options, &Unwatched)?.value.mean;
 /// assert_eq!((image.width, image.height), (8, 6));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -65,7 +66,7 @@ impl Prepared {
         self.engine.registry()
     }
 
-    /// An image with its standard errors.
+    /// An image with its standard errors. An error only if the options ask for no samples.
     ///
     /// If `watch` stops the work, what was done is returned, and the statistics say how
     /// much that is.
@@ -74,13 +75,18 @@ impl Prepared {
     /// # use capwalk::{Prepared, RenderOptions, Unwatched};
     /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
     /// # let prepared = Prepared::new(scene)?;
-    /// let rendering = prepared.render(&RenderOptions::new(4, 1), &Unwatched);
+    /// let rendering = prepared.render(&RenderOptions::new(4, 1), &Unwatched)?;
     /// assert!(rendering.statistics.complete);
     /// assert!(rendering.value.standard_error.pixels[0].is_finite());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn render(&self, options: &RenderOptions, watch: &dyn Watch) -> Rendering {
-        self.engine.render(options, watch)
+    pub fn render(
+        &self,
+        options: &RenderOptions,
+        watch: &dyn Watch,
+    ) -> Result<Rendering, OptionError> {
+        check_spp("spp", options.spp)?;
+        Ok(self.engine.render(options, watch))
     }
 
     /// The derivative of the image along a direction, such as `"ball.translate.x"`, per
@@ -103,6 +109,7 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Error> {
+        check_spp("spp", options.spp)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
         Ok(self.engine.gradient(&tangent, options, watch)?)
     }
@@ -121,6 +128,8 @@ impl Prepared {
             .step
             .unwrap_or_else(|| self.difference_step(&tangent));
         let DifferenceOptions { spp, seed, .. } = *options;
+        check_spp("spp", spp)?;
+        check_step(step)?;
         let options = RenderOptions::new(spp, seed);
         let result = self
             .engine
@@ -156,6 +165,9 @@ impl Prepared {
     ) -> Result<Check, Error> {
         let tangent = &*direction.tangent(self.scene(), self.registry())?;
         let reference = options.reference(|| self.difference_step(tangent));
+        // Before the gradient is estimated.
+        check_spp("reference_spp", reference.spp)?;
+        check_step(reference.step)?;
         let gradient = self.gradient(tangent, &options.gradient, watch)?;
         let differences = self.finite_difference(tangent, &reference.options(), watch)?;
         Ok(Check::new(gradient, differences, reference))
@@ -201,7 +213,7 @@ impl Prepared {
     /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
     /// # let prepared = capwalk::Prepared::new(scene)?;
     /// let options = RenderOptions::new(4, 1);
-    /// let work = prepared.render_work(&options);
+    /// let work = prepared.render_work(&options)?;
     /// let mut parts = Vec::new();
     /// for i in [2, 0, 1] {
     ///     let part = work.part(&Part::nth(work.grid(), i, 3)?, &Unwatched)?;
@@ -209,11 +221,12 @@ impl Prepared {
     ///     parts.push(Partial::from_bytes(&part.to_bytes()?)?);
     /// }
     /// let image = work.finish(Partial::merge(parts)?)?;
-    /// assert_eq!(image.value, prepared.render(&options, &Unwatched).value);
+    /// assert_eq!(image.value, prepared.render(&options, &Unwatched)?.value);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn render_work(&self, options: &RenderOptions) -> RenderWork<'_> {
-        self.engine.render_work(options)
+    pub fn render_work(&self, options: &RenderOptions) -> Result<RenderWork<'_>, OptionError> {
+        check_spp("spp", options.spp)?;
+        Ok(self.engine.render_work(options))
     }
 
     /// [`Prepared::gradient`] in parts, see [`Prepared::render_work`].
@@ -222,6 +235,7 @@ impl Prepared {
         direction: &'a D,
         options: &GradientOptions,
     ) -> Result<GradientWork<'a>, Error> {
+        check_spp("spp", options.spp)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
         Ok(self.engine.gradient_work(tangent, options))
     }
@@ -251,6 +265,7 @@ impl Prepared {
         names: &[N],
         options: &GradientOptions,
     ) -> Result<GradientsWork<'a>, Error> {
+        check_spp("spp", options.spp)?;
         GradientsWork::new(&self.engine, adjoint, names, options)
     }
 
@@ -279,6 +294,7 @@ impl Prepared {
         options: &RenderOptions,
         watch: &dyn Watch,
     ) -> Result<ImageLoss, Error> {
+        check_spp("spp", options.spp)?;
         loss::measure(&self.engine, loss, target, mask, options, watch)
     }
 
@@ -311,5 +327,151 @@ impl Prepared {
         scene.check().map_err(Error::InvalidUpdate)?;
         self.engine.update(scene);
         Ok(())
+    }
+
+    /// Goes over to another scene, whatever differs in it, and refits what it can: the
+    /// trees if shapes differ only in where their vertices are. Later answers are those of
+    /// [`Prepared::new`] for it, to the bit. Nothing is changed if it cannot be rendered.
+    ///
+    /// ```
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let mut prepared = capwalk::Prepared::new(scene)?;
+    /// let mut scene = capwalk::Scene::clone(prepared.scene());
+    /// scene.film.size = [16, 12];
+    /// scene.film.crop_size = [16, 12];
+    /// prepared.update_scene(scene)?;
+    /// assert_eq!(prepared.scene().film.crop_size, [16, 12]);
+    ///
+    /// prepared.update_scene(capwalk::load("ball")?.scene)?;
+    /// assert!(prepared.values("ball.positions").is_ok());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn update_scene(&mut self, scene: impl Into<Arc<Scene>>) -> Result<(), Error> {
+        let scene = scene.into();
+        scene.check().map_err(Error::InvalidUpdate)?;
+        self.engine.replace(scene);
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use capwalk_diff::Unwatched;
+    use capwalk_scene::builtin;
+
+    fn leaf() -> Scene {
+        let mut scene = builtin::scene("leaf").expect("built in");
+        scene.film.size = [8, 6];
+        scene.film.crop_size = [8, 6];
+        scene
+    }
+
+    /// Nothing is black or NaN because nothing was sampled.
+    #[test]
+    fn no_samples_and_no_step_are_refused() {
+        let prepared = Prepared::new(leaf()).expect("it can be rendered");
+        let none = RenderOptions::new(0, 0);
+        let image = Image::new(8, 6);
+        let (name, names) = ("leaf.translate.x", ["leaf.translate.x"]);
+        let loss = Loss {
+            distance: crate::Distance::L2,
+            levels: 1,
+        };
+        let differences = |spp, step| DifferenceOptions {
+            spp,
+            seed: 0,
+            step: Some(step),
+        };
+        let difference = |spp, step| {
+            let options = differences(spp, step);
+            prepared.finite_difference(name, &options, &Unwatched).err()
+        };
+        let check = |gradient: RenderOptions, spp, step| {
+            let options = CheckOptions {
+                gradient: gradient.into(),
+                reference_spp: Some(spp),
+                step: Some(step),
+            };
+            prepared.check(name, &options, &Unwatched).err()
+        };
+        let some = RenderOptions::new(2, 0);
+        let errors = [
+            prepared.render(&none, &Unwatched).err().map(Error::from),
+            prepared.render_work(&none).err().map(Error::from),
+            prepared.gradient(name, &none.into(), &Unwatched).err(),
+            prepared.gradient_work(name, &none.into()).err(),
+            prepared
+                .backward(&image, &names, &none.into(), &Unwatched)
+                .err(),
+            prepared.loss(&loss, &image, None, &none, &Unwatched).err(),
+            difference(0, 0.1),
+            difference(2, 0.0),
+            difference(2, f64::NAN),
+            difference(2, -1.0),
+            check(none, 2, 0.1),
+            check(some, 0, 0.1),
+            check(some, 2, 0.0),
+        ];
+        for (number, error) in errors.iter().enumerate() {
+            assert!(
+                matches!(error, Some(Error::Option(_))),
+                "{number}: {error:?}"
+            );
+        }
+        assert!(difference(2, 0.1).is_none() && check(some, 2, 0.1).is_none());
+    }
+
+    /// Whatever differs, also where the meshes are the same.
+    #[test]
+    fn another_scene_answers_like_a_new_one() {
+        let answers = |prepared: &Prepared| {
+            let options = GradientOptions::new(RenderOptions::new(4, 3));
+            let name = "leaf.translate.x";
+            let result = prepared.gradient(name, &options, &Unwatched);
+            result.expect("covered").gradient.mean
+        };
+        let moved = |name: &str| {
+            let scene = leaf();
+            let tangent = Registry::new(&scene).tangent(&scene, name).expect("a name");
+            scene.moved(&tangent, 0.2)
+        };
+        let with_uvs = || {
+            let mut scene = leaf();
+            let shape = Arc::make_mut(&mut scene.shapes[0]);
+            shape.bsdf = capwalk_scene::BsdfId(0);
+            shape.uvs = Some(vec![[[0.0; 2]; 3]; shape.mesh.faces.len()]);
+            scene
+        };
+        let mut prepared = Prepared::new(leaf()).expect("it can be rendered");
+        answers(&prepared);
+        let smaller = |mut scene: Scene| {
+            scene.film.size = [5, 4];
+            scene.film.crop_size = [5, 4];
+            scene
+        };
+        let mut turned = leaf();
+        turned.shapes.reverse();
+        for emitter in &mut turned.emitters {
+            let last = turned.shapes.len() as u32 - 1;
+            if let capwalk_scene::Emitter::Area { shape, .. } = emitter {
+                shape.0 = last - shape.0;
+            }
+        }
+        let scenes = [
+            moved("leaf.translate.y"),
+            with_uvs(),
+            smaller(leaf()),
+            turned,
+            moved("sensor.translate.x"),
+        ];
+        for (number, scene) in scenes.into_iter().enumerate() {
+            let anew = Prepared::new(scene.clone()).expect("it can be rendered");
+            prepared.update_scene(scene).expect("it can be rendered");
+            assert!(answers(&prepared) == answers(&anew), "scene {number}");
+        }
+        let mut broken = leaf();
+        Arc::make_mut(&mut broken.shapes[0]).mesh.positions[0].x = f64::NAN;
+        assert!(prepared.update_scene(broken).is_err());
     }
 }

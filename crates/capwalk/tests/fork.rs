@@ -24,7 +24,8 @@ fn answers(prepared: &mut Prepared) -> (Estimate, ParameterGradient) {
     let name = "lattice.positions";
     let vertices = prepared.values(name).expect("a mesh").numbers;
     prepared.update(name, &vertices).expect("the same");
-    let image = prepared.render(&RenderOptions::new(2, 3), &Unwatched).value;
+    let image = prepared.render(&RenderOptions::new(2, 3), &Unwatched);
+    let image = image.expect("it has samples").value;
     let mut adjoint = image.mean.clone();
     adjoint.pixels.fill(Rgb::splat(1.0));
     let options = GradientOptions::new(RenderOptions::new(2, 3));

@@ -62,7 +62,8 @@ fn a_stopped_image_has_some_samples() {
     const SPP: u32 = 100_000_000;
     let watch = StopsIn::work_of(PIXELS * u64::from(SPP));
     let options = RenderOptions::new(SPP, 0);
-    let statistics = leaf().render(&options, &watch).statistics;
+    let rendering = leaf().render(&options, &watch).expect("it has samples");
+    let statistics = rendering.statistics;
     assert!(!statistics.complete);
     assert!(0 < statistics.samples && statistics.samples < PIXELS * u64::from(SPP));
     let counts = statistics.samples_per_pixel.iter();

@@ -3,8 +3,8 @@
 use std::fs;
 use std::process::ExitCode;
 
+use capwalk::scene::params::ParameterError;
 use capwalk::{Diagnostic, Error, FolderError, LoadError, UnusableImage};
-use capwalk_scene::params::ParameterError;
 
 /// How a command that wrote its results ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

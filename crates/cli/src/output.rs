@@ -5,8 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result};
+use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview};
 use capwalk::{Estimate, Image, RenderOptions, Statistics};
-use capwalk_scene_io::image::{self, LayeredImage, Panel, Preview};
 
 /// Output files of a command, checked.
 pub struct Files {

@@ -13,6 +13,7 @@ pub struct Mesh {
 
 /// What makes a mesh unusable.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum MeshError {
     /// There are no triangles.
     Empty,

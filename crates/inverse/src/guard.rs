@@ -38,6 +38,7 @@ pub struct Violation {
 
 /// What can be wrong with a mesh, by faces counted from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum ViolationKind {
     /// A face turned by a right angle or more in one step, or lost its area.
     Inverted {

@@ -1,7 +1,7 @@
 //! What a tracer of pixels holds, and which random numbers it takes for what.
 
 use capwalk_boundary::{Accel, Draw, Field, Numbers};
-use capwalk_scene::{Emitter, EmitterId};
+use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
 use crate::emitter_sampler::EmitterSampler;
@@ -93,7 +93,7 @@ impl<'a> Tracer<'a> {
     pub(crate) fn gathers(&self, emitter: EmitterId) -> bool {
         let gathers = |moving: &Moving| moving.field.method.traits().gathers;
         self.moving.as_ref().is_some_and(gathers)
-            && matches!(self.accel.scene.emitter(emitter), Emitter::Area { .. })
+            && self.accel.scene.emitter(emitter).shape().is_some()
     }
 
     /// True if the field has no reflected boundaries.

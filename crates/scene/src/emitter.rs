@@ -1,4 +1,4 @@
-//! Light sources.
+//! Emitters.
 
 pub mod delta;
 mod environment;
@@ -11,7 +11,7 @@ use crate::ids::{ShapeId, TextureId};
 use crate::quantity::Quantity;
 use crate::slot::Slot;
 
-/// A light source.
+/// What sends out light.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Emitter {
     /// A shape that emits the same radiance in every direction from its front.
@@ -52,7 +52,7 @@ pub enum Emitter {
     Spot {
         /// Name of the emitter, for parameters.
         id: String,
-        /// The light is at the origin of its own space and shines along `+z`.
+        /// The emitter is at the origin of its own space and shines along `+z`.
         world_from_emitter: Affine,
         /// Power per solid angle in the middle.
         intensity: TextureId,
@@ -73,7 +73,40 @@ pub enum Emitter {
     },
 }
 
+/// The answers that every emitter must give, whatever its numbers are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EmitterTraits {
+    /// What Mitsuba calls it.
+    pub plugin: &'static str,
+    /// Where it is.
+    pub extent: EmitterExtent,
+}
+
+/// Where an emitter is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EmitterExtent {
+    /// On the front of a shape, with edges that can be seen.
+    Shape(ShapeId),
+    /// In all directions around the scene.
+    Surroundings,
+    /// At a point or in one direction: no ray meets it, and its shadows are hard.
+    Delta,
+}
+
 impl Emitter {
+    /// What must be known of every emitter.
+    pub fn traits(&self) -> EmitterTraits {
+        let (plugin, extent) = match self {
+            Self::Area { shape, .. } => ("area", EmitterExtent::Shape(*shape)),
+            Self::Constant { .. } => ("constant", EmitterExtent::Surroundings),
+            Self::EnvironmentMap { .. } => ("envmap", EmitterExtent::Surroundings),
+            Self::Point { .. } => ("point", EmitterExtent::Delta),
+            Self::Spot { .. } => ("spot", EmitterExtent::Delta),
+            Self::Directional { .. } => ("directional", EmitterExtent::Delta),
+        };
+        EmitterTraits { plugin, extent }
+    }
+
     /// What it emits: radiance, intensity or irradiance.
     #[inline]
     pub fn radiance(&self) -> TextureId {
@@ -87,14 +120,7 @@ impl Emitter {
 
     /// The plugin's name.
     pub fn plugin(&self) -> &'static str {
-        match self {
-            Self::Area { .. } => "area",
-            Self::Constant { .. } => "constant",
-            Self::EnvironmentMap { .. } => "envmap",
-            Self::Point { .. } => "point",
-            Self::Spot { .. } => "spot",
-            Self::Directional { .. } => "directional",
-        }
+        self.traits().plugin
     }
 
     /// The textures that stand in it. The texels of an environment map are its
@@ -134,12 +160,25 @@ impl Emitter {
 
     /// True if it surrounds the scene.
     pub fn is_environment(&self) -> bool {
-        match self {
-            Self::Constant { .. } | Self::EnvironmentMap { .. } => true,
-            Self::Area { .. }
-            | Self::Point { .. }
-            | Self::Spot { .. }
-            | Self::Directional { .. } => false,
+        match self.traits().extent {
+            EmitterExtent::Surroundings => true,
+            EmitterExtent::Shape(_) | EmitterExtent::Delta => false,
+        }
+    }
+
+    /// True if it has no extent: no ray meets it, and its shadows are hard.
+    pub fn is_delta(&self) -> bool {
+        match self.traits().extent {
+            EmitterExtent::Delta => true,
+            EmitterExtent::Shape(_) | EmitterExtent::Surroundings => false,
+        }
+    }
+
+    /// The shape that emits, if one does.
+    pub fn shape(&self) -> Option<ShapeId> {
+        match self.traits().extent {
+            EmitterExtent::Shape(shape) => Some(shape),
+            EmitterExtent::Surroundings | EmitterExtent::Delta => None,
         }
     }
 }

@@ -24,8 +24,11 @@ pub mod slot;
 mod surface_point;
 pub mod texture;
 
-pub use emitter::Emitter;
+// What appears in the signatures here.
+pub use capwalk_geometry::{Mesh, MeshError};
+
 pub use emitter::delta::DeltaLight;
+pub use emitter::{Emitter, EmitterExtent, EmitterTraits};
 pub use film::Film;
 pub use filter::Filter;
 pub use ids::{BsdfId, EmitterId, ShapeId, TextureId};

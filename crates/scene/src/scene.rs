@@ -24,7 +24,7 @@ pub struct Scene {
     pub shapes: Vec<Arc<Shape>>,
     /// Materials that shapes refer to.
     pub materials: Vec<Material>,
-    /// Light sources. At most one of them is an environment.
+    /// Emitters. At most one of them is an environment.
     pub emitters: Vec<Emitter>,
     /// The numbers of materials and emitters.
     pub textures: Vec<Arc<Texture>>,

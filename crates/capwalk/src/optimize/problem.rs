@@ -15,7 +15,16 @@ use crate::error::Error;
 use crate::images::{read_layer, read_mask};
 use crate::load::Loader;
 use capwalk_diff::RenderOptions;
-use capwalk_scene_io::Loaded;
+use capwalk_scene_io::{Loaded, Warning};
+
+/// The problem that a job poses.
+#[derive(Clone, Debug)]
+pub struct LoadedProblem {
+    /// The problem, with all of its targets.
+    pub problem: Problem,
+    /// What the scene files that it was loaded from say in vain, each once.
+    pub warnings: Vec<Warning>,
+}
 
 /// A target that is still to be rendered.
 struct Pending {
@@ -42,22 +51,23 @@ impl Job {
     ///     parameter = [{ name = "leaf.translate.x" }]
     ///     optimizer = { lr = 0.1 }
     /// "#)?;
-    /// let problem = job.problem(&Unwatched)?;
+    /// let problem = job.problem(&Unwatched)?.problem;
     /// let mut views = PreparedViews::new();
     /// let first = problem.iterate(&State::new(&problem), &mut views, &Unwatched)?;
     /// let second = problem.iterate(&first.next?, &mut views, &Unwatched)?;
     /// assert!(second.row.values[0] > first.row.values[0]); // on its way to 0.2
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn problem(&self, watch: &dyn Watch) -> Result<Problem, Error> {
+    pub fn problem(&self, watch: &dyn Watch) -> Result<LoadedProblem, Error> {
         self.refuse_unused_defines()?;
+        let mut warnings = Vec::new();
         let keys = &self.keys;
-        let scene = self.load(&keys.scene, &[], None)?;
+        let scene = self.load(&keys.scene, &[], None, &mut warnings)?;
         let variables = self.variables(&scene, &keys.parameters)?;
         let spp = keys.spp.unwrap_or(scene.settings.spp.max(2));
         let (mut views, mut pending) = (Vec::new(), Vec::new());
         for (number, view) in keys.views.iter().enumerate() {
-            let (view, target) = self.view(&scene, &variables, view, number)?;
+            let (view, target) = self.view(&scene, &variables, view, number, &mut warnings)?;
             views.push(view);
             pending.extend(target);
         }
@@ -82,16 +92,17 @@ impl Job {
         for (view, target) in render_targets(pending, watch)? {
             problem.views[view].target = target;
         }
-        Ok(problem)
+        Ok(LoadedProblem { problem, warnings })
     }
 
     /// A scene of the job, with these values of `$name` before those of the job, and the
-    /// sensor that is asked for.
+    /// sensor that is asked for. New warnings are added to `warnings`.
     fn load(
         &self,
         located: &Located,
         defines: &[Define],
         sensor: Option<(usize, Place)>,
+        warnings: &mut Vec<Warning>,
     ) -> Result<Scene, LoadError> {
         let (document, name) = (&self.document, &located.text);
         let mut loader = match is_built_in(located) {
@@ -118,7 +129,18 @@ impl Job {
             loader = loader.size(size);
         }
         match loader.load() {
-            Ok(Loaded { scene, .. }) => Ok(scene),
+            Ok(Loaded {
+                scene,
+                warnings: found,
+            }) => {
+                // Views can name one file several times.
+                for warning in found {
+                    if !warnings.contains(&warning) {
+                        warnings.push(warning);
+                    }
+                }
+                Ok(scene)
+            }
             Err(Error::Load(error)) => Err(error),
             Err(Error::UnknownScene { name }) => {
                 let names: Vec<&str> = builtin::names().collect();
@@ -185,8 +207,9 @@ impl Job {
         variables: &Variables,
         keys: &ViewKeys,
         number: usize,
+        warnings: &mut Vec<Warning>,
     ) -> Result<(TargetView, Option<Pending>), Error> {
-        let sensor = self.sensor(scene, keys)?;
+        let sensor = self.sensor(scene, keys, warnings)?;
         if sensor.is_some()
             && let Some(place) = self.moved_sensor(scene, variables)
         {
@@ -214,7 +237,7 @@ impl Job {
                 None
             }
             TargetKeys::Rendered { spp, .. } => {
-                let scene = self.target_scene(scene, &view, keys)?;
+                let scene = self.target_scene(scene, &view, keys, warnings)?;
                 if scene.film.crop_size != size {
                     let message = "the target has another size than the image";
                     return Err(self.document.error(keys.place, message).into());
@@ -245,6 +268,7 @@ impl Job {
         scene: &Scene,
         view: &TargetView,
         keys: &ViewKeys,
+        warnings: &mut Vec<Warning>,
     ) -> Result<Scene, LoadError> {
         let TargetKeys::Rendered {
             scene: other,
@@ -257,7 +281,7 @@ impl Job {
         };
         let is_other = other.is_some() || !defines.is_empty();
         let located = other.as_ref().unwrap_or(&self.keys.scene);
-        let other = is_other.then(|| self.load(located, defines, keys.sensor));
+        let other = is_other.then(|| self.load(located, defines, keys.sensor, warnings));
         let other = other.transpose()?;
         let set = self.changed(other.as_ref().unwrap_or(scene), set)?;
         // With another scene's own film, unless the view has one.
@@ -279,13 +303,18 @@ impl Job {
     }
 
     /// The sensor of a view and its film, if it is not the scene's.
-    fn sensor(&self, scene: &Scene, keys: &ViewKeys) -> Result<Option<(Sensor, Film)>, LoadError> {
+    fn sensor(
+        &self,
+        scene: &Scene,
+        keys: &ViewKeys,
+        warnings: &mut Vec<Warning>,
+    ) -> Result<Option<(Sensor, Film)>, LoadError> {
         let document = &self.document;
         let mut own = match (&keys.scene, keys.sensor) {
             (None, None | Some((0, _))) => scene.clone(),
             (located, sensor) => {
                 let located = located.as_ref().unwrap_or(&self.keys.scene);
-                self.load(located, &[], sensor)?
+                self.load(located, &[], sensor, warnings)?
             }
         };
         let set = |own: &mut Scene, name: &str, numbers: &[f64], place: Place| {

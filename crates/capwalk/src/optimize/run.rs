@@ -4,13 +4,15 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use capwalk_diff::Watch;
+use capwalk_diff::{Refusal, Watch};
 use capwalk_inverse::record::Row;
 use capwalk_inverse::{Iteration, PreparedViews, Problem, State, Stop};
+use capwalk_scene_io::{LoadError, Warning};
 
 use super::fingerprint::fingerprint;
 use super::folder::{self, Folder};
 use super::job::Job;
+use super::problem::LoadedProblem;
 use crate::error::Error;
 
 /// An optimisation that keeps every iteration in a folder: killed at any moment and begun
@@ -49,6 +51,7 @@ use crate::error::Error;
 pub struct Run<'j> {
     job: &'j Job,
     problem: Problem,
+    warnings: Vec<Warning>,
     state: State,
     views: PreparedViews,
     folder: Folder,
@@ -66,12 +69,13 @@ impl<'j> Run<'j> {
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
         let claimed = folder::claim(folder.as_ref(), resume, &job.inputs())?;
-        let problem = job.problem(watch)?;
+        let LoadedProblem { problem, warnings } = job.problem(watch)?;
         let fingerprint = fingerprint(&problem, &job.specs());
         let (folder, state) = claimed.begin(&problem, fingerprint)?;
         Ok(Self {
             job,
             problem,
+            warnings,
             state,
             views: PreparedViews::new(),
             folder,
@@ -82,6 +86,11 @@ impl<'j> Run<'j> {
     /// What is looked for.
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// What the scene files of the job say in vain.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
     }
 
     /// Where the run is.
@@ -96,6 +105,8 @@ impl<'j> Run<'j> {
 
     /// Iterates until something stops it, and returns what. Every iteration is kept in the
     /// folder, then shown to `seen`, which may stop the run there: [`Stop::Interrupted`].
+    /// A derivative that is refused is [`Error::Refused`]; [`Run::located`] says where the
+    /// job asks for it.
     pub fn go(
         &mut self,
         watch: &dyn Watch,
@@ -106,10 +117,7 @@ impl<'j> Run<'j> {
             let started = Instant::now();
             let iteration = match self.problem.iterate(&self.state, &mut self.views, watch) {
                 Ok(iteration) => iteration,
-                Err(Stop::Refused(refusal)) => {
-                    let reason = refusal.to_string();
-                    return Err(self.job.refused(&self.problem, &self.state, &reason).into());
-                }
+                Err(Stop::Refused(refusal)) => return Err(refusal.into()),
                 Err(stop) => return Ok(stop),
             };
             // Write it down: the row, images every so often and at the end, the state.
@@ -135,6 +143,13 @@ impl<'j> Run<'j> {
                 return Ok(Stop::Interrupted);
             }
         }
+    }
+
+    /// A refusal that [`Run::go`] returned, with the place in the job of the parameter that
+    /// it is about.
+    pub fn located(&self, refusal: &Refusal) -> LoadError {
+        let reason = refusal.to_string();
+        self.job.refused(&self.problem, &self.state, &reason)
     }
 
     /// Writes the result of a run that stopped for this reason, and returns the files: the

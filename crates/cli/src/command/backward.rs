@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::{Result, bail, ensure};
+use capwalk::scene_io::arrays::{self, Array, Arrays, METADATA};
 use capwalk::{
     Distance, Error, GradientOptions, Gradients, Image, ImageLoss, Loss, ParameterGradient,
     Prepared, RenderOptions, Scene, read_layer,
 };
-use capwalk_scene_io::arrays::{self, Array, Arrays, METADATA};
 use serde_json::{Value, json};
 
 use crate::args::{Backward, LossName};

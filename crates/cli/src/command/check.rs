@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use crate::args::{self, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::Files;
-use crate::{console, method, moving, report, source};
+use crate::{console, direction, method, report, source};
 
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
@@ -19,7 +19,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
     let prepared = source::load(&typed.scene)?;
     let scene = prepared.scene();
-    let tangent = moving::tangent(&prepared, &typed.tangent)?;
+    let tangent = direction::tangent(&prepared, &typed.tangent)?;
     let sampling = source::options(&typed.sampling, scene);
     let stem = format!("{}-check", source::stem(&typed.scene));
     let files = Files::new(&typed.output.output, &stem, &["png"])?;
@@ -42,7 +42,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     } = &checked.check;
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
-    let parameter = moving::describe(&typed.tangent);
+    let parameter = direction::describe(&typed.tangent);
     let written = layers::write(&files, &typed.scene.scene, &parameter, &checked)?;
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));

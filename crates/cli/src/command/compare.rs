@@ -1,8 +1,8 @@
 //! `capwalk compare`: two images, with their errors if they have them.
 
 use anyhow::{Context, Result, ensure};
+use capwalk::scene_io::image::{self, GRADIENT, LayeredImage, Panel, Style, VALUE};
 use capwalk::{Comparison, Image, Rgb, Verdict};
-use capwalk_scene_io::image::{self, GRADIENT, LayeredImage, Panel, Style, VALUE};
 use serde_json::json;
 
 use super::check as verdicts;

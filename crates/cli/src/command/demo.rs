@@ -3,11 +3,11 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
+use capwalk::scene::builtin;
 use capwalk::{
     CheckOptions, Estimator, GradientImage, GradientOptions, Prepared, RenderOptions, Rendering,
     Tangent, WalkSettings,
 };
-use capwalk_scene::builtin;
 use serde_json::json;
 
 use super::check::{self, layers, timed};
@@ -171,7 +171,7 @@ fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> 
     let spp = sampling.spp.unwrap_or(SPP);
 
     let progress = Progress::new("render", left_until(PICTURE_UNTIL));
-    let rendering = prepared.render(&sampled(spp), &progress);
+    let rendering = prepared.render(&sampled(spp), &progress)?;
     let render_seconds = progress.finish().as_secs_f64();
 
     let progress = Progress::new("literal", left_until(LITERAL_UNTIL));

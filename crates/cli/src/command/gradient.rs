@@ -1,20 +1,20 @@
 //! `capwalk gradient`: the derivative of an image with respect to one parameter.
 
 use anyhow::{Result, ensure};
+use capwalk::scene_io::image::LayeredImage;
 use capwalk::{DifferenceOptions, GradientImage, GradientOptions, RenderOptions};
-use capwalk_scene_io::image::LayeredImage;
 use serde_json::json;
 
 use crate::args::{Gradient, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
-use crate::{console, method, moving, report, source};
+use crate::{console, direction, method, report, source};
 
 pub fn run(args: &Gradient) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
-    let tangent = moving::tangent(&prepared, &args.tangent)?;
+    let tangent = direction::tangent(&prepared, &args.tangent)?;
     let options = source::options(&args.sampling, scene);
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
@@ -36,7 +36,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let result = result?;
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
-    let parameter = moving::describe(&args.tangent);
+    let parameter = direction::describe(&args.tangent);
     let name = &args.scene.scene;
     let mut layered = layered(name, &parameter, way.name(), &options, &result);
     if let Some(step) = way.step() {

@@ -1,12 +1,12 @@
 //! `capwalk info`: what is in a scene, and what can be differentiated.
 
 use anyhow::Result;
-use capwalk::{Refusal, bounds};
-use capwalk_scene::params::{ArrayParameter, Parameter};
-use capwalk_scene::{
+use capwalk::scene::params::{ArrayParameter, Parameter};
+use capwalk::scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
     ShadingNormals, TextureId,
 };
+use capwalk::{Refusal, bounds};
 use serde_json::{Value, json};
 
 use crate::args::Info;
@@ -198,7 +198,7 @@ fn texture(scene: &Scene, id: TextureId) -> String {
     }
 }
 
-fn material(scene: &Scene, id: capwalk_scene::BsdfId) -> String {
+fn material(scene: &Scene, id: capwalk::scene::BsdfId) -> String {
     let material = scene.material(id);
     match &material.bsdf {
         Bsdf::Diffuse { reflectance } => format!("diffuse {}", texture(scene, *reflectance)),

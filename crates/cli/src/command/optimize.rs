@@ -26,6 +26,9 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         Err(Error::Stopped { .. }) => return nothing(),
         begun => begun?,
     };
+    for warning in run.warnings() {
+        log::warn!("{warning}");
+    }
     let first = run.state().iteration;
     if first > 0 && !args.json {
         console::remark(&format!("going on after iteration {first}\n"));
@@ -52,7 +55,10 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         }
     });
     live.finish();
-    let stop = stop?;
+    let stop = stop.map_err(|error| match error {
+        Error::Refused(refusal) => run.located(&refusal).into(),
+        error => error,
+    })?;
     let files = run.finish(&stop)?;
     let files: Vec<String> = files
         .iter()

@@ -17,7 +17,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
     let progress = Progress::new("render", args.sampling.time_limit);
-    let rendering = prepared.render(&options, &progress);
+    let rendering = prepared.render(&options, &progress)?;
     let elapsed = progress.finish().as_secs_f64();
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);

@@ -1,7 +1,7 @@
 //! `capwalk scenes`: what is built in, and how to get it as files.
 
 use anyhow::{Context, Result, bail};
-use capwalk_scene::builtin::{self, Builtin};
+use capwalk::scene::builtin::{self, Builtin};
 use serde_json::json;
 
 use crate::args::Scenes;
@@ -18,7 +18,7 @@ pub fn run(args: &Scenes) -> Result<Outcome> {
     for scene in chosen {
         let file = folder.join(format!("{}.xml", scene.name));
         let made = builtin::scene(scene.name).expect("it is listed");
-        let file = capwalk_scene_io::export::write_scene(&made, &file)
+        let file = capwalk::scene_io::export::write_scene(&made, &file)
             .with_context(|| format!("cannot export the scene \"{}\"", scene.name))?;
         written.push(file.display().to_string());
     }

@@ -311,6 +311,31 @@ fn bad_jobs_name_the_place() {
     );
 }
 
+/// What a scene file says in vain is said once, by `render` and by `optimize`.
+#[test]
+fn scenes_that_warn_do_so_here_too() {
+    let capwalk = Capwalk::new("optimize_warns");
+    assert_eq!(capwalk.run("scenes --export scenes leaf").status, 0);
+    let scene = String::from_utf8(capwalk.bytes("scenes/leaf.xml")).expect("text");
+    let scene = scene.replace("</scene>", "stray text</scene>");
+    capwalk.write("scenes/stray.xml", &scene);
+    let job = SMALL.replace("iterations = 40", "iterations = 1");
+    // The target is of the same file, which is read again.
+    let job = job.replace("scene = \"leaf\"", "scene = \"scenes/stray.xml\"");
+    let job = job.replace("[target]", "[target]\nscene = \"scenes/stray.xml\"");
+    capwalk.write("job.toml", &job);
+    let warning = "text outside of attributes has no effect";
+    for arguments in [
+        "render scenes/stray.xml --size 8x6 --spp 2",
+        "optimize job.toml",
+    ] {
+        let finished = capwalk.run(arguments);
+        assert_eq!(finished.status, 0, "{arguments}: {}", finished.stderr);
+        let count = finished.stderr.matches(warning).count();
+        assert_eq!(count, 1, "{arguments}: {}", finished.stderr);
+    }
+}
+
 /// What `backward` refuses is refused with the place of the parameter.
 #[test]
 fn refusals_name_the_parameter() {

@@ -2,7 +2,6 @@
 
 use std::collections::HashSet;
 
-use crate::emitter::Emitter;
 use crate::ids::{BsdfId, TextureId};
 use crate::scene::Scene;
 
@@ -26,7 +25,8 @@ pub(super) fn users(scene: &Scene) -> Vec<String> {
         }
     }
     for emitter in &scene.emitters {
-        if matches!(emitter, Emitter::Area { .. }) {
+        // With the shape, above.
+        if emitter.shape().is_some() {
             continue;
         }
         let slots = emitter.slots();

@@ -2,8 +2,8 @@
 //! how both were made, and for previews the four of them side by side.
 
 use anyhow::Result;
+use capwalk::scene_io::image::{self, LayeredImage, Panel, Style};
 use capwalk::{Check, Comparison, Image, Rgb};
-use capwalk_scene_io::image::{self, LayeredImage, Panel, Style};
 
 use super::timed::Checked;
 use crate::output::{self, Files};

@@ -5,8 +5,8 @@ use std::io::IsTerminal;
 use std::time::{Duration, Instant};
 
 use capwalk::optimize::Row;
+use capwalk::scene_io::image::photographic;
 use capwalk::{Image, Rgb, Watch};
-use capwalk_scene_io::image::photographic;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 use crate::{progress, report};

@@ -1,11 +1,11 @@
-//! What moves, from parameters and files of velocities.
+//! The direction of a derivative, from parameters and files of velocities.
 
 use anyhow::{Context, Result};
 use capwalk::{Prepared, Tangent, read_velocities, vertex_tangent};
 
 use crate::args::MotionArgs;
 
-/// The motion that the command line asks for.
+/// The direction that the command line asks for.
 pub fn tangent(prepared: &Prepared, args: &MotionArgs) -> Result<Tangent> {
     let scene = prepared.scene();
     let mut tangent = match &args.param {
@@ -22,7 +22,7 @@ pub fn tangent(prepared: &Prepared, args: &MotionArgs) -> Result<Tangent> {
     Ok(tangent)
 }
 
-/// A name for the motion in file headers and tables.
+/// A name for the direction in file headers and tables.
 pub fn describe(args: &MotionArgs) -> String {
     let files = args.motion.iter();
     let files = files.map(|(shape, file)| format!("{shape}={}", file.display()));
