@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use capwalk_geometry::{ConeQuery, Edge, Mesh, Sides, SilhouetteTree, topology};
 use capwalk_math::Vec3;
-use capwalk_scene::{Emitter, Pattern, Scene, Shape, Texture};
+use capwalk_scene::{Pattern, Scene, Shape, Texture};
 
 use crate::accel::{Accel, MeshChange, WORN_OUT};
 use crate::crossing::{Crossing, crossings};
@@ -211,9 +211,9 @@ impl Listed {
         for (shape, &first_vertex) in scene.shapes.iter().zip(&accel.first_vertex) {
             let discontinuities = ShadingDiscontinuities::new(scene, shape);
             let mut own = topology::edges_with(&shape.mesh, |faces| discontinuities.differs(faces));
-            let is_explicit = shape.emitter.is_some_and(|id| {
-                matches!(scene.emitter(id), Emitter::Area { .. }) && own.len() <= FEW_EDGES
-            });
+            let is_explicit = shape
+                .emitter
+                .is_some_and(|id| scene.emitter(id).shape().is_some() && own.len() <= FEW_EDGES);
             contrasts.extend(own.iter().map(|edge| match edge.sides {
                 Sides::Open => 1.0,
                 Sides::Between { faces, flipped } => {

@@ -7,7 +7,7 @@
 //! turn in each of several rounds, each with other random numbers; variances are
 //! means over the rounds, times the smallest of them.
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../tests/gradients/common/mod.rs"]
 mod common;
 
 use std::time::Instant;

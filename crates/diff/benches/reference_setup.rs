@@ -3,7 +3,7 @@
 //! several largest angles, with the time of a sample: estimators are compared
 //! by variance times time.
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../tests/gradients/common/mod.rs"]
 mod common;
 
 use std::time::Instant;

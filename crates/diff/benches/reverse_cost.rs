@@ -15,7 +15,7 @@
 //! `-- --once WAY SAMPLES` runs a way once, by its number from 0, on a smaller mesh
 //! with so many samples per pixel: for tools that count instructions.
 
-#[path = "../tests/common/mod.rs"]
+#[path = "../tests/gradients/common/mod.rs"]
 mod common;
 
 use std::time::Instant;

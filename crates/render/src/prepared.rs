@@ -84,9 +84,9 @@ impl PreparedScene {
         let radiance = |scene: &Scene, emitter: &Emitter| {
             std::ptr::from_ref(scene.texture(emitter.radiance()))
         };
-        let shape = |scene: &Scene, emitter: &Emitter| match emitter {
-            Emitter::Area { shape, .. } => Some(std::ptr::from_ref(scene.shape(*shape))),
-            _ => None,
+        let shape = |scene: &Scene, emitter: &Emitter| {
+            let shape = emitter.shape();
+            shape.map(|id| std::ptr::from_ref(scene.shape(id)))
         };
         let pairs = scene.emitters.iter().zip(&old.emitters);
         for (sampler, (new, before)) in self.emitters.iter_mut().zip(pairs) {

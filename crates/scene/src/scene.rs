@@ -69,11 +69,31 @@ impl Scene {
         for texture in &self.textures {
             texture.check()?;
         }
+        self.check_attributes()?;
         self.check_materials()?;
         self.check_slots()?;
         let environments = self.emitters.iter().filter(|e| e.is_environment());
         if environments.count() > 1 {
             return Err(SceneError::SeveralEnvironments);
+        }
+        Ok(())
+    }
+
+    /// Checks that attributes have a texel for each vertex, or for each face.
+    fn check_attributes(&self) -> Result<(), SceneError> {
+        for shape in &self.shapes {
+            for attribute in &shape.attributes {
+                let texture = self.texture(attribute.texture);
+                match texture.pattern {
+                    Pattern::PerVertex => texture.check_length(shape.mesh.positions.len())?,
+                    Pattern::PerFace => texture.check_length(shape.mesh.faces.len())?,
+                    Pattern::Constant
+                    | Pattern::Bitmap(_)
+                    | Pattern::Checkerboard { .. }
+                    | Pattern::MeshAttribute { .. }
+                    | Pattern::Environment => {}
+                }
+            }
         }
         Ok(())
     }

@@ -41,6 +41,15 @@ pub enum SceneError {
         /// What it should be.
         expected: &'static str,
     },
+    /// A texture has too few numbers, or too many.
+    TextureLength {
+        /// The texture.
+        texture: String,
+        /// How many it has.
+        numbers: usize,
+        /// How many it should have: channels times texels.
+        expected: usize,
+    },
     /// There is more than one environment emitter.
     SeveralEnvironments,
     /// A material contradicts itself.
@@ -100,6 +109,15 @@ impl fmt::Display for SceneError {
             } => {
                 write!(f, "{name} is {value}; expected {expected}")
             }
+            Self::TextureLength {
+                texture,
+                numbers,
+                expected,
+            } => write!(
+                f,
+                "the texture \"{texture}\" has {numbers} numbers; expected {expected}, its channels \
+                 times its texels"
+            ),
             Self::SeveralEnvironments => {
                 write!(
                     f,

@@ -194,9 +194,38 @@ impl Texture {
         }
     }
 
+    /// An error if it has not as many numbers as so many texels need.
+    pub(crate) fn check_length(&self, texels: usize) -> Result<(), SceneError> {
+        let expected = texels * self.channels;
+        if self.data.len() == expected {
+            return Ok(());
+        }
+        Err(SceneError::TextureLength {
+            texture: self.id.clone(),
+            numbers: self.data.len(),
+            expected,
+        })
+    }
+
     pub(crate) fn check(&self) -> Result<(), SceneError> {
-        debug_assert!(matches!(self.channels, 1 | 3));
-        debug_assert_eq!(self.data.len() % self.channels, 0);
+        if !matches!(self.channels, 1 | 3) {
+            return Err(SceneError::BadNumber {
+                name: format!("{}.channels", self.id),
+                value: self.channels.to_string(),
+                expected: "1 or 3",
+            });
+        }
+        let texels = match &self.pattern {
+            Pattern::Constant => 1,
+            Pattern::Bitmap(bitmap) => bitmap.width as usize * bitmap.height as usize,
+            Pattern::Checkerboard { .. } => 2,
+            // How many there are is the shape's, or the map's, to say.
+            Pattern::MeshAttribute { .. }
+            | Pattern::PerVertex
+            | Pattern::PerFace
+            | Pattern::Environment => self.texels(),
+        };
+        self.check_length(texels)?;
         for part in self.parts() {
             for index in part.first..part.first + part.count {
                 let value = self.texel(index);

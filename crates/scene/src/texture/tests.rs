@@ -26,6 +26,19 @@ fn bad_numbers_are_named() {
     assert!(message.starts_with("a.alpha.value is (inf"), "{message}");
 }
 
+/// Lengths that do not fit are errors, not panics later.
+#[test]
+fn wrong_lengths_are_named() {
+    let mut texture = bitmap(TexelFilter::Bilinear, Wrap::Repeat);
+    texture.data.pop();
+    let message = texture.check().expect_err("too short").to_string();
+    let expected = "the texture \"wood\" has 35 numbers; expected 36";
+    assert!(message.starts_with(expected), "{message}");
+    texture.channels = 2;
+    let message = texture.check().expect_err("two channels").to_string();
+    assert_eq!(message, "wood.channels is 2; expected 1 or 3");
+}
+
 /// A bitmap of 4 x 3 texels without any symmetry.
 fn bitmap(filter: TexelFilter, wrap: Wrap) -> Texture {
     let data = (0..36).map(|i| f64::from(i * i % 37) / 37.0).collect();

@@ -2,14 +2,12 @@
 //! and bumps. What is demanded of each case, and how often it raises a false alarm,
 //! is said in `phenomena_shadows.rs`.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::materials::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::*;
-use common::agree::*;
-use common::materials::*;
-use common::stages::*;
-use common::*;
 
 /// A floor under a lamp, seen from near by, not at grazing angles alone.
 fn mapped_floor(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {

@@ -4,8 +4,10 @@
 //! motion of everything at once. Forward mode meets finite differences in the
 //! other tests.
 
-mod common;
-
+use crate::common::agree::tangent;
+use crate::common::materials::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::{
     Backward, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted,
     WasBoundary, WasSettings, backward, gradient, with_threads,
@@ -14,10 +16,6 @@ use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
-use common::agree::tangent;
-use common::materials::*;
-use common::stages::*;
-use common::*;
 
 /// Numbers between -1 and 1 that look random.
 struct Numbers(u64);

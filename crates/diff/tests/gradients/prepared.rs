@@ -1,8 +1,8 @@
 //! A prepared scene that was changed answers like one that was made of the result, to the
 //! bit: whatever was refitted, kept or built anew.
 
-mod common;
-
+use crate::common::add;
+use crate::common::stages::{visible_ball, visible_cube, with_parallel_rays};
 use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
     render,
@@ -11,8 +11,6 @@ use capwalk_geometry::Mesh;
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Filter, Image, Scene, ShadingNormals};
-use common::add;
-use common::stages::{visible_ball, visible_cube, with_parallel_rays};
 
 const SAMPLING: RenderOptions = RenderOptions::new(3, 7);
 

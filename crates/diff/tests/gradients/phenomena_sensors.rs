@@ -3,11 +3,9 @@
 //!
 //! What must hold is that of `phenomena_visible.rs`.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::stages::*;
 use capwalk_scene::*;
-use common::agree::*;
-use common::stages::*;
 
 /// A ball 4.3 away, seen through a lens: its silhouettes are three pixels wide.
 fn blurred_ball(filter: Filter) -> Scene {

@@ -5,10 +5,10 @@
 //! `cargo xtask soak` runs many more of them: `CAPWALK_SOAK_SECONDS` says for how
 //! long, `CAPWALK_SOAK_SEED` where to begin.
 
-mod common;
-
 use std::time::{Duration, Instant};
 
+use crate::common::random::Random;
+use crate::common::{empty, v};
 use capwalk_diff::{
     GradientOptions, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient, render,
 };
@@ -22,8 +22,6 @@ use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, disk, icosphere, rectangle};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
-use common::random::Random;
-use common::{empty, v};
 
 /// A scene that grows.
 struct Builder {

@@ -1,10 +1,11 @@
 //! Light and its derivatives where they can be written down: an oracle that
 //! shares nothing with the estimators, and has no step as finite differences do.
 
-mod common;
-
 use std::f64::consts::PI;
 
+use crate::common::agree::tangent;
+use crate::common::exact::{means, meets, settings};
+use crate::common::*;
 use capwalk_diff::probe::irradiance;
 use capwalk_diff::{PreparedScene, Unwatched, WalkSettings, Wanted, backward, gradient};
 use capwalk_geometry::Mesh;
@@ -12,9 +13,6 @@ use capwalk_math::quadrature::gauss_legendre;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{disk, rectangle};
 use capwalk_scene::*;
-use common::agree::tangent;
-use common::exact::{means, meets, settings};
-use common::*;
 
 /// A point that is lit, and its unit normal.
 type Lit = (Vec3, Vec3);

@@ -8,12 +8,10 @@
 //! cancel. The comparison's tests together raise a false alarm in about one
 //! case of 4000; the seeds are fixed, so a case that passes goes on passing.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::stages::*;
 use capwalk_diff::WalkSettings;
 use capwalk_scene::*;
-use common::agree::*;
-use common::stages::*;
 
 fn shadow_case(name: &str, scene: Scene, expression: &str) {
     let tangent = tangent(&scene, expression);

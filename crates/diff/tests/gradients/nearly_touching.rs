@@ -2,16 +2,14 @@
 //! apart or sinks what should stand: each edge and each curve where surfaces cross
 //! counts once.
 
-mod common;
-
+use crate::common::agree::{Case, agree, tangent};
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::Method;
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
-use common::agree::{Case, agree, tangent};
-use common::stages::*;
-use common::*;
 
 /// A white sky and no floor, seen by few pixels.
 fn under_sky(from: Vec3, to: Vec3, fov: f64) -> Scene {

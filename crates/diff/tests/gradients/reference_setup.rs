@@ -1,13 +1,11 @@
 //! METHOD's reference set-up: floor points under a square lamp, an icosphere
 //! of 320 faces between them, moving in x.
 
-mod common;
-
+use crate::common::{reference_points, reference_scene};
 use capwalk_diff::probe::{Irradiance, difference, irradiance};
 use capwalk_diff::{Estimator, WalkSettings};
 use capwalk_math::Moments;
 use capwalk_scene::*;
-use common::{reference_points, reference_scene};
 
 fn mean_variance(results: &[Irradiance]) -> f64 {
     let sum: f64 = results.iter().map(|point| point.gradient.variance()).sum();

@@ -3,10 +3,11 @@
 //! false alarm, is said in `phenomena_shadows.rs`. More phenomena are run by
 //! both methods in `cli/tests/phenomena`.
 
-mod common;
-
 use std::time::Instant;
 
+use crate::common::agree::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
     GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
@@ -16,9 +17,6 @@ use capwalk_geometry::Mesh;
 use capwalk_math::Affine;
 use capwalk_scene::primitive::{disk, icosphere, rectangle};
 use capwalk_scene::*;
-use common::agree::*;
-use common::stages::*;
-use common::*;
 
 fn edges(case: Case) -> Case {
     Case {
@@ -236,7 +234,7 @@ fn mirror() {
         rr_depth: 5,
         hide_emitters: false,
     };
-    common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    crate::common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
     let case = Case {
         step: 2e-3,
         gradient_spp: 100,

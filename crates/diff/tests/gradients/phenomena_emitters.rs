@@ -1,14 +1,12 @@
 //! An environment map that is black in places; the other phenomena under a sky
 //! are in `tests/scenes`.
 
-mod common;
-
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_math::Affine;
 use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::*;
-use common::stages::*;
-use common::*;
 
 /// A sky of 8 x 4 colours, brighter above, instead of all lamps.
 fn under_a_sky(mut scene: Scene) -> Scene {

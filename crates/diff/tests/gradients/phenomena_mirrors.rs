@@ -2,17 +2,15 @@
 //! flat mirrors and behind panes. What is demanded of each case, and how often
 //! it raises a false alarm, is said in `phenomena_shadows.rs`.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::materials::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
-use common::agree::*;
-use common::materials::*;
-use common::stages::*;
-use common::*;
 
 fn paths(scene: &mut Scene, segments: u32) {
     scene.settings.integrator = Integrator::Path {

@@ -4,14 +4,12 @@
 //! case, and how often it raises a false alarm, is said in
 //! `phenomena_shadows.rs`.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::*;
-use common::agree::*;
-use common::stages::*;
-use common::*;
 
 fn primary_case(name: &str, scene: Scene, expression: &str) {
     let tangent = tangent(&scene, expression);

@@ -3,8 +3,10 @@
 //! What is demanded of each case, and how often it raises a false alarm, is said
 //! in `phenomena_shadows.rs`.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::materials::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_math::Affine;
@@ -12,10 +14,6 @@ use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::rectangle;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
-use common::agree::*;
-use common::materials::*;
-use common::stages::*;
-use common::*;
 
 fn paths(scene: &mut Scene, segments: u32) {
     scene.settings.integrator = Integrator::Path {

@@ -1,15 +1,13 @@
 //! Rooms and skies in which radiance can be written down, wherever things are.
 
-mod common;
-
+use crate::common::agree::tangent;
+use crate::common::exact::{means, meets, settings};
+use crate::common::stages::placed;
+use crate::common::*;
 use capwalk_diff::{PreparedScene, Unwatched, Wanted, backward, gradient};
 use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::cube;
 use capwalk_scene::*;
-use common::agree::tangent;
-use common::exact::{means, meets, settings};
-use common::stages::placed;
-use common::*;
 
 /// A closed box of edge 2 that shines inwards, with a turned block in it, seen
 /// from inside: albedo and emission of both.

@@ -5,8 +5,9 @@
 //! and noisy. So most of these scenes have few triangles, and shadows that stay
 //! inside one: errors of a fourth are seen.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WalkSettings, gradient,
@@ -14,9 +15,6 @@ use capwalk_diff::{
 use capwalk_geometry::Mesh;
 use capwalk_math::Rgb;
 use capwalk_scene::*;
-use common::agree::*;
-use common::stages::*;
-use common::*;
 
 /// A floor below a lamp of one large triangle, before which silhouettes pass.
 fn under_a_triangle(thing: Mesh) -> Scene {

@@ -2,18 +2,16 @@
 //! that move: against the exact silhouette of a triangle, and against finite
 //! differences.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::exact::{means, meets, settings};
+use crate::common::materials::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::{PreparedScene, Unwatched, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::rectangle;
 use capwalk_scene::*;
-use common::agree::*;
-use common::exact::{means, meets, settings};
-use common::materials::*;
-use common::stages::*;
-use common::*;
 
 /// Every entry of the sensor's matrix.
 const ANY_MATRIX: &str = "0.4*sensor.to_world[0,0] - sensor.to_world[0,1] \

@@ -2,14 +2,12 @@
 //! (Algorithm 1 on every segment of a path), in built-in scenes and where paths
 //! carry nothing; the phenomena themselves are in `tests/scenes`.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::rectangle;
 use capwalk_scene::*;
-use common::agree::*;
-use common::stages::*;
-use common::*;
 
 /// Paths of at most this many segments.
 fn deep(mut scene: Scene, max_depth: Option<u32>) -> Scene {

@@ -1,9 +1,8 @@
 //! Work that is cut, sent as bytes and merged in any order gives the bits of the whole.
 
-mod common;
-
 use std::borrow::Cow;
 
+use crate::common::stages::visible_ball;
 use capwalk_diff::{
     BackwardWork, GradientOptions, GradientWork, Grid, Method, Part, PartError, Partial,
     PreparedScene, RenderOptions, RenderWork, Unwatched, Wanted, Watch, backward, gradient, render,
@@ -12,7 +11,6 @@ use capwalk_diff::{
 use capwalk_math::Rgb;
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Filter, Gradient, Image, SamplerKind, Scene};
-use common::stages::visible_ball;
 
 const CUTS: [u32; 4] = [1, 2, 7, 40];
 

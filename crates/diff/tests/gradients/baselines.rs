@@ -1,8 +1,9 @@
 //! Warped-area sampling keeps its promises, and breaks those that it is known to
 //! break: derivatives of areas in the image, which have closed forms.
 
-mod common;
-
+use crate::common::agree::tangent;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
     Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WasBoundary,
@@ -11,9 +12,6 @@ use capwalk_diff::{
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::{rectangle, sphere};
 use capwalk_scene::*;
-use common::agree::tangent;
-use common::stages::*;
-use common::*;
 
 /// Standard errors beyond which a difference is no accident.
 const Z: f64 = 4.5;

@@ -2,8 +2,10 @@
 //! refused, however short the paths are; in flat mirrors it is not. So is what
 //! has no derivative.
 
-mod common;
-
+use crate::common::agree::tangent;
+use crate::common::materials::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, WasSettings,
     backward, gradient,
@@ -15,10 +17,6 @@ use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
-use common::agree::tangent;
-use common::materials::*;
-use common::stages::*;
-use common::*;
 
 fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
     let found = scene.materials.iter_mut().find(|m| m.id == name);

@@ -1,5 +1,5 @@
 //! Small scenes, put together by code.
-#![allow(dead_code, reason = "each test program uses some of it")]
+#![allow(dead_code, reason = "a benchmark uses some of it")]
 
 pub mod agree;
 pub mod exact;

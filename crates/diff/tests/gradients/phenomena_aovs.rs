@@ -3,13 +3,11 @@
 //! is said in `phenomena_shadows.rs`; here a pixel without a silhouette has no
 //! noise, so fewer of them have some.
 
-mod common;
-
+use crate::common::agree::*;
+use crate::common::stages::*;
+use crate::common::*;
 use capwalk_math::Vec3;
 use capwalk_scene::*;
-use common::agree::*;
-use common::stages::*;
-use common::*;
 
 fn aov_case(aov: Aov, mut scene: Scene, expression: &str) {
     scene.settings.integrator = Integrator::Aov(aov);

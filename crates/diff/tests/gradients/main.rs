@@ -1,0 +1,31 @@
+//! Derivatives of images against references that share nothing with them, and
+//! what the calls that compute them promise. One program: its tests share two
+//! cores to the end, and generic code is compiled once.
+
+#[cfg(feature = "paper")]
+mod baselines;
+mod closed_forms;
+mod common;
+mod furnaces;
+mod nearly_touching;
+mod parts;
+mod phenomena_aovs;
+mod phenomena_edges;
+mod phenomena_emitters;
+mod phenomena_indirect;
+mod phenomena_maps;
+mod phenomena_materials;
+mod phenomena_mirrors;
+mod phenomena_parallel;
+mod phenomena_sensors;
+mod phenomena_shadows;
+#[cfg(feature = "paper")]
+mod phenomena_triangle;
+mod phenomena_visible;
+mod prepared;
+mod random_scenes;
+mod reference_setup;
+#[cfg(feature = "paper")]
+mod refusals;
+#[cfg(feature = "paper")]
+mod reverse;
