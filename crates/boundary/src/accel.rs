@@ -6,7 +6,7 @@ use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
 use capwalk_math::Vec3;
 use capwalk_scene::resolve::Resolver;
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{Emitter, EmitterId, Scene, ShapeId};
+use capwalk_scene::{EmitterId, Scene, ShapeId};
 
 use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
 
@@ -242,10 +242,9 @@ impl Accel {
     /// The face of the joined mesh that is the given one of an emitter.
     #[inline]
     pub fn emitter_face(&self, emitter: EmitterId, face: u32) -> u32 {
-        match self.scene.emitter(emitter) {
-            Emitter::Area { shape, .. } => self.first_face[shape.0 as usize] + face,
-            _ => unreachable!("only area emitters have faces"),
-        }
+        let shape = self.scene.emitter(emitter).shape();
+        let shape = shape.expect("only emitters on shapes have faces");
+        self.first_face[shape.0 as usize] + face
     }
 
     /// What emits at a hit towards a viewer that looks along `direction`: only

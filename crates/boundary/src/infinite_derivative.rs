@@ -14,8 +14,23 @@ pub fn refuse_infinite_derivatives(
 ) -> Result<(), Refusal> {
     for shape in &scene.shapes {
         for id in scene.materials_below(shape.bsdf) {
-            let Bsdf::Principled(principled) = &scene.material(id).bsdf else {
-                continue;
+            let principled = match &scene.material(id).bsdf {
+                Bsdf::Principled(principled) => principled,
+                // Finite wherever they are valid; what they contain is in the list itself.
+                Bsdf::Diffuse { .. }
+                | Bsdf::Conductor(_)
+                | Bsdf::RoughConductor(..)
+                | Bsdf::Dielectric(_)
+                | Bsdf::RoughDielectric(..)
+                | Bsdf::ThinDielectric(_)
+                | Bsdf::Plastic(_)
+                | Bsdf::RoughPlastic { .. }
+                | Bsdf::Null
+                | Bsdf::TwoSided { .. }
+                | Bsdf::Mask { .. }
+                | Bsdf::Blend { .. }
+                | Bsdf::NormalMap { .. }
+                | Bsdf::BumpMap { .. } => continue,
             };
             let numbers = Numbers { scene, shape };
             if let Some((slot, why)) = numbers.without_derivative(principled, &is_asked_for) {
@@ -64,7 +79,7 @@ impl Numbers<'_> {
             PrincipledIndex::Specular(specular) if asked(specular) && is_zero(specular) => {
                 Some(("specular", "the refractive index follows its square root"))
             }
-            _ => None,
+            PrincipledIndex::Specular(_) | PrincipledIndex::Eta(_) => None,
         }
     }
 }

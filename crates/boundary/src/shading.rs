@@ -83,7 +83,9 @@ impl<'s> ShadingDiscontinuities<'s> {
             Pattern::PerVertex => self
                 .common_vertices(faces)
                 .any(|[a, b]| texture.texel(a as usize) != texture.texel(b as usize)),
-            _ => texture.needs_uv() && self.uvs_differ(faces),
+            Pattern::Bitmap(_) | Pattern::Checkerboard { .. } => self.uvs_differ(faces),
+            // An attribute stands in the list as what it is.
+            Pattern::Constant | Pattern::MeshAttribute { .. } | Pattern::Environment => false,
         })
     }
 

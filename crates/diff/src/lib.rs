@@ -14,6 +14,7 @@ mod finite;
 mod forward;
 mod forward_eval;
 mod options;
+#[cfg(feature = "paper")]
 pub mod probe;
 mod refused;
 mod reverse;

@@ -4,6 +4,7 @@
 
 #[cfg(feature = "paper")]
 mod baselines;
+#[cfg(feature = "paper")]
 mod closed_forms;
 mod common;
 mod furnaces;
@@ -24,6 +25,7 @@ mod phenomena_triangle;
 mod phenomena_visible;
 mod prepared;
 mod random_scenes;
+#[cfg(feature = "paper")]
 mod reference_setup;
 #[cfg(feature = "paper")]
 mod refusals;
