@@ -79,9 +79,9 @@ pub fn sample_lights(
         // Nothing else samples the direction of an emitter without extent.
         let other = match emitters[drawn.emitter.0 as usize] {
             EmitterSampler::Delta => 0.0,
-            EmitterSampler::Area(_)
-            | EmitterSampler::Constant
-            | EmitterSampler::Environment(_) => of_bsdf(vertex.pdf(drawn.direction)),
+            EmitterSampler::Area(_) | EmitterSampler::Constant | EmitterSampler::Environment(_) => {
+                of_bsdf(vertex.pdf(drawn.direction))
+            }
         };
         let own = of_emitters(pdf);
         if own > 0.0 {

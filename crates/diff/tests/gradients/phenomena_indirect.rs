@@ -46,7 +46,7 @@ fn visible_case(spp: u32) -> Case {
     Case {
         step: 2e-3,
         gradient_spp: spp,
-        reference_spp: 1 * spp,
+        reference_spp: spp,
         ..Case::default()
     }
 }

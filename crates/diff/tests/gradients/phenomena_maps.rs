@@ -37,7 +37,7 @@ fn case(spp: u32) -> Case {
     Case {
         step: 4e-3,
         gradient_spp: spp,
-        reference_spp: 1 * spp,
+        reference_spp: spp,
         ..Case::default()
     }
 }

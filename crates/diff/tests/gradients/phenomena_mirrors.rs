@@ -53,7 +53,7 @@ fn case(spp: u32) -> Case {
     Case {
         step: 6e-3,
         gradient_spp: spp,
-        reference_spp: 1 * spp,
+        reference_spp: spp,
         size: 28,
         min_pixels: 300,
         // Silhouettes and their images cross.
