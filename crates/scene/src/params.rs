@@ -7,7 +7,7 @@
 //! let scene = builtin::scene("ball").expect("built in");
 //! let registry = Registry::new(&scene);
 //! let tangent = registry.tangent(&scene, "ball.translate.x - 2*ball.scale")?;
-//! assert!(motion.textures.iter().all(Option::is_none));
+//! assert!(tangent.textures.iter().all(Option::is_none));
 //! # Ok::<(), capwalk_scene::params::ParameterError>(())
 //! ```
 //!

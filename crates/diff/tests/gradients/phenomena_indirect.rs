@@ -65,7 +65,11 @@ fn box_in_a_room() {
     let scene = deep(builtin::scene("box-room").expect("built in"), Some(4));
     let parameter = builtin::default_parameter("box-room").expect("built in");
     let tangent = tangent(&scene, parameter);
-    agree("box room, indirect", scene, &tangent, visible_case(1200));
+    let case = Case {
+        reference_spp: 2400,
+        ..visible_case(1200)
+    };
+    agree("box room, indirect", scene, &tangent, case);
 }
 
 /// The camera moves past things that light each other.

@@ -42,8 +42,8 @@ fn numbers_change(name: &str, scene: Scene, expression: &str) {
     let along = tangent(&scene, expression);
     let case = Case {
         step: 1e-2,
-        gradient_spp: 100,
-        reference_spp: 200,
+        gradient_spp: 200,
+        reference_spp: 400,
         min_pixels: 900,
         ..Case::default()
     };

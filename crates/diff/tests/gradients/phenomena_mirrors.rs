@@ -53,7 +53,7 @@ fn case(spp: u32) -> Case {
     Case {
         step: 6e-3,
         gradient_spp: spp,
-        reference_spp: spp,
+        reference_spp: 2 * spp,
         size: 28,
         min_pixels: 300,
         // Silhouettes and their images cross.
@@ -149,8 +149,8 @@ fn shadow_by_way_of_a_mirror() {
     scene.film.filter = Filter::Box;
     let case = Case {
         step: 2e-2,
-        gradient_spp: 500,
-        reference_spp: 500,
+        gradient_spp: 1000,
+        reference_spp: 1000,
         patience: 3.0,
         ..Case::default()
     };

@@ -58,8 +58,8 @@ fn opening_lens() {
     let tangent = tangent(&scene, "sensor.aperture_radius");
     let case = Case {
         step: 4e-3,
-        gradient_spp: 250,
-        reference_spp: 800,
+        gradient_spp: 500,
+        reference_spp: 1600,
         ..primary()
     };
     agree("aperture", scene, &tangent, case);

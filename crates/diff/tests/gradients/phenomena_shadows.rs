@@ -71,6 +71,8 @@ fn lattice_shadow() {
     for axis in ["x", "y", "z"] {
         let case = Case {
             step: 1e-2,
+            gradient_spp: 400,
+            reference_spp: 1024,
             ..Case::default()
         };
         builtin_case("lattice-shadow", &format!("lattice.translate.{axis}"), case);

@@ -43,8 +43,8 @@ fn with_method(method: Method, name: &str, scene: Scene, expression: &str, case:
 fn few_pixels() -> Case {
     Case {
         size: 14,
-        gradient_spp: 1250,
-        reference_spp: 1250,
+        gradient_spp: 2500,
+        reference_spp: 2500,
         min_pixels: 120,
         patience: 10.0,
         ..Case::default()

@@ -249,7 +249,7 @@ impl Builder {
                     id: format!("{id}.data"),
                     channels: 3,
                     data,
-                    pattern: Pattern::Constant,
+                    pattern: Pattern::Environment,
                 });
                 Emitter::EnvironmentMap {
                     id,

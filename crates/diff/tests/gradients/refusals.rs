@@ -421,7 +421,7 @@ fn walks_without_steps_or_reach() {
         (
             0,
             0.2,
-            "a walk of 0 steps gives a field that is not continuous",
+            "a walk of 0 steps gives a discontinuous velocity field",
         ),
         (1, 0.0, "the largest angle of a walk is 0"),
     ] {
