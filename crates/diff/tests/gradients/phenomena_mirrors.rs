@@ -71,7 +71,12 @@ fn moves(name: &str, scene: Scene, expression: &str, case: Case) {
 #[test]
 fn block_seen_in_a_mirror() {
     let scene = block_before_a_mirror();
-    moves("mirror", scene, "block.translate.x", case(500));
+    let case = Case {
+        size: 22,
+        min_pixels: 200,
+        ..case(500)
+    };
+    moves("mirror", scene, "block.translate.x", case);
 }
 
 /// The mirror turns and slides behind what hides it.
@@ -112,7 +117,11 @@ fn two_mirrors() {
     make(&mut scene, "second", |n| Bsdf::Conductor(n.mirror()));
     paths(&mut scene, 4);
     let expression = "block.translate.x + 0.2*second.rotate.z";
-    moves("two mirrors", scene, expression, case(1500));
+    let case = Case {
+        patience: 4.0,
+        ..case(1000)
+    };
+    moves("two mirrors", scene, expression, case);
 }
 
 /// A block moves behind a pane that also shows the front of it.
@@ -125,7 +134,7 @@ fn block_behind_a_pane() {
     add(&mut scene, "behind", behind, normals, 0.7);
     add_sky(&mut scene);
     let expression = "behind.translate.x + 0.2*mirror.rotate.z";
-    moves("pane", scene, expression, case(900));
+    moves("pane", scene, expression, case(700));
 }
 
 /// A block moves over a polished floor.

@@ -58,8 +58,9 @@ fn opening_lens() {
     let tangent = tangent(&scene, "sensor.aperture_radius");
     let case = Case {
         step: 4e-3,
-        gradient_spp: 500,
-        reference_spp: 1600,
+        gradient_spp: 250,
+        reference_spp: 800,
+        patience: 4.0,
         ..primary()
     };
     agree("aperture", scene, &tangent, case);

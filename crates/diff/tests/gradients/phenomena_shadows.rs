@@ -49,7 +49,8 @@ fn other_walks() {
             scene.clone(),
             &tangent,
             Case {
-                size: 42,
+                size: 32,
+                min_pixels: 500,
                 walk,
                 ..Case::default()
             },
