@@ -7,6 +7,7 @@ use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
 
 use crate::accel::{Accel, MeshChange, WORN_OUT};
+use crate::coincident::may_coincide;
 use crate::crossing::{Crossing, crossings};
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
 use crate::image_space::image_tree;
@@ -25,6 +26,8 @@ pub struct Boundaries {
     edges: Vec<Edge>,
     /// A guess of how large the discontinuity is at each edge that is no silhouette.
     contrasts: Vec<f32>,
+    /// Which edges may lie on others.
+    coincident: Vec<bool>,
     tree: SilhouetteTree,
     /// The same edges in image space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of the sensor's view.
@@ -55,6 +58,7 @@ impl Boundaries {
             ),
             area_emitters: AreaEmitter::all(&accel.scene),
             emitter_edges: emitter_edges(&listed.on_emitters, &accel.mesh.positions),
+            coincident: may_coincide(&listed.edges, &listed.mesh.positions),
             edges: listed.edges,
             contrasts: listed.contrasts,
             positions: listed.mesh.positions,
@@ -87,6 +91,7 @@ impl Boundaries {
                 self.tree = SilhouetteTree::build(&listed.mesh, &listed.edges);
             }
             self.emitter_edges = emitter_edges(&listed.on_emitters, &accel.mesh.positions);
+            self.coincident = may_coincide(&listed.edges, &listed.mesh.positions);
             self.edges = listed.edges;
             self.contrasts = listed.contrasts;
             self.positions = listed.mesh.positions;
@@ -120,6 +125,11 @@ impl Boundaries {
         &self.edges[edge as usize]
     }
 
+    /// False if an edge certainly lies on no part of another one.
+    pub fn may_coincide(&self, edge: u32) -> bool {
+        self.coincident[edge as usize]
+    }
+
     /// A guess of how large the discontinuity is at an edge, above 0 and at most 1: it is 1
     /// at silhouettes as seen from the viewpoint and at shading discontinuities.
     pub fn contrast(&self, edge: u32, mesh: &Mesh, viewpoint: Vec3) -> f64 {
@@ -140,14 +150,13 @@ impl Boundaries {
         self.positions[point as usize]
     }
 
-    /// The edges in a cone with their ends, sorted by their numbers, so that the order does
-    /// not depend on how the tree was built.
-    pub fn gather(&self, query: &ConeQuery) -> Vec<(u32, [Vec3; 2])> {
-        let mut found = Vec::new();
+    /// The edges in a cone with their ends, by their numbers: the order must not tell how
+    /// the tree came about. `found` is memory.
+    pub fn gather(&self, query: &ConeQuery, found: &mut Vec<(u32, [Vec3; 2])>) {
+        found.clear();
         self.tree
             .gather(query, |edge, ends| found.push((edge, ends)));
         found.sort_unstable_by_key(|&(edge, _)| edge);
-        found
     }
 
     /// The edges in a tree.

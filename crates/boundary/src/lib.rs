@@ -15,6 +15,7 @@ mod accel;
 mod boundaries;
 mod boundary_sample;
 mod clip;
+mod coincident;
 mod crossing;
 mod draw;
 mod emitter_edge;

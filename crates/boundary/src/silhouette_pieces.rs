@@ -4,8 +4,11 @@
 //! chosen by a weight that does not depend on any velocity, and a direction on it
 //! uniformly by angle.
 
+use capwalk_geometry::Sides;
 use capwalk_math::{Real, Vec3, sphere};
+use capwalk_scene::EmitterId;
 
+use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 
 /// Angle between an edge and the rays that are traced beside it, radians: a million times
@@ -35,11 +38,15 @@ struct Piece {
 pub struct SilhouettePieces {
     pieces: Vec<Piece>,
     total: f64,
+    /// True if the viewpoint is a fixed one, which may lie in the plane of two edges.
+    from_one_place: bool,
 }
 
 /// A sampled point of an edge, as seen from the viewpoint.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgePoint {
+    /// Which edge.
+    edge: u32,
     /// The ends of the edge, points of the boundaries.
     points: [u32; 2],
     /// Position between them.
@@ -57,6 +64,10 @@ pub struct EdgePoint {
 
 // Edges that are seen less than [`BESIDE`] apart count as coincident: the rays beside one
 // of them pass all of them, and see the sum of their discontinuities.
+
+/// Least sine of an angle between a face and the view, or its projection and its edge, for
+/// which rays beside the edge hit it or pass it as they should.
+const CLEARLY: f64 = 1e-4;
 
 /// Largest sine of the angle between coincident edges.
 const PARALLEL: f64 = 1e-6;
@@ -89,6 +100,21 @@ pub fn place([from, to]: [f64; 2], [near, far]: [f64; 2], part: f64) -> f64 {
 }
 
 impl SilhouettePieces {
+    /// None yet, for the camera: its viewpoint is no random one, and may lie in the plane of
+    /// two edges, which then coincide there.
+    pub fn of_camera() -> Self {
+        Self {
+            from_one_place: true,
+            ..Self::default()
+        }
+    }
+
+    /// Takes all pieces away.
+    pub fn clear(&mut self) {
+        self.pieces.clear();
+        self.total = 0.0;
+    }
+
     /// Adds a piece of an edge. One whose weight is not above 0 is never sampled.
     pub fn push(&mut self, edge: u32, range: [f64; 2], weight: f64) {
         // False for NaN.
@@ -136,6 +162,7 @@ impl SilhouettePieces {
         let offset = a + along * t;
         let distance = offset.length();
         Some(EdgePoint {
+            edge: piece.edge,
             points: boundaries.edge(piece.edge).vertices,
             t,
             direction: offset / distance,
@@ -152,6 +179,10 @@ impl SilhouettePieces {
         let [a, b] = boundaries.ends(edge).map(|p| p - viewpoint);
         let normal = a.cross(b).normalized();
         let along = normal.cross(q);
+        // Seen from all places but a few, edges coincide only where they do in space.
+        if !self.from_one_place && !boundaries.may_coincide(edge) {
+            return 1.0;
+        }
         let is_there = |other: &&Piece| {
             if other.edge == edge {
                 return false;
@@ -180,6 +211,42 @@ impl EdgePoint {
     /// before it.
     pub fn sides(&self) -> [Vec3; 2] {
         beside(self.direction, self.normal)
+    }
+
+    /// The one of [`EdgePoint::sides`] on which, seen from the viewpoint, a surface that is
+    /// no part of the emitter begins at the edge; `None` if that is not certain.
+    pub fn covered_side(
+        &self,
+        boundaries: &Boundaries,
+        accel: &Accel,
+        viewpoint: Vec3,
+        emitter: EmitterId,
+    ) -> Option<usize> {
+        let edge = boundaries.edge(self.edge);
+        let Sides::Between { faces, .. } = edge.sides else {
+            return None;
+        };
+        // Both faces must be clearly seen, from different sides: then they fold here, and
+        // lie on the same side of the edge.
+        let mut seen = [0.0; 2];
+        let mut beside = [0.0; 2];
+        for (i, face) in faces.into_iter().enumerate() {
+            let shape = accel.shape_of_face[face as usize];
+            if accel.scene.shape(shape).emitter == Some(emitter) {
+                return None;
+            }
+            let cross = accel.mesh.face_cross(face as usize).normalized();
+            seen[i] = cross.dot(self.direction);
+            let corners = accel.mesh.faces[face as usize];
+            let third = corners
+                .into_iter()
+                .find(|corner| !edge.vertices.contains(corner))?;
+            let offset = accel.mesh.positions[third as usize] - viewpoint;
+            beside[i] = self.normal.dot(offset.normalized());
+        }
+        let is_clear = seen.iter().chain(&beside).all(|x| x.abs() > CLEARLY);
+        let same_side = beside[0] * beside[1] > 0.0;
+        (is_clear && same_side).then_some(usize::from(beside[0] > 0.0))
     }
 
     /// `(u_edge - u)·n` over the density of the point: a number of value zero with this

@@ -91,6 +91,10 @@ impl<'a> GradientWork<'a> {
         #[cfg(feature = "paper")]
         capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
         let eval = Forward::new(field, tangent);
+        let eval = match options.blind {
+            true => eval.blind(),
+            false => eval,
+        };
         let turns = tangent.shapes.iter().any(Option::is_some);
         refuse_cut_normals(scene, turns || eval.moves(), is_asked_for)?;
         if eval.moves() {

@@ -7,6 +7,9 @@ use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{Scene, Tangent, TextureId};
 use capwalk_walk::WalkSettings;
 
+use crate::adjoint::Wanted;
+use crate::reverse_eval::speed_of_what_may_move;
+
 /// A number and its derivative with respect to the parameter.
 pub type D = Dual<1>;
 
@@ -21,6 +24,8 @@ pub struct Forward<'a> {
     /// Velocities of each shape's shading normals, where it has any.
     normals: Vec<Option<Vec<Vec3>>>,
     boundaries_move: bool,
+    /// If sampling is to know no velocity: which points of the boundaries may move.
+    blind: Option<Vec<bool>>,
 }
 
 impl<'a> Forward<'a> {
@@ -49,6 +54,17 @@ impl<'a> Forward<'a> {
             boundaries_move: points.iter().any(|&v| v != Vec3::zero()),
             points,
             normals,
+            blind: None,
+        }
+    }
+
+    /// Samples like reverse mode, which knows no velocity.
+    pub fn blind(self) -> Self {
+        let wanted = Wanted::by(self.tangent);
+        let points = wanted.points(self.accel, self.field.boundaries);
+        Self {
+            blind: Some(points),
+            ..self
         }
     }
 
@@ -96,6 +112,15 @@ impl SceneEval<D> for Forward<'_> {
     fn boundary_point(&self, index: u32) -> Vec3<D> {
         let position = self.field.boundaries.position(index);
         position.with_tangent(self.points[index as usize])
+    }
+    #[inline]
+    fn speed(&self, [a, b]: [u32; 2], t: f64, viewpoint: Vec3<D>, normal: Vec3) -> f64 {
+        if let Some(wanted) = &self.blind {
+            return speed_of_what_may_move(wanted, [a, b], viewpoint);
+        }
+        let [a, b] = [a, b].map(|i| self.points[i as usize]);
+        let velocity = a + (b - a) * t - viewpoint.tangent(0);
+        velocity.dot(normal).abs()
     }
     #[inline]
     fn is_still(&self, viewpoint: &Viewpoint<D>) -> bool {

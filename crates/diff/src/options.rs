@@ -17,6 +17,9 @@ pub struct GradientOptions {
     /// The cells that the samples are cut into. In reverse mode the spread of its batches
     /// gives the standard errors.
     pub grid: Grid,
+    /// Whether sampling in forward mode may not know how fast edges move, as in reverse
+    /// mode, so that both take the same samples: for comparisons of the two.
+    pub blind: bool,
     /// The walk that builds the velocity field, for methods that walk.
     pub walk: WalkSettings,
 }
@@ -35,6 +38,7 @@ impl From<RenderOptions> for GradientOptions {
             spp,
             seed,
             grid,
+            blind: false,
             method: Method::default(),
             walk: WalkSettings::default(),
         }

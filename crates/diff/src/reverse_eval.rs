@@ -208,6 +208,10 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         self.variables(wanted, value, Origin::Scene(Target::Point(index)))
     }
     #[inline]
+    fn speed(&self, ends: [u32; 2], _: f64, viewpoint: Vec3<Var<'t>>, _: Vec3) -> f64 {
+        speed_of_what_may_move(self.points, ends, viewpoint)
+    }
+    #[inline]
     fn is_still(&self, _: &Viewpoint<Var<'t>>) -> bool {
         !self.wanted.geometry()
     }
@@ -253,4 +257,15 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         let direction = self.warped(viewpoint, q, warp, false);
         direction.unwrap_or_else(|| Vec3::constant(q))
     }
+}
+
+/// What sampling takes for the speed of an edge where no velocity is known: 1 if the edge,
+/// whose ends are points of the boundaries, or the viewpoint may move, otherwise 0.
+pub fn speed_of_what_may_move<R: Real>(
+    may_move: &[bool],
+    ends: [u32; 2],
+    viewpoint: Vec3<R>,
+) -> f64 {
+    let moves = ends.iter().any(|&i| may_move[i as usize]) || !viewpoint.is_constant();
+    f64::from(u8::from(moves))
 }

@@ -15,6 +15,10 @@ use crate::scene_eval::{Primal, SceneEval};
 use crate::surface::emitted_at;
 use crate::vertex::Vertex;
 
+/// Fraction of the distance to an edge by which what hides it must be nearer: more than the
+/// rounding of what meets at the edge.
+const SHORT_OF_EDGE: f64 = 1e-9;
+
 /// An estimate of the emitter-edge term: a number of value zero whose derivative is
 ///
 /// ```text
@@ -90,8 +94,25 @@ pub fn emitted_and_reflected(
     direction: Vec3,
     counts: impl Fn(EmitterId) -> bool,
 ) -> Rgb {
+    emitted_past(accel, vertex, direction, 0.0, counts)
+}
+
+/// The same of what is farther than `distance`; zero if anything is nearer.
+pub fn emitted_past(
+    accel: &Accel,
+    vertex: &Vertex<f64>,
+    direction: Vec3,
+    distance: f64,
+    counts: impl Fn(EmitterId) -> bool,
+) -> Rgb {
     let origin = vertex.position;
     let hit = accel.first_hit(origin, direction);
+    if hit
+        .as_ref()
+        .is_some_and(|hit| hit.t < distance * (1.0 - SHORT_OF_EDGE))
+    {
+        return Rgb::zero();
+    }
     let emitter = emitter_towards(accel, hit.as_ref(), direction);
     let Some(emitter) = emitter.filter(|&emitter| counts(emitter)) else {
         return Rgb::zero();

@@ -96,8 +96,10 @@ pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> Silhou
     };
     let area = support.sides[0].width() * support.sides[1].width();
     let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);
-    let mut pieces = SilhouettePieces::default();
-    for (edge, ends) in boundaries.gather(&query) {
+    let mut pieces = SilhouettePieces::of_camera();
+    let mut gathered = Vec::new();
+    boundaries.gather(&query, &mut gathered);
+    for (edge, ends) in gathered {
         let [a, b] = ends.map(|p| p - view.origin);
         // Clip each edge to the pyramid.
         let Some([from, to]) = clip(&planes, 0.0, [a, b]) else {

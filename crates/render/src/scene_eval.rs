@@ -26,6 +26,12 @@ pub trait SceneEval<R: Real> {
     fn sensor(&self) -> SensorState<R>;
     /// Position of a point of the boundaries; used only if `MOVES`.
     fn boundary_point(&self, index: u32) -> Vec3<R>;
+    /// How fast a point of an edge moves along `normal` against the viewpoint, at least 0,
+    /// world units per unit of the parameter: what sampling weights know of the motion. The
+    /// point divides the edge between two points of the boundaries at the fraction `t`.
+    /// Where no motion is known, as in reverse mode, 1 for what may move. Used only if
+    /// `MOVES`.
+    fn speed(&self, ends: [u32; 2], t: f64, viewpoint: Vec3<R>, normal: Vec3) -> f64;
     /// True if no boundary moves against the viewpoint.
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;
     /// True if curves in the image can move against the rays.
@@ -113,6 +119,10 @@ impl SceneEval<f64> for Primal<'_> {
     #[inline]
     fn boundary_point(&self, index: u32) -> Vec3 {
         self.vertex(index)
+    }
+    #[inline]
+    fn speed(&self, _: [u32; 2], _: f64, _: Vec3, _: Vec3) -> f64 {
+        0.0
     }
     #[inline]
     fn is_still(&self, _: &Viewpoint<f64>) -> bool {

@@ -45,7 +45,10 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
-    let settings = GradientOptions::new(RenderOptions::new(SPP, SEED));
+    let settings = GradientOptions {
+        blind: true,
+        ..GradientOptions::new(RenderOptions::new(SPP, SEED))
+    };
     let forward = gradient(
         &PreparedScene::new(scene.clone()),
         &tangent,

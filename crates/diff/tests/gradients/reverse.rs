@@ -75,8 +75,12 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
     }
 }
 
+/// Both modes take the same samples.
 fn settings(spp: u32) -> GradientOptions {
-    GradientOptions::new(RenderOptions::new(spp, 5))
+    GradientOptions {
+        blind: true,
+        ..GradientOptions::new(RenderOptions::new(spp, 5))
+    }
 }
 
 fn reverse(scene: &Scene, wanted: &Wanted, spp: u32) -> Backward {

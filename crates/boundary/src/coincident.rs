@@ -1,0 +1,160 @@
+//! Edges that lie on each other in space.
+
+use capwalk_geometry::Edge;
+use capwalk_math::Vec3;
+
+/// Difference of lines, as a fraction of the scene's size, up to which they may be the
+/// same: more than rounding.
+const SAME_LINE: f64 = 1e-7;
+
+/// Weights of the numbers of a line in its key. Any will do that are in no simple ratio:
+/// fractional parts of multiples of the golden ratio.
+const KEY: [f64; 9] = [
+    0.618, 0.236, 0.854, 0.472, 0.090, 0.708, 0.326, 0.944, 0.562,
+];
+
+/// An edge on its line.
+struct OnLine {
+    edge: usize,
+    /// Equal for edges on the same line, and for hardly any others.
+    key: f64,
+    /// Where it starts and ends along the line, world units.
+    range: [f64; 2],
+}
+
+/// For each edge, whether it may lie on a part of another one. Never false if it does; in
+/// rare cases true if it does not.
+pub fn may_coincide(edges: &[Edge], positions: &[Vec3]) -> Vec<bool> {
+    let ends = |edge: &Edge| edge.vertices.map(|i| positions[i as usize]);
+    let size = |p: Vec3| p.x.abs().max(p.y.abs()).max(p.z.abs());
+    let sizes = edges.iter().flat_map(ends).map(size);
+    let scale = sizes.fold(f64::MIN_POSITIVE, f64::max);
+    // Sort by lines: edges of one line are neighbours then.
+    let on_lines = edges.iter().enumerate();
+    let mut on_lines: Vec<OnLine> = on_lines
+        .filter_map(|(edge, what)| on_line(edge, ends(what), scale))
+        .collect();
+    on_lines.sort_unstable_by(|a, b| a.key.total_cmp(&b.key));
+    let mut found = vec![false; edges.len()];
+    for line in on_lines.chunk_by_mut(|a, b| b.key - a.key <= SAME_LINE) {
+        // Along each line, compare each edge with those that have not ended before it starts.
+        line.sort_unstable_by(|a, b| a.range[0].total_cmp(&b.range[0]));
+        let mut open: Vec<&OnLine> = Vec::new();
+        for next in &*line {
+            open.retain(|before| before.range[1] > next.range[0] + SAME_LINE * scale);
+            for before in &open {
+                found[before.edge] = true;
+                found[next.edge] = true;
+            }
+            open.push(next);
+        }
+    }
+    found
+}
+
+/// `None` for an edge without length.
+fn on_line(edge: usize, [a, b]: [Vec3; 2], scale: f64) -> Option<OnLine> {
+    let along = b - a;
+    let length = along.length();
+    if length == 0.0 {
+        return None;
+    }
+    // Both orders of the ends give the same line: the direction with its first large
+    // component above 0.
+    let [x, y, z] = along.to_array();
+    let large = |c: &f64| c.abs() >= 0.5 * length;
+    let sign = [x, y, z].into_iter().find(large).unwrap_or(1.0).signum();
+    let d = along * (sign / length);
+    // The point of the line closest to the origin.
+    let foot = (a - d * a.dot(d)) / scale;
+    let numbers = [
+        d.x * d.x,
+        d.y * d.y,
+        d.x * d.y,
+        d.y * d.z,
+        d.z * d.x,
+        d.z * d.z,
+        foot.x,
+        foot.y,
+        foot.z,
+    ];
+    let key = numbers.iter().zip(KEY).map(|(x, w)| x * w).sum();
+    let [s, t] = [a, b].map(|p| p.dot(d));
+    Some(OnLine {
+        edge,
+        key,
+        range: [s.min(t), s.max(t)],
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use capwalk_geometry::Sides;
+
+    fn found(segments: &[[[f64; 3]; 2]]) -> Vec<bool> {
+        let positions: Vec<Vec3> = segments.iter().flatten().map(|&p| p.into()).collect();
+        let edges: Vec<Edge> = (0..segments.len() as u32)
+            .map(|i| Edge {
+                vertices: [2 * i, 2 * i + 1],
+                sides: Sides::Open,
+                groups: 1,
+            })
+            .collect();
+        may_coincide(&edges, &positions)
+    }
+
+    /// Edges that overlap along a line, in either order of their ends; not those that
+    /// follow each other on it, run beside it, or cross it.
+    #[test]
+    fn overlaps_are_found() {
+        let at = |t: f64| [0.3 - 0.7 * t, 1.1 * t, 0.2 + 0.4 * t];
+        let beside = |t: f64| [0.3 - 0.7 * t, 1.1 * t + 1e-4, 0.2 + 0.4 * t];
+        let segments = [
+            [at(0.0), at(1.0)],
+            [at(0.5), at(2.0)],
+            [at(2.0), at(3.0)],
+            [at(4.0), at(3.5)],
+            [at(3.4), at(4.5)],
+            [beside(0.0), beside(5.0)],
+            [at(0.2), beside(0.9)],
+            [at(7.0), at(7.0)],
+        ];
+        let expected = [true, true, false, true, true, false, false, false];
+        assert_eq!(found(&segments), expected);
+    }
+
+    /// Every overlap among many edges on few lines, by brute force.
+    #[test]
+    fn overlaps_are_those_of_brute_force() {
+        let number = |i: usize| ((i as f64 * 12.9898).sin() * 43758.5453).fract().abs();
+        let mut segments = Vec::new();
+        let mut places = Vec::new();
+        for i in 0..600 {
+            let line = i % 40;
+            let d = [0, 1, 2].map(|k| number(7 * line + k) - 0.5);
+            let o = [3, 4, 5].map(|k| number(7 * line + k));
+            let from = 20.0 * number(1000 + i);
+            let to = from + 0.5 * number(5000 + i) + 0.01;
+            let at = |t: f64| [0, 1, 2].map(|k| o[k] + t * d[k]);
+            let ends = if i % 3 == 0 {
+                [at(from), at(to)]
+            } else {
+                [at(to), at(from)]
+            };
+            segments.push(ends);
+            places.push((line, from, to));
+        }
+        let expected: Vec<bool> = (0..600)
+            .map(|i| {
+                let (line, from, to) = places[i];
+                (0..600).any(|k| {
+                    let (other, a, b) = places[k];
+                    k != i && other == line && a < to && from < b
+                })
+            })
+            .collect();
+        assert!(expected.contains(&true) && expected.contains(&false));
+        assert_eq!(found(&segments), expected);
+    }
+}
