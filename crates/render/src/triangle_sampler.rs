@@ -353,6 +353,11 @@ mod tests {
         [0.5, -0.2, 3.0],
     ];
 
+    /// The `i`-th of points that fill the unit square evenly.
+    fn numbers(i: i32) -> [f64; 2] {
+        [0.754_877_666_246_692_8, 0.569_840_290_998_053_3].map(|k| (f64::from(i) * k).fract())
+    }
+
     /// The integral of directions over a triangle on the sphere (Lambert).
     fn mean_direction(corners: [Vec3; 3]) -> Vec3 {
         let q = corners.map(Vec3::normalized);
@@ -377,11 +382,10 @@ mod tests {
                     let own = spherical_triangle::solid_angle(corners);
                     (angle + own, sum + mean_direction(corners))
                 });
-                let n = 300;
+                let n = 100_000;
                 let (mut angle, mut sum) = (0.0, Vec3::zero());
-                for i in 0..n * n {
-                    let u = [i % n, i / n].map(|i| (f64::from(i) + 0.5) / f64::from(n));
-                    let Some(point) = sampler.sample(viewpoint, u) else {
+                for i in 0..n {
+                    let Some(point) = sampler.sample(viewpoint, numbers(i)) else {
                         continue;
                     };
                     let offset = point.position - viewpoint;
@@ -396,7 +400,7 @@ mod tests {
                     );
                     let pdf = sampler.pdf(viewpoint, point.face, point.direction, distance);
                     assert!((pdf / point.pdf - 1.0).abs() < 1e-9, "{name}");
-                    let weight = 1.0 / (point.pdf * f64::from(n * n));
+                    let weight = 1.0 / (point.pdf * f64::from(n));
                     angle += weight;
                     sum += point.direction * weight;
                 }
@@ -413,20 +417,25 @@ mod tests {
     /// by area, the standard deviation is the mean.
     #[test]
     fn densities_are_nearly_uniform() {
-        for ((name, mesh), bound) in meshes().into_iter().zip([1e-12, 0.3, 0.3, 0.3]) {
+        let mut seen = 0;
+        for ((name, mesh), bound) in meshes().into_iter().zip([1e-9, 0.3, 0.3, 0.3]) {
             let sampler = TriangleSampler::new(&mesh);
             for viewpoint in VIEWPOINTS[..2].iter().map(|&p| Vec3::from(p)) {
                 let mut weights = Moments::default();
                 for i in 0..4000 {
-                    let number = |k: f64| (f64::from(i) * k).fract();
-                    let point =
-                        sampler.sample(viewpoint, [number(0.754877666), number(0.569840291)]);
+                    let point = sampler.sample(viewpoint, numbers(i));
                     weights.add(point.map_or(0.0, |point| 1.0 / point.pdf));
                 }
+                // Some are seen from behind.
+                if weights.mean == 0.0 {
+                    continue;
+                }
+                seen += 1;
                 let spread = weights.variance().sqrt() / weights.mean;
                 println!("{name}: {spread}");
                 assert!(spread <= bound, "{name}, {viewpoint:?}: {spread}");
             }
         }
+        assert!(seen >= 6, "only {seen} of 8 are seen");
     }
 }
