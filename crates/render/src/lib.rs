@@ -33,6 +33,7 @@ mod shading;
 mod surface;
 pub mod tiles;
 mod tracer;
+mod triangle_sampler;
 mod vertex;
 
 pub use emitter_sampler::EmitterSampler;

@@ -166,8 +166,8 @@ fn emitter_pdf(
     let chosen = 1.0 / emitters.len() as f64;
     match (&emitters[emitter.0 as usize], hit) {
         (EmitterSampler::Area(triangles), Some(hit)) => {
-            let face_normal = accel.mesh.face_cross(hit.face as usize).normalized();
-            chosen * triangles.solid_angle_pdf(hit.t, face_normal.dot(direction))
+            let face = hit.face - accel.emitter_face(emitter, 0);
+            chosen * triangles.pdf(vertex.position, face, direction, hit.t)
         }
         (EmitterSampler::Environment(table), _) => chosen * map_pdf(table.as_ref(), direction),
         (EmitterSampler::Constant, _) => {
@@ -180,8 +180,8 @@ fn emitter_pdf(
 /// An emitter seen at a smaller cosine is seen from its own plane, up to rounding.
 const IN_ITS_PLANE: f64 = 1e-12;
 
-/// Draws an emitter uniformly and a direction towards it: a uniform point of a
-/// emitter, or a direction to the environment; with its density, and no weight
+/// Draws an emitter uniformly and a direction towards it: to a point of an area
+/// emitter, or to the environment; with its density, and no weight
 /// yet. `None` if it is occluded or seen from behind.
 fn sample_emitter(
     accel: &Accel,
@@ -201,26 +201,19 @@ fn sample_emitter(
     let is_free = |direction: Vec3| accel.first_hit(position, direction).is_none();
     let (direction, hit, pdf) = match &emitters[index] {
         EmitterSampler::Area(triangles) => {
-            let point = triangles.sample(u);
-            let offset = point.position - position;
-            let distance = offset.length();
-            let direction = offset / distance;
-            let cos_l = -point.normal.dot(direction);
-            let lit =
-                cos_l > IN_ITS_PLANE && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
+            let point = triangles.sample(position, u)?;
+            let direction = point.direction;
+            let lit = -point.normal.dot(direction) > IN_ITS_PLANE
+                && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
             if !lit || !accel.visible(position, point.position) {
                 return None;
             }
             let hit = Hit {
-                t: distance,
+                t: (point.position - position).length(),
                 face: accel.emitter_face(emitter, point.face),
                 barycentric: point.barycentric,
             };
-            (
-                direction,
-                Some(hit),
-                triangles.solid_angle_pdf(distance, cos_l),
-            )
+            (direction, Some(hit), point.pdf)
         }
         EmitterSampler::Constant => {
             let local = sample_environment(vertex, u);

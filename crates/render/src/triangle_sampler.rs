@@ -1,0 +1,441 @@
+//! Sampling of directions towards a mesh, nearly in proportion to solid angle: a tree of its
+//! triangles is descended by how large its parts are seen, and a triangle is sampled
+//! uniformly by solid angle. The time grows with the logarithm of the triangles.
+
+use std::ops::Range;
+
+use capwalk_geometry::Mesh;
+use capwalk_math::{Vec3, spherical_triangle};
+
+/// Triangles in a leaf: among so few, all solid angles are computed.
+const LEAF: usize = 4;
+
+/// Triangles seen under less than this, in steradians, are sampled by area: all points of
+/// them are seen nearly alike, and the triangle on the sphere loses digits.
+const SMALL: f64 = 1e-6;
+
+/// A mesh, sampled as it is seen. Indices are the mesh's own.
+#[derive(Clone, Debug)]
+pub struct TriangleSampler {
+    corners: Vec<[Vec3; 3]>,
+    /// The triangles in the order of the tree's leaves.
+    order: Vec<u32>,
+    /// Where each triangle is in that order.
+    rank: Vec<u32>,
+    /// The root is the first.
+    nodes: Vec<Node>,
+}
+
+/// Neighbours in the order of triangles, and bounds of them.
+#[derive(Clone, Debug)]
+struct Node {
+    /// Their places in that order.
+    places: Range<usize>,
+    /// The nodes of both halves; none in a leaf.
+    halves: Option<[usize; 2]>,
+    /// A ball around them.
+    centre: Vec3,
+    radius: f64,
+    /// The sum of their areas, with and without their directions.
+    vector_area: Vec3,
+    area: f64,
+    /// A cone of all their normals: its axis, and cosine and sine of its angle.
+    axis: Vec3,
+    cos_spread: f64,
+    sin_spread: f64,
+}
+
+/// A point sampled on a mesh.
+#[derive(Clone, Copy, Debug)]
+pub struct TrianglePoint {
+    /// Unit direction to it.
+    pub direction: Vec3,
+    /// World-space position.
+    pub position: Vec3,
+    /// Unit normal.
+    pub normal: Vec3,
+    /// The triangle.
+    pub face: u32,
+    /// Weights of its second and third corner.
+    pub barycentric: [f64; 2],
+    /// Density per solid angle of its direction.
+    pub pdf: f64,
+}
+
+impl TriangleSampler {
+    /// A sampler of all triangles of a mesh.
+    pub fn new(mesh: &Mesh) -> Self {
+        let count = mesh.faces.len();
+        let corners: Vec<[Vec3; 3]> = (0..count).map(|face| mesh.corners(face)).collect();
+        let mut order: Vec<u32> = (0..count as u32).collect();
+        let mut nodes = Vec::new();
+        add_node(&corners, &mut order, 0..count, &mut nodes);
+        let mut rank = vec![0; count];
+        for (place, &face) in order.iter().enumerate() {
+            rank[face as usize] = place as u32;
+        }
+        Self {
+            corners,
+            order,
+            rank,
+            nodes,
+        }
+    }
+
+    /// A point that is seen from the front, and its density. `None` if there is none where
+    /// the random numbers lead.
+    pub fn sample(&self, viewpoint: Vec3, [mut u, v]: [f64; 2]) -> Option<TrianglePoint> {
+        // Descend by how large the halves are seen, and use the random number again.
+        let mut node = &self.nodes[0];
+        let mut chosen = 1.0;
+        while let Some(halves) = node.halves {
+            let shares = self.shares(halves, viewpoint)?;
+            let half = usize::from(u >= shares[0]);
+            u = match half {
+                0 => u / shares[0],
+                _ => (u - shares[0]) / shares[1],
+            };
+            chosen *= shares[half];
+            node = &self.nodes[halves[half]];
+        }
+        // Choose a triangle of the leaf by its solid angle.
+        let solid_angles = self.solid_angles(node, viewpoint);
+        let total: f64 = solid_angles.iter().sum();
+        let mut rest = u * total;
+        let mut found = None;
+        for (place, angle) in node.places.clone().zip(solid_angles) {
+            if angle > 0.0 {
+                found = Some((place, angle, (rest / angle).min(1.0)));
+                if rest < angle {
+                    break;
+                }
+                rest -= angle;
+            }
+        }
+        let (place, angle, u) = found?;
+        self.point(self.order[place], viewpoint, angle, chosen / total, [u, v])
+    }
+
+    /// A point of a triangle that is seen under `solid_angle` and is chosen with the density
+    /// `chosen` times that.
+    fn point(
+        &self,
+        face: u32,
+        viewpoint: Vec3,
+        solid_angle: f64,
+        chosen: f64,
+        u: [f64; 2],
+    ) -> Option<TrianglePoint> {
+        let corners = self.corners[face as usize].map(|p| p - viewpoint);
+        let [a, b, c] = corners;
+        let (ab, ac) = (b - a, c - a);
+        let cross = ab.cross(ac);
+        let normal = cross.normalized();
+        if solid_angle < SMALL {
+            // The square root folds the square onto the triangle uniformly.
+            let root = u[0].sqrt();
+            let (wb, wc) = (root * (1.0 - u[1]), root * u[1]);
+            let offset = a + ab * wb + ac * wc;
+            let distance = offset.length();
+            let direction = offset / distance;
+            return Some(TrianglePoint {
+                direction,
+                position: viewpoint + offset,
+                normal,
+                face,
+                barycentric: [wb, wc],
+                pdf: chosen * solid_angle * by_area(cross, distance, direction),
+            });
+        }
+        let direction = spherical_triangle::sample(corners, u);
+        // Where the direction meets the triangle: inside, up to rounding.
+        let t = a.dot(cross) / direction.dot(cross);
+        let inside = direction * t - a;
+        let squared = cross.length_squared();
+        let wb = (inside.cross(ac).dot(cross) / squared).clamp(0.0, 1.0);
+        let wc = (ab.cross(inside).dot(cross) / squared).clamp(0.0, 1.0 - wb);
+        // Not in the plane of a triangle that is seen under an angle.
+        t.is_finite().then(|| TrianglePoint {
+            direction,
+            position: viewpoint + direction * t,
+            normal,
+            face,
+            barycentric: [wb, wc],
+            pdf: chosen,
+        })
+    }
+
+    /// Density per solid angle with which [`TriangleSampler::sample`] draws the direction to a
+    /// point of the front of a triangle.
+    pub fn pdf(&self, viewpoint: Vec3, face: u32, direction: Vec3, distance: f64) -> f64 {
+        let rank = self.rank[face as usize] as usize;
+        let mut node = &self.nodes[0];
+        let mut chosen = 1.0;
+        while let Some(halves) = node.halves {
+            let Some(shares) = self.shares(halves, viewpoint) else {
+                return 0.0;
+            };
+            let half = usize::from(rank >= self.nodes[halves[1]].places.start);
+            chosen *= shares[half];
+            node = &self.nodes[halves[half]];
+        }
+        let solid_angles = self.solid_angles(node, viewpoint);
+        let own = solid_angles[rank - node.places.start];
+        // Nothing draws what is seen from behind, or from its plane.
+        if own == 0.0 {
+            return 0.0;
+        }
+        let chosen = chosen / solid_angles.iter().sum::<f64>();
+        if own < SMALL {
+            let [a, b, c] = self.corners[face as usize];
+            let cross = (b - a).cross(c - a);
+            chosen * own * by_area(cross, distance, direction)
+        } else {
+            chosen
+        }
+    }
+
+    /// Probabilities of two nodes; `None` if nothing of them can be seen from the front.
+    fn shares(&self, halves: [usize; 2], viewpoint: Vec3) -> Option<[f64; 2]> {
+        let seen = halves.map(|i| self.nodes[i].seen(viewpoint));
+        let sum = seen[0] + seen[1];
+        (sum > 0.0).then(|| seen.map(|x| x / sum))
+    }
+
+    fn solid_angles(&self, leaf: &Node, viewpoint: Vec3) -> [f64; LEAF] {
+        let mut found = [0.0; LEAF];
+        for (angle, &face) in found.iter_mut().zip(&self.order[leaf.places.clone()]) {
+            let corners = self.corners[face as usize].map(|p| p - viewpoint);
+            *angle = spherical_triangle::solid_angle(corners);
+        }
+        found
+    }
+}
+
+/// Density per solid angle of a point that is uniform on a triangle, given the cross product
+/// of two of its sides.
+fn by_area(cross: Vec3, distance: f64, direction: Vec3) -> f64 {
+    2.0 * distance * distance / cross.dot(direction).abs()
+}
+
+impl Node {
+    /// Bounds of the triangles at these places of the order.
+    fn new(corners: &[[Vec3; 3]], order: &[u32], places: Range<usize>) -> Self {
+        let faces = || order[places.clone()].iter().map(|&i| corners[i as usize]);
+        let points = || faces().flatten();
+        let low = points().fold(Vec3::splat(f64::INFINITY), Vec3::min);
+        let high = points().fold(Vec3::splat(f64::NEG_INFINITY), Vec3::max);
+        let centre = (low + high) * 0.5;
+        let radius = points().map(|p| (p - centre).length()).fold(0.0, f64::max);
+        let vectors = || faces().map(|[a, b, c]| (b - a).cross(c - a) * 0.5);
+        let vector_area = vectors().fold(Vec3::zero(), |sum, v| sum + v);
+        let area = vectors().map(Vec3::length).sum();
+        // Any axis will do where directions cancel: the cone is all of them then.
+        let axis = Some(vector_area.normalized()).filter(|axis| axis.is_finite());
+        let axis = axis.unwrap_or(Vec3::new(0.0, 0.0, 1.0));
+        // Triangles without area are never seen.
+        let seen = vectors().filter(|v| v.length() > 0.0);
+        let cos = seen.map(|v| axis.dot(v.normalized()));
+        let cos_spread = cos.fold(1.0, f64::min).max(-1.0);
+        Self {
+            places,
+            halves: None,
+            centre,
+            radius,
+            vector_area,
+            area,
+            axis,
+            cos_spread,
+            sin_spread: (1.0 - cos_spread * cos_spread).sqrt(),
+        }
+    }
+
+    /// About the solid angle under which the front of its triangles is seen; 0 only if none
+    /// of it is.
+    fn seen(&self, viewpoint: Vec3) -> f64 {
+        let offset = viewpoint - self.centre;
+        let squared = offset.length_squared();
+        let distance = squared.sqrt();
+        // From inside of the ball all directions are possible.
+        if distance <= self.radius {
+            return 0.25 * self.area / (self.radius * self.radius).max(f64::MIN_POSITIVE);
+        }
+        // Bounds of the cosine between the normals and the way to the viewpoint: the cone of
+        // normals, and for other points than the centre the ball.
+        let cos = (self.axis.dot(offset) / distance).clamp(-1.0, 1.0);
+        let sin = (1.0 - cos * cos).sqrt();
+        let tilt = self.radius / distance;
+        let highest = match cos >= self.cos_spread {
+            true => 1.0,
+            false => cos * self.cos_spread + sin * self.sin_spread + tilt,
+        };
+        let lowest = match cos <= -self.cos_spread {
+            true => -1.0,
+            false => cos * self.cos_spread - sin * self.sin_spread - tilt,
+        };
+        if highest <= 0.0 {
+            0.0
+        } else if lowest >= 0.0 {
+            // All of it is seen from the front: its vector area is what is seen of it.
+            (self.vector_area.dot(offset) / distance).max(0.0) / squared
+        } else {
+            // The mean of what is above 0 if cosines are uniform between the bounds.
+            let [highest, lowest] = [highest.min(1.0), lowest.max(-1.0)];
+            self.area * highest * highest / (2.0 * (highest - lowest) * squared)
+        }
+    }
+}
+
+/// Adds the node of these places and all below it, and returns its number. Each node is
+/// halved along the longest side of the box around its triangles' centres.
+fn add_node(
+    corners: &[[Vec3; 3]],
+    order: &mut [u32],
+    places: Range<usize>,
+    nodes: &mut Vec<Node>,
+) -> usize {
+    let number = nodes.len();
+    nodes.push(Node::new(corners, order, places.clone()));
+    if places.len() > LEAF {
+        let centre = |i: u32| {
+            let [a, b, c] = corners[i as usize];
+            (a + b + c).to_array()
+        };
+        let extent = |axis: usize| {
+            let along = order[places.clone()].iter().map(|&i| centre(i)[axis]);
+            let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                (low.min(x), high.max(x))
+            });
+            high - low
+        };
+        let axis = (0..3).max_by(|&a, &b| extent(a).total_cmp(&extent(b)));
+        let axis = axis.expect("three axes");
+        let middle = places.len() / 2;
+        order[places.clone()].select_nth_unstable_by(middle, |&a, &b| {
+            centre(a)[axis].total_cmp(&centre(b)[axis]).then(a.cmp(&b))
+        });
+        let middle = places.start + middle;
+        let first = add_node(corners, order, places.start..middle, nodes);
+        let second = add_node(corners, order, middle..places.end, nodes);
+        nodes[number].halves = Some([first, second]);
+    }
+    number
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::{Affine, Moments, sphere};
+    use capwalk_scene::primitive::{cube, disk, rectangle, sphere as ball};
+
+    use super::*;
+
+    fn meshes() -> Vec<(&'static str, Mesh)> {
+        let place = Affine::translate(Vec3::new(0.3, -0.2, 1.5))
+            * Affine::rotate(Vec3::new(1.0, 0.4, -0.2), 2.6)
+            * Affine::scale(Vec3::new(0.8, 0.5, 0.7));
+        vec![
+            ("rectangle", rectangle(place).0),
+            ("disk", disk(place).0),
+            ("cube", cube(place).0),
+            (
+                "ball",
+                ball(Affine::IDENTITY, Vec3::new(0.3, -0.2, 1.5), 0.6).0,
+            ),
+        ]
+    }
+
+    /// Far, near, within the ball around some of them, and nearly in a plane of the cube.
+    const VIEWPOINTS: [[f64; 3]; 5] = [
+        [40.0, 10.0, -35.0],
+        [0.2, 0.1, 0.2],
+        [0.9, -0.3, 0.75],
+        [-0.6, 0.4, 1.6],
+        [0.5, -0.2, 3.0],
+    ];
+
+    /// The `i`-th of points that fill the unit square evenly.
+    fn numbers(i: i32) -> [f64; 2] {
+        [0.754_877_666_246_692_8, 0.569_840_290_998_053_3].map(|k| (f64::from(i) * k).fract())
+    }
+
+    /// The integral of directions over a triangle on the sphere (Lambert).
+    fn mean_direction(corners: [Vec3; 3]) -> Vec3 {
+        let q = corners.map(Vec3::normalized);
+        let sides = [(0, 1), (1, 2), (2, 0)].map(|(i, k)| {
+            let angle = sphere::angle_between(q[i], q[k]);
+            q[k].cross(q[i]).normalized() * (0.5 * angle)
+        });
+        sides.into_iter().fold(Vec3::zero(), |sum, side| sum + side)
+    }
+
+    /// Over its density, a sample gives the solid angle of all that is seen from the front,
+    /// and the integral of directions over it; and the density is what `pdf` says.
+    #[test]
+    fn samples_have_their_densities() {
+        for (name, mesh) in meshes() {
+            let sampler = TriangleSampler::new(&mesh);
+            for viewpoint in VIEWPOINTS.map(Vec3::from) {
+                let faces = (0..mesh.faces.len()).map(|face| mesh.corners(face));
+                let seen = faces.map(|corners| corners.map(|p| p - viewpoint));
+                let seen = seen.filter(|c| spherical_triangle::solid_angle(*c) > 0.0);
+                let expected = seen.fold((0.0, Vec3::zero()), |(angle, sum), corners| {
+                    let own = spherical_triangle::solid_angle(corners);
+                    (angle + own, sum + mean_direction(corners))
+                });
+                let n = 100_000;
+                let (mut angle, mut sum) = (0.0, Vec3::zero());
+                for i in 0..n {
+                    let Some(point) = sampler.sample(viewpoint, numbers(i)) else {
+                        continue;
+                    };
+                    let offset = point.position - viewpoint;
+                    let distance = offset.length();
+                    assert!((offset / distance - point.direction).length() < 1e-9);
+                    let [a, b, c] = mesh.corners(point.face as usize);
+                    let [wb, wc] = point.barycentric;
+                    let there = a + (b - a) * wb + (c - a) * wc;
+                    assert!(
+                        (there - point.position).length() < 1e-9 * distance,
+                        "{name}"
+                    );
+                    let pdf = sampler.pdf(viewpoint, point.face, point.direction, distance);
+                    assert!((pdf / point.pdf - 1.0).abs() < 1e-9, "{name}");
+                    let weight = 1.0 / (point.pdf * f64::from(n));
+                    angle += weight;
+                    sum += point.direction * weight;
+                }
+                let error = (angle - expected.0).abs() + (sum - expected.1).length();
+                assert!(
+                    error <= 4e-3 * expected.0,
+                    "{name}, {viewpoint:?}: {error:e}"
+                );
+            }
+        }
+    }
+
+    /// Of a rectangle all directions have the same density, and of a ball nearly so: sampled
+    /// by area, the standard deviation is the mean.
+    #[test]
+    fn densities_are_nearly_uniform() {
+        let mut seen = 0;
+        for ((name, mesh), bound) in meshes().into_iter().zip([1e-9, 0.3, 0.3, 0.3]) {
+            let sampler = TriangleSampler::new(&mesh);
+            for viewpoint in VIEWPOINTS[..2].iter().map(|&p| Vec3::from(p)) {
+                let mut weights = Moments::default();
+                for i in 0..4000 {
+                    let point = sampler.sample(viewpoint, numbers(i));
+                    weights.add(point.map_or(0.0, |point| 1.0 / point.pdf));
+                }
+                // Some are seen from behind.
+                if weights.mean == 0.0 {
+                    continue;
+                }
+                seen += 1;
+                let spread = weights.variance().sqrt() / weights.mean;
+                println!("{name}: {spread}");
+                assert!(spread <= bound, "{name}, {viewpoint:?}: {spread}");
+            }
+        }
+        assert!(seen >= 6, "only {seen} of 8 are seen");
+    }
+}
