@@ -8,7 +8,7 @@ use capwalk_scene::{Scene, Tangent, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::adjoint::Wanted;
-use crate::reverse_eval::speed_of_what_may_move;
+use crate::reverse_eval::likely_speed;
 
 /// A number and its derivative with respect to the parameter.
 pub type D = Dual<1>;
@@ -116,7 +116,7 @@ impl SceneEval<D> for Forward<'_> {
     #[inline]
     fn speed(&self, [a, b]: [u32; 2], t: f64, viewpoint: Vec3<D>, normal: Vec3) -> f64 {
         if let Some(wanted) = &self.blind {
-            return speed_of_what_may_move(wanted, [a, b], viewpoint);
+            return likely_speed(wanted, [a, b]);
         }
         let [a, b] = [a, b].map(|i| self.points[i as usize]);
         let velocity = a + (b - a) * t - viewpoint.tangent(0);

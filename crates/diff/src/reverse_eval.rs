@@ -208,8 +208,8 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         self.variables(wanted, value, Origin::Scene(Target::Point(index)))
     }
     #[inline]
-    fn speed(&self, ends: [u32; 2], _: f64, viewpoint: Vec3<Var<'t>>, _: Vec3) -> f64 {
-        speed_of_what_may_move(self.points, ends, viewpoint)
+    fn speed(&self, ends: [u32; 2], _: f64, _: Vec3<Var<'t>>, _: Vec3) -> f64 {
+        likely_speed(self.points, ends)
     }
     #[inline]
     fn is_still(&self, _: &Viewpoint<Var<'t>>) -> bool {
@@ -259,13 +259,12 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
     }
 }
 
-/// What sampling takes for the speed of an edge where no velocity is known: 1 if the edge,
-/// whose ends are points of the boundaries, or the viewpoint may move, otherwise 0.
-pub fn speed_of_what_may_move<R: Real>(
-    may_move: &[bool],
-    ends: [u32; 2],
-    viewpoint: Vec3<R>,
-) -> f64 {
-    let moves = ends.iter().any(|&i| may_move[i as usize]) || !viewpoint.is_constant();
-    f64::from(u8::from(moves))
+/// What sampling takes for the speed of an edge where no velocity is known, relative to
+/// others: 1 if the edge, whose ends are points of the boundaries, may move, and less if
+/// only the viewpoint can.
+pub fn likely_speed(may_move: &[bool], ends: [u32; 2]) -> f64 {
+    match ends.iter().any(|&i| may_move[i as usize]) {
+        true => 1.0,
+        false => 0.1,
+    }
 }

@@ -5,16 +5,21 @@ use std::f64::consts::PI;
 use crate::sphere::angle_between;
 use crate::vec3::Vec3;
 
+/// A triangle whose plane is closer to the viewpoint than this fraction of its distance
+/// cannot be told from one that is seen from within its plane: more than rounding.
+const IN_ITS_PLANE: f64 = 1e-12;
+
 /// Solid angle of a triangle whose corners lie at these offsets from the viewpoint, which
-/// need not be of unit length; 0 if they are not counterclockwise as seen from there (Van
-/// Oosterom and Strackee 1983). Steradians.
+/// need not be of unit length; 0 if they are not counterclockwise as seen from there, or if
+/// the viewpoint is in their plane (Van Oosterom and Strackee 1983). Steradians.
 #[inline]
 pub fn solid_angle([a, b, c]: [Vec3; 3]) -> f64 {
+    let [la, lb, lc] = [a, b, c].map(Vec3::length);
     // The triple product of the corners, by their differences: small triangles keep their digits.
-    let volume = -a.dot((b - a).cross(c - a));
+    let cross = (b - a).cross(c - a);
+    let volume = -a.dot(cross);
     // False for NaN.
-    if volume > 0.0 {
-        let [la, lb, lc] = [a, b, c].map(Vec3::length);
+    if volume > IN_ITS_PLANE * la.max(lb).max(lc) * cross.length() {
         let denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
         2.0 * volume.atan2(denominator)
     } else {
@@ -78,6 +83,15 @@ mod tests {
         let octant = offsets(TRIANGLES[0]);
         assert!((solid_angle(octant) - PI / 2.0).abs() < 1e-14);
         assert_eq!(solid_angle([octant[0], octant[2], octant[1]]), 0.0);
+        // From a point of the triangle, up to rounding.
+        let around = [[1.1, 0.3, 0.7], [-0.9, 1.3, 0.2], [-0.2, -1.6, -0.9]].map(Vec3::from);
+        let inside = around[0] * 0.3 + around[1] * 0.3 + around[2] * 0.4;
+        for height in [-1e-15, 0.0, 1e-15] {
+            let viewpoint = inside + Vec3::new(height, -height, height);
+            assert_eq!(solid_angle(around.map(|p| p - viewpoint)), 0.0);
+            let [a, b, c] = around.map(|p| p - viewpoint);
+            assert_eq!(solid_angle([a, c, b]), 0.0);
+        }
         let [a, b, c] = offsets(TRIANGLES[1]);
         let cross = (b - a).cross(c - a);
         let (mut sum, n) = (0.0, 1000);

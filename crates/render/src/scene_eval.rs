@@ -29,8 +29,7 @@ pub trait SceneEval<R: Real> {
     /// How fast a point of an edge moves along `normal` against the viewpoint, at least 0,
     /// world units per unit of the parameter: what sampling weights know of the motion. The
     /// point divides the edge between two points of the boundaries at the fraction `t`.
-    /// Where no motion is known, as in reverse mode, 1 for what may move. Used only if
-    /// `MOVES`.
+    /// Where no motion is known, as in reverse mode, a guess. Used only if `MOVES`.
     fn speed(&self, ends: [u32; 2], t: f64, viewpoint: Vec3<R>, normal: Vec3) -> f64;
     /// True if no boundary moves against the viewpoint.
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;

@@ -135,7 +135,7 @@ fn agree_along(name: &str, scene: &Scene, tangent: &Tangent) {
     for method in [Method::Walk, Method::Edges] {
         let settings = GradientOptions {
             method,
-            ..settings(32)
+            ..settings(16)
         };
         agree_by(&format!("{name}, {method:?}"), scene, tangent, &settings);
     }
