@@ -44,14 +44,14 @@ class Budget:
         self.rounds = 1 if quick else 3
         # Runs per round of an image, of a vector of few numbers.
         self.image_runs = 2
-        self.vector_runs = 2 if quick else 6
+        self.vector_runs = 2 if quick else 5
         # Seconds that a run of capwalk takes at least.
-        self.image_seconds = 0.1 if quick else 1.2
-        self.vector_seconds = 0.1 if quick else 0.4
+        self.image_seconds = 0.1 if quick else 0.6
+        self.vector_seconds = 0.1 if quick else 0.3
         # The reference has so many times the samples of its method's own runs.
         self.reference = 4 if quick else 16
         # Samples of a whole image, of each of Mitsuba's budgets.
-        self.forward = [2**14] if quick else [2**16, 2**18, 2**20]
+        self.forward = [2**14] if quick else [2**16, 2**18, 2**19]
         self.reverse = [2**14] if quick else [2**16, 2**18]
         self.picture = [2**16] if quick else [2**18, 2**20]
         # Mitsuba's own defaults, and less.
@@ -354,15 +354,13 @@ def forward(plan, budget, mitsuba, guided):
         Capwalk(plan, gradient(method), image, budget.image_seconds, method=method)
         for method in plan["methods"]
     ]
+    velocities = poses(mitsuba.vertices)["xyz".index(plan["axis"])]
     theirs = []
-    if mitsuba is not None:
-        velocities = poses(mitsuba.vertices)["xyz".index(plan["axis"])]
-        for guiding, (integrator, built) in guided.items():
-            call = lambda spp, seed, i=integrator: mitsuba.forward(i, velocities, spp, seed)
-            theirs += [
-                Mitsuba(call, samples, plan["pixels"], guiding=guiding, guiding_seconds=built)
-                for samples in budget.forward
-            ]
+    for guiding, integrator in guided.items():
+        call = lambda spp, seed, i=integrator: mitsuba.forward(i, velocities, spp, seed)
+        theirs += [
+            Mitsuba(call, samples, plan["pixels"], guiding=guiding) for samples in budget.forward
+        ]
     in_turn(ours + theirs, budget, budget.image_runs)
 
     log("reference")
@@ -393,13 +391,11 @@ def reverse(plan, budget, mitsuba, guided):
         Capwalk(plan, backward(method), read, budget.vector_seconds, method=method)
         for method in plan["methods"]
     ]
-    if mitsuba is not None:
-        for guiding, (integrator, _) in guided.items():
-            call = lambda spp, seed, i=integrator: mitsuba.reverse(i, weights, spp, seed)
-            contestants += [
-                Mitsuba(call, samples, plan["pixels"], guiding=guiding)
-                for samples in budget.reverse
-            ]
+    for guiding, integrator in guided.items():
+        call = lambda spp, seed, i=integrator: mitsuba.reverse(i, weights, spp, seed)
+        contestants += [
+            Mitsuba(call, samples, plan["pixels"], guiding=guiding) for samples in budget.reverse
+        ]
     in_turn(contestants, budget, budget.vector_runs)
 
     log("reference")
@@ -409,6 +405,11 @@ def reverse(plan, budget, mitsuba, guided):
     long = Capwalk(plan, [*backward(method), "--errors"], both, budget.vector_seconds)
     spp = long.long(budget)
     _, (reference, error) = long.call(spp, REFERENCE_SEED, os.cpu_count())
+    if reference.size != len(POSE) + mitsuba.vertices.size:
+        sys.exit(
+            f"{plan['file']}: capwalk and Mitsuba count the vertices of \"{plan['shape']}\" "
+            "differently; expected a mesh file without seams"
+        )
     rows = []
     for contestant in contestants:
         runs = len(contestant.results)
@@ -471,6 +472,23 @@ def picture(plan, budget):
     return {"rows": rows}
 
 
+def derivatives(plan, budget):
+    """Both modes of differentiation."""
+    mitsuba = Derivatives(plan)
+    guided, guiding_seconds = {}, {}
+    for guiding in GUIDINGS:
+        log(f"guiding: {guiding}")
+        guided[guiding], guiding_seconds[guiding] = mitsuba.guided(guiding, budget)
+    log("derivative images")
+    images = forward(plan, budget, mitsuba, guided)
+    log("gradients of a loss")
+    return {
+        "mitsuba_set_up": {"loading": mitsuba.loading, "guiding": guiding_seconds},
+        "forward": images,
+        "reverse": reverse(plan, budget, mitsuba, guided),
+    }
+
+
 def main():
     plan_file, result_file = sys.argv[1:]
     plan = json.loads(pathlib.Path(plan_file).read_text())
@@ -480,33 +498,18 @@ def main():
     for side in ("width", "height"):
         plan[side] = int(film.find(f"integer[@name='{side}']").get("value"))
     plan["pixels"] = plan["width"] * plan["height"]
-    plan["variants"] = ["scalar_rgb"]
-    mitsuba, guided, set_up = None, {}, {}
-    mi.set_variant("scalar_rgb")
-    dr.set_thread_count(1)
-    mi.set_log_level(mi.LogLevel.Error)
-    if plan["llvm"]:
-        plan["variants"].append(VARIANT)
-        mi.set_variant(VARIANT)
-        mi.set_log_level(mi.LogLevel.Error)
-        mitsuba = Derivatives(plan)
-        for guiding in GUIDINGS:
-            log(f"guiding: {guiding}")
-            guided[guiding] = mitsuba.guided(guiding, budget)
-        set_up = {
-            "loading": mitsuba.loading,
-            "guiding": {name: seconds for name, (_, seconds) in guided.items()},
-        }
-    log("derivative images")
     result = {
         "scene": plan["name"],
         "size": [plan["width"], plan["height"]],
         "mitsuba": mi.__version__,
-        "mitsuba_set_up": set_up,
-        "forward": forward(plan, budget, mitsuba, guided),
     }
-    log("gradients of a loss")
-    result["reverse"] = reverse(plan, budget, mitsuba, guided)
+    plan["variants"] = ["scalar_rgb", VARIANT] if plan["llvm"] else ["scalar_rgb"]
+    for variant in plan["variants"]:
+        mi.set_variant(variant)
+        mi.set_log_level(mi.LogLevel.Error)
+    dr.set_thread_count(1)
+    if plan["llvm"]:
+        result.update(derivatives(plan, budget))
     log("images")
     result["picture"] = picture(plan, budget)
     pathlib.Path(result_file).write_text(json.dumps(result, indent=1))

@@ -43,7 +43,8 @@ tasks:
            with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)
   peers    measure how much noise capwalk and Mitsuba leave after a second on one
-           thread, in derivatives and images; with --quick, only see that it works
+           thread, in derivatives and images; with --quick, only see that it works;
+           with --tables, print again what was measured before
            (needs python3, PyPI and LLVM; further arguments: scene names)
 ";
 

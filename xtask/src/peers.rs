@@ -91,14 +91,26 @@ impl Subject {
     }
 }
 
-/// Measures all scenes, or those named; after `--quick` with so few samples that the
-/// numbers mean nothing, to see that everything works.
+/// Measures all scenes, or those named, and prints the tables; with `--quick` with so
+/// few samples that the numbers mean nothing, to see that everything works; with
+/// `--tables` nothing is measured, and the tables are those of earlier runs.
 pub fn run(arguments: &[String]) -> Result<()> {
-    let (quick, names): (Vec<&String>, Vec<&String>) = arguments
+    let (options, names): (Vec<&String>, Vec<&String>) = arguments
         .iter()
-        .partition(|argument| *argument == "--quick");
+        .partition(|argument| argument.starts_with("--"));
+    let (mut quick, mut only_tables) = (false, false);
+    for option in options {
+        match option.as_str() {
+            "--quick" => quick = true,
+            "--tables" => only_tables = true,
+            unknown => bail!("expected --quick, --tables or names of scenes instead of {unknown}"),
+        }
+    }
     let subjects = chosen(&names)?;
     let work = root().join("target/peers");
+    if only_tables {
+        return print_earlier(&subjects, &work);
+    }
     fs::create_dir_all(&work)?;
     let python = environment()?;
     let llvm = llvm();
@@ -111,7 +123,7 @@ pub fn run(arguments: &[String]) -> Result<()> {
         python,
         llvm,
         work,
-        quick: !quick.is_empty(),
+        quick,
     };
 
     println!("--- capwalk and {MITSUBA}, one thread each");
@@ -135,6 +147,31 @@ pub fn run(arguments: &[String]) -> Result<()> {
         failed.join(", ")
     );
     Ok(())
+}
+
+/// The tables of scenes that were measured before.
+fn print_earlier(subjects: &[&Subject], work: &Path) -> Result<()> {
+    let files = subjects
+        .iter()
+        .map(|subject| work.join(format!("{}.json", subject.name)));
+    let results: Vec<Value> = files
+        .filter(|file| file.exists())
+        .map(|file| read(&file))
+        .collect::<Result<_>>()?;
+    ensure!(
+        !results.is_empty(),
+        "no results in {}; measure first, without --tables",
+        work.display()
+    );
+    print!("{}", tables::all(&results, &METHODS));
+    Ok(())
+}
+
+/// What `peers.py` wrote.
+fn read(file: &Path) -> Result<Value> {
+    let text =
+        fs::read_to_string(file).with_context(|| format!("cannot read {}", file.display()))?;
+    serde_json::from_str(&text).with_context(|| format!("{} is no JSON", file.display()))
 }
 
 /// The scenes of these names, or all.
@@ -202,8 +239,7 @@ impl Measure {
         fs::create_dir_all(&kernels)?;
         command.env("DRJIT_CACHE_DIR", &kernels);
         step(name, command)?;
-        let text = fs::read_to_string(&result_file)?;
-        serde_json::from_str(&text).with_context(|| format!("{} is no JSON", result_file.display()))
+        read(&result_file)
     }
 }
 

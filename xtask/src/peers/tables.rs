@@ -14,37 +14,48 @@ const SIGNIFICANT: f64 = 3.0;
 /// Stands behind costs of biased estimates.
 const BIASED: &str = " b";
 
-/// All tables: derivative images, gradients, images, set-up.
+/// All tables: derivative images, gradients, images, set-up. Where Mitsuba has no
+/// derivatives, for want of LLVM, that of images alone.
 pub fn all(results: &[Value], methods: &[&str]) -> String {
+    let with_derivatives: Vec<&Value> = results
+        .iter()
+        .filter(|result| !result["forward"].is_null())
+        .collect();
     let parts = [
         (
             "derivative images, mean squared error × CPU seconds (b: biased with any guiding)",
-            table(results, |result| derivative_images(result, methods)),
+            table(&with_derivatives, |result| {
+                derivative_images(result, methods)
+            }),
         ),
         (
             "relative bias of derivative images",
-            table(results, |result| biases(result, methods)),
+            table(&with_derivatives, |result| biases(result, methods)),
         ),
         (
             "gradients of a loss, mean squared error × CPU seconds: seven numbers of the \
              pose (geometric mean), all vertices (sum)",
-            table(results, |result| gradients(result, methods)),
+            table(&with_derivatives, |result| gradients(result, methods)),
         ),
-        ("images, variance × CPU seconds", table(results, images)),
         (
             "set-up of derivative images, CPU seconds",
-            table(results, set_up),
+            table(&with_derivatives, set_up),
+        ),
+        (
+            "images, variance × CPU seconds",
+            table(&results.iter().collect::<Vec<_>>(), images),
         ),
     ];
-    let text = parts.map(|(title, rows)| format!("\n{title}\n{rows}"));
-    text.concat()
+    let parts = parts.into_iter().filter(|(_, lines)| !lines.is_empty());
+    let texts = parts.map(|(title, lines)| format!("\n{title}\n{lines}"));
+    texts.collect()
 }
 
 /// Cells of a line: heading and content.
 type Cells = Vec<(String, String)>;
 
 /// A line for each scene, under the headings of the first.
-fn table(results: &[Value], line: impl Fn(&Value) -> Cells) -> String {
+fn table(results: &[&Value], line: impl Fn(&Value) -> Cells) -> String {
     let lines: Vec<Cells> = results
         .iter()
         .map(|result| {
@@ -324,10 +335,14 @@ mod tests {
         );
     }
 
-    /// Without LLVM there are no derivatives by Mitsuba.
+    /// Without LLVM there are no derivatives by Mitsuba, nor tables of them.
     #[test]
-    fn what_is_missing_is_a_dash() {
-        let walk = json!({ "program": "capwalk", "method": "walk", "cost": 2.0 });
-        assert_eq!(contents(json!([walk])), ["m", "2.00", "-", "-", "-", "-"]);
+    fn tables_without_rows_are_left_out() {
+        let rows = json!([{ "program": "capwalk", "method": "render", "cost": 2.0 }]);
+        let text = all(&[json!({ "scene": "s", "picture": { "rows": rows } })], &[]);
+        let expected = "\nimages, variance × CPU seconds\n\
+            scene   capwalk   scalar_rgb   ratio   llvm_ad_rgb   ratio\n\
+            s          2.00            -       -             -       -\n";
+        assert_eq!(text, expected);
     }
 }
