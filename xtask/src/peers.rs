@@ -111,6 +111,11 @@ pub fn run(arguments: &[String]) -> Result<()> {
     if only_tables {
         return print_earlier(&subjects, &work);
     }
+    // What means nothing must not replace what does.
+    let work = match quick {
+        true => work.join("quick"),
+        false => work,
+    };
     fs::create_dir_all(&work)?;
     let python = environment()?;
     let llvm = llvm();
