@@ -8,13 +8,16 @@
 //! | `bench` | the benchmarks |
 //! | `soak` | random scenes and damaged files, for a minute each |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
+//! | `peers` | measures capwalk and Mitsuba side by side: noise after a second of one thread |
 
 #[cfg(test)]
 mod code_map;
 mod deviation;
 mod layout;
+mod mitsuba;
 mod package;
 mod parity;
+mod peers;
 mod shell;
 mod soak;
 mod test;
@@ -39,6 +42,10 @@ tasks:
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
            with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)
+  peers    measure how much noise capwalk and Mitsuba leave after a second on one
+           thread, in derivatives and images; with --quick, only see that it works;
+           with --tables, print again what was measured before
+           (needs python3, PyPI and LLVM; further arguments: scene names)
 ";
 
 fn main() -> ExitCode {
@@ -54,6 +61,7 @@ fn main() -> ExitCode {
         "package" => package::run(true),
         "soak" => soak::run(rest),
         "parity" => parity::run(rest),
+        "peers" => peers::run(rest),
         "help" | "--help" | "-h" => {
             print!("{HELP}");
             Ok(())

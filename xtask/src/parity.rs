@@ -9,7 +9,8 @@ use anyhow::{Context, Result, bail, ensure};
 use serde_json::Value;
 
 use crate::deviation::{Deviation, Finding};
-use crate::shell::{cargo, root, step};
+use crate::mitsuba::{MITSUBA, environment};
+use crate::shell::{capwalk, root, step};
 
 /// Samples per pixel of capwalk's picture.
 const SPP: u32 = 1024;
@@ -20,9 +21,6 @@ const MITSUBA_SEEDS: u32 = 16;
 /// Samples per pixel of each of the renderings behind a golden image: with as many
 /// seeds eight times as many as the tests take, so that their own noise rules.
 const GOLDEN_SPP: u32 = 128;
-/// The release compared with.
-const MITSUBA: &str = "mitsuba==3.9.1";
-
 /// Renders every scene of `tests/parity`, or those named, with both programs and
 /// compares; after `--golden`, with Mitsuba alone, into golden images.
 pub fn run(arguments: &[String]) -> Result<()> {
@@ -33,7 +31,7 @@ pub fn run(arguments: &[String]) -> Result<()> {
     let scenes = scenes(names)?;
     let work = root().join("target/parity");
     fs::create_dir_all(&work)?;
-    let python = environment(&work.join("venv"))?;
+    let python = environment()?;
     match golden {
         true => make_golden(&python, &scenes),
         false => compare_all(&python, &scenes, &work),
@@ -58,10 +56,7 @@ fn make_golden(python: &Path, scenes: &[PathBuf]) -> Result<()> {
 }
 
 fn compare_all(python: &Path, scenes: &[PathBuf], work: &Path) -> Result<()> {
-    step(
-        "build",
-        cargo(&["build", "--release", "--package", "capwalk-cli"]),
-    )?;
+    let capwalk = capwalk()?;
 
     println!("--- parity with {MITSUBA}, scalar_rgb");
     let width = scenes.iter().map(|s| stem(s).len()).max().unwrap_or(0);
@@ -72,8 +67,8 @@ fn compare_all(python: &Path, scenes: &[PathBuf], work: &Path) -> Result<()> {
     let mut differing = Vec::new();
     for scene in scenes {
         let name = stem(scene);
-        let result =
-            compare(python, scene, work).with_context(|| format!("scene {}", scene.display()))?;
+        let result = compare(python, &capwalk, scene, work)
+            .with_context(|| format!("scene {}", scene.display()))?;
         let number = |key: &str| result[key].as_f64().unwrap_or(f64::NAN);
         let right = result["right"].as_bool().unwrap_or(false);
         println!(
@@ -139,31 +134,9 @@ fn scenes(names: &[String]) -> Result<Vec<PathBuf>> {
     Ok(scenes)
 }
 
-/// The Python of a virtual environment with Mitsuba, made if there is none.
-fn environment(folder: &Path) -> Result<PathBuf> {
-    let python = folder.join("bin/python");
-    let has_mitsuba = python.exists()
-        && Command::new(&python)
-            .args(["-c", "import mitsuba, numpy"])
-            .status()?
-            .success();
-    if !has_mitsuba {
-        let mut create = Command::new("python3");
-        create.args(["-m", "venv"]).arg(folder);
-        step("virtual environment", create)?;
-        let mut install = Command::new(&python);
-        install.args(["-m", "pip", "install", "--quiet", MITSUBA, "numpy"]);
-        step("install Mitsuba", install)?;
-    }
-    Ok(python)
-}
-
 /// Renders a scene with both and compares.
-fn compare(python: &Path, scene: &Path, work: &Path) -> Result<Value> {
+fn compare(python: &Path, capwalk: &Path, scene: &Path, work: &Path) -> Result<Value> {
     let picture = work.join(format!("{}.npz", stem(scene)));
-    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    let target = root().join(target.unwrap_or_else(|| "target".into()));
-    let capwalk = target.join("release/capwalk");
     let output = Command::new(capwalk)
         .arg("render")
         .arg(scene)

@@ -55,3 +55,12 @@ pub fn step(name: &str, command: Command) -> Result<()> {
     println!("    {name}: {:.0} s", started.elapsed().as_secs_f64());
     Ok(())
 }
+
+/// Builds the command line in release mode, and says where the program is.
+pub fn capwalk() -> Result<PathBuf> {
+    let build = cargo(&["build", "--release", "--package", "capwalk-cli"]);
+    step("build", build)?;
+    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    let target = root().join(target.unwrap_or_else(|| "target".into()));
+    Ok(target.join("release/capwalk"))
+}

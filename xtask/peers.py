@@ -1,0 +1,519 @@
+"""Measures Mitsuba 3 and capwalk on one scene, in turn, with one thread each.
+
+usage: peers.py PLAN.json RESULT.json
+
+The plan is written by peers.rs. Everything is counted in seconds of the processor
+(user and system). A contestant is one program with one method and one number of
+samples; all of them run in turn in each of several rounds, each run with another
+seed. Times are minima, errors are means over all runs.
+
+* capwalk runs as a child process. What does not depend on samples (start, reading,
+  trees) is found from a run with few samples, taken off, and reported apart.
+* Mitsuba runs in this process, `llvm_ad_rgb` after a run to warm up, so that
+  kernels are compiled. Loading, this first run and building the guiding structure
+  are reported apart, although Mitsuba builds the structure anew for every
+  derivative: here it is built once and kept, as if it were amortised. Forward and
+  reverse mode are called directly, without the image that `mi.render` adds.
+"""
+
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as xml
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+VARIANT = "llvm_ad_rgb"
+GUIDINGS = ["none", "grid", "octree"]
+# Samples per pixel from which capwalk's set-up is found.
+FEW = 2
+# Seeds: a run has its own number; the reference shares none of them.
+REFERENCE_SEED = 1_000_003
+
+
+class Budget:
+    """How much is measured."""
+
+    def __init__(self, quick):
+        self.rounds = 1 if quick else 3
+        # Runs per round of an image, of a vector of few numbers.
+        self.image_runs = 2
+        self.vector_runs = 2 if quick else 5
+        # Seconds that a run of capwalk takes at least.
+        self.image_seconds = 0.1 if quick else 0.6
+        self.vector_seconds = 0.1 if quick else 0.3
+        # The reference has so many times the samples of its method's own runs.
+        self.reference = 4 if quick else 16
+        # Samples of a whole image, of each of Mitsuba's budgets.
+        self.forward = [2**14] if quick else [2**16, 2**18, 2**19]
+        self.reverse = [2**14] if quick else [2**16, 2**18]
+        self.picture = [2**16] if quick else [2**18, 2**20]
+        # Mitsuba's own defaults, and less.
+        self.guiding_spp = 16 if quick else 512
+        self.guiding_grid = [100, 100, 100] if quick else [10000, 100, 100]
+
+
+def log(text):
+    print(f"    {text}", file=sys.stderr, flush=True)
+
+
+# Scene files.
+
+CORNERS = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
+CUBE_SIDES = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
+# Primitives as meshes: vertices, and faces that are counted from 1. Mitsuba's
+# rectangle has no vertices to move, its cube has three at each corner.
+MESHES = {
+    "rectangle": ([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [(1, 2, 3, 4)]),
+    "cube": (CORNERS, CUBE_SIDES),
+}
+
+
+def prepare(file, shape_id, size):
+    """Changes a copy of a scene for both programs: the moving shape becomes a mesh
+    if it is a primitive, and the image gets its size."""
+    tree = xml.parse(file)
+    root = tree.getroot()
+    shape = next((s for s in root.iter("shape") if s.get("id") == shape_id), None)
+    if shape is None:
+        sys.exit(f'{file}: expected a shape with the id "{shape_id}"; correct the list in peers.rs')
+    if shape.get("type") in MESHES:
+        vertices, faces = MESHES[shape.get("type")]
+        lines = ["v %g %g %g" % vertex for vertex in vertices]
+        for a, b, c, d in faces:
+            lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
+        mesh = f"{shape_id}-as-mesh.obj"
+        (file.parent / mesh).write_text("\n".join(lines) + "\n")
+        shape.set("type", "obj")
+        xml.SubElement(shape, "string", name="filename", value=mesh)
+        xml.SubElement(shape, "boolean", name="face_normals", value="true")
+    if size is not None:
+        for number in root.find("sensor/film").iter("integer"):
+            name = number.get("name").removeprefix("crop_")
+            if name in size:
+                number.set("value", str(size[name]))
+    tree.write(file)
+
+
+def integrator_of(file):
+    """Mitsuba's integrator for derivatives of a scene that the file renders with
+    `direct` or `path`."""
+    element = xml.parse(file).getroot().find("integrator")
+    if element.get("type") == "direct":
+        return {"type": "direct_projective"}
+    depth = element.find("integer[@name='max_depth']")
+    depth = -1 if depth is None else int(depth.get("value"))
+    return {"type": "prb_projective", "max_depth": depth}
+
+
+# Contestants.
+
+
+class Contestant:
+    """One way to an image or a vector: runs of it, and how long they took."""
+
+    def __init__(self, **about):
+        self.about = about
+        self.results = []
+        self.times = []
+
+    def measure(self, seed):
+        seconds, numbers = self.run(seed)
+        self.times.append(seconds)
+        self.results.append(numbers)
+
+    def row(self, **found):
+        """What there is to say about it."""
+        return {**self.about, "seconds": self.seconds(), **self.set_up(), **found}
+
+
+def in_turn(contestants, budget, runs):
+    for contestant in contestants:
+        contestant.warm_up()
+    seed = 0
+    for _ in range(budget.rounds):
+        for contestant in contestants:
+            for run in range(runs):
+                contestant.measure(seed + run)
+        seed += runs
+
+
+class Capwalk(Contestant):
+    """A command of capwalk, and what is read from its file."""
+
+    def __init__(self, plan, command, read, seconds, **about):
+        super().__init__(program="capwalk", **about)
+        self.start = [plan["capwalk"], command[0], plan["file"], *command[1:]]
+        self.output = os.path.join(plan["folder"], "capwalk.npz")
+        self.read = read
+        self.least = seconds
+        self.few = []
+
+    def call(self, spp, seed, threads=1):
+        """Seconds of the processor, and what was read."""
+        numbers = ["--spp", str(spp), "--seed", str(seed), "--threads", str(threads)]
+        command = [*self.start, *numbers, "-o", self.output]
+        with open(self.output + ".txt", "w+") as text:
+            child = subprocess.Popen(command, stdout=text, stderr=text)
+            _, status, usage = os.wait4(child.pid, 0)
+            child.returncode = os.waitstatus_to_exitcode(status)
+            if child.returncode != 0:
+                text.seek(0)
+                sys.exit(f"{' '.join(command)}\nended with {child.returncode}:\n{text.read()}")
+        return usage.ru_utime + usage.ru_stime, self.read(np.load(self.output))
+
+    def warm_up(self):
+        spp = FEW
+        while spp == FEW or self.call(spp, 0)[0] < self.least:
+            spp *= 2
+        self.about["spp"] = spp
+
+    def long(self, budget):
+        """Samples per pixel of a reference."""
+        self.warm_up()
+        return self.about["spp"] * budget.reference
+
+    def run(self, seed):
+        self.few.append(self.call(FEW, seed)[0])
+        return self.call(self.about["spp"], seed)
+
+    def per_spp(self):
+        return (min(self.times) - min(self.few)) / (self.about["spp"] - FEW)
+
+    def seconds(self):
+        return self.per_spp() * self.about["spp"]
+
+    def set_up(self):
+        return {"set_up": min(self.few) - self.per_spp() * FEW}
+
+
+class Mitsuba(Contestant):
+    """A call of Mitsuba, whose first run is not counted."""
+
+    def __init__(self, call, samples, pixels, **about):
+        spp = max(1, samples // pixels)
+        super().__init__(program="mitsuba", spp=spp, **about)
+        self.call = call
+
+    def run(self, seed):
+        return self.call(self.about["spp"], seed)
+
+    def warm_up(self):
+        self.first = self.run(0)[0]
+
+    def seconds(self):
+        return min(self.times)
+
+    def set_up(self):
+        return {"first_run": self.first - self.seconds()}
+
+
+def timed(work):
+    """Seconds of the processor, and the result as an array."""
+    start = time.process_time()
+    result = np.array(work(), dtype=np.float64)
+    return time.process_time() - start, result
+
+
+class Derivatives:
+    """Derivatives of a scene in Mitsuba when the vertices of one shape move."""
+
+    def __init__(self, plan):
+        mi.set_variant(VARIANT)
+        start = time.process_time()
+        self.scene = mi.load_file(plan["file"])
+        self.params = mi.traverse(self.scene)
+        self.loading = time.process_time() - start
+        self.sensor = self.scene.sensors()[0]
+        self.key = plan["shape"] + ".vertex_positions"
+        if self.key not in self.params:
+            sys.exit(f"{plan['file']}: Mitsuba has no \"{self.key}\"; choose a shape that is a mesh")
+        self.vertices = np.array(self.params[self.key], dtype=np.float64).reshape(-1, 3)
+        self.start = mi.Float(self.vertices.ravel())
+        self.integrator = integrator_of(plan["file"])
+
+    def guided(self, guiding, budget):
+        """The integrator with its guiding structure, built here and kept."""
+        mi.set_variant(VARIANT)
+        integrator = mi.load_dict({**self.integrator, "guiding": guiding})
+        integrator.proj_seed_spp = budget.guiding_spp
+        integrator.guiding_grid_reso = budget.guiding_grid
+        self.attach_vertices()
+        start = time.process_time()
+        integrator.proj_detail.init_indirect_silhouette(self.scene, self.sensor, mi.UInt32(77))
+        dr.eval()
+        dr.sync_thread()
+        seconds = time.process_time() - start
+        integrator.proj_detail.init_indirect_silhouette = lambda *_: None
+        return integrator, seconds
+
+    def attach_vertices(self):
+        vertices = mi.Float(self.start)
+        dr.enable_grad(vertices)
+        self.params[self.key] = vertices
+        self.params.update()
+        return vertices
+
+    def forward(self, integrator, velocities, spp, seed):
+        """The derivative of the image."""
+        mi.set_variant(VARIANT)
+        amount = mi.Float(0.0)
+        dr.enable_grad(amount)
+        self.params[self.key] = self.start + amount * mi.Float(velocities.ravel())
+        self.params.update()
+        dr.forward(amount, dr.ADFlag.ClearEdges)
+        dr.eval(self.params[self.key])
+        dr.sync_thread()
+        arguments = (self.scene, self.params, self.sensor, mi.UInt32(seed), spp)
+        return timed(lambda: dr.detach(integrator.render_forward(*arguments)))
+
+    def reverse(self, integrator, weights, spp, seed):
+        """The gradient of a loss: of the pose, then of all vertices."""
+        mi.set_variant(VARIANT)
+        vertices = self.attach_vertices()
+        weights = mi.TensorXf(weights)
+        dr.eval(vertices, weights)
+        dr.sync_thread()
+
+        def work():
+            integrator.render_backward(
+                self.scene, self.params, weights, self.sensor, mi.UInt32(seed), spp
+            )
+            return dr.grad(vertices)
+
+        seconds, gradient = timed(work)
+        pose = [(motion.ravel() * gradient).sum() for motion in poses(self.vertices)]
+        return seconds, np.concatenate([pose, gradient])
+
+
+# What moves, and the loss.
+
+POSE = [f"{kind}.{axis}" for kind in ("translate", "rotate") for axis in "xyz"] + ["scale"]
+
+
+def poses(vertices):
+    """Velocities of the vertices for each number of the pose, as capwalk defines
+    them: about the centre of the bounding box."""
+    arms = vertices - (vertices.min(axis=0) + vertices.max(axis=0)) / 2
+    axes = np.eye(3)
+    moves = [np.broadcast_to(axis, arms.shape) for axis in axes]
+    return moves + [np.cross(axis, arms) for axis in axes] + [arms]
+
+
+def smooth_weights(height, width):
+    """The derivative of the loss by each pixel and channel."""
+    y, x, channel = np.meshgrid(
+        np.arange(height) / height, np.arange(width) / width, np.arange(3), indexing="ij"
+    )
+    return 1.0 + 0.5 * np.sin(7.0 * x + 2.0 * channel) * np.cos(5.0 * y + 1.0)
+
+
+# Statistics.
+
+
+def variances(results):
+    return np.var(np.stack(results), axis=0, ddof=1)
+
+
+class Reference:
+    """A long derivative image, with the variance of its own."""
+
+    def __init__(self, image, error):
+        self.image = image.astype(np.float64)
+        self.variance = error.astype(np.float64) ** 2
+        self.square = (self.image**2 - self.variance).sum()
+
+    def mean_squared_error(self, results):
+        """Over runs, pixels and channels, without what the reference adds."""
+        squares = [((result - self.image) ** 2).mean() for result in results]
+        return float(np.mean(squares) - self.variance.mean())
+
+    def bias(self, results):
+        """Relative: the projection on the reference, less one, and its error."""
+        sizes = [(result * self.image).sum() / self.square for result in results]
+        own = (self.variance * self.image**2).sum() / self.square**2
+        error = math.sqrt(np.var(sizes, ddof=1) / len(sizes) + own)
+        return {"bias": float(np.mean(sizes) - 1.0), "bias_error": float(error)}
+
+
+# The three parts.
+
+
+def forward(plan, budget, mitsuba, guided):
+    """Derivative images, against a reference."""
+    motion = f"{plan['shape']}.translate.{plan['axis']}"
+    gradient = lambda method: ["gradient", "-p", motion, "--method", method]
+    image = lambda file: file["gradient"].astype(np.float64)
+    ours = [
+        Capwalk(plan, gradient(method), image, budget.image_seconds, method=method)
+        for method in plan["methods"]
+    ]
+    velocities = poses(mitsuba.vertices)["xyz".index(plan["axis"])]
+    theirs = []
+    for guiding, integrator in guided.items():
+        call = lambda spp, seed, i=integrator: mitsuba.forward(i, velocities, spp, seed)
+        theirs += [
+            Mitsuba(call, samples, plan["pixels"], guiding=guiding) for samples in budget.forward
+        ]
+    in_turn(ours + theirs, budget, budget.image_runs)
+
+    log("reference")
+    both = lambda file: (file["gradient"], file["stderr"])
+    method = plan["reference_method"]
+    long = Capwalk(plan, gradient(method), both, budget.image_seconds)
+    spp = long.long(budget)
+    _, estimate = long.call(spp, REFERENCE_SEED, os.cpu_count())
+    reference = Reference(*estimate)
+    rows = []
+    for contestant in ours + theirs:
+        error = reference.mean_squared_error(contestant.results)
+        cost = error * contestant.seconds()
+        found = reference.bias(contestant.results)
+        rows.append(contestant.row(mean_squared_error=error, cost=cost, **found))
+    return {"motion": motion, "reference": {"method": method, "spp": spp}, "rows": rows}
+
+
+def reverse(plan, budget, mitsuba, guided):
+    """The gradient of a weighted sum of pixels."""
+    weights = smooth_weights(plan["height"], plan["width"])
+    adjoint = os.path.join(plan["folder"], "weights.npz")
+    np.savez(adjoint, adjoint=weights)
+    names = [f"{plan['shape']}.{name}" for name in [*POSE, "positions"]]
+    read = lambda file: np.concatenate([file[name].ravel() for name in names])
+    backward = lambda method: ["backward", "--adjoint", adjoint, "--method", method, "-p", *names]
+    contestants = [
+        Capwalk(plan, backward(method), read, budget.vector_seconds, method=method)
+        for method in plan["methods"]
+    ]
+    for guiding, integrator in guided.items():
+        call = lambda spp, seed, i=integrator: mitsuba.reverse(i, weights, spp, seed)
+        contestants += [
+            Mitsuba(call, samples, plan["pixels"], guiding=guiding) for samples in budget.reverse
+        ]
+    in_turn(contestants, budget, budget.vector_runs)
+
+    log("reference")
+    method = plan["reference_method"]
+    errors = lambda file: np.concatenate([file[f"{name}.stderr"].ravel() for name in names])
+    both = lambda file: (read(file), errors(file))
+    long = Capwalk(plan, [*backward(method), "--errors"], both, budget.vector_seconds)
+    spp = long.long(budget)
+    _, (reference, error) = long.call(spp, REFERENCE_SEED, os.cpu_count())
+    if reference.size != len(POSE) + mitsuba.vertices.size:
+        sys.exit(
+            f"{plan['file']}: capwalk and Mitsuba count the vertices of \"{plan['shape']}\" "
+            "differently; expected a mesh file without seams"
+        )
+    rows = []
+    for contestant in contestants:
+        runs = len(contestant.results)
+        variance = variances(contestant.results)
+        means = np.mean(np.stack(contestant.results), axis=0)
+        # What is left of the squared distance of the means when their noise is
+        # taken off is bias, if anything.
+        noise = variance / runs + error**2
+        squares = variance + np.maximum((means - reference) ** 2 - noise, 0.0)
+        pose, vertices = squares[: len(POSE)], squares[len(POSE) :]
+        seconds = contestant.seconds()
+        # The numbers have different units: their geometric mean has no favourite.
+        typical = math.exp(np.log(np.maximum(pose, 1e-300)).mean())
+        rows.append(
+            contestant.row(
+                pose_means=means[: len(POSE)].tolist(),
+                pose_variances=variance[: len(POSE)].tolist(),
+                pose_squared_errors=pose.tolist(),
+                pose_cost=typical * seconds,
+                vertices=vertices.size // 3,
+                vertex_variance=float(variance[len(POSE) :].sum()),
+                vertex_squared_error=float(vertices.sum()),
+                vertex_cost=float(vertices.sum() * seconds),
+            )
+        )
+    about = {
+        "method": method,
+        "spp": spp,
+        "pose": reference[: len(POSE)].tolist(),
+        "pose_errors": error[: len(POSE)].tolist(),
+    }
+    return {"pose": POSE, "reference": about, "rows": rows}
+
+
+def picture(plan, budget):
+    """The image itself."""
+    read = lambda file: file["value"].astype(np.float64)
+    contestants = [Capwalk(plan, ["render"], read, budget.image_seconds, method="render")]
+    for variant in plan["variants"]:
+        mi.set_variant(variant)
+        start = time.process_time()
+        scene = mi.load_file(plan["file"])
+        loading = time.process_time() - start
+
+        def call(spp, seed, variant=variant, scene=scene):
+            mi.set_variant(variant)
+            return timed(lambda: mi.render(scene, spp=spp, seed=seed))
+
+        contestants += [
+            Mitsuba(call, samples, plan["pixels"], variant=variant, loading=loading)
+            for samples in budget.picture
+        ]
+    in_turn(contestants, budget, budget.image_runs)
+    rows = []
+    for contestant in contestants:
+        variance = float(variances(contestant.results).mean())
+        mean = float(np.mean(contestant.results))
+        cost = variance * contestant.seconds()
+        rows.append(contestant.row(mean=mean, variance=variance, cost=cost))
+    return {"rows": rows}
+
+
+def derivatives(plan, budget):
+    """Both modes of differentiation."""
+    mitsuba = Derivatives(plan)
+    guided, guiding_seconds = {}, {}
+    for guiding in GUIDINGS:
+        log(f"guiding: {guiding}")
+        guided[guiding], guiding_seconds[guiding] = mitsuba.guided(guiding, budget)
+    log("derivative images")
+    images = forward(plan, budget, mitsuba, guided)
+    log("gradients of a loss")
+    return {
+        "mitsuba_set_up": {"loading": mitsuba.loading, "guiding": guiding_seconds},
+        "forward": images,
+        "reverse": reverse(plan, budget, mitsuba, guided),
+    }
+
+
+def main():
+    plan_file, result_file = sys.argv[1:]
+    plan = json.loads(pathlib.Path(plan_file).read_text())
+    budget = Budget(plan["quick"])
+    prepare(pathlib.Path(plan["file"]), plan["shape"], plan["size"])
+    film = xml.parse(plan["file"]).getroot().find("sensor/film")
+    for side in ("width", "height"):
+        plan[side] = int(film.find(f"integer[@name='{side}']").get("value"))
+    plan["pixels"] = plan["width"] * plan["height"]
+    result = {
+        "scene": plan["name"],
+        "size": [plan["width"], plan["height"]],
+        "mitsuba": mi.__version__,
+    }
+    plan["variants"] = ["scalar_rgb", VARIANT] if plan["llvm"] else ["scalar_rgb"]
+    for variant in plan["variants"]:
+        mi.set_variant(variant)
+        mi.set_log_level(mi.LogLevel.Error)
+    dr.set_thread_count(1)
+    if plan["llvm"]:
+        result.update(derivatives(plan, budget))
+    log("images")
+    result["picture"] = picture(plan, budget)
+    pathlib.Path(result_file).write_text(json.dumps(result, indent=1))
+
+
+if __name__ == "__main__":
+    main()
