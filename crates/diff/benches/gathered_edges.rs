@@ -1,5 +1,5 @@
 //! Variance and time of derivative images by gathered edges and by walks, side by
-//! side, as `cargo bench -p capwalk-render --bench gathered_edges` prints them.
+//! side, as `cargo bench -p capwalk-diff --bench gathered_edges` prints them.
 //! Words behind `--` choose the scenes whose names have them.
 //!
 //! Variance is that of a sample, averaged over pixels and channels; time is that

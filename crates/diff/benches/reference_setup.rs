@@ -1,5 +1,5 @@
 //! Variance per sample of both estimators in METHOD's reference set-up, as
-//! `cargo bench -p capwalk-render --bench reference_setup` prints it, for
+//! `cargo bench -p capwalk-diff --bench reference_setup` prints it, for
 //! several largest angles, with the time of a sample: estimators are compared
 //! by variance times time.
 

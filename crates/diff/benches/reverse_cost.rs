@@ -1,5 +1,5 @@
 //! What the gradient of a loss costs, as
-//! `cargo bench -p capwalk-render --bench reverse_cost` prints it: the time of a
+//! `cargo bench -p capwalk-diff --bench reverse_cost` prints it: the time of a
 //! sample on one thread, in ratios to the image and to the derivative image
 //! for one parameter, on a mesh of about 250,000 vertices.
 //!

@@ -78,12 +78,11 @@ fn box_in_a_room() {
 fn moving_camera() {
     let scene = deep(visible_cube(), Some(3));
     let tangent = tangent(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
-    agree(
-        "moving camera, indirect",
-        scene,
-        &tangent,
-        visible_case(600),
-    );
+    let case = Case {
+        patience: 4.0,
+        ..visible_case(600)
+    };
+    agree("moving camera, indirect", scene, &tangent, case);
 }
 
 /// A black surface: paths that carry no light carry derivatives.

@@ -26,6 +26,7 @@ fn moving_lens() {
     let case = Case {
         step: 1e-3,
         reference_spp: 1000,
+        patience: 3.0,
         ..primary()
     };
     agree("lens moves", scene, &tangent, case);

