@@ -413,12 +413,12 @@ mod tests {
         }
     }
 
-    /// Of a rectangle all directions have the same density, and of a ball nearly so: sampled
-    /// by area, the standard deviation is the mean.
+    /// Of a rectangle all directions have the same density, and of others roughly: sampled
+    /// by area, a ball has a standard deviation of more than the mean.
     #[test]
     fn densities_are_nearly_uniform() {
         let mut seen = 0;
-        for ((name, mesh), bound) in meshes().into_iter().zip([1e-9, 0.3, 0.7, 0.3]) {
+        for ((name, mesh), bound) in meshes().into_iter().zip([1e-9, 0.3, 0.9, 0.9]) {
             let sampler = TriangleSampler::new(&mesh);
             for viewpoint in VIEWPOINTS[..2].iter().map(|&p| Vec3::from(p)) {
                 let mut weights = Moments::default();
