@@ -3,6 +3,8 @@
 use capwalk_geometry::Edge;
 use capwalk_math::Vec3;
 
+use crate::emitter_edge::SWEEP;
+
 /// Difference of lines, as a fraction of the scene's size, up to which they may be the
 /// same: more than rounding.
 const SAME_LINE: f64 = 1e-7;
@@ -59,11 +61,9 @@ fn on_line(edge: usize, [a, b]: [Vec3; 2], scale: f64) -> Option<OnLine> {
     if length == 0.0 {
         return None;
     }
-    // Both orders of the ends give the same line: the direction with its first large
-    // component above 0.
-    let [x, y, z] = along.to_array();
-    let large = |c: &f64| c.abs() >= 0.5 * length;
-    let sign = [x, y, z].into_iter().find(large).unwrap_or(1.0).signum();
+    // Both orders of the ends give the same line: its direction goes along the sweep. No
+    // component would do, since where it is half of the length, rounding would decide.
+    let sign = along.dot(SWEEP).signum();
     let d = along * (sign / length);
     // The point of the line closest to the origin.
     let foot = (a - d * a.dot(d)) / scale;
@@ -89,6 +89,8 @@ fn on_line(edge: usize, [a, b]: [Vec3; 2], scale: f64) -> Option<OnLine> {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
     use capwalk_geometry::Sides;
 
@@ -122,6 +124,23 @@ mod tests {
         ];
         let expected = [true, true, false, true, true, false, false, false];
         assert_eq!(found(&segments), expected);
+    }
+
+    /// Lines at 60° to an axis, as in things that are turned by 60°: half of the length is
+    /// along it, give or take rounding.
+    #[test]
+    fn overlaps_are_found_at_sixty_degrees() {
+        let (sin, cos) = (PI / 3.0).sin_cos();
+        for d in [[cos, -sin, 0.0], [cos, 0.0, -sin], [0.0, cos, -sin]] {
+            for i in 0..200 {
+                let number = |k: i32| f64::from(7 * i + k).sin();
+                let origin = [1, 2, 3].map(number);
+                let at = |t: f64| [0, 1, 2].map(|k| origin[k] + t * d[k]);
+                let t = [4, 5].map(|k| 3.0 + number(k));
+                let segments = [[at(0.0), at(t[0])], [at(t[1] - 1.0), at(t[0] + t[1])]];
+                assert_eq!(found(&segments), [true, true], "{segments:?}");
+            }
+        }
     }
 
     /// Every overlap among many edges on few lines, by brute force.

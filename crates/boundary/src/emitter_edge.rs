@@ -68,7 +68,7 @@ fn overlap([a, b]: [Vec3; 2], other: [Vec3; 2]) -> Option<[f64; 2]> {
 
 /// A direction that scenes are not aligned with: along it, emitters in a grid have
 /// different coordinates.
-const SWEEP: Vec3 = Vec3::new(0.536_187_1, 0.618_033_9, 0.575_219_3);
+pub const SWEEP: Vec3 = Vec3::new(0.536_187_1, 0.618_033_9, 0.575_219_3);
 
 /// Where other edges lie on each edge, in the order of the others. Only edges whose
 /// shadows on a line overlap are compared.
