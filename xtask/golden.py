@@ -1,4 +1,4 @@
-"""Renders a scene with Mitsuba 3 into a golden picture: what capwalk's own
+"""Renders a scene with Mitsuba 3 into a golden image: what capwalk's own
 pictures are tested against where there is no Mitsuba.
 
 usage: golden.py SCENE.xml GOLDEN.npz SPP SEEDS

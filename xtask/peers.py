@@ -53,7 +53,7 @@ class Budget:
         # Samples of a whole image, of each of Mitsuba's budgets.
         self.forward = [2**14] if quick else [2**16, 2**18, 2**19]
         self.reverse = [2**14] if quick else [2**16, 2**18]
-        self.picture = [2**16] if quick else [2**18, 2**20]
+        self.image = [2**16] if quick else [2**18, 2**20]
         # Mitsuba's own defaults, and less.
         self.guiding_spp = 16 if quick else 512
         self.guiding_grid = [100, 100, 100] if quick else [10000, 100, 100]
@@ -444,7 +444,7 @@ def reverse(plan, budget, mitsuba, guided):
     return {"pose": POSE, "reference": about, "rows": rows}
 
 
-def picture(plan, budget):
+def image(plan, budget):
     """The image itself."""
     read = lambda file: file["value"].astype(np.float64)
     contestants = [Capwalk(plan, ["render"], read, budget.image_seconds, method="render")]
@@ -460,7 +460,7 @@ def picture(plan, budget):
 
         contestants += [
             Mitsuba(call, samples, plan["pixels"], variant=variant, loading=loading)
-            for samples in budget.picture
+            for samples in budget.image
         ]
     in_turn(contestants, budget, budget.image_runs)
     rows = []
@@ -511,7 +511,7 @@ def main():
     if plan["llvm"]:
         result.update(derivatives(plan, budget))
     log("images")
-    result["picture"] = picture(plan, budget)
+    result["image"] = image(plan, budget)
     pathlib.Path(result_file).write_text(json.dumps(result, indent=1))
 
 

@@ -19,7 +19,7 @@ pub struct Deviation {
     brightness: f64,
 }
 
-/// Standard errors of the sum of all differences within which a picture counts
+/// Standard errors of the sum of all differences within which an image counts
 /// as equal by a wide margin; a difference is called one at four.
 const CLEARLY_EQUAL: f64 = 2.0;
 

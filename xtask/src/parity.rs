@@ -12,9 +12,9 @@ use crate::deviation::{Deviation, Finding};
 use crate::mitsuba::{MITSUBA, environment};
 use crate::shell::{capwalk, root, step};
 
-/// Samples per pixel of capwalk's picture.
+/// Samples per pixel of capwalk's image.
 const SPP: u32 = 1024;
-/// Samples per pixel of each of Mitsuba's pictures, and how many there are:
+/// Samples per pixel of each of Mitsuba's images, and how many there are:
 /// enough for an error of its own to a fifth.
 const MITSUBA_SPP: u32 = 64;
 const MITSUBA_SEEDS: u32 = 16;
@@ -101,7 +101,7 @@ fn compare_all(python: &Path, scenes: &[PathBuf], work: &Path) -> Result<()> {
     }
     ensure!(
         differing.is_empty(),
-        "{} differ; see the pictures in {}",
+        "{} differ; see the images in {}",
         differing.join(", "),
         work.display()
     );
@@ -136,13 +136,13 @@ fn scenes(names: &[String]) -> Result<Vec<PathBuf>> {
 
 /// Renders a scene with both and compares.
 fn compare(python: &Path, capwalk: &Path, scene: &Path, work: &Path) -> Result<Value> {
-    let picture = work.join(format!("{}.npz", stem(scene)));
+    let image = work.join(format!("{}.npz", stem(scene)));
     let output = Command::new(capwalk)
         .arg("render")
         .arg(scene)
         .args(["--spp", &SPP.to_string()])
         .arg("-o")
-        .arg(&picture)
+        .arg(&image)
         .output()?;
     if !output.status.success() {
         bail!("capwalk: {}", String::from_utf8_lossy(&output.stderr));
@@ -150,7 +150,7 @@ fn compare(python: &Path, capwalk: &Path, scene: &Path, work: &Path) -> Result<V
     let output = Command::new(python)
         .arg(root().join("xtask/parity.py"))
         .arg(scene)
-        .arg(&picture)
+        .arg(&image)
         .args([MITSUBA_SPP.to_string(), MITSUBA_SEEDS.to_string()])
         .arg(work.join(format!("{}-differs", stem(scene))))
         .output()?;

@@ -1,6 +1,6 @@
 //! Random numbers by address: a number is a function of the seed, the pixel,
 //! the sample and the dimension, never of a thread or of what was drawn
-//! before. So pictures do not depend on scheduling, and two scenes rendered
+//! before. So images do not depend on scheduling, and two scenes rendered
 //! with the same seed share their numbers (finite differences rely on it).
 
 use capwalk_scene::{SamplerKind, Settings};

@@ -157,8 +157,8 @@ pub fn count(accel: &Accel, shape: &Shape) -> f64 {
     }
 }
 
-/// The lines along which textures are discontinuous inside faces, in a fixed order. Shapes with more
-/// than [`MOST_LINES`] are left out: no derivative by motion is taken beside them.
+/// The lines along which textures are discontinuous inside faces, in a fixed order. Shapes
+/// with more than [`MOST_LINES`] are left out: no derivative by motion is taken beside them.
 pub fn texture_lines(accel: &Accel) -> Vec<Crossing> {
     let mut lines = Vec::new();
     for (shape, &first_face) in accel.scene.shapes.iter().zip(&accel.first_face) {

@@ -3,7 +3,7 @@
 //! what is there refitted, and the set-up of a scene of 20,000 shapes.
 //!
 //! A step is an update and a derivative image of 64 × 48 pixels by 8 samples, on one
-//! thread. Ways run in turn in each of several rounds; times are medians over the rounds.
+//! thread. Times are medians over several steps.
 
 use std::fmt::Write;
 use std::time::Instant;

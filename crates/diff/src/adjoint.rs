@@ -83,7 +83,7 @@ impl Wanted {
         self.film |= other.film;
     }
 
-    /// True if curves in the picture depend on something wanted.
+    /// True if curves in the image depend on something wanted.
     pub fn geometry(&self) -> bool {
         let rays_move = self.sensor_origin || self.sensor_axes || self.aperture;
         rays_move || self.shapes.contains(&true)

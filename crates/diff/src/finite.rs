@@ -7,7 +7,7 @@ use capwalk_render::tiles::{self, Averages, Sample};
 use capwalk_render::{GradientImage, Part, PreparedScene, Primal, RenderOptions, Tracer, Watch};
 use capwalk_scene::{Scene, Tangent};
 
-/// The derivative of the picture along `tangent` by central differences over
+/// The derivative of the image along `tangent` by central differences over
 /// `±step`, in units of the parameter. The same random numbers on both sides;
 /// the mean is right up to terms of order `step²`, the variance grows like
 /// `1 / step`. Works for everything that can be rendered; refuses a step that

@@ -1,4 +1,4 @@
-//! The gradient of a loss in reverse mode: from a covector on the picture to
+//! The gradient of a loss in reverse mode: from a covector on the image to
 //! covectors on all parameters, in one pass.
 
 use std::ops::Range;
@@ -25,7 +25,7 @@ use crate::adjoint::{Adjoint, Target, Wanted};
 use crate::options::GradientOptions;
 use crate::reverse_eval::Reverse;
 
-/// The gradient of `Σ adjoint · picture` in all parameters, with errors.
+/// The gradient of `Σ adjoint · image` in all parameters, with errors.
 #[derive(Clone, Debug)]
 pub struct Backward {
     /// Independent estimates, and how many samples they have: the same number unless the
@@ -80,9 +80,9 @@ impl Backward {
     }
 }
 
-/// The gradient of `Σ adjoint · picture` in what is wanted. `adjoint` has the
-/// size of the picture: the derivative of a loss by each pixel's channels.
-/// Draw it from a picture with another seed, or the product is biased.
+/// The gradient of `Σ adjoint · image` in what is wanted. `adjoint` has the
+/// size of the image: the derivative of a loss by each pixel's channels.
+/// Draw it from an image with another seed, or the product is biased.
 ///
 /// One pass over the samples, whatever the number of parameters. The same to
 /// the bit for every number of threads. Refuses what [`crate::gradient`]
@@ -108,7 +108,7 @@ pub struct BackwardWork<'a> {
 }
 
 impl<'a> BackwardWork<'a> {
-    /// The gradient of `Σ adjoint · picture` in what is wanted, see [`backward`].
+    /// The gradient of `Σ adjoint · image` in what is wanted, see [`backward`].
     pub fn new(
         prepared: &'a PreparedScene,
         adjoint: &'a Image,
@@ -145,10 +145,8 @@ impl<'a> BackwardWork<'a> {
     /// The gradient, from all of its parts. The bits are those of [`backward`].
     pub fn finish(&self, parts: Partial<BatchSums>) -> Result<Backward, PartError> {
         let (accel, boundaries) = (self.prepared.accel(), self.prepared.boundaries());
-        let right = |_, sums: &BatchSums| {
-            let zero = Adjoint::zero(&accel.scene, boundaries, &self.wanted);
-            sums.mean.fits(&zero)
-        };
+        let zero = Adjoint::zero(&accel.scene, boundaries, &self.wanted);
+        let right = |_, sums: &BatchSums| sums.mean.fits(&zero);
         let sums = parts.complete(self.fingerprint(), self.grid(), right)?;
         Ok(self.backward(sums)?)
     }

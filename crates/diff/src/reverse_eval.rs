@@ -259,12 +259,15 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
     }
 }
 
+/// What [`likely_speed`] takes for an edge before which only the viewpoint can move.
+const STILL_EDGE: f64 = 0.1;
+
 /// What sampling takes for the speed of an edge where no velocity is known, relative to
 /// others: 1 if the edge, whose ends are points of the boundaries, may move, and less if
 /// only the viewpoint can.
 pub fn likely_speed(may_move: &[bool], ends: [u32; 2]) -> f64 {
     match ends.iter().any(|&i| may_move[i as usize]) {
         true => 1.0,
-        false => 0.1,
+        false => STILL_EDGE,
     }
 }

@@ -1,8 +1,8 @@
-//! What comes back: pictures with standard errors, and counts.
+//! What comes back: images with standard errors, and counts.
 
 use capwalk_scene::Image;
 
-/// An estimated picture and its error.
+/// An estimated image and its error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// Estimated value of each pixel and channel.
@@ -12,19 +12,19 @@ pub struct Estimate {
     pub standard_error: Image,
 }
 
-/// A rendered picture.
+/// A rendered image.
 #[derive(Clone, Debug)]
 pub struct Rendering {
-    /// The picture.
+    /// The image.
     pub value: Estimate,
     /// What was done.
     pub statistics: Statistics,
 }
 
-/// A derivative picture, with the picture that came with it.
+/// A derivative image, with the image that came with it.
 #[derive(Clone, Debug)]
 pub struct GradientImage {
-    /// The picture.
+    /// The image.
     pub value: Estimate,
     /// Its derivative per unit of the parameter.
     pub gradient: Estimate,
@@ -42,7 +42,7 @@ pub struct Statistics {
     pub complete: bool,
     /// Samples in all.
     pub samples: u64,
-    /// Samples that were infinite or NaN. They count as zero in the picture,
+    /// Samples that were infinite or NaN. They count as zero in the image,
     /// so more than a few of them make it wrong.
     pub non_finite: u64,
     /// Closest-silhouette queries answered.
@@ -56,7 +56,7 @@ impl Statistics {
     /// The largest tolerated fraction of non-finite samples.
     pub const NON_FINITE_LIMIT: f64 = 1e-6;
 
-    /// True if there were too many non-finite samples to trust the picture.
+    /// True if there were too many non-finite samples to trust the image.
     pub fn too_many_non_finite(&self) -> bool {
         self.non_finite as f64 > Self::NON_FINITE_LIMIT * self.samples as f64
     }

@@ -150,9 +150,10 @@ thread_local! {
     static MEMORY: RefCell<Memory> = RefCell::default();
 }
 
-/// Cuts the gathered edges into pieces where they are in the window of an emitter. The sampling weight of a piece is
-/// what it contributes if all of it is like its middle: its angle times the largest channel
-/// of BSDF and cosine times the angular speed across the edge.
+/// Cuts the gathered edges into pieces where they are in the window of an emitter. The
+/// sampling weight of a piece is what it contributes if all of it is like its middle: its
+/// angle times the largest channel of BSDF and cosine times the angular speed across the
+/// edge.
 fn weigh<R: Real, W: SceneEval<R>>(
     field: &Field,
     eval: &W,

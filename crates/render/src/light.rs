@@ -177,9 +177,6 @@ fn emitter_pdf(
     }
 }
 
-/// An emitter seen at a smaller cosine is seen from its own plane, up to rounding.
-const IN_ITS_PLANE: f64 = 1e-12;
-
 /// Draws an emitter uniformly and a direction towards it: to a point of an area
 /// emitter, or to the environment; with its density, and no weight
 /// yet. `None` if it is occluded or seen from behind.
@@ -203,9 +200,9 @@ fn sample_emitter(
         EmitterSampler::Area(triangles) => {
             let point = triangles.sample(position, u)?;
             let direction = point.direction;
-            let lit = -point.normal.dot(direction) > IN_ITS_PLANE
-                && (vertex.transmits || direction.dot(vertex.frame.n) > 0.0);
-            if !lit || !accel.visible(position, point.position) {
+            // False for NaN, which the pixel counts.
+            let behind = !vertex.transmits && direction.dot(vertex.frame.n) <= 0.0;
+            if behind || !accel.visible(position, point.position) {
                 return None;
             }
             let hit = Hit {

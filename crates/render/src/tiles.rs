@@ -74,7 +74,7 @@ impl Accumulate for PixelSums {
 
 /// Pixels that a worker takes at a time.
 const CHUNK: usize = 16;
-/// The work is done in at least this many passes over the picture, so that it
+/// The work is done in at least this many passes over the image, so that it
 /// can be stopped with all pixels nearly equally far.
 const PASSES: u32 = 32;
 /// Samples of a pixel in one pass at most (except for a group), so that it can be
@@ -230,14 +230,14 @@ impl Averages {
         }
     }
 
-    /// Three consecutive numbers as a picture with errors.
+    /// Three consecutive numbers as an image with errors.
     pub fn estimate(&self, scene: &Scene, first: usize) -> Estimate {
         let [width, height] = scene.film.crop_size.map(|n| n as usize);
         let pixels = || {
             let bands = self.bands.iter();
             bands.flat_map(|band| band.moments.chunks_exact(self.channels))
         };
-        let picture = |of: fn(&Moments) -> f64| Image {
+        let image = |of: fn(&Moments) -> f64| Image {
             width,
             height,
             pixels: pixels()
@@ -249,8 +249,8 @@ impl Averages {
                 .collect(),
         };
         Estimate {
-            mean: picture(|moments| moments.mean),
-            standard_error: picture(Moments::standard_error),
+            mean: image(|moments| moments.mean),
+            standard_error: image(Moments::standard_error),
         }
     }
 }
@@ -261,7 +261,7 @@ mod tests {
     use crate::options::Unwatched;
 
     /// Samples that are not finite count as zero, are all counted, and never
-    /// reach the picture.
+    /// reach the image.
     #[test]
     fn non_finite_samples_are_counted() {
         let mut scene = capwalk_scene::builtin::scene("leaf").expect("a built-in scene");
@@ -287,9 +287,9 @@ mod tests {
         assert_eq!(statistics.samples, 8 * 6 * 50);
         assert!((share - 0.1).abs() < 0.03, "{share}");
         assert!(statistics.too_many_non_finite() && statistics.complete);
-        let picture = averages.estimate(&scene, 0).mean;
-        assert!(picture.pixels.iter().all(|pixel| pixel.is_finite()));
-        let mean = picture.pixels.iter().map(|pixel| pixel.r).sum::<f64>() / 48.0;
+        let image = averages.estimate(&scene, 0).mean;
+        assert!(image.pixels.iter().all(|pixel| pixel.is_finite()));
+        let mean = image.pixels.iter().map(|pixel| pixel.r).sum::<f64>() / 48.0;
         assert!((mean - (1.0 - share)).abs() < 1e-12, "{mean}");
     }
 }

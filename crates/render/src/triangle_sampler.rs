@@ -52,8 +52,6 @@ pub struct TrianglePoint {
     pub direction: Vec3,
     /// World-space position.
     pub position: Vec3,
-    /// Unit normal.
-    pub normal: Vec3,
     /// The triangle.
     pub face: u32,
     /// Weights of its second and third corner.
@@ -90,9 +88,10 @@ impl TriangleSampler {
         let mut chosen = 1.0;
         while let Some(halves) = node.halves {
             let shares = self.shares(halves, viewpoint)?;
-            let half = usize::from(u >= shares[0]);
+            // Rounding leads to no half of which nothing is seen.
+            let half = usize::from(u >= shares[0] && shares[1] > 0.0);
             u = match half {
-                0 => u / shares[0],
+                0 => (u / shares[0]).min(1.0),
                 _ => (u - shares[0]) / shares[1],
             };
             chosen *= shares[half];
@@ -113,7 +112,7 @@ impl TriangleSampler {
             }
         }
         let (place, angle, u) = found?;
-        self.point(self.order[place], viewpoint, angle, chosen / total, [u, v])
+        Some(self.point(self.order[place], viewpoint, angle, chosen / total, [u, v]))
     }
 
     /// A point of a triangle that is seen under `solid_angle` and is chosen with the density
@@ -125,12 +124,11 @@ impl TriangleSampler {
         solid_angle: f64,
         chosen: f64,
         u: [f64; 2],
-    ) -> Option<TrianglePoint> {
+    ) -> TrianglePoint {
         let corners = self.corners[face as usize].map(|p| p - viewpoint);
         let [a, b, c] = corners;
         let (ab, ac) = (b - a, c - a);
         let cross = ab.cross(ac);
-        let normal = cross.normalized();
         if solid_angle < SMALL {
             // The square root folds the square onto the triangle uniformly.
             let root = u[0].sqrt();
@@ -138,14 +136,13 @@ impl TriangleSampler {
             let offset = a + ab * wb + ac * wc;
             let distance = offset.length();
             let direction = offset / distance;
-            return Some(TrianglePoint {
+            return TrianglePoint {
                 direction,
                 position: viewpoint + offset,
-                normal,
                 face,
                 barycentric: [wb, wc],
-                pdf: chosen * solid_angle * by_area(cross, distance, direction),
-            });
+                pdf: chosen * density(solid_angle, cross, distance, direction),
+            };
         }
         let direction = spherical_triangle::sample(corners, u);
         // Where the direction meets the triangle: inside, up to rounding.
@@ -154,15 +151,13 @@ impl TriangleSampler {
         let squared = cross.length_squared();
         let wb = (inside.cross(ac).dot(cross) / squared).clamp(0.0, 1.0);
         let wc = (ab.cross(inside).dot(cross) / squared).clamp(0.0, 1.0 - wb);
-        // Not in the plane of a triangle that is seen under an angle.
-        t.is_finite().then(|| TrianglePoint {
+        TrianglePoint {
             direction,
             position: viewpoint + direction * t,
-            normal,
             face,
             barycentric: [wb, wc],
-            pdf: chosen,
-        })
+            pdf: chosen * density(solid_angle, cross, t, direction),
+        }
     }
 
     /// Density per solid angle with which [`TriangleSampler::sample`] draws the direction to a
@@ -186,13 +181,9 @@ impl TriangleSampler {
             return 0.0;
         }
         let chosen = chosen / solid_angles.iter().sum::<f64>();
-        if own < SMALL {
-            let [a, b, c] = self.corners[face as usize];
-            let cross = (b - a).cross(c - a);
-            chosen * own * by_area(cross, distance, direction)
-        } else {
-            chosen
-        }
+        let [a, b, c] = self.corners[face as usize];
+        let cross = (b - a).cross(c - a);
+        chosen * density(own, cross, distance, direction)
     }
 
     /// Probabilities of two nodes; `None` if nothing of them can be seen from the front.
@@ -212,10 +203,15 @@ impl TriangleSampler {
     }
 }
 
-/// Density per solid angle of a point that is uniform on a triangle, given the cross product
-/// of two of its sides.
-fn by_area(cross: Vec3, distance: f64, direction: Vec3) -> f64 {
-    2.0 * distance * distance / cross.dot(direction).abs()
+/// How a triangle's point is sampled, as a density per solid angle times the solid angle
+/// under which all of it is seen: 1, but for small triangles, whose points are uniform by
+/// area. `cross` is the cross product of two of its sides.
+fn density(solid_angle: f64, cross: Vec3, distance: f64, direction: Vec3) -> f64 {
+    if solid_angle < SMALL {
+        solid_angle * 2.0 * distance * distance / cross.dot(direction).abs()
+    } else {
+        1.0
+    }
 }
 
 impl Node {

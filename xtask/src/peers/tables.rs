@@ -234,7 +234,7 @@ fn biases(result: &Value, methods: &[&str]) -> Cells {
 }
 
 fn images(result: &Value) -> Cells {
-    let part = &result["picture"];
+    let part = &result["image"];
     let ours = cheapest(rows(part, "capwalk"), "cost").map_or(f64::NAN, |row| number(row, "cost"));
     let mut cells = vec![("capwalk".to_owned(), digits(ours))];
     for variant in ["scalar_rgb", "llvm_ad_rgb"] {
@@ -340,7 +340,7 @@ mod tests {
     #[test]
     fn tables_without_rows_are_left_out() {
         let rows = json!([{ "program": "capwalk", "method": "render", "cost": 2.0 }]);
-        let text = all(&[json!({ "scene": "s", "picture": { "rows": rows } })], &[]);
+        let text = all(&[json!({ "scene": "s", "image": { "rows": rows } })], &[]);
         let expected = "\nimages, variance × CPU seconds\n\
             scene   capwalk   scalar_rgb   ratio   llvm_ad_rgb   ratio\n\
             s          2.00            -       -             -       -\n";

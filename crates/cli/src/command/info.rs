@@ -1,5 +1,7 @@
 //! `capwalk info`: what is in a scene, and what can be differentiated.
 
+use std::fmt::Write;
+
 use anyhow::Result;
 use capwalk::scene::params::{ArrayParameter, Parameter};
 use capwalk::scene::{
@@ -41,6 +43,8 @@ pub fn run(args: &Info) -> Result<Outcome> {
         );
         console::print(&text)?;
     }
+    // The process ends: to free a large scene piece by piece takes a quarter of the time.
+    std::mem::forget((parameters, prepared));
     Ok(Outcome::Done)
 }
 
@@ -285,16 +289,14 @@ fn mark(differentiable: bool) -> &'static str {
 fn table(lines: impl Iterator<Item = Line>) -> String {
     let rows: Vec<Line> = lines.collect();
     let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
-    let widths = [width(0), width(1), width(2)];
-    rows.iter()
-        .map(|[name, flags, value, what]| {
-            let line = format!(
-                "{name:0$}   {flags:1$}   {value:2$}   {what}",
-                widths[0], widths[1], widths[2]
-            );
-            format!("{}\n", line.trim_end())
-        })
-        .collect()
+    let [a, b, c] = [width(0), width(1), width(2)];
+    let mut text = String::new();
+    for [name, flags, value, what] in &rows {
+        write!(text, "{name:a$}   {flags:b$}   {value:c$}   {what}").expect("strings take all");
+        text.truncate(text.trim_end().len());
+        text.push('\n');
+    }
+    text
 }
 
 fn values(values: &[f64]) -> String {

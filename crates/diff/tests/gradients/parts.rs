@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::common::stages::visible_ball;
 use capwalk_diff::{
-    BackwardWork, GradientOptions, GradientWork, Grid, Method, Part, PartError, Partial,
+    BackwardWork, Cell, GradientOptions, GradientWork, Grid, Method, Part, PartError, Partial,
     PreparedScene, RenderOptions, RenderWork, Unwatched, Wanted, Watch, backward, gradient, render,
     with_threads,
 };
@@ -195,6 +195,17 @@ impl Watch for StopsAt {
     }
 }
 
+/// The part that is left of a work that stopped halfway.
+fn missing(grid: Grid, done: &[Cell]) -> Part {
+    let missing: Vec<_> = grid.cells().filter(|cell| !done.contains(cell)).collect();
+    assert!(
+        !done.is_empty() && !missing.is_empty(),
+        "{} cells done",
+        done.len()
+    );
+    Part::cells(grid, &missing).expect("its cells")
+}
+
 /// A part that is stopped has what was finished; the rest is another part.
 #[test]
 fn stopped_work_goes_on() {
@@ -206,14 +217,7 @@ fn stopped_work_goes_on() {
     let grid = work.grid();
     let stop = StopsAt(9 * 7 * 20, 0.into());
     let first = work.part(&Part::whole(grid), &stop).expect("covered");
-    let done = first.cells();
-    let missing: Vec<_> = grid.cells().filter(|cell| !done.contains(cell)).collect();
-    assert!(
-        !done.is_empty() && !missing.is_empty(),
-        "{} cells done",
-        done.len()
-    );
-    let rest = Part::cells(grid, &missing).expect("its cells");
+    let rest = missing(grid, &first.cells());
     let rest = work.part(&rest, &Unwatched).expect("covered");
     let found = work.finish(Partial::merge([rest, first]).expect("one work"));
     let found = found.expect("all cells");
@@ -223,14 +227,7 @@ fn stopped_work_goes_on() {
     let work = RenderWork::new(&prepared, options.sampling());
     let stop = StopsAt(9 * 7 * 20, 0.into());
     let first = work.part(&Part::whole(grid), &stop).expect("its grid");
-    let done = first.cells();
-    let missing: Vec<_> = grid.cells().filter(|cell| !done.contains(cell)).collect();
-    assert!(
-        !done.is_empty() && !missing.is_empty(),
-        "{} cells done",
-        done.len()
-    );
-    let rest = Part::cells(grid, &missing).expect("its cells");
+    let rest = missing(grid, &first.cells());
     let rest = work.part(&rest, &Unwatched).expect("its grid");
     let found = work.finish(Partial::merge([first, rest]).expect("one work"));
     assert_eq!(found.expect("all cells").value, image.value);

@@ -417,6 +417,12 @@ fn walks_without_steps_or_reach() {
     let scene = mirror_floor();
     let tangent = tangent(&scene, "lamp.translate.x");
     let mut wanted = GradientOptions::new(RenderOptions::new(2, 1));
+    let prepared = PreparedScene::new(scene);
+    let refused = |wanted: &GradientOptions, expected: &str| {
+        let refusal = gradient(&prepared, &tangent, wanted, &Unwatched);
+        let refusal = refusal.expect_err("it is refused");
+        assert!(refusal.to_string().starts_with(expected), "{refusal}");
+    };
     for (steps, max_radius, expected) in [
         (
             0,
@@ -427,14 +433,7 @@ fn walks_without_steps_or_reach() {
     ] {
         wanted.walk.steps = steps;
         wanted.walk.max_radius = max_radius;
-        let refusal = gradient(
-            &PreparedScene::new(scene.clone()),
-            &tangent,
-            &wanted,
-            &Unwatched,
-        )
-        .expect_err("it is refused");
-        assert!(refusal.to_string().starts_with(expected), "{refusal}");
+        refused(&wanted, expected);
     }
     for (rays, kappa) in [(0, 1e5), (8, 0.0), (8, f64::NAN)] {
         wanted.method = Method::Was(WasSettings {
@@ -442,14 +441,9 @@ fn walks_without_steps_or_reach() {
             kappa,
             ..WasSettings::default()
         });
-        let refusal = gradient(
-            &PreparedScene::new(scene.clone()),
-            &tangent,
+        refused(
             &wanted,
-            &Unwatched,
-        )
-        .expect_err("it is refused");
-        let expected = format!("warped-area sampling with {rays} auxiliary rays");
-        assert!(refusal.to_string().starts_with(&expected), "{refusal}");
+            &format!("warped-area sampling with {rays} auxiliary rays"),
+        );
     }
 }

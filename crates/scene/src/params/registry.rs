@@ -41,8 +41,8 @@ impl Registry {
     /// The parameters of a scene.
     pub fn new(scene: &Scene) -> Self {
         let (names, users) = (Names::new(scene), users(scene));
-        let mut scalars = HashMap::new();
         let entries: Vec<&Entry> = names.iter().collect();
+        let mut scalars = HashMap::with_capacity(entries.len());
         for (i, entry) in entries.iter().enumerate() {
             let same = |first: u32| entries[first as usize].target == entry.target;
             insert(&mut scalars, entry.name.clone(), i, same);
@@ -51,7 +51,7 @@ impl Registry {
             .iter()
             .flat_map(|entry| behind(scene, &names, entry, &users));
         let arrays: Vec<ArrayParameter> = arrays.collect();
-        let mut arrays_by_name = HashMap::new();
+        let mut arrays_by_name = HashMap::with_capacity(arrays.len());
         for (i, array) in arrays.iter().enumerate() {
             let same = |first: u32| arrays[first as usize].place == array.place;
             insert(&mut arrays_by_name, array.name.clone(), i, same);
