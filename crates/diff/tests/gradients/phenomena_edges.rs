@@ -311,9 +311,9 @@ fn meet(name: &str, mut scene: Scene, expression: &str, spp: u32) {
 #[test]
 fn walks_agree() {
     let scene = |name| builtin::scene(name).expect("a built-in scene");
-    meet("leaf", scene("leaf"), "leaf.translate.x", 100);
-    meet("ball", scene("ball"), "ball.translate.x", 100);
+    meet("leaf", scene("leaf"), "leaf.translate.x", 64);
+    meet("ball", scene("ball"), "ball.translate.x", 64);
     let lattice = scene("lattice-shadow");
-    meet("lattice-shadow", lattice, "lattice.translate.x", 160);
-    meet("box-room", scene("box-room"), "box.translate.x", 100);
+    meet("lattice-shadow", lattice, "lattice.translate.x", 100);
+    meet("box-room", scene("box-room"), "box.translate.x", 64);
 }

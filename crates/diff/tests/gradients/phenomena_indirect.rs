@@ -66,9 +66,9 @@ fn box_in_a_room() {
     let parameter = builtin::default_parameter("box-room").expect("built in");
     let tangent = tangent(&scene, parameter);
     let case = Case {
-        reference_spp: 1200,
-        patience: 4.0,
-        ..visible_case(700)
+        reference_spp: 800,
+        patience: 5.0,
+        ..visible_case(450)
     };
     agree("box room, indirect", scene, &tangent, case);
 }

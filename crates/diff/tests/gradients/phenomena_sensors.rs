@@ -59,9 +59,9 @@ fn opening_lens() {
     let tangent = tangent(&scene, "sensor.aperture_radius");
     let case = Case {
         step: 4e-3,
-        gradient_spp: 250,
-        reference_spp: 800,
-        patience: 4.0,
+        gradient_spp: 160,
+        reference_spp: 520,
+        patience: 5.0,
         ..primary()
     };
     agree("aperture", scene, &tangent, case);

@@ -50,7 +50,10 @@ fn other_walks() {
             &tangent,
             Case {
                 size: 32,
+                gradient_spp: 140,
+                reference_spp: 360,
                 min_pixels: 500,
+                patience: 2.0,
                 walk,
                 ..Case::default()
             },
