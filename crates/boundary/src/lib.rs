@@ -51,7 +51,7 @@ pub use material::{
     FlatEvents, flat_events, may_be_specular, needs_place, needs_tangent, tangents_of_face,
     textures_of,
 };
-pub use method::{Method, MethodTraits};
+pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]
 pub use method::{WasBoundary, WasSettings};
 pub use mirror::MAX_EVENTS;

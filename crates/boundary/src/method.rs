@@ -10,10 +10,10 @@ pub enum Method {
     /// spherical caps. Unbiased.
     #[default]
     Walk,
-    /// Boundary terms, with points sampled on all edges in front of area emitters and of the
-    /// camera, whose directions then do not move; elsewhere as [`Method::Walk`], also for a
-    /// camera that sees flat mirrors or panes or has parallel rays. Unbiased.
-    Edges,
+    /// Boundary terms along some segments of paths, with points sampled on the edges there,
+    /// and directions that do not move; elsewhere as [`Method::Walk`], also for a camera that
+    /// sees flat mirrors or panes or has parallel rays. Unbiased.
+    Edges(Gathers),
     /// The same walk on the triangle that each direction hits, where the field is
     /// relative to the material: the paper to the letter. Borders of triangles
     /// limit its walks, in the place of `max_radius`, which is left for directions
@@ -34,6 +34,28 @@ pub enum Method {
     PsdrWas(WasSettings),
 }
 
+/// The segments of paths along which edges are gathered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Gathers {
+    /// Edges in each pixel.
+    pub camera: bool,
+    /// Edges in front of area emitters.
+    pub emitters: bool,
+}
+
+impl Gathers {
+    /// Wherever it can be done.
+    pub const ALL: Self = Self {
+        camera: true,
+        emitters: true,
+    };
+    /// Nowhere.
+    pub const NONE: Self = Self {
+        camera: false,
+        emitters: false,
+    };
+}
+
 /// The properties of a method: every method states all of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MethodTraits {
@@ -43,9 +65,8 @@ pub struct MethodTraits {
     pub is_unbiased: bool,
     /// True if it walks: its settings must give a continuous field.
     pub walks: bool,
-    /// True if directions towards area emitters do not move, and edges in front of the
-    /// emitters are gathered.
-    pub gathers: bool,
+    /// Along which segments directions do not move, and edges are gathered.
+    pub gathers: Gathers,
     /// True if its fields have reflected boundaries, lines of textures, parallel rays,
     /// and run over the edges of emitters, whose term is then added: the fields of
     /// [`crate::Field`] on the sphere of directions.
@@ -53,20 +74,23 @@ pub struct MethodTraits {
 }
 
 impl Method {
+    /// Edges gathered wherever that can be done.
+    pub const EDGES: Self = Self::Edges(Gathers::ALL);
+
     /// Its properties.
     pub fn traits(&self) -> MethodTraits {
         let spherical = MethodTraits {
             name: "walk",
             is_unbiased: true,
             walks: true,
-            gathers: false,
+            gathers: Gathers::NONE,
             is_spherical: true,
         };
         match self {
             Self::Walk => spherical,
-            Self::Edges => MethodTraits {
+            Self::Edges(gathers) => MethodTraits {
                 name: "edges",
-                gathers: true,
+                gathers: *gathers,
                 ..spherical
             },
             #[cfg(feature = "paper")]
@@ -86,7 +110,7 @@ impl Method {
                 name: "was",
                 is_unbiased: false,
                 walks: false,
-                gathers: false,
+                gathers: Gathers::NONE,
                 is_spherical: false,
             },
             #[cfg(feature = "paper")]
@@ -94,7 +118,7 @@ impl Method {
                 name: "psdr-was",
                 is_unbiased: false,
                 walks: false,
-                gathers: false,
+                gathers: Gathers::NONE,
                 is_spherical: false,
             },
         }

@@ -243,7 +243,7 @@ impl MethodChoice {
             (MethodName::Walk, DomainName::Triangle) => Method::TriangleWalk,
             #[cfg(feature = "paper")]
             (MethodName::Walk, DomainName::Explicit) => Method::ExplicitWalk,
-            (MethodName::Edges, _) => Method::Edges,
+            (MethodName::Edges, _) => Method::EDGES,
             #[cfg(feature = "paper")]
             (MethodName::Was, _) => Method::Was(self.was.settings()),
             #[cfg(feature = "paper")]
@@ -336,7 +336,7 @@ mod tests {
         };
         choice.walk.steps = Some(3);
         let (method, walk) = choice.resolve().expect("it walks elsewhere");
-        assert_eq!((method, walk.steps), (Method::Edges, 3));
+        assert_eq!((method, walk.steps), (Method::EDGES, 3));
         choice.walk.domain = Some(DomainName::Sphere);
         let error = choice.resolve().expect_err("edges has no domain");
         assert_eq!(

@@ -155,7 +155,7 @@ fn measure_all() {
 
 /// Variance and microseconds of a sample, of both methods.
 fn measure(scene: &Scene, tangent: &Tangent) -> [[f64; 2]; 2] {
-    let methods = [Method::Walk, Method::Edges];
+    let methods = [Method::Walk, Method::EDGES];
     let many = methods.map(|method| {
         let mut many = 8 * FEW;
         while run(method, scene, tangent, many, 0).0 < LONG {

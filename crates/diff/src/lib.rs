@@ -22,7 +22,9 @@ mod reverse_eval;
 
 // What appears in the signatures here.
 pub use capwalk_boundary::pool::with_threads;
-pub use capwalk_boundary::{Method, MethodTraits, Refusal, SpecularCause, may_be_specular};
+pub use capwalk_boundary::{
+    Gathers, Method, MethodTraits, Refusal, SpecularCause, may_be_specular,
+};
 #[cfg(feature = "paper")]
 pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{

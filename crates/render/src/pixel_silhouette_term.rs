@@ -16,14 +16,13 @@ use crate::camera::Camera;
 use crate::pixel::Support;
 use crate::pixel_silhouettes::silhouettes;
 use crate::scene_eval::{Primal, SceneEval};
-use crate::tracer::{EDGE_NUMBERS, Moving, Tracer};
+use crate::tracer::{EDGE_NUMBERS, Tracer};
 
 impl Tracer<'_> {
     /// True if the method gathers edges and can do so for the camera: with perspective
     /// rays, and no boundary seen through specular surfaces.
     pub(super) fn gathers_for_camera(&self) -> bool {
-        let gathers = |moving: &Moving| moving.field.method.traits().gathers;
-        self.moving.as_ref().is_some_and(gathers)
+        self.gathered_segments().camera
             && !self.accel.view.is_parallel()
             && self.events_behind(0) == 0
     }

@@ -270,7 +270,7 @@ impl Tracer<'_> {
             && let Some(Moving { field, .. }) = &self.moving
             && field.method.traits().is_spherical
         {
-            let gathers = field.method.traits().gathers;
+            let gathers = self.gathered_segments().emitters;
             if !gathers || self.accel.scene.environment().is_some() {
                 // What the field moves across the edges of emitters (METHOD 3).
                 let u = draw.stream.number(self.emitter_edge_number(depth));

@@ -1,6 +1,6 @@
 //! What a tracer of pixels holds, and which random numbers it takes for what.
 
-use capwalk_boundary::{Accel, Draw, Field, Numbers};
+use capwalk_boundary::{Accel, Draw, Field, Gathers, Numbers};
 use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
@@ -91,9 +91,13 @@ impl<'a> Tracer<'a> {
 
     /// True if directions towards an emitter do not move, and edges in front of it are gathered.
     pub(crate) fn gathers(&self, emitter: EmitterId) -> bool {
+        self.gathered_segments().emitters && self.accel.scene.emitter(emitter).shape().is_some()
+    }
+
+    /// The segments along which the method gathers edges.
+    pub(crate) fn gathered_segments(&self) -> Gathers {
         let gathers = |moving: &Moving| moving.field.method.traits().gathers;
-        self.moving.as_ref().is_some_and(gathers)
-            && self.accel.scene.emitter(emitter).shape().is_some()
+        self.moving.as_ref().map_or(Gathers::NONE, gathers)
     }
 
     /// True if the field has no reflected boundaries.

@@ -58,7 +58,7 @@ fn methods() -> Vec<(&'static str, Method, Kind)> {
         ("ours on triangles", Method::TriangleWalk, Kind::Ours),
         ("WAS", Method::Was(was), Kind::Baseline),
         ("PSDR-WAS", Method::PsdrWas(was), Kind::Baseline),
-        ("edges (beyond the paper)", Method::Edges, Kind::Beyond),
+        ("edges (beyond the paper)", Method::EDGES, Kind::Beyond),
     ]
 }
 
@@ -80,7 +80,7 @@ struct Compared {
 pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Failure> {
     let Comparison { subject, spp, .. } = comparison;
     let walk = WalkSettings::default();
-    let reference = subject.gradient(Method::Edges, walk, spp[1], 1, settings)?;
+    let reference = subject.gradient(Method::EDGES, walk, spp[1], 1, settings)?;
     let difference = subject.difference(spp[2], 2, settings)?;
     let mut compared = Vec::new();
     for (i, (name, method, kind)) in methods().into_iter().enumerate() {

@@ -25,7 +25,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         steps,
         ..WalkSettings::default()
     };
-    let reference = subject.gradient(Method::Edges, walk(1), reference_spp, 1, settings)?;
+    let reference = subject.gradient(Method::EDGES, walk(1), reference_spp, 1, settings)?;
 
     // Seconds per sample, measured by turns so that a slow phase of the machine
     // slows all of them; without what is done once.

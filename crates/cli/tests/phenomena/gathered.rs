@@ -25,7 +25,7 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
         return;
     }
     let [few, walked] =
-        [Method::Edges, Method::Walk].map(|method| by(method, &scene, &tangent, FEW));
+        [Method::EDGES, Method::Walk].map(|method| by(method, &scene, &tangent, FEW));
     assert_eq!(
         few.mean == walked.mean,
         edges == Edges::Walked,
@@ -35,5 +35,5 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
         return;
     }
     let spp = scene.settings.spp;
-    meets(&name, &by(Method::Edges, &scene, &tangent, spp), check);
+    meets(&name, &by(Method::EDGES, &scene, &tangent, spp), check);
 }

@@ -55,7 +55,7 @@ fn case(method: Method) -> Case {
 #[test]
 fn sunk_by_the_rounding_of_files() {
     for depth in [2e-8, 5e-7] {
-        for method in [Method::Walk, Method::Edges] {
+        for method in [Method::Walk, Method::EDGES] {
             let scene = sunk(depth);
             let tangent = tangent(&scene, "thing.translate.y");
             let name = format!("{depth}, {}", method.name());
@@ -80,6 +80,6 @@ fn slabs_as_thin_as_rounding() {
         let mut scene = under_sky(from, Vec3::zero(), fov);
         add_box(&mut scene, v(0.5, thin, 0.5), Vec3::zero(), 0.1);
         let tangent = tangent(&scene, "thing.translate.x");
-        agree(&format!("{thin}"), scene, &tangent, case(Method::Edges));
+        agree(&format!("{thin}"), scene, &tangent, case(Method::EDGES));
     }
 }

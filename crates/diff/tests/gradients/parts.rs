@@ -71,7 +71,7 @@ fn all_options() -> Vec<GradientOptions> {
         bands: 7,
     };
     let mut all = Vec::new();
-    for (method, grid) in [(Method::Walk, Grid::DEFAULT), (Method::Edges, more)] {
+    for (method, grid) in [(Method::Walk, Grid::DEFAULT), (Method::EDGES, more)] {
         all.push(GradientOptions {
             method,
             grid,

@@ -20,7 +20,7 @@ use capwalk_scene::*;
 
 fn edges(case: Case) -> Case {
     Case {
-        method: Method::Edges,
+        method: Method::EDGES,
         ..case
     }
 }
@@ -252,7 +252,7 @@ fn threads_change_nothing() {
     let run = |threads| {
         let options = RenderOptions::new(5, 2);
         let settings = GradientOptions {
-            method: Method::Edges,
+            method: Method::EDGES,
             ..GradientOptions::new(options)
         };
         let prepared = PreparedScene::new(scene.clone());
@@ -299,7 +299,7 @@ fn meet(name: &str, mut scene: Scene, expression: &str, spp: u32) {
     scene.film.size = [32; 2];
     scene.film.crop_size = [32; 2];
     let tangent = tangent(&scene, expression);
-    let ours = by(Method::Edges, &scene, &tangent, spp);
+    let ours = by(Method::EDGES, &scene, &tangent, spp);
     let walk = by(Method::Walk, &scene, &tangent, 2 * spp);
     let result = compare(&ours.gradient, &walk.gradient);
     println!("{name}: {result}");

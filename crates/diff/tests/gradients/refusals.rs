@@ -296,7 +296,7 @@ fn motion_beside_textures_that_jump() {
     let was = || Method::Was(WasSettings::default());
     for (squares, method, why) in [
         (4.0, Method::Walk, ""),
-        (4.0, Method::Edges, ""),
+        (4.0, Method::EDGES, ""),
         (1e7, Method::Walk, "lines"),
         (4.0, was(), "`was`"),
         (4.0, Method::TriangleWalk, "the default method"),

@@ -132,7 +132,7 @@ fn small(scene: &mut Scene, depth: u32) {
 }
 
 fn agree_along(name: &str, scene: &Scene, tangent: &Tangent) {
-    for method in [Method::Walk, Method::Edges] {
+    for method in [Method::Walk, Method::EDGES] {
         let settings = GradientOptions {
             method,
             ..settings(16)
@@ -211,7 +211,7 @@ fn parallel_rays() {
         agree_in_both_modes("parallel rays", scene.clone(), 3);
         small(&mut scene, 2);
         let gathered = GradientOptions {
-            method: Method::Edges,
+            method: Method::EDGES,
             ..settings(16)
         };
         let tangent = everything(&scene, 11);
