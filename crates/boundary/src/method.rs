@@ -6,9 +6,13 @@ pub use crate::paper::settings::{WasBoundary, WasSettings};
 /// How the derivative of a discontinuous integrand is estimated.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Method {
+    /// Of [`Method::Walk`] and [`Method::Edges`] what has the least variance × time: each
+    /// kind of segment is tried in a short pilot before the work, with the walk's angular
+    /// cutoff. Unbiased.
+    #[default]
+    Auto,
     /// A velocity field around every shading point and the camera, estimated by walks on
     /// spherical caps. Unbiased.
-    #[default]
     Walk,
     /// Boundary terms along some segments of paths, with points sampled on the edges there,
     /// and directions that do not move; elsewhere as [`Method::Walk`], also for a camera that
@@ -54,6 +58,31 @@ impl Gathers {
         camera: false,
         emitters: false,
     };
+    /// Along one kind of segment each.
+    pub const SEGMENTS: [Self; 2] = [
+        Self {
+            camera: true,
+            ..Self::NONE
+        },
+        Self {
+            emitters: true,
+            ..Self::NONE
+        },
+    ];
+
+    /// True if this also gathers along a segment of the other.
+    pub fn along(self, other: Self) -> bool {
+        self.without(other) != self
+    }
+
+    /// The same without the segments of the other.
+    #[must_use]
+    pub fn without(self, other: Self) -> Self {
+        Self {
+            camera: self.camera && !other.camera,
+            emitters: self.emitters && !other.emitters,
+        }
+    }
 }
 
 /// The properties of a method: every method states all of them.
@@ -87,6 +116,10 @@ impl Method {
             is_spherical: true,
         };
         match self {
+            Self::Auto => MethodTraits {
+                name: "auto",
+                ..spherical
+            },
             Self::Walk => spherical,
             Self::Edges(gathers) => MethodTraits {
                 name: "edges",

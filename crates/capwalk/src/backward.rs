@@ -4,7 +4,8 @@ use std::collections::HashSet;
 use std::ops::Index;
 
 use capwalk_diff::{
-    Backward, BatchSums, GradientOptions, Grid, Part, Partial, Refusal, Statistics, Wanted, Watch,
+    Backward, BatchSums, Chosen, GradientOptions, Grid, Part, Partial, Refusal, Statistics, Wanted,
+    Watch,
 };
 use capwalk_scene::params::{ArrayParameter, ParameterError, Request};
 use capwalk_scene::{Image, Scene, Tangent};
@@ -145,6 +146,11 @@ impl<'a> GradientsWork<'a> {
     /// The cells that the work can be cut into.
     pub fn grid(&self) -> Grid {
         self.work.grid()
+    }
+
+    /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto).
+    pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Error> {
+        Ok(self.work.chosen(watch)?)
     }
 
     /// What a part of the work gives; refused like the whole.

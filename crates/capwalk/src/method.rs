@@ -53,8 +53,11 @@ pub struct WasChoice {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MethodName {
-    /// `walk`: walks on spherical caps. Unbiased.
+    /// `auto`: what of `walk` and `edges` has the least variance × time, found by a short
+    /// pilot. Unbiased.
     #[default]
+    Auto,
+    /// `walk`: walks on spherical caps. Unbiased.
     Walk,
     /// `edges`: points on all edges before emitters and the camera, walks elsewhere.
     /// Unbiased.
@@ -105,6 +108,7 @@ pub trait Choice: Copy + PartialEq + 'static {
 
 impl Choice for MethodName {
     const NAMES: &'static [(&'static str, Self)] = &[
+        ("auto", Self::Auto),
         ("walk", Self::Walk),
         ("edges", Self::Edges),
         #[cfg(feature = "paper")]
@@ -238,6 +242,7 @@ impl MethodChoice {
             }
         }
         let method = match (self.method, self.walk.domain.unwrap_or_default()) {
+            (MethodName::Auto, _) => Method::Auto,
             (MethodName::Walk, DomainName::Sphere) => Method::Walk,
             #[cfg(feature = "paper")]
             (MethodName::Walk, DomainName::Triangle) => Method::TriangleWalk,

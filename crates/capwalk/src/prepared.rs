@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use capwalk_diff::{
-    GradientImage, GradientOptions, GradientWork, Refusal, RenderOptions, RenderWork, Rendering,
-    Watch,
+    Chosen, GradientImage, GradientOptions, GradientWork, Refusal, RenderOptions, RenderWork,
+    Rendering, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, SceneError, Tangent};
@@ -112,6 +112,32 @@ impl Prepared {
         check_spp("spp", options.spp)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
         Ok(self.engine.gradient(&tangent, options, watch)?)
+    }
+
+    /// The method that [`Prepared::gradient`] uses with these options, and what was tried to
+    /// find it: with [`Method::Auto`] a pilot chooses, in a small part of the time of the
+    /// gradient. A gradient with the options that come back has the same bits.
+    ///
+    /// ```
+    /// use capwalk::{GradientOptions, Method, Unwatched};
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = capwalk::Prepared::new(scene)?;
+    /// let options = GradientOptions { spp: 8, ..GradientOptions::default() };
+    /// let chosen = prepared.choose("leaf.translate.x", &options, &Unwatched)?;
+    /// assert_ne!(chosen.options.method, Method::Auto);
+    /// let result = prepared.gradient("leaf.translate.x", &chosen.options, &Unwatched)?;
+    /// let same = prepared.gradient("leaf.translate.x", &options, &Unwatched)?;
+    /// assert_eq!(result.gradient, same.gradient);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn choose<D: Direction + ?Sized>(
+        &self,
+        direction: &D,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<Chosen, Error> {
+        let work = self.gradient_work(direction, options)?;
+        Ok(work.chosen(watch)?)
     }
 
     /// The derivative of the image along a direction by central differences with common
@@ -267,6 +293,18 @@ impl Prepared {
     ) -> Result<GradientsWork<'a>, Error> {
         check_spp("spp", options.spp)?;
         GradientsWork::new(&self.engine, adjoint, names, options)
+    }
+
+    /// The method that [`Prepared::backward`] uses with these options, see
+    /// [`Prepared::choose`].
+    pub fn choose_backward<N: AsRef<str>>(
+        &self,
+        adjoint: &Image,
+        names: &[N],
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<Chosen, Error> {
+        self.backward_work(adjoint, names, options)?.chosen(watch)
     }
 
     /// Why derivatives with respect to parameters that move edges are refused in this

@@ -1,12 +1,12 @@
 //! Variance times time of derivative images, as
 //! `cargo bench -p capwalk-cli --bench efficiency` prints it for the first
-//! parameter of every folder of `tests/scenes`: of the estimators `anchored` and
-//! `literal`, and of central differences with common random numbers and the
-//! step of the folder. Names of folders behind `--` choose some.
+//! parameter of every folder of `tests/scenes`: of what `auto` chooses, of `walk`, of
+//! `edges`, and of central differences with common random numbers and the step of the
+//! folder. Names of folders behind `--` choose some.
 //!
 //! Variance is that of a sample, averaged over pixels and channels; time is that
-//! of the processor for a sample, without what is done once. All three run in
-//! turn in each of several rounds, each with other random numbers; variances are
+//! of the processor for a sample, without what is done once, as the pilot of `auto` is. All
+//! run in turn in each of several rounds, each with other random numbers; variances are
 //! means over the rounds, times the smallest of them.
 
 #[allow(dead_code, reason = "a bench has no refusals")]
@@ -14,11 +14,13 @@
 mod folder;
 mod measure;
 
+use std::borrow::Cow;
+
 use capwalk_diff::{
-    Estimator, GradientImage, GradientOptions, PreparedScene, RenderOptions, Unwatched,
-    WalkSettings, finite_difference, gradient,
+    GradientImage, GradientOptions, GradientWork, Method, PreparedScene, RenderOptions, Unwatched,
+    finite_difference, gradient,
 };
-use capwalk_scene::{Scene, Tangent, params};
+use capwalk_scene::{Tangent, params};
 use folder::{Demand, Folder};
 use measure::{Clock, digits, variance};
 
@@ -27,6 +29,8 @@ const FEW: u32 = 4;
 /// Seconds that must lie between few and many samples: many ticks of the clock.
 const LONG: f64 = 0.4;
 const ROUNDS: u64 = 3;
+/// Samples per pixel of the work that the pilot of `auto` is a part of.
+const PILOT_SPP: u32 = 256;
 
 fn main() {
     capwalk_diff::with_threads(1, measure_all);
@@ -40,8 +44,10 @@ fn measure_all() {
     }
     let is_named = |folder: &Folder| arguments.contains(&folder.name);
     let some = folder::all().iter().any(is_named);
-    println!("| scene | parameter | anchored, variance × µs | literal | differences | step |");
-    println!("|---|---|---|---|---|---|");
+    println!(
+        "| scene | parameter | auto, variance × µs | chosen | walk | edges | differences | step |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
     let mut ratios = Vec::new();
     for folder in folder::all() {
         let checks = folder.checks().into_iter();
@@ -53,89 +59,107 @@ fn measure_all() {
         else {
             continue;
         };
-        let [anchored, literal, differences] = measure(&folder, &parameter, step);
+        let (chosen, [auto, others @ ..]) = measure(&folder, &parameter, step);
+        let others = others.map(|other| other / auto);
+        let [walk, edges, differences] = others.map(digits);
         println!(
-            "| {} | `{parameter}` | {} | {} | {} | {step} |",
+            "| {} | `{parameter}` | {} | {chosen} | {walk} | {edges} | {differences} | {step} |",
             folder.name,
-            digits(anchored * 1e6),
-            digits(literal / anchored),
-            digits(differences / anchored),
+            digits(auto * 1e6),
         );
-        ratios.push(differences / anchored);
+        ratios.push(others);
     }
-    ratios.sort_by(f64::total_cmp);
-    println!(
-        "\ndifferences over anchored: median {}, below 1 in {} of {} scenes",
-        digits(ratios[ratios.len() / 2]),
-        ratios.iter().filter(|&&ratio| ratio < 1.0).count(),
-        ratios.len()
-    );
+    for (i, what) in ["walk", "edges", "differences"].iter().enumerate() {
+        let mut ratios: Vec<f64> = ratios.iter().map(|others| others[i]).collect();
+        ratios.sort_by(f64::total_cmp);
+        println!(
+            "\n{what} over auto: median {}, least {}, below 1 in {} of {} scenes",
+            digits(ratios[ratios.len() / 2]),
+            digits(ratios[0]),
+            ratios.iter().filter(|&&ratio| ratio < 1.0).count(),
+            ratios.len()
+        );
+    }
 }
 
-/// Variance times seconds of a sample, of the three ways.
-fn measure(folder: &Folder, parameter: &str, step: f64) -> [f64; 3] {
+/// Variance times seconds of a sample, of the four ways, and what the first one chose.
+fn measure(folder: &Folder, parameter: &str, step: f64) -> (String, [f64; 4]) {
     let scene = folder.scene();
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, parameter)
         .expect("a parameter of the scene");
+    let by = |method| GradientOptions {
+        method,
+        ..GradientOptions::new(RenderOptions::new(PILOT_SPP, 0))
+    };
+    let prepared = PreparedScene::new(scene.clone());
+    let work = GradientWork::new(&prepared, Cow::Borrowed(&tangent), by(Method::Auto));
+    let chosen = work.chosen(&Unwatched).expect("covered").options;
+    let gathers = chosen.method.traits().gathers;
+    let along = [("camera", gathers.camera), ("emitters", gathers.emitters)];
+    let along = along.iter().filter(|(_, gathered)| *gathered);
+    let along: Vec<&str> = along.map(|(name, _)| *name).collect();
+    let angle = digits(chosen.walk.max_radius);
+    let described = format!("{} {} {angle}", chosen.method.name(), along.join("+"));
     let ways = [
-        Way::Walk(Estimator::Anchored),
-        Way::Walk(Estimator::Literal),
+        Way::Samples(chosen),
+        Way::Samples(by(Method::Walk)),
+        Way::Samples(by(Method::EDGES)),
         Way::Differences(step),
     ];
-    let many = ways.each_ref().map(|way| way.many(&scene, &tangent));
-    let (mut variances, mut seconds) = ([0.0; 3], [f64::INFINITY; 3]);
+    let many = ways.each_ref().map(|way| way.many(&prepared, &tangent));
+    let (mut variances, mut seconds) = ([0.0; 4], [f64::INFINITY; 4]);
     for round in 1..=ROUNDS {
         for (i, way) in ways.iter().enumerate() {
-            let (few, _) = way.run(&scene, &tangent, FEW, round);
-            let (all, image) = way.run(&scene, &tangent, many[i], round);
+            let (few, _) = way.run(&prepared, &tangent, FEW, round);
+            let (all, image) = way.run(&prepared, &tangent, many[i], round);
             let pixels = image.gradient.mean.pixels.len() as f64;
             let samples = f64::from(many[i] - FEW) * pixels;
             seconds[i] = seconds[i].min((all - few) / samples);
             variances[i] += variance(&image) / ROUNDS as f64;
         }
     }
-    [0, 1, 2].map(|i| variances[i] * seconds[i])
+    (described, [0, 1, 2, 3].map(|i| variances[i] * seconds[i]))
 }
 
 enum Way {
-    Walk(Estimator),
+    /// Samples are differentiated.
+    Samples(GradientOptions),
     /// With this step.
     Differences(f64),
 }
 
 impl Way {
     /// Samples per pixel that take long.
-    fn many(&self, scene: &Scene, tangent: &Tangent) -> u32 {
+    fn many(&self, prepared: &PreparedScene, tangent: &Tangent) -> u32 {
         let mut many = 8 * FEW;
-        while self.run(scene, tangent, many, 0).0 < LONG {
+        while self.run(prepared, tangent, many, 0).0 < LONG {
             many *= 2;
         }
         many
     }
 
     /// The derivative, and the processor's time for it.
-    fn run(&self, scene: &Scene, tangent: &Tangent, spp: u32, seed: u64) -> (f64, GradientImage) {
-        let options = RenderOptions::new(spp, seed);
+    fn run(
+        &self,
+        prepared: &PreparedScene,
+        tangent: &Tangent,
+        spp: u32,
+        seed: u64,
+    ) -> (f64, GradientImage) {
         let started = Clock::start();
         let image = match *self {
-            Self::Walk(estimator) => {
-                let walk = WalkSettings {
-                    estimator,
-                    ..WalkSettings::default()
+            Self::Samples(options) => {
+                let options = GradientOptions {
+                    spp,
+                    seed,
+                    ..options
                 };
-                gradient(
-                    &PreparedScene::new(scene.clone()),
-                    tangent,
-                    &GradientOptions {
-                        walk,
-                        ..GradientOptions::new(options)
-                    },
-                    &Unwatched,
-                )
+                gradient(prepared, tangent, &options, &Unwatched)
             }
             Self::Differences(step) => {
-                finite_difference(scene, tangent, step, &options, &Unwatched)
+                let options = RenderOptions::new(spp, seed);
+                finite_difference(prepared.scene(), tangent, step, &options, &Unwatched)
             }
         };
         (started.seconds(), image.expect("covered"))

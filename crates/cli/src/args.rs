@@ -176,9 +176,9 @@ pub struct MotionArgs {
 /// How derivatives are estimated.
 #[derive(Args, Debug)]
 pub struct MethodArgs {
-    /// How discontinuities at edges are accounted for; all but `walk` and `edges`
+    /// How discontinuities at edges are accounted for; all but `auto`, `walk` and `edges`
     /// are baselines to compare with
-    #[arg(long, default_value = "walk")]
+    #[arg(long, default_value = "auto")]
     pub method: MethodName,
     #[command(flatten)]
     pub walk: WalkArgs,
@@ -191,6 +191,8 @@ pub struct MethodArgs {
 /// `paper`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MethodName {
+    /// Whichever of `walk` and `edges` a short pilot finds to have less noise: unbiased
+    Auto,
     /// Walks on spherical caps: unbiased
     Walk,
     /// Points on all edges in front of emitters and the camera, walks elsewhere: unbiased

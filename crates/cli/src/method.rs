@@ -4,13 +4,16 @@ use anyhow::{Result, anyhow, bail};
 #[cfg(feature = "paper")]
 use capwalk::WasChoice;
 use capwalk::{
-    Caveat, Choice, GradientOptions, MethodChoice, MethodName, OptionError, RenderOptions,
-    WalkChoice, caveat,
+    Caveat, Choice, Chosen, GradientOptions, Method, MethodChoice, MethodName, OptionError,
+    RenderOptions, Trial, WalkChoice, caveat,
 };
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
+use serde_json::{Value, json};
+
 use crate::args::MethodArgs;
+use crate::report;
 
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOptions> {
@@ -112,6 +115,59 @@ fn named<T: Choice>(typed: &impl ValueEnum) -> T {
 pub fn name(value: &impl ValueEnum) -> String {
     let value = value.to_possible_value();
     value.map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+/// How a method was chosen, for `--json`.
+pub fn choice_json(chosen: &Chosen) -> Value {
+    let trial = |trial: &Trial| {
+        json!({
+            "method": trial.method.name(),
+            "gathers": gathers_json(trial.method),
+            "max_angle": trial.max_radius.to_degrees(),
+            "variance_per_sample": trial.variance,
+            "effort_per_sample": trial.effort,
+        })
+    };
+    json!({
+        "gathers": gathers_json(chosen.options.method),
+        "max_angle": chosen.options.walk.max_radius.to_degrees(),
+        "trials": chosen.trials.iter().map(trial).collect::<Vec<_>>(),
+    })
+}
+
+fn gathers_json(method: Method) -> Value {
+    let gathers = method.traits().gathers;
+    json!({ "camera": gathers.camera, "emitters": gathers.emitters })
+}
+
+/// Says with `-v` how a method was chosen, and why.
+pub fn log(chosen: &Chosen) {
+    let describe = |method: Method, max_radius: f64| {
+        let gathers = method.traits().gathers;
+        let along = [("camera", gathers.camera), ("emitters", gathers.emitters)];
+        let along = along.iter().filter(|(_, gathered)| *gathered);
+        let along: Vec<&str> = along.map(|(name, _)| *name).collect();
+        let along = match along.is_empty() {
+            true => String::new(),
+            false => format!(" ({})", along.join(", ")),
+        };
+        let angle = report::number(max_radius.to_degrees());
+        format!("{}{along}, walks up to {angle}°", method.name())
+    };
+    for trial in &chosen.trials {
+        log::info!(
+            "tried {}: variance {} x effort {} = {}",
+            describe(trial.method, trial.max_radius),
+            report::number(trial.variance),
+            report::number(trial.effort),
+            report::number(trial.cost())
+        );
+    }
+    let options = &chosen.options;
+    log::info!(
+        "method: {}",
+        describe(options.method, options.walk.max_radius)
+    );
 }
 
 /// What is to be said about differences, whose standard errors leave out their bias.

@@ -21,7 +21,7 @@ mod common;
 use std::time::Instant;
 
 use capwalk_diff::{
-    GradientOptions, PreparedScene, RenderOptions, Statistics, Unwatched, Wanted, backward,
+    GradientOptions, Method, PreparedScene, RenderOptions, Statistics, Unwatched, Wanted, backward,
     gradient, render,
 };
 use capwalk_math::Rgb;
@@ -207,7 +207,10 @@ impl Bench {
 }
 
 fn options(spp: u32) -> GradientOptions {
-    GradientOptions::new(RenderOptions::new(spp, 1))
+    GradientOptions {
+        method: Method::Walk,
+        ..GradientOptions::new(RenderOptions::new(spp, 1))
+    }
 }
 
 fn median(numbers: impl Iterator<Item = f64>) -> f64 {

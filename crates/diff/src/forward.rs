@@ -7,14 +7,16 @@ use capwalk_boundary::refuse::{
     is_specular_somewhere, refuse_cut_normals, refuse_infinite_derivatives, refuse_motion,
     refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
-use capwalk_boundary::{Counts, Draw, Field, Refusal, Stream};
+use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
 use capwalk_render::{
-    GradientImage, Grid, Part, PartError, Partial, PreparedScene, RenderOptions, SceneEval, Tracer,
-    Watch, fingerprint,
+    GradientImage, Grid, Part, PartError, Partial, PreparedScene, RenderOptions, Tracer, Watch,
+    fingerprint,
 };
 use capwalk_scene::{Tangent, TextureId};
 
+use crate::adjoint::Wanted;
+use crate::auto::{Chosen, Pilot};
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
 
@@ -37,6 +39,7 @@ pub struct GradientWork<'a> {
     prepared: &'a PreparedScene,
     tangent: Cow<'a, Tangent>,
     options: GradientOptions,
+    chosen: OnceLock<Chosen>,
     fingerprint: OnceLock<u64>,
 }
 
@@ -51,6 +54,7 @@ impl<'a> GradientWork<'a> {
             prepared,
             tangent,
             options,
+            chosen: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
     }
@@ -58,6 +62,31 @@ impl<'a> GradientWork<'a> {
     /// The cells that the work can be cut into.
     pub fn grid(&self) -> Grid {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
+    }
+
+    /// The method that the work is done by, see [`Method::Auto`]; found by the first call.
+    /// Refused like the work.
+    pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
+        self.refuse(&self.options)?;
+        if self.options.method != Method::Auto {
+            return Ok(Chosen::given(self.options));
+        }
+        if let Some(known) = self.chosen.get() {
+            return Ok(known.clone());
+        }
+        let pilot = Pilot {
+            prepared: self.prepared,
+            tangent: &self.tangent,
+            adjoint: None,
+            options: &self.options,
+            watch,
+        };
+        let chosen = pilot.choose();
+        // What was stopped says nothing.
+        if !watch.should_stop() {
+            return Ok(self.chosen.get_or_init(|| chosen).clone());
+        }
+        Ok(chosen)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -81,27 +110,14 @@ impl<'a> GradientWork<'a> {
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<PixelSums>, Refusal> {
-        let (prepared, tangent, options) = (self.prepared, &*self.tangent, &self.options);
-        let (scene, accel) = (prepared.scene(), prepared.accel());
-        // What can be seen without a sample is refused at once.
-        refuse_settings(&options.method, &options.walk)?;
-        let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
-        refuse_infinite_derivatives(scene, is_asked_for)?;
-        let field = Field::new(accel, prepared.boundaries(), options.method);
-        #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
-        let eval = Forward::new(field, tangent);
+        let options = &self.chosen(watch)?.options;
+        let (prepared, scene) = (self.prepared, self.prepared.scene());
+        let field = Field::new(prepared.accel(), prepared.boundaries(), options.method);
+        let eval = Forward::new(field, &self.tangent);
         let eval = match options.blind {
             true => eval.blind(),
             false => eval,
         };
-        let turns = tangent.shapes.iter().any(Option::is_some);
-        refuse_cut_normals(scene, turns || eval.moves(), is_asked_for)?;
-        if eval.moves() {
-            refuse_motion(accel, &options.method)?;
-        } else if turns {
-            refuse_turned_without_uvs(scene)?;
-        }
         // A sample is one of the image, over numbers that carry their derivative along
         // the tangent.
         let tracer = Tracer::moving(prepared, field, options.walk);
@@ -132,6 +148,26 @@ impl<'a> GradientWork<'a> {
         }
         let sampling = options.sampling();
         Ok(tiles::average(scene, &sampling, work, part, watch, sample))
+    }
+
+    /// Refuses what can be seen without a sample.
+    fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
+        let (prepared, tangent) = (self.prepared, &*self.tangent);
+        let (scene, accel) = (prepared.scene(), prepared.accel());
+        refuse_settings(&options.method, &options.walk)?;
+        let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
+        refuse_infinite_derivatives(scene, is_asked_for)?;
+        #[cfg(feature = "paper")]
+        capwalk_boundary::refuse::refuse_many_edges(prepared.boundaries(), &options.method)?;
+        let moves = Wanted::by(tangent).geometry();
+        let turns = tangent.shapes.iter().any(Option::is_some);
+        refuse_cut_normals(scene, turns || moves, is_asked_for)?;
+        if moves {
+            refuse_motion(accel, &options.method)?;
+        } else if turns {
+            refuse_turned_without_uvs(scene)?;
+        }
+        Ok(())
     }
 
     fn gradient_image(&self, sums: Vec<PixelSums>) -> Result<GradientImage, Refusal> {

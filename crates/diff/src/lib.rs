@@ -9,6 +9,7 @@
 //! Nothing here opens a file, prints, or reads the clock.
 
 mod adjoint;
+mod auto;
 pub mod check;
 mod finite;
 mod forward;
@@ -34,6 +35,7 @@ pub use capwalk_render::{
 pub use capwalk_walk::{Estimator, WalkSettings};
 
 pub use adjoint::Wanted;
+pub use auto::{Chosen, Trial};
 pub use finite::finite_difference;
 pub use forward::{GradientWork, gradient};
 pub use options::GradientOptions;

@@ -9,7 +9,7 @@ use capwalk_boundary::refuse::{
     is_specular_somewhere, refuse_cut_normals, refuse_infinite_derivatives, refuse_motion,
     refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
-use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
+use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Tape, Vec3};
 use capwalk_render::tiles;
@@ -22,6 +22,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::adjoint::{Adjoint, Target, Wanted};
+use crate::auto::{Chosen, Pilot, motion};
 use crate::options::GradientOptions;
 use crate::reverse_eval::Reverse;
 
@@ -104,6 +105,7 @@ pub struct BackwardWork<'a> {
     adjoint: &'a Image,
     wanted: Wanted,
     options: GradientOptions,
+    chosen: OnceLock<Chosen>,
     fingerprint: OnceLock<u64>,
 }
 
@@ -120,6 +122,7 @@ impl<'a> BackwardWork<'a> {
             adjoint,
             wanted,
             options,
+            chosen: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
     }
@@ -133,6 +136,31 @@ impl<'a> BackwardWork<'a> {
     pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
         self.backward(partial.into_sums())
+    }
+
+    /// The method that the work is done by, see [`Method::Auto`]; found by the first call.
+    /// Refused like the work.
+    pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
+        self.refuse(&self.options)?;
+        if self.options.method != Method::Auto {
+            return Ok(Chosen::given(self.options));
+        }
+        if let Some(known) = self.chosen.get() {
+            return Ok(known.clone());
+        }
+        let pilot = Pilot {
+            prepared: self.prepared,
+            tangent: &motion(self.prepared.scene(), &self.wanted),
+            adjoint: Some(self.adjoint),
+            options: &self.options,
+            watch,
+        };
+        let chosen = pilot.choose();
+        // What was stopped says nothing.
+        if !watch.should_stop() {
+            return Ok(self.chosen.get_or_init(|| chosen).clone());
+        }
+        Ok(chosen)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -157,28 +185,10 @@ impl<'a> BackwardWork<'a> {
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<BatchSums>, Refusal> {
-        let (prepared, options, wanted) = (self.prepared, &self.options, &self.wanted);
+        let options = &self.chosen(watch)?.options;
+        let (prepared, wanted) = (self.prepared, &self.wanted);
         let (scene, accel) = (prepared.scene(), prepared.accel());
-        // What can be seen without a sample is refused at once.
-        refuse_settings(&options.method, &options.walk)?;
-        let expected = scene.film.crop_size.map(|n| n as usize);
-        let found = [self.adjoint.width, self.adjoint.height];
-        if found != expected {
-            return Err(Refusal::AdjointSize { found, expected });
-        }
-        refuse_non_finite(self.adjoint)?;
-        let is_asked_for = |id: TextureId| wanted.textures[id.0 as usize];
-        refuse_infinite_derivatives(scene, is_asked_for)?;
-        let turns = wanted.normals.contains(&true);
-        refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
-        if wanted.geometry() {
-            refuse_motion(accel, &options.method)?;
-        } else if turns {
-            refuse_turned_without_uvs(scene)?;
-        }
         let field = Field::new(accel, prepared.boundaries(), options.method);
-        #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(field.boundaries, &options.method)?;
         let grid = self.grid();
         let mut pass = Pass {
             scene,
@@ -212,6 +222,31 @@ impl<'a> BackwardWork<'a> {
             Along::Bands,
             sums,
         ))
+    }
+
+    /// Refuses what can be seen without a sample.
+    fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
+        let (prepared, wanted) = (self.prepared, &self.wanted);
+        let (scene, accel) = (prepared.scene(), prepared.accel());
+        refuse_settings(&options.method, &options.walk)?;
+        let expected = scene.film.crop_size.map(|n| n as usize);
+        let found = [self.adjoint.width, self.adjoint.height];
+        if found != expected {
+            return Err(Refusal::AdjointSize { found, expected });
+        }
+        refuse_non_finite(self.adjoint)?;
+        let is_asked_for = |id: TextureId| wanted.textures[id.0 as usize];
+        refuse_infinite_derivatives(scene, is_asked_for)?;
+        let turns = wanted.normals.contains(&true);
+        refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
+        if wanted.geometry() {
+            refuse_motion(accel, &options.method)?;
+        } else if turns {
+            refuse_turned_without_uvs(scene)?;
+        }
+        #[cfg(feature = "paper")]
+        capwalk_boundary::refuse::refuse_many_edges(prepared.boundaries(), &options.method)?;
+        Ok(())
     }
 
     fn backward(&self, batches: Vec<BatchSums>) -> Result<Backward, Refusal> {

@@ -13,6 +13,7 @@ mod aabb;
 mod bvh;
 mod cone;
 pub mod edge;
+mod effort;
 mod local_frame;
 mod mesh;
 pub mod oracle;
@@ -24,6 +25,7 @@ mod tests;
 pub mod topology;
 
 pub use edge::{Edge, Sides};
+pub use effort::{add_effort, effort};
 pub use mesh::{Mesh, MeshError};
 pub use query::{ConeQuery, EdgeSelection, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree};
 pub use ray::{Hit, Ray};

@@ -3,9 +3,10 @@
 use std::fmt;
 
 use capwalk_diff::{
-    GradientOptions, PreparedScene, Refusal, RenderOptions, Statistics, Unwatched, Watch, backward,
-    render,
+    BackwardWork, Chosen, GradientOptions, PreparedScene, Refusal, RenderOptions, Statistics,
+    Unwatched, Watch, backward, render,
 };
+use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
 
 use crate::adam::MomentEstimates;
@@ -351,6 +352,24 @@ impl Problem {
             numbers: sums,
             errors: squares.into_iter().map(f64::sqrt).collect(),
         })
+    }
+
+    /// Settles the method of all gradients, if it is [`Method::Auto`]: what is best for the
+    /// sum of all pixels of the first view before the first step, in a short pilot. Later
+    /// iterations would choose alike, and need no pilot of their own. What is refused stays
+    /// as it is, to be refused by the first iteration.
+    pub fn choose_method(&mut self, watch: &dyn Watch) -> Option<Chosen> {
+        let scene = self.scene(&State::new(self)).ok()?;
+        let prepared = PreparedScene::new(self.views.first()?.scene(&scene));
+        let [width, height] = prepared.scene().film.crop_size.map(|side| side as usize);
+        let mut ones = Image::new(width, height);
+        ones.pixels.fill(Rgb::splat(1.0));
+        let wanted = self.variables.wanted(&self.scene);
+        let options = self.gradient_options(RenderOptions::new(self.spp_grad, self.seed));
+        let work = BackwardWork::new(&prepared, &ones, wanted, options);
+        let chosen = work.chosen(watch).ok()?;
+        (self.method, self.walk) = (chosen.options.method, chosen.options.walk);
+        Some(chosen)
     }
 
     /// The first variable whose derivative is refused in a state, each tried alone.

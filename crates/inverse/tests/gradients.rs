@@ -101,7 +101,7 @@ fn problem() -> Problem {
         seed: 0,
         spp: 24,
         spp_grad: 16,
-        method: Method::default(),
+        method: Method::Walk,
         walk: WalkSettings::default(),
     }
 }

@@ -5,6 +5,7 @@
 use std::cell::RefCell;
 
 use capwalk_boundary::{Draw, EdgePoint, Field, SilhouettePieces, Viewpoint, Window, clip, place};
+use capwalk_geometry::add_effort;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
 
@@ -26,6 +27,9 @@ const MOST_POINTS: u32 = 32;
 /// How far the planes of a window are moved outward, as a fraction of the edge's
 /// distance: more than rounding.
 const IN_PLANE: f64 = 1e-9;
+
+/// The effort of weighing a piece: BSDF and cosine are evaluated.
+const EFFORT_OF_PIECE: u64 = 10;
 
 /// Length of the longest piece that has one sampling weight, radians: lobes are narrow.
 const PIECE: f64 = 0.05;
@@ -204,6 +208,7 @@ fn weigh<R: Real, W: SceneEval<R>>(
             }
         }
     }
+    add_effort(EFFORT_OF_PIECE * weighed.len() as u64);
     // Every piece has a share of its angle, too.
     let sum: f64 = weighed.iter().map(|piece| piece.contribution).sum();
     let angle: f64 = weighed.iter().map(|piece| piece.angle).sum();

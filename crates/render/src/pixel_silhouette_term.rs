@@ -19,12 +19,9 @@ use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::{EDGE_NUMBERS, Tracer};
 
 impl Tracer<'_> {
-    /// True if the method gathers edges and can do so for the camera: with perspective
-    /// rays, and no boundary seen through specular surfaces.
+    /// True if the method gathers edges for the camera and can do so.
     pub(super) fn gathers_for_camera(&self) -> bool {
-        self.gathered_segments().camera
-            && !self.accel.view.is_parallel()
-            && self.events_behind(0) == 0
+        self.gathered_segments().camera && self.can_gather().camera
     }
 
     /// A sample of this term for one pixel: a number of value zero, with a derivative.
@@ -42,7 +39,7 @@ impl Tracer<'_> {
         // Gather the edges in the pixel, or take the list that another sample has gathered:
         // the count of queries is the same.
         draw.count_queries(1);
-        let make = || silhouettes(field, view, support);
+        let make = || silhouettes(field, eval, camera, support);
         // Sample a point on one of them.
         let u = draw.stream.number(EDGE_NUMBERS);
         let point = self.silhouettes.with(pixel, make, |silhouettes| {

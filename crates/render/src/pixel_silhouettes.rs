@@ -4,12 +4,13 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use capwalk_boundary::{Field, SEEN, SilhouettePieces, clip, place};
-use capwalk_geometry::{ConeQuery, EdgeSelection};
-use capwalk_math::sphere;
+use capwalk_geometry::{ConeQuery, EdgeSelection, add_effort, effort};
+use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::Scene;
-use capwalk_scene::sensor::view::View;
 
+use crate::camera::Camera;
 use crate::pixel::Support;
+use crate::scene_eval::SceneEval;
 
 /// A cache of the edges gathered in each pixel. What it keeps changes no result.
 #[derive(Default)]
@@ -27,6 +28,9 @@ const MOST_KEPT: usize = 1 << 22;
 const PIECE: f64 = 0.5;
 /// Smallest filter value that a sampling weight uses, relative to the filter's mean.
 const LEAST_FILTER: f64 = 0.1;
+/// Smallest speed that a sampling weight of an edge that moves uses, relative to the fastest
+/// one in the pixel.
+const LEAST_SPEED: f64 = 0.01;
 /// Sampling weight of no edge at all, relative to a silhouette across the filter's
 /// support: in pixels with creases alone, where the discontinuity is small, few samples
 /// take one.
@@ -61,8 +65,11 @@ impl PixelSilhouettes {
         if let Some(pieces) = cell.and_then(OnceLock::get) {
             return then(pieces);
         }
+        let before = effort();
         let pieces = make();
         if let Some(cell) = cell {
+            // Made once for all samples, it is no effort of this one.
+            add_effort(before.wrapping_sub(effort()));
             let kept = self.kept.fetch_add(pieces.count(), Ordering::Relaxed);
             if kept + pieces.count() <= MOST_KEPT {
                 return then(cell.get_or_init(|| pieces));
@@ -74,9 +81,15 @@ impl PixelSilhouettes {
 }
 
 /// The edges in the support of a pixel's filter, cut into pieces whose sampling weight is
-/// their length on the film, times the filter, times a guess of how large the
-/// discontinuity is there.
-pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> SilhouettePieces {
+/// what they contribute (METHOD 10): their length on the film, times the filter, times their
+/// angular speed, times a guess of how large the discontinuity is there.
+pub fn silhouettes<R: Real, W: SceneEval<R>>(
+    field: &Field,
+    eval: &W,
+    camera: &Camera<R>,
+    support: &Support,
+) -> SilhouettePieces {
+    let view = &camera.primal;
     // Gather what is in a cone around the support, which is a pyramid of four planes.
     let [x, y] = support.sides.map(|side| side.bounds);
     let corners = [[0, 0], [1, 0], [1, 1], [0, 1]].map(|[i, k]| view.direction([x[i], y[k]]));
@@ -96,7 +109,14 @@ pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> Silhou
     };
     let area = support.sides[0].width() * support.sides[1].width();
     let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);
-    let mut pieces = SilhouettePieces::of_camera();
+    // How fast an edge crosses the rays through film points that stay, radians.
+    let speed = |points, t: f64, offset: Vec3, normal: Vec3| {
+        let (distance, s) = (offset.length(), view.film(offset));
+        let ray = camera.moving.direction(s.map(R::constant));
+        let there = camera.moving.origin + ray * R::constant(distance);
+        eval.speed(points, t, there, normal) / distance
+    };
+    let mut weighed: Vec<(u32, [f64; 2], f64, f64)> = Vec::new();
     let mut gathered = Vec::new();
     boundaries.gather(&query, &mut gathered);
     for (edge, ends) in gathered {
@@ -113,12 +133,24 @@ pub fn silhouettes(field: &Field, view: &View<f64>, support: &Support) -> Silhou
         let [near, far] = [first, last].map(|p| view.depth(view.origin + p));
         let place = |part| place([from, to], [near, far], part);
         let count = (length / PIECE).ceil().clamp(1.0, 1e3);
+        let (points, normal) = (boundaries.edge(edge).vertices, a.cross(b).normalized());
         for i in 0..count as u32 {
             let part = |k: f64| (f64::from(i) + k) / count;
             let middle = [0, 1].map(|k| start[k] + (end[k] - start[k]) * part(0.5));
             let filter = support.weight(middle) + LEAST_FILTER / area;
             let range = [place(part(0.0)), place(part(1.0))];
-            pieces.push(edge, range, contrast * filter * length / count);
+            // Linear along the edge: zero at both ends, it is zero between them.
+            let [first, last] = range.map(|t| speed(points, t, a + (b - a) * t, normal));
+            let weight = contrast * filter * length / count;
+            weighed.push((edge, range, weight, first + last));
+        }
+    }
+    // Relative to the fastest one; those that stay contribute nothing.
+    let fastest = weighed.iter().map(|piece| piece.3).fold(0.0, f64::max);
+    let mut pieces = SilhouettePieces::of_camera();
+    for (edge, range, weight, speed) in weighed {
+        if speed != 0.0 {
+            pieces.push(edge, range, weight * (speed / fastest).max(LEAST_SPEED));
         }
     }
     pieces.push_nothing(NOTHING / area.sqrt());

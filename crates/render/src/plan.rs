@@ -107,6 +107,11 @@ impl Plan {
         self.max_depth.is_none_or(|max| segments <= max)
     }
 
+    /// True if light that reaches surfaces is sampled.
+    pub fn lights_surfaces(&self) -> bool {
+        self.reaches(2) && self.sampling.dimensions() > 0
+    }
+
     /// Most specular events between a point that paths of so many segments lead
     /// to and what they show of the scene.
     pub fn events_behind(&self, segments: u32) -> u32 {

@@ -94,6 +94,29 @@ impl<'a> Tracer<'a> {
         self.gathered_segments().emitters && self.accel.scene.emitter(emitter).shape().is_some()
     }
 
+    /// The segments along which edges could be gathered in this scene.
+    pub fn can_gather(&self) -> Gathers {
+        Gathers {
+            // With perspective rays, and no boundary seen through specular surfaces.
+            camera: !self.accel.view.is_parallel() && self.events_behind(0) == 0,
+            emitters: self.plan.lights_surfaces() && self.has_area_emitters(),
+        }
+    }
+
+    /// True if directions from surfaces move along fields where edges are gathered along
+    /// these segments.
+    pub fn walks_around_surfaces(&self, gathers: Gathers) -> bool {
+        self.plan.lights_surfaces()
+            && (self.has_area_emitters() && !gathers.emitters
+                || self.accel.scene.environment().is_some()
+                || self.plan.reaches(3))
+    }
+
+    fn has_area_emitters(&self) -> bool {
+        let mut emitters = self.accel.scene.emitters.iter();
+        emitters.any(|emitter| emitter.shape().is_some())
+    }
+
     /// The segments along which the method gathers edges.
     pub(crate) fn gathered_segments(&self) -> Gathers {
         let gathers = |moving: &Moving| moving.field.method.traits().gathers;

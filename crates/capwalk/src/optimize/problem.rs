@@ -1,6 +1,6 @@
 //! From a job to a problem: scenes are loaded, targets read or rendered.
 
-use capwalk_diff::Watch;
+use capwalk_diff::{Chosen, RenderOptions, Watch};
 use capwalk_inverse::seed::{Purpose, seed};
 use capwalk_inverse::variable::{VariableSpec, Variables, variable};
 use capwalk_inverse::{Problem, Stop, TargetView};
@@ -14,7 +14,6 @@ use crate::engine::Engine;
 use crate::error::Error;
 use crate::images::{read_layer, read_mask};
 use crate::load::Loader;
-use capwalk_diff::RenderOptions;
 use capwalk_scene_io::{Loaded, Warning};
 
 /// The problem that a job poses.
@@ -22,6 +21,8 @@ use capwalk_scene_io::{Loaded, Warning};
 pub struct LoadedProblem {
     /// The problem, with all of its targets.
     pub problem: Problem,
+    /// How its method was chosen; `None` if its derivatives are refused.
+    pub chosen: Option<Chosen>,
     /// What the scene files that it was loaded from say in vain, each once.
     pub warnings: Vec<Warning>,
 }
@@ -92,7 +93,18 @@ impl Job {
         for (view, target) in render_targets(pending, watch)? {
             problem.views[view].target = target;
         }
-        Ok(LoadedProblem { problem, warnings })
+        // With the targets, which need no gradient, all that the choice depends on is there.
+        let chosen = problem.choose_method(watch);
+        if watch.should_stop() {
+            return Err(Error::Stopped {
+                before: "a method was chosen",
+            });
+        }
+        Ok(LoadedProblem {
+            problem,
+            chosen,
+            warnings,
+        })
     }
 
     /// A scene of the job, with these values of `$name` before those of the job, and the

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use capwalk_diff::{Refusal, Watch};
+use capwalk_diff::{Chosen, Refusal, Watch};
 use capwalk_inverse::record::Row;
 use capwalk_inverse::{Iteration, PreparedViews, Problem, State, Stop};
 use capwalk_scene_io::{LoadError, Warning};
@@ -51,6 +51,7 @@ use crate::error::Error;
 pub struct Run<'j> {
     job: &'j Job,
     problem: Problem,
+    chosen: Option<Chosen>,
     warnings: Vec<Warning>,
     state: State,
     views: PreparedViews,
@@ -69,12 +70,17 @@ impl<'j> Run<'j> {
         watch: &dyn Watch,
     ) -> Result<Self, Error> {
         let claimed = folder::claim(folder.as_ref(), resume, &job.inputs())?;
-        let LoadedProblem { problem, warnings } = job.problem(watch)?;
+        let LoadedProblem {
+            problem,
+            chosen,
+            warnings,
+        } = job.problem(watch)?;
         let fingerprint = fingerprint(&problem, &job.specs());
         let (folder, state) = claimed.begin(&problem, fingerprint)?;
         Ok(Self {
             job,
             problem,
+            chosen,
             warnings,
             state,
             views: PreparedViews::new(),
@@ -86,6 +92,11 @@ impl<'j> Run<'j> {
     /// What is looked for.
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// How the method of its gradients was chosen; `None` if they are refused.
+    pub fn chosen(&self) -> Option<&Chosen> {
+        self.chosen.as_ref()
     }
 
     /// What the scene files of the job say in vain.

@@ -49,9 +49,14 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         limit.saturating_sub(used.unwrap_or_default())
     });
     let progress = Progress::new("gradient", rest);
-    let gradients = prepared.backward(adjoint, &names, &options, &progress);
+    let chosen = prepared.choose_backward(adjoint, &names, &options, &progress);
+    let gradients = chosen.and_then(|chosen| {
+        let gradients = prepared.backward(adjoint, &names, &chosen.options, &progress);
+        Ok((chosen, gradients?))
+    });
     let elapsed = progress.finish().as_secs_f64();
-    let gradients = gradients?;
+    let (chosen, gradients) = gradients?;
+    let options = chosen.options;
     let statistics = &gradients.statistics;
     if statistics.samples == 0 {
         return nothing("a sample of the gradient was taken");
@@ -64,6 +69,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         console::remark(&report::warnings("image", &loss.image.statistics));
         pieces.push(&loss.image.statistics);
     }
+    method::log(&chosen);
     console::remark(&method::remark(&options));
     console::remark(&report::warnings("gradient", statistics));
     if args.json {
@@ -73,6 +79,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
             "spp": options.spp,
             "seed": options.seed,
             "method": options.method.name(),
+            "choice": method::choice_json(&chosen),
             "loss": loss.as_ref().map(MeasuredLoss::to_json),
             "parameters": gradients.iter().map(to_json).collect::<Vec<_>>(),
             "statistics": report::statistics_json(statistics, elapsed),

@@ -44,6 +44,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
 
     let parameter = direction::describe(&typed.tangent);
     let written = layers::write(&files, &typed.scene.scene, &parameter, &checked)?;
+    method::log(&checked.chosen);
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
     console::remark(&report::warnings("reference", of_reference));
@@ -54,7 +55,8 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "size": scene.film.crop_size,
             "spp": sampling.spp,
             "seed": sampling.seed,
-            "method": options.gradient.method.name(),
+            "method": checked.chosen.options.method.name(),
+            "choice": method::choice_json(&checked.chosen),
             "reference_spp": made.spp,
             "step": made.step,
             "comparison": comparison_json(comparison),

@@ -5,8 +5,8 @@ use std::time::{Duration, Instant};
 use anyhow::Result;
 use capwalk::scene::builtin;
 use capwalk::{
-    CheckOptions, Estimator, GradientImage, GradientOptions, Prepared, RenderOptions, Rendering,
-    Tangent, WalkSettings,
+    CheckOptions, Estimator, GradientImage, GradientOptions, Method, Prepared, RenderOptions,
+    Rendering, Tangent, WalkSettings,
 };
 use serde_json::json;
 
@@ -73,7 +73,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
         checked,
         seconds,
     } = &results;
-    let (check, options) = (&checked.check, checked.options.sampling());
+    let (check, options) = (&checked.check, checked.chosen.options.sampling());
     let gradient = &check.gradient;
 
     let mut layered = output::layered("render", SCENE, None, &options);
@@ -83,7 +83,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     let layered = gradient::layered(
         SCENE,
         parameter,
-        checked.options.method.name(),
+        checked.chosen.options.method.name(),
         &options,
         gradient,
     );
@@ -118,7 +118,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
             "step": check.made.step,
             "comparison": check::comparison_json(&check.comparison),
             "variance_per_sample": {
-                "anchored": variance(gradient),
+                "auto": variance(gradient),
                 "literal": variance(literal),
             },
             "silhouette_queries_per_second": queries,
@@ -133,8 +133,11 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     } else {
         let [width, height] = scene.film.crop_size;
         let variances = [
-            ("anchored", report::number(variance(gradient))),
-            ("literal", report::number(variance(literal))),
+            (
+                checked.chosen.options.method.name(),
+                report::number(variance(gradient)),
+            ),
+            ("walk, literal", report::number(variance(literal))),
         ];
         console::print(&format!(
             "{SCENE}, {width} x {height} pixels, derivative for {parameter}\n\n\
@@ -161,13 +164,6 @@ fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> 
     let sampling = &args.sampling;
     let left_until = |share| left(sampling.time_limit, share, started.elapsed());
     let sampled = |spp: u32| RenderOptions::new(spp, sampling.seed.unwrap_or(SEED));
-    let settings = |estimator, spp| GradientOptions {
-        walk: WalkSettings {
-            estimator,
-            ..WalkSettings::default()
-        },
-        ..sampled(spp).into()
-    };
     let spp = sampling.spp.unwrap_or(SPP);
 
     let progress = Progress::new("render", left_until(PICTURE_UNTIL));
@@ -175,13 +171,20 @@ fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> 
     let render_seconds = progress.finish().as_secs_f64();
 
     let progress = Progress::new("literal", left_until(LITERAL_UNTIL));
-    let literal = settings(Estimator::Literal, literal_spp(spp));
+    let literal = GradientOptions {
+        method: Method::Walk,
+        walk: WalkSettings {
+            estimator: Estimator::Literal,
+            ..WalkSettings::default()
+        },
+        ..sampled(literal_spp(spp)).into()
+    };
     let literal = prepared.gradient(tangent, &literal, &progress);
     let literal_seconds = progress.finish().as_secs_f64();
     let literal = literal?;
 
     let options = CheckOptions {
-        gradient: settings(Estimator::Anchored, spp),
+        gradient: sampled(spp).into(),
         reference_spp: Some(spp.saturating_mul(REFERENCE_FACTOR)),
         step: None,
     };

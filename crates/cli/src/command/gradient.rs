@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 use capwalk::scene_io::image::LayeredImage;
-use capwalk::{DifferenceOptions, GradientImage, GradientOptions, RenderOptions};
+use capwalk::{Chosen, DifferenceOptions, GradientImage, RenderOptions};
 use serde_json::json;
 
 use crate::args::{Gradient, MethodName};
@@ -19,10 +19,15 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
-    let way = Way::new(args, options, || prepared.difference_step(&tangent))?;
+    let mut way = Way::new(args, options, || prepared.difference_step(&tangent))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
-    let result = match &way {
-        Way::Samples(settings) => prepared.gradient(&tangent, settings, &progress),
+    let result = match &mut way {
+        Way::Samples(chosen) => prepared
+            .choose(&tangent, &chosen.options, &progress)
+            .and_then(|found| {
+                *chosen = found;
+                prepared.gradient(&tangent, &chosen.options, &progress)
+            }),
         Way::Differences { step } => {
             let options = DifferenceOptions {
                 spp: options.spp,
@@ -43,6 +48,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
         output::note(&mut layered, "step", step);
     }
     let written = files.write(&layered, &[])?;
+    way.chosen().into_iter().for_each(method::log);
     console::remark(&way.remark());
     console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
@@ -54,6 +60,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
             "spp": options.spp,
             "seed": options.seed,
             "method": way.name(),
+            "choice": way.chosen().map(method::choice_json),
             "step": way.step(),
             "mean": report::mean_colour(&value.mean),
             "mean_gradient": report::mean_colour(&gradient.mean),
@@ -79,7 +86,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
 /// How the gradient is made.
 enum Way {
     /// Samples are differentiated.
-    Samples(GradientOptions),
+    Samples(Chosen),
     /// Images on both sides are subtracted.
     Differences {
         /// In units of the parameter.
@@ -104,12 +111,15 @@ impl Way {
              --method fd",
             method::name(&args.method.method)
         );
-        Ok(Self::Samples(method::options(options, &args.method)?))
+        Ok(Self::Samples(Chosen {
+            options: method::options(options, &args.method)?,
+            trials: Vec::new(),
+        }))
     }
 
     fn name(&self) -> &'static str {
         match self {
-            Self::Samples(settings) => settings.method.name(),
+            Self::Samples(chosen) => chosen.options.method.name(),
             Self::Differences { .. } => "fd",
         }
     }
@@ -117,8 +127,16 @@ impl Way {
     /// What is to be said about its standard errors.
     fn remark(&self) -> String {
         match self {
-            Self::Samples(settings) => method::remark(settings),
+            Self::Samples(chosen) => method::remark(&chosen.options),
             Self::Differences { .. } => method::remark_on_differences().into(),
+        }
+    }
+
+    /// How its method was chosen.
+    fn chosen(&self) -> Option<&Chosen> {
+        match self {
+            Self::Samples(chosen) => Some(chosen),
+            Self::Differences { .. } => None,
         }
     }
 

@@ -33,10 +33,12 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
     if first > 0 && !args.json {
         console::remark(&format!("going on after iteration {first}\n"));
     }
-    let (method, walk) = job.method();
+    if let Some(chosen) = run.chosen() {
+        method::log(chosen);
+    }
     console::remark(&method::remark(&GradientOptions {
-        method,
-        walk,
+        method: run.problem().method,
+        walk: run.problem().walk,
         ..GradientOptions::default()
     }));
 

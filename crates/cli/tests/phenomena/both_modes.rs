@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use capwalk_diff::{
-    GradientOptions, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
+    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, params};
@@ -47,6 +47,7 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
         .unwrap_or_else(|e| panic!("{name}: {e}"));
     let settings = GradientOptions {
         blind: true,
+        method: Method::Walk,
         ..GradientOptions::new(RenderOptions::new(SPP, SEED))
     };
     let forward = gradient(
@@ -82,7 +83,7 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let (spp, seed) = (SPP.to_string(), SEED.to_string());
     let file = folder.scene_file();
     let path = |path: &Path| path.to_str().expect("plain letters").to_owned();
-    let sampling = ["--spp", &spp, "--seed", &seed];
+    let sampling = ["--spp", &spp, "--seed", &seed, "--method", "walk"];
     let both = format!("{},{}", path(&gradient), path(&npz));
     let done = capwalk(
         &[

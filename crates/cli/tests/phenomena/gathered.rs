@@ -1,5 +1,5 @@
-//! `--method edges` against the finite differences of `check`, wherever something
-//! moves.
+//! `--method walk` and `--method edges` against the finite differences of `check`, which
+//! has `auto`, wherever something moves.
 
 use std::path::Path;
 
@@ -12,10 +12,10 @@ use crate::methods::{by, meets};
 /// Enough samples to see that two methods are not the same.
 const FEW: u32 = 4;
 
-/// Demands that gathered edges agree with the differences in a file, or are walks
-/// again.
+/// Demands that walks agree with the differences in a file, and that gathered edges do or
+/// are walks again.
 pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
-    let name = format!("{}, {parameter}, edges", folder.name);
+    let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, parameter)
@@ -31,9 +31,14 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
         edges == Edges::Walked,
         "{name}: are they the same as walks, as check.json says?"
     );
-    if edges != Edges::Gathered {
-        return;
+    for method in [Method::Walk, Method::EDGES] {
+        if method == Method::Walk || edges == Edges::Gathered {
+            let name = format!("{name}, {}", method.name());
+            meets(
+                &name,
+                &by(method, &scene, &tangent, scene.settings.spp),
+                check,
+            );
+        }
     }
-    let spp = scene.settings.spp;
-    meets(&name, &by(Method::EDGES, &scene, &tangent, spp), check);
 }

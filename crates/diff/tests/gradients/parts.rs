@@ -71,7 +71,12 @@ fn all_options() -> Vec<GradientOptions> {
         bands: 7,
     };
     let mut all = Vec::new();
-    for (method, grid) in [(Method::Walk, Grid::DEFAULT), (Method::EDGES, more)] {
+    let methods = [
+        (Method::Walk, Grid::DEFAULT),
+        (Method::EDGES, more),
+        (Method::Auto, Grid::DEFAULT),
+    ];
+    for (method, grid) in methods {
         all.push(GradientOptions {
             method,
             grid,

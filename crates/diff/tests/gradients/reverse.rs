@@ -79,6 +79,7 @@ fn adjoint(scene: &Scene, seed: u64) -> Image {
 fn settings(spp: u32) -> GradientOptions {
     GradientOptions {
         blind: true,
+        method: Method::Walk,
         ..GradientOptions::new(RenderOptions::new(spp, 5))
     }
 }

@@ -11,6 +11,7 @@ use super::local_cone::LocalCone;
 use super::pseudo_angle::Limit;
 use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Child, ChildKind, MAX_DEPTH, WIDTH};
+use crate::effort::{EDGE, NODE, add_effort};
 use crate::simd::{Job, Simd};
 
 impl SilhouetteTree {
@@ -57,8 +58,10 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
         let certainly = limit.pseudo * CERTAINLY_WITHIN;
         let mut stack = [Child::node(0); STACK_SIZE];
         let mut len = 1;
+        let mut effort = 0;
         while len > 0 {
             len -= 1;
+            effort += NODE;
             match stack[len].kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
@@ -78,6 +81,7 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
                         mask &= mask - 1;
                         // Certainly a boundary, and certainly inside the cone? Else
                         // the exact test decides, as brute force would.
+                        effort += EDGE;
                         let edge = &tree.edges[block.start as usize + lane];
                         let is_certain =
                             bounds.certain >> lane & 1 != 0 && bounds.most[lane] < certainly;
@@ -89,5 +93,6 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
                 None => {}
             }
         }
+        add_effort(effort);
     }
 }

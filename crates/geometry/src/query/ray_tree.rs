@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::ray_kernel::{self, LocalRay, RayNode, TriangleBlock};
 use crate::aabb::Aabb;
 use crate::bvh::{ChildKind, Hierarchy, Stack, SurfaceCost, build, child_bounds};
+use crate::effort::add_effort;
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::ray::{Hit, Ray};
@@ -148,11 +149,13 @@ impl Job for FirstHit<'_> {
         let mut limit = local.limit(bounds[1]);
         let mut best: Option<Hit> = None;
         let mut stack = Stack::with_root();
+        let mut visited = 0;
         while let Some((near, child)) = stack.pop() {
             // The ray enters this box behind a hit found since it was pushed.
             if near > limit {
                 continue;
             }
+            visited += 1;
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
@@ -174,6 +177,7 @@ impl Job for FirstHit<'_> {
                 None => {}
             }
         }
+        add_effort(visited);
         best
     }
 }
@@ -198,7 +202,12 @@ impl Job for Occluded<'_> {
         let limit = local.limit(bounds[1]);
         // Any hit will do. Near boxes still come first: they are the likelier ones.
         let mut stack = Stack::with_root();
-        while let Some((_, child)) = stack.pop() {
+        let mut visited = 0;
+        let mut found = false;
+        while let Some((_, child)) = stack.pop()
+            && !found
+        {
+            visited += 1;
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
@@ -206,15 +215,12 @@ impl Job for Occluded<'_> {
                     stack.push_sorted(mask, &near, &node.children);
                 }
                 Some(ChildKind::Leaf(leaf)) => {
-                    let mut found = false;
                     tree.leaves[leaf].intersect(simd, &local, bounds, |_| found = true);
-                    if found {
-                        return true;
-                    }
                 }
                 None => {}
             }
         }
-        false
+        add_effort(visited);
+        found
     }
 }

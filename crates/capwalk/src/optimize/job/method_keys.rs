@@ -25,6 +25,7 @@ pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
     let table = value.table(&format!("[method] of type \"{}\"", method.name()))?;
     table.get("type");
     match method {
+        MethodName::Auto => {}
         MethodName::Walk | MethodName::Edges => {
             if method.has("domain") {
                 chosen.walk.domain = choice(&table, "domain")?;

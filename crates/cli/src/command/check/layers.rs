@@ -34,9 +34,9 @@ fn layered(scene: &str, parameter: &str, checked: &Checked) -> LayeredImage {
         made,
         ..
     } = &checked.check;
-    let sampling = checked.options.sampling();
+    let sampling = checked.chosen.options.sampling();
     let mut layered = output::layered("check", scene, Some(parameter), &sampling);
-    output::note(&mut layered, "method", checked.options.method.name());
+    output::note(&mut layered, "method", checked.chosen.options.method.name());
     output::note(&mut layered, "step", made.step);
     output::note(&mut layered, "reference_spp", made.spp);
     output::note(&mut layered, "reference_seed", made.seed);
@@ -96,7 +96,9 @@ fn panels<'a>(check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
 
 #[cfg(test)]
 mod tests {
-    use capwalk::{Estimate, GradientImage, GradientOptions, Reference, Statistics, compare};
+    use capwalk::{
+        Chosen, Estimate, GradientImage, GradientOptions, Method, Reference, Statistics, compare,
+    };
 
     use super::*;
 
@@ -145,10 +147,14 @@ mod tests {
                         seed: 6,
                     },
                 },
-                options: GradientOptions {
-                    spp: 8,
-                    seed: 5,
-                    ..GradientOptions::default()
+                chosen: Chosen {
+                    options: GradientOptions {
+                        spp: 8,
+                        seed: 5,
+                        method: Method::Walk,
+                        ..GradientOptions::default()
+                    },
+                    trials: Vec::new(),
                 },
                 seconds: [1.0, 1.0],
             };

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk::{Check, CheckOptions, GradientOptions, Prepared, Tangent};
+use capwalk::{Check, CheckOptions, Chosen, Prepared, Tangent};
 
 use crate::progress::Progress;
 
@@ -11,7 +11,7 @@ use crate::progress::Progress;
 pub struct Checked {
     pub check: Check,
     /// How the gradient was estimated.
-    pub options: GradientOptions,
+    pub chosen: Chosen,
     /// Seconds for the gradient and for the reference.
     pub seconds: [f64; 2],
 }
@@ -26,9 +26,13 @@ pub fn check(
     let reference = options.reference(|| prepared.difference_step(tangent));
     let started = Instant::now();
     let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
-    let gradient = prepared.gradient(tangent, &options.gradient, &progress);
+    let chosen = prepared.choose(tangent, &options.gradient, &progress);
+    let gradient = chosen.and_then(|chosen| {
+        let gradient = prepared.gradient(tangent, &chosen.options, &progress);
+        Ok((chosen, gradient?))
+    });
     let gradient_seconds = progress.finish().as_secs_f64();
-    let gradient = gradient?;
+    let (chosen, gradient) = gradient?;
 
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
@@ -36,7 +40,7 @@ pub fn check(
     let reference_seconds = progress.finish().as_secs_f64();
     Ok(Checked {
         check: Check::new(gradient, differences?, reference),
-        options: options.gradient,
+        chosen,
         seconds: [gradient_seconds, reference_seconds],
     })
 }

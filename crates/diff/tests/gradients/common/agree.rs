@@ -33,7 +33,7 @@ impl Default for Case {
             reference_spp: 512,
             step: 3e-2,
             one_sided: false,
-            method: Method::default(),
+            method: Method::Walk,
             walk: WalkSettings::default(),
             min_pixels: 1000,
             patience: 1.0,

@@ -1,6 +1,6 @@
 //! Estimates against exact numbers.
 
-use capwalk_diff::{Estimate, GradientOptions, RenderOptions};
+use capwalk_diff::{Estimate, GradientOptions, Method, RenderOptions};
 
 /// Standard errors beyond which a difference is no accident: 7 tests in a
 /// million are beyond, and there are some hundred of them.
@@ -16,7 +16,10 @@ pub fn meets(name: &str, mean: f64, error: f64, exact: f64, largest_error: f64) 
 
 /// So many samples per pixel.
 pub fn settings(spp: u32) -> GradientOptions {
-    GradientOptions::new(RenderOptions::new(spp, 5))
+    GradientOptions {
+        method: Method::Walk,
+        ..GradientOptions::new(RenderOptions::new(spp, 5))
+    }
 }
 
 /// The mean of an image, and of each of its quarters, with errors.
