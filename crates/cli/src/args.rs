@@ -177,14 +177,30 @@ pub struct MotionArgs {
 #[derive(Args, Debug)]
 pub struct MethodArgs {
     /// How discontinuities at edges are accounted for; all but `auto`, `walk` and `edges`
-    /// are baselines to compare with
-    #[arg(long, default_value = "auto")]
-    pub method: MethodName,
+    /// are baselines to compare with [default: auto; walk if one of its options is given]
+    #[arg(long)]
+    pub method: Option<MethodName>,
     #[command(flatten)]
     pub walk: WalkArgs,
     #[cfg(feature = "paper")]
     #[command(flatten)]
     pub was: WasArgs,
+}
+
+impl MethodArgs {
+    /// The method: options of walks ask for one.
+    pub fn name(&self) -> MethodName {
+        let walk = &self.walk;
+        let walks = walk.domain.is_some()
+            || walk.walk_steps.is_some()
+            || walk.estimator.is_some()
+            || walk.max_angle.is_some()
+            || walk.antithetic;
+        self.method.unwrap_or(match walks {
+            true => MethodName::Walk,
+            false => MethodName::Auto,
+        })
+    }
 }
 
 /// Methods by name. Those of the paper are hidden, and refused, without the feature

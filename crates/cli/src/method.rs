@@ -18,7 +18,7 @@ use crate::report;
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOptions> {
     refuse_options_of_others(args)?;
-    let Some(method) = MethodName::named(&name(&args.method)) else {
+    let Some(method) = MethodName::named(&name(&args.name())) else {
         bail!(
             "finite differences give the derivative of an image with respect to one parameter. \
              Use `capwalk gradient --method fd -p NAME` for each parameter"
@@ -30,11 +30,11 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
 /// An error if the method is left out of this program, or if an option is there that it
 /// has no use for.
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
-    refuse_left_out("--method", &args.method)?;
+    refuse_left_out("--method", &args.name())?;
     if let Some(domain) = &args.walk.domain {
         refuse_left_out("--domain", domain)?;
     }
-    let refused = match MethodName::named(&name(&args.method)) {
+    let refused = match MethodName::named(&name(&args.name())) {
         Some(method) => match choice(method, args).resolve() {
             Err(OptionError::OfAnotherMethod { option, owner, .. }) => Some((option, owner)),
             Err(other) => return Err(other.into()),
@@ -51,7 +51,7 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         "--{} belongs to the method {owner}, and the method is {}. Leave it out, or say \
          --method {owner}",
         flag(option, owner),
-        name(&args.method),
+        name(&args.name()),
     ))
 }
 

@@ -61,8 +61,12 @@ fn the_best_is_chosen() {
             options.walk.max_radius = trial.max_radius;
             let result = gradient(&prepared, &tangent, &options, &Unwatched).expect("covered");
             let errors = result.gradient.standard_error.pixels;
-            let squares = errors.iter().map(|error| error.dot(*error));
-            squares.sum::<f64>() * trial.effort
+            let mut squares: Vec<f64> = errors.iter().map(|error| error.dot(*error)).collect();
+            // Without the worst pixels: where a surface is seen at a grazing angle, the point
+            // that a fixed ray hits moves without bound, and one sample outweighs an image.
+            squares.sort_by(f64::total_cmp);
+            squares.truncate(squares.len() - squares.len() / 50);
+            squares.iter().sum::<f64>() * trial.effort
         };
         let is_chosen = |trial: &&capwalk_diff::Trial| {
             let options = &chosen.options;
@@ -141,8 +145,16 @@ fn what_is_chosen_is_right() {
     let scene = with(triangle());
     let tangent_of = |scene: &Scene, expression| tangent(scene, expression);
     let motion = tangent_of(&scene, "thing.translate.x");
-    agree("shadow", scene, &motion, automatic(Case::default()));
+    let case = Case {
+        min_pixels: 500,
+        ..Case::default()
+    };
+    agree("shadow", scene, &motion, automatic(case));
     let scene = visible_ball(Filter::Box);
     let motion = tangent_of(&scene, "ball.translate.x");
-    agree("outline", scene, &motion, automatic(primary()));
+    let case = Case {
+        min_pixels: 700,
+        ..primary()
+    };
+    agree("outline", scene, &motion, automatic(case));
 }

@@ -16,7 +16,14 @@ pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
     let Some(value) = root.get("method") else {
         return Ok((Method::default(), WalkSettings::default()));
     };
-    let method = choice(&value.table("[method]")?, "type")?.unwrap_or_default();
+    let table = value.table("[method]")?;
+    // Keys of walks ask for one.
+    let walks = ["domain", "steps", "estimator", "max_angle", "antithetic"];
+    let method = match choice(&table, "type")? {
+        Some(method) => method,
+        None if walks.iter().any(|key| table.get(key).is_some()) => MethodName::Walk,
+        None => MethodName::Auto,
+    };
     let mut chosen = MethodChoice {
         method,
         ..MethodChoice::default()
