@@ -1,8 +1,5 @@
 //! Triangles on the unit sphere: their solid angle, and uniform directions in them.
 
-use std::f64::consts::PI;
-
-use crate::sphere::angle_between;
 use crate::vec3::Vec3;
 
 /// A triangle whose plane is closer to the viewpoint than this fraction of its distance
@@ -28,19 +25,18 @@ pub fn solid_angle([a, b, c]: [Vec3; 3]) -> f64 {
 }
 
 /// Maps the unit square uniformly onto the triangle on the sphere whose corners lie in these
-/// directions (Arvo 1995). Loses digits for triangles of less than 1e-8 steradians.
-pub fn sample(corners: [Vec3; 3], u: [f64; 2]) -> Vec3 {
+/// directions and whose area is known, as [`solid_angle`] gives it (Arvo 1995). Loses digits
+/// for triangles of less than 1e-8 steradians.
+pub fn sample(corners: [Vec3; 3], area: f64, u: [f64; 2]) -> Vec3 {
     let [a, b, c] = corners.map(Vec3::normalized);
-    // The angles at the corners, and the area, which is their excess over π.
-    let [ab, bc, ca] = [a.cross(b), b.cross(c), c.cross(a)].map(Vec3::normalized);
-    let alpha = angle_between(ab, -ca);
-    let beta = angle_between(bc, -ab);
-    let gamma = angle_between(ca, -bc);
-    let area = alpha + beta + gamma - PI;
+    // The angle α at a, between the planes of its sides.
+    let [ab, ca] = [a.cross(b), c.cross(a)].map(Vec3::normalized);
+    let (sin_alpha, cos_alpha) = (ab.cross(ca).length(), -ab.dot(ca));
     // The subtriangle a, b, c' of area u[0] times that: find c' on the side from a to c.
-    let (sin_alpha, cos_alpha) = alpha.sin_cos();
-    let (sin_phi, cos_phi) = (u[0] * area - alpha).sin_cos();
     // Arvo's s = sin(area' - α) and t = cos(area' - α), with cos c = a·b.
+    let (sin, cos) = (u[0] * area).sin_cos();
+    let sin_phi = sin * cos_alpha - cos * sin_alpha;
+    let cos_phi = cos * cos_alpha + sin * sin_alpha;
     let k1 = cos_phi - cos_alpha;
     let k2 = sin_phi + sin_alpha * a.dot(b);
     let cos_side = ((k2 * cos_phi - k1 * sin_phi) * cos_alpha - k2)
@@ -59,6 +55,8 @@ fn along(from: Vec3, to: Vec3, cos: f64) -> Vec3 {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
 
     /// Clockwise and counterclockwise around the view, narrow, wide, and small.
@@ -112,10 +110,11 @@ mod tests {
         for corners in TRIANGLES.map(offsets) {
             for u in [[0.3, 0.7], [0.05, 0.2], [0.97, 0.9], [0.5, 0.5]] {
                 let h = 1e-4;
-                let at = |du: f64, dv: f64| sample(corners, [u[0] + du, u[1] + dv]);
+                let area = solid_angle(corners);
+                let at = |du: f64, dv: f64| sample(corners, area, [u[0] + du, u[1] + dv]);
                 let [du, dv] = [at(h, 0.0) - at(-h, 0.0), at(0.0, h) - at(0.0, -h)];
                 let element = du.cross(dv).length() / (4.0 * h * h);
-                let error = (element / solid_angle(corners) - 1.0).abs();
+                let error = (element / area - 1.0).abs();
                 assert!(error < 1e-5, "{corners:?}, {u:?}: {error:e}");
                 // It is inside, too.
                 let q = at(0.0, 0.0);

@@ -28,6 +28,8 @@ pub struct Side {
     integral: f64,
     /// The filter between the bounds as probabilities of equal bins.
     bins: [f64; BINS],
+    /// The sums of those before each.
+    below: [f64; BINS],
 }
 
 /// Bins of the piecewise constant density that filters are drawn from.
@@ -143,13 +145,21 @@ impl Side {
         let middle = |i: usize| bounds[0] + (i as f64 + 0.5) * width;
         let bins: [f64; BINS] = std::array::from_fn(|i| f(middle(i)));
         let total: f64 = bins.iter().sum();
+        let bins = bins.map(|mass| mass / total);
+        let mut sum = 0.0;
+        let below = bins.map(|mass| {
+            let below = sum;
+            sum += mass;
+            below
+        });
         Self {
             filter,
             centre,
             bounds,
             discontinuous: [0, 1].map(|end| filter == Filter::Box || bounds[end] != whole[end]),
             integral: integrate(f, bounds[0], centre) + integrate(f, centre, bounds[1]),
-            bins: bins.map(|mass| mass / total),
+            bins,
+            below,
         }
     }
 
@@ -167,13 +177,13 @@ impl Side {
 
     /// Draws a point with a density close to the filter's.
     fn sample(&self, u: f64) -> f64 {
-        let mut target = u;
-        let mut bin = 0;
-        while bin + 1 < BINS && target >= self.bins[bin] {
-            target -= self.bins[bin];
-            bin += 1;
+        // The number of bins is a power of two: halve what is left until it is one.
+        let (mut bin, mut half) = (0, BINS / 2);
+        while half > 0 {
+            bin += half * usize::from(u >= self.below[bin + half]);
+            half /= 2;
         }
-        let inside = (target / self.bins[bin]).min(1.0);
+        let inside = ((u - self.below[bin]) / self.bins[bin]).min(1.0);
         self.bounds[0] + (bin as f64 + inside) * (self.width() / BINS as f64)
     }
 

@@ -144,7 +144,7 @@ impl TriangleSampler {
                 pdf: chosen * density(solid_angle, cross, distance, direction),
             };
         }
-        let direction = spherical_triangle::sample(corners, u);
+        let direction = spherical_triangle::sample(corners, solid_angle, u);
         // Where the direction meets the triangle: inside, up to rounding.
         let t = a.dot(cross) / direction.dot(cross);
         let inside = direction * t - a;
