@@ -15,7 +15,7 @@ use crate::mitsuba::{LLVM_VARIABLE, MITSUBA, WITHOUT_LLVM, environment, llvm};
 use crate::shell::{capwalk, root, step};
 
 /// capwalk's methods, as they are typed after `--method`: a column for each.
-const METHODS: [&str; 2] = ["walk", "edges"];
+const METHODS: [&str; 3] = ["auto", "walk", "edges"];
 /// The method of the long derivative image that all others are compared with. It has
 /// its own seed.
 const REFERENCE: &str = "edges";

@@ -5,6 +5,8 @@
 //! random numbers of its own: the choice is the same in every run, on every machine and for
 //! every number of threads, and independent of the samples that follow.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Sampler, pool};
 use capwalk_geometry::effort;
 use capwalk_math::{Moments, Rgb, Vec3};
@@ -42,7 +44,8 @@ pub struct Trial {
     pub method: Method,
     /// The angular cutoff of its walks around surfaces, radians.
     pub max_radius: f64,
-    /// The mean over the pixels of a sample's variance, summed over the channels.
+    /// The mean over the pixels of a sample's variance, summed over the channels; the
+    /// hundredth of them where it is largest counts like the next one.
     pub variance: f64,
     /// The mean effort of a sample, in nodes of a ray tree.
     pub effort: f64,
@@ -62,18 +65,24 @@ impl Trial {
 
 /// Share of the work that each trial may take, and bounds of its samples.
 const SHARE: u64 = 128;
-const SAMPLES: [u64; 2] = [512, 1 << 14];
+const SAMPLES: [u64; 2] = [2048, 1 << 14];
 /// Samples of each pixel in a trial: variances are those within pixels.
 const PER_PIXEL: u32 = 4;
+
+/// One pixel of so many is taken for an accident, that of the largest variance.
+const WORST: usize = 100;
 
 /// Effort of a sample besides its queries: shading, sampling and their derivatives.
 const EFFORT_OF_SAMPLE: u64 = 100;
 
+/// So many emitters say how wide they are.
+const MOST_EMITTERS: usize = 16;
+
 /// What is not better than by this factor is not preferred.
 const CLEARLY: f64 = 0.9;
-/// From each cutoff that is tried to the next one, and how many are.
-const NARROWER: f64 = 1.0 / 3.0;
-const CUTOFFS: usize = 4;
+/// The best cutoff before an emitter, as a part of the emitter's angular width (METHOD 10).
+/// Narrower fields are met by few samples: a pilot may not see them at all.
+const PART_OF_EMITTER: f64 = 0.25;
 
 /// Makes the random numbers of a pilot independent of those of the work; e.
 const PILOT_SEED: u64 = 0xadf8_5458_a2bb_4a9a;
@@ -127,24 +136,63 @@ impl Pilot<'_> {
         Some(best)
     }
 
-    /// Where this walks around surfaces, ever narrower cutoffs, as long as they help.
+    /// Where this walks around surfaces, the cutoff that is asked for, and one that fits the
+    /// emitters.
     fn with_cutoffs(&self, tracer: &Tracer, gathers: Gathers, trials: &mut Vec<Trial>) -> Trial {
         let method = match gathers {
             Gathers::NONE => Method::Walk,
             gathers => Method::Edges(gathers),
         };
-        let mut best = self.trial(method, self.options.walk.max_radius, trials);
-        if !tracer.walks_around_surfaces(gathers) {
-            return best;
-        }
-        for _ in 0..CUTOFFS {
-            let next = self.trial(method, best.max_radius * NARROWER, trials);
-            if !next.beats(&best) {
-                break;
+        let asked = self.trial(method, self.options.walk.max_radius, trials);
+        let fitting = self.emitter_width().map(|width| PART_OF_EMITTER * width);
+        match fitting.filter(|&angle| angle < asked.max_radius) {
+            Some(angle) if tracer.walks_around_surfaces(gathers) => {
+                let narrow = self.trial(method, angle, trials);
+                if narrow.beats(&asked) { narrow } else { asked }
             }
-            best = next;
+            _ => asked,
         }
-        best
+    }
+
+    /// The mean angle under which what the camera sees is lit by area emitters, from side to
+    /// side, radians; `None` if it sees nothing, or there are none.
+    fn emitter_width(&self) -> Option<f64> {
+        let (accel, scene) = (self.prepared.accel(), self.prepared.scene());
+        let shapes = scene.emitters.iter().filter_map(|emitter| emitter.shape());
+        let balls = shapes.take(MOST_EMITTERS).map(|shape| {
+            let (low, high) = scene.shape(shape).mesh.bounds();
+            ((low + high) * 0.5, 0.5 * (high - low).length())
+        });
+        let balls: Vec<(Vec3, f64)> = balls.collect();
+        let mut widths = Moments::default();
+        for [x, y] in self.pixels() {
+            let offset = scene.film.crop_offset;
+            let s = [(x, offset[0]), (y, offset[1])].map(|(k, first)| f64::from(k + first) + 0.5);
+            let ray = accel.camera_ray(accel.view.origin, accel.view.direction(s));
+            let Some(hit) = accel.first_hit_within(&ray) else {
+                continue;
+            };
+            let seen = ray.origin + ray.direction * hit.t;
+            for (centre, radius) in &balls {
+                // A square is narrower than the ball around it.
+                let sine = radius / (*centre - seen).length() * FRAC_1_SQRT_2;
+                widths.add(2.0 * sine.min(1.0).asin());
+            }
+        }
+        (widths.mean > 0.0).then_some(widths.mean)
+    }
+
+    /// The pixels that trials look at: evenly spread, of every row and column, at what the
+    /// multiples of the golden ratio leave over.
+    fn pixels(&self) -> Vec<[u32; 2]> {
+        let [width, height] = self.prepared.scene().film.crop_size;
+        let pixels = u64::from(width) * u64::from(height);
+        let work = pixels * u64::from(self.options.spp);
+        let samples = (work / SHARE).clamp(SAMPLES[0], SAMPLES[1]);
+        let count = (samples / u64::from(PER_PIXEL)).min(pixels);
+        let pixel = |i: u64| ((i as f64 * GOLDEN).fract() * pixels as f64) as u32;
+        let pixels = (0..count).map(pixel);
+        pixels.map(|pixel| [pixel % width, pixel / width]).collect()
     }
 
     fn field(&self, method: Method) -> Field<'_> {
@@ -164,16 +212,9 @@ impl Pilot<'_> {
         let eval = if is_blind { eval.blind() } else { eval };
         let tracer = Tracer::moving(self.prepared, field, walk);
         let sampler = Sampler::new(&scene.settings, self.options.seed ^ PILOT_SEED, 1);
-        let [width, height] = scene.film.crop_size;
-        let pixels = u64::from(width) * u64::from(height);
-        let work = pixels * u64::from(self.options.spp);
-        let samples = (work / SHARE).clamp(SAMPLES[0], SAMPLES[1]);
-        let count = (samples / u64::from(PER_PIXEL)).min(pixels);
-        // Evenly spread pixels, of every row and column: what a multiple of the golden ratio
-        // leaves over.
-        let pixel = |i: u64| ((i as f64 * GOLDEN).fract() * pixels as f64) as u64;
-        let look = |pixel: u64| {
-            let position = [pixel % u64::from(width), pixel / u64::from(width)];
+        let width = scene.film.crop_size[0];
+        let look = |&[x, y]: &[u32; 2]| {
+            let pixel = u64::from(y * width + x);
             let factor = self.adjoint.map(|image| image.pixels[pixel as usize]);
             let before = effort();
             let mut moments = [Moments::default(); 3];
@@ -186,7 +227,7 @@ impl Pilot<'_> {
                     stream: &stream,
                     counts: &counts,
                 };
-                let light = tracer.pixel(&eval, position.map(|x| x as u32), draw);
+                let light = tracer.pixel(&eval, [x, y], draw);
                 let derivative = asked_for(light.tangent(0), factor);
                 // What is not finite is reported with the work itself.
                 if derivative.iter().all(|x| x.is_finite()) {
@@ -197,17 +238,24 @@ impl Pilot<'_> {
             let variance: f64 = moments.iter().map(|m| m.variance()).sum();
             (variance, effort().wrapping_sub(before))
         };
-        let found: Vec<(f64, u64)> = pool::install(|| {
-            let pixels = (0..count).into_par_iter();
-            pixels.map(|i| look(pixel(i))).collect()
-        });
-        let variance: f64 = found.iter().map(|(variance, _)| variance).sum();
+        let pixels = self.pixels();
+        let found: Vec<(f64, u64)> = pool::install(|| pixels.par_iter().map(look).collect());
+        let count = pixels.len();
+        // The worst pixels count like the next one: an event that few pilots see would decide
+        // alone. They all count where hardly any others have a variance at all.
+        let mut variances: Vec<f64> = found.iter().map(|&(variance, _)| variance).collect();
+        variances.sort_by(|a, b| b.total_cmp(a));
+        let worst = variances.len().div_ceil(WORST);
+        if let Some(&next) = variances.get(worst).filter(|&&next| next > 0.0) {
+            variances[..worst].fill(next);
+        }
+        let variance: f64 = variances.iter().sum();
         let spent: u64 = found.iter().map(|(_, spent)| spent).sum();
         let trial = Trial {
             method,
             max_radius,
             variance: variance / count as f64,
-            effort: EFFORT_OF_SAMPLE as f64 + spent as f64 / (count * u64::from(PER_PIXEL)) as f64,
+            effort: EFFORT_OF_SAMPLE as f64 + spent as f64 / (count as f64 * f64::from(PER_PIXEL)),
         };
         trials.push(trial);
         trial

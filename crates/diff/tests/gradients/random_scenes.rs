@@ -10,7 +10,8 @@ use std::time::{Duration, Instant};
 use crate::common::random::Random;
 use crate::common::{empty, v};
 use capwalk_diff::{
-    GradientOptions, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient, render,
+    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
+    render,
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb};
@@ -447,7 +448,12 @@ fn run(seed: u64, tally: &mut Tally) {
     tally.non_finite += image.statistics.non_finite;
 
     let tangent = random_tangent(&scene, &mut Random(seed ^ 0xabcdef));
-    let settings = GradientOptions::new(options);
+    // Both modes take the same samples.
+    let settings = GradientOptions {
+        method: [Method::Walk, Method::EDGES][(seed % 2) as usize],
+        blind: true,
+        ..GradientOptions::new(options)
+    };
     let Ok(forward) = gradient(
         &PreparedScene::new(scene.clone()),
         &tangent,
