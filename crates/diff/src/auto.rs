@@ -11,7 +11,7 @@ use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Sampler, pool};
 use capwalk_geometry::effort;
 use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_render::{PreparedScene, Tracer, Watch};
-use capwalk_scene::{Image, Optic, Scene, ShapeVectors, Tangent};
+use capwalk_scene::{BsdfId, Image, Optic, Scene, ShapeVectors, Tangent};
 use rayon::prelude::*;
 
 use crate::adjoint::Wanted;
@@ -120,7 +120,8 @@ impl Pilot<'_> {
             return None;
         }
         let tracer = Tracer::moving(self.prepared, self.field(Method::Walk), self.options.walk);
-        let everywhere = tracer.can_gather();
+        let mut everywhere = tracer.can_gather();
+        everywhere.camera &= !self.moves_gloss();
         let mut gathers = everywhere;
         let mut best = self.with_cutoffs(&tracer, gathers, trials);
         for segment in Gathers::SEGMENTS {
@@ -134,6 +135,20 @@ impl Pilot<'_> {
             }
         }
         Some(best)
+    }
+
+    /// True if something glossy with interpolated normals moves against the camera. Where it
+    /// is seen nearly edge-on, rays of the camera that stay have samples so rare and so large
+    /// that no pilot sees them (METHOD 8); those of a walk move along.
+    fn moves_gloss(&self) -> bool {
+        let scene = self.prepared.scene();
+        let camera_moves = self.tangent.sensor.moves_rays();
+        let mut shapes = scene.shapes.iter().zip(&self.tangent.shapes);
+        shapes.any(|(shape, motion)| {
+            (camera_moves || motion.is_some())
+                && shape.normals.per_vertex().is_some()
+                && is_glossy(scene, shape.bsdf)
+        })
     }
 
     /// Where this walks around surfaces, the cutoff that is asked for, and one that fits the
@@ -260,6 +275,13 @@ impl Pilot<'_> {
         trials.push(trial);
         trial
     }
+}
+
+/// True if a material, or one that it is made of, is glossy.
+fn is_glossy(scene: &Scene, id: BsdfId) -> bool {
+    let material = &scene.material(id).bsdf;
+    let mut parts = material.parts().into_iter();
+    material.traits().is_glossy || parts.any(|part| is_glossy(scene, part))
 }
 
 /// The fraction of the golden ratio.

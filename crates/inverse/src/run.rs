@@ -367,7 +367,7 @@ impl Problem {
         let wanted = self.variables.wanted(&self.scene);
         let options = self.gradient_options(RenderOptions::new(self.spp_grad, self.seed));
         let work = BackwardWork::new(&prepared, &ones, wanted, options);
-        let chosen = work.chosen(watch).ok()?;
+        let chosen = work.chosen(watch).ok().filter(|_| !watch.should_stop())?;
         (self.method, self.walk) = (chosen.options.method, chosen.options.walk);
         Some(chosen)
     }

@@ -2,12 +2,17 @@
 
 use std::fmt::{Debug, Write};
 
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_inverse::Problem;
 use capwalk_inverse::variable::VariableSpec;
 
 /// What decides which numbers come out, by names that a message can show. Guards do
 /// not: they only stop.
-pub fn fingerprint(problem: &Problem, specs: &[VariableSpec]) -> Vec<(String, String)> {
+pub fn fingerprint(
+    problem: &Problem,
+    specs: &[VariableSpec],
+    (method, walk): (Method, WalkSettings),
+) -> Vec<(String, String)> {
     let mut parts = vec![(
         "version of capwalk".to_owned(),
         env!("CARGO_PKG_VERSION").into(),
@@ -25,8 +30,8 @@ pub fn fingerprint(problem: &Problem, specs: &[VariableSpec]) -> Vec<(String, St
         note("iterations (the schedule needs them)".into(), iterations);
     }
     note("[loss]".into(), format!("{:?}", problem.loss));
-    let method = format!("{:?}, {:?}", problem.method, problem.walk);
-    note("[method]".into(), method);
+    // As it was asked for: what is chosen for it follows from the rest.
+    note("[method]".into(), format!("{method:?}, {walk:?}"));
     let names: Vec<&str> = specs.iter().map(|spec| spec.name.as_str()).collect();
     note("names of parameters".into(), names.join(", "));
     for spec in specs {

@@ -21,7 +21,8 @@ use capwalk_scene_io::{Loaded, Warning};
 pub struct LoadedProblem {
     /// The problem, with all of its targets.
     pub problem: Problem,
-    /// How its method was chosen; `None` if its derivatives are refused.
+    /// How its method was chosen; `None` if its derivatives are refused, or the watch
+    /// stopped it.
     pub chosen: Option<Chosen>,
     /// What the scene files that it was loaded from say in vain, each once.
     pub warnings: Vec<Warning>,
@@ -95,11 +96,6 @@ impl Job {
         }
         // With the targets, which need no gradient, all that the choice depends on is there.
         let chosen = problem.choose_method(watch);
-        if watch.should_stop() {
-            return Err(Error::Stopped {
-                before: "a method was chosen",
-            });
-        }
         Ok(LoadedProblem {
             problem,
             chosen,

@@ -75,7 +75,7 @@ impl<'j> Run<'j> {
             chosen,
             warnings,
         } = job.problem(watch)?;
-        let fingerprint = fingerprint(&problem, &job.specs());
+        let fingerprint = fingerprint(&problem, &job.specs(), job.method());
         let (folder, state) = claimed.begin(&problem, fingerprint)?;
         Ok(Self {
             job,
@@ -94,7 +94,8 @@ impl<'j> Run<'j> {
         &self.problem
     }
 
-    /// How the method of its gradients was chosen; `None` if they are refused.
+    /// How the method of its gradients was chosen; `None` if they are refused, or if the run
+    /// was stopped before.
     pub fn chosen(&self) -> Option<&Chosen> {
         self.chosen.as_ref()
     }

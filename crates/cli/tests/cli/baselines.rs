@@ -12,7 +12,7 @@ fn options_of_other_methods_are_errors() {
     };
     refused(
         "gradient --was-rays 16",
-        &["--was-rays", "the method is walk", "--method was"],
+        &["--was-rays", "the method is auto", "--method was"],
     );
     refused(
         "check --method was --walk-steps 2",

@@ -53,12 +53,12 @@ fn the_table_has_every_number() {
         "correlation ",
         "mean z² ",
         "plain mean z² ",
-        "anchored ",
+        "edges ",
     ] {
         assert!(of(name).is_finite(), "{name}");
     }
     // Infinite variance against a finite one: thousands of times, in practice.
-    assert!(of("literal ") > 10.0 * of("anchored "));
+    assert!(of("walk, literal ") > 10.0 * of("edges "));
     assert_has(&finished.stdout, &["inconclusive: ", "--spp ", "\nwrote "]);
 }
 

@@ -49,7 +49,10 @@ fn methods_say_what_they_are() {
     let run = |method: &str| gradient_by(&capwalk, method);
     let (stderr, method, step) = run("");
     assert!(!stderr.contains("baseline"), "{stderr}");
-    assert_eq!((method.as_deref(), step), (Some("walk"), None));
+    assert_eq!((method.as_deref(), step), (Some("edges"), None));
+    let (stderr, ..) = run("-v");
+    let lines = ["tried edges (camera, emitters)", "method: edges"];
+    assert_has(&stderr, &lines);
     let (stderr, method, step) = run("--method fd --step 0.125");
     assert_has(&stderr, &["fd is a baseline"]);
     assert_eq!(method.as_deref(), Some("fd"));
@@ -127,7 +130,7 @@ fn every_command_takes_edges() {
             (json.as_deref(), file.as_deref()),
             (Some("edges"), Some("edges"))
         );
-        let (json, file, by_walk) = run("");
+        let (json, file, by_walk) = run("--walk-steps 1");
         assert_eq!(
             (json.as_deref(), file.as_deref()),
             (Some("walk"), Some("walk"))

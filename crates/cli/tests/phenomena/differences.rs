@@ -1,4 +1,4 @@
-//! `capwalk check`: what it says about a derivative, and what is demanded of it.
+//! `capwalk check --method walk`: what it says about a derivative, and what is demanded of it.
 //!
 //! Its verdict must be right: an error of a tenth would have been seen. Besides,
 //! the mean of z² must lie in [0.8, 1.25], over at least so many pixels, which
@@ -29,6 +29,8 @@ pub fn agree(folder: &Folder, parameter: &str, differences: &Differences, file: 
         &folder.scene_file(),
         "-p",
         parameter,
+        "--method",
+        "walk",
         "--step",
         &step,
         "--reference-spp",

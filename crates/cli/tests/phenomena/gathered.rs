@@ -1,5 +1,5 @@
-//! `--method walk` and `--method edges` against the finite differences of `check`, which
-//! has `auto`, wherever something moves.
+//! `--method edges` and what `--method auto` chooses against the finite differences of
+//! `check`, wherever something moves.
 
 use std::path::Path;
 
@@ -7,13 +7,13 @@ use capwalk_diff::Method;
 use capwalk_scene::{SensorVectors, params};
 
 use crate::folder::{Edges, Folder};
-use crate::methods::{by, meets};
+use crate::methods::{by, chosen, meets};
 
 /// Enough samples to see that two methods are not the same.
 const FEW: u32 = 4;
 
-/// Demands that walks agree with the differences in a file, and that gathered edges do or
-/// are walks again.
+/// Demands that gathered edges agree with the differences in a file, or are walks
+/// again; and the same of what is chosen, if that is neither.
 pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
@@ -24,21 +24,22 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     if is_at_rest && tangent.sensor == SensorVectors::default() {
         return;
     }
-    let [few, walked] =
-        [Method::EDGES, Method::Walk].map(|method| by(method, &scene, &tangent, FEW));
+    let spp = scene.settings.spp;
+    let [walk, gathered, auto] =
+        [Method::Walk, Method::EDGES, Method::Auto].map(|method| chosen(method, &scene, &tangent));
+    let few = |options| by(options, FEW, &scene, &tangent).mean;
+    let (walked, few_gathered, few_auto) = (few(walk), few(gathered), few(auto));
     assert_eq!(
-        few.mean == walked.mean,
+        few_gathered == walked,
         edges == Edges::Walked,
-        "{name}: are they the same as walks, as check.json says?"
+        "{name}: are edges the same as walks, as check.json says?"
     );
-    for method in [Method::Walk, Method::EDGES] {
-        if method == Method::Walk || edges == Edges::Gathered {
-            let name = format!("{name}, {}", method.name());
-            meets(
-                &name,
-                &by(method, &scene, &tangent, scene.settings.spp),
-                check,
-            );
-        }
+    if edges == Edges::Gathered {
+        let estimate = by(gathered, spp, &scene, &tangent);
+        meets(&format!("{name}, edges"), &estimate, check);
+    }
+    if few_auto != walked && few_auto != few_gathered {
+        let estimate = by(auto, spp, &scene, &tangent);
+        meets(&format!("{name}, auto"), &estimate, check);
     }
 }

@@ -3,30 +3,34 @@
 //! verdict: where there is little noise in the gradient, it is that of the
 //! differences again.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
-    Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
+    Estimate, GradientOptions, GradientWork, Method, PreparedScene, Unwatched, gradient,
 };
 use capwalk_scene::{Scene, Tangent};
 use capwalk_scene_io::image;
 
 use crate::differences::SIGN;
 
-/// The derivative by a method.
-pub fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> Estimate {
-    let settings = GradientOptions {
+/// The options of the derivative by a method, with the scene's own sampling.
+pub fn chosen(method: Method, scene: &Scene, tangent: &Tangent) -> GradientOptions {
+    let prepared = PreparedScene::new(scene.clone());
+    let options = GradientOptions {
         method,
-        ..GradientOptions::new(RenderOptions::new(spp, scene.settings.seed))
+        ..GradientOptions::of(scene)
     };
-    let result = gradient(
-        &PreparedScene::new(scene.clone()),
-        tangent,
-        &settings,
-        &Unwatched,
-    )
-    .expect("covered");
+    let work = GradientWork::new(&prepared, Cow::Borrowed(tangent), options);
+    work.chosen(&Unwatched).expect("covered").options
+}
+
+/// The derivative with these options, but for the samples per pixel.
+pub fn by(options: GradientOptions, spp: u32, scene: &Scene, tangent: &Tangent) -> Estimate {
+    let prepared = PreparedScene::new(scene.clone());
+    let options = GradientOptions { spp, ..options };
+    let result = gradient(&prepared, tangent, &options, &Unwatched).expect("covered");
     assert_eq!(result.statistics.non_finite, 0);
     result.gradient
 }

@@ -7,7 +7,7 @@ use capwalk_diff::Method;
 use capwalk_scene::params;
 
 use crate::folder::Folder;
-use crate::methods::{by, meets};
+use crate::methods::{by, chosen, meets};
 
 /// Demands that fields on triangles agree with the differences in a file.
 pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
@@ -16,10 +16,7 @@ pub fn agree(folder: &Folder, parameter: &str, check: &Path) {
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
-    let spp = scene.settings.spp;
-    meets(
-        &name,
-        &by(Method::TriangleWalk, &scene, &tangent, spp),
-        check,
-    );
+    let options = chosen(Method::TriangleWalk, &scene, &tangent);
+    let estimate = by(options, scene.settings.spp, &scene, &tangent);
+    meets(&name, &estimate, check);
 }

@@ -13,6 +13,8 @@ pub struct MaterialTraits {
     pub is_specular: bool,
     /// Lets some light pass straight on.
     pub passes_light: bool,
+    /// Looks different from different sides.
+    pub is_glossy: bool,
     /// Whether it matters how it is turned about the normal.
     pub anisotropy: Anisotropy,
     /// Other materials that it is made of.
@@ -63,6 +65,7 @@ impl Bsdf {
         let plain = MaterialTraits {
             is_specular: false,
             passes_light: false,
+            is_glossy: true,
             anisotropy: Isotropic,
             composition: Composition::Plain,
         };
@@ -72,10 +75,15 @@ impl Bsdf {
         };
         let made_of = |composition| MaterialTraits {
             composition,
+            is_glossy: false,
             ..plain
         };
         match *self {
-            Self::Diffuse { .. } | Self::RoughPlastic { .. } => plain,
+            Self::Diffuse { .. } => MaterialTraits {
+                is_glossy: false,
+                ..plain
+            },
+            Self::RoughPlastic { .. } => plain,
             Self::Conductor(_) | Self::Dielectric(_) | Self::Plastic(_) => specular,
             Self::RoughConductor(_, facets) | Self::RoughDielectric(_, facets) => MaterialTraits {
                 anisotropy: match facets.alpha[0] == facets.alpha[1] {
@@ -94,6 +102,7 @@ impl Bsdf {
             },
             Self::Null => MaterialTraits {
                 passes_light: true,
+                is_glossy: false,
                 ..plain
             },
             Self::TwoSided { front, back } => made_of(Composition::Sides { front, back }),

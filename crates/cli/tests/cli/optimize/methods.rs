@@ -56,8 +56,10 @@ fn every_method_runs() {
     }
     let walk = "type = \"walk\"";
     let same = [
-        ("", walk),
-        ("[method]", walk),
+        // What is chosen in this scene, where the camera sees no edges.
+        ("", "type = \"edges\""),
+        ("[method]\ntype = \"auto\"", "type = \"edges\""),
+        ("[method]\nsteps = 1", walk),
         ("[method]\ntype = \"walk\"\ndomain = \"sphere\"", walk),
         // Direct light through no mirror: it walks nowhere.
         (
@@ -82,7 +84,7 @@ fn assert_bad(capwalk: &Capwalk, method: &str, parts: &[&str]) {
 fn keys_of_other_methods_are_errors() {
     let capwalk = Capwalk::new("optimize_method_keys");
     let bad = |method: &str, parts: &[&str]| assert_bad(&capwalk, method, parts);
-    let methods = "one of \"walk\", \"edges\"";
+    let methods = "one of \"auto\", \"walk\", \"edges\"";
     bad(
         "type = \"wall\"",
         &["job.toml:31:8", "`type` is \"wall\"", methods],
@@ -105,6 +107,10 @@ fn keys_of_other_methods_are_errors() {
     );
     bad(
         "kappa = 10",
+        &["unknown key `kappa` in [method] of type \"auto\""],
+    );
+    bad(
+        "steps = 2\nkappa = 10",
         &[
             "unknown key `kappa` in [method] of type \"walk\"",
             "one of: antithetic, domain, estimator, max_angle, steps, type",
