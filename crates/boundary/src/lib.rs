@@ -18,6 +18,7 @@ mod clip;
 mod coincident;
 mod crossing;
 mod draw;
+mod edge_sampler;
 mod emitter_edge;
 mod field;
 mod image_space;
@@ -45,6 +46,7 @@ pub use boundaries::{Boundaries, same_edges};
 pub use boundary_sample::BoundarySample;
 pub use crossing::{Crossing, CrossingEnd};
 pub use draw::{Counts, Draw, Numbers};
+pub use edge_sampler::{EdgeBounds, EdgeSampler, Motion, Silhouette, Subtree};
 pub use emitter_edge::EmitterEdge;
 pub use field::Field;
 pub use material::{

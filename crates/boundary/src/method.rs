@@ -41,6 +41,9 @@ pub struct Gathers {
     pub camera: bool,
     /// Edges in front of area emitters.
     pub emitters: bool,
+    /// Edges in front of the environment: few of them at a time, of subtrees chosen at
+    /// random.
+    pub environment: bool,
 }
 
 impl Gathers {
@@ -48,11 +51,13 @@ impl Gathers {
     pub const ALL: Self = Self {
         camera: true,
         emitters: true,
+        environment: true,
     };
     /// Nowhere.
     pub const NONE: Self = Self {
         camera: false,
         emitters: false,
+        environment: false,
     };
 }
 

@@ -23,6 +23,7 @@ mod simd;
 mod tests;
 pub mod topology;
 
+pub use cone::NormalCone;
 pub use edge::{Edge, Sides};
 pub use mesh::{Mesh, MeshError};
 pub use query::{ConeQuery, EdgeSelection, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree};

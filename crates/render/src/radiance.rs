@@ -27,12 +27,14 @@ use capwalk_scene::sensor::view::ViewRay;
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
+use crate::environment_edge_term::{self, environment_edge_term};
 use crate::gathered_term::{self, gathered_term};
 use crate::light::{Continuation, emitter_towards, sample_lights};
+use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
 use crate::shading::vertex_at;
 use crate::surface::{emitted_at, surface_at};
-use crate::tracer::{EDGE_NUMBERS, Moving, Tracer};
+use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Moving, Tracer};
 use crate::vertex::Vertex;
 
 /// Largest probability that a path survives roulette.
@@ -270,8 +272,9 @@ impl Tracer<'_> {
             && let Some(Moving { field, .. }) = &self.moving
             && field.method.traits().is_spherical
         {
-            let gathers = self.gathered_segments().emitters;
-            if !gathers || self.accel.scene.environment().is_some() {
+            let gathers = self.gathered_segments();
+            let environment = self.accel.scene.environment();
+            if !gathers.emitters || (environment.is_some() && !gathers.environment) {
                 // What the field moves across the edges of emitters (METHOD 3).
                 let u = draw.stream.number(self.emitter_edge_number(depth));
                 let (walk, numbers) = self.vertex_walk(depth, 0, draw);
@@ -280,10 +283,27 @@ impl Tracer<'_> {
                     self.accel, boundaries, eval, &viewpoint, &primal, u, walk, numbers, walks,
                 );
             }
-            if gathers {
+            let at = ShadingPoint {
+                field,
+                eval,
+                viewpoint: &viewpoint,
+                vertex: &primal,
+            };
+            if gathers.emitters {
                 // What moves across directions that stay (METHOD 8).
                 let dimension = EDGE_NUMBERS + gathered_term::NUMBERS * (depth + 1);
-                light += gathered_term(field, eval, &viewpoint, &primal, draw, dimension);
+                light += gathered_term(&at, draw, dimension);
+            }
+            if gathers.environment
+                && let Some(environment) = environment
+            {
+                let first = environment_edge_term::NUMBERS * depth;
+                let dimension = ENVIRONMENT_EDGE_NUMBERS + first;
+                let motions = self.edge_motions.get_or_init(|| {
+                    let sampler = field.boundaries.edge_sampler(self.accel);
+                    sampler.motions(|point| eval.motion_of_point(point))
+                });
+                light += environment_edge_term(&at, motions, environment, draw, dimension);
             }
         }
         (light, next)

@@ -2,7 +2,7 @@
 //! a path, its forward and its reverse derivative, by asking one [`SceneEval`] or
 //! another.
 
-use capwalk_boundary::{Accel, Numbers, Viewpoint};
+use capwalk_boundary::{Accel, Motion, Numbers, Viewpoint};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{Scene, SurfacePoint, TextureId};
@@ -31,6 +31,11 @@ pub trait SceneEval<R: Real> {
     /// point divides the edge between two points of the boundaries at the fraction `t`.
     /// Where no motion is known, as in reverse mode, a guess. Used only if `MOVES`.
     fn speed(&self, ends: [u32; 2], t: f64, viewpoint: Vec3<R>, normal: Vec3) -> f64;
+    /// What sampling weights know of the motion of a point of the boundaries; used only if
+    /// `MOVES`.
+    fn motion_of_point(&self, index: u32) -> Motion;
+    /// What they know of the motion of a viewpoint.
+    fn motion_of_viewpoint(&self, viewpoint: Vec3<R>) -> Motion;
     /// True if no boundary moves against the viewpoint.
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;
     /// True if curves in the image can move against the rays.
@@ -122,6 +127,14 @@ impl SceneEval<f64> for Primal<'_> {
     #[inline]
     fn speed(&self, _: [u32; 2], _: f64, _: Vec3, _: Vec3) -> f64 {
         0.0
+    }
+    #[inline]
+    fn motion_of_point(&self, _: u32) -> Motion {
+        Motion::STILL
+    }
+    #[inline]
+    fn motion_of_viewpoint(&self, _: Vec3) -> Motion {
+        Motion::STILL
     }
     #[inline]
     fn is_still(&self, _: &Viewpoint<f64>) -> bool {

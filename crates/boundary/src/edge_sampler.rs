@@ -1,0 +1,663 @@
+//! Subtrees of edges, sampled as seen from a viewpoint (METHOD 8): a tree of all edges that
+//! can be silhouettes is descended at random, past all that certainly has no silhouette,
+//! to a few edges. The time grows with the logarithm of the edges.
+
+use std::f64::consts::PI;
+use std::ops::Range;
+
+use capwalk_geometry::edge::separates;
+use capwalk_geometry::{Edge, Mesh, NormalCone, Sides};
+use capwalk_math::Vec3;
+
+use crate::accel::Accel;
+use crate::coincident::visit_overlaps;
+
+/// Edges in a leaf: so many are listed one by one.
+const LEAF: usize = 32;
+
+/// Bins along each axis among whose borders a node is divided.
+const BINS: usize = 16;
+
+/// Deeper nodes are halved, however their edges lie.
+const DEEP: u32 = 60;
+
+/// Share of their length that counts of edges which surfaces nearly always hide: the concave
+/// ones of closed surfaces, which are silhouettes only where one looks through the surface.
+const CONCAVE: f64 = 0.02;
+/// Least share that counts of any edge: flat ones are silhouettes only in the plane of the
+/// viewpoint.
+const LEAST_SHARE: f64 = 1e-6;
+
+/// Distance by which a viewpoint must clear a plane, as a fraction of the size of
+/// coordinates: ten times the tolerance within which it counts as lying in it.
+const CLEAR: f64 = 1e-10;
+
+/// The edges of a scene's meshes, for sampling those that are silhouettes.
+#[derive(Debug)]
+pub struct EdgeSampler {
+    /// In the order of the tree's leaves.
+    edges: Vec<SampledEdge>,
+    /// The root is the first; those below a node come behind it.
+    nodes: Vec<Node>,
+    /// Pairs of edges that may lie on each other, in both orders, sorted.
+    overlaps: Vec<[u32; 2]>,
+}
+
+/// An edge and what decides from where it is a silhouette.
+#[derive(Clone, Copy, Debug)]
+struct SampledEdge {
+    /// Its number.
+    edge: u32,
+    /// Its ends, points of the boundaries.
+    points: [u32; 2],
+    /// Where they are.
+    ends: [Vec3; 2],
+    /// Normals of its faces, of any length; `None` if it always counts.
+    crosses: Option<[Vec3; 2]>,
+    /// Whether the second one counts reversed.
+    flipped: bool,
+    /// Share of all viewpoints from which it is a silhouette, and not hidden by its own
+    /// surface, roughly.
+    share: f64,
+    /// What that is of those from which it is a silhouette.
+    exposure: f64,
+}
+
+/// A node of the tree.
+#[derive(Debug)]
+struct Node {
+    /// The places of its edges in the order.
+    places: Range<usize>,
+    /// The nodes of both halves; none in a leaf.
+    halves: Option<[usize; 2]>,
+    bounds: EdgeBounds,
+}
+
+/// Bounds of some edges.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeBounds {
+    /// Centre of a ball around them.
+    pub centre: Vec3,
+    /// Its radius.
+    pub radius: f64,
+    /// The normals of the faces at them.
+    pub normals: NormalCone,
+    /// The sum of their lengths, each times the share of viewpoints that see it as a
+    /// silhouette, roughly.
+    pub silhouette_length: f64,
+    /// The planes of their faces pass the centre within this distance.
+    height: f64,
+}
+
+/// What sampling may know of the motion of one or more points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// Their mean velocity, as far as it is known.
+    pub velocity: Vec3,
+    /// Mean speed against it.
+    pub spread: f64,
+}
+
+/// A subtree that was chosen at random.
+#[derive(Clone, Copy, Debug)]
+pub struct Subtree {
+    node: usize,
+    /// Its probability.
+    pub probability: f64,
+}
+
+/// A silhouette of a subtree.
+#[derive(Clone, Copy, Debug)]
+pub struct Silhouette {
+    /// The number of the edge.
+    pub edge: u32,
+    /// Its ends.
+    pub ends: [Vec3; 2],
+    /// How likely it is not hidden by its own surface, above 0 and at most 1, roughly.
+    pub exposure: f64,
+}
+
+impl EdgeSampler {
+    /// A sampler of edges of a scene. It depends on where they are alone, not on how
+    /// the scene came about.
+    pub(crate) fn new(edges: &[Edge], accel: &Accel) -> Self {
+        let mesh = &accel.mesh;
+        // Where faces cross, or textures end, surfaces cover both sides. These edges come
+        // last.
+        let is_of_mesh = |edge: &Edge| edge.vertices[1] < mesh.positions.len() as u32;
+        let count = edges.partition_point(is_of_mesh);
+        let edges = &edges[..count];
+        let outward = outward(edges, accel);
+        let sampled = edges.iter().zip(0..).map(|(edge, number)| {
+            let shape = match edge.sides {
+                Sides::Open => None,
+                Sides::Between { faces, .. } => {
+                    Some(accel.shape_of_face[faces[0] as usize].0 as usize)
+                }
+            };
+            let outward = shape.and_then(|shape| outward[shape]);
+            SampledEdge::new(number, edge, mesh, outward)
+        });
+        let mut sampler = Self {
+            edges: sampled.collect(),
+            nodes: Vec::new(),
+            overlaps: Vec::new(),
+        };
+        if count > 0 {
+            sampler.add_node(0..count, 0);
+        }
+        visit_overlaps(edges, &mesh.positions, |[a, b]| {
+            let [a, b] = [a as u32, b as u32];
+            sampler.overlaps.extend([[a, b], [b, a]]);
+        });
+        sampler.overlaps.sort_unstable();
+        sampler.overlaps.dedup();
+        sampler
+    }
+
+    /// Adds the node of these places and all below it, and returns its number.
+    fn add_node(&mut self, places: Range<usize>, depth: u32) -> usize {
+        let number = self.nodes.len();
+        self.nodes.push(Node {
+            places: places.clone(),
+            halves: None,
+            bounds: EdgeBounds::new(&self.edges[places.clone()]),
+        });
+        if places.len() > LEAF {
+            let middle = places.start + divide(&mut self.edges[places.clone()], depth);
+            let first = self.add_node(places.start..middle, depth + 1);
+            let second = self.add_node(middle..places.end, depth + 1);
+            self.nodes[number].halves = Some([first, second]);
+        }
+        number
+    }
+
+    /// The motion of each node's edges, from that of points of the boundaries.
+    pub fn motions(&self, of_point: impl Fn(u32) -> Motion) -> Vec<Motion> {
+        let mut motions = vec![Motion::STILL; self.nodes.len()];
+        // From the leaves up: those below a node come behind it.
+        for (i, node) in self.nodes.iter().enumerate().rev() {
+            motions[i] = match node.halves {
+                Some(halves) => Motion::mean(halves.into_iter().map(|half| {
+                    let weight = self.nodes[half].bounds.silhouette_length;
+                    (weight, motions[half])
+                })),
+                None => Motion::mean(self.edges[node.places.clone()].iter().flat_map(|edge| {
+                    let weight = edge.length() * edge.share;
+                    edge.points.map(|point| (weight, of_point(point)))
+                })),
+            };
+        }
+        motions
+    }
+
+    /// A subtree of few edges, chosen by the random number `u` in `[0, 1)`. On the way down
+    /// nodes are chosen in proportion to their importance, given their number and bounds,
+    /// unless they certainly have no silhouette. `None` if that leads to nothing, or nothing
+    /// is important. Where an importance is not a number, the probability is none.
+    pub fn descend(
+        &self,
+        viewpoint: Vec3,
+        mut u: f64,
+        importance: impl Fn(usize, &EdgeBounds) -> f64,
+    ) -> Option<Subtree> {
+        let importance = |i: usize| {
+            let bounds = &self.nodes[i].bounds;
+            match bounds.may_have_silhouette(viewpoint) {
+                true => importance(i, bounds),
+                false => 0.0,
+            }
+        };
+        if self.nodes.is_empty() || importance(0) == 0.0 {
+            return None;
+        }
+        let mut chosen = Subtree {
+            node: 0,
+            probability: 1.0,
+        };
+        while let Some(halves) = self.nodes[chosen.node].halves {
+            let importances = halves.map(importance);
+            let sum = importances[0] + importances[1];
+            if sum == 0.0 {
+                return None;
+            }
+            let shares = importances.map(|importance| importance / sum);
+            // Rounding leads to no half of no importance.
+            let half = usize::from(u >= shares[0] && shares[1] > 0.0);
+            // The random number, rescaled within the half, is uniform again.
+            u = match half {
+                0 => (u / shares[0]).min(1.0),
+                _ => (u - shares[0]) / shares[1],
+            };
+            chosen.probability *= shares[half];
+            chosen.node = halves[half];
+        }
+        Some(chosen)
+    }
+
+    /// The silhouettes of a subtree as seen from a viewpoint.
+    pub fn silhouettes(
+        &self,
+        subtree: &Subtree,
+        viewpoint: Vec3,
+    ) -> impl Iterator<Item = Silhouette> {
+        let edges = &self.edges[self.nodes[subtree.node].places.clone()];
+        let silhouettes = edges
+            .iter()
+            .filter(move |edge| edge.is_silhouette(viewpoint));
+        silhouettes.map(|edge| Silhouette {
+            edge: edge.edge,
+            ends: edge.ends,
+            exposure: edge.exposure,
+        })
+    }
+
+    /// The edges that may lie on a part of this one.
+    pub fn overlapping(&self, edge: u32) -> impl Iterator<Item = u32> {
+        let first = self.overlaps.partition_point(|&[a, _]| a < edge);
+        let pairs = self.overlaps[first..].iter();
+        pairs.take_while(move |&&[a, _]| a == edge).map(|&[_, b]| b)
+    }
+}
+
+/// For each shape whether its normals point outward, if it is closed.
+fn outward(edges: &[Edge], accel: &Accel) -> Vec<Option<bool>> {
+    let count = accel.scene.shapes.len();
+    let mut is_closed = vec![true; count];
+    for edge in edges {
+        if !matches!(edge.sides, Sides::Between { flipped: false, .. }) {
+            is_closed[accel.shape_of_vertex(edge.vertices[0]).0 as usize] = false;
+        }
+    }
+    // Six times the volume, by the divergence theorem.
+    let mut volumes = vec![0.0; count];
+    for (face, shape) in accel.shape_of_face.iter().enumerate() {
+        let [a, b, c] = accel.mesh.corners(face);
+        volumes[shape.0 as usize] += a.cross(b).dot(c);
+    }
+    let shapes = is_closed.into_iter().zip(volumes);
+    shapes
+        .map(|(is_closed, volume)| is_closed.then_some(volume > 0.0))
+        .collect()
+}
+
+/// Orders edges so that two groups follow each other, and returns where the second one
+/// starts: at the border of a bin for which the boxes around the groups, weighed by what is
+/// in them, have the least surface.
+fn divide(edges: &mut [SampledEdge], depth: u32) -> usize {
+    let boxes = |edges: &[SampledEdge]| {
+        let middles = edges.iter().map(SampledEdge::middle);
+        let none = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+        middles.fold(none, |(low, high), p| (low.min(p), high.max(p)))
+    };
+    let (low, high) = boxes(edges);
+    let (low, size) = (low.to_array(), (high - low).to_array());
+    let bin = |edge: &SampledEdge, axis: usize| {
+        let place = (edge.middle().to_array()[axis] - low[axis]) / size[axis];
+        ((place * BINS as f64) as usize).min(BINS - 1)
+    };
+    let mut best = (f64::INFINITY, 0, 0);
+    for axis in (0..3).filter(|&axis| size[axis] > 0.0 && depth < DEEP) {
+        let mut bins = [Bin::EMPTY; BINS];
+        for edge in &*edges {
+            bins[bin(edge, axis)].add(&Bin::of(edge));
+        }
+        // What is behind each border, from the last to the first.
+        let mut behind = bins;
+        for i in (1..BINS - 1).rev() {
+            let next = behind[i + 1];
+            behind[i].add(&next);
+        }
+        let mut before = Bin::EMPTY;
+        for i in 1..BINS {
+            before.add(&bins[i - 1]);
+            let cost = before.cost() + behind[i].cost();
+            if before.weight > 0.0 && behind[i].weight > 0.0 && cost < best.0 {
+                best = (cost, axis, i);
+            }
+        }
+    }
+    let (cost, axis, border) = best;
+    if cost < f64::INFINITY {
+        // In the order in which they were.
+        edges.sort_by_key(|edge| bin(edge, axis) >= border);
+        let first = edges.partition_point(|edge| bin(edge, axis) < border);
+        if first > 0 && first < edges.len() {
+            return first;
+        }
+    }
+    edges.len() / 2
+}
+
+/// Edges in a box.
+#[derive(Clone, Copy)]
+struct Bin {
+    low: Vec3,
+    high: Vec3,
+    /// The sum of lengths of silhouettes, roughly.
+    weight: f64,
+}
+
+impl Bin {
+    const EMPTY: Self = Self {
+        low: Vec3::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
+        high: Vec3::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
+        weight: 0.0,
+    };
+
+    fn of(edge: &SampledEdge) -> Self {
+        let [a, b] = edge.ends;
+        Self {
+            low: a.min(b),
+            high: a.max(b),
+            weight: edge.length() * edge.share,
+        }
+    }
+
+    fn add(&mut self, other: &Self) {
+        self.low = self.low.min(other.low);
+        self.high = self.high.max(other.high);
+        self.weight += other.weight;
+    }
+
+    /// The surface of the box times what is in it.
+    fn cost(&self) -> f64 {
+        if self.weight == 0.0 {
+            return 0.0;
+        }
+        let Vec3 { x, y, z } = self.high - self.low;
+        (x * y + y * z + z * x) * self.weight
+    }
+}
+
+impl SampledEdge {
+    fn new(number: u32, edge: &Edge, mesh: &Mesh, outward: Option<bool>) -> Self {
+        let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
+        let mut sampled = Self {
+            edge: number,
+            points: edge.vertices,
+            ends,
+            crosses: None,
+            flipped: false,
+            share: 1.0,
+            exposure: 1.0,
+        };
+        if let Sides::Between { faces, flipped } = edge.sides {
+            let crosses = faces.map(|face| mesh.face_cross(face as usize));
+            sampled.crosses = Some(crosses);
+            sampled.flipped = flipped;
+            // The faces turn by this angle, and between their planes are the viewpoints.
+            let [first, second] = sampled.normals().map(|normal| normal.expect("of a face"));
+            let turn = first.cross(second).length().atan2(first.dot(second));
+            let third = mesh.faces[faces[1] as usize].into_iter();
+            let third = third.map(|i| first.dot(mesh.positions[i as usize] - ends[0]));
+            let height = third.fold(0.0, |height: f64, h| match h.abs() > height.abs() {
+                true => h,
+                false => height,
+            });
+            let is_hidden = outward.is_some_and(|outward| (height > 0.0) == outward);
+            sampled.exposure = if is_hidden { CONCAVE } else { 1.0 };
+            sampled.share = (sampled.exposure * turn / PI).max(LEAST_SHARE);
+        }
+        sampled
+    }
+
+    /// Normals of its faces, as if both were wound alike.
+    fn normals(&self) -> [Option<Vec3>; 2] {
+        match self.crosses {
+            None => [None; 2],
+            Some([first, second]) => {
+                let second = if self.flipped { -second } else { second };
+                [Some(first.normalized()), Some(second.normalized())]
+            }
+        }
+    }
+
+    /// What [`Edge::is_silhouette`] says.
+    fn is_silhouette(&self, viewpoint: Vec3) -> bool {
+        let is_between = |crosses| separates(crosses, self.ends[0], self.flipped, viewpoint);
+        self.crosses.is_none_or(is_between)
+    }
+
+    fn middle(&self) -> Vec3 {
+        (self.ends[0] + self.ends[1]) * 0.5
+    }
+
+    fn length(&self) -> f64 {
+        (self.ends[1] - self.ends[0]).length()
+    }
+}
+
+impl EdgeBounds {
+    fn new(edges: &[SampledEdge]) -> Self {
+        let mut all = Bin::EMPTY;
+        edges.iter().for_each(|edge| all.add(&Bin::of(edge)));
+        let centre = (all.low + all.high) * 0.5;
+        let offsets = edges.iter().flat_map(|edge| edge.ends);
+        let distances = offsets.map(|p| (p - centre).length());
+        let height = |edge: &SampledEdge| {
+            let normals = edge.normals().into_iter().flatten();
+            let heights = normals.map(|normal| normal.dot(edge.ends[0] - centre).abs());
+            heights.fold(0.0, f64::max)
+        };
+        Self {
+            centre,
+            radius: distances.fold(0.0, f64::max),
+            normals: NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
+            silhouette_length: all.weight,
+            height: edges.iter().map(height).fold(0.0, f64::max),
+        }
+    }
+
+    /// False if certainly none of the edges is a silhouette as seen from the viewpoint.
+    fn may_have_silhouette(&self, viewpoint: Vec3) -> bool {
+        let offset = self.centre - viewpoint;
+        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+        let clear = CLEAR * (sum(viewpoint) + sum(self.centre) + 2.0 * self.radius);
+        let margin = self
+            .normals
+            .view_margin(self.radius + clear, self.height + clear);
+        let least = self.normals.sin * offset.length() + margin + clear;
+        // True for NaN.
+        let is_clear = self.normals.axis.dot(offset).abs() > least;
+        !is_clear
+    }
+}
+
+impl Motion {
+    /// None.
+    pub const STILL: Self = Self::known(Vec3::new(0.0, 0.0, 0.0));
+
+    /// One that is known.
+    pub const fn known(velocity: Vec3) -> Self {
+        Self {
+            velocity,
+            spread: 0.0,
+        }
+    }
+
+    /// One of which only the speed is guessed.
+    pub const fn guessed(spread: f64) -> Self {
+        Self {
+            velocity: Vec3::new(0.0, 0.0, 0.0),
+            spread,
+        }
+    }
+
+    /// The mean of several with these weights, above 0.
+    fn mean(motions: impl Iterator<Item = (f64, Self)> + Clone) -> Self {
+        let total: f64 = motions.clone().map(|(weight, _)| weight).sum();
+        let velocities = motions.clone().map(|(weight, one)| one.velocity * weight);
+        let velocity = velocities.fold(Vec3::zero(), |sum, v| sum + v) / total;
+        let spreads = motions.map(|(weight, one)| {
+            let apart = (one.velocity - velocity).length();
+            weight * (one.spread + apart)
+        });
+        Self {
+            velocity,
+            spread: spreads.sum::<f64>() / total,
+        }
+    }
+
+    /// A bound of the mean speed against another one along normals in a cone.
+    pub fn speed_against(&self, other: &Self, normals: &NormalCone) -> f64 {
+        let relative = self.velocity - other.velocity;
+        // Beyond a right angle the cone has all normals.
+        let along = normals.axis.dot(relative).abs();
+        let across = normals.axis.cross(relative).length();
+        let cos = (1.0 - normals.sin * normals.sin).max(0.0).sqrt();
+        let speed = match across * cos > along * normals.sin {
+            // The normal closest to the velocity is on the rim of the cone.
+            true => along * cos + across * normals.sin,
+            false => relative.length(),
+        };
+        speed + self.spread + other.spread
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::Affine;
+    use capwalk_scene::primitive::{cube, icosphere, rectangle};
+    use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};
+
+    use super::*;
+    use crate::boundaries::Boundaries;
+
+    /// Waves on a ball, a box, and sheets: one of them open, one large and far away.
+    fn accel() -> Accel {
+        let mut scene: Scene = builtin::scene("leaf").expect("built in");
+        scene.shapes.clear();
+        scene.emitters.clear();
+        let mut ball = icosphere(9);
+        for p in &mut ball.positions {
+            *p = *p * (1.0 + 0.1 * (7.0 * p.x).sin() * (6.0 * p.y).cos() * (5.0 * p.z).sin());
+        }
+        let place = |x: f64, size: f64| {
+            Affine::translate(Vec3::new(x, 0.3, -0.2))
+                * Affine::rotate(Vec3::new(0.3, 0.8, 0.5), 0.7)
+                * Affine::scale(Vec3::splat(size))
+        };
+        let meshes = [
+            ball,
+            cube(place(1.5, 0.4)).0,
+            rectangle(place(-1.6, 0.5)).0,
+            rectangle(Affine::scale(Vec3::splat(90.0))).0,
+        ];
+        for mesh in meshes {
+            scene.add_shape(Shape::new("", mesh, ShadingNormals::Face, BsdfId(0)));
+        }
+        Accel::new(scene)
+    }
+
+    /// Far, near, on a face of the ball, inside of it, in the plane of a sheet.
+    fn viewpoints(accel: &Accel) -> Vec<Vec3> {
+        let mut found = vec![
+            Vec3::new(30.0, -20.0, 40.0),
+            Vec3::new(1.1, -0.4, 0.6),
+            Vec3::new(0.1, 0.2, -0.3),
+            Vec3::new(0.7, 1.4, 0.0),
+        ];
+        for face in [100, 777, 1300] {
+            let [a, b, c] = accel.mesh.corners(face);
+            found.push(a * 0.3 + b * 0.5 + c * 0.2);
+        }
+        found
+    }
+
+    /// What is listed has the silhouettes of brute force and no others, each list as often
+    /// as its probability says, so that over it they are counted.
+    #[test]
+    fn subtrees_are_brute_force() {
+        let accel = accel();
+        let boundaries = Boundaries::new(&accel);
+        let sampler = boundaries.edge_sampler(&accel);
+        // Surfaces that cross are on both sides of where they do.
+        let crossings = boundaries.crossings.len();
+        let of_meshes = &boundaries.edges()[..boundaries.edges().len() - crossings];
+        assert_eq!(sampler.edges.len(), of_meshes.len());
+        assert!(crossings > 0);
+        for viewpoint in viewpoints(&accel) {
+            let importance = |_: usize, bounds: &EdgeBounds| {
+                let distance = (bounds.centre - viewpoint).length().max(bounds.radius);
+                bounds.silhouette_length / (distance * distance)
+            };
+            let edges = of_meshes.iter().zip(0..);
+            let mut expected: Vec<u32> = edges
+                .filter(|(edge, _)| edge.is_silhouette(&accel.mesh, viewpoint))
+                .map(|(_, number)| number)
+                .collect();
+            // Each subtree that is found, how often, and its probability.
+            let mut found = std::collections::BTreeMap::new();
+            let n = 400_000;
+            let (mut count, mut hits) = (0.0, 0);
+            for i in 0..n {
+                let u = (f64::from(i) + 0.5) / f64::from(n);
+                let Some(subtree) = sampler.descend(viewpoint, u, importance) else {
+                    continue;
+                };
+                hits += 1;
+                let entry = found.entry(subtree.node).or_insert((0, subtree));
+                entry.0 += 1;
+            }
+            let mut listed: Vec<u32> = Vec::new();
+            for (times, subtree) in found.values() {
+                let share = f64::from(*times) / f64::from(n);
+                assert!((share - subtree.probability).abs() < 2.0 / f64::from(n));
+                let before = listed.len();
+                let silhouettes = sampler.silhouettes(subtree, viewpoint);
+                listed.extend(silhouettes.map(|silhouette| silhouette.edge));
+                count += share * (listed.len() - before) as f64 / subtree.probability;
+            }
+            listed.sort_unstable();
+            expected.sort_unstable();
+            // Some subtrees are too improbable to be met.
+            let n = expected.len();
+            println!("{n} silhouettes, {} subtrees, {hits} hits", found.len());
+            assert!(
+                listed
+                    .iter()
+                    .all(|edge| expected.binary_search(edge).is_ok())
+            );
+            assert_eq!(listed, expected);
+            assert!((count / expected.len() as f64 - 1.0).abs() < 1e-2);
+        }
+    }
+
+    /// Bounds of the speed of many motions, along all normals of a cone.
+    #[test]
+    fn speeds_are_bounded() {
+        let number = |i: u32| (f64::from(i) * 12.9898).sin();
+        let vector = |i: u32| Vec3::new(number(i), number(i + 1), number(i + 2));
+        for i in 0..200 {
+            let base = vector(100 * i).normalized();
+            let spread = 0.4 * number(i).abs();
+            let normals: Vec<Vec3> = (1..9)
+                .map(|k| (base + vector(100 * i + 3 * k) * spread).normalized())
+                .collect();
+            let cone = NormalCone::around(|| normals.iter().map(|&n| Some(n)));
+            let velocities: Vec<Vec3> = (1..9).map(|k| vector(77 * i + 5 * k)).collect();
+            let known = velocities.iter().map(|&v| (1.0, Motion::known(v)));
+            let (all, other) = (Motion::mean(known), Motion::known(vector(i)));
+            for normal in normals {
+                let speeds = velocities
+                    .iter()
+                    .map(|&v| (v - other.velocity).dot(normal).abs());
+                let mean = speeds.sum::<f64>() / velocities.len() as f64;
+                assert!(mean <= all.speed_against(&other, &cone) * (1.0 + 1e-12));
+            }
+        }
+        let cone = NormalCone::ALL;
+        let [fast, slow] = [2.0, 0.5].map(|speed| Motion::known(base_direction() * speed));
+        assert_eq!(fast.speed_against(&fast, &cone), 0.0);
+        assert!((fast.speed_against(&slow, &cone) - 1.5).abs() < 1e-15);
+        assert_eq!(
+            Motion::guessed(1.0).speed_against(&Motion::STILL, &cone),
+            1.0
+        );
+    }
+
+    fn base_direction() -> Vec3 {
+        Vec3::new(0.6, 0.0, 0.8)
+    }
+}
