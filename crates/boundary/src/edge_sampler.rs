@@ -85,6 +85,8 @@ pub struct EdgeBounds {
     /// The sum of their lengths, each times the share of viewpoints that see it as a
     /// silhouette, roughly.
     pub silhouette_length: f64,
+    /// The radius of the subtrees that are chosen below, roughly.
+    pub least_radius: f64,
     /// The planes of their faces pass the centre within this distance.
     height: f64,
 }
@@ -435,6 +437,7 @@ impl EdgeBounds {
         let centre = (all.low + all.high) * 0.5;
         let offsets = edges.iter().flat_map(|edge| edge.ends);
         let distances = offsets.map(|p| (p - centre).length());
+        let radius = distances.fold(0.0, f64::max);
         let height = |edge: &SampledEdge| {
             let normals = edge.normals().into_iter().flatten();
             let heights = normals.map(|normal| normal.dot(edge.ends[0] - centre).abs());
@@ -442,7 +445,9 @@ impl EdgeBounds {
         };
         Self {
             centre,
-            radius: distances.fold(0.0, f64::max),
+            radius,
+            // On a surface, so many edges in a disk are in one smaller by the square root.
+            least_radius: radius * (LEAF as f64 / edges.len().max(LEAF) as f64).sqrt(),
             normals: NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
             silhouette_length: all.weight,
             height: edges.iter().map(height).fold(0.0, f64::max),

@@ -112,8 +112,12 @@ fn importance(vertex: &Vertex<f64>, bounds: &EdgeBounds, speed: f64) -> f64 {
             }
         }
     };
-    let distance = distance.max(bounds.radius).max(f64::MIN_POSITIVE.sqrt());
-    bounds.silhouette_length * speed * cosine / (distance * distance)
+    // The mean of 1/d² over a disk, beside the smallest one.
+    let squared = |x: f64| x * x;
+    let radius = squared(bounds.radius).max(f64::MIN_POSITIVE);
+    let beyond = (squared(distance) - radius).max(0.0) + squared(bounds.least_radius);
+    let near = (radius / beyond).ln_1p() / radius;
+    bounds.silhouette_length * speed * cosine * near
 }
 
 /// Of a cosine.

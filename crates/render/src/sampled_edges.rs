@@ -209,11 +209,35 @@ fn discontinuity(
             light * sign
         }
         None => {
-            let [behind, before] = [behind, before].map(|side| match is_environment {
+            let light = |vertex: &Vertex<f64>, side| match is_environment {
                 true => reflected_environment(accel, vertex, side, emitter),
                 false => emitted_and_reflected(accel, vertex, side, is_chosen),
+            };
+            let is_horizon = is_horizon(field, vertex, point);
+            let [behind, before] = [behind, before].map(|side| match is_horizon {
+                true => light(&beside_its_face(field, vertex, side), side),
+                false => light(vertex, side),
             });
             behind - before
         }
+    }
+}
+
+/// True if an edge lies in the plane of the shading point's face.
+fn is_horizon(field: &Field, vertex: &Vertex<f64>, point: &EdgePoint) -> bool {
+    point.ends().into_iter().all(|i| {
+        let offset = field.boundaries.position(i) - vertex.position;
+        offset.dot(vertex.face_normal).abs() <= field.accel.horizon_distance()
+    })
+}
+
+/// The shading point on that side of its face on which the direction leaves it. A ray within
+/// rounding of the face's plane would hit the face on its way, or not.
+fn beside_its_face(field: &Field, vertex: &Vertex<f64>, direction: Vec3) -> Vertex<f64> {
+    let side = direction.dot(vertex.face_normal).signum();
+    let offset = vertex.face_normal * (side * field.accel.horizon_distance());
+    Vertex {
+        position: vertex.position + offset,
+        ..vertex.clone()
     }
 }
