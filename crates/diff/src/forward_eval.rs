@@ -114,12 +114,12 @@ impl SceneEval<D> for Forward<'_> {
         position.with_tangent(self.points[index as usize])
     }
     #[inline]
-    fn speed(&self, [a, b]: [u32; 2], t: f64, viewpoint: Vec3<D>, normal: Vec3) -> f64 {
+    fn speed(&self, [a, b]: [u32; 2], t: f64, against: Vec3, normal: Vec3) -> f64 {
         if let Some(wanted) = &self.blind {
             return likely_speed(wanted, [a, b]);
         }
         let [a, b] = [a, b].map(|i| self.points[i as usize]);
-        let velocity = a + (b - a) * t - viewpoint.tangent(0);
+        let velocity = a + (b - a) * t - against;
         velocity.dot(normal).abs()
     }
     #[inline]
@@ -130,8 +130,8 @@ impl SceneEval<D> for Forward<'_> {
         }
     }
     #[inline]
-    fn motion_of_viewpoint(&self, viewpoint: Vec3<D>) -> Motion {
-        let velocity = viewpoint.tangent(0);
+    fn motion_of(&self, vector: Vec3<D>) -> Motion {
+        let velocity = vector.tangent(0);
         match self.blind {
             Some(_) => likely_motion_of_viewpoint(velocity != Vec3::zero()),
             None => Motion::known(velocity),

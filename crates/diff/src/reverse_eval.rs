@@ -208,7 +208,7 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         self.variables(wanted, value, Origin::Scene(Target::Point(index)))
     }
     #[inline]
-    fn speed(&self, ends: [u32; 2], _: f64, _: Vec3<Var<'t>>, _: Vec3) -> f64 {
+    fn speed(&self, ends: [u32; 2], _: f64, _: Vec3, _: Vec3) -> f64 {
         likely_speed(self.points, ends)
     }
     #[inline]
@@ -216,8 +216,8 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         likely_motion(self.points[index as usize])
     }
     #[inline]
-    fn motion_of_viewpoint(&self, viewpoint: Vec3<Var<'t>>) -> Motion {
-        likely_motion_of_viewpoint(!viewpoint.is_constant())
+    fn motion_of(&self, vector: Vec3<Var<'t>>) -> Motion {
+        likely_motion_of_viewpoint(!vector.is_constant())
     }
     #[inline]
     fn is_still(&self, _: &Viewpoint<Var<'t>>) -> bool {

@@ -39,9 +39,12 @@ pub fn environment_edge_term<R: Real, W: SceneEval<R>>(
         return Rgb::zero();
     }
     let position = vertex.position;
-    let motion = eval.motion_of_viewpoint(at.viewpoint.position);
+    let turning = at.motion();
     let sampler = field.boundaries.edge_sampler(field.accel);
     let importance = |node: usize, bounds: &EdgeBounds| {
+        // Over all of the node, what turns moves as at its centre, give or take its size.
+        let mut motion = turning.at(bounds.centre - position);
+        motion.spread += turning.speed() * bounds.radius;
         let speed = motions[node].speed_against(&motion, &bounds.normals);
         importance(vertex, bounds, speed)
     };

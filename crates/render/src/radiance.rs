@@ -24,6 +24,7 @@ use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::ViewRay;
+use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
@@ -250,7 +251,10 @@ impl Tracer<'_> {
                 // Any other direction moves along the field around this point, unless edges
                 // before the emitter are gathered.
                 let warped = match self.gathers(sample.emitter) {
-                    true => Warped::still(sample.direction),
+                    true => match self.turning(eval, vertex, &viewpoint, sample.emitter) {
+                        Some(normal) => Warped::turning(sample.direction, normal),
+                        None => Warped::still(sample.direction),
+                    },
                     false => {
                         let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
                         eval.warp(&viewpoint, sample.direction, walk, numbers)
@@ -288,6 +292,7 @@ impl Tracer<'_> {
                 eval,
                 viewpoint: &viewpoint,
                 vertex: &primal,
+                turning: None,
             };
             if gathers.emitters {
                 // What moves across directions that stay (METHOD 8).
@@ -303,9 +308,29 @@ impl Tracer<'_> {
                     let sampler = field.boundaries.edge_sampler(self.accel);
                     sampler.motions(|point| eval.motion_of_point(point))
                 });
+                let at = ShadingPoint {
+                    turning: self.turning(eval, vertex, &viewpoint, environment),
+                    ..at
+                };
                 light += environment_edge_term(&at, motions, environment, draw, dimension);
             }
         }
         (light, next)
+    }
+
+    /// The normal with which directions towards an emitter turn: only light that is the same
+    /// everywhere is not noisier by it. Their density vanishes at the horizon, so there they
+    /// must follow it, or the derivative of the cosine over that density has no bound.
+    fn turning<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        vertex: &Vertex<R>,
+        viewpoint: &Viewpoint<R>,
+        emitter: EmitterId,
+    ) -> Option<Vec3<R>> {
+        let emitter = self.accel.scene.emitter(emitter);
+        let turns = W::MOVES && matches!(emitter, Emitter::Constant { .. });
+        // Where no boundary moves, none is sampled.
+        (turns && !eval.is_still(viewpoint)).then_some(vertex.frame.n)
     }
 }

@@ -1,12 +1,13 @@
 //! Points sampled on edges around a shading point, in proportion to what they contribute
-//! to the boundary term of an emitter's light, where directions do not move (METHOD 8).
+//! to the boundary term of an emitter's light, where directions do not move, or turn with
+//! the shading normal (METHOD 8).
 
-use capwalk_boundary::{EdgePoint, Field, SilhouettePieces, Viewpoint, clip, place};
+use capwalk_boundary::{EdgePoint, Field, Motion, SilhouettePieces, Viewpoint, clip, place};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
 
 use crate::emitter_edge_term::{emitted_and_reflected, emitted_past, reflected_environment};
-use crate::scene_eval::SceneEval;
+use crate::scene_eval::{SceneEval, Warped};
 use crate::vertex::Vertex;
 
 /// How far the planes of a window are moved outward, as a fraction of the edge's
@@ -34,6 +35,56 @@ pub struct ShadingPoint<'a, R, W> {
     pub viewpoint: &'a Viewpoint<R>,
     /// The primal point.
     pub vertex: &'a Vertex<f64>,
+    /// The normal with which sampled directions turn, if they do not stay.
+    pub turning: Option<Vec3<R>>,
+}
+
+/// What sampling weights know of how directions from a shading point move.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    motion: Motion,
+    /// Angular velocity.
+    rotation: Vec3,
+    /// How fast they turn, radians, where only that is guessed.
+    guessed: f64,
+}
+
+impl Turning {
+    /// How fast directions turn, radians.
+    pub fn speed(&self) -> f64 {
+        self.rotation.length() + self.guessed
+    }
+
+    /// The motion of what is seen still at some offset from the shading point.
+    pub fn at(&self, offset: Vec3) -> Motion {
+        Motion {
+            velocity: self.motion.velocity + self.rotation.cross(offset),
+            spread: self.motion.spread + self.guessed * offset.length(),
+        }
+    }
+}
+
+impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
+    /// How directions move, as far as sampling weights may know it.
+    pub fn motion(&self) -> Turning {
+        let normal = self
+            .turning
+            .map(|normal| (normal.value(), self.eval.motion_of(normal)));
+        let (n, change) = normal.unwrap_or((Vec3::zero(), Motion::STILL));
+        Turning {
+            motion: self.eval.motion_of(self.viewpoint.position),
+            rotation: n.cross(change.velocity),
+            guessed: change.spread,
+        }
+    }
+
+    /// A sampled direction, as it moves.
+    pub fn warped(&self, direction: Vec3) -> Warped<R> {
+        match self.turning {
+            Some(normal) => Warped::turning(direction, normal),
+            None => Warped::still(direction),
+        }
+    }
 }
 
 /// An edge listed for sampling.
@@ -93,7 +144,7 @@ impl SampledEdges {
         planes: &[Vec3],
         light: impl Fn(Vec3) -> f64,
     ) {
-        let (eval, vertex) = (at.eval, at.vertex);
+        let (eval, vertex, turning) = (at.eval, at.vertex, at.motion());
         let Self { weighed, pieces } = self;
         weighed.clear();
         for ListedEdge { edge, ends, factor } in listed {
@@ -117,8 +168,9 @@ impl SampledEdges {
                 let middle = (from + chord * part(0.5)).normalized();
                 let reflected = vertex.eval(middle).max_component() * light(middle);
                 let t = place(part(0.5));
-                let distance = (a + (b - a) * t).length();
-                let speed = eval.speed(points, t, at.viewpoint.position, normal) / distance;
+                let offset = a + (b - a) * t;
+                let against = turning.at(offset).velocity;
+                let speed = eval.speed(points, t, against, normal) / offset.length();
                 let angle = factor * chord.length() / count;
                 let contribution = angle * reflected * speed;
                 // An edge seen end-on has no middle direction, and no angle.
@@ -147,11 +199,12 @@ impl SampledEdges {
     /// number of value zero whose derivative is
     ///
     /// ```text
-    /// Σ ∫ [f(behind) - f(before)] u_edge·n dl
+    /// Σ ∫ [f(behind) - f(before)] (u_edge - u)·n dl
     /// ```
     ///
     /// `f` is the radiance of an emitter times BSDF and cosine, `u_edge` the angular
-    /// velocity of an edge, and `n` the normal of its projection, from behind to before.
+    /// velocity of an edge, `u` that of directions, zero unless they turn, and `n` the
+    /// normal of the edge's projection, from behind to before.
     /// Hidden edges need no visibility test: `f` is the same on both of their sides.
     pub fn term<R: Real, W: SceneEval<R>>(
         &self,
@@ -168,8 +221,8 @@ impl SampledEdges {
             let Some(point) = self.pieces.draw(boundaries, at.vertex.position, u) else {
                 continue;
             };
-            // Evaluate u_edge·n over the density. The sampled direction stays: the field is zero.
-            let warped = Vec3::constant(point.direction);
+            // Evaluate (u_edge - u)·n over the density.
+            let warped = at.warped(point.direction).direction;
             let ends = point.ends().map(|i| at.eval.boundary_point(i));
             let flow = point.flow(ends, at.viewpoint.position, warped);
             // Trace rays only where something moves. A shading point on the edge itself
