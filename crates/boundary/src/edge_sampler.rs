@@ -2,31 +2,18 @@
 //! can be silhouettes is descended at random, past all that certainly has no silhouette,
 //! to a few edges. The time grows with the logarithm of the edges.
 
-use std::f64::consts::PI;
 use std::ops::Range;
 
-use capwalk_geometry::edge::separates;
-use capwalk_geometry::{Edge, Mesh, NormalCone, Sides};
+use capwalk_geometry::{Edge, NormalCone, Sides};
 use capwalk_math::Vec3;
 
 use crate::accel::Accel;
 use crate::coincident::visit_overlaps;
+use crate::motion::Motion;
+use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
 
 /// Edges in a leaf: so many are listed one by one.
 const LEAF: usize = 32;
-
-/// Bins along each axis among whose borders a node is divided.
-const BINS: usize = 16;
-
-/// Deeper nodes are halved, however their edges lie.
-const DEEP: u32 = 60;
-
-/// Share of their length that counts of edges which surfaces nearly always hide: the concave
-/// ones of closed surfaces, which are silhouettes only where one looks through the surface.
-const CONCAVE: f64 = 0.02;
-/// Least share that counts of any edge: flat ones are silhouettes only in the plane of the
-/// viewpoint.
-const LEAST_SHARE: f64 = 1e-6;
 
 /// Distance by which a viewpoint must clear a plane, as a fraction of the size of
 /// coordinates: ten times the tolerance within which it counts as lying in it.
@@ -41,26 +28,6 @@ pub struct EdgeSampler {
     nodes: Vec<Node>,
     /// Pairs of edges that may lie on each other, in both orders, sorted.
     overlaps: Vec<[u32; 2]>,
-}
-
-/// An edge and what decides from where it is a silhouette.
-#[derive(Clone, Copy, Debug)]
-struct SampledEdge {
-    /// Its number.
-    edge: u32,
-    /// Its ends, points of the boundaries.
-    points: [u32; 2],
-    /// Where they are.
-    ends: [Vec3; 2],
-    /// Normals of its faces, of any length; `None` if it always counts.
-    crosses: Option<[Vec3; 2]>,
-    /// Whether the second one counts reversed.
-    flipped: bool,
-    /// Share of all viewpoints from which it is a silhouette, and not hidden by its own
-    /// surface, roughly.
-    share: f64,
-    /// What that is of those from which it is a silhouette.
-    exposure: f64,
 }
 
 /// A node of the tree.
@@ -89,15 +56,6 @@ pub struct EdgeBounds {
     pub least_radius: f64,
     /// The planes of their faces pass the centre within this distance.
     height: f64,
-}
-
-/// What sampling may know of the motion of one or more points.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
-    /// Their mean velocity, as far as it is known.
-    pub velocity: Vec3,
-    /// Mean speed against it.
-    pub spread: f64,
 }
 
 /// A subtree that was chosen at random.
@@ -262,174 +220,6 @@ impl EdgeSampler {
     }
 }
 
-/// For each shape whether its normals point outward, if it is closed.
-fn outward(edges: &[Edge], accel: &Accel) -> Vec<Option<bool>> {
-    let count = accel.scene.shapes.len();
-    let mut is_closed = vec![true; count];
-    for edge in edges {
-        if !matches!(edge.sides, Sides::Between { flipped: false, .. }) {
-            is_closed[accel.shape_of_vertex(edge.vertices[0]).0 as usize] = false;
-        }
-    }
-    // Six times the volume, by the divergence theorem.
-    let mut volumes = vec![0.0; count];
-    for (face, shape) in accel.shape_of_face.iter().enumerate() {
-        let [a, b, c] = accel.mesh.corners(face);
-        volumes[shape.0 as usize] += a.cross(b).dot(c);
-    }
-    let shapes = is_closed.into_iter().zip(volumes);
-    shapes
-        .map(|(is_closed, volume)| is_closed.then_some(volume > 0.0))
-        .collect()
-}
-
-/// Orders edges so that two groups follow each other, and returns where the second one
-/// starts: at the border of a bin for which the boxes around the groups, weighed by what is
-/// in them, have the least surface.
-fn divide(edges: &mut [SampledEdge], depth: u32) -> usize {
-    let boxes = |edges: &[SampledEdge]| {
-        let middles = edges.iter().map(SampledEdge::middle);
-        let none = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
-        middles.fold(none, |(low, high), p| (low.min(p), high.max(p)))
-    };
-    let (low, high) = boxes(edges);
-    let (low, size) = (low.to_array(), (high - low).to_array());
-    let bin = |edge: &SampledEdge, axis: usize| {
-        let place = (edge.middle().to_array()[axis] - low[axis]) / size[axis];
-        ((place * BINS as f64) as usize).min(BINS - 1)
-    };
-    let mut best = (f64::INFINITY, 0, 0);
-    for axis in (0..3).filter(|&axis| size[axis] > 0.0 && depth < DEEP) {
-        let mut bins = [Bin::EMPTY; BINS];
-        for edge in &*edges {
-            bins[bin(edge, axis)].add(&Bin::of(edge));
-        }
-        // What is behind each border, from the last to the first.
-        let mut behind = bins;
-        for i in (1..BINS - 1).rev() {
-            let next = behind[i + 1];
-            behind[i].add(&next);
-        }
-        let mut before = Bin::EMPTY;
-        for i in 1..BINS {
-            before.add(&bins[i - 1]);
-            let cost = before.cost() + behind[i].cost();
-            if before.weight > 0.0 && behind[i].weight > 0.0 && cost < best.0 {
-                best = (cost, axis, i);
-            }
-        }
-    }
-    let (cost, axis, border) = best;
-    if cost < f64::INFINITY {
-        // In the order in which they were.
-        edges.sort_by_key(|edge| bin(edge, axis) >= border);
-        let first = edges.partition_point(|edge| bin(edge, axis) < border);
-        if first > 0 && first < edges.len() {
-            return first;
-        }
-    }
-    edges.len() / 2
-}
-
-/// Edges in a box.
-#[derive(Clone, Copy)]
-struct Bin {
-    low: Vec3,
-    high: Vec3,
-    /// The sum of lengths of silhouettes, roughly.
-    weight: f64,
-}
-
-impl Bin {
-    const EMPTY: Self = Self {
-        low: Vec3::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
-        high: Vec3::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
-        weight: 0.0,
-    };
-
-    fn of(edge: &SampledEdge) -> Self {
-        let [a, b] = edge.ends;
-        Self {
-            low: a.min(b),
-            high: a.max(b),
-            weight: edge.length() * edge.share,
-        }
-    }
-
-    fn add(&mut self, other: &Self) {
-        self.low = self.low.min(other.low);
-        self.high = self.high.max(other.high);
-        self.weight += other.weight;
-    }
-
-    /// The surface of the box times what is in it.
-    fn cost(&self) -> f64 {
-        if self.weight == 0.0 {
-            return 0.0;
-        }
-        let Vec3 { x, y, z } = self.high - self.low;
-        (x * y + y * z + z * x) * self.weight
-    }
-}
-
-impl SampledEdge {
-    fn new(number: u32, edge: &Edge, mesh: &Mesh, outward: Option<bool>) -> Self {
-        let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
-        let mut sampled = Self {
-            edge: number,
-            points: edge.vertices,
-            ends,
-            crosses: None,
-            flipped: false,
-            share: 1.0,
-            exposure: 1.0,
-        };
-        if let Sides::Between { faces, flipped } = edge.sides {
-            let crosses = faces.map(|face| mesh.face_cross(face as usize));
-            sampled.crosses = Some(crosses);
-            sampled.flipped = flipped;
-            // The faces turn by this angle, and between their planes are the viewpoints.
-            let [first, second] = sampled.normals().map(|normal| normal.expect("of a face"));
-            let turn = first.cross(second).length().atan2(first.dot(second));
-            let third = mesh.faces[faces[1] as usize].into_iter();
-            let third = third.map(|i| first.dot(mesh.positions[i as usize] - ends[0]));
-            let height = third.fold(0.0, |height: f64, h| match h.abs() > height.abs() {
-                true => h,
-                false => height,
-            });
-            let is_hidden = outward.is_some_and(|outward| (height > 0.0) == outward);
-            sampled.exposure = if is_hidden { CONCAVE } else { 1.0 };
-            sampled.share = (sampled.exposure * turn / PI).max(LEAST_SHARE);
-        }
-        sampled
-    }
-
-    /// Normals of its faces, as if both were wound alike.
-    fn normals(&self) -> [Option<Vec3>; 2] {
-        match self.crosses {
-            None => [None; 2],
-            Some([first, second]) => {
-                let second = if self.flipped { -second } else { second };
-                [Some(first.normalized()), Some(second.normalized())]
-            }
-        }
-    }
-
-    /// What [`Edge::is_silhouette`] says.
-    fn is_silhouette(&self, viewpoint: Vec3) -> bool {
-        let is_between = |crosses| separates(crosses, self.ends[0], self.flipped, viewpoint);
-        self.crosses.is_none_or(is_between)
-    }
-
-    fn middle(&self) -> Vec3 {
-        (self.ends[0] + self.ends[1]) * 0.5
-    }
-
-    fn length(&self) -> f64 {
-        (self.ends[1] - self.ends[0]).length()
-    }
-}
-
 impl EdgeBounds {
     fn new(edges: &[SampledEdge]) -> Self {
         let mut all = Bin::EMPTY;
@@ -466,57 +256,6 @@ impl EdgeBounds {
         // True for NaN.
         let is_clear = self.normals.axis.dot(offset).abs() > least;
         !is_clear
-    }
-}
-
-impl Motion {
-    /// None.
-    pub const STILL: Self = Self::known(Vec3::new(0.0, 0.0, 0.0));
-
-    /// One that is known.
-    pub const fn known(velocity: Vec3) -> Self {
-        Self {
-            velocity,
-            spread: 0.0,
-        }
-    }
-
-    /// One of which only the speed is guessed.
-    pub const fn guessed(spread: f64) -> Self {
-        Self {
-            velocity: Vec3::new(0.0, 0.0, 0.0),
-            spread,
-        }
-    }
-
-    /// The mean of several with these weights, above 0.
-    fn mean(motions: impl Iterator<Item = (f64, Self)> + Clone) -> Self {
-        let total: f64 = motions.clone().map(|(weight, _)| weight).sum();
-        let velocities = motions.clone().map(|(weight, one)| one.velocity * weight);
-        let velocity = velocities.fold(Vec3::zero(), |sum, v| sum + v) / total;
-        let spreads = motions.map(|(weight, one)| {
-            let apart = (one.velocity - velocity).length();
-            weight * (one.spread + apart)
-        });
-        Self {
-            velocity,
-            spread: spreads.sum::<f64>() / total,
-        }
-    }
-
-    /// A bound of the mean speed against another one along normals in a cone.
-    pub fn speed_against(&self, other: &Self, normals: &NormalCone) -> f64 {
-        let relative = self.velocity - other.velocity;
-        // Beyond a right angle the cone has all normals.
-        let along = normals.axis.dot(relative).abs();
-        let across = normals.axis.cross(relative).length();
-        let cos = (1.0 - normals.sin * normals.sin).max(0.0).sqrt();
-        let speed = match across * cos > along * normals.sin {
-            // The normal closest to the velocity is on the rim of the cone.
-            true => along * cos + across * normals.sin,
-            false => relative.length(),
-        };
-        speed + self.spread + other.spread
     }
 }
 
@@ -627,42 +366,5 @@ mod tests {
             assert_eq!(listed, expected);
             assert!((count / expected.len() as f64 - 1.0).abs() < 1e-2);
         }
-    }
-
-    /// Bounds of the speed of many motions, along all normals of a cone.
-    #[test]
-    fn speeds_are_bounded() {
-        let number = |i: u32| (f64::from(i) * 12.9898).sin();
-        let vector = |i: u32| Vec3::new(number(i), number(i + 1), number(i + 2));
-        for i in 0..200 {
-            let base = vector(100 * i).normalized();
-            let spread = 0.4 * number(i).abs();
-            let normals: Vec<Vec3> = (1..9)
-                .map(|k| (base + vector(100 * i + 3 * k) * spread).normalized())
-                .collect();
-            let cone = NormalCone::around(|| normals.iter().map(|&n| Some(n)));
-            let velocities: Vec<Vec3> = (1..9).map(|k| vector(77 * i + 5 * k)).collect();
-            let known = velocities.iter().map(|&v| (1.0, Motion::known(v)));
-            let (all, other) = (Motion::mean(known), Motion::known(vector(i)));
-            for normal in normals {
-                let speeds = velocities
-                    .iter()
-                    .map(|&v| (v - other.velocity).dot(normal).abs());
-                let mean = speeds.sum::<f64>() / velocities.len() as f64;
-                assert!(mean <= all.speed_against(&other, &cone) * (1.0 + 1e-12));
-            }
-        }
-        let cone = NormalCone::ALL;
-        let [fast, slow] = [2.0, 0.5].map(|speed| Motion::known(base_direction() * speed));
-        assert_eq!(fast.speed_against(&fast, &cone), 0.0);
-        assert!((fast.speed_against(&slow, &cone) - 1.5).abs() < 1e-15);
-        assert_eq!(
-            Motion::guessed(1.0).speed_against(&Motion::STILL, &cone),
-            1.0
-        );
-    }
-
-    fn base_direction() -> Vec3 {
-        Vec3::new(0.6, 0.0, 0.8)
     }
 }

@@ -26,6 +26,7 @@ mod infinite_derivative;
 mod material;
 mod method;
 mod mirror;
+mod motion;
 #[cfg(feature = "paper")]
 mod paper;
 pub mod pool;
@@ -33,6 +34,7 @@ mod random;
 mod reflected;
 mod refusal;
 pub mod refuse;
+mod sampled_edge;
 mod shading;
 mod silhouette_pieces;
 mod texture_line;
@@ -46,7 +48,7 @@ pub use boundaries::{Boundaries, same_edges};
 pub use boundary_sample::BoundarySample;
 pub use crossing::{Crossing, CrossingEnd};
 pub use draw::{Counts, Draw, Numbers};
-pub use edge_sampler::{EdgeBounds, EdgeSampler, Motion, Silhouette, Subtree};
+pub use edge_sampler::{EdgeBounds, EdgeSampler, Silhouette, Subtree};
 pub use emitter_edge::EmitterEdge;
 pub use field::Field;
 pub use material::{
@@ -57,6 +59,7 @@ pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]
 pub use method::{WasBoundary, WasSettings};
 pub use mirror::MAX_EVENTS;
+pub use motion::Motion;
 pub use random::{Sampler, Stream};
 pub use refusal::{Refusal, SpecularCause};
 pub use silhouette_pieces::{EdgePoint, SilhouettePieces, beside, clip, place};
