@@ -1,6 +1,6 @@
 //! The edges of a scene at which the integrand can be discontinuous (METHOD 1).
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use capwalk_geometry::{ConeQuery, Edge, Mesh, Sides, SilhouetteTree, topology};
 use capwalk_math::Vec3;
@@ -9,6 +9,7 @@ use capwalk_scene::{Pattern, Scene, Shape, Texture};
 use crate::accel::{Accel, MeshChange, WORN_OUT};
 use crate::coincident::may_coincide;
 use crate::crossing::{Crossing, crossings};
+use crate::edge_sampler::EdgeSampler;
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
 use crate::image_space::image_tree;
 use crate::shading::ShadingDiscontinuities;
@@ -32,6 +33,8 @@ pub struct Boundaries {
     /// The same edges in image space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of the sensor's view.
     image_tree: Option<SilhouetteTree>,
+    /// Built by the first derivative that samples edges before the environment.
+    edge_sampler: OnceLock<EdgeSampler>,
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
     /// The segments where faces cross and where textures are discontinuous, in the order of
@@ -63,6 +66,7 @@ impl Boundaries {
             contrasts: listed.contrasts,
             positions: listed.mesh.positions,
             crossings: listed.crossings,
+            edge_sampler: OnceLock::new(),
         }
     }
 
@@ -96,6 +100,7 @@ impl Boundaries {
             self.contrasts = listed.contrasts;
             self.positions = listed.mesh.positions;
             self.crossings = listed.crossings;
+            self.edge_sampler = OnceLock::new();
         }
         self.area_emitters = AreaEmitter::all(&accel.scene);
         if !(stays && same_sensor) {
@@ -157,6 +162,12 @@ impl Boundaries {
         self.tree
             .gather(query, |edge, ends| found.push((edge, ends)));
         found.sort_unstable_by_key(|&(edge, _)| edge);
+    }
+
+    /// A sampler of the edges of meshes; built by the first call.
+    pub fn edge_sampler(&self, accel: &Accel) -> &EdgeSampler {
+        self.edge_sampler
+            .get_or_init(|| EdgeSampler::new(&self.edges, accel))
     }
 
     /// The edges in a tree.

@@ -27,6 +27,17 @@ struct OnLine {
 /// For each edge, whether it may lie on a part of another one. Never false if it does; in
 /// rare cases true if it does not.
 pub fn may_coincide(edges: &[Edge], positions: &[Vec3]) -> Vec<bool> {
+    let mut found = vec![false; edges.len()];
+    visit_overlaps(edges, positions, |pair| pair.map(|edge| found[edge] = true));
+    found
+}
+
+/// Calls `visit` with all pairs of edges of which one may lie on a part of the other.
+pub fn visit_overlaps<T>(
+    edges: &[Edge],
+    positions: &[Vec3],
+    mut visit: impl FnMut([usize; 2]) -> T,
+) {
     let ends = |edge: &Edge| edge.vertices.map(|i| positions[i as usize]);
     let size = |p: Vec3| p.x.abs().max(p.y.abs()).max(p.z.abs());
     let sizes = edges.iter().flat_map(ends).map(size);
@@ -37,7 +48,6 @@ pub fn may_coincide(edges: &[Edge], positions: &[Vec3]) -> Vec<bool> {
         .filter_map(|(edge, what)| on_line(edge, ends(what), scale))
         .collect();
     on_lines.sort_unstable_by(|a, b| a.key.total_cmp(&b.key));
-    let mut found = vec![false; edges.len()];
     for line in on_lines.chunk_by_mut(|a, b| b.key - a.key <= SAME_LINE) {
         // Along each line, compare each edge with those that have not ended before it starts.
         line.sort_unstable_by(|a, b| a.range[0].total_cmp(&b.range[0]));
@@ -45,13 +55,11 @@ pub fn may_coincide(edges: &[Edge], positions: &[Vec3]) -> Vec<bool> {
         for next in &*line {
             open.retain(|before| before.range[1] > next.range[0] + SAME_LINE * scale);
             for before in &open {
-                found[before.edge] = true;
-                found[next.edge] = true;
+                visit([before.edge, next.edge]);
             }
             open.push(next);
         }
     }
-    found
 }
 
 /// `None` for an edge without length.

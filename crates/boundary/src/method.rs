@@ -45,6 +45,9 @@ pub struct Gathers {
     pub camera: bool,
     /// Edges in front of area emitters.
     pub emitters: bool,
+    /// Edges in front of the environment: few of them at a time, of subtrees chosen at
+    /// random.
+    pub environment: bool,
 }
 
 impl Gathers {
@@ -52,20 +55,26 @@ impl Gathers {
     pub const ALL: Self = Self {
         camera: true,
         emitters: true,
+        environment: true,
     };
     /// Nowhere.
     pub const NONE: Self = Self {
         camera: false,
         emitters: false,
+        environment: false,
     };
     /// Along one kind of segment each.
-    pub const SEGMENTS: [Self; 2] = [
+    pub const SEGMENTS: [Self; 3] = [
         Self {
             camera: true,
             ..Self::NONE
         },
         Self {
             emitters: true,
+            ..Self::NONE
+        },
+        Self {
+            environment: true,
             ..Self::NONE
         },
     ];
@@ -81,6 +90,7 @@ impl Gathers {
         Self {
             camera: self.camera && !other.camera,
             emitters: self.emitters && !other.emitters,
+            environment: self.environment && !other.environment,
         }
     }
 }

@@ -128,6 +128,21 @@ impl SilhouettePieces {
         }
     }
 
+    /// Adds an edge that is not sampled, but shares the discontinuity where it lies on
+    /// edges that are. Once for each such edge.
+    pub fn push_companion(&mut self, edge: u32) {
+        self.pieces.push(Piece {
+            edge,
+            range: [0.0, 1.0],
+            cumulative: self.total,
+        });
+    }
+
+    /// True if there is a piece of this edge.
+    pub fn contains(&self, edge: u32) -> bool {
+        self.pieces.iter().any(|piece| piece.edge == edge)
+    }
+
     /// Adds a probability that no point is sampled. Comes after all pieces.
     pub fn push_nothing(&mut self, weight: f64) {
         self.total += weight;

@@ -137,14 +137,22 @@ pub fn choice_json(chosen: &Chosen) -> Value {
 
 fn gathers_json(method: Method) -> Value {
     let gathers = method.traits().gathers;
-    json!({ "camera": gathers.camera, "emitters": gathers.emitters })
+    json!({
+        "camera": gathers.camera,
+        "emitters": gathers.emitters,
+        "environment": gathers.environment,
+    })
 }
 
 /// Says with `-v` how a method was chosen, and why.
 pub fn log(chosen: &Chosen) {
     let describe = |method: Method, max_radius: f64| {
         let gathers = method.traits().gathers;
-        let along = [("camera", gathers.camera), ("emitters", gathers.emitters)];
+        let along = [
+            ("camera", gathers.camera),
+            ("emitters", gathers.emitters),
+            ("environment", gathers.environment),
+        ];
         let along = along.iter().filter(|(_, gathered)| *gathered);
         let along: Vec<&str> = along.map(|(name, _)| *name).collect();
         let along = match along.is_empty() {

@@ -13,8 +13,10 @@ mod common;
 use std::time::Instant;
 
 use capwalk_diff::{
-    GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
+    Gathers, GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched,
+    WalkSettings, gradient,
 };
+use capwalk_geometry::Mesh;
 use capwalk_math::Affine;
 use capwalk_scene::primitive::{cube, icosphere};
 use capwalk_scene::*;
@@ -81,11 +83,6 @@ fn scenes() -> Vec<(&'static str, Scene, &'static str)> {
             with_filter(visible_cube(), gaussian),
             "sensor.translate.x",
         ),
-        (
-            "smooth ball of 60,500 faces under the sky",
-            sky_ball(55),
-            "ball.translate.x",
-        ),
         ("ball, built in", built_in("ball"), "ball.translate.x"),
         ("leaf, built in", built_in("leaf"), "leaf.translate.x"),
         (
@@ -96,25 +93,66 @@ fn scenes() -> Vec<(&'static str, Scene, &'static str)> {
     ]
 }
 
+/// The same, where environment light is what matters. The camera walks: what it sees of the
+/// ball has its own noise.
+fn sky_scenes() -> Vec<(&'static str, Scene, &'static str)> {
+    let [smooth, bumpy] = [icosphere(62), bumpy_ball(62)];
+    // The camera sees the floor beside the ball.
+    let beside = |ball: &Mesh| {
+        let mut scene = under_sky(ball.clone(), false);
+        scene.sensor = empty(v(1.5, -1.5, 3.0), v(0.75, -0.75, 0.0), 12.0, SIZE).sensor;
+        scene
+    };
+    vec![
+        (
+            "floor beside a smooth ball of 76,880 faces under the sky",
+            beside(&smooth),
+            "ball.translate.z",
+        ),
+        (
+            "floor beside a bumpy ball of 76,880 faces under the sky",
+            beside(&bumpy),
+            "ball.translate.z",
+        ),
+        (
+            "smooth ball of 76,880 faces under the sky",
+            under_sky(smooth, true),
+            "ball.translate.z",
+        ),
+        (
+            "bumpy ball of 76,880 faces under the sky",
+            under_sky(bumpy, false),
+            "ball.translate.z",
+        ),
+    ]
+}
+
 fn with_filter(mut scene: Scene, filter: Filter) -> Scene {
     scene.film.filter = filter;
     scene
 }
 
-/// A smooth ball over a floor under constant light: its shadow is walked to.
-fn sky_ball(n: u32) -> Scene {
-    let mut scene = visible_stage(v(1.2, -4.0, 1.9));
-    scene.shapes.retain(|shape| shape.emitter.is_none());
-    scene.emitters.clear();
-    let radiance = Texture::colour("sky.radiance", capwalk_math::Rgb::splat(1.0));
-    let radiance = scene.add_texture(radiance);
-    let id = "sky".into();
-    scene.emitters.push(Emitter::Constant { id, radiance });
+/// A ball over a floor under constant light.
+fn under_sky(ball: Mesh, is_smooth: bool) -> Scene {
+    let scene = visible_stage(v(1.2, -4.0, 1.9));
+    let mut scene = under_constant_light(scene);
     let place = Affine::translate(v(0.0, 0.0, 0.55)) * Affine::scale(v(0.5, 0.5, 0.5));
-    let ball = icosphere(n);
-    let normals = ShadingNormals::Given(ball.positions.clone());
+    let normals = match is_smooth {
+        true => ShadingNormals::Given(ball.positions.clone()),
+        false => ShadingNormals::Face,
+    };
     add(&mut scene, "ball", placed(ball, place), normals, 0.6);
     with_filter(scene, Filter::Gaussian { stddev: 0.5 })
+}
+
+/// A ball with bumps of two sizes.
+fn bumpy_ball(n: u32) -> Mesh {
+    let mut ball = icosphere(n);
+    for p in &mut ball.positions {
+        let bumps = |k: f64| (k * p.x).sin() * (1.1 * k * p.y).sin() * (0.9 * k * p.z).sin();
+        *p = *p * (1.0 + 0.1 * bumps(9.0) + 0.03 * bumps(31.0));
+    }
+    ball
 }
 
 fn main() {
@@ -128,9 +166,24 @@ fn measure_all() {
         return;
     }
     let words: Vec<&String> = arguments.iter().filter(|a| !a.starts_with("--")).collect();
-    println!("| scene | moves | walk, variance | µs | edges, variance | µs | gain |");
-    println!("|---|---|---|---|---|---|---|");
-    for (name, mut scene, parameter) in scenes() {
+    println!("| scene | moves | cutoff | walk, variance | µs | edges, variance | µs | gain |");
+    println!("|---|---|---|---|---|---|---|---|");
+    let standard = [Run::of(Method::Walk), Run::of(Method::EDGES)];
+    let environment = Method::Edges(Gathers {
+        environment: true,
+        ..Gathers::NONE
+    });
+    let narrow = Run {
+        max_angle: 0.05,
+        ..Run::of(Method::Walk)
+    };
+    let sky = [
+        [Run::of(Method::Walk), Run::of(environment)],
+        [narrow, Run::of(environment)],
+    ];
+    let scenes = scenes().into_iter().map(|scene| (scene, vec![standard]));
+    let sky_scenes = sky_scenes().into_iter().map(|scene| (scene, sky.to_vec()));
+    for ((name, mut scene, parameter), pairs) in scenes.chain(sky_scenes) {
         if !words.is_empty() && !words.iter().any(|word| name.contains(word.as_str())) {
             continue;
         }
@@ -141,22 +194,38 @@ fn measure_all() {
         let tangent = params::Registry::new(&scene)
             .tangent(&scene, parameter)
             .expect("a parameter of the scene");
-        let [walk, edges] = measure(&scene, &tangent);
-        println!(
-            "| {name} | `{parameter}` | {} | {} | {} | {} | {} |",
-            digits(walk[0]),
-            digits(walk[1]),
-            digits(edges[0]),
-            digits(edges[1]),
-            digits(walk[0] * walk[1] / (edges[0] * edges[1])),
-        );
+        for pair in pairs {
+            let [walk, edges] = measure(&pair, &scene, &tangent);
+            println!(
+                "| {name} | `{parameter}` | {} | {} | {} | {} | {} | {} |",
+                pair[0].max_angle,
+                digits(walk[0]),
+                digits(walk[1]),
+                digits(edges[0]),
+                digits(edges[1]),
+                digits(walk[0] * walk[1] / (edges[0] * edges[1])),
+            );
+        }
     }
 }
 
-/// Variance and microseconds of a sample, of both methods.
-fn measure(scene: &Scene, tangent: &Tangent) -> [[f64; 2]; 2] {
-    let methods = [Method::Walk, Method::EDGES];
-    let many = methods.map(|method| {
+/// A method, and the angular cutoff of its walks.
+#[derive(Clone, Copy)]
+struct Run {
+    method: Method,
+    max_angle: f64,
+}
+
+impl Run {
+    fn of(method: Method) -> Self {
+        let max_angle = WalkSettings::default().max_radius;
+        Self { method, max_angle }
+    }
+}
+
+/// Variance and microseconds of a sample, of both runs.
+fn measure(runs: &[Run; 2], scene: &Scene, tangent: &Tangent) -> [[f64; 2]; 2] {
+    let many = runs.map(|method| {
         let mut many = 8 * FEW;
         while run(method, scene, tangent, many, 0).0 < LONG {
             many *= 2;
@@ -165,7 +234,7 @@ fn measure(scene: &Scene, tangent: &Tangent) -> [[f64; 2]; 2] {
     });
     let mut found = [[0.0, f64::INFINITY]; 2];
     for round in 1..=ROUNDS {
-        for (i, method) in methods.into_iter().enumerate() {
+        for (i, &method) in runs.iter().enumerate() {
             let (few, _) = run(method, scene, tangent, FEW, round);
             let (all, image) = run(method, scene, tangent, many[i], round);
             let pixels = image.gradient.mean.pixels.len() as f64;
@@ -179,7 +248,7 @@ fn measure(scene: &Scene, tangent: &Tangent) -> [[f64; 2]; 2] {
 
 /// The derivative, and the time for it.
 fn run(
-    method: Method,
+    Run { method, max_angle }: Run,
     scene: &Scene,
     tangent: &Tangent,
     spp: u32,
@@ -188,6 +257,10 @@ fn run(
     let options = RenderOptions::new(spp, seed);
     let settings = GradientOptions {
         method,
+        walk: WalkSettings {
+            max_radius: max_angle,
+            ..WalkSettings::default()
+        },
         ..GradientOptions::new(options)
     };
     let started = Instant::now();

@@ -1,6 +1,6 @@
 //! A scene that moves: values with one derivative, for forward mode.
 
-use capwalk_boundary::{Accel, Field, Numbers, Viewpoint, Warp};
+use capwalk_boundary::{Accel, Field, Motion, Numbers, Viewpoint, Warp};
 use capwalk_math::{Dual, Rgb, Vec3};
 use capwalk_render::{SceneEval, Warped, vertex_normal};
 use capwalk_scene::sensor::SensorState;
@@ -8,7 +8,7 @@ use capwalk_scene::{Scene, Tangent, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::adjoint::Wanted;
-use crate::reverse_eval::likely_speed;
+use crate::reverse_eval::{likely_motion, likely_motion_of_viewpoint, likely_speed};
 
 /// A number and its derivative with respect to the parameter.
 pub type D = Dual<1>;
@@ -114,13 +114,28 @@ impl SceneEval<D> for Forward<'_> {
         position.with_tangent(self.points[index as usize])
     }
     #[inline]
-    fn speed(&self, [a, b]: [u32; 2], t: f64, viewpoint: Vec3<D>, normal: Vec3) -> f64 {
+    fn speed(&self, [a, b]: [u32; 2], t: f64, against: Vec3, normal: Vec3) -> f64 {
         if let Some(wanted) = &self.blind {
             return likely_speed(wanted, [a, b]);
         }
         let [a, b] = [a, b].map(|i| self.points[i as usize]);
-        let velocity = a + (b - a) * t - viewpoint.tangent(0);
+        let velocity = a + (b - a) * t - against;
         velocity.dot(normal).abs()
+    }
+    #[inline]
+    fn motion_of_point(&self, index: u32) -> Motion {
+        match &self.blind {
+            Some(wanted) => likely_motion(wanted[index as usize]),
+            None => Motion::known(self.points[index as usize]),
+        }
+    }
+    #[inline]
+    fn motion_of(&self, vector: Vec3<D>) -> Motion {
+        let velocity = vector.tangent(0);
+        match self.blind {
+            Some(_) => likely_motion_of_viewpoint(velocity != Vec3::zero()),
+            None => Motion::known(velocity),
+        }
     }
     #[inline]
     fn is_still(&self, viewpoint: &Viewpoint<D>) -> bool {

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use capwalk_boundary::{Accel, Field, Numbers, Viewpoint, Warp};
+use capwalk_boundary::{Accel, Field, Motion, Numbers, Viewpoint, Warp};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Real, Rgb, Tape, Var, Vec3};
 use capwalk_render::{SceneEval, Warped, vertex_normal};
@@ -208,8 +208,16 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         self.variables(wanted, value, Origin::Scene(Target::Point(index)))
     }
     #[inline]
-    fn speed(&self, ends: [u32; 2], _: f64, _: Vec3<Var<'t>>, _: Vec3) -> f64 {
+    fn speed(&self, ends: [u32; 2], _: f64, _: Vec3, _: Vec3) -> f64 {
         likely_speed(self.points, ends)
+    }
+    #[inline]
+    fn motion_of_point(&self, index: u32) -> Motion {
+        likely_motion(self.points[index as usize])
+    }
+    #[inline]
+    fn motion_of(&self, vector: Vec3<Var<'t>>) -> Motion {
+        likely_motion_of_viewpoint(!vector.is_constant())
     }
     #[inline]
     fn is_still(&self, _: &Viewpoint<Var<'t>>) -> bool {
@@ -270,4 +278,14 @@ pub fn likely_speed(may_move: &[bool], ends: [u32; 2]) -> f64 {
         true => 1.0,
         false => STILL_EDGE,
     }
+}
+
+/// The same for a point of the boundaries.
+pub fn likely_motion(may_move: bool) -> Motion {
+    Motion::guessed(if may_move { 1.0 } else { 0.0 })
+}
+
+/// The same for a viewpoint.
+pub fn likely_motion_of_viewpoint(may_move: bool) -> Motion {
+    Motion::guessed(if may_move { STILL_EDGE } else { 0.0 })
 }

@@ -52,7 +52,7 @@ fn side_seen(cross: Vec3, point: Vec3, viewpoint: Vec3) -> i32 {
 /// behind, or one has the viewpoint in its plane. The latter is the viewpoint's own face;
 /// its edges are the horizon, whichever side of the face the viewpoint is on.
 #[inline]
-pub(crate) fn separates(crosses: [Vec3; 2], point: Vec3, flipped: bool, viewpoint: Vec3) -> bool {
+pub fn separates(crosses: [Vec3; 2], point: Vec3, flipped: bool, viewpoint: Vec3) -> bool {
     let [first, second] = crosses;
     let (first, second) = (
         side_seen(first, point, viewpoint),

@@ -24,6 +24,7 @@ mod simd;
 mod tests;
 pub mod topology;
 
+pub use cone::NormalCone;
 pub use edge::{Edge, Sides};
 pub use effort::{add_effort, effort};
 pub use mesh::{Mesh, MeshError};

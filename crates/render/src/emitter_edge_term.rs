@@ -121,3 +121,21 @@ pub fn emitted_past(
     let radiance = emitted_at(&eval, accel, emitter, hit.as_ref(), origin, direction);
     vertex.eval(direction) * radiance
 }
+
+/// Radiance of the environment from `direction` at the shading point, times BSDF and
+/// cosine; zero if anything is in that direction.
+pub fn reflected_environment(
+    accel: &Accel,
+    vertex: &Vertex<f64>,
+    direction: Vec3,
+    environment: EmitterId,
+) -> Rgb {
+    let (eval, origin) = (Primal(accel), vertex.position);
+    let radiance = emitted_at(&eval, accel, environment, None, origin, direction);
+    let light = vertex.eval(direction) * radiance;
+    // False for NaN.
+    if light == Rgb::zero() || !accel.surface_sees(origin, direction, f64::INFINITY) {
+        return Rgb::zero();
+    }
+    light
+}

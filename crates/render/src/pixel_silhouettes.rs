@@ -114,7 +114,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         let (distance, s) = (offset.length(), view.film(offset));
         let ray = camera.moving.direction(s.map(R::constant));
         let there = camera.moving.origin + ray * R::constant(distance);
-        eval.speed(points, t, there, normal) / distance
+        eval.speed(points, t, eval.motion_of(there).velocity, normal) / distance
     };
     let mut weighed: Vec<(u32, [f64; 2], f64, f64)> = Vec::new();
     let mut gathered = Vec::new();

@@ -24,15 +24,18 @@ use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::ViewRay;
+use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
+use crate::environment_edge_term::{self, environment_edge_term};
 use crate::gathered_term::{self, gathered_term};
 use crate::light::{Continuation, emitter_towards, sample_lights};
+use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
 use crate::shading::vertex_at;
 use crate::surface::{emitted_at, surface_at};
-use crate::tracer::{EDGE_NUMBERS, Moving, Tracer};
+use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Moving, Tracer};
 use crate::vertex::Vertex;
 
 /// Largest probability that a path survives roulette.
@@ -248,7 +251,10 @@ impl Tracer<'_> {
                 // Any other direction moves along the field around this point, unless edges
                 // before the emitter are gathered.
                 let warped = match self.gathers(sample.emitter) {
-                    true => Warped::still(sample.direction),
+                    true => match self.turning(eval, vertex, &viewpoint, sample.emitter) {
+                        Some(normal) => Warped::turning(sample.direction, normal),
+                        None => Warped::still(sample.direction),
+                    },
                     false => {
                         let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
                         eval.warp(&viewpoint, sample.direction, walk, numbers)
@@ -270,8 +276,9 @@ impl Tracer<'_> {
             && let Some(Moving { field, .. }) = &self.moving
             && field.method.traits().is_spherical
         {
-            let gathers = self.gathered_segments().emitters;
-            if !gathers || self.accel.scene.environment().is_some() {
+            let gathers = self.gathered_segments();
+            let environment = self.accel.scene.environment();
+            if !gathers.emitters || (environment.is_some() && !gathers.environment) {
                 // What the field moves across the edges of emitters (METHOD 3).
                 let u = draw.stream.number(self.emitter_edge_number(depth));
                 let (walk, numbers) = self.vertex_walk(depth, 0, draw);
@@ -280,12 +287,50 @@ impl Tracer<'_> {
                     self.accel, boundaries, eval, &viewpoint, &primal, u, walk, numbers, walks,
                 );
             }
-            if gathers {
+            let at = ShadingPoint {
+                field,
+                eval,
+                viewpoint: &viewpoint,
+                vertex: &primal,
+                turning: None,
+            };
+            if gathers.emitters {
                 // What moves across directions that stay (METHOD 8).
                 let dimension = EDGE_NUMBERS + gathered_term::NUMBERS * (depth + 1);
-                light += gathered_term(field, eval, &viewpoint, &primal, draw, dimension);
+                light += gathered_term(&at, draw, dimension);
+            }
+            if gathers.environment
+                && let Some(environment) = environment
+            {
+                let first = environment_edge_term::NUMBERS * depth;
+                let dimension = ENVIRONMENT_EDGE_NUMBERS + first;
+                let motions = self.edge_motions.get_or_init(|| {
+                    let sampler = field.boundaries.edge_sampler(self.accel);
+                    sampler.motions(|point| eval.motion_of_point(point))
+                });
+                let at = ShadingPoint {
+                    turning: self.turning(eval, vertex, &viewpoint, environment),
+                    ..at
+                };
+                light += environment_edge_term(&at, motions, environment, draw, dimension);
             }
         }
         (light, next)
+    }
+
+    /// The normal with which directions towards an emitter turn: only light that is the same
+    /// everywhere is not noisier by it. Their density vanishes at the horizon, so there they
+    /// must follow it, or the derivative of the cosine over that density has no bound.
+    fn turning<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        vertex: &Vertex<R>,
+        viewpoint: &Viewpoint<R>,
+        emitter: EmitterId,
+    ) -> Option<Vec3<R>> {
+        let emitter = self.accel.scene.emitter(emitter);
+        let turns = W::MOVES && matches!(emitter, Emitter::Constant { .. });
+        // Where no boundary moves, none is sampled.
+        (turns && !eval.is_still(viewpoint)).then_some(vertex.frame.n)
     }
 }

@@ -2,7 +2,7 @@
 //! a path, its forward and its reverse derivative, by asking one [`SceneEval`] or
 //! another.
 
-use capwalk_boundary::{Accel, Numbers, Viewpoint};
+use capwalk_boundary::{Accel, Motion, Numbers, Viewpoint};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::sensor::SensorState;
 use capwalk_scene::{Scene, SurfacePoint, TextureId};
@@ -26,11 +26,16 @@ pub trait SceneEval<R: Real> {
     fn sensor(&self) -> SensorState<R>;
     /// Position of a point of the boundaries; used only if `MOVES`.
     fn boundary_point(&self, index: u32) -> Vec3<R>;
-    /// How fast a point of an edge moves along `normal` against the viewpoint, at least 0,
+    /// How fast a point of an edge moves along `normal` against something else, at least 0,
     /// world units per unit of the parameter: what sampling weights know of the motion. The
     /// point divides the edge between two points of the boundaries at the fraction `t`.
     /// Where no motion is known, as in reverse mode, a guess. Used only if `MOVES`.
-    fn speed(&self, ends: [u32; 2], t: f64, viewpoint: Vec3<R>, normal: Vec3) -> f64;
+    fn speed(&self, ends: [u32; 2], t: f64, against: Vec3, normal: Vec3) -> f64;
+    /// What sampling weights know of the motion of a point of the boundaries; used only if
+    /// `MOVES`.
+    fn motion_of_point(&self, index: u32) -> Motion;
+    /// What they know of the motion of a shading point, or of the change of its normal.
+    fn motion_of(&self, vector: Vec3<R>) -> Motion;
     /// True if no boundary moves against the viewpoint.
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;
     /// True if curves in the image can move against the rays.
@@ -84,6 +89,17 @@ impl<R: Real> Warped<R> {
             near_boundary: false,
         }
     }
+
+    /// A direction that turns with a unit normal, by the smallest rotation; such a field has
+    /// no divergence.
+    pub fn turning(q: Vec3, normal: Vec3<R>) -> Self {
+        let (n, still) = (normal.value(), Vec3::constant(q));
+        let turned = normal * R::constant(n.dot(q)) - Vec3::constant(n) * normal.dot(still);
+        Self {
+            direction: still + turned - Vec3::constant(turned.value()),
+            ..Self::still(q)
+        }
+    }
 }
 
 /// The scene as it is.
@@ -122,6 +138,14 @@ impl SceneEval<f64> for Primal<'_> {
     #[inline]
     fn speed(&self, _: [u32; 2], _: f64, _: Vec3, _: Vec3) -> f64 {
         0.0
+    }
+    #[inline]
+    fn motion_of_point(&self, _: u32) -> Motion {
+        Motion::STILL
+    }
+    #[inline]
+    fn motion_of(&self, _: Vec3) -> Motion {
+        Motion::STILL
     }
     #[inline]
     fn is_still(&self, _: &Viewpoint<f64>) -> bool {

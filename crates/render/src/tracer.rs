@@ -1,6 +1,8 @@
 //! What a tracer of pixels holds, and which random numbers it takes for what.
 
-use capwalk_boundary::{Accel, Draw, Field, Gathers, Numbers};
+use std::sync::OnceLock;
+
+use capwalk_boundary::{Accel, Draw, Field, Gathers, Motion, Numbers};
 use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
@@ -13,6 +15,8 @@ use crate::prepared::PreparedScene;
 /// The numbers of gathered edges start here, behind all others: those of the
 /// camera, then of each vertex.
 pub const EDGE_NUMBERS: u32 = 1 << 30;
+/// Those of edges before the environment start here, behind them: those of each vertex.
+pub const ENVIRONMENT_EDGE_NUMBERS: u32 = 1 << 31;
 
 /// How directions are warped.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +50,9 @@ pub struct Tracer<'a> {
     pub moving: Option<Moving<'a>>,
     /// The silhouettes in each pixel, where the camera's rays all start from one point.
     pub silhouettes: PixelSilhouettes,
+    /// The motions of the edges that are sampled before the environment; computed by the
+    /// first sample that needs them.
+    pub edge_motions: OnceLock<Vec<Motion>>,
 }
 
 impl<'a> Tracer<'a> {
@@ -59,6 +66,7 @@ impl<'a> Tracer<'a> {
             plan: Plan::new(scene),
             moving: None,
             silhouettes: PixelSilhouettes::default(),
+            edge_motions: OnceLock::new(),
         }
     }
 
@@ -91,7 +99,11 @@ impl<'a> Tracer<'a> {
 
     /// True if directions towards an emitter do not move, and edges in front of it are gathered.
     pub(crate) fn gathers(&self, emitter: EmitterId) -> bool {
-        self.gathered_segments().emitters && self.accel.scene.emitter(emitter).shape().is_some()
+        let (gathers, scene) = (self.gathered_segments(), &self.accel.scene);
+        match scene.environment() == Some(emitter) {
+            true => gathers.environment,
+            false => gathers.emitters && scene.emitter(emitter).shape().is_some(),
+        }
     }
 
     /// The segments along which edges could be gathered in this scene.
@@ -100,6 +112,7 @@ impl<'a> Tracer<'a> {
             // With perspective rays, and no boundary seen through specular surfaces.
             camera: !self.accel.view.is_parallel() && self.events_behind(0) == 0,
             emitters: self.plan.lights_surfaces() && self.has_area_emitters(),
+            environment: self.plan.lights_surfaces() && self.has_environment(),
         }
     }
 
@@ -108,8 +121,12 @@ impl<'a> Tracer<'a> {
     pub fn walks_around_surfaces(&self, gathers: Gathers) -> bool {
         self.plan.lights_surfaces()
             && (self.has_area_emitters() && !gathers.emitters
-                || self.accel.scene.environment().is_some()
+                || self.has_environment() && !gathers.environment
                 || self.plan.reaches(3))
+    }
+
+    fn has_environment(&self) -> bool {
+        self.accel.scene.environment().is_some()
     }
 
     fn has_area_emitters(&self) -> bool {

@@ -21,6 +21,7 @@ mod phenomena_mirrors;
 mod phenomena_parallel;
 mod phenomena_sensors;
 mod phenomena_shadows;
+mod phenomena_sky_edges;
 #[cfg(feature = "paper")]
 mod phenomena_triangle;
 mod phenomena_visible;

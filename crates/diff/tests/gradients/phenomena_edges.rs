@@ -144,12 +144,7 @@ fn edges_on_edges() {
 #[test]
 fn lamp_before_a_sky() {
     let mut scene = with(triangle());
-    let radiance = Texture::colour("sky.radiance", capwalk_math::Rgb::splat(0.6));
-    let radiance = scene.add_texture(radiance);
-    scene.emitters.push(Emitter::Constant {
-        id: "sky".into(),
-        radiance,
-    });
+    add_constant_light(&mut scene, 0.6);
     scene.settings.integrator = Integrator::Direct {
         emitter_samples: 1,
         bsdf_samples: 1,
@@ -266,7 +261,7 @@ fn threads_change_nothing() {
     assert_eq!(run(1), run(3));
 }
 
-fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> GradientImage {
+pub fn by(method: Method, scene: &Scene, tangent: &Tangent, spp: u32) -> GradientImage {
     let options = GradientOptions {
         method,
         ..GradientOptions::new(RenderOptions::new(spp, u64::from(method == Method::Walk)))

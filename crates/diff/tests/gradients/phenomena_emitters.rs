@@ -2,44 +2,8 @@
 //! are in `tests/scenes`.
 
 use crate::common::stages::*;
-use crate::common::*;
 use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
-use capwalk_math::Affine;
-use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::*;
-
-/// A sky of 8 x 4 colours, brighter above, instead of all lamps.
-fn under_a_sky(mut scene: Scene) -> Scene {
-    for shape in scene.shapes_mut() {
-        shape.emitter = None;
-    }
-    scene.shapes.retain(|shape| shape.id != "lamp");
-    scene.emitters.clear();
-    let number = |i: usize| 0.2 + ((i * i * 5 + i * 11) % 13) as f64 / 4.0;
-    let data = scene.add_texture(Texture {
-        id: "sky".into(),
-        channels: 3,
-        data: (0..96).map(number).collect(),
-        pattern: Pattern::Environment,
-    });
-    let scale = scene.add_texture(Texture::number("sky.scale", 0.7));
-    scene.emitters.push(Emitter::EnvironmentMap {
-        id: "sky".into(),
-        map: EnvironmentMap {
-            width: 8,
-            height: 4,
-            world_from_map: Affine::rotate(v(1.0, 0.0, 0.0), 1.3),
-        },
-        data,
-        scale,
-    });
-    scene.settings.integrator = Integrator::Direct {
-        emitter_samples: 1,
-        bsdf_samples: 1,
-        hide_emitters: false,
-    };
-    scene
-}
 
 /// Black texels, drawn by nothing but the map.
 #[test]

@@ -1,7 +1,8 @@
 //! Stages: what the cases of the phenomena play on.
 
 use capwalk_geometry::Mesh;
-use capwalk_math::{Affine, Vec3};
+use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_scene::emitter::EnvironmentMap;
 use capwalk_scene::primitive::{cube, icosphere, sphere};
 use capwalk_scene::*;
 
@@ -104,4 +105,56 @@ pub fn unit_square(scene: &mut Scene, shape: &str) {
         ]
     };
     shape.uvs = Some(shape.mesh.faces.iter().map(|face| face.map(uv)).collect());
+}
+
+fn without_lamps(scene: &mut Scene) {
+    for shape in scene.shapes_mut() {
+        shape.emitter = None;
+    }
+    scene.shapes.retain(|shape| shape.id != "lamp");
+    scene.emitters.clear();
+}
+
+/// Adds light of one colour from everywhere.
+pub fn add_constant_light(scene: &mut Scene, radiance: f64) {
+    let radiance = Texture::colour("sky.radiance", Rgb::splat(radiance));
+    let radiance = scene.add_texture(radiance);
+    let id = "sky".into();
+    scene.emitters.push(Emitter::Constant { id, radiance });
+}
+
+/// Light of one colour from everywhere, instead of all lamps.
+pub fn under_constant_light(mut scene: Scene) -> Scene {
+    without_lamps(&mut scene);
+    add_constant_light(&mut scene, 1.0);
+    scene
+}
+
+/// A sky of 8 x 4 colours, brighter above, instead of all lamps.
+pub fn under_a_sky(mut scene: Scene) -> Scene {
+    without_lamps(&mut scene);
+    let number = |i: usize| 0.2 + ((i * i * 5 + i * 11) % 13) as f64 / 4.0;
+    let data = scene.add_texture(Texture {
+        id: "sky".into(),
+        channels: 3,
+        data: (0..96).map(number).collect(),
+        pattern: Pattern::Environment,
+    });
+    let scale = scene.add_texture(Texture::number("sky.scale", 0.7));
+    scene.emitters.push(Emitter::EnvironmentMap {
+        id: "sky".into(),
+        map: EnvironmentMap {
+            width: 8,
+            height: 4,
+            world_from_map: Affine::rotate(v(1.0, 0.0, 0.0), 1.3),
+        },
+        data,
+        scale,
+    });
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: false,
+    };
+    scene
 }

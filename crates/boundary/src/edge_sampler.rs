@@ -1,0 +1,377 @@
+//! Subtrees of edges, sampled as seen from a viewpoint (METHOD 8): a tree of all edges that
+//! can be silhouettes is descended at random, past all that certainly has no silhouette,
+//! to a few edges. The time grows with the logarithm of the edges.
+
+use std::ops::Range;
+
+use capwalk_geometry::{Edge, NormalCone, Sides, add_effort};
+use capwalk_math::Vec3;
+
+use crate::accel::Accel;
+use crate::coincident::visit_overlaps;
+use crate::motion::Motion;
+use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
+
+/// Edges in a leaf: so many are listed one by one.
+const LEAF: usize = 32;
+
+/// The effort of a step down: two importances.
+const EFFORT_OF_STEP: u64 = 5;
+
+/// Distance by which a viewpoint must clear a plane, as a fraction of the size of
+/// coordinates: ten times the tolerance within which it counts as lying in it.
+const CLEAR: f64 = 1e-10;
+
+/// The edges of a scene's meshes, for sampling those that are silhouettes.
+#[derive(Debug)]
+pub struct EdgeSampler {
+    /// In the order of the tree's leaves.
+    edges: Vec<SampledEdge>,
+    /// The root is the first; those below a node come behind it.
+    nodes: Vec<Node>,
+    /// Pairs of edges that may lie on each other, in both orders, sorted.
+    overlaps: Vec<[u32; 2]>,
+}
+
+/// A node of the tree.
+#[derive(Debug)]
+struct Node {
+    /// The places of its edges in the order.
+    places: Range<usize>,
+    /// The nodes of both halves; none in a leaf.
+    halves: Option<[usize; 2]>,
+    bounds: EdgeBounds,
+}
+
+/// Bounds of some edges.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeBounds {
+    /// Centre of a ball around them.
+    pub centre: Vec3,
+    /// Its radius.
+    pub radius: f64,
+    /// The normals of the faces at them.
+    pub normals: NormalCone,
+    /// The sum of their lengths, each times the share of viewpoints that see it as a
+    /// silhouette, roughly.
+    pub silhouette_length: f64,
+    /// The radius of the subtrees that are chosen below, roughly.
+    pub least_radius: f64,
+    /// The planes of their faces pass the centre within this distance.
+    height: f64,
+}
+
+/// A subtree that was chosen at random.
+#[derive(Clone, Copy, Debug)]
+pub struct Subtree {
+    node: usize,
+    /// Its probability.
+    pub probability: f64,
+}
+
+/// A silhouette of a subtree.
+#[derive(Clone, Copy, Debug)]
+pub struct Silhouette {
+    /// The number of the edge.
+    pub edge: u32,
+    /// Its ends.
+    pub ends: [Vec3; 2],
+    /// How likely it is not hidden by its own surface, above 0 and at most 1, roughly.
+    pub exposure: f64,
+}
+
+impl EdgeSampler {
+    /// A sampler of edges of a scene. It depends on where they are alone, not on how
+    /// the scene came about.
+    pub(crate) fn new(edges: &[Edge], accel: &Accel) -> Self {
+        let mesh = &accel.mesh;
+        // Where faces cross, or textures end, surfaces cover both sides. These edges come
+        // last.
+        let is_of_mesh = |edge: &Edge| edge.vertices[1] < mesh.positions.len() as u32;
+        let count = edges.partition_point(is_of_mesh);
+        let edges = &edges[..count];
+        let outward = outward(edges, accel);
+        let sampled = edges.iter().zip(0..).map(|(edge, number)| {
+            let shape = match edge.sides {
+                Sides::Open => None,
+                Sides::Between { faces, .. } => {
+                    Some(accel.shape_of_face[faces[0] as usize].0 as usize)
+                }
+            };
+            let outward = shape.and_then(|shape| outward[shape]);
+            SampledEdge::new(number, edge, mesh, outward)
+        });
+        let mut sampler = Self {
+            edges: sampled.collect(),
+            nodes: Vec::new(),
+            overlaps: Vec::new(),
+        };
+        if count > 0 {
+            sampler.add_node(0..count, 0);
+        }
+        visit_overlaps(edges, &mesh.positions, |[a, b]| {
+            let [a, b] = [a as u32, b as u32];
+            sampler.overlaps.extend([[a, b], [b, a]]);
+        });
+        sampler.overlaps.sort_unstable();
+        sampler.overlaps.dedup();
+        sampler
+    }
+
+    /// Adds the node of these places and all below it, and returns its number.
+    fn add_node(&mut self, places: Range<usize>, depth: u32) -> usize {
+        let number = self.nodes.len();
+        self.nodes.push(Node {
+            places: places.clone(),
+            halves: None,
+            bounds: EdgeBounds::new(&self.edges[places.clone()]),
+        });
+        if places.len() > LEAF {
+            let middle = places.start + divide(&mut self.edges[places.clone()], depth);
+            let first = self.add_node(places.start..middle, depth + 1);
+            let second = self.add_node(middle..places.end, depth + 1);
+            self.nodes[number].halves = Some([first, second]);
+        }
+        number
+    }
+
+    /// The motion of each node's edges, from that of points of the boundaries.
+    pub fn motions(&self, of_point: impl Fn(u32) -> Motion) -> Vec<Motion> {
+        let mut motions = vec![Motion::STILL; self.nodes.len()];
+        // From the leaves up: those below a node come behind it.
+        for (i, node) in self.nodes.iter().enumerate().rev() {
+            motions[i] = match node.halves {
+                Some(halves) => Motion::mean(halves.into_iter().map(|half| {
+                    let weight = self.nodes[half].bounds.silhouette_length;
+                    (weight, motions[half])
+                })),
+                None => Motion::mean(self.edges[node.places.clone()].iter().flat_map(|edge| {
+                    let weight = edge.length() * edge.share;
+                    edge.points.map(|point| (weight, of_point(point)))
+                })),
+            };
+        }
+        motions
+    }
+
+    /// A subtree of few edges, chosen by the random number `u` in `[0, 1)`. On the way down
+    /// nodes are chosen in proportion to their importance, given their number and bounds,
+    /// unless they certainly have no silhouette. `None` if that leads to nothing, or nothing
+    /// is important. Where an importance is not a number, the probability is none.
+    pub fn descend(
+        &self,
+        viewpoint: Vec3,
+        mut u: f64,
+        importance: impl Fn(usize, &EdgeBounds) -> f64,
+    ) -> Option<Subtree> {
+        let importance = |i: usize| {
+            let bounds = &self.nodes[i].bounds;
+            match bounds.may_have_silhouette(viewpoint) {
+                true => importance(i, bounds),
+                false => 0.0,
+            }
+        };
+        if self.nodes.is_empty() || importance(0) == 0.0 {
+            return None;
+        }
+        let mut chosen = Subtree {
+            node: 0,
+            probability: 1.0,
+        };
+        // Listing the edges of the leaf, and each step on the way there.
+        let mut effort = LEAF as u64;
+        while let Some(halves) = self.nodes[chosen.node].halves {
+            effort += EFFORT_OF_STEP;
+            let importances = halves.map(importance);
+            let sum = importances[0] + importances[1];
+            if sum == 0.0 {
+                return None;
+            }
+            let shares = importances.map(|importance| importance / sum);
+            // Rounding leads to no half of no importance.
+            let half = usize::from(u >= shares[0] && shares[1] > 0.0);
+            // The random number, rescaled within the half, is uniform again.
+            u = match half {
+                0 => (u / shares[0]).min(1.0),
+                _ => (u - shares[0]) / shares[1],
+            };
+            chosen.probability *= shares[half];
+            chosen.node = halves[half];
+        }
+        add_effort(effort);
+        Some(chosen)
+    }
+
+    /// The silhouettes of a subtree as seen from a viewpoint.
+    pub fn silhouettes(
+        &self,
+        subtree: &Subtree,
+        viewpoint: Vec3,
+    ) -> impl Iterator<Item = Silhouette> {
+        let edges = &self.edges[self.nodes[subtree.node].places.clone()];
+        let silhouettes = edges
+            .iter()
+            .filter(move |edge| edge.is_silhouette(viewpoint));
+        silhouettes.map(|edge| Silhouette {
+            edge: edge.edge,
+            ends: edge.ends,
+            exposure: edge.exposure,
+        })
+    }
+
+    /// The edges that may lie on a part of this one.
+    pub fn overlapping(&self, edge: u32) -> impl Iterator<Item = u32> {
+        let first = self.overlaps.partition_point(|&[a, _]| a < edge);
+        let pairs = self.overlaps[first..].iter();
+        pairs.take_while(move |&&[a, _]| a == edge).map(|&[_, b]| b)
+    }
+}
+
+impl EdgeBounds {
+    fn new(edges: &[SampledEdge]) -> Self {
+        let mut all = Bin::EMPTY;
+        edges.iter().for_each(|edge| all.add(&Bin::of(edge)));
+        let centre = (all.low + all.high) * 0.5;
+        let offsets = edges.iter().flat_map(|edge| edge.ends);
+        let distances = offsets.map(|p| (p - centre).length());
+        let radius = distances.fold(0.0, f64::max);
+        let height = |edge: &SampledEdge| {
+            let normals = edge.normals().into_iter().flatten();
+            let heights = normals.map(|normal| normal.dot(edge.ends[0] - centre).abs());
+            heights.fold(0.0, f64::max)
+        };
+        Self {
+            centre,
+            radius,
+            // On a surface, so many edges in a disk are in one smaller by the square root.
+            least_radius: radius * (LEAF as f64 / edges.len().max(LEAF) as f64).sqrt(),
+            normals: NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
+            silhouette_length: all.weight,
+            height: edges.iter().map(height).fold(0.0, f64::max),
+        }
+    }
+
+    /// False if certainly none of the edges is a silhouette as seen from the viewpoint.
+    fn may_have_silhouette(&self, viewpoint: Vec3) -> bool {
+        let offset = self.centre - viewpoint;
+        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+        let clear = CLEAR * (sum(viewpoint) + sum(self.centre) + 2.0 * self.radius);
+        let margin = self
+            .normals
+            .view_margin(self.radius + clear, self.height + clear);
+        let least = self.normals.sin * offset.length() + margin + clear;
+        // True for NaN.
+        let is_clear = self.normals.axis.dot(offset).abs() > least;
+        !is_clear
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::Affine;
+    use capwalk_scene::primitive::{cube, icosphere, rectangle};
+    use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};
+
+    use super::*;
+    use crate::boundaries::Boundaries;
+
+    /// Waves on a ball, a box, and sheets: one of them open, one large and far away.
+    fn accel() -> Accel {
+        let mut scene: Scene = builtin::scene("leaf").expect("built in");
+        scene.shapes.clear();
+        scene.emitters.clear();
+        let mut ball = icosphere(9);
+        for p in &mut ball.positions {
+            *p = *p * (1.0 + 0.1 * (7.0 * p.x).sin() * (6.0 * p.y).cos() * (5.0 * p.z).sin());
+        }
+        let place = |x: f64, size: f64| {
+            Affine::translate(Vec3::new(x, 0.3, -0.2))
+                * Affine::rotate(Vec3::new(0.3, 0.8, 0.5), 0.7)
+                * Affine::scale(Vec3::splat(size))
+        };
+        let meshes = [
+            ball,
+            cube(place(1.5, 0.4)).0,
+            rectangle(place(-1.6, 0.5)).0,
+            rectangle(Affine::scale(Vec3::splat(90.0))).0,
+        ];
+        for mesh in meshes {
+            scene.add_shape(Shape::new("", mesh, ShadingNormals::Face, BsdfId(0)));
+        }
+        Accel::new(scene)
+    }
+
+    /// Far, near, on a face of the ball, inside of it, in the plane of a sheet.
+    fn viewpoints(accel: &Accel) -> Vec<Vec3> {
+        let mut found = vec![
+            Vec3::new(30.0, -20.0, 40.0),
+            Vec3::new(1.1, -0.4, 0.6),
+            Vec3::new(0.1, 0.2, -0.3),
+            Vec3::new(0.7, 1.4, 0.0),
+        ];
+        for face in [100, 777, 1300] {
+            let [a, b, c] = accel.mesh.corners(face);
+            found.push(a * 0.3 + b * 0.5 + c * 0.2);
+        }
+        found
+    }
+
+    /// What is listed has the silhouettes of brute force and no others, each list as often
+    /// as its probability says, so that over it they are counted.
+    #[test]
+    fn subtrees_are_brute_force() {
+        let accel = accel();
+        let boundaries = Boundaries::new(&accel);
+        let sampler = boundaries.edge_sampler(&accel);
+        // Surfaces that cross are on both sides of where they do.
+        let crossings = boundaries.crossings.len();
+        let of_meshes = &boundaries.edges()[..boundaries.edges().len() - crossings];
+        assert_eq!(sampler.edges.len(), of_meshes.len());
+        assert!(crossings > 0);
+        for viewpoint in viewpoints(&accel) {
+            let importance = |_: usize, bounds: &EdgeBounds| {
+                let distance = (bounds.centre - viewpoint).length().max(bounds.radius);
+                bounds.silhouette_length / (distance * distance)
+            };
+            let edges = of_meshes.iter().zip(0..);
+            let mut expected: Vec<u32> = edges
+                .filter(|(edge, _)| edge.is_silhouette(&accel.mesh, viewpoint))
+                .map(|(_, number)| number)
+                .collect();
+            // Each subtree that is found, how often, and its probability.
+            let mut found = std::collections::BTreeMap::new();
+            let n = 400_000;
+            let (mut count, mut hits) = (0.0, 0);
+            for i in 0..n {
+                let u = (f64::from(i) + 0.5) / f64::from(n);
+                let Some(subtree) = sampler.descend(viewpoint, u, importance) else {
+                    continue;
+                };
+                hits += 1;
+                let entry = found.entry(subtree.node).or_insert((0, subtree));
+                entry.0 += 1;
+            }
+            let mut listed: Vec<u32> = Vec::new();
+            for (times, subtree) in found.values() {
+                let share = f64::from(*times) / f64::from(n);
+                assert!((share - subtree.probability).abs() < 2.0 / f64::from(n));
+                let before = listed.len();
+                let silhouettes = sampler.silhouettes(subtree, viewpoint);
+                listed.extend(silhouettes.map(|silhouette| silhouette.edge));
+                count += share * (listed.len() - before) as f64 / subtree.probability;
+            }
+            listed.sort_unstable();
+            expected.sort_unstable();
+            // Some subtrees are too improbable to be met.
+            let n = expected.len();
+            println!("{n} silhouettes, {} subtrees, {hits} hits", found.len());
+            assert!(
+                listed
+                    .iter()
+                    .all(|edge| expected.binary_search(edge).is_ok())
+            );
+            assert_eq!(listed, expected);
+            assert!((count / expected.len() as f64 - 1.0).abs() < 1e-2);
+        }
+    }
+}

@@ -1,0 +1,212 @@
+//! The edges of an edge sampler: from where they are silhouettes, and how groups of them are
+//! divided.
+
+use std::f64::consts::PI;
+
+use capwalk_geometry::edge::separates;
+use capwalk_geometry::{Edge, Mesh, Sides};
+use capwalk_math::Vec3;
+
+use crate::accel::Accel;
+
+/// Bins along each axis among whose borders a node is divided.
+const BINS: usize = 16;
+
+/// Deeper nodes are halved, however their edges lie.
+const DEEP: u32 = 60;
+
+/// Share of their length that counts of edges which surfaces nearly always hide: the concave
+/// ones of closed surfaces, which are silhouettes only where one looks through the surface.
+const CONCAVE: f64 = 0.02;
+
+/// Least share that counts of any edge: flat ones are silhouettes only in the plane of the
+/// viewpoint.
+const LEAST_SHARE: f64 = 1e-6;
+
+/// An edge and what decides from where it is a silhouette.
+#[derive(Clone, Copy, Debug)]
+pub struct SampledEdge {
+    /// Its number.
+    pub edge: u32,
+    /// Its ends, points of the boundaries.
+    pub points: [u32; 2],
+    /// Where they are.
+    pub ends: [Vec3; 2],
+    /// Normals of its faces, of any length; `None` if it always counts.
+    crosses: Option<[Vec3; 2]>,
+    /// Whether the second one counts reversed.
+    flipped: bool,
+    /// Share of all viewpoints from which it is a silhouette, and not hidden by its own
+    /// surface, roughly.
+    pub share: f64,
+    /// What that is of those from which it is a silhouette.
+    pub exposure: f64,
+}
+
+/// For each shape whether its normals point outward, if it is closed.
+pub fn outward(edges: &[Edge], accel: &Accel) -> Vec<Option<bool>> {
+    let count = accel.scene.shapes.len();
+    let mut is_closed = vec![true; count];
+    for edge in edges {
+        if !matches!(edge.sides, Sides::Between { flipped: false, .. }) {
+            is_closed[accel.shape_of_vertex(edge.vertices[0]).0 as usize] = false;
+        }
+    }
+    // Six times the volume, by the divergence theorem.
+    let mut volumes = vec![0.0; count];
+    for (face, shape) in accel.shape_of_face.iter().enumerate() {
+        let [a, b, c] = accel.mesh.corners(face);
+        volumes[shape.0 as usize] += a.cross(b).dot(c);
+    }
+    let shapes = is_closed.into_iter().zip(volumes);
+    shapes
+        .map(|(is_closed, volume)| is_closed.then_some(volume > 0.0))
+        .collect()
+}
+
+/// Orders edges so that two groups follow each other, and returns where the second one
+/// starts: at the border of a bin for which the boxes around the groups, weighed by what is
+/// in them, have the least surface.
+pub fn divide(edges: &mut [SampledEdge], depth: u32) -> usize {
+    let boxes = |edges: &[SampledEdge]| {
+        let middles = edges.iter().map(SampledEdge::middle);
+        let none = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+        middles.fold(none, |(low, high), p| (low.min(p), high.max(p)))
+    };
+    let (low, high) = boxes(edges);
+    let (low, size) = (low.to_array(), (high - low).to_array());
+    let bin = |edge: &SampledEdge, axis: usize| {
+        let place = (edge.middle().to_array()[axis] - low[axis]) / size[axis];
+        ((place * BINS as f64) as usize).min(BINS - 1)
+    };
+    let mut best = (f64::INFINITY, 0, 0);
+    for axis in (0..3).filter(|&axis| size[axis] > 0.0 && depth < DEEP) {
+        let mut bins = [Bin::EMPTY; BINS];
+        for edge in &*edges {
+            bins[bin(edge, axis)].add(&Bin::of(edge));
+        }
+        // What is behind each border, from the last to the first.
+        let mut behind = bins;
+        for i in (1..BINS - 1).rev() {
+            let next = behind[i + 1];
+            behind[i].add(&next);
+        }
+        let mut before = Bin::EMPTY;
+        for i in 1..BINS {
+            before.add(&bins[i - 1]);
+            let cost = before.cost() + behind[i].cost();
+            if before.weight > 0.0 && behind[i].weight > 0.0 && cost < best.0 {
+                best = (cost, axis, i);
+            }
+        }
+    }
+    let (cost, axis, border) = best;
+    if cost < f64::INFINITY {
+        // In the order in which they were.
+        edges.sort_by_key(|edge| bin(edge, axis) >= border);
+        let first = edges.partition_point(|edge| bin(edge, axis) < border);
+        if first > 0 && first < edges.len() {
+            return first;
+        }
+    }
+    edges.len() / 2
+}
+
+/// Edges in a box.
+#[derive(Clone, Copy)]
+pub struct Bin {
+    pub low: Vec3,
+    pub high: Vec3,
+    /// The sum of lengths of silhouettes, roughly.
+    pub weight: f64,
+}
+
+impl Bin {
+    pub const EMPTY: Self = Self {
+        low: Vec3::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
+        high: Vec3::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
+        weight: 0.0,
+    };
+
+    pub fn of(edge: &SampledEdge) -> Self {
+        let [a, b] = edge.ends;
+        Self {
+            low: a.min(b),
+            high: a.max(b),
+            weight: edge.length() * edge.share,
+        }
+    }
+
+    pub fn add(&mut self, other: &Self) {
+        self.low = self.low.min(other.low);
+        self.high = self.high.max(other.high);
+        self.weight += other.weight;
+    }
+
+    /// The surface of the box times what is in it.
+    fn cost(&self) -> f64 {
+        if self.weight == 0.0 {
+            return 0.0;
+        }
+        let Vec3 { x, y, z } = self.high - self.low;
+        (x * y + y * z + z * x) * self.weight
+    }
+}
+
+impl SampledEdge {
+    pub fn new(number: u32, edge: &Edge, mesh: &Mesh, outward: Option<bool>) -> Self {
+        let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
+        let mut sampled = Self {
+            edge: number,
+            points: edge.vertices,
+            ends,
+            crosses: None,
+            flipped: false,
+            share: 1.0,
+            exposure: 1.0,
+        };
+        if let Sides::Between { faces, flipped } = edge.sides {
+            let crosses = faces.map(|face| mesh.face_cross(face as usize));
+            sampled.crosses = Some(crosses);
+            sampled.flipped = flipped;
+            // The faces turn by this angle, and between their planes are the viewpoints.
+            let [first, second] = sampled.normals().map(|normal| normal.expect("of a face"));
+            let turn = first.cross(second).length().atan2(first.dot(second));
+            let third = mesh.faces[faces[1] as usize].into_iter();
+            let third = third.map(|i| first.dot(mesh.positions[i as usize] - ends[0]));
+            let height = third.fold(0.0, |height: f64, h| match h.abs() > height.abs() {
+                true => h,
+                false => height,
+            });
+            let is_hidden = outward.is_some_and(|outward| (height > 0.0) == outward);
+            sampled.exposure = if is_hidden { CONCAVE } else { 1.0 };
+            sampled.share = (sampled.exposure * turn / PI).max(LEAST_SHARE);
+        }
+        sampled
+    }
+
+    /// Normals of its faces, as if both were wound alike.
+    pub fn normals(&self) -> [Option<Vec3>; 2] {
+        match self.crosses {
+            None => [None; 2],
+            Some([first, second]) => {
+                let second = if self.flipped { -second } else { second };
+                [Some(first.normalized()), Some(second.normalized())]
+            }
+        }
+    }
+
+    /// What [`Edge::is_silhouette`] says.
+    pub fn is_silhouette(&self, viewpoint: Vec3) -> bool {
+        let is_between = |crosses| separates(crosses, self.ends[0], self.flipped, viewpoint);
+        self.crosses.is_none_or(is_between)
+    }
+
+    fn middle(&self) -> Vec3 {
+        (self.ends[0] + self.ends[1]) * 0.5
+    }
+
+    pub fn length(&self) -> f64 {
+        (self.ends[1] - self.ends[0]).length()
+    }
+}

@@ -1,0 +1,301 @@
+//! Points sampled on edges around a shading point, in proportion to what they contribute
+//! to the boundary term of an emitter's light, where directions do not move, or turn with
+//! the shading normal (METHOD 8).
+
+use capwalk_boundary::{EdgePoint, Field, Motion, SilhouettePieces, Viewpoint, clip, place};
+use capwalk_geometry::add_effort;
+use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_scene::EmitterId;
+
+use crate::emitter_edge_term::{emitted_and_reflected, emitted_past, reflected_environment};
+use crate::scene_eval::{SceneEval, Warped};
+use crate::vertex::Vertex;
+
+/// How far the planes of a window are moved outward, as a fraction of the edge's
+/// distance: more than rounding.
+const IN_PLANE: f64 = 1e-9;
+
+/// The effort of weighing a piece: BSDF and cosine are evaluated.
+const EFFORT_OF_PIECE: u64 = 10;
+
+/// Length of the longest piece that has one sampling weight, radians: lobes are narrow.
+const PIECE: f64 = 0.05;
+/// The most pieces of one edge.
+const MOST_PIECES: f64 = 32.0;
+
+/// Share of the mean over all pieces that is added to what a piece contributes at its
+/// middle: beside the middle there may be light, or motion.
+const LEAST_WEIGHT: f64 = 0.03;
+/// The same where that mean is zero.
+const TINY: f64 = 1e-30;
+
+/// A shading point at which boundary terms are estimated.
+pub struct ShadingPoint<'a, R, W> {
+    /// The boundaries of the scene.
+    pub field: &'a Field<'a>,
+    /// Its numbers.
+    pub eval: &'a W,
+    /// The point with its derivatives.
+    pub viewpoint: &'a Viewpoint<R>,
+    /// The primal point.
+    pub vertex: &'a Vertex<f64>,
+    /// The normal with which sampled directions turn, if they do not stay.
+    pub turning: Option<Vec3<R>>,
+}
+
+/// What sampling weights know of how directions from a shading point move.
+#[derive(Clone, Copy, Debug)]
+pub struct Turning {
+    motion: Motion,
+    /// Angular velocity.
+    rotation: Vec3,
+    /// How fast they turn, radians, where only that is guessed.
+    guessed: f64,
+}
+
+impl Turning {
+    /// How fast directions turn, radians.
+    pub fn speed(&self) -> f64 {
+        self.rotation.length() + self.guessed
+    }
+
+    /// The motion of what is seen still at some offset from the shading point.
+    pub fn at(&self, offset: Vec3) -> Motion {
+        Motion {
+            velocity: self.motion.velocity + self.rotation.cross(offset),
+            spread: self.motion.spread + self.guessed * offset.length(),
+        }
+    }
+}
+
+impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
+    /// How directions move, as far as sampling weights may know it.
+    pub fn motion(&self) -> Turning {
+        let normal = self
+            .turning
+            .map(|normal| (normal.value(), self.eval.motion_of(normal)));
+        let (n, change) = normal.unwrap_or((Vec3::zero(), Motion::STILL));
+        Turning {
+            motion: self.eval.motion_of(self.viewpoint.position),
+            rotation: n.cross(change.velocity),
+            guessed: change.spread,
+        }
+    }
+
+    /// A sampled direction, as it moves.
+    pub fn warped(&self, direction: Vec3) -> Warped<R> {
+        match self.turning {
+            Some(normal) => Warped::turning(direction, normal),
+            None => Warped::still(direction),
+        }
+    }
+}
+
+/// An edge listed for sampling.
+#[derive(Clone, Copy, Debug)]
+pub struct ListedEdge {
+    /// Its number.
+    pub edge: u32,
+    /// Its ends.
+    pub ends: [Vec3; 2],
+    /// What its sampling weight is multiplied by.
+    pub factor: f64,
+}
+
+/// Edges cut into pieces with sampling weights, and memory for more.
+#[derive(Default)]
+pub struct SampledEdges {
+    weighed: Vec<Weighed>,
+    pieces: SilhouettePieces,
+}
+
+/// A piece of an edge.
+struct Weighed {
+    edge: u32,
+    range: [f64; 2],
+    /// Radians.
+    angle: f64,
+    /// What it contributes if all of it is like its middle.
+    contribution: f64,
+}
+
+impl SampledEdges {
+    /// How many pieces there are.
+    pub fn count(&self) -> usize {
+        self.pieces.count()
+    }
+
+    /// True if there is a piece of this edge.
+    pub fn contains(&self, edge: u32) -> bool {
+        self.pieces.contains(edge)
+    }
+
+    /// Adds an edge that is not sampled, but shares the discontinuity where it lies on
+    /// edges that are. Once for each such edge.
+    pub fn push_companion(&mut self, edge: u32) {
+        self.pieces.push_companion(edge);
+    }
+
+    /// Cuts edges into pieces, in place of those from before, where they are on the inner
+    /// sides of planes through the shading point. The sampling weight of a piece is what it
+    /// contributes if all of it is like its middle: its angle times the largest channel of
+    /// BSDF and cosine times the angular speed across the edge, times `light` in that
+    /// direction.
+    pub fn weigh<R: Real, W: SceneEval<R>>(
+        &mut self,
+        at: &ShadingPoint<R, W>,
+        listed: impl Iterator<Item = ListedEdge>,
+        planes: &[Vec3],
+        light: impl Fn(Vec3) -> f64,
+    ) {
+        let (eval, vertex, turning) = (at.eval, at.vertex, at.motion());
+        let Self { weighed, pieces } = self;
+        weighed.clear();
+        for ListedEdge { edge, ends, factor } in listed {
+            let [a, b] = ends.map(|p| p - vertex.position);
+            // Clip the edge; an emitter's own edges, in its planes, count as inside.
+            let margin = IN_PLANE * a.length().max(b.length());
+            let Some(range) = clip(planes, margin, [a, b]) else {
+                continue;
+            };
+            let normal = a.cross(b).normalized();
+            let points = at.field.boundaries.edge(edge).vertices;
+            let ends = range.map(|t| a + (b - a) * t);
+            let [near, far] = ends.map(Vec3::length);
+            let [from, to] = [ends[0] / near, ends[1] / far];
+            // Cut it at equal steps on the chord between the directions of its ends.
+            let chord = to - from;
+            let count = (chord.length() / PIECE).ceil().clamp(1.0, MOST_PIECES);
+            let place = |part| place(range, [near, far], part);
+            for i in 0..count as u32 {
+                let part = |k: f64| (f64::from(i) + k) / count;
+                let middle = (from + chord * part(0.5)).normalized();
+                let reflected = vertex.eval(middle).max_component() * light(middle);
+                let t = place(part(0.5));
+                let offset = a + (b - a) * t;
+                let against = turning.at(offset).velocity;
+                let speed = eval.speed(points, t, against, normal) / offset.length();
+                let angle = factor * chord.length() / count;
+                let contribution = angle * reflected * speed;
+                // An edge seen end-on has no middle direction, and no angle.
+                if contribution.is_finite() {
+                    weighed.push(Weighed {
+                        edge,
+                        range: [place(part(0.0)), place(part(1.0))],
+                        angle,
+                        contribution,
+                    });
+                }
+            }
+        }
+        add_effort(EFFORT_OF_PIECE * weighed.len() as u64);
+        // Every piece has a share of its angle, too.
+        let sum: f64 = weighed.iter().map(|piece| piece.contribution).sum();
+        let angle: f64 = weighed.iter().map(|piece| piece.angle).sum();
+        let least = LEAST_WEIGHT * sum / angle + TINY;
+        pieces.clear();
+        for piece in &*weighed {
+            let weight = piece.contribution + least * piece.angle;
+            pieces.push(piece.edge, piece.range, weight);
+        }
+    }
+
+    /// The sum over the pieces: an estimate from so many points, stratified by `u`, a
+    /// number of value zero whose derivative is
+    ///
+    /// ```text
+    /// Σ ∫ [f(behind) - f(before)] (u_edge - u)·n dl
+    /// ```
+    ///
+    /// `f` is the radiance of an emitter times BSDF and cosine, `u_edge` the angular
+    /// velocity of an edge, `u` that of directions, zero unless they turn, and `n` the
+    /// normal of the edge's projection, from behind to before.
+    /// Hidden edges need no visibility test: `f` is the same on both of their sides.
+    pub fn term<R: Real, W: SceneEval<R>>(
+        &self,
+        at: &ShadingPoint<R, W>,
+        emitter: EmitterId,
+        u: f64,
+        points: u32,
+    ) -> Rgb<R> {
+        let mut light = Rgb::zero();
+        for i in 0..points {
+            // Sample a point on one of the edges.
+            let u = (f64::from(i) + u) / f64::from(points);
+            let boundaries = at.field.boundaries;
+            let Some(point) = self.pieces.draw(boundaries, at.vertex.position, u) else {
+                continue;
+            };
+            // Evaluate (u_edge - u)·n over the density.
+            let warped = at.warped(point.direction).direction;
+            let ends = point.ends().map(|i| at.eval.boundary_point(i));
+            let flow = point.flow(ends, at.viewpoint.position, warped);
+            // Trace rays only where something moves. A shading point on the edge itself
+            // gives a NaN, which is not constant and is counted with the sample.
+            if !flow.is_constant() {
+                let jump = discontinuity(at.field, at.vertex, &point, emitter);
+                light += Rgb::constant(jump / f64::from(points)) * flow;
+            }
+        }
+        light
+    }
+}
+
+/// `f(behind) - f(before)` of one emitter at a point of an edge.
+fn discontinuity(
+    field: &Field,
+    vertex: &Vertex<f64>,
+    point: &EdgePoint,
+    emitter: EmitterId,
+) -> Rgb {
+    let accel = field.accel;
+    let is_environment = accel.scene.environment() == Some(emitter);
+    let is_chosen = |other| other == emitter;
+    let [behind, before] = point.sides();
+    match point.covered_side(field.boundaries, accel, vertex.position, emitter) {
+        // The surface covers one side, and emits nothing there: one ray past the edge shows
+        // whether the edge is seen, and what is behind it.
+        Some(covered) => {
+            let (direction, sign) = match covered {
+                0 => (before, -1.0),
+                _ => (behind, 1.0),
+            };
+            let light = match is_environment {
+                true => reflected_environment(accel, vertex, direction, emitter),
+                false => emitted_past(accel, vertex, direction, point.distance, is_chosen),
+            };
+            light * sign
+        }
+        None => {
+            let light = |vertex: &Vertex<f64>, side| match is_environment {
+                true => reflected_environment(accel, vertex, side, emitter),
+                false => emitted_and_reflected(accel, vertex, side, is_chosen),
+            };
+            let is_horizon = is_horizon(field, vertex, point);
+            let [behind, before] = [behind, before].map(|side| match is_horizon {
+                true => light(&beside_its_face(field, vertex, side), side),
+                false => light(vertex, side),
+            });
+            behind - before
+        }
+    }
+}
+
+/// True if an edge lies in the plane of the shading point's face.
+fn is_horizon(field: &Field, vertex: &Vertex<f64>, point: &EdgePoint) -> bool {
+    point.ends().into_iter().all(|i| {
+        let offset = field.boundaries.position(i) - vertex.position;
+        offset.dot(vertex.face_normal).abs() <= field.accel.horizon_distance()
+    })
+}
+
+/// The shading point on that side of its face on which the direction leaves it. A ray within
+/// rounding of the face's plane would hit the face on its way, or not.
+fn beside_its_face(field: &Field, vertex: &Vertex<f64>, direction: Vec3) -> Vertex<f64> {
+    let side = direction.dot(vertex.face_normal).signum();
+    let offset = vertex.face_normal * (side * field.accel.horizon_distance());
+    Vertex {
+        position: vertex.position + offset,
+        ..vertex.clone()
+    }
+}
