@@ -98,26 +98,20 @@ fn reverse(scene: &Scene, wanted: &Wanted, spp: u32) -> Backward {
 
 /// `⟨δ, J θ̇⟩` in forward mode.
 fn forward(scene: &Scene, tangent: &Tangent, spp: u32) -> f64 {
-    forward_by(scene, tangent, &settings(spp))
+    forward_by(&PreparedScene::new(scene.clone()), tangent, &settings(spp))
 }
 
-fn forward_by(scene: &Scene, tangent: &Tangent, settings: &GradientOptions) -> f64 {
-    let result = gradient(
-        &PreparedScene::new(scene.clone()),
-        tangent,
-        settings,
-        &Unwatched,
-    )
-    .expect("covered");
+fn forward_by(prepared: &PreparedScene, tangent: &Tangent, settings: &GradientOptions) -> f64 {
+    let result = gradient(prepared, tangent, settings, &Unwatched).expect("covered");
     let pixels = result.gradient.mean.pixels.iter();
-    let adjoint = adjoint(scene, 3);
+    let adjoint = adjoint(prepared.scene(), 3);
     pixels.zip(&adjoint.pixels).map(|(a, &b)| a.dot(b)).sum()
 }
 
 fn agree_in_both_modes(name: &str, mut scene: Scene, depth: u32) {
     small(&mut scene, depth);
     let tangent = everything(&scene, 11);
-    agree_along(name, &scene, &tangent);
+    agree_along(name, &PreparedScene::new(scene), &tangent);
 }
 
 /// Few pixels, paths of so many segments.
@@ -132,22 +126,22 @@ fn small(scene: &mut Scene, depth: u32) {
     scene.check().expect("a valid scene");
 }
 
-fn agree_along(name: &str, scene: &Scene, tangent: &Tangent) {
+fn agree_along(name: &str, prepared: &PreparedScene, tangent: &Tangent) {
     for method in [Method::Walk, Method::EDGES] {
         let settings = GradientOptions {
             method,
             ..settings(16)
         };
-        agree_by(&format!("{name}, {method:?}"), scene, tangent, &settings);
+        agree_by(&format!("{name}, {method:?}"), prepared, tangent, &settings);
     }
 }
 
-fn agree_by(name: &str, scene: &Scene, tangent: &Tangent, settings: &GradientOptions) {
-    let forward = forward_by(scene, tangent, settings);
+fn agree_by(name: &str, prepared: &PreparedScene, tangent: &Tangent, settings: &GradientOptions) {
+    let forward = forward_by(prepared, tangent, settings);
     let wanted = Wanted::by(tangent);
     let reverse = backward(
-        &PreparedScene::new(scene.clone()),
-        &adjoint(scene, 3),
+        prepared,
+        &adjoint(prepared.scene(), 3),
         &wanted,
         settings,
         &Unwatched,
@@ -182,6 +176,14 @@ fn given_normals() {
     agree_in_both_modes("given normals", scene, 3);
 }
 
+/// The motion of a parameter.
+fn named(prepared: &PreparedScene, name: &str) -> Tangent {
+    let scene = prepared.scene();
+    params::Registry::new(scene)
+        .tangent(scene, name)
+        .expect(name)
+}
+
 /// Rays that start on a lens, filters that end abruptly or not.
 #[test]
 fn thin_lens() {
@@ -189,6 +191,7 @@ fn thin_lens() {
         let mut scene = through_lens(visible_ball(filter), 0.2, 3.0);
         agree_in_both_modes("thin lens", scene.clone(), 3);
         small(&mut scene, 2);
+        let prepared = PreparedScene::new(scene);
         // What is not wanted is constant in both modes.
         for name in [
             "sensor.translate.x",
@@ -196,10 +199,7 @@ fn thin_lens() {
             "sensor.aperture_radius",
             "sensor.focus_distance",
         ] {
-            let tangent = params::Registry::new(&scene)
-                .tangent(&scene, name)
-                .expect(name);
-            agree_along(name, &scene, &tangent);
+            agree_along(name, &prepared, &named(&prepared, name));
         }
     }
 }
@@ -211,22 +211,20 @@ fn parallel_rays() {
         let mut scene = with_parallel_rays(visible_ball(filter), 0.85);
         agree_in_both_modes("parallel rays", scene.clone(), 3);
         small(&mut scene, 2);
+        let prepared = PreparedScene::new(scene);
         let gathered = GradientOptions {
             method: Method::EDGES,
             ..settings(16)
         };
-        let tangent = everything(&scene, 11);
-        agree_by("parallel rays, edges", &scene, &tangent, &gathered);
+        let tangent = everything(prepared.scene(), 11);
+        agree_by("parallel rays, edges", &prepared, &tangent, &gathered);
         for name in [
             "ball.translate.x",
             "sensor.translate.y - sensor.translate.x",
             "sensor.rotate.x",
             "sensor.to_world[0,2] - 0.4*sensor.to_world[1,1]",
         ] {
-            let tangent = params::Registry::new(&scene)
-                .tangent(&scene, name)
-                .expect(name);
-            agree_along(name, &scene, &tangent);
+            agree_along(name, &prepared, &named(&prepared, name));
         }
     }
 }
@@ -239,6 +237,7 @@ fn warped_area_sampling() {
     make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
     small(&mut scene, 4);
     let tangent = everything(&scene, 11);
+    let prepared = PreparedScene::new(scene);
     let debiased = WasSettings {
         boundary: WasBoundary::Normals,
         rays: 3,
@@ -251,7 +250,7 @@ fn warped_area_sampling() {
                 method,
                 ..settings(16)
             };
-            agree_by(method.name(), &scene, &tangent, &settings);
+            agree_by(method.name(), &prepared, &tangent, &settings);
         }
     }
 }
@@ -302,7 +301,12 @@ fn fields_on_triangles() {
         options.method = method;
         options.walk.steps = steps;
         let name = format!("{}, M = {steps}", method.name());
-        agree_by(&name, &scene, &tangent, &options);
+        agree_by(
+            &name,
+            &PreparedScene::new(scene.clone()),
+            &tangent,
+            &options,
+        );
     }
 }
 
@@ -376,7 +380,7 @@ fn numbers_of_specular_materials() {
     small(&mut scene, 5);
     let mut tangent = Tangent::zero(&scene);
     tangent.textures = everything(&scene, 11).textures;
-    agree_along("specular materials", &scene, &tangent);
+    agree_along("specular materials", &PreparedScene::new(scene), &tangent);
 }
 
 /// Flat mirrors across each other and a pane, everything moving.
