@@ -121,7 +121,7 @@ impl Pilot<'_> {
         }
         let tracer = Tracer::moving(self.prepared, self.field(Method::Walk), self.options.walk);
         let mut everywhere = tracer.can_gather();
-        everywhere.camera &= !self.moves_gloss();
+        everywhere.camera &= !self.moves_gloss(&tracer);
         let mut gathers = everywhere;
         let mut best = self.with_cutoffs(&tracer, gathers, trials);
         for segment in Gathers::SEGMENTS {
@@ -137,17 +137,20 @@ impl Pilot<'_> {
         Some(best)
     }
 
-    /// True if something glossy with interpolated normals moves against the camera. Where it
-    /// is seen nearly edge-on, rays of the camera that stay have samples so rare and so large
-    /// that no pilot sees them (METHOD 8); those of a walk move along.
-    fn moves_gloss(&self) -> bool {
+    /// True if something with interpolated normals moves against the camera that is glossy,
+    /// or lit by something glossy. Where it is seen nearly edge-on, rays of the camera that
+    /// stay have samples so rare and so large that no pilot sees them (METHOD 8); those of a
+    /// walk move along.
+    fn moves_gloss(&self, tracer: &Tracer) -> bool {
         let scene = self.prepared.scene();
         let camera_moves = self.tangent.sensor.moves_rays();
+        let mut materials = scene.shapes.iter().map(|shape| shape.bsdf);
+        let lights = tracer.plan.reaches(3) && materials.any(|id| is_glossy(scene, id));
         let mut shapes = scene.shapes.iter().zip(&self.tangent.shapes);
         shapes.any(|(shape, motion)| {
             (camera_moves || motion.is_some())
                 && shape.normals.per_vertex().is_some()
-                && is_glossy(scene, shape.bsdf)
+                && (lights || is_glossy(scene, shape.bsdf))
         })
     }
 

@@ -10,6 +10,9 @@ use capwalk_walk::WalkSettings;
 use crate::adjoint::Wanted;
 use crate::reverse_eval::{likely_motion, likely_motion_of_viewpoint, likely_speed};
 
+/// A velocity that changes no digit of a derivative.
+const HARDLY: f64 = 1e-200;
+
 /// A number and its derivative with respect to the parameter.
 pub type D = Dual<1>;
 
@@ -58,12 +61,32 @@ impl<'a> Forward<'a> {
         }
     }
 
-    /// Samples like reverse mode, which knows no velocity.
+    /// Samples like reverse mode, which knows no velocity. To it all of a shape may move that
+    /// is moved somewhere: the rest of it gets velocities too small to count, but not zero.
     pub fn blind(self) -> Self {
         let wanted = Wanted::by(self.tangent);
-        let points = wanted.points(self.accel, self.field.boundaries);
+        let may_move = wanted.points(self.accel, self.field.boundaries);
+        let hardly = |velocity: Vec3| match velocity == Vec3::zero() {
+            true => Vec3::splat(HARDLY),
+            false => velocity,
+        };
+        let points = self.points.into_iter().zip(&may_move);
+        let points = points.map(|(velocity, &may_move)| match may_move {
+            true => hardly(velocity),
+            false => velocity,
+        });
+        let scene = &self.accel.scene;
+        let normals = self.normals.into_iter().enumerate();
+        let normals = normals.map(
+            |(shape, velocities)| match wanted.normals_of(scene, shape) {
+                true => velocities.map(|all| all.into_iter().map(hardly).collect()),
+                false => velocities,
+            },
+        );
         Self {
-            blind: Some(points),
+            points: points.collect(),
+            normals: normals.collect(),
+            blind: Some(may_move),
             ..self
         }
     }

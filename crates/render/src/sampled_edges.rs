@@ -74,11 +74,14 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
         let normal = self
             .turning
             .map(|normal| (normal.value(), self.eval.motion_of(normal)));
+        let motion = self.eval.motion_of(self.viewpoint.position);
         let (n, change) = normal.unwrap_or((Vec3::zero(), Motion::STILL));
+        // What may move may turn.
+        let may_turn = self.turning.map_or(0.0, |_| motion.spread);
         Turning {
-            motion: self.eval.motion_of(self.viewpoint.position),
+            motion,
             rotation: n.cross(change.velocity),
-            guessed: change.spread,
+            guessed: change.spread.max(may_turn),
         }
     }
 

@@ -54,13 +54,11 @@ fn case(method: Method) -> Case {
 /// what has sunk by more has a curve where it crosses the floor.
 #[test]
 fn sunk_by_the_rounding_of_files() {
-    for depth in [2e-8, 5e-7] {
-        for method in [Method::Walk, Method::EDGES] {
-            let scene = sunk(depth);
-            let tangent = tangent(&scene, "thing.translate.y");
-            let name = format!("{depth}, {}", method.name());
-            agree(&name, scene, &tangent, case(method));
-        }
+    for (depth, method) in [(2e-8, Method::EDGES), (5e-7, Method::Walk)] {
+        let scene = sunk(depth);
+        let tangent = tangent(&scene, "thing.translate.y");
+        let name = format!("{depth}, {}", method.name());
+        agree(&name, scene, &tangent, case(method));
     }
 }
 

@@ -90,7 +90,10 @@ fn area_of_a_disk() {
     let squared = d * d - r * r;
     // d/ds of π focal² r² / (d² - r²), r = 0.5 s
     let expected = std::f64::consts::PI * focal * focal * 2.0 * r * r * d * d / (squared * squared);
-    let settings = capwalk_diff::GradientOptions::new(capwalk_diff::RenderOptions::new(256, 2));
+    let settings = capwalk_diff::GradientOptions {
+        method: capwalk_diff::Method::Walk,
+        ..capwalk_diff::GradientOptions::new(capwalk_diff::RenderOptions::new(256, 2))
+    };
     let tangent = tangent(&scene, "ball.scale");
     let nobody = &capwalk_diff::Unwatched;
     let result = capwalk_diff::gradient(

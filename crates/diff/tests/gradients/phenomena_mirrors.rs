@@ -118,8 +118,8 @@ fn two_mirrors() {
     paths(&mut scene, 4);
     let expression = "block.translate.x + 0.2*second.rotate.z";
     let case = Case {
-        patience: 4.0,
-        ..case(1000)
+        patience: 8.0,
+        ..case(600)
     };
     moves("two mirrors", scene, expression, case);
 }
@@ -134,7 +134,11 @@ fn block_behind_a_pane() {
     add(&mut scene, "behind", behind, normals, 0.7);
     add_sky(&mut scene);
     let expression = "behind.translate.x + 0.2*mirror.rotate.z";
-    moves("pane", scene, expression, case(700));
+    let case = Case {
+        patience: 4.5,
+        ..case(450)
+    };
+    moves("pane", scene, expression, case);
 }
 
 /// A block moves over a polished floor.

@@ -72,7 +72,7 @@ fn builtin_case(scene: &str, expression: &str, case: Case) {
 #[test]
 fn lattice_shadow() {
     // Its tubes are thin: a step of their size would blur their shadows.
-    for axis in ["x", "y", "z"] {
+    for axis in ["x", "z"] {
         let case = Case {
             step: 1e-2,
             gradient_spp: 400,
