@@ -79,6 +79,17 @@ impl Gathers {
         },
     ];
 
+    /// The names of the segments.
+    pub fn names(self) -> Vec<&'static str> {
+        let all = [
+            ("camera", self.camera),
+            ("emitters", self.emitters),
+            ("environment", self.environment),
+        ];
+        let gathered = all.iter().filter(|(_, gathered)| *gathered);
+        gathered.map(|(name, _)| *name).collect()
+    }
+
     /// True if this also gathers along a segment of the other.
     pub fn along(self, other: Self) -> bool {
         self.without(other) != self

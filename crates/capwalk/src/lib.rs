@@ -72,9 +72,10 @@ mod step;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
-    Accumulate, BatchSums, Cell, Chosen, Estimate, Estimator, GradientImage, GradientOptions,
-    GradientWork, Grid, Method, Part, PartError, Partial, PixelSums, Refusal, RenderOptions,
-    RenderWork, Rendering, Statistics, Trial, Unwatched, WalkSettings, Watch, with_threads,
+    Accumulate, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
+    GradientOptions, GradientWork, Grid, Method, Part, PartError, Partial, PixelSums, Refusal,
+    RenderOptions, RenderWork, Rendering, Statistics, Trial, Unwatched, WalkSettings, Watch,
+    with_threads,
 };
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};

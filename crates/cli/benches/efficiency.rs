@@ -96,15 +96,12 @@ fn measure(folder: &Folder, parameter: &str, step: f64) -> (String, [f64; 4]) {
     let work = GradientWork::new(&prepared, Cow::Borrowed(&tangent), by(Method::Auto));
     let chosen = work.chosen(&Unwatched).expect("covered").options;
     let gathers = chosen.method.traits().gathers;
-    let along = [
-        ("camera", gathers.camera),
-        ("emitters", gathers.emitters),
-        ("environment", gathers.environment),
-    ];
-    let along = along.iter().filter(|(_, gathered)| *gathered);
-    let along: Vec<&str> = along.map(|(name, _)| *name).collect();
     let angle = digits(chosen.walk.max_radius);
-    let described = format!("{} {} {angle}", chosen.method.name(), along.join("+"));
+    let described = format!(
+        "{} {} {angle}",
+        chosen.method.name(),
+        gathers.names().join("+")
+    );
     let ways = [
         Way::Samples(chosen),
         Way::Samples(by(Method::Walk)),

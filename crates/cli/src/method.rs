@@ -122,42 +122,26 @@ pub fn choice_json(chosen: &Chosen) -> Value {
     let trial = |trial: &Trial| {
         json!({
             "method": trial.method.name(),
-            "gathers": gathers_json(trial.method),
+            "gathers": trial.method.traits().gathers.names(),
             "max_angle": trial.max_radius.to_degrees(),
             "variance_per_sample": trial.variance,
             "effort_per_sample": trial.effort,
         })
     };
     json!({
-        "gathers": gathers_json(chosen.options.method),
+        "gathers": chosen.options.method.traits().gathers.names(),
         "max_angle": chosen.options.walk.max_radius.to_degrees(),
         "trials": chosen.trials.iter().map(trial).collect::<Vec<_>>(),
-    })
-}
-
-fn gathers_json(method: Method) -> Value {
-    let gathers = method.traits().gathers;
-    json!({
-        "camera": gathers.camera,
-        "emitters": gathers.emitters,
-        "environment": gathers.environment,
     })
 }
 
 /// Says with `-v` how a method was chosen, and why.
 pub fn log(chosen: &Chosen) {
     let describe = |method: Method, max_radius: f64| {
-        let gathers = method.traits().gathers;
-        let along = [
-            ("camera", gathers.camera),
-            ("emitters", gathers.emitters),
-            ("environment", gathers.environment),
-        ];
-        let along = along.iter().filter(|(_, gathered)| *gathered);
-        let along: Vec<&str> = along.map(|(name, _)| *name).collect();
-        let along = match along.is_empty() {
+        let segments = method.traits().gathers.names();
+        let along = match segments.is_empty() {
             true => String::new(),
-            false => format!(" ({})", along.join(", ")),
+            false => format!(" ({})", segments.join(", ")),
         };
         let angle = report::number(max_radius.to_degrees());
         format!("{}{along}, walks up to {angle}°", method.name())

@@ -6,6 +6,7 @@
 //! every number of threads, and independent of the samples that follow.
 
 use std::f64::consts::FRAC_1_SQRT_2;
+use std::sync::OnceLock;
 
 use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Sampler, pool};
 use capwalk_geometry::effort;
@@ -28,11 +29,28 @@ pub struct Chosen {
 }
 
 impl Chosen {
-    /// Options that leave nothing to be chosen.
-    pub(crate) fn given(options: GradientOptions) -> Self {
-        Self {
-            options,
-            trials: Vec::new(),
+    /// The options themselves if they leave nothing to be chosen, else what is known or
+    /// what `choose` gives. That becomes known unless the watch stopped it: what was stopped
+    /// says nothing.
+    pub(crate) fn of(
+        options: &GradientOptions,
+        known: &OnceLock<Self>,
+        watch: &dyn Watch,
+        choose: impl FnOnce() -> Self,
+    ) -> Self {
+        if options.method != Method::Auto {
+            return Self {
+                options: *options,
+                trials: Vec::new(),
+            };
+        }
+        if let Some(known) = known.get() {
+            return known.clone();
+        }
+        let chosen = choose();
+        match watch.should_stop() {
+            true => chosen,
+            false => known.get_or_init(|| chosen).clone(),
         }
     }
 }

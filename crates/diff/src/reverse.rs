@@ -9,7 +9,7 @@ use capwalk_boundary::refuse::{
     is_specular_somewhere, refuse_cut_normals, refuse_infinite_derivatives, refuse_motion,
     refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
-use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Sampler, pool};
+use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Tape, Vec3};
 use capwalk_render::tiles;
@@ -138,29 +138,21 @@ impl<'a> BackwardWork<'a> {
         self.backward(partial.into_sums())
     }
 
-    /// The method that the work is done by, see [`Method::Auto`]; found by the first call.
-    /// Refused like the work.
+    /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
+    /// by the first call. Refused like the work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
         self.refuse(&self.options)?;
-        if self.options.method != Method::Auto {
-            return Ok(Chosen::given(self.options));
-        }
-        if let Some(known) = self.chosen.get() {
-            return Ok(known.clone());
-        }
-        let pilot = Pilot {
-            prepared: self.prepared,
-            tangent: &motion(self.prepared.scene(), &self.wanted),
-            adjoint: Some(self.adjoint),
-            options: &self.options,
-            watch,
+        let choose = || {
+            let pilot = Pilot {
+                prepared: self.prepared,
+                tangent: &motion(self.prepared.scene(), &self.wanted),
+                adjoint: Some(self.adjoint),
+                options: &self.options,
+                watch,
+            };
+            pilot.choose()
         };
-        let chosen = pilot.choose();
-        // What was stopped says nothing.
-        if !watch.should_stop() {
-            return Ok(self.chosen.get_or_init(|| chosen).clone());
-        }
-        Ok(chosen)
+        Ok(Chosen::of(&self.options, &self.chosen, watch, choose))
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
