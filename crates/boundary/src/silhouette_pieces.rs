@@ -1,7 +1,7 @@
 //! Edges gathered around a viewpoint, and points sampled on them (METHOD 8).
 //!
 //! Projected on the sphere of directions, an edge is an arc, cut into pieces. A piece is
-//! chosen by a weight that does not depend on any velocity, and a direction on it
+//! chosen by a weight that is not differentiated, and a direction on it
 //! uniformly by angle.
 
 use capwalk_geometry::Sides;

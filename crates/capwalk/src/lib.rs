@@ -2,8 +2,8 @@
 //!
 //! The light of a scene is discontinuous at shadows, silhouettes and their reflections.
 //! When these move, the derivative of the image has a part that differentiated samples
-//! miss. capwalk estimates it with walks on spherical caps, without bias and with standard
-//! errors.
+//! miss. capwalk estimates it with walks on spherical caps or points on edges, without bias
+//! and with standard errors.
 //!
 //! # The first gradient
 //!

@@ -1,9 +1,9 @@
 //! The method that chooses ([`Method::Auto`]): before the work, a few samples are taken by
 //! each of several methods, and the one of the least variance × time does all of it.
 //!
-//! Time is counted in the steps of queries ([`effort`]), not measured, and the pilot has
-//! random numbers of its own: the choice is the same in every run, on every machine and for
-//! every number of threads, and independent of the samples that follow.
+//! Time is counted by what queries are asked and find ([`effort`]), not measured, and the
+//! pilot has random numbers of its own: the choice is the same in every run and for every
+//! number of threads, and independent of the samples that follow.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::sync::OnceLock;
@@ -65,7 +65,7 @@ pub struct Trial {
     /// The mean over the pixels of a sample's variance, summed over the channels; the
     /// hundredth of them where it is largest counts like the next one.
     pub variance: f64,
-    /// The mean effort of a sample, in nodes of a ray tree.
+    /// The mean effort of a sample, in about twenty nanoseconds.
     pub effort: f64,
 }
 
@@ -77,7 +77,8 @@ impl Trial {
 
     /// Clearly better than another one: as far as so few samples can tell.
     fn beats(&self, other: &Self) -> bool {
-        self.cost() < CLEARLY * other.cost()
+        // A trial without variance met nothing.
+        self.variance > 0.0 && self.cost() < CLEARLY * other.cost()
     }
 }
 

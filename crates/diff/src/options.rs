@@ -25,7 +25,7 @@ pub struct GradientOptions {
 }
 
 impl Default for GradientOptions {
-    /// 64 samples per pixel, the seed 0, and walks on the sphere.
+    /// 64 samples per pixel, the seed 0, and the method that chooses.
     fn default() -> Self {
         RenderOptions::default().into()
     }

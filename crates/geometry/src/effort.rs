@@ -1,26 +1,34 @@
-//! How much work the queries of a thread have been: what estimators are compared by in the
-//! place of seconds, so that a comparison comes out the same in every run and on every
-//! machine.
+//! How much work the queries of a thread have been, roughly: what estimators are compared
+//! by in the place of seconds. It follows from what is asked and found alone, not from how a
+//! tree came about or which instructions search it, so that a comparison comes out the same
+//! in every run.
 
 use std::cell::Cell;
 
-/// A node or leaf of edges, whose cones of normals are tested, too.
-pub(crate) const NODE: u64 = 3;
-/// The exact test of an edge.
-pub(crate) const EDGE: u64 = 4;
+/// The effort of a ray, for each level of a tree.
+pub(crate) const RAY: u64 = 2;
+/// That of the closest silhouette, or of a gather that finds none.
+pub(crate) const CLOSEST: u64 = 5;
+/// That of each edge that is gathered.
+pub(crate) const FOUND: u64 = 8;
 
 thread_local! {
     static EFFORT: Cell<u64> = const { Cell::new(0) };
 }
 
-/// The effort of all queries of this thread since it started, in nodes and leaves of a ray
-/// tree: about ten nanoseconds each.
+/// The effort of all queries of this thread since it started, in about twenty nanoseconds.
 pub fn effort() -> u64 {
     EFFORT.get()
 }
 
 /// Adds to the effort of this thread, for work between queries that grows with the scene.
 #[inline]
-pub fn add_effort(nodes: u64) {
-    EFFORT.set(EFFORT.get().wrapping_add(nodes));
+pub fn add_effort(more: u64) {
+    EFFORT.set(EFFORT.get().wrapping_add(more));
+}
+
+/// Adds that of a query among so many faces or edges.
+#[inline]
+pub(crate) fn add_effort_of(level: u64, count: usize) {
+    add_effort(level * u64::from(count.max(1).ilog2() + 2));
 }

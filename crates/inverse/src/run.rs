@@ -3,7 +3,7 @@
 use std::fmt;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, PreparedScene, Refusal, RenderOptions, Statistics,
+    BackwardWork, Chosen, GradientOptions, Method, PreparedScene, Refusal, RenderOptions, Statistics,
     Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
@@ -359,6 +359,9 @@ impl Problem {
     /// iterations would choose alike, and need no pilot of their own. What is refused stays
     /// as it is, to be refused by the first iteration.
     pub fn choose_method(&mut self, watch: &dyn Watch) -> Option<Chosen> {
+        if self.method != Method::Auto {
+            return None;
+        }
         let scene = self.scene(&State::new(self)).ok()?;
         let prepared = PreparedScene::new(self.views.first()?.scene(&scene));
         let [width, height] = prepared.scene().film.crop_size.map(|side| side as usize);

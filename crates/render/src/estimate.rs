@@ -45,7 +45,7 @@ pub struct Statistics {
     /// Samples that were infinite or NaN. They count as zero in the image,
     /// so more than a few of them make it wrong.
     pub non_finite: u64,
-    /// Closest-silhouette queries answered.
+    /// Queries about silhouettes answered: the closest one, those in a cone, or a subtree.
     pub cone_queries: u64,
     /// Specular reflections and refractions in which something moves, or which
     /// move themselves: their outlines are missing in the derivative.

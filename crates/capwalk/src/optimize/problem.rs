@@ -21,8 +21,8 @@ use capwalk_scene_io::{Loaded, Warning};
 pub struct LoadedProblem {
     /// The problem, with all of its targets.
     pub problem: Problem,
-    /// How its method was chosen; `None` if its derivatives are refused, or the watch
-    /// stopped it.
+    /// How its method was chosen; `None` if the job names one, if its derivatives are
+    /// refused, or if the watch stopped it.
     pub chosen: Option<Chosen>,
     /// What the scene files that it was loaded from say in vain, each once.
     pub warnings: Vec<Warning>,

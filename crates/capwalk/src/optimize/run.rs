@@ -94,8 +94,8 @@ impl<'j> Run<'j> {
         &self.problem
     }
 
-    /// How the method of its gradients was chosen; `None` if they are refused, or if the run
-    /// was stopped before.
+    /// How the method of its gradients was chosen; `None` if the job names one, if they are
+    /// refused, or if the run was stopped before.
     pub fn chosen(&self) -> Option<&Chosen> {
         self.chosen.as_ref()
     }

@@ -28,7 +28,7 @@ fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
     let mut adjoint = Image::new(width, height);
     adjoint.pixels.fill(Rgb::new(0.3, -0.7, 1.1));
     let mut numbers = bits(&render(prepared, &SAMPLING, &Unwatched).value.mean);
-    for method in [Method::Walk, Method::EDGES] {
+    for method in [Method::Walk, Method::EDGES, Method::Auto] {
         let options = GradientOptions {
             method,
             ..SAMPLING.into()

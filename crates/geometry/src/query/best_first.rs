@@ -16,7 +16,7 @@ use super::local_cone::LocalCone;
 use super::pseudo_angle::{Limit, pseudo_angle};
 use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Child, ChildKind, WIDTH};
-use crate::effort::{EDGE, add_effort};
+use crate::effort::{CLOSEST, add_effort_of};
 use crate::simd::{Job, Simd};
 
 impl SilhouetteTree {
@@ -126,6 +126,7 @@ impl<F: Fn(&SilhouettePoint) -> bool> Job for ClosestWhere<'_, F> {
                 .is_some_and(|nearest| next.is_none_or(|least| nearest.bound < least))
             {
                 let point = tested.pop().map(|nearest| nearest.point)?;
+                add_effort_of(CLOSEST, tree.edges.len());
                 if point.edge != rejected.edge && counts(&point) {
                     return Some(point);
                 }
@@ -134,7 +135,6 @@ impl<F: Fn(&SilhouettePoint) -> bool> Job for ClosestWhere<'_, F> {
             // Otherwise the nearest unopened thing is opened: an edge by its exact test,
             // Eq. (30), a node or leaf by the bounds of what it contains.
             let Queued(Reverse((_, what))) = queue.pop()?;
-            add_effort(EDGE);
             let child = match what {
                 What::Edge(edge) => {
                     if let Some(point) = tree.edges[edge as usize].closest(query, None) {

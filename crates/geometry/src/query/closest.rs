@@ -16,7 +16,7 @@ use super::local_cone::LocalCone;
 use super::pseudo_angle::{Limit, pseudo_angle};
 use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Buckets, ChildKind, WIDTH, for_each_sorted};
-use crate::effort::{EDGE, NODE, add_effort};
+use crate::effort::{CLOSEST, add_effort_of};
 use crate::simd::{Job, Simd};
 
 impl SilhouetteTree {
@@ -24,6 +24,7 @@ impl SilhouetteTree {
     /// equally near ones that of the lowest edge.
     #[inline]
     pub fn closest(&self, query: &ConeQuery) -> Option<SilhouettePoint> {
+        add_effort_of(CLOSEST, self.edges.len());
         self.instructions.run(Closest { tree: self, query })
     }
 }
@@ -50,7 +51,6 @@ struct Search<'a> {
     /// upper half: numbers compare like bounds, as these are not negative.
     waiting: [u64; WAITING],
     waiting_count: usize,
-    effort: u64,
 }
 
 impl Search<'_> {
@@ -80,7 +80,6 @@ impl Search<'_> {
     /// Lowers the limit by what is known of a leaf's eight edges.
     #[inline(always)]
     fn visit_leaf<S: Simd>(&mut self, simd: S, cone: &LocalCone<S>, block: &EdgeBlock) {
-        self.effort += NODE;
         let bounds = cone.edges(simd, block, self.limit.pseudo);
         let start = block.start as usize;
         // A certain boundary lowers the limit to its upper bound without being
@@ -109,7 +108,6 @@ impl Search<'_> {
     /// nearer than the best; of equally near ones the lowest edge's.
     #[inline(always)]
     fn test(&mut self, edge: usize) {
-        self.effort += EDGE;
         let edge = &self.tree.edges[edge];
         if let Some(point) = edge.closest(self.query, self.best.as_ref()) {
             let sin = self.query.axis.cross(point.direction).length();
@@ -173,7 +171,6 @@ impl Job for Closest<'_> {
             best: None,
             waiting: [0; WAITING],
             waiting_count: 0,
-            effort: 0,
         };
         // Nodes and leaves still to visit, nearest first.
         let mut queue = Buckets::with_root(search.limit.pseudo);
@@ -204,7 +201,6 @@ impl Job for Closest<'_> {
             };
             // Of the children, those come into the queue whose normal cones allow a
             // silhouette and whose boxes reach within the limit.
-            search.effort += 2 * NODE;
             let [first, second] = [&tree.nodes[other], &tree.nodes[node]];
             let (first_mask, first_bounds) = cone.children(simd, first, &search.limit);
             let (second_mask, second_bounds) = cone.children(simd, second, &search.limit);
@@ -215,7 +211,6 @@ impl Job for Closest<'_> {
         }
         // Now that the limit is final, few of those waiting are left to be tested.
         search.test_waiting();
-        add_effort(search.effort);
         search.best
     }
 }

@@ -11,7 +11,7 @@ use super::local_cone::LocalCone;
 use super::pseudo_angle::Limit;
 use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Child, ChildKind, MAX_DEPTH, WIDTH};
-use crate::effort::{EDGE, NODE, add_effort};
+use crate::effort::{CLOSEST, FOUND, add_effort, add_effort_of};
 use crate::simd::{Job, Simd};
 
 impl SilhouetteTree {
@@ -19,6 +19,7 @@ impl SilhouetteTree {
     /// an order that depends on the tree alone (METHOD 8).
     #[inline]
     pub fn gather(&self, query: &ConeQuery, visit: impl FnMut(u32, [Vec3; 2])) {
+        add_effort_of(CLOSEST, self.edges.len());
         self.instructions.run(Gather {
             tree: self,
             query,
@@ -58,10 +59,8 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
         let certainly = limit.pseudo * CERTAINLY_WITHIN;
         let mut stack = [Child::node(0); STACK_SIZE];
         let mut len = 1;
-        let mut effort = 0;
         while len > 0 {
             len -= 1;
-            effort += NODE;
             match stack[len].kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
@@ -81,11 +80,11 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
                         mask &= mask - 1;
                         // Certainly a boundary, and certainly inside the cone? Else
                         // the exact test decides, as brute force would.
-                        effort += EDGE;
                         let edge = &tree.edges[block.start as usize + lane];
                         let is_certain =
                             bounds.certain >> lane & 1 != 0 && bounds.most[lane] < certainly;
                         if is_certain || edge.closest(query, None).is_some() {
+                            add_effort(FOUND);
                             (self.visit)(edge.id, edge.ends);
                         }
                     }
@@ -93,6 +92,5 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
                 None => {}
             }
         }
-        add_effort(effort);
     }
 }

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::ray_kernel::{self, LocalRay, RayNode, TriangleBlock};
 use crate::aabb::Aabb;
 use crate::bvh::{ChildKind, Hierarchy, Stack, SurfaceCost, build, child_bounds};
-use crate::effort::add_effort;
+use crate::effort::{RAY, add_effort_of};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::ray::{Hit, Ray};
@@ -110,12 +110,14 @@ impl RayTree {
     /// that of the lowest face.
     #[inline]
     pub fn first_hit(&self, ray: &Ray) -> Option<Hit> {
+        add_effort_of(RAY, self.hierarchy.order.len());
         self.instructions.run(FirstHit { tree: self, ray })
     }
 
     /// True if anything lies within the ray's bounds.
     #[inline]
     pub fn occluded(&self, ray: &Ray) -> bool {
+        add_effort_of(RAY, self.hierarchy.order.len());
         self.instructions.run(Occluded { tree: self, ray })
     }
 }
@@ -149,13 +151,11 @@ impl Job for FirstHit<'_> {
         let mut limit = local.limit(bounds[1]);
         let mut best: Option<Hit> = None;
         let mut stack = Stack::with_root();
-        let mut visited = 0;
         while let Some((near, child)) = stack.pop() {
             // The ray enters this box behind a hit found since it was pushed.
             if near > limit {
                 continue;
             }
-            visited += 1;
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
@@ -177,7 +177,6 @@ impl Job for FirstHit<'_> {
                 None => {}
             }
         }
-        add_effort(visited);
         best
     }
 }
@@ -202,12 +201,7 @@ impl Job for Occluded<'_> {
         let limit = local.limit(bounds[1]);
         // Any hit will do. Near boxes still come first: they are the likelier ones.
         let mut stack = Stack::with_root();
-        let mut visited = 0;
-        let mut found = false;
-        while let Some((_, child)) = stack.pop()
-            && !found
-        {
-            visited += 1;
+        while let Some((_, child)) = stack.pop() {
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
@@ -215,12 +209,15 @@ impl Job for Occluded<'_> {
                     stack.push_sorted(mask, &near, &node.children);
                 }
                 Some(ChildKind::Leaf(leaf)) => {
+                    let mut found = false;
                     tree.leaves[leaf].intersect(simd, &local, bounds, |_| found = true);
+                    if found {
+                        return true;
+                    }
                 }
                 None => {}
             }
         }
-        add_effort(visited);
-        found
+        false
     }
 }
