@@ -3,8 +3,8 @@
 use std::fmt;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, Method, PreparedScene, Refusal, RenderOptions, Statistics,
-    Unwatched, Watch, backward, render,
+    BackwardWork, Chosen, GradientOptions, Method, PreparedScene, Refusal, RenderOptions,
+    Statistics, Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
