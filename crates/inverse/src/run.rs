@@ -354,7 +354,7 @@ impl Problem {
         })
     }
 
-    /// Settles the method of all gradients, if it is [`Method::Auto`](capwalk_diff::Method::Auto): what is best for the
+    /// Settles the method of all gradients, if it is [`Method::Auto`]: what is best for the
     /// sum of all pixels of the first view before the first step, in a short pilot. Later
     /// iterations would choose alike, and need no pilot of their own. What is refused stays
     /// as it is, to be refused by the first iteration.
