@@ -1,7 +1,7 @@
 //! The velocity fields around all viewpoints of a scene, as linear maps from the
 //! velocities of its vertices.
 
-use capwalk_geometry::{Edge, SilhouettePoint};
+use capwalk_geometry::SilhouettePoint;
 use capwalk_math::{Real, Vec3};
 
 use crate::accel::Accel;
@@ -49,7 +49,7 @@ impl<'a> Field<'a> {
                 let height = normal.dot(found.direction) * found.distance;
                 seen.is_direct && height.abs() <= self.accel.horizon_distance()
             })
-            .filter(|&normal| self.in_horizon(viewpoint.position.value(), edge, normal));
+            .filter(|&normal| self.in_horizon(viewpoint.position.value(), edge.vertices, normal));
         BoundarySample {
             points: edge.vertices,
             t: found.t,
@@ -69,9 +69,10 @@ impl<'a> Field<'a> {
         self.boundaries.point(sample.points, sample.t)
     }
 
-    /// True if an edge is in the plane of the viewpoint's face.
-    fn in_horizon(&self, viewpoint: Vec3, edge: &Edge, normal: Vec3) -> bool {
-        edge.vertices.iter().all(|&i| {
+    /// True if an edge, whose ends are points of the boundaries, is in the plane of the
+    /// viewpoint's face.
+    pub fn in_horizon(&self, viewpoint: Vec3, ends: [u32; 2], normal: Vec3) -> bool {
+        ends.into_iter().all(|i| {
             let offset = self.boundaries.position(i) - viewpoint;
             offset.dot(normal).abs() <= self.accel.horizon_distance()
         })

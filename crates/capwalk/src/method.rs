@@ -205,10 +205,17 @@ const OPTIONS: &[MethodOption] = {
 };
 
 impl MethodName {
+    /// The names of the method's options.
+    pub fn options(self) -> impl Iterator<Item = &'static str> {
+        let options = OPTIONS
+            .iter()
+            .filter(move |(_, methods, _)| methods.contains(&self));
+        options.map(|(name, ..)| *name)
+    }
+
     /// True if the method has an option of this name.
     pub fn has(self, option: &str) -> bool {
-        let mut options = OPTIONS.iter();
-        options.any(|(name, methods, _)| *name == option && methods.contains(&self))
+        self.options().any(|name| name == option)
     }
 }
 
@@ -218,6 +225,12 @@ impl MethodChoice {
         let mut options = OPTIONS.iter();
         let given = options.find(|(_, _, is_given)| is_given(self));
         given.map(|(option, methods, _)| (*option, methods[0]))
+    }
+
+    /// True if an option of its method was given.
+    pub fn has_own(&self) -> bool {
+        let mut options = OPTIONS.iter();
+        options.any(|(_, methods, is_given)| is_given(self) && methods.contains(&self.method))
     }
 
     /// The options of a gradient with this method instead of theirs.

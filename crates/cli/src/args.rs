@@ -187,22 +187,6 @@ pub struct MethodArgs {
     pub was: WasArgs,
 }
 
-impl MethodArgs {
-    /// The method: options of walks ask for one.
-    pub fn name(&self) -> MethodName {
-        let walk = &self.walk;
-        let walks = walk.domain.is_some()
-            || walk.walk_steps.is_some()
-            || walk.estimator.is_some()
-            || walk.max_angle.is_some()
-            || walk.antithetic;
-        self.method.unwrap_or(match walks {
-            true => MethodName::Walk,
-            false => MethodName::Auto,
-        })
-    }
-}
-
 /// Methods by name. Those of the paper are hidden, and refused, without the feature
 /// `paper`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -12,13 +12,13 @@ use clap::builder::PossibleValue;
 
 use serde_json::{Value, json};
 
-use crate::args::MethodArgs;
+use crate::args::{self, MethodArgs};
 use crate::report;
 
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOptions> {
     refuse_options_of_others(args)?;
-    let Some(method) = MethodName::named(&name(&args.name())) else {
+    let Some(method) = MethodName::named(&name(&typed(args))) else {
         bail!(
             "finite differences give the derivative of an image with respect to one parameter. \
              Use `capwalk gradient --method fd -p NAME` for each parameter"
@@ -30,11 +30,11 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
 /// An error if the method is left out of this program, or if an option is there that it
 /// has no use for.
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
-    refuse_left_out("--method", &args.name())?;
+    refuse_left_out("--method", &typed(args))?;
     if let Some(domain) = &args.walk.domain {
         refuse_left_out("--domain", domain)?;
     }
-    let refused = match MethodName::named(&name(&args.name())) {
+    let refused = match MethodName::named(&name(&typed(args))) {
         Some(method) => match choice(method, args).resolve() {
             Err(OptionError::OfAnotherMethod { option, owner, .. }) => Some((option, owner)),
             Err(other) => return Err(other.into()),
@@ -51,7 +51,7 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         "--{} belongs to the method {owner}, and the method is {}. Leave it out, or say \
          --method {owner}",
         flag(option, owner),
-        name(&args.name()),
+        name(&typed(args)),
     ))
 }
 
@@ -109,6 +109,15 @@ fn choice(method: MethodName, args: &MethodArgs) -> MethodChoice {
 /// The library's choice of the name that was typed.
 fn named<T: Choice>(typed: &impl ValueEnum) -> T {
     T::named(&name(typed)).expect("names are those of the library, as a test says")
+}
+
+/// The method that was typed, or that the options ask for: those of walks ask for one.
+pub fn typed(args: &MethodArgs) -> args::MethodName {
+    let walks = choice(MethodName::Walk, args).has_own();
+    args.method.unwrap_or(match walks {
+        true => args::MethodName::Walk,
+        false => args::MethodName::Auto,
+    })
 }
 
 /// The name as it is typed.
@@ -191,7 +200,6 @@ pub fn remark(options: &GradientOptions) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::args;
     use capwalk::{DomainName, Estimator};
 
     /// Everything that can be typed has a meaning; with the feature `paper` also the

@@ -141,14 +141,20 @@ impl Pilot<'_> {
         let tracer = Tracer::moving(self.prepared, self.field(Method::Walk), self.options.walk);
         let mut everywhere = tracer.can_gather();
         everywhere.camera &= !self.moves_gloss(&tracer);
+        let fitting = self.emitter_width().map(|width| PART_OF_EMITTER * width);
+        // Where it walks around surfaces, the cutoff that is asked for, and the fitting one.
+        let mut with_cutoffs = |gathers: Gathers| {
+            let fitting = fitting.filter(|_| tracer.walks_around_surfaces(gathers));
+            self.with_cutoffs(gathers, fitting, trials)
+        };
         let mut gathers = everywhere;
-        let mut best = self.with_cutoffs(&tracer, gathers, trials);
+        let mut best = with_cutoffs(gathers);
         for segment in Gathers::SEGMENTS {
             if !everywhere.along(segment) {
                 continue;
             }
             let without = gathers.without(segment);
-            let trial = self.with_cutoffs(&tracer, without, trials);
+            let trial = with_cutoffs(without);
             if trial.beats(&best) {
                 (best, gathers) = (trial, without);
             }
@@ -173,22 +179,18 @@ impl Pilot<'_> {
         })
     }
 
-    /// Where this walks around surfaces, the cutoff that is asked for, and one that fits the
-    /// emitters.
-    fn with_cutoffs(&self, tracer: &Tracer, gathers: Gathers, trials: &mut Vec<Trial>) -> Trial {
+    /// The better one of the cutoff that is asked for and another one, if that is narrower.
+    fn with_cutoffs(&self, gathers: Gathers, other: Option<f64>, trials: &mut Vec<Trial>) -> Trial {
         let method = match gathers {
             Gathers::NONE => Method::Walk,
             gathers => Method::Edges(gathers),
         };
         let asked = self.trial(method, self.options.walk.max_radius, trials);
-        let fitting = self.emitter_width().map(|width| PART_OF_EMITTER * width);
-        match fitting.filter(|&angle| angle < asked.max_radius) {
-            Some(angle) if tracer.walks_around_surfaces(gathers) => {
-                let narrow = self.trial(method, angle, trials);
-                if narrow.beats(&asked) { narrow } else { asked }
-            }
-            _ => asked,
-        }
+        let Some(angle) = other.filter(|&angle| angle < asked.max_radius) else {
+            return asked;
+        };
+        let narrow = self.trial(method, angle, trials);
+        if narrow.beats(&asked) { narrow } else { asked }
     }
 
     /// The mean angle under which what the camera sees is lit by area emitters, from side to
@@ -201,6 +203,9 @@ impl Pilot<'_> {
             ((low + high) * 0.5, 0.5 * (high - low).length())
         });
         let balls: Vec<(Vec3, f64)> = balls.collect();
+        if balls.is_empty() {
+            return None;
+        }
         let mut widths = Moments::default();
         for [x, y] in self.pixels() {
             let offset = scene.film.crop_offset;

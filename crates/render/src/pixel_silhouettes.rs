@@ -81,7 +81,7 @@ impl PixelSilhouettes {
 }
 
 /// The edges in the support of a pixel's filter, cut into pieces whose sampling weight is
-/// what they contribute (METHOD 10): their length on the film, times the filter, times their
+/// what they contribute (METHOD 8): their length on the film, times the filter, times their
 /// angular speed, times a guess of how large the discontinuity is there.
 pub fn silhouettes<R: Real, W: SceneEval<R>>(
     field: &Field,

@@ -274,7 +274,7 @@ fn discontinuity(
                 true => reflected_environment(accel, vertex, side, emitter),
                 false => emitted_and_reflected(accel, vertex, side, is_chosen),
             };
-            let is_horizon = is_horizon(field, vertex, point);
+            let is_horizon = field.in_horizon(vertex.position, point.ends(), vertex.face_normal);
             let [behind, before] = [behind, before].map(|side| match is_horizon {
                 true => light(&beside_its_face(field, vertex, side), side),
                 false => light(vertex, side),
@@ -282,14 +282,6 @@ fn discontinuity(
             behind - before
         }
     }
-}
-
-/// True if an edge lies in the plane of the shading point's face.
-fn is_horizon(field: &Field, vertex: &Vertex<f64>, point: &EdgePoint) -> bool {
-    point.ends().into_iter().all(|i| {
-        let offset = field.boundaries.position(i) - vertex.position;
-        offset.dot(vertex.face_normal).abs() <= field.accel.horizon_distance()
-    })
 }
 
 /// The shading point on that side of its face on which the direction leaves it. A ray within

@@ -100,7 +100,7 @@ impl Way {
         options: RenderOptions,
         default_step: impl Fn() -> f64,
     ) -> Result<Self> {
-        if args.method.name() == MethodName::Fd {
+        if method::typed(&args.method) == MethodName::Fd {
             method::refuse_options_of_others(&args.method)?;
             let step = args.step.unwrap_or_else(default_step);
             return Ok(Self::Differences { step });
@@ -109,7 +109,7 @@ impl Way {
             args.step.is_none(),
             "--step is for finite differences, but the method is {}. Leave it out, or use \
              --method fd",
-            method::name(&args.method.name())
+            method::name(&method::typed(&args.method))
         );
         Ok(Self::Samples(Chosen {
             options: method::options(options, &args.method)?,

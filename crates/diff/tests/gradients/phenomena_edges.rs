@@ -119,24 +119,7 @@ fn two_lamps() {
 /// A box of six rectangles: at each of its edges two edges lie on each other.
 #[test]
 fn edges_on_edges() {
-    let mut scene = shadow_stage();
-    let (mesh, _) = tilted_cube();
-    let mut parts = Vec::new();
-    for (i, faces) in mesh.faces.chunks(2).enumerate() {
-        let side = Mesh {
-            positions: mesh.positions.clone(),
-            faces: faces.to_vec(),
-        };
-        parts.push(format!("side{i}.translate.x"));
-        add(
-            &mut scene,
-            &format!("side{i}"),
-            side,
-            ShadingNormals::Face,
-            0.5,
-        );
-    }
-    let expression = parts.join(" + ");
+    let (scene, expression) = box_of_sides();
     shadow_case("edges on edges", scene, &expression);
 }
 

@@ -102,18 +102,7 @@ fn transmitting_surface() {
 /// different subtrees or the same.
 #[test]
 fn edges_on_edges() {
-    let mut scene = shadow_stage();
-    let (mesh, _) = tilted_cube();
-    let mut parts = Vec::new();
-    for (i, faces) in mesh.faces.chunks(2).enumerate() {
-        let id = format!("side{i}");
-        let side = capwalk_geometry::Mesh {
-            positions: mesh.positions.clone(),
-            faces: faces.to_vec(),
-        };
-        parts.push(format!("{id}.translate.x"));
-        add(&mut scene, &id, side, ShadingNormals::Face, 0.5);
-    }
+    let (mut scene, expression) = box_of_sides();
     add(
         &mut scene,
         "far",
@@ -124,7 +113,7 @@ fn edges_on_edges() {
     sky_case(
         "edges on edges",
         under_constant_light(scene),
-        &parts.join(" + "),
+        &expression,
         case(),
     );
 }

@@ -18,10 +18,10 @@ pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
     };
     let table = value.table("[method]")?;
     // Keys of walks ask for one.
-    let walks = ["domain", "steps", "estimator", "max_angle", "antithetic"];
+    let mut walks = MethodName::Walk.options();
     let method = match choice(&table, "type")? {
         Some(method) => method,
-        None if walks.iter().any(|key| table.get(key).is_some()) => MethodName::Walk,
+        None if walks.any(|key| table.get(key).is_some()) => MethodName::Walk,
         None => MethodName::Auto,
     };
     let mut chosen = MethodChoice {

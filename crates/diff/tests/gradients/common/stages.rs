@@ -158,3 +158,20 @@ pub fn under_a_sky(mut scene: Scene) -> Scene {
     };
     scene
 }
+
+/// A box of six rectangles over a floor, and the motion of all of them.
+pub fn box_of_sides() -> (Scene, String) {
+    let mut scene = shadow_stage();
+    let (mesh, _) = tilted_cube();
+    let mut parts = Vec::new();
+    for (i, faces) in mesh.faces.chunks(2).enumerate() {
+        let id = format!("side{i}");
+        let side = Mesh {
+            positions: mesh.positions.clone(),
+            faces: faces.to_vec(),
+        };
+        parts.push(format!("{id}.translate.x"));
+        add(&mut scene, &id, side, ShadingNormals::Face, 0.5);
+    }
+    (scene, parts.join(" + "))
+}
