@@ -14,6 +14,9 @@ pub enum Method {
     /// A velocity field around every shading point and the camera, estimated by walks on
     /// spherical caps. Unbiased.
     Walk,
+    /// The same walks, with the angular cutoff narrowed if a short pilot before the work
+    /// finds less variance × time. Unbiased.
+    FittedWalk,
     /// Boundary terms along some segments of paths, with points sampled on the edges there,
     /// and directions that do not move; elsewhere as [`Method::Walk`], also for a camera that
     /// sees flat mirrors or panes or has parallel rays. Unbiased.
@@ -141,7 +144,7 @@ impl Method {
                 name: "auto",
                 ..spherical
             },
-            Self::Walk => spherical,
+            Self::Walk | Self::FittedWalk => spherical,
             Self::Edges(gathers) => MethodTraits {
                 name: "edges",
                 gathers: *gathers,
@@ -176,6 +179,11 @@ impl Method {
                 is_spherical: false,
             },
         }
+    }
+
+    /// True if a pilot has to settle it before the work.
+    pub fn is_open(&self) -> bool {
+        matches!(self, Self::Auto | Self::FittedWalk)
     }
 
     /// Its name in files and messages.

@@ -43,7 +43,7 @@ impl Field<'_> {
         random: Numbers,
     ) -> Warp {
         match &self.method {
-            Method::Auto | Method::Walk | Method::Edges(_) => {
+            Method::Auto | Method::Walk | Method::FittedWalk | Method::Edges(_) => {
                 Warp::Boundary(walk(self, viewpoint, q, settings, random))
             }
             #[cfg(feature = "paper")]

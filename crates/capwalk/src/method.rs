@@ -27,7 +27,7 @@ pub struct WalkChoice {
     /// Estimator of the field's divergence.
     pub estimator: Option<Estimator>,
     /// Largest angle at which silhouettes are looked for, degrees, above 0 and up to
-    /// 180.
+    /// 180. By default a pilot may narrow that of [`WalkSettings`].
     pub max_angle: Option<f64>,
     /// Whether each rim sample is averaged with the opposite one.
     pub antithetic: Option<bool>,
@@ -256,7 +256,10 @@ impl MethodChoice {
         }
         let method = match (self.method, self.walk.domain.unwrap_or_default()) {
             (MethodName::Auto, _) => Method::Auto,
-            (MethodName::Walk, DomainName::Sphere) => Method::Walk,
+            (MethodName::Walk, DomainName::Sphere) => match self.walk.max_angle {
+                Some(_) => Method::Walk,
+                None => Method::FittedWalk,
+            },
             #[cfg(feature = "paper")]
             (MethodName::Walk, DomainName::Triangle) => Method::TriangleWalk,
             #[cfg(feature = "paper")]

@@ -220,7 +220,8 @@ pub struct WalkArgs {
     #[arg(long)]
     pub estimator: Option<EstimatorName>,
     /// Angular cutoff: ignore silhouettes farther than this, degrees; unbiased for
-    /// every value, smaller is faster, larger gives a smoother field
+    /// every value, smaller is faster, larger gives a smoother field [default for walk: found by a
+    /// pilot, at most 11.5]
     #[arg(long, value_name = "DEGREES", value_parser = parse::angle, allow_negative_numbers = true)]
     pub max_angle: Option<f64>,
     /// Average each rim sample with the one on the other side of the cap

@@ -18,7 +18,7 @@ use crate::report;
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOptions> {
     refuse_options_of_others(args)?;
-    let Some(method) = MethodName::named(&name(&typed(args))) else {
+    let Some(method) = MethodName::named(&name(&typed(args)?)) else {
         bail!(
             "finite differences give the derivative of an image with respect to one parameter. \
              Use `capwalk gradient --method fd -p NAME` for each parameter"
@@ -30,11 +30,8 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
 /// An error if the method is left out of this program, or if an option is there that it
 /// has no use for.
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
-    refuse_left_out("--method", &typed(args))?;
-    if let Some(domain) = &args.walk.domain {
-        refuse_left_out("--domain", domain)?;
-    }
-    let refused = match MethodName::named(&name(&typed(args))) {
+    let typed = typed(args)?;
+    let refused = match MethodName::named(&name(&typed)) {
         Some(method) => match choice(method, args).resolve() {
             Err(OptionError::OfAnotherMethod { option, owner, .. }) => Some((option, owner)),
             Err(other) => return Err(other.into()),
@@ -51,7 +48,7 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         "--{} belongs to the method {owner}, and the method is {}. Leave it out, or say \
          --method {owner}",
         flag(option, owner),
-        name(&typed(args)),
+        name(&typed),
     ))
 }
 
@@ -111,13 +108,20 @@ fn named<T: Choice>(typed: &impl ValueEnum) -> T {
     T::named(&name(typed)).expect("names are those of the library, as a test says")
 }
 
-/// The method that was typed, or that the options ask for: those of walks ask for one.
-pub fn typed(args: &MethodArgs) -> args::MethodName {
+/// The method that was typed, or that the options ask for: those of walks ask for one. An
+/// error for what is left out of this program.
+pub fn typed(args: &MethodArgs) -> Result<args::MethodName> {
+    if let Some(method) = &args.method {
+        refuse_left_out("--method", method)?;
+    }
+    if let Some(domain) = &args.walk.domain {
+        refuse_left_out("--domain", domain)?;
+    }
     let walks = choice(MethodName::Walk, args).has_own();
-    args.method.unwrap_or(match walks {
+    Ok(args.method.unwrap_or(match walks {
         true => args::MethodName::Walk,
         false => args::MethodName::Auto,
-    })
+    }))
 }
 
 /// The name as it is typed.

@@ -1,4 +1,4 @@
-//! The method that chooses ([`Method::Auto`]): before the work, a few samples are taken by
+//! The methods that choose ([`Method::Auto`], [`Method::FittedWalk`]): before the work, a few samples are taken by
 //! each of several methods, and the one of the least variance × time does all of it.
 //!
 //! Time is counted by what queries are asked and find ([`effort`]), not measured, and the
@@ -38,7 +38,7 @@ impl Chosen {
         watch: &dyn Watch,
         choose: impl FnOnce() -> Self,
     ) -> Self {
-        if options.method != Method::Auto {
+        if !options.method.is_open() {
             return Self {
                 options: *options,
                 trials: Vec::new(),
@@ -139,7 +139,10 @@ impl Pilot<'_> {
             return None;
         }
         let tracer = Tracer::moving(self.prepared, self.field(Method::Walk), self.options.walk);
-        let mut everywhere = tracer.can_gather();
+        let mut everywhere = match self.options.method {
+            Method::FittedWalk => Gathers::NONE,
+            _ => tracer.can_gather(),
+        };
         everywhere.camera &= !self.moves_gloss(&tracer);
         let fitting = self.emitter_width().map(|width| PART_OF_EMITTER * width);
         // Where it walks around surfaces, the cutoff that is asked for, and the fitting one.
@@ -163,9 +166,9 @@ impl Pilot<'_> {
     }
 
     /// True if something with interpolated normals moves against the camera that is glossy,
-    /// or lit by something glossy. Where it is seen nearly edge-on, rays of the camera that
-    /// stay have samples so rare and so large that no pilot sees them (METHOD 8); those of a
-    /// walk move along.
+    /// or lit by something glossy. At the creases between its faces, which pass under rays of
+    /// the camera that stay, discontinuities are then so rare and so large that no pilot sees
+    /// them; the rays of a walk move along.
     fn moves_gloss(&self, tracer: &Tracer) -> bool {
         let scene = self.prepared.scene();
         let camera_moves = self.tangent.sensor.moves_rays();

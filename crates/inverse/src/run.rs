@@ -3,8 +3,8 @@
 use std::fmt;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, Method, PreparedScene, Refusal, RenderOptions,
-    Statistics, Unwatched, Watch, backward, render,
+    BackwardWork, Chosen, GradientOptions, PreparedScene, Refusal, RenderOptions, Statistics,
+    Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -354,12 +354,12 @@ impl Problem {
         })
     }
 
-    /// Settles the method of all gradients, if it is [`Method::Auto`]: what is best for the
+    /// Settles the method of all gradients, if it is open ([`Method::is_open`]): what is best for the
     /// sum of all pixels of the first view before the first step, in a short pilot. Later
     /// iterations would choose alike, and need no pilot of their own. `None` if another
     /// method is given; what is refused stays as it is, to be refused by the first iteration.
     pub fn choose_method(&mut self, watch: &dyn Watch) -> Option<Chosen> {
-        if self.method != Method::Auto {
+        if !self.method.is_open() {
             return None;
         }
         let scene = self.scene(&State::new(self)).ok()?;

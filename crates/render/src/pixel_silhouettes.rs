@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use capwalk_boundary::{Field, SEEN, SilhouettePieces, clip, place};
+use capwalk_boundary::{Field, Motion, SEEN, SilhouettePieces, clip, place};
 use capwalk_geometry::{ConeQuery, EdgeSelection, add_effort, effort};
 use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::Scene;
@@ -109,12 +109,18 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     };
     let area = support.sides[0].width() * support.sides[1].width();
     let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);
-    // How fast an edge crosses the rays through film points that stay, radians.
-    let speed = |points, t: f64, offset: Vec3, normal: Vec3| {
+    // How fast an edge crosses the rays through film points that stay, radians. What neither
+    // moves nor is seen from a camera that may has no share of the discontinuities where it
+    // lies on other edges.
+    let speed = |points: [u32; 2], t: f64, offset: Vec3, normal: Vec3| {
         let (distance, s) = (offset.length(), view.film(offset));
         let ray = camera.moving.direction(s.map(R::constant));
-        let there = camera.moving.origin + ray * R::constant(distance);
-        eval.speed(points, t, eval.motion_of(there).velocity, normal) / distance
+        let against = eval.motion_of(camera.moving.origin + ray * R::constant(distance));
+        let mut motions = points.iter().map(|&point| eval.motion_of_point(point));
+        match against == Motion::STILL && motions.all(|motion| motion == Motion::STILL) {
+            true => 0.0,
+            false => eval.speed(points, t, against.velocity, normal) / distance,
+        }
     };
     let mut weighed: Vec<(u32, [f64; 2], f64, f64)> = Vec::new();
     let mut gathered = Vec::new();

@@ -54,7 +54,7 @@ enum Kind {
 fn methods() -> Vec<(&'static str, Method, Kind)> {
     let was = WasSettings::default();
     vec![
-        ("ours", Method::Walk, Kind::Ours),
+        ("ours", Method::FittedWalk, Kind::Ours),
         ("ours on triangles", Method::TriangleWalk, Kind::Ours),
         ("WAS", Method::Was(was), Kind::Baseline),
         ("PSDR-WAS", Method::PsdrWas(was), Kind::Baseline),
@@ -226,7 +226,7 @@ fn order(smaller: &Compared, larger: &Compared, reference: &Run, reaches: &[Reac
     );
     // What limits walks on triangles is mostly their borders.
     let reach = match smaller.method {
-        Method::Walk => reach::in_words(reaches, (larger.name, larger.run.variance())),
+        Method::FittedWalk => reach::in_words(reaches, (larger.name, larger.run.variance())),
         _ => String::new(),
     };
     match claim::positive(gain) {

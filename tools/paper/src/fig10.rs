@@ -36,7 +36,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         for (cost, steps) in costs.iter_mut().zip(STEPS) {
             let seconds = |spp: u32| -> Result<f64, Failure> {
                 let set = 100 + round;
-                let run = subject.gradient(Method::Walk, walk(steps), spp, set, settings)?;
+                let run = subject.gradient(Method::FittedWalk, walk(steps), spp, set, settings)?;
                 Ok(run.seconds)
             };
             let (once, all) = (seconds(1)?, seconds(1 + pilot)?);
@@ -51,7 +51,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         // Without a meaning where times are unclear, but never endless.
         let samples = (samples.round() as u32).clamp(2, 4 * spp);
         let set = 10 + i as u64;
-        let run = subject.gradient(Method::Walk, walk(steps), samples, set, settings)?;
+        let run = subject.gradient(Method::FittedWalk, walk(steps), samples, set, settings)?;
         let error = mean_l1(run.gradient(), reference.gradient());
         runs.push((steps, run, error));
     }

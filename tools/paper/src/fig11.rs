@@ -85,7 +85,7 @@ fn draw_case(
     let walk = WalkSettings::default();
     let subject = &case.subject;
     let difference = subject.difference(case.difference_spp, set, settings)?;
-    let ours = subject.gradient(Method::Walk, walk, case.spp, set + 1, settings)?;
+    let ours = subject.gradient(Method::FittedWalk, walk, case.spp, set + 1, settings)?;
     let edges = match subject.gradient(Method::EDGES, walk, case.spp, set + 2, settings) {
         Ok(run) => Ok(run),
         Err(Failure::Refused(refusal)) => Err(refusal.to_string()),

@@ -92,7 +92,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         Ok::<_, Failure>(Search { name, runs })
     };
     let searches = [
-        search("ours", Method::Walk)?,
+        search("ours", Method::FittedWalk)?,
         search("WAS", Method::Was(WasSettings::default()))?,
     ];
     let photo = |title: &str, image: &Image| Shown {

@@ -60,7 +60,7 @@ fn draw(typed: &Figures) -> Result<ExitCode> {
         stages: &|name| Box::new(Stage::new(name)),
     };
     // A folder that cannot be written to is an error before the work.
-    write(&[], &typed.out)?;
+    let mut written = write(&[], &typed.out)?;
     let mut figures = Vec::new();
     let mut status = ExitCode::SUCCESS;
     let is_wanted = |name: &str| {
@@ -69,26 +69,28 @@ fn draw(typed: &Figures) -> Result<ExitCode> {
             .iter()
             .any(|typed| typed == name || typed == "all")
     };
-    for entry in ALL.iter().filter(|entry| is_wanted(entry.name)) {
+    let wanted: Vec<_> = ALL.iter().filter(|entry| is_wanted(entry.name)).collect();
+    for (done, entry) in wanted.iter().enumerate() {
+        let left: Vec<_> = wanted[done + 1..].iter().map(|entry| entry.name).collect();
+        if !left.is_empty() {
+            eprintln!("drawing {}; then {}", entry.name, left.join(", "));
+        }
         match entry.draw(&settings) {
             Ok(figure) => {
                 if !typed.json {
                     print(&describe(&figure))?;
                 }
                 figures.push(figure);
+                // What is done is not lost if the rest is killed.
+                written = write(&figures, &typed.out)?;
             }
             Err(Failure::Stopped) => {
                 status = INTERRUPTED.into();
                 break;
             }
-            Err(failure) => {
-                // What is done is not lost.
-                write(&figures, &typed.out)?;
-                return Err(failure).context(entry.name);
-            }
+            Err(failure) => return Err(failure).context(entry.name),
         }
     }
-    let written = write(&figures, &typed.out)?;
     match typed.json {
         true => {
             let document = json!({

@@ -100,7 +100,8 @@ impl Way {
         options: RenderOptions,
         default_step: impl Fn() -> f64,
     ) -> Result<Self> {
-        if method::typed(&args.method) == MethodName::Fd {
+        let typed = method::typed(&args.method)?;
+        if typed == MethodName::Fd {
             method::refuse_options_of_others(&args.method)?;
             let step = args.step.unwrap_or_else(default_step);
             return Ok(Self::Differences { step });
@@ -109,7 +110,7 @@ impl Way {
             args.step.is_none(),
             "--step is for finite differences, but the method is {}. Leave it out, or use \
              --method fd",
-            method::name(&method::typed(&args.method))
+            method::name(&typed)
         );
         Ok(Self::Samples(Chosen {
             options: method::options(options, &args.method)?,

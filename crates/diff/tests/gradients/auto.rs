@@ -62,8 +62,7 @@ fn the_best_is_chosen() {
             let result = gradient(&prepared, &tangent, &options, &Unwatched).expect("covered");
             let errors = result.gradient.standard_error.pixels;
             let mut squares: Vec<f64> = errors.iter().map(|error| error.dot(*error)).collect();
-            // Without the worst pixels: where a surface is seen at a grazing angle, the point
-            // that a fixed ray hits moves without bound, and one sample outweighs an image.
+            // Without the worst pixels, where one sample outweighs an image.
             squares.sort_by(f64::total_cmp);
             squares.truncate(squares.len() - squares.len() / 50);
             squares.iter().sum::<f64>() * trial.effort

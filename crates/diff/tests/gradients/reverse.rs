@@ -578,3 +578,42 @@ fn adjoint_of_another_size() {
         "{reason}"
     );
 }
+
+/// A box whose edge lies on the seam of two tiles slides over them. The tiles' edges rest:
+/// they have no share of the discontinuity there, in either mode.
+#[test]
+fn edges_that_rest_have_no_share() {
+    let mut scene = visible_stage(v(2.2, -3.5, 1.9));
+    let tile =
+        |x: f64| rectangle(Affine::translate(v(x, 0.0, 0.0)) * Affine::scale(v(2.0, 2.0, 1.0)));
+    for shape in scene.shapes_mut().filter(|shape| shape.id == "floor") {
+        shape.mesh = tile(-2.0).0;
+    }
+    add(&mut scene, "tile", tile(2.0).0, ShadingNormals::Face, 0.6);
+    let (mesh, normals) =
+        cube(Affine::translate(v(-0.4, 0.0, 0.4)) * Affine::scale(Vec3::splat(0.4)));
+    add(&mut scene, "thing", mesh, normals, 0.1);
+    scene.check().expect("a valid scene");
+    let tangent = tangent(&scene, "thing.translate.x");
+    let prepared = PreparedScene::new(scene);
+    let options = GradientOptions {
+        method: Method::EDGES,
+        ..GradientOptions::new(RenderOptions::new(256, 5))
+    };
+    let forward = gradient(&prepared, &tangent, &options, &Unwatched).expect("covered");
+    let mut ones = adjoint(prepared.scene(), 3);
+    ones.pixels.fill(Rgb::splat(1.0));
+    let wanted = Wanted::by(&tangent);
+    let reverse = backward(&prepared, &ones, &wanted, &options, &Unwatched).expect("covered");
+    let (value, error) = reverse.along(&tangent);
+    let sum = |image: &Image, f: fn(f64) -> f64| -> f64 {
+        let numbers = image.pixels.iter().flat_map(|pixel| pixel.to_array());
+        numbers.map(f).sum()
+    };
+    let expected = sum(&forward.gradient.mean, |x| x);
+    // Channels of a pixel share their noise.
+    let noise = (3.0 * sum(&forward.gradient.standard_error, |x| x * x)).sqrt();
+    println!("forward {expected} ± {noise}, reverse {value} ± {error}");
+    assert!((value - expected).abs() < 4.0 * error.hypot(noise));
+    assert!(expected.abs() > 10.0 * error.hypot(noise), "nothing to see");
+}
