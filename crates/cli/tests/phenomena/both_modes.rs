@@ -12,7 +12,7 @@ use capwalk_scene_io::arrays;
 use capwalk_scene_io::image::{self, LayeredImage, Preview};
 
 use crate::capwalk;
-use crate::folder::Folder;
+use crate::folder::{Folder, WIDE};
 
 /// Few samples, all of them drawn from the same numbers.
 const SPP: u32 = 4;
@@ -92,7 +92,7 @@ pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let (spp, seed) = (SPP.to_string(), SEED.to_string());
     let file = folder.scene_file();
     let path = |path: &Path| path.to_str().expect("plain letters").to_owned();
-    let sampling = ["--spp", &spp, "--seed", &seed, "--method", "walk"];
+    let sampling = ["--spp", &spp, "--seed", &seed, "--max-angle", WIDE];
     let both = format!("{},{}", path(&gradient), path(&npz));
     let done = capwalk(
         &[

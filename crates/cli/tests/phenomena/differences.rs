@@ -1,4 +1,4 @@
-//! `capwalk check --method walk`: what it says about a derivative, and what is demanded of it.
+//! `capwalk check` with walks: what it says about a derivative, and what is demanded of it.
 //!
 //! Its verdict must be right: an error of a tenth would have been seen. Besides,
 //! the mean of z² must lie in [0.8, 1.25], over at least so many pixels, which
@@ -11,7 +11,7 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::capwalk;
-use crate::folder::{Differences, Folder};
+use crate::folder::{Differences, Folder, WIDE};
 
 const MEAN_Z_SQUARED: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 /// Standard errors of the sum of all differences.
@@ -29,8 +29,8 @@ pub fn agree(folder: &Folder, parameter: &str, differences: &Differences, file: 
         &folder.scene_file(),
         "-p",
         parameter,
-        "--method",
-        "walk",
+        "--max-angle",
+        WIDE,
         "--step",
         &step,
         "--reference-spp",

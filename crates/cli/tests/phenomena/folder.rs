@@ -5,6 +5,10 @@ use std::path::{Path, PathBuf};
 use capwalk_scene::Scene;
 use serde_json::Value;
 
+/// The cutoff of walks, degrees: 0.2 rad. One that is given is that of both modes, where a
+/// pilot would choose one in each, and asks for the method walk.
+pub const WIDE: &str = "11.459155902616466";
+
 /// A phenomenon.
 pub struct Folder {
     pub name: String,

@@ -115,6 +115,22 @@ fn a_stopped_pilot_counts_for_nothing() {
     assert_eq!(whole, chosen(&scene, &tangent, options(16)));
 }
 
+/// A pilot narrows the walk's cutoff before a small emitter, and nothing else.
+#[test]
+fn the_cutoff_is_fitted() {
+    let (scene, tangent) = built_in("lattice-shadow");
+    let mut options = options(16);
+    options.method = Method::FittedWalk;
+    let chosen = chosen(&scene, &tangent, options);
+    let prepared = PreparedScene::new(scene);
+    assert_eq!(chosen.trials.len(), 2, "{chosen:?}");
+    assert_eq!(chosen.options.method, Method::Walk);
+    assert!(chosen.options.walk.max_radius < 0.5 * options.walk.max_radius);
+    let fitted = gradient(&prepared, &tangent, &options, &Unwatched).expect("covered");
+    let same = gradient(&prepared, &tangent, &chosen.options, &Unwatched).expect("covered");
+    assert_eq!(fitted.gradient, same.gradient);
+}
+
 /// In reverse mode the choice depends on where the loss looks: only at shadows, or at what
 /// the camera sees directly.
 #[test]

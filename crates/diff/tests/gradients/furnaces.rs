@@ -72,7 +72,7 @@ fn nothing_moves_in_a_furnace() {
     let scene = furnace([0.4, 0.6], [0.3, 0.7]);
     let dark = furnace([0.4, 0.6], [0.3, 0.0]);
     let expression = "block.translate.x + 0.5*block.rotate.z";
-    nothing_moves("furnace", &scene, &dark, expression, 800);
+    nothing_moves("furnace", &scene, &dark, expression, 400);
 }
 
 /// The same without walls: white blocks under a white sky.

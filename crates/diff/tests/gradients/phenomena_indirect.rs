@@ -70,9 +70,9 @@ fn box_in_a_room() {
     let parameter = builtin::default_parameter("box-room").expect("built in");
     let tangent = tangent(&scene, parameter);
     let case = Case {
-        reference_spp: 800,
+        reference_spp: 500,
         patience: 5.0,
-        ..visible_case(450)
+        ..visible_case(300)
     };
     agree("box room, indirect", scene, &tangent, case);
 }

@@ -72,15 +72,14 @@ fn builtin_case(scene: &str, expression: &str, case: Case) {
 #[test]
 fn lattice_shadow() {
     // Its tubes are thin: a step of their size would blur their shadows.
-    for axis in ["x", "z"] {
-        let case = Case {
-            step: 1e-2,
-            gradient_spp: 400,
-            reference_spp: 1024,
-            ..Case::default()
-        };
-        builtin_case("lattice-shadow", &format!("lattice.translate.{axis}"), case);
-    }
+    let case = Case {
+        step: 1e-2,
+        gradient_spp: 400,
+        reference_spp: 1024,
+        ..Case::default()
+    };
+    let expression = "lattice.translate.x + 0.7*lattice.translate.z";
+    builtin_case("lattice-shadow", expression, case);
 }
 
 /// Correlated samples: their errors come from batches.

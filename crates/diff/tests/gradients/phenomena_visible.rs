@@ -60,8 +60,8 @@ fn coarse_smooth_ball_inside_out() {
     add(&mut scene, "ball", ball, normals, 0.6);
     let tangent = tangent(&scene, "ball.rotate.y");
     let case = Case {
-        gradient_spp: 600,
-        reference_spp: 1600,
+        gradient_spp: 400,
+        reference_spp: 1000,
         ..primary()
     };
     agree("coarse smooth ball, inside out", scene, &tangent, case);

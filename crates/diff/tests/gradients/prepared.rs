@@ -88,8 +88,7 @@ fn whatever_changes() {
 fn large_motions() {
     let ball = visible_ball(Filter::Gaussian { stddev: 0.5 });
     let steps = [
-        ("ball.translate.y", 0.1),
-        ("ball.rotate.z", 3.0),
+        ("ball.rotate.z + 0.1*ball.translate.y", 3.0),
         ("ball.scale", -0.9),
     ];
     agree(ball, "ball.translate.x", &steps);
