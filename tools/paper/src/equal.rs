@@ -117,8 +117,12 @@ pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Fail
     ];
     let below = compared.iter().map(|compared| {
         let error = claim::digits(compared.error.value);
+        let reach = match compared.method {
+            Method::FittedWalk => format!(", reach {:.3} rad", compared.run.reach),
+            _ => String::new(),
+        };
         let title = format!(
-            "{}, {} samples, L1 {error}",
+            "{}{reach}, {} samples, L1 {error}",
             compared.name, compared.run.spp
         );
         (title, compared.run.gradient())
@@ -226,7 +230,10 @@ fn order(smaller: &Compared, larger: &Compared, reference: &Run, reaches: &[Reac
     );
     // What limits walks on triangles is mostly their borders.
     let reach = match smaller.method {
-        Method::FittedWalk => reach::in_words(reaches, (larger.name, larger.run.variance())),
+        Method::FittedWalk => {
+            let larger = (larger.name, larger.run.variance());
+            reach::in_words(reaches, smaller.run.reach, larger)
+        }
         _ => String::new(),
     };
     match claim::positive(gain) {
@@ -327,6 +334,7 @@ mod tests {
                 statistics: Statistics::default(),
             },
             spp: 10,
+            reach: 0.2,
             seconds: 1.0,
         }
     }

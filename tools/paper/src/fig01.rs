@@ -27,7 +27,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         caption: format!(
             "Derivative of the shadow of the {} by its y-translation, {} × {} pixels. Above, central differences over \
              ±{:.2e} with {} samples per pixel on each side, and the method `edges`, the reference \
-             of mean L1 errors; below, equal samples: our field around the point (reaching {} rad), \
+             of mean L1 errors; below, equal samples: our field around the point \
              and on the triangle that is met, as in the paper; baselines have 8 auxiliary rays for \
              every direction. The scene's brightness is not the paper's, so ratios can be compared, \
              errors cannot. {}",
@@ -36,8 +36,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             size[1],
             subject.step,
             spp[2],
-            reach::default(),
-            reach::caption()
+            reach::CAPTION
         ),
         ..equal::draw(&comparison, settings)?
     })

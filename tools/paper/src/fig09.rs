@@ -29,14 +29,13 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             "Derivative by the x-translation of the box, {} × {} pixels with a box filter, direct \
              light. Above, central differences over ±{:.2e} with {} samples per pixel on each side, \
              and the method `edges`, the reference of mean L1 errors; below, equal samples: our field \
-             around the point (reaching {} rad), and on the triangle that is met, as in the paper; \
+             around the point, and on the triangle that is met, as in the paper; \
              baselines have 8 auxiliary rays for every direction. {}",
             size[0],
             size[1],
             subject.step,
             spp[2],
-            reach::default(),
-            reach::caption()
+            reach::CAPTION
         ),
         ..equal::draw(&comparison, settings)?
     })

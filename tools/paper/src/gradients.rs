@@ -1,10 +1,11 @@
 //! Derivative pictures by several methods, their times, and how far they are
 //! from a reference.
 
+use std::borrow::Cow;
 use std::time::Instant;
 
 use capwalk_diff::{
-    Estimate, GradientImage, GradientOptions, Method, PreparedScene, WalkSettings,
+    Estimate, GradientImage, GradientOptions, GradientWork, Method, PreparedScene, WalkSettings,
     finite_difference, gradient,
 };
 use capwalk_math::{Moments, Rgb};
@@ -64,16 +65,17 @@ impl Subject {
             ..GradientOptions::new(settings.options(spp, set))
         };
         let started = Instant::now();
-        let image = gradient(
-            &PreparedScene::new(self.scene.clone()),
-            &self.tangent,
-            &wanted,
-            &*watch,
-        )?;
+        let prepared = PreparedScene::new(self.scene.clone());
+        let tangent = Cow::Borrowed(&self.tangent);
+        let options = GradientWork::new(&prepared, tangent, wanted)
+            .chosen(&*watch)?
+            .options;
+        let image = gradient(&prepared, &self.tangent, &options, &*watch)?;
         complete(&image.statistics)?;
         Ok(Run {
             image,
             spp,
+            reach: options.walk.max_radius,
             seconds: started.elapsed().as_secs_f64(),
         })
     }
@@ -88,6 +90,7 @@ impl Subject {
         Ok(Run {
             image,
             spp,
+            reach: 0.0,
             seconds: started.elapsed().as_secs_f64(),
         })
     }
@@ -97,6 +100,8 @@ impl Subject {
 pub struct Run {
     pub image: GradientImage,
     pub spp: u32,
+    /// How far the fields of its walks around surfaces reach, radians.
+    pub reach: f64,
     pub seconds: f64,
 }
 

@@ -20,11 +20,6 @@ pub struct Reached {
     pub run: Run,
 }
 
-/// The reach that ours has in pictures and claims, radians.
-pub fn default() -> f64 {
-    WalkSettings::default().max_radius
-}
-
 /// Ours with each reach, with few samples: variances of samples do not depend on
 /// how many there are. Random numbers are those from the `set`-th on.
 pub fn measure(subject: &Subject, set: u64, settings: &Settings) -> Result<Vec<Reached>, Failure> {
@@ -54,13 +49,9 @@ pub fn table<'a>(reaches: &[Reached], others: impl Iterator<Item = (&'a str, &'a
             run.variance().to_string(),
         ]
     };
-    let ours = reaches.iter().map(|reached| {
-        let reach = match reached.reach == default() {
-            true => format!("{} (the default)", reached.reach),
-            false => reached.reach.to_string(),
-        };
-        line("ours", reach, &reached.run)
-    });
+    let ours = reaches
+        .iter()
+        .map(|reached| line("ours", reached.reach.to_string(), &reached.run));
     let others = others.map(|(name, run)| line(name, String::new(), run));
     Table {
         title: "Reach".into(),
@@ -74,9 +65,9 @@ pub fn table<'a>(reaches: &[Reached], others: impl Iterator<Item = (&'a str, &'a
     }
 }
 
-/// What the reach has to do with an error that is not below another method's: the
-/// least variance that was found beside the other's.
-pub fn in_words(reaches: &[Reached], (name, variance): (&str, Measured)) -> String {
+/// What the reach of ours has to do with an error that is not below another method's:
+/// the least variance that was found beside the other's.
+pub fn in_words(reaches: &[Reached], reach: f64, (name, variance): (&str, Measured)) -> String {
     let least = reaches
         .iter()
         .min_by(|a, b| a.variance.value.total_cmp(&b.variance.value))
@@ -87,9 +78,8 @@ pub fn in_words(reaches: &[Reached], (name, variance): (&str, Measured)) -> Stri
         _ => "whether the reach is the reason could not be told",
     };
     format!(
-        "; here the field reaches {} rad; of {} reaches tried, {} rad has the least variance of a \
+        "; here the field reaches {reach:.3} rad; of {} reaches tried, {} rad has the least variance of a \
          sample, {}, beside {variance} of {name}: {conclusion}",
-        default(),
         reaches.len(),
         least.reach,
         least.variance
@@ -97,10 +87,5 @@ pub fn in_words(reaches: &[Reached], (name, variance): (&str, Measured)) -> Stri
 }
 
 /// What a caption says of the table.
-pub fn caption() -> String {
-    format!(
-        "The last table has the variance of a sample of ours by the reach of its field; pictures and \
-         claims have the default, {} rad, not the best of these.",
-        default()
-    )
-}
+pub const CAPTION: &str = "The last table has the variance of a sample of ours by the reach of \
+     its field; pictures and claims have the reach that the pilot finds.";
