@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use capwalk_geometry::{Hit, Mesh, Ray, RayTree};
+use capwalk_geometry::{HalfSpace, Hit, Mesh, Ray, RayTree};
 use capwalk_math::Vec3;
 use capwalk_scene::resolve::Resolver;
 use capwalk_scene::sensor::view::View;
@@ -201,6 +201,17 @@ impl Accel {
             t_min,
             t_max,
         }
+    }
+
+    /// What the camera can see, up to rounding: what is behind its near plane. `None` if its
+    /// rays are parallel.
+    pub fn behind_near_plane(&self) -> Option<HalfSpace> {
+        (!self.view.is_parallel()).then(|| {
+            let [point, normal] = self.view.near_plane();
+            // Moved towards the camera by more than rounding.
+            let point = point + (self.view.origin - point) * SHORT_OF_TARGET;
+            HalfSpace { point, normal }
+        })
     }
 
     /// True if the camera sees the point at a distance along its ray from a point

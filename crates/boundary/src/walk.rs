@@ -73,7 +73,7 @@ pub(crate) fn sphere<'e, R: Real>(
             origin: apex,
             edges: viewpoint.selection,
             groups: viewpoint.group,
-            in_front_of: None,
+            in_front_of: is_camera.then(|| accel.behind_near_plane()).flatten(),
             counts: (viewpoint.visibility != Visibility::All).then_some(is_seen),
             queries: Cell::new(0),
         },

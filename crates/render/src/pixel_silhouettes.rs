@@ -105,7 +105,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         max_angle: widest.fold(0.0, f64::max) + MARGIN,
         edges: EdgeSelection::All,
         groups: SEEN,
-        in_front_of: None,
+        in_front_of: field.accel.behind_near_plane(),
     };
     let area = support.sides[0].width() * support.sides[1].width();
     let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);

@@ -239,6 +239,12 @@ impl View<f64> {
         }
     }
 
+    /// A point of the near plane and a normal of it, of any length, that points away from the
+    /// camera. Only for rays that are not parallel.
+    pub fn near_plane(&self) -> [Vec3; 2] {
+        [self.origin + self.axes[2] * self.clip[0], self.rows[2]]
+    }
+
     /// Depths of the near and the far plane.
     pub fn clip(&self) -> [f64; 2] {
         self.clip
