@@ -1,5 +1,6 @@
-//! The methods that choose ([`Method::Auto`], [`Method::FittedWalk`]): before the work, a few samples are taken by
-//! each of several methods, and the one of the least variance × time does all of it.
+//! The methods that choose ([`Method::Auto`], [`Method::FittedWalk`]): before the work, a few
+//! samples are taken by each of several methods, and the one of the least variance × time does
+//! all of it.
 //!
 //! Time is counted by what queries are asked and find ([`effort`]), not measured, and the
 //! pilot has random numbers of its own: the choice is the same in every run and for every

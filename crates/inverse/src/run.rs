@@ -354,8 +354,8 @@ impl Problem {
         })
     }
 
-    /// Settles the method of all gradients, if it is open ([`Method::is_open`]): what is best for the
-    /// sum of all pixels of the first view before the first step, in a short pilot. Later
+    /// Settles the method of all gradients, if it is one that chooses: what is best for the sum
+    /// of all pixels of the first view before the first step, in a short pilot. Later
     /// iterations would choose alike, and need no pilot of their own. `None` if another
     /// method is given; what is refused stays as it is, to be refused by the first iteration.
     pub fn choose_method(&mut self, watch: &dyn Watch) -> Option<Chosen> {
