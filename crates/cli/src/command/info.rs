@@ -1,6 +1,8 @@
 //! `capwalk info`: what is in a scene, and what can be differentiated.
 
+use std::borrow::Cow;
 use std::fmt::Write;
+use std::thread;
 
 use anyhow::Result;
 use capwalk::scene::params::{ArrayParameter, Parameter};
@@ -28,18 +30,22 @@ pub fn run(args: &Info) -> Result<Outcome> {
         let refused = refusal.as_ref().map(|refusal| {
             format!("- : derivatives by what moves edges (D) are refused: {refusal}\n")
         });
+        // Side by side: of 20,000 shapes the tables have 300,000 lines.
+        let (shapes, arrays, parameters) = thread::scope(|scope| {
+            let others = scope.spawn(|| {
+                let lines = arrays.iter().map(|a| array_line(a, refusal.as_ref()));
+                (shapes(scene), table(lines))
+            });
+            let lines = parameters.iter();
+            let parameters = table(lines.map(|p| parameter_line(p, refusal.as_ref())));
+            let (shapes, arrays) = others.join().expect("tables do not panic");
+            (shapes, arrays, parameters)
+        });
         let text = format!(
-            "{}\nshapes\n{}\nparameters (∂: differentiable, D: edges move)\n{}{}\n\
-             arrays, for `capwalk backward`\n{}",
+            "{}\nshapes\n{shapes}\nparameters (∂: differentiable, D: edges move)\n{}{parameters}\n\
+             arrays, for `capwalk backward`\n{arrays}",
             summary(&args.scene.scene, scene),
-            shapes(scene),
             refused.unwrap_or_default(),
-            table(
-                parameters
-                    .iter()
-                    .map(|p| parameter_line(p, refusal.as_ref()))
-            ),
-            table(arrays.iter().map(|a| array_line(a, refusal.as_ref()))),
         );
         console::print(&text)?;
     }
@@ -232,67 +238,65 @@ fn differentiable(moves_discontinuities: bool, refusal: Option<&Refusal>) -> boo
 }
 
 /// Cells of a line of a table of parameters.
-type Line = [String; 4];
+type Line<'a> = [Cow<'a, str>; 4];
 
-fn parameter_line(parameter: &Parameter, refusal: Option<&Refusal>) -> Line {
+fn parameter_line<'a>(parameter: &'a Parameter, refusal: Option<&Refusal>) -> Line<'a> {
     let moves = parameter.moves_discontinuities;
     match &parameter.alias_of {
         Some(other) => alias(&parameter.name, differentiable(moves, refusal), other),
         None => [
-            format!("  {}", parameter.name),
-            flags(moves, refusal),
-            values(&parameter.value),
-            format!("{} ({})", parameter.description, parameter.unit),
+            parameter.name.as_str().into(),
+            flags(moves, refusal).into(),
+            values(&parameter.value).into(),
+            format!("{} ({})", parameter.description, parameter.unit).into(),
         ],
     }
 }
 
-fn array_line(array: &ArrayParameter, refusal: Option<&Refusal>) -> Line {
+fn array_line<'a>(array: &'a ArrayParameter, refusal: Option<&Refusal>) -> Line<'a> {
     let moves = array.moves_discontinuities;
     match &array.alias_of {
         Some(other) => alias(&array.name, differentiable(moves, refusal), other),
         None => [
-            format!("  {}", array.name),
-            flags(moves, refusal),
-            array.shape_text(),
-            format!("{} ({})", array.description, array.unit),
+            array.name.as_str().into(),
+            flags(moves, refusal).into(),
+            array.shape_text().into(),
+            format!("{} ({})", array.description, array.unit).into(),
         ],
     }
 }
 
 /// Another name for what is listed before.
-fn alias(name: &str, differentiable: bool, other: &str) -> Line {
+fn alias<'a>(name: &'a str, differentiable: bool, other: &str) -> Line<'a> {
+    let flags = if differentiable { "∂" } else { "-" };
     [
-        format!("  {name}"),
-        mark(differentiable).into(),
-        String::new(),
-        format!("= {other}"),
+        name.into(),
+        flags.into(),
+        "".into(),
+        format!("= {other}").into(),
     ]
 }
 
-fn flags(moves_discontinuities: bool, refusal: Option<&Refusal>) -> String {
-    let mark = mark(differentiable(moves_discontinuities, refusal));
-    match moves_discontinuities {
-        true => format!("{mark} D"),
-        false => mark.into(),
+fn flags(moves_discontinuities: bool, refusal: Option<&Refusal>) -> &'static str {
+    match (
+        differentiable(moves_discontinuities, refusal),
+        moves_discontinuities,
+    ) {
+        (true, true) => "∂ D",
+        (true, false) => "∂",
+        (false, true) => "- D",
+        (false, false) => "-",
     }
 }
 
-fn mark(differentiable: bool) -> &'static str {
-    match differentiable {
-        true => "∂",
-        false => "-",
-    }
-}
-
-/// Lines with their columns aligned to the left.
-fn table(lines: impl Iterator<Item = Line>) -> String {
+/// Indented lines with their columns aligned to the left.
+fn table<'a>(lines: impl Iterator<Item = Line<'a>>) -> String {
     let rows: Vec<Line> = lines.collect();
     let width = |c: usize| rows.iter().map(|r| r[c].chars().count()).max().unwrap_or(0);
     let [a, b, c] = [width(0), width(1), width(2)];
     let mut text = String::new();
     for [name, flags, value, what] in &rows {
-        write!(text, "{name:a$}   {flags:b$}   {value:c$}   {what}").expect("strings take all");
+        write!(text, "  {name:a$}   {flags:b$}   {value:c$}   {what}").expect("strings take all");
         text.truncate(text.trim_end().len());
         text.push('\n');
     }
