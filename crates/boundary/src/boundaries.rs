@@ -2,7 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use capwalk_geometry::{ConeQuery, Edge, Mesh, Sides, SilhouetteTree, topology};
+use capwalk_geometry::{
+    ConeQuery, Edge, Mesh, Sides, SilhouetteTree, add_effort, effort, topology,
+};
 use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
 
@@ -166,8 +168,13 @@ impl Boundaries {
 
     /// A sampler of the edges of meshes; built by the first call.
     pub fn edge_sampler(&self, accel: &Accel) -> &EdgeSampler {
-        self.edge_sampler
-            .get_or_init(|| EdgeSampler::new(&self.edges, accel))
+        self.edge_sampler.get_or_init(|| {
+            let before = effort();
+            let sampler = EdgeSampler::new(&self.edges, accel);
+            // Made once, it is no effort of the sample that happens to be the first.
+            add_effort(before.wrapping_sub(effort()));
+            sampler
+        })
     }
 
     /// The edges in a tree.

@@ -4,13 +4,14 @@
 
 use std::ops::Range;
 
-use capwalk_geometry::{Edge, NormalCone, Sides, add_effort};
+use capwalk_geometry::{Edge, NormalCone, add_effort};
 use capwalk_math::Vec3;
 
 use crate::accel::Accel;
 use crate::coincident::visit_overlaps;
 use crate::motion::Motion;
 use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
+use crate::sights::{LearnedVisibility, Sights, reaches};
 
 /// Edges in a leaf: so many are listed one by one.
 const LEAF: usize = 32;
@@ -59,6 +60,7 @@ pub struct EdgeBounds {
     pub least_radius: f64,
     /// The planes of their faces pass the centre within this distance.
     height: f64,
+    visibility: LearnedVisibility,
 }
 
 /// A subtree that was chosen at random.
@@ -90,24 +92,26 @@ impl EdgeSampler {
         let is_of_mesh = |edge: &Edge| edge.vertices[1] < mesh.positions.len() as u32;
         let count = edges.partition_point(is_of_mesh);
         let edges = &edges[..count];
-        let outward = outward(edges, accel);
+        let (outward, reaches) = (outward(edges, accel), reaches(accel));
         let sampled = edges.iter().zip(0..).map(|(edge, number)| {
-            let shape = match edge.sides {
-                Sides::Open => None,
-                Sides::Between { faces, .. } => {
-                    Some(accel.shape_of_face[faces[0] as usize].0 as usize)
-                }
+            let shape = accel.shape_of_vertex(edge.vertices[0]);
+            let outward = outward[shape.0 as usize];
+            let sampled = SampledEdge::new(number, edge, mesh, outward);
+            // Of the others little is seen.
+            let sights = match sampled.exposure == 1.0 {
+                true => Sights::of(&sampled, shape, reaches[shape.0 as usize], accel),
+                false => Sights::default(),
             };
-            let outward = shape.and_then(|shape| outward[shape]);
-            SampledEdge::new(number, edge, mesh, outward)
+            (sampled, sights)
         });
+        let (sampled, sights): (Vec<_>, Vec<_>) = sampled.unzip();
         let mut sampler = Self {
-            edges: sampled.collect(),
+            edges: sampled,
             nodes: Vec::new(),
             overlaps: Vec::new(),
         };
         if count > 0 {
-            sampler.add_node(0..count, 0);
+            sampler.add_node(0..count, 0, &sights);
         }
         visit_overlaps(edges, &mesh.positions, |[a, b]| {
             let [a, b] = [a as u32, b as u32];
@@ -118,18 +122,19 @@ impl EdgeSampler {
         sampler
     }
 
-    /// Adds the node of these places and all below it, and returns its number.
-    fn add_node(&mut self, places: Range<usize>, depth: u32) -> usize {
+    /// Adds the node of these places and all below it, and returns its number. `sights` are
+    /// those of edges by their numbers.
+    fn add_node(&mut self, places: Range<usize>, depth: u32, sights: &[Sights]) -> usize {
         let number = self.nodes.len();
         self.nodes.push(Node {
             places: places.clone(),
             halves: None,
-            bounds: EdgeBounds::new(&self.edges[places.clone()]),
+            bounds: EdgeBounds::new(&self.edges[places.clone()], sights),
         });
         if places.len() > LEAF {
             let middle = places.start + divide(&mut self.edges[places.clone()], depth);
-            let first = self.add_node(places.start..middle, depth + 1);
-            let second = self.add_node(middle..places.end, depth + 1);
+            let first = self.add_node(places.start..middle, depth + 1, sights);
+            let second = self.add_node(middle..places.end, depth + 1, sights);
             self.nodes[number].halves = Some([first, second]);
         }
         number
@@ -171,7 +176,7 @@ impl EdgeSampler {
                 false => 0.0,
             }
         };
-        if self.nodes.is_empty() || importance(0) == 0.0 {
+        if self.nodes.is_empty() {
             return None;
         }
         let mut chosen = Subtree {
@@ -228,13 +233,15 @@ impl EdgeSampler {
 }
 
 impl EdgeBounds {
-    fn new(edges: &[SampledEdge]) -> Self {
+    fn new(edges: &[SampledEdge], sights: &[Sights]) -> Self {
         let mut all = Bin::EMPTY;
         edges.iter().for_each(|edge| all.add(&Bin::of(edge)));
         let centre = (all.low + all.high) * 0.5;
         let offsets = edges.iter().flat_map(|edge| edge.ends);
         let distances = offsets.map(|p| (p - centre).length());
         let radius = distances.fold(0.0, f64::max);
+        let visible = edges.iter();
+        let visible = visible.map(|edge| (edge.length() * edge.share, &sights[edge.edge as usize]));
         let height = |edge: &SampledEdge| {
             let normals = edge.normals().into_iter().flatten();
             let heights = normals.map(|normal| normal.dot(edge.ends[0] - centre).abs());
@@ -247,8 +254,15 @@ impl EdgeBounds {
             least_radius: radius * (LEAF as f64 / edges.len().max(LEAF) as f64).sqrt(),
             normals: NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
             silhouette_length: all.weight,
+            visibility: LearnedVisibility::of(visible),
             height: edges.iter().map(height).fold(0.0, f64::max),
         }
+    }
+
+    /// What of [`silhouette_length`](Self::silhouette_length) is visible from the viewpoint,
+    /// roughly; above 0.
+    pub fn visible_length(&self, viewpoint: Vec3) -> f64 {
+        self.silhouette_length * self.visibility.from(viewpoint - self.centre)
     }
 
     /// False if certainly none of the edges is a silhouette as seen from the viewpoint.

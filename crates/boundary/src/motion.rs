@@ -48,6 +48,7 @@ impl Motion {
     }
 
     /// A bound of the mean speed against another one along normals in a cone.
+    #[inline]
     pub fn speed_against(&self, other: &Self, normals: &NormalCone) -> f64 {
         let relative = self.velocity - other.velocity;
         // Beyond a right angle the cone has all normals.

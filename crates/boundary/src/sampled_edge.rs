@@ -197,6 +197,7 @@ impl SampledEdge {
     }
 
     /// What [`Edge::is_silhouette`] says.
+    #[inline]
     pub fn is_silhouette(&self, viewpoint: Vec3) -> bool {
         let is_between = |crosses| separates(crosses, self.ends[0], self.flipped, viewpoint);
         self.crosses.is_none_or(is_between)

@@ -72,17 +72,13 @@ pub fn environment_edge_term<R: Real, W: SceneEval<R>>(
             });
             edges.weigh(at, listed, &[], radiance);
             // Edges of other subtrees may lie on them and share the discontinuity.
-            for listed in sampler.silhouettes(&subtree, position) {
-                for other in sampler.overlapping(listed.edge) {
-                    let is_silhouette = || {
-                        let edge = field.boundaries.edge(other);
-                        edge.is_silhouette(&field.accel.mesh, position)
-                    };
-                    if !edges.contains(other) && is_silhouette() {
-                        edges.push_companion(other);
-                    }
-                }
-            }
+            edges.push_companions(|edge| {
+                let others = sampler.overlapping(edge);
+                others.filter(|&other| {
+                    let edge = field.boundaries.edge(other);
+                    edge.is_silhouette(&field.accel.mesh, position)
+                })
+            });
             // Divide by the probability of the subtree.
             let place = (place + SPREAD * f64::from(i)).fract();
             let weight = 1.0 / (subtree.probability * f64::from(SUBTREES));
@@ -92,7 +88,7 @@ pub fn environment_edge_term<R: Real, W: SceneEval<R>>(
     })
 }
 
-/// A guess of what edges contribute: the length of the silhouettes among them times their
+/// A guess of what edges contribute: the length of the visible silhouettes among them times their
 /// speed, over the square of their distance, times the largest cosine of a direction to
 /// them. Zero only if they contribute nothing.
 fn importance(vertex: &Vertex<f64>, bounds: &EdgeBounds, speed: f64) -> f64 {
@@ -120,7 +116,7 @@ fn importance(vertex: &Vertex<f64>, bounds: &EdgeBounds, speed: f64) -> f64 {
     let radius = squared(bounds.radius).max(f64::MIN_POSITIVE);
     let beyond = (squared(distance) - radius).max(0.0) + squared(bounds.least_radius);
     let near = (radius / beyond).ln_1p() / radius;
-    bounds.silhouette_length * speed * cosine * near
+    bounds.visible_length(vertex.position) * speed * cosine * near
 }
 
 /// Of a cosine.

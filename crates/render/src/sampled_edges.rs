@@ -60,6 +60,7 @@ impl Turning {
     }
 
     /// The motion of what is seen still at some offset from the shading point.
+    #[inline]
     pub fn at(&self, offset: Vec3) -> Motion {
         Motion {
             velocity: self.motion.velocity + self.rotation.cross(offset),
@@ -128,15 +129,18 @@ impl SampledEdges {
         self.pieces.count()
     }
 
-    /// True if there is a piece of this edge.
-    pub fn contains(&self, edge: u32) -> bool {
-        self.pieces.contains(edge)
-    }
-
-    /// Adds an edge that is not sampled, but shares the discontinuity where it lies on
-    /// edges that are. Once for each such edge.
-    pub fn push_companion(&mut self, edge: u32) {
-        self.pieces.push_companion(edge);
+    /// Adds edges that are not sampled, but share the discontinuity where they lie on an edge
+    /// that is: those that `lie_on` gives for it.
+    pub fn push_companions<I: Iterator<Item = u32>>(&mut self, lie_on: impl Fn(u32) -> I) {
+        let Self { weighed, pieces } = self;
+        // The pieces of an edge follow each other.
+        for edge in weighed.chunk_by(|a, b| a.edge == b.edge) {
+            for other in lie_on(edge[0].edge) {
+                if !pieces.contains(other) {
+                    pieces.push_companion(other);
+                }
+            }
+        }
     }
 
     /// Cuts edges into pieces, in place of those from before, where they are on the inner

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::common::stages::visible_ball;
+use crate::common::stages::visible_cube;
 use capwalk_diff::{
     BackwardWork, Cell, GradientOptions, GradientWork, Grid, Method, Part, PartError, Partial,
     PreparedScene, RenderOptions, RenderWork, Unwatched, Wanted, Watch, backward, gradient, render,
@@ -10,7 +10,7 @@ use capwalk_diff::{
 };
 use capwalk_math::Rgb;
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Filter, Gradient, Image, SamplerKind, Scene};
+use capwalk_scene::{Gradient, Image, SamplerKind, Scene};
 
 const CUTS: [u32; 4] = [1, 2, 7, 40];
 
@@ -50,7 +50,7 @@ where
 }
 
 fn scene() -> Scene {
-    let mut scene = visible_ball(Filter::Box);
+    let mut scene = visible_cube();
     scene.film.size = [9, 7];
     scene.film.crop_size = [9, 7];
     scene
@@ -121,8 +121,8 @@ fn images() {
 fn forward_derivatives() {
     let prepared = PreparedScene::new(scene());
     let registry = Registry::new(prepared.scene());
-    let tangent = registry.tangent(prepared.scene(), "ball.translate.x");
-    let tangent = tangent.expect("a ball");
+    let tangent = registry.tangent(prepared.scene(), "thing.translate.x");
+    let tangent = tangent.expect("a cube");
     for options in all_options() {
         let whole = gradient(&prepared, &tangent, &options, &Unwatched).expect("covered");
         let expected = bits([&whole.gradient.mean, &whole.gradient.standard_error]);

@@ -148,7 +148,8 @@ fn silhouettes() {
     for filter in [Filter::Box, Filter::Gaussian { stddev: 0.5 }] {
         let case = Case {
             step: 3e-3,
-            gradient_spp: 64,
+            gradient_spp: 32,
+            reference_spp: 240,
             min_pixels: 700,
             ..primary()
         };
@@ -177,7 +178,8 @@ fn lens() {
     let expression = "ball.translate.x + 0.3*sensor.translate.x + 0.2*sensor.aperture_radius";
     let case = Case {
         step: 3e-3,
-        gradient_spp: 64,
+        gradient_spp: 24,
+        reference_spp: 160,
         ..primary()
     };
     camera_case("lens", scene, expression, case);

@@ -88,8 +88,8 @@ fn sobol_points() {
     let mut scene = with(triangle());
     scene.settings.sampler = SamplerKind::Sobol;
     let case = Case {
-        gradient_spp: 256,
-        reference_spp: 512,
+        gradient_spp: 128,
+        reference_spp: 256,
         ..Case::default()
     };
     let tangent = tangent(&scene, "thing.translate.x");

@@ -95,7 +95,12 @@ fn transmitting_surface() {
         hide_emitters: false,
     };
     let expression = "thing.translate.x + below.translate.y + below.translate.z";
-    sky_case("transmitting", scene, expression, case());
+    let case = Case {
+        gradient_spp: 150,
+        patience: 2.0,
+        ..case()
+    };
+    sky_case("transmitting", scene, expression, case);
 }
 
 /// A box of six rectangles: at each of its edges two edges lie on each other, in

@@ -1,0 +1,206 @@
+//! How much of silhouettes is visible from which directions, as far as their own surface
+//! decides it: learned by rays (METHOD 11). How often edges are sampled depends on it, and
+//! nothing else.
+
+use std::f64::consts::TAU;
+
+use capwalk_math::{Frame, Vec3};
+use capwalk_scene::ShapeId;
+
+use crate::accel::Accel;
+use crate::sampled_edge::SampledEdge;
+
+/// Rays from each edge.
+const RAYS: usize = 8;
+
+/// Surfaces within this distance hide an edge, as a fraction of its shape's size; closer
+/// viewpoints see it.
+const REACH: f64 = 0.25;
+
+/// The quarters of the six sides of a cube, through which directions pass.
+const DIRECTIONS: usize = 24;
+
+/// Share of edges that counts as visible where no ray says so.
+const LEAST: f64 = 0.1;
+
+/// So many rays in a direction are few.
+const FEW: f64 = 2.0;
+
+/// Steps of points that are spread evenly in a cube (Roberts 2018): powers of the inverse
+/// of the root of x⁴ = x + 1.
+const SPREAD: [f64; 3] = [
+    0.819_172_513_396_164_4,
+    0.671_043_606_703_789_3,
+    0.549_700_477_901_970_7,
+];
+
+/// From where an edge is visible.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Sights {
+    /// Of each ray, the number of its direction, if nothing within reach hides the edge from
+    /// there.
+    rays: [Option<u8>; RAYS],
+    /// How far its own surface can hide it, world units.
+    reach: f64,
+}
+
+impl Sights {
+    /// Looks from points on an edge of a shape in directions from which it is a silhouette,
+    /// all equally likely. Surfaces of other shapes may be what a viewpoint is on, and hide
+    /// nothing.
+    pub fn of(edge: &SampledEdge, shape: ShapeId, reach: f64, accel: &Accel) -> Self {
+        let ([from, to], normals) = (edge.ends, edge.normals());
+        let along = to - from;
+        let axis = along.normalized();
+        let look = |ray: usize| {
+            let index = (edge.edge as usize * RAYS + ray) as f64;
+            let [place, height, turn] = SPREAD.map(|step| (index * step).fract());
+            // Across the edge, between the planes of its faces, to either side.
+            let across = match normals {
+                [Some(first), Some(second)] => {
+                    let part = (2.0 * turn).fract();
+                    let normal = first * (1.0 - part) + second * part;
+                    let side = if turn < 0.5 { 1.0 } else { -1.0 };
+                    axis.cross(normal).normalized() * side
+                }
+                _ => {
+                    let frame = Frame::from_normal(axis);
+                    let (sin, cos) = (TAU * turn).sin_cos();
+                    frame.s * cos + frame.t * sin
+                }
+            };
+            // On the sphere, heights along an axis are uniform (Archimedes).
+            let cos = 2.0 * height - 1.0;
+            let direction = axis * cos + across * (1.0 - cos * cos).sqrt();
+            let hit = accel.first_hit(from + along * place, direction);
+            let is_hidden = hit.is_some_and(|hit| hit.t < reach && accel.shape_of(&hit) == shape);
+            (!is_hidden).then(|| number(direction))
+        };
+        Self {
+            rays: std::array::from_fn(look),
+            reach,
+        }
+    }
+}
+
+/// How far edges of each shape can be hidden by their own surface, world units.
+pub fn reaches(accel: &Accel) -> Vec<f64> {
+    let none = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
+    let shapes = accel.scene.shapes.iter();
+    let boxes = shapes.map(|shape| {
+        let points = shape.mesh.positions.iter();
+        points.fold(none, |(low, high), &p| (low.min(p), high.max(p)))
+    });
+    boxes
+        .map(|(low, high)| REACH * (high - low).length())
+        .collect()
+}
+
+/// The quarter of a cube's side through which a direction passes.
+fn number(direction: Vec3) -> u8 {
+    let d = direction.to_array();
+    let larger = |most: usize, i: usize| if d[i].abs() > d[most].abs() { i } else { most };
+    let axis = (1..3).fold(0, larger);
+    let sign = |i: usize| u8::from(d[(axis + i) % 3] < 0.0);
+    8 * axis as u8 + 4 * sign(0) + 2 * sign(1) + sign(2)
+}
+
+/// The silhouettes among some edges that are visible from each direction.
+#[derive(Clone, Copy, Debug)]
+pub struct LearnedVisibility {
+    /// Their lengths, as shares of those of all silhouettes; above 0, and above 1 in
+    /// directions from which there are more than elsewhere.
+    shares: [f32; DIRECTIONS],
+    /// From closer, world units, all of them are.
+    reach: f64,
+}
+
+impl LearnedVisibility {
+    /// Of edges, given how long silhouettes they are, and from where they are visible.
+    pub fn of<'a>(edges: impl Iterator<Item = (f64, &'a Sights)>) -> Self {
+        let mut seen = [0.0; DIRECTIONS];
+        let (mut all, mut count, mut reach) = (f64::MIN_POSITIVE, 0, 0.0_f64);
+        for (length, sights) in edges {
+            for &direction in sights.rays.iter().flatten() {
+                seen[usize::from(direction)] += length;
+            }
+            all += length * RAYS as f64;
+            count += RAYS;
+            reach = reach.max(sights.reach);
+        }
+        // Where rays are few, what those in all directions say counts as well.
+        let (few, mean) = (FEW * all / count as f64, seen.iter().sum::<f64>() / all);
+        let share = |seen: f64| (seen + few * mean) / (all / DIRECTIONS as f64 + few);
+        Self {
+            shares: seen.map(|seen| (LEAST + (1.0 - LEAST) * share(seen)) as f32),
+            reach,
+        }
+    }
+
+    /// The share that is visible from a viewpoint at an offset from the edges.
+    pub fn from(&self, offset: Vec3) -> f64 {
+        match offset.length() > self.reach {
+            true => f64::from(self.shares[usize::from(number(offset))]),
+            false => 1.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::iter::repeat_n;
+
+    use capwalk_math::Affine;
+    use capwalk_scene::primitive::cube;
+    use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};
+
+    use super::*;
+    use crate::boundaries::Boundaries;
+
+    /// The visibility of the edge along z at x = y = 1 of the cube from -1 to 1. `beside`:
+    /// with another cube in the same mesh, where x is larger and y smaller.
+    fn edge_of_a_cube(beside: bool) -> LearnedVisibility {
+        let mut scene: Scene = builtin::scene("leaf").expect("built in");
+        scene.shapes.clear();
+        scene.emitters.clear();
+        let (mut mesh, _) = cube(Affine::IDENTITY);
+        if beside {
+            let place = Affine::translate(Vec3::new(10.0, -8.0, 0.0));
+            mesh.append(&cube(place * Affine::scale(Vec3::splat(8.0))).0);
+        }
+        scene.add_shape(Shape::new("cube", mesh, ShadingNormals::Face, BsdfId(0)));
+        let accel = Accel::new(scene);
+        let boundaries = Boundaries::new(&accel);
+        let edges = boundaries.edges().iter().zip(0..);
+        let mut sampled = edges.map(|(edge, i)| SampledEdge::new(i, edge, &accel.mesh, None));
+        let is_it = |edge: &SampledEdge| edge.ends.iter().all(|p| p.x == 1.0 && p.y == 1.0);
+        let edge = sampled.find(is_it).expect("an edge of the cube");
+        let sights = Sights::of(&edge, ShapeId(0), 10.0, &accel);
+        // So many like it that their rays are not few.
+        LearnedVisibility::of(repeat_n((edge.length(), &sights), 100))
+    }
+
+    /// An edge of a cube is visible from wherever it is a silhouette, and there are no
+    /// silhouettes elsewhere. Another cube hides it.
+    #[test]
+    fn cubes_show_their_edges() {
+        let [alone, beside] = [false, true].map(edge_of_a_cube);
+        let mean = alone.shares.iter().sum::<f32>() / DIRECTIONS as f32;
+        assert!((mean - 1.0).abs() < 1e-6, "{mean}");
+        // One in each number of direction, far away, with signs of x and y.
+        let far = |x: f64, y: f64| {
+            let lengths = [(3.0, 2.0, 1.0), (2.0, 3.0, 1.0), (2.0, 2.0, 3.0)];
+            let both = lengths
+                .into_iter()
+                .flat_map(|(a, b, c)| [(a, b, c), (a, b, -c)]);
+            both.map(move |(a, b, c)| Vec3::new(a * x, b * y, c) * 9.0)
+        };
+        for side in far(1.0, 1.0).chain(far(-1.0, -1.0)) {
+            assert!(alone.from(side) < 0.2, "{side:?}");
+            assert_eq!(alone.from(side / 60.0), 1.0);
+        }
+        let sum = |x: f64, y: f64| far(x, y).map(|side| beside.from(side)).sum::<f64>();
+        let (hidden, open) = (sum(1.0, -1.0), sum(-1.0, 1.0));
+        assert!(hidden < 0.8 * open, "{hidden}, {open}");
+    }
+}
