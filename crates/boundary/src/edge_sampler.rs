@@ -83,8 +83,8 @@ pub struct Silhouette {
 }
 
 impl EdgeSampler {
-    /// A sampler of edges of a scene. It depends on where they are alone, not on how
-    /// the scene came about.
+    /// A sampler of edges of a scene. It depends on where surfaces are alone, not on how the
+    /// scene came about.
     pub(crate) fn new(edges: &[Edge], accel: &Accel) -> Self {
         let mesh = &accel.mesh;
         // Where faces cross, or textures end, surfaces cover both sides. These edges come
@@ -97,10 +97,10 @@ impl EdgeSampler {
             let shape = accel.shape_of_vertex(edge.vertices[0]);
             let outward = outward[shape.0 as usize];
             let sampled = SampledEdge::new(number, edge, mesh, outward);
-            // Of the others little is seen.
+            let reach = reaches[shape.0 as usize];
             let sights = match sampled.exposure == 1.0 {
-                true => Sights::of(&sampled, shape, reaches[shape.0 as usize], accel),
-                false => Sights::default(),
+                true => Sights::of(&sampled, shape, reach, accel),
+                false => Sights::none(reach),
             };
             (sampled, sights)
         });
@@ -161,8 +161,8 @@ impl EdgeSampler {
 
     /// A subtree of few edges, chosen by the random number `u` in `[0, 1)`. On the way down
     /// nodes are chosen in proportion to their importance, given their number and bounds,
-    /// unless they certainly have no silhouette. `None` if that leads to nothing, or nothing
-    /// is important. Where an importance is not a number, the probability is none.
+    /// unless they certainly have no silhouette. `None` if that leads to nothing. A tree of one
+    /// leaf is always chosen. Where an importance is not a number, the probability is none.
     pub fn descend(
         &self,
         viewpoint: Vec3,

@@ -1,9 +1,10 @@
 //! How much of silhouettes is visible from which directions, as far as their own surface
-//! decides it: learned by rays (METHOD 11). How often edges are sampled depends on it, and
+//! decides it: learned by rays (METHOD 8). How often edges are sampled depends on it, and
 //! nothing else.
 
 use std::f64::consts::TAU;
 
+use capwalk_geometry::Ray;
 use capwalk_math::{Frame, Vec3};
 use capwalk_scene::ShapeId;
 
@@ -26,6 +27,9 @@ const LEAST: f64 = 0.1;
 /// So many rays in a direction are few.
 const FEW: f64 = 2.0;
 
+/// Distance within which a ray hits the faces of its own edge, as a fraction of coordinates.
+const BEYOND_ROUNDING: f64 = 1e-9;
+
 /// Steps of points that are spread evenly in a cube (Roberts 2018): powers of the inverse
 /// of the root of x⁴ = x + 1.
 const SPREAD: [f64; 3] = [
@@ -35,7 +39,7 @@ const SPREAD: [f64; 3] = [
 ];
 
 /// From where an edge is visible.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub struct Sights {
     /// Of each ray, the number of its direction, if nothing within reach hides the edge from
     /// there.
@@ -45,9 +49,15 @@ pub struct Sights {
 }
 
 impl Sights {
+    /// Of an edge that is seen from nowhere.
+    pub fn none(reach: f64) -> Self {
+        let rays = [None; RAYS];
+        Self { rays, reach }
+    }
+
     /// Looks from points on an edge of a shape in directions from which it is a silhouette,
-    /// all equally likely. Surfaces of other shapes may be what a viewpoint is on, and hide
-    /// nothing.
+    /// all about equally likely. Surfaces of other shapes may be what a viewpoint is on, and
+    /// hide nothing.
     pub fn of(edge: &SampledEdge, shape: ShapeId, reach: f64, accel: &Accel) -> Self {
         let ([from, to], normals) = (edge.ends, edge.normals());
         let along = to - from;
@@ -72,8 +82,12 @@ impl Sights {
             // On the sphere, heights along an axis are uniform (Archimedes).
             let cos = 2.0 * height - 1.0;
             let direction = axis * cos + across * (1.0 - cos * cos).sqrt();
-            let hit = accel.first_hit(from + along * place, direction);
-            let is_hidden = hit.is_some_and(|hit| hit.t < reach && accel.shape_of(&hit) == shape);
+            let hit = accel.first_hit_within(&Ray {
+                t_min: BEYOND_ROUNDING * (from.length() + to.length()),
+                t_max: reach,
+                ..Ray::new(from + along * place, direction)
+            });
+            let is_hidden = hit.is_some_and(|hit| accel.shape_of(&hit) == shape);
             (!is_hidden).then(|| number(direction))
         };
         Self {
