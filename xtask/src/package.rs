@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
 
-use crate::shell::{cargo, packages, root, start};
+use crate::shell::{cargo, packages, root, start, target};
 
 /// Files of the workspace that every crate's folder has a link to.
 const LICENCES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
@@ -46,6 +46,14 @@ pub fn run(verify: bool) -> Result<()> {
     );
     if !verify {
         arguments.push("--no-verify");
+        return start("packages", cargo(&arguments));
     }
-    start("packages", cargo(&arguments))
+    // Cargo knows an unpacked crate by its version and this folder's path alone: in a
+    // folder used before it would build the sources of that time.
+    let fresh = target().join(format!("packages-{}", std::process::id()));
+    let mut command = cargo(&arguments);
+    command.arg("--target-dir").arg(&fresh);
+    let outcome = start("packages", command);
+    std::fs::remove_dir_all(&fresh).with_context(|| format!("cannot remove {fresh:?}"))?;
+    outcome
 }

@@ -56,11 +56,15 @@ pub fn step(name: &str, command: Command) -> Result<()> {
     Ok(())
 }
 
+/// The folder that cargo builds in.
+pub fn target() -> PathBuf {
+    let folder = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
+    root().join(folder.unwrap_or_else(|| "target".into()))
+}
+
 /// Builds the command line in release mode, and says where the program is.
 pub fn capwalk() -> Result<PathBuf> {
     let build = cargo(&["build", "--release", "--package", "capwalk-cli"]);
     step("build", build)?;
-    let target = std::env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
-    let target = root().join(target.unwrap_or_else(|| "target".into()));
-    Ok(target.join("release/capwalk"))
+    Ok(target().join("release/capwalk"))
 }

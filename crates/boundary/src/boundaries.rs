@@ -2,9 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use capwalk_geometry::{
-    ConeQuery, Edge, Mesh, Sides, SilhouetteTree, add_effort, effort, topology,
-};
+use capwalk_geometry::{ConeQuery, Edge, Mesh, Sides, SilhouetteTree, topology, uncounted};
 use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
 
@@ -168,13 +166,8 @@ impl Boundaries {
 
     /// A sampler of the edges of meshes; built by the first call.
     pub fn edge_sampler(&self, accel: &Accel) -> &EdgeSampler {
-        self.edge_sampler.get_or_init(|| {
-            let before = effort();
-            let sampler = EdgeSampler::new(&self.edges, accel);
-            // Made once, it is no effort of the sample that happens to be the first.
-            add_effort(before.wrapping_sub(effort()));
-            sampler
-        })
+        self.edge_sampler
+            .get_or_init(|| uncounted(|| EdgeSampler::new(&self.edges, accel)))
     }
 
     /// The edges in a tree.

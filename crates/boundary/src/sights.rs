@@ -2,10 +2,8 @@
 //! decides it: learned by rays (METHOD 8). How often edges are sampled depends on it, and
 //! nothing else.
 
-use std::f64::consts::TAU;
-
 use capwalk_geometry::Ray;
-use capwalk_math::{Frame, Vec3};
+use capwalk_math::{Frame, Vec3, sphere};
 use capwalk_scene::ShapeId;
 
 use crate::accel::Accel;
@@ -73,11 +71,7 @@ impl Sights {
                     let side = if turn < 0.5 { 1.0 } else { -1.0 };
                     axis.cross(normal).normalized() * side
                 }
-                _ => {
-                    let frame = Frame::from_normal(axis);
-                    let (sin, cos) = (TAU * turn).sin_cos();
-                    frame.s * cos + frame.t * sin
-                }
+                _ => sphere::sample_tangent(&Frame::from_normal(axis), turn),
             };
             // On the sphere, heights along an axis are uniform (Archimedes).
             let cos = 2.0 * height - 1.0;
@@ -99,15 +93,9 @@ impl Sights {
 
 /// How far edges of each shape can be hidden by their own surface, world units.
 pub fn reaches(accel: &Accel) -> Vec<f64> {
-    let none = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
     let shapes = accel.scene.shapes.iter();
-    let boxes = shapes.map(|shape| {
-        let points = shape.mesh.positions.iter();
-        points.fold(none, |(low, high), &p| (low.min(p), high.max(p)))
-    });
-    boxes
-        .map(|(low, high)| REACH * (high - low).length())
-        .collect()
+    let reach = |(low, high): (Vec3, Vec3)| REACH * (high - low).length();
+    shapes.map(|shape| reach(shape.mesh.bounds())).collect()
 }
 
 /// The quarter of a cube's side through which a direction passes.

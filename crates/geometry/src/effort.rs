@@ -27,6 +27,15 @@ pub fn add_effort(more: u64) {
     EFFORT.set(EFFORT.get().wrapping_add(more));
 }
 
+/// What work comes to that is done once, and is no effort of the sample that happens to be
+/// the first to need it.
+pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
+    let before = effort();
+    let result = work();
+    EFFORT.set(before);
+    result
+}
+
 /// Adds that of a query among so many faces or edges.
 #[inline]
 pub(crate) fn add_effort_of(level: u64, count: usize) {

@@ -26,7 +26,7 @@ pub mod topology;
 
 pub use cone::NormalCone;
 pub use edge::{Edge, Sides};
-pub use effort::{add_effort, effort};
+pub use effort::{add_effort, effort, uncounted};
 pub use mesh::{Mesh, MeshError};
 pub use query::{ConeQuery, EdgeSelection, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree};
 pub use ray::{Hit, Ray};

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use capwalk_boundary::{Field, Motion, SEEN, SilhouettePieces, clip, place};
-use capwalk_geometry::{ConeQuery, EdgeSelection, add_effort, effort};
+use capwalk_geometry::{ConeQuery, EdgeSelection, uncounted};
 use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::Scene;
 
@@ -65,11 +65,12 @@ impl PixelSilhouettes {
         if let Some(pieces) = cell.and_then(OnceLock::get) {
             return then(pieces);
         }
-        let before = effort();
-        let pieces = make();
+        // Kept for all samples, they are no effort of this one.
+        let pieces = match cell {
+            Some(_) => uncounted(make),
+            None => make(),
+        };
         if let Some(cell) = cell {
-            // Made once for all samples, it is no effort of this one.
-            add_effort(before.wrapping_sub(effort()));
             let kept = self.kept.fetch_add(pieces.count(), Ordering::Relaxed);
             if kept + pieces.count() <= MOST_KEPT {
                 return then(cell.get_or_init(|| pieces));

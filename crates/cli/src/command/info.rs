@@ -246,7 +246,7 @@ fn parameter_line<'a>(parameter: &'a Parameter, refusal: Option<&Refusal>) -> Li
         Some(other) => alias(&parameter.name, differentiable(moves, refusal), other),
         None => [
             parameter.name.as_str().into(),
-            flags(moves, refusal).into(),
+            flags(differentiable(moves, refusal), moves).into(),
             values(&parameter.value).into(),
             format!("{} ({})", parameter.description, parameter.unit).into(),
         ],
@@ -259,7 +259,7 @@ fn array_line<'a>(array: &'a ArrayParameter, refusal: Option<&Refusal>) -> Line<
         Some(other) => alias(&array.name, differentiable(moves, refusal), other),
         None => [
             array.name.as_str().into(),
-            flags(moves, refusal).into(),
+            flags(differentiable(moves, refusal), moves).into(),
             array.shape_text().into(),
             format!("{} ({})", array.description, array.unit).into(),
         ],
@@ -268,20 +268,16 @@ fn array_line<'a>(array: &'a ArrayParameter, refusal: Option<&Refusal>) -> Line<
 
 /// Another name for what is listed before.
 fn alias<'a>(name: &'a str, differentiable: bool, other: &str) -> Line<'a> {
-    let flags = if differentiable { "∂" } else { "-" };
     [
         name.into(),
-        flags.into(),
+        flags(differentiable, false).into(),
         "".into(),
         format!("= {other}").into(),
     ]
 }
 
-fn flags(moves_discontinuities: bool, refusal: Option<&Refusal>) -> &'static str {
-    match (
-        differentiable(moves_discontinuities, refusal),
-        moves_discontinuities,
-    ) {
+fn flags(differentiable: bool, moves_discontinuities: bool) -> &'static str {
+    match (differentiable, moves_discontinuities) {
         (true, true) => "∂ D",
         (true, false) => "∂",
         (false, true) => "- D",

@@ -97,7 +97,6 @@ fn transmitting_surface() {
     let expression = "thing.translate.x + below.translate.y + below.translate.z";
     let case = Case {
         gradient_spp: 150,
-        patience: 2.0,
         ..case()
     };
     sky_case("transmitting", scene, expression, case);
