@@ -3,7 +3,7 @@
 use capwalk_boundary::{Accel, Field, Motion, Numbers, Viewpoint, Warp};
 use capwalk_math::{Dual, Rgb, Vec3};
 use capwalk_render::{SceneEval, Warped, vertex_normal};
-use capwalk_scene::sensor::SensorState;
+use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Scene, Tangent, TextureId};
 use capwalk_walk::WalkSettings;
 
@@ -21,6 +21,8 @@ pub struct Forward<'a> {
     accel: &'a Accel,
     field: Field<'a>,
     tangent: &'a Tangent,
+    /// What the sensor sees from the middle of its lens.
+    view: View<D>,
     /// Velocity of every point of the boundaries, world units: the vertices of the
     /// joined mesh, then the ends of crossings.
     points: Vec<Vec3>,
@@ -54,6 +56,7 @@ impl<'a> Forward<'a> {
             accel,
             field,
             tangent,
+            view: view(accel, tangent, [0.0; 2]),
             boundaries_move: points.iter().any(|&v| v != Vec3::zero()),
             points,
             normals,
@@ -98,6 +101,12 @@ impl<'a> Forward<'a> {
     }
 }
 
+/// What the moving sensor sees from a point of its lens.
+fn view(accel: &Accel, tangent: &Tangent, lens: [f64; 2]) -> View<D> {
+    let Scene { sensor, film, .. } = &*accel.scene;
+    View::new(sensor, film, &sensor.moving_state(&tangent.sensor), lens)
+}
+
 impl SceneEval<D> for Forward<'_> {
     const MOVES: bool = true;
     #[inline]
@@ -128,8 +137,8 @@ impl SceneEval<D> for Forward<'_> {
         self.tangent.textures[id.0 as usize].is_some()
     }
     #[inline]
-    fn sensor(&self) -> SensorState<D> {
-        self.accel.scene.sensor.moving_state(&self.tangent.sensor)
+    fn view(&self, lens: Option<[f64; 2]>) -> View<D> {
+        lens.map_or(self.view, |lens| view(self.accel, self.tangent, lens))
     }
     #[inline]
     fn boundary_point(&self, index: u32) -> Vec3<D> {

@@ -7,6 +7,7 @@ use capwalk_math::tape::Adjoints;
 use capwalk_math::{Real, Rgb, Tape, Var, Vec3};
 use capwalk_render::{SceneEval, Warped, vertex_normal};
 use capwalk_scene::sensor::SensorState;
+use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Scene, TextureId};
 use capwalk_walk::WalkSettings;
 
@@ -176,12 +177,13 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         self.wanted.textures[id.0 as usize]
     }
     #[inline]
-    fn sensor(&self) -> SensorState<Var<'t>> {
+    fn view(&self, lens: Option<[f64; 2]>) -> View<Var<'t>> {
+        let scene = &self.accel.scene;
         let SensorState {
             axes,
             origin,
             optics,
-        } = self.accel.scene.sensor.state();
+        } = scene.sensor.state();
         let wanted = self.wanted;
         let variables =
             |wanted, value, target| self.variables(wanted, value, Origin::Scene(target));
@@ -191,7 +193,7 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
             false => Var::constant(value.value()),
         };
         let moving = variables(wanted.aperture || wanted.film, optics, Target::SensorOptics);
-        SensorState {
+        let state = SensorState {
             axes: [0, 1, 2].map(|i| variables(turns, axes[i], Target::SensorAxis(i))),
             origin: variables(wanted.sensor_origin, origin, Target::SensorOrigin),
             optics: Vec3::new(
@@ -199,7 +201,8 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
                 optic(moving.y, wanted.aperture),
                 optic(moving.z, wanted.film),
             ),
-        }
+        };
+        View::new(&scene.sensor, &scene.film, &state, lens.unwrap_or_default())
     }
     #[inline]
     fn boundary_point(&self, index: u32) -> Vec3<Var<'t>> {

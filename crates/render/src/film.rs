@@ -67,12 +67,8 @@ impl Tracer<'_> {
 
     /// The camera as seen from a point sampled on its lens.
     fn camera<R: Real, W: SceneEval<R>>(&self, eval: &W, draw: Draw) -> Camera<R> {
-        let scene = &self.accel.scene;
-        let lens = match scene.sensor.model.has_lens() {
-            true => uniform_disk(draw.stream.pair(LENS)),
-            false => [0.0; 2],
-        };
-        let moving = View::new(&scene.sensor, &scene.film, &eval.sensor(), lens);
+        let has_lens = self.accel.scene.sensor.model.has_lens();
+        let moving = eval.view(has_lens.then(|| uniform_disk(draw.stream.pair(LENS))));
         Camera {
             primal: moving.value(),
             moving,

@@ -212,7 +212,7 @@ impl Tracer<'_> {
     ) -> (Rgb<R>, Option<Continuation>) {
         let mut light = Rgb::zero();
         let viewpoint = Viewpoint::towards_emitters(vertex.position, vertex.face_normal);
-        let primal = vertex.value();
+        let primal = eval.primal(vertex);
         let next = sample_lights(
             self.accel,
             self.emitters,

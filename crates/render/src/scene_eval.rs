@@ -2,11 +2,15 @@
 //! a path, its forward and its reverse derivative, by asking one [`SceneEval`] or
 //! another.
 
+use std::borrow::Cow;
+
 use capwalk_boundary::{Accel, Motion, Numbers, Viewpoint};
 use capwalk_math::{Real, Rgb, Vec3};
-use capwalk_scene::sensor::SensorState;
+use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Scene, SurfacePoint, TextureId};
 use capwalk_walk::WalkSettings;
+
+use crate::vertex::Vertex;
 
 /// What a path reads from a scene, and how its directions are warped.
 pub trait SceneEval<R: Real> {
@@ -22,8 +26,13 @@ pub trait SceneEval<R: Real> {
     fn texel(&self, id: TextureId, index: usize) -> Rgb<R>;
     /// True if derivatives by the texels of a texture are asked for.
     fn is_asked_for(&self, id: TextureId) -> bool;
-    /// The sensor's numbers.
-    fn sensor(&self) -> SensorState<R>;
+    /// What the sensor sees from a point of its lens, given on the unit disk; without, from
+    /// its middle.
+    fn view(&self, lens: Option<[f64; 2]>) -> View<R>;
+    /// A vertex of a path without derivatives.
+    fn primal<'v>(&self, vertex: &'v Vertex<R>) -> Cow<'v, Vertex<f64>> {
+        Cow::Owned(vertex.value())
+    }
     /// Position of a point of the boundaries; used only if `MOVES`.
     fn boundary_point(&self, index: u32) -> Vec3<R>;
     /// How fast a point of an edge moves along `normal` against something else, at least 0,
@@ -128,8 +137,16 @@ impl SceneEval<f64> for Primal<'_> {
         false
     }
     #[inline]
-    fn sensor(&self) -> SensorState<f64> {
-        self.0.scene.sensor.state()
+    fn view(&self, lens: Option<[f64; 2]>) -> View<f64> {
+        let Some(lens) = lens else {
+            return self.0.view;
+        };
+        let scene = &self.0.scene;
+        View::new(&scene.sensor, &scene.film, &scene.sensor.state(), lens)
+    }
+    #[inline]
+    fn primal<'v>(&self, vertex: &'v Vertex<f64>) -> Cow<'v, Vertex<f64>> {
+        Cow::Borrowed(vertex)
     }
     #[inline]
     fn boundary_point(&self, index: u32) -> Vec3 {

@@ -84,19 +84,15 @@ impl Resolver {
         textures: &mut impl TexturesAt<R>,
     ) -> Resolved<R> {
         let mut parts = Parts {
-            lobes: Vec::with_capacity(lobe::LocalBsdf::<R>::MAX_LOBES),
+            bsdf: lobe::LocalBsdf::default(),
             flipped: false,
             is_opaque: self.two_sided[id.0 as usize],
             tilt: None,
         };
         self.add(scene, id, side, R::constant(1.0), textures, &mut parts);
-        let mut bsdf = lobe::LocalBsdf::default();
-        for (weight, lobe, tilt) in parts.lobes {
-            bsdf.push_tilted(weight, lobe, tilt);
-        }
         let side = if parts.flipped { Side::Front } else { side };
         Resolved {
-            bsdf: bsdf.seen_from(side),
+            bsdf: parts.bsdf.seen_from(side),
             flipped: parts.flipped,
         }
     }
@@ -175,7 +171,7 @@ impl Resolver {
 
 /// What has been put together so far.
 struct Parts<R> {
-    lobes: Vec<(R, Lobe<R>, Option<Tilt<R>>)>,
+    bsdf: lobe::LocalBsdf<R>,
     flipped: bool,
     /// There is a two-sided material: nothing may transmit, whatever changes.
     is_opaque: bool,
@@ -188,7 +184,7 @@ impl<R: Real> Parts<R> {
         // What passes goes straight on, whatever the normal.
         let passes = matches!(lobe, Lobe::Null(_));
         let tilt = self.tilt.filter(|_| !passes);
-        self.lobes.push((weight, lobe, tilt));
+        self.bsdf.push_tilted(weight, lobe, tilt);
     }
 }
 
