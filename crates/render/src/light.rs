@@ -49,7 +49,8 @@ pub struct Continuation {
 /// the material, combined with the power heuristic (Veach 1997). Calls `shade` with each
 /// sample that reaches an emitter and its number, and `look` with each perfectly specular
 /// event and what the ray hits after it. Uses `sampling.dimensions()` random numbers from
-/// `dimension` on. Returns the first direction sampled from the material.
+/// `dimension` on. Returns the first direction sampled from the material; where the path does
+/// not go on (`goes_on`) there may be none.
 pub fn sample_lights(
     accel: &Accel,
     emitters: &[EmitterSampler],
@@ -57,10 +58,17 @@ pub fn sample_lights(
     sampling: LightSampling,
     stream: &Stream,
     dimension: u32,
+    goes_on: bool,
     mut shade: impl FnMut(u32, LightSample),
     mut look: impl FnMut(Specular, &Option<Hit>),
 ) -> Option<Continuation> {
-    let counts = sampling;
+    let counts = LightSampling {
+        bsdf_samples: match goes_on || !is_sampled_well(emitters, vertex, sampling) {
+            true => sampling.bsdf_samples,
+            false => 0,
+        },
+        ..sampling
+    };
     // Densities of all samples of each technique together.
     let of_emitters = |pdf: f64| f64::from(counts.emitter_samples) * pdf;
     let of_bsdf = |pdf: f64| f64::from(counts.bsdf_samples) * pdf;
@@ -91,7 +99,7 @@ pub fn sample_lights(
     }
     let mut next = None;
     for i in 0..counts.bsdf_samples {
-        let base = dimension + counts.emitter_samples * EMITTER_NUMBERS + i * BSDF_NUMBERS;
+        let base = dimension + sampling.emitter_samples * EMITTER_NUMBERS + i * BSDF_NUMBERS;
         let (choice, u) = (stream.number(base), stream.pair(base + 1));
         let Some(drawn) = vertex.bsdf.sample(vertex.wi, choice, u) else {
             continue;
@@ -135,6 +143,18 @@ pub fn sample_lights(
         shade(counts.emitter_samples + i, sample);
     }
     next
+}
+
+/// True if directions from the material would add more time than they take noise away:
+/// where light comes from one area emitter to a surface that scatters it evenly, points on
+/// the emitter have weights that hardly differ.
+fn is_sampled_well(
+    emitters: &[EmitterSampler],
+    vertex: &Vertex<f64>,
+    sampling: LightSampling,
+) -> bool {
+    let is_one = matches!(emitters, [EmitterSampler::Area(_)]);
+    is_one && sampling.emitter_samples > 0 && vertex.bsdf.is_diffuse()
 }
 
 /// Weight of a sample of density `own` that the density `other` could have

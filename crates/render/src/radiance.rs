@@ -220,6 +220,7 @@ impl Tracer<'_> {
             self.plan.sampling,
             draw.stream,
             self.plan.vertex_numbers(depth),
+            self.plan.reaches(depth + 3),
             |i, sample| {
                 let weight = R::constant(sample.weight);
                 let radiance = |direction: Vec3<R>| {

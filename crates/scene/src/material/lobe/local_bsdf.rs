@@ -219,6 +219,12 @@ impl<R: Real> LocalBsdf<R> {
         self
     }
 
+    /// True if all lobes are diffuse.
+    pub fn is_diffuse(&self) -> bool {
+        self.lobes()
+            .all(|(_, lobe)| matches!(lobe, Lobe::Diffuse(_)))
+    }
+
     /// True if it can be drawn anything that is not perfectly specular: worth
     /// sampling emitters.
     pub fn has_smooth(&self) -> bool {
