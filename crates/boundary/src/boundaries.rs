@@ -2,7 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use capwalk_geometry::{ConeQuery, Edge, Mesh, Sides, SilhouetteTree, topology, uncounted};
+use capwalk_geometry::{
+    ConeQuery, Edge, EdgeSelection, Mesh, Sides, SilhouetteTree, topology, uncounted,
+};
 use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
 
@@ -33,8 +35,8 @@ pub struct Boundaries {
     /// The same edges in image space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of the sensor's view.
     image_tree: Option<SilhouetteTree>,
-    /// Built by the first derivative that samples edges before the environment.
-    edge_sampler: OnceLock<EdgeSampler>,
+    /// Of silhouettes, and of all edges; built by the first derivatives that sample them.
+    edge_samplers: [OnceLock<EdgeSampler>; 2],
     /// Positions of the joined mesh's vertices, then of the ends of crossings.
     positions: Vec<Vec3>,
     /// The segments where faces cross and where textures are discontinuous, in the order of
@@ -66,7 +68,7 @@ impl Boundaries {
             contrasts: listed.contrasts,
             positions: listed.mesh.positions,
             crossings: listed.crossings,
-            edge_sampler: OnceLock::new(),
+            edge_samplers: Default::default(),
         }
     }
 
@@ -100,7 +102,7 @@ impl Boundaries {
             self.contrasts = listed.contrasts;
             self.positions = listed.mesh.positions;
             self.crossings = listed.crossings;
-            self.edge_sampler = OnceLock::new();
+            self.edge_samplers = Default::default();
         }
         self.area_emitters = AreaEmitter::all(&accel.scene);
         if !(stays && same_sensor) {
@@ -140,8 +142,13 @@ impl Boundaries {
     pub fn contrast(&self, edge: u32, mesh: &Mesh, viewpoint: Vec3) -> f64 {
         match self.edge(edge).is_silhouette(mesh, viewpoint) {
             true => 1.0,
-            false => f64::from(self.contrasts[edge as usize]),
+            false => self.contrast_of_crease(edge),
         }
+    }
+
+    /// The same where the edge is no silhouette.
+    pub(crate) fn contrast_of_crease(&self, edge: u32) -> f64 {
+        f64::from(self.contrasts[edge as usize])
     }
 
     /// Where the ends of an edge are.
@@ -164,10 +171,10 @@ impl Boundaries {
         found.sort_unstable_by_key(|&(edge, _)| edge);
     }
 
-    /// A sampler of the edges of meshes; built by the first call.
-    pub fn edge_sampler(&self, accel: &Accel) -> &EdgeSampler {
-        self.edge_sampler
-            .get_or_init(|| uncounted(|| EdgeSampler::new(&self.edges, accel)))
+    /// A sampler of the silhouettes of meshes, or of all edges; built by the first call.
+    pub fn edge_sampler(&self, accel: &Accel, selection: EdgeSelection) -> &EdgeSampler {
+        self.edge_samplers[selection as usize]
+            .get_or_init(|| uncounted(|| EdgeSampler::new(self, accel, selection)))
     }
 
     /// The edges in a tree.

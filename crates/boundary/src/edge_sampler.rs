@@ -1,20 +1,28 @@
-//! Subtrees of edges, sampled as seen from a viewpoint (METHOD 8): a tree of all edges that
-//! can be silhouettes is descended at random, past all that certainly has no silhouette,
-//! to a few edges. The time grows with the logarithm of the edges.
+//! Subtrees of edges, sampled as seen from a viewpoint (METHOD 8): a tree of edges is descended
+//! at random to a few of them; where only silhouettes count, past all that certainly has none.
+//! The time grows with the logarithm of the edges.
 
 use std::ops::Range;
 
-use capwalk_geometry::{Edge, NormalCone, add_effort};
+use capwalk_geometry::{EdgeSelection, NormalCone, add_effort};
 use capwalk_math::Vec3;
 
 use crate::accel::Accel;
+use crate::boundaries::Boundaries;
 use crate::coincident::visit_overlaps;
+use crate::field::Field;
 use crate::motion::Motion;
 use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
-use crate::sights::{LearnedVisibility, Sights, reaches};
+use crate::sights::{LearnedVisibility, Sights};
 
-/// Edges in a leaf: so many are listed one by one.
-const LEAF: usize = 32;
+/// The most edges in a leaf, which are listed one by one. The more of them are silhouettes, the
+/// fewer have to be listed to find one.
+fn leaf_size(selection: EdgeSelection) -> usize {
+    match selection {
+        EdgeSelection::Silhouettes => 32,
+        EdgeSelection::All => 12,
+    }
+}
 
 /// The effort of a step down: two importances.
 const EFFORT_OF_STEP: u64 = 5;
@@ -23,9 +31,11 @@ const EFFORT_OF_STEP: u64 = 5;
 /// coordinates: ten times the tolerance within which it counts as lying in it.
 const CLEAR: f64 = 1e-10;
 
-/// The edges of a scene's meshes, for sampling those that are silhouettes.
+/// The edges of a scene, for sampling those that count.
 #[derive(Debug)]
 pub struct EdgeSampler {
+    /// Which of them count.
+    selection: EdgeSelection,
     /// In the order of the tree's leaves.
     edges: Vec<SampledEdge>,
     /// The root is the first; those below a node come behind it.
@@ -53,9 +63,8 @@ pub struct EdgeBounds {
     pub radius: f64,
     /// The normals of the faces at them.
     pub normals: NormalCone,
-    /// The sum of their lengths, each times the share of viewpoints that see it as a
-    /// silhouette, roughly.
-    pub silhouette_length: f64,
+    /// The sum of their lengths, each times its [share](SampledEdge::share).
+    pub length: f64,
     /// The radius of the subtrees that are chosen below, roughly.
     pub least_radius: f64,
     /// The planes of their faces pass the centre within this distance.
@@ -71,49 +80,56 @@ pub struct Subtree {
     pub probability: f64,
 }
 
-/// A silhouette of a subtree.
+/// An edge of a subtree that counts.
 #[derive(Clone, Copy, Debug)]
-pub struct Silhouette {
+pub struct Counted {
     /// The number of the edge.
     pub edge: u32,
     /// Its ends.
     pub ends: [Vec3; 2],
-    /// How likely it is not hidden by its own surface, above 0 and at most 1, roughly.
-    pub exposure: f64,
+    /// How likely it is not hidden by its own surface, or how large the discontinuity is at a
+    /// crease, roughly; above 0 and at most 1.
+    pub factor: f64,
 }
 
 impl EdgeSampler {
-    /// A sampler of edges of a scene. It depends on where surfaces are alone, not on how the
-    /// scene came about.
-    pub(crate) fn new(edges: &[Edge], accel: &Accel) -> Self {
-        let mesh = &accel.mesh;
-        // Where faces cross, or textures end, surfaces cover both sides. These edges come
-        // last.
-        let is_of_mesh = |edge: &Edge| edge.vertices[1] < mesh.positions.len() as u32;
-        let count = edges.partition_point(is_of_mesh);
-        let edges = &edges[..count];
-        let (outward, reaches) = (outward(edges, accel), reaches(accel));
+    /// A sampler of the edges of a scene. It depends on where surfaces are alone, not on how
+    /// the scene came about.
+    pub(crate) fn new(boundaries: &Boundaries, accel: &Accel, selection: EdgeSelection) -> Self {
+        // Where faces cross, or textures end, surfaces cover both sides: these edges, which
+        // come last, are no silhouettes.
+        let all = boundaries.edges();
+        let of_meshes = &all[..all.len() - boundaries.crossings.len()];
+        let (edges, outward) = match selection {
+            EdgeSelection::Silhouettes => (of_meshes, outward(of_meshes, accel)),
+            EdgeSelection::All => (all, outward(of_meshes, accel)),
+        };
         let sampled = edges.iter().zip(0..).map(|(edge, number)| {
             let shape = accel.shape_of_vertex(edge.vertices[0]);
-            let outward = outward[shape.0 as usize];
-            let sampled = SampledEdge::new(number, edge, mesh, outward);
-            let reach = reaches[shape.0 as usize];
-            let sights = match sampled.exposure == 1.0 {
-                true => Sights::of(&sampled, shape, reach, accel),
-                false => Sights::none(reach),
+            let crease = match selection {
+                EdgeSelection::Silhouettes => 0.0,
+                EdgeSelection::All => boundaries.contrast_of_crease(number),
             };
-            (sampled, sights)
+            let (ends, outward) = (boundaries.ends(number), outward[shape.0 as usize]);
+            SampledEdge::new(number, edge, ends, &accel.mesh, outward, crease)
         });
-        let (sampled, sights): (Vec<_>, Vec<_>) = sampled.unzip();
+        let sampled: Vec<SampledEdge> = sampled.collect();
+        // Creases are seen from wherever one of their faces is.
+        let sights = match selection {
+            EdgeSelection::Silhouettes => Some(Sights::all(&sampled, accel)),
+            EdgeSelection::All => None,
+        };
+        let (count, sights) = (sampled.len(), sights.as_deref());
         let mut sampler = Self {
+            selection,
             edges: sampled,
             nodes: Vec::new(),
             overlaps: Vec::new(),
         };
         if count > 0 {
-            sampler.add_node(0..count, 0, &sights);
+            sampler.add_node(0..count, 0, sights);
         }
-        visit_overlaps(edges, &mesh.positions, |[a, b]| {
+        visit_overlaps(edges, boundaries.positions(), |[a, b]| {
             let [a, b] = [a as u32, b as u32];
             sampler.overlaps.extend([[a, b], [b, a]]);
         });
@@ -123,15 +139,15 @@ impl EdgeSampler {
     }
 
     /// Adds the node of these places and all below it, and returns its number. `sights` are
-    /// those of edges by their numbers.
-    fn add_node(&mut self, places: Range<usize>, depth: u32, sights: &[Sights]) -> usize {
-        let number = self.nodes.len();
+    /// those of edges by their numbers, if they are known.
+    fn add_node(&mut self, places: Range<usize>, depth: u32, sights: Option<&[Sights]>) -> usize {
+        let (number, leaf) = (self.nodes.len(), leaf_size(self.selection));
         self.nodes.push(Node {
             places: places.clone(),
             halves: None,
-            bounds: EdgeBounds::new(&self.edges[places.clone()], sights),
+            bounds: EdgeBounds::new(&self.edges[places.clone()], leaf, sights),
         });
-        if places.len() > LEAF {
+        if places.len() > leaf {
             let middle = places.start + divide(&mut self.edges[places.clone()], depth);
             let first = self.add_node(places.start..middle, depth + 1, sights);
             let second = self.add_node(middle..places.end, depth + 1, sights);
@@ -147,7 +163,7 @@ impl EdgeSampler {
         for (i, node) in self.nodes.iter().enumerate().rev() {
             motions[i] = match node.halves {
                 Some(halves) => Motion::mean(halves.into_iter().map(|half| {
-                    let weight = self.nodes[half].bounds.silhouette_length;
+                    let weight = self.nodes[half].bounds.length;
                     (weight, motions[half])
                 })),
                 None => Motion::mean(self.edges[node.places.clone()].iter().flat_map(|edge| {
@@ -161,7 +177,7 @@ impl EdgeSampler {
 
     /// A subtree of few edges, chosen by the random number `u` in `[0, 1)`. On the way down
     /// nodes are chosen in proportion to their importance, given their number and bounds,
-    /// unless they certainly have no silhouette. `None` if that leads to nothing. A tree of one
+    /// unless they certainly have no edge that counts. `None` if that leads to nothing. A tree of one
     /// leaf is always chosen. Where an importance is not a number, the probability is none.
     pub fn descend(
         &self,
@@ -171,7 +187,7 @@ impl EdgeSampler {
     ) -> Option<Subtree> {
         let importance = |i: usize| {
             let bounds = &self.nodes[i].bounds;
-            match bounds.may_have_silhouette(viewpoint) {
+            match self.selection == EdgeSelection::All || bounds.may_have_silhouette(viewpoint) {
                 true => importance(i, bounds),
                 false => 0.0,
             }
@@ -184,7 +200,7 @@ impl EdgeSampler {
             probability: 1.0,
         };
         // Listing the edges of the leaf, and each step on the way there.
-        let mut effort = LEAF as u64;
+        let mut effort = leaf_size(self.selection) as u64;
         while let Some(halves) = self.nodes[chosen.node].halves {
             effort += EFFORT_OF_STEP;
             let importances = halves.map(importance);
@@ -207,41 +223,55 @@ impl EdgeSampler {
         Some(chosen)
     }
 
-    /// The silhouettes of a subtree as seen from a viewpoint.
-    pub fn silhouettes(
-        &self,
-        subtree: &Subtree,
-        viewpoint: Vec3,
-    ) -> impl Iterator<Item = Silhouette> {
+    /// The edges of a subtree that count as seen from a viewpoint.
+    pub fn counted(&self, subtree: &Subtree, viewpoint: Vec3) -> impl Iterator<Item = Counted> {
         let edges = &self.edges[self.nodes[subtree.node].places.clone()];
-        let silhouettes = edges
-            .iter()
-            .filter(move |edge| edge.is_silhouette(viewpoint));
-        silhouettes.map(|edge| Silhouette {
-            edge: edge.edge,
-            ends: edge.ends,
-            exposure: edge.exposure,
+        edges.iter().filter_map(move |edge| {
+            let factor = match edge.is_silhouette(viewpoint) {
+                true => edge.exposure,
+                false => edge.crease,
+            };
+            (factor > 0.0).then_some(Counted {
+                edge: edge.edge,
+                ends: edge.ends,
+                factor,
+            })
         })
     }
 
-    /// The edges that may lie on a part of this one.
-    pub fn overlapping(&self, edge: u32) -> impl Iterator<Item = u32> {
+    /// The edges that count as seen from a viewpoint and may lie on a part of this one.
+    pub fn overlapping<'a>(
+        &'a self,
+        edge: u32,
+        viewpoint: Vec3,
+        field: &'a Field,
+    ) -> impl Iterator<Item = u32> {
+        let counts = move |other: &u32| {
+            let other = field.boundaries.edge(*other);
+            self.selection == EdgeSelection::All
+                || other.is_silhouette(&field.accel.mesh, viewpoint)
+        };
         let first = self.overlaps.partition_point(|&[a, _]| a < edge);
         let pairs = self.overlaps[first..].iter();
-        pairs.take_while(move |&&[a, _]| a == edge).map(|&[_, b]| b)
+        let pairs = pairs.take_while(move |&&[a, _]| a == edge);
+        pairs.map(|&[_, b]| b).filter(counts)
     }
 }
 
 impl EdgeBounds {
-    fn new(edges: &[SampledEdge], sights: &[Sights]) -> Self {
+    /// Bounds of edges in a tree with leaves of so many.
+    fn new(edges: &[SampledEdge], leaf: usize, sights: Option<&[Sights]>) -> Self {
         let mut all = Bin::EMPTY;
         edges.iter().for_each(|edge| all.add(&Bin::of(edge)));
         let centre = (all.low + all.high) * 0.5;
         let offsets = edges.iter().flat_map(|edge| edge.ends);
         let distances = offsets.map(|p| (p - centre).length());
         let radius = distances.fold(0.0, f64::max);
-        let visible = edges.iter();
-        let visible = visible.map(|edge| (edge.length() * edge.share, &sights[edge.edge as usize]));
+        let visibility = |sights: &[Sights]| {
+            let edges = edges.iter();
+            let edges = edges.map(|edge| (edge.length() * edge.share, sights[edge.edge as usize]));
+            LearnedVisibility::of(edges)
+        };
         let height = |edge: &SampledEdge| {
             let normals = edge.normals().into_iter().flatten();
             let heights = normals.map(|normal| normal.dot(edge.ends[0] - centre).abs());
@@ -251,18 +281,17 @@ impl EdgeBounds {
             centre,
             radius,
             // On a surface, so many edges in a disk are in one smaller by the square root.
-            least_radius: radius * (LEAF as f64 / edges.len().max(LEAF) as f64).sqrt(),
+            least_radius: radius * (leaf as f64 / edges.len().max(leaf) as f64).sqrt(),
             normals: NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
-            silhouette_length: all.weight,
-            visibility: LearnedVisibility::of(visible),
+            length: all.weight,
+            visibility: sights.map_or(LearnedVisibility::ALL, visibility),
             height: edges.iter().map(height).fold(0.0, f64::max),
         }
     }
 
-    /// What of [`silhouette_length`](Self::silhouette_length) is visible from the viewpoint,
-    /// roughly; above 0.
+    /// What of [`length`](Self::length) is visible from the viewpoint, roughly; above 0.
     pub fn visible_length(&self, viewpoint: Vec3) -> f64 {
-        self.silhouette_length * self.visibility.from(viewpoint - self.centre)
+        self.length * self.visibility.from(viewpoint - self.centre)
     }
 
     /// False if certainly none of the edges is a silhouette as seen from the viewpoint.
@@ -336,7 +365,7 @@ mod tests {
     fn subtrees_are_brute_force() {
         let accel = accel();
         let boundaries = Boundaries::new(&accel);
-        let sampler = boundaries.edge_sampler(&accel);
+        let sampler = boundaries.edge_sampler(&accel, EdgeSelection::Silhouettes);
         // Surfaces that cross are on both sides of where they do.
         let crossings = boundaries.crossings.len();
         let of_meshes = &boundaries.edges()[..boundaries.edges().len() - crossings];
@@ -345,7 +374,7 @@ mod tests {
         for viewpoint in viewpoints(&accel) {
             let importance = |_: usize, bounds: &EdgeBounds| {
                 let distance = (bounds.centre - viewpoint).length().max(bounds.radius);
-                bounds.silhouette_length / (distance * distance)
+                bounds.length / (distance * distance)
             };
             let edges = of_meshes.iter().zip(0..);
             let mut expected: Vec<u32> = edges
@@ -370,7 +399,7 @@ mod tests {
                 let share = f64::from(*times) / f64::from(n);
                 assert!((share - subtree.probability).abs() < 2.0 / f64::from(n));
                 let before = listed.len();
-                let silhouettes = sampler.silhouettes(subtree, viewpoint);
+                let silhouettes = sampler.counted(subtree, viewpoint);
                 listed.extend(silhouettes.map(|silhouette| silhouette.edge));
                 count += share * (listed.len() - before) as f64 / subtree.probability;
             }

@@ -49,7 +49,7 @@ pub use boundaries::{Boundaries, same_edges};
 pub use boundary_sample::BoundarySample;
 pub use crossing::{Crossing, CrossingEnd};
 pub use draw::{Counts, Draw, Numbers};
-pub use edge_sampler::{EdgeBounds, EdgeSampler, Silhouette, Subtree};
+pub use edge_sampler::{Counted, EdgeBounds, EdgeSampler, Subtree};
 pub use emitter_edge::EmitterEdge;
 pub use field::Field;
 pub use material::{

@@ -51,6 +51,8 @@ pub struct Gathers {
     /// Edges in front of the environment: few of them at a time, of subtrees chosen at
     /// random.
     pub environment: bool,
+    /// The same edges and all others in front of surfaces that reflect light.
+    pub indirect: bool,
 }
 
 impl Gathers {
@@ -59,15 +61,17 @@ impl Gathers {
         camera: true,
         emitters: true,
         environment: true,
+        indirect: true,
     };
     /// Nowhere.
     pub const NONE: Self = Self {
         camera: false,
         emitters: false,
         environment: false,
+        indirect: false,
     };
     /// Along one kind of segment each.
-    pub const SEGMENTS: [Self; 3] = [
+    pub const SEGMENTS: [Self; 4] = [
         Self {
             camera: true,
             ..Self::NONE
@@ -80,6 +84,10 @@ impl Gathers {
             environment: true,
             ..Self::NONE
         },
+        Self {
+            indirect: true,
+            ..Self::NONE
+        },
     ];
 
     /// The names of the segments.
@@ -88,6 +96,7 @@ impl Gathers {
             ("camera", self.camera),
             ("emitters", self.emitters),
             ("environment", self.environment),
+            ("indirect", self.indirect),
         ];
         let gathered = all.iter().filter(|(_, gathered)| *gathered);
         gathered.map(|(name, _)| *name).collect()
@@ -105,6 +114,7 @@ impl Gathers {
             camera: self.camera && !other.camera,
             emitters: self.emitters && !other.emitters,
             environment: self.environment && !other.environment,
+            indirect: self.indirect && !other.indirect,
         }
     }
 }

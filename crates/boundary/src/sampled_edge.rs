@@ -23,6 +23,9 @@ const CONCAVE: f64 = 0.02;
 /// viewpoint.
 const LEAST_SHARE: f64 = 1e-6;
 
+/// Share of all viewpoints from which a crease is seen.
+const SEEN: f64 = 0.5;
+
 /// An edge and what decides from where it is a silhouette.
 #[derive(Clone, Copy, Debug)]
 pub struct SampledEdge {
@@ -37,10 +40,13 @@ pub struct SampledEdge {
     /// Whether the second one counts reversed.
     flipped: bool,
     /// Share of all viewpoints from which it is a silhouette, and not hidden by its own
-    /// surface, roughly.
+    /// surface, roughly. Creases have a share by their contrast.
     pub share: f64,
     /// What that is of those from which it is a silhouette.
     pub exposure: f64,
+    /// How large the discontinuity is where it is no silhouette, at most 1, roughly; 0 if it
+    /// does not count then.
+    pub crease: f64,
 }
 
 /// For each shape whether its normals point outward, if it is closed.
@@ -154,8 +160,15 @@ impl Bin {
 }
 
 impl SampledEdge {
-    pub fn new(number: u32, edge: &Edge, mesh: &Mesh, outward: Option<bool>) -> Self {
-        let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
+    /// An edge between two places. `outward` is that of its shape.
+    pub fn new(
+        number: u32,
+        edge: &Edge,
+        ends: [Vec3; 2],
+        mesh: &Mesh,
+        outward: Option<bool>,
+        crease: f64,
+    ) -> Self {
         let mut sampled = Self {
             edge: number,
             points: edge.vertices,
@@ -164,6 +177,7 @@ impl SampledEdge {
             flipped: false,
             share: 1.0,
             exposure: 1.0,
+            crease,
         };
         if let Sides::Between { faces, flipped } = edge.sides {
             let crosses = faces.map(|face| mesh.face_cross(face as usize));
@@ -180,7 +194,8 @@ impl SampledEdge {
             });
             let is_hidden = outward.is_some_and(|outward| (height > 0.0) == outward);
             sampled.exposure = if is_hidden { CONCAVE } else { 1.0 };
-            sampled.share = (sampled.exposure * turn / PI).max(LEAST_SHARE);
+            let share = sampled.exposure * turn / PI;
+            sampled.share = share.max(SEEN * crease).max(LEAST_SHARE);
         }
         sampled
     }

@@ -47,10 +47,25 @@ pub struct Sights {
 }
 
 impl Sights {
-    /// Of an edge that is seen from nowhere.
-    pub fn none(reach: f64) -> Self {
-        let rays = [None; RAYS];
-        Self { rays, reach }
+    /// Of all edges of meshes, by their numbers.
+    pub fn all(edges: &[SampledEdge], accel: &Accel) -> Vec<Self> {
+        // How far edges of each shape can be hidden by their own surface, world units.
+        let shapes = accel.scene.shapes.iter();
+        let reach = |(low, high): (Vec3, Vec3)| REACH * (high - low).length();
+        let reaches: Vec<f64> = shapes.map(|shape| reach(shape.mesh.bounds())).collect();
+        let sights = edges.iter().map(|edge| {
+            let shape = accel.shape_of_vertex(edge.points[0]);
+            let reach = reaches[shape.0 as usize];
+            match edge.exposure == 1.0 {
+                true => Self::of(edge, shape, reach, accel),
+                // It is seen from nowhere.
+                false => Self {
+                    rays: [None; RAYS],
+                    reach,
+                },
+            }
+        });
+        sights.collect()
     }
 
     /// Looks from points on an edge of a shape in directions from which it is a silhouette,
@@ -91,13 +106,6 @@ impl Sights {
     }
 }
 
-/// How far edges of each shape can be hidden by their own surface, world units.
-pub fn reaches(accel: &Accel) -> Vec<f64> {
-    let shapes = accel.scene.shapes.iter();
-    let reach = |(low, high): (Vec3, Vec3)| REACH * (high - low).length();
-    shapes.map(|shape| reach(shape.mesh.bounds())).collect()
-}
-
 /// The quarter of a cube's side through which a direction passes.
 fn number(direction: Vec3) -> u8 {
     let d = direction.to_array();
@@ -118,8 +126,14 @@ pub struct LearnedVisibility {
 }
 
 impl LearnedVisibility {
+    /// Where nothing is known, everything is visible.
+    pub const ALL: Self = Self {
+        shares: [1.0; DIRECTIONS],
+        reach: 0.0,
+    };
+
     /// Of edges, given how long silhouettes they are, and from where they are visible.
-    pub fn of<'a>(edges: impl Iterator<Item = (f64, &'a Sights)>) -> Self {
+    pub fn of(edges: impl Iterator<Item = (f64, Sights)>) -> Self {
         let mut seen = [0.0; DIRECTIONS];
         let (mut all, mut count, mut reach) = (f64::MIN_POSITIVE, 0, 0.0_f64);
         for (length, sights) in edges {
@@ -174,12 +188,13 @@ mod tests {
         let accel = Accel::new(scene);
         let boundaries = Boundaries::new(&accel);
         let edges = boundaries.edges().iter().zip(0..);
-        let mut sampled = edges.map(|(edge, i)| SampledEdge::new(i, edge, &accel.mesh, None));
+        let mut sampled = edges
+            .map(|(edge, i)| SampledEdge::new(i, edge, boundaries.ends(i), &accel.mesh, None, 0.0));
         let is_it = |edge: &SampledEdge| edge.ends.iter().all(|p| p.x == 1.0 && p.y == 1.0);
         let edge = sampled.find(is_it).expect("an edge of the cube");
         let sights = Sights::of(&edge, ShapeId(0), 10.0, &accel);
         // So many like it that their rays are not few.
-        LearnedVisibility::of(repeat_n((edge.length(), &sights), 100))
+        LearnedVisibility::of(repeat_n((edge.length(), sights), 100))
     }
 
     /// An edge of a cube is visible from wherever it is a silhouette, and there are no

@@ -17,7 +17,7 @@ use crate::vertex::Vertex;
 
 /// Fraction of the distance to an edge by which what hides it must be nearer: more than the
 /// rounding of what meets at the edge.
-const SHORT_OF_EDGE: f64 = 1e-9;
+pub const SHORT_OF_EDGE: f64 = 1e-9;
 
 /// An estimate of the emitter-edge term: a number of value zero whose derivative is
 ///

@@ -3,10 +3,10 @@
 
 use std::cell::RefCell;
 
-use capwalk_boundary::Draw;
+use capwalk_boundary::{Draw, EdgePoint};
 use capwalk_math::{Real, Rgb, Vec3};
 
-use crate::sampled_edges::{ListedEdge, SampledEdges, ShadingPoint};
+use crate::sampled_edges::{ListedEdge, SampledEdges, ShadingPoint, discontinuity};
 use crate::scene_eval::SceneEval;
 
 /// How many random numbers [`gathered_term`] uses.
@@ -51,7 +51,8 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
         edges.weigh(at, listed, &window.planes, |_| 1.0);
         // Divide by the probability of the emitter.
         let points = point_count(edges.count());
-        edges.term(at, chosen.emitter, place, points) * R::constant(emitters.len() as f64)
+        let jump = |point: &EdgePoint| discontinuity(at.field, at.vertex, point, chosen.emitter);
+        edges.term(at, jump, place, points) * R::constant(emitters.len() as f64)
     })
 }
 

@@ -19,8 +19,8 @@
 //!
 //! Sampling, weights and roulette are detached: they see the primal scene.
 
-use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
-use capwalk_geometry::{Hit, Ray};
+use capwalk_boundary::{Draw, EdgePoint, FlatEvents, MAX_EVENTS, Viewpoint};
+use capwalk_geometry::{EdgeSelection, Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::ViewRay;
@@ -28,11 +28,11 @@ use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
-use crate::environment_edge_term::{self, environment_edge_term};
 use crate::gathered_term::{self, gathered_term};
 use crate::light::{Continuation, emitter_towards, sample_lights};
-use crate::sampled_edges::ShadingPoint;
-use crate::scene_eval::{SceneEval, Warped};
+use crate::sampled_edge_term::sampled_edge_term;
+use crate::sampled_edges::{ShadingPoint, discontinuity};
+use crate::scene_eval::{Primal, SceneEval, Warped};
 use crate::shading::vertex_at;
 use crate::surface::{emitted_at, surface_at};
 use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Moving, Tracer};
@@ -85,12 +85,12 @@ impl Tracer<'_> {
     ) -> Rgb<R> {
         let (accel, plan) = (self.accel, &self.plan);
         let ViewRay {
-            mut origin,
-            mut direction,
+            origin,
+            direction,
             range: [t_min, t_max],
         } = ray;
         // What the camera sees first, between its clip planes.
-        let mut hit = accel.first_hit_within(&Ray {
+        let hit = accel.first_hit_within(&Ray {
             origin: origin.value(),
             direction: direction.value(),
             t_min,
@@ -103,7 +103,7 @@ impl Tracer<'_> {
                 aov_at(eval, accel, aov, &surface, origin, direction)
             });
         }
-        // Radiance collected so far; paths of one segment end at what emits.
+        // Paths of one segment end at what emits, others go on.
         let mut light = Rgb::zero();
         if plan.reaches(1)
             && !plan.hide_emitters
@@ -111,14 +111,31 @@ impl Tracer<'_> {
         {
             light += emitted_at(eval, accel, emitter, hit.as_ref(), origin, direction);
         }
-        // The product of BSDFs, cosines and Jacobians over the density of the path so far.
-        let mut throughput = Rgb::constant(Rgb::splat(1.0));
-        // The specular events since the direction was last warped.
-        let mut chain = SpecularChain {
+        let chain = SpecularChain {
             is_parallel: accel.view.is_parallel(),
             ..SpecularChain::default()
         };
-        for depth in 0.. {
+        light + self.reflected(eval, [origin, direction], hit, 0, chain, draw)
+    }
+
+    /// A sample of what of the radiance that arrives at a moving origin from a direction is
+    /// reflected where that hits a surface, the vertex of a path of number `first`. `chain` are
+    /// the specular events since the direction was last warped.
+    pub(crate) fn reflected<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        [mut origin, mut direction]: [Vec3<R>; 2],
+        mut hit: Option<Hit>,
+        first: u32,
+        mut chain: SpecularChain,
+        draw: Draw,
+    ) -> Rgb<R> {
+        let (accel, plan) = (self.accel, &self.plan);
+        // Radiance collected so far.
+        let mut light = Rgb::zero();
+        // The product of BSDFs, cosines and Jacobians over the density of the path so far.
+        let mut throughput = Rgb::constant(Rgb::splat(1.0));
+        for depth in first.. {
             // The path goes on from a surface that is hit, if paths so long are sampled.
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
                 break;
@@ -131,6 +148,11 @@ impl Tracer<'_> {
             // Light that comes from emitters, and a direction in which the path can go on.
             let (emitted, next) = self.emitted(eval, &vertex, depth, chain, draw);
             light += throughput * emitted;
+            // What moves across directions towards other surfaces, if those stay.
+            let stays = W::MOVES && self.gathered_segments().indirect;
+            if stays && plan.reaches(depth + 3) {
+                light += throughput * self.indirect_edge_term(eval, &vertex, depth, draw);
+            }
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
                 break;
             };
@@ -142,8 +164,16 @@ impl Tracer<'_> {
                     let events = self.events_behind(depth + 1);
                     let viewpoint =
                         Viewpoint::towards_surfaces(vertex.position, vertex.face_normal, events);
-                    let (walk, numbers) = self.vertex_walk(depth, 1, draw);
-                    let warped = eval.warp(&viewpoint, next.direction, walk, numbers);
+                    let warped = match stays {
+                        true => match self.turning(eval, &vertex, &viewpoint) {
+                            Some(normal) => Warped::turning(next.direction, normal),
+                            None => Warped::still(next.direction),
+                        },
+                        false => {
+                            let (walk, numbers) = self.vertex_walk(depth, 1, draw);
+                            eval.warp(&viewpoint, next.direction, walk, numbers)
+                        }
+                    };
                     let f = vertex.eval(warped.direction);
                     throughput = throughput * (f * (warped.jacobian * over_density));
                     chain = SpecularChain::default();
@@ -252,7 +282,7 @@ impl Tracer<'_> {
                 // Any other direction moves along the field around this point, unless edges
                 // before the emitter are gathered.
                 let warped = match self.gathers(sample.emitter) {
-                    true => match self.turning(eval, vertex, &viewpoint, sample.emitter) {
+                    true => match self.turning_before(eval, vertex, &viewpoint, sample.emitter) {
                         Some(normal) => Warped::turning(sample.direction, normal),
                         None => Warped::still(sample.direction),
                     },
@@ -303,17 +333,27 @@ impl Tracer<'_> {
             if gathers.environment
                 && let Some(environment) = environment
             {
-                let first = environment_edge_term::NUMBERS * depth;
-                let dimension = ENVIRONMENT_EDGE_NUMBERS + first;
-                let motions = self.edge_motions.get_or_init(|| {
-                    let sampler = field.boundaries.edge_sampler(self.accel);
-                    sampler.motions(|point| eval.motion_of_point(point))
-                });
+                let silhouettes =
+                    self.sampled_edges(field.boundaries, eval, EdgeSelection::Silhouettes);
                 let at = ShadingPoint {
-                    turning: self.turning(eval, vertex, &viewpoint, environment),
+                    turning: self.turning_before(eval, vertex, &viewpoint, environment),
                     ..at
                 };
-                light += environment_edge_term(&at, motions, environment, draw, dimension);
+                let radiance = |direction: Vec3| {
+                    let (accel, origin) = (self.accel, primal.position);
+                    emitted_at(&Primal(accel), accel, environment, None, origin, direction)
+                        .max_component()
+                };
+                let jump = |point: &EdgePoint| discontinuity(field, &primal, point, environment);
+                light += sampled_edge_term(
+                    &at,
+                    silhouettes,
+                    radiance,
+                    jump,
+                    draw,
+                    ENVIRONMENT_EDGE_NUMBERS,
+                    depth,
+                );
             }
         }
         (light, next)
@@ -322,16 +362,27 @@ impl Tracer<'_> {
     /// The normal with which directions towards an emitter turn: only light that is the same
     /// everywhere is not noisier by it. Their density vanishes at the horizon, so there they
     /// must follow it, or the derivative of the cosine over that density has no bound.
-    fn turning<R: Real, W: SceneEval<R>>(
+    fn turning_before<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         vertex: &Vertex<R>,
         viewpoint: &Viewpoint<R>,
         emitter: EmitterId,
     ) -> Option<Vec3<R>> {
-        let emitter = self.accel.scene.emitter(emitter);
-        let turns = W::MOVES && matches!(emitter, Emitter::Constant { .. });
-        // Where no boundary moves, none is sampled.
-        (turns && !eval.is_still(viewpoint)).then_some(vertex.frame.n)
+        match self.accel.scene.emitter(emitter) {
+            Emitter::Constant { .. } => self.turning(eval, vertex, viewpoint),
+            _ => None,
+        }
+    }
+
+    /// The normal with which directions that do not move along a field turn. Where no boundary
+    /// moves, none is sampled, and they stay.
+    pub(crate) fn turning<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        vertex: &Vertex<R>,
+        viewpoint: &Viewpoint<R>,
+    ) -> Option<Vec3<R>> {
+        (W::MOVES && !eval.is_still(viewpoint)).then_some(vertex.frame.n)
     }
 }

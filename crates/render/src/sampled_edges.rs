@@ -2,6 +2,8 @@
 //! to the boundary term of an emitter's light, where directions do not move, or turn with
 //! the shading normal (METHOD 8).
 
+use std::borrow::Cow;
+
 use capwalk_boundary::{EdgePoint, Field, Motion, SilhouettePieces, Viewpoint, clip, place};
 use capwalk_geometry::add_effort;
 use capwalk_math::{Real, Rgb, Vec3};
@@ -16,10 +18,12 @@ use crate::vertex::Vertex;
 const IN_PLANE: f64 = 1e-9;
 
 /// The effort of weighing a piece: BSDF and cosine are evaluated.
-const EFFORT_OF_PIECE: u64 = 10;
+const EFFORT_OF_PIECE: u64 = 4;
 
 /// Length of the longest piece that has one sampling weight, radians: lobes are narrow.
 const PIECE: f64 = 0.05;
+/// The same at diffuse surfaces.
+const DIFFUSE_PIECE: f64 = 0.2;
 /// The most pieces of one edge.
 const MOST_PIECES: f64 = 32.0;
 
@@ -66,6 +70,11 @@ impl Turning {
             velocity: self.motion.velocity + self.rotation.cross(offset),
             spread: self.motion.spread + self.guessed * offset.length(),
         }
+    }
+
+    /// True if they certainly do not move.
+    fn is_still(&self) -> bool {
+        self.motion == Motion::STILL && self.speed() == 0.0
     }
 }
 
@@ -158,7 +167,18 @@ impl SampledEdges {
         let (eval, vertex, turning) = (at.eval, at.vertex, at.motion());
         let Self { weighed, pieces } = self;
         weighed.clear();
+        let longest = match vertex.bsdf.is_diffuse() {
+            true => DIFFUSE_PIECE,
+            false => PIECE,
+        };
+        let is_still =
+            |point: u32| turning.is_still() && eval.motion_of_point(point) == Motion::STILL;
         for ListedEdge { edge, ends, factor } in listed {
+            // What rests as seen from what rests contributes nothing.
+            let points = at.field.boundaries.edge(edge).vertices;
+            if points.into_iter().all(is_still) {
+                continue;
+            }
             let [a, b] = ends.map(|p| p - vertex.position);
             // Clip the edge; an emitter's own edges, in its planes, count as inside.
             let margin = IN_PLANE * a.length().max(b.length());
@@ -166,13 +186,12 @@ impl SampledEdges {
                 continue;
             };
             let normal = a.cross(b).normalized();
-            let points = at.field.boundaries.edge(edge).vertices;
             let ends = range.map(|t| a + (b - a) * t);
             let [near, far] = ends.map(Vec3::length);
             let [from, to] = [ends[0] / near, ends[1] / far];
             // Cut it at equal steps on the chord between the directions of its ends.
             let chord = to - from;
-            let count = (chord.length() / PIECE).ceil().clamp(1.0, MOST_PIECES);
+            let count = (chord.length() / longest).ceil().clamp(1.0, MOST_PIECES);
             let place = |part| place(range, [near, far], part);
             for i in 0..count as u32 {
                 let part = |k: f64| (f64::from(i) + k) / count;
@@ -214,14 +233,14 @@ impl SampledEdges {
     /// Σ ∫ [f(behind) - f(before)] (u_edge - u)·n dl
     /// ```
     ///
-    /// `f` is the radiance of an emitter times BSDF and cosine, `u_edge` the angular
-    /// velocity of an edge, `u` that of directions, zero unless they turn, and `n` the
+    /// `f` is radiance times BSDF and cosine, and `jump` gives that difference; `u_edge` is the
+    /// angular velocity of an edge, `u` that of directions, zero unless they turn, and `n` the
     /// normal of the edge's projection, from behind to before.
     /// Hidden edges need no visibility test: `f` is the same on both of their sides.
     pub fn term<R: Real, W: SceneEval<R>>(
         &self,
         at: &ShadingPoint<R, W>,
-        emitter: EmitterId,
+        mut jump: impl FnMut(&EdgePoint) -> Rgb,
         u: f64,
         points: u32,
     ) -> Rgb<R> {
@@ -240,16 +259,15 @@ impl SampledEdges {
             // Trace rays only where something moves. A shading point on the edge itself
             // gives a NaN, which is not constant and is counted with the sample.
             if !flow.is_constant() {
-                let jump = discontinuity(at.field, at.vertex, &point, emitter);
-                light += Rgb::constant(jump / f64::from(points)) * flow;
+                light += Rgb::constant(jump(&point) / f64::from(points)) * flow;
             }
         }
         light
     }
 }
 
-/// `f(behind) - f(before)` of one emitter at a point of an edge.
-fn discontinuity(
+/// `f(behind) - f(before)` of one emitter's light at a point of an edge.
+pub fn discontinuity(
     field: &Field,
     vertex: &Vertex<f64>,
     point: &EdgePoint,
@@ -278,23 +296,29 @@ fn discontinuity(
                 true => reflected_environment(accel, vertex, side, emitter),
                 false => emitted_and_reflected(accel, vertex, side, is_chosen),
             };
-            let is_horizon = field.in_horizon(vertex.position, point.ends(), vertex.face_normal);
-            let [behind, before] = [behind, before].map(|side| match is_horizon {
-                true => light(&beside_its_face(field, vertex, side), side),
-                false => light(vertex, side),
-            });
+            let [behind, before] = [behind, before]
+                .map(|side| light(&beside_its_face(field, vertex, point, side), side));
             behind - before
         }
     }
 }
 
-/// The shading point on that side of its face on which the direction leaves it. A ray within
-/// rounding of the face's plane would hit the face on its way, or not.
-fn beside_its_face(field: &Field, vertex: &Vertex<f64>, direction: Vec3) -> Vertex<f64> {
+/// The shading point from which a direction beside an edge is looked in: where the edge is in
+/// the plane of the point's face, on that side of the face on which the direction leaves it. A
+/// ray within rounding of the plane would hit the face on its way, or not.
+pub fn beside_its_face<'v>(
+    field: &Field,
+    vertex: &'v Vertex<f64>,
+    point: &EdgePoint,
+    direction: Vec3,
+) -> Cow<'v, Vertex<f64>> {
+    if !field.in_horizon(vertex.position, point.ends(), vertex.face_normal) {
+        return Cow::Borrowed(vertex);
+    }
     let side = direction.dot(vertex.face_normal).signum();
     let offset = vertex.face_normal * (side * field.accel.horizon_distance());
-    Vertex {
+    Cow::Owned(Vertex {
         position: vertex.position + offset,
         ..vertex.clone()
-    }
+    })
 }

@@ -2,7 +2,9 @@
 
 use std::sync::OnceLock;
 
-use capwalk_boundary::{Accel, Draw, Field, Gathers, Motion, Numbers};
+use capwalk_boundary::{Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, Numbers};
+use capwalk_geometry::EdgeSelection;
+use capwalk_math::Real;
 use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
@@ -11,12 +13,15 @@ use crate::pixel::Supports;
 use crate::pixel_silhouettes::PixelSilhouettes;
 use crate::plan::Plan;
 use crate::prepared::PreparedScene;
+use crate::scene_eval::SceneEval;
 
 /// The numbers of gathered edges start here, behind all others: those of the
 /// camera, then of each vertex.
 pub const EDGE_NUMBERS: u32 = 1 << 30;
 /// Those of edges before the environment start here, behind them: those of each vertex.
 pub const ENVIRONMENT_EDGE_NUMBERS: u32 = 1 << 31;
+/// The same of edges before other surfaces.
+pub const INDIRECT_EDGE_NUMBERS: u32 = 3 << 30;
 
 /// How directions are warped.
 #[derive(Clone, Copy, Debug)]
@@ -50,9 +55,9 @@ pub struct Tracer<'a> {
     pub moving: Option<Moving<'a>>,
     /// The silhouettes in each pixel, where the camera's rays all start from one point.
     pub silhouettes: PixelSilhouettes,
-    /// The motions of the edges that are sampled before the environment; computed by the
-    /// first sample that needs them.
-    pub edge_motions: OnceLock<Vec<Motion>>,
+    /// The motions of the nodes of both edge samplers; computed by the first samples that need
+    /// them.
+    pub edge_motions: [OnceLock<Vec<Motion>>; 2],
 }
 
 impl<'a> Tracer<'a> {
@@ -66,7 +71,7 @@ impl<'a> Tracer<'a> {
             plan: Plan::new(scene),
             moving: None,
             silhouettes: PixelSilhouettes::default(),
-            edge_motions: OnceLock::new(),
+            edge_motions: Default::default(),
         }
     }
 
@@ -113,6 +118,8 @@ impl<'a> Tracer<'a> {
             camera: !self.accel.view.is_parallel() && self.events_behind(0) == 0,
             emitters: self.plan.lights_surfaces() && self.has_area_emitters(),
             environment: self.plan.lights_surfaces() && self.has_environment(),
+            // With no boundary seen through specular surfaces.
+            indirect: self.plan.reaches(3) && self.events_behind(1) == 0,
         }
     }
 
@@ -122,7 +129,22 @@ impl<'a> Tracer<'a> {
         self.plan.lights_surfaces()
             && (self.has_area_emitters() && !gathers.emitters
                 || self.has_environment() && !gathers.environment
-                || self.plan.reaches(3))
+                || self.plan.reaches(3) && !gathers.indirect)
+    }
+
+    /// A sampler of edges, and the motions of its nodes.
+    pub(crate) fn sampled_edges<R: Real, W: SceneEval<R>>(
+        &self,
+        boundaries: &'a Boundaries,
+        eval: &W,
+        selection: EdgeSelection,
+    ) -> (&'a EdgeSampler, &[Motion]) {
+        let sampler = boundaries.edge_sampler(self.accel, selection);
+        let motions = || sampler.motions(|point| eval.motion_of_point(point));
+        (
+            sampler,
+            self.edge_motions[selection as usize].get_or_init(motions),
+        )
     }
 
     fn has_environment(&self) -> bool {

@@ -1,46 +1,49 @@
-//! The boundary term of the edges before the environment (METHOD 8): sampled directions do
-//! not move, and points are sampled on edges around the shading point instead. There are
-//! too many to gather; a tree of them is descended at random to a few.
+//! The boundary term of edges that are too many to gather (METHOD 8): before the environment,
+//! and before surfaces that reflect light. Sampled directions do not move, and points are
+//! sampled on edges around the shading point instead: a tree of them is descended at random to
+//! a few.
 
 use std::cell::RefCell;
 
-use capwalk_boundary::{Draw, EdgeBounds, Motion};
+use capwalk_boundary::{Draw, EdgeBounds, EdgePoint, EdgeSampler, Motion};
 use capwalk_math::{Real, Rgb, Vec3};
-use capwalk_scene::EmitterId;
 
 use crate::sampled_edges::{ListedEdge, SampledEdges, ShadingPoint};
-use crate::scene_eval::{Primal, SceneEval};
-use crate::surface::emitted_at;
+use crate::scene_eval::SceneEval;
 use crate::vertex::Vertex;
 
-/// How many random numbers [`environment_edge_term`] uses.
-pub const NUMBERS: u32 = 2;
+/// How many random numbers [`sampled_edge_term`] uses.
+const NUMBERS: u32 = 2;
 
-/// Subtrees for each shading point.
-const SUBTREES: u32 = 2;
+/// Subtrees for the vertex of a path of this number: later ones matter less.
+fn subtree_count(depth: u32) -> u32 {
+    if depth == 0 { 2 } else { 1 }
+}
 /// Points on the edges of each.
 const POINTS: u32 = 1;
 
 /// 1 over the golden ratio: its multiples are spread evenly in `[0, 1)`.
 const SPREAD: f64 = 0.618_033_988_749_895;
 
-/// An estimate of the boundary term of direct light from the environment, see
-/// [`SampledEdges::term`], over all edges. `motions` are those of the nodes of the edge
-/// sampler. The [`NUMBERS`] from `dimension` on choose subtrees and points.
-pub fn environment_edge_term<R: Real, W: SceneEval<R>>(
+/// An estimate of the boundary term over all edges of a sampler, see [`SampledEdges::term`].
+/// `motions` are those of its nodes. `light` guesses the radiance from a direction, and `jump`
+/// is the discontinuity of reflected radiance. At the vertex of number `depth`, [`NUMBERS`]
+/// random numbers from `first` on choose subtrees and points.
+pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
-    motions: &[Motion],
-    environment: EmitterId,
+    (sampler, motions): (&EdgeSampler, &[Motion]),
+    light: impl Fn(Vec3) -> f64,
+    mut jump: impl FnMut(&EdgePoint) -> Rgb,
     draw: Draw,
-    dimension: u32,
+    first: u32,
+    depth: u32,
 ) -> Rgb<R> {
-    let (field, eval, vertex) = (at.field, at.eval, at.vertex);
-    if eval.is_still(at.viewpoint) {
+    let (field, vertex) = (at.field, at.vertex);
+    if at.eval.is_still(at.viewpoint) {
         return Rgb::zero();
     }
     let position = vertex.position;
     let turning = at.motion();
-    let sampler = field.boundaries.edge_sampler(field.accel);
     let importance = |node: usize, bounds: &EdgeBounds| {
         // Over all of the node, what turns moves as at its centre, give or take its size.
         let mut motion = turning.at(bounds.centre - position);
@@ -48,43 +51,33 @@ pub fn environment_edge_term<R: Real, W: SceneEval<R>>(
         let speed = motions[node].speed_against(&motion, &bounds.normals);
         importance(vertex, bounds, speed)
     };
-    let primal = Primal(field.accel);
-    let radiance = |direction: Vec3| {
-        let radiance = emitted_at(&primal, field.accel, environment, None, position, direction);
-        radiance.max_component()
-    };
-    let [u, place] = draw.stream.pair(dimension);
-    draw.count_queries(u64::from(SUBTREES));
+    let [u, place] = draw.stream.pair(first + NUMBERS * depth);
+    let count = subtree_count(depth);
+    draw.count_queries(u64::from(count));
     MEMORY.with_borrow_mut(|edges| {
-        let mut light = Rgb::zero();
-        for i in 0..SUBTREES {
+        let mut term = Rgb::zero();
+        for i in 0..count {
             // Descend to a few edges, stratified.
-            let u = (f64::from(i) + u) / f64::from(SUBTREES);
+            let u = (f64::from(i) + u) / f64::from(count);
             let Some(subtree) = sampler.descend(position, u, importance) else {
                 continue;
             };
-            // Weigh the silhouettes among them.
-            let silhouettes = sampler.silhouettes(&subtree, position);
-            let listed = silhouettes.map(|silhouette| ListedEdge {
-                edge: silhouette.edge,
-                ends: silhouette.ends,
-                factor: silhouette.exposure,
+            // Weigh those of them that count.
+            let counted = sampler.counted(&subtree, position);
+            let listed = counted.map(|counted| ListedEdge {
+                edge: counted.edge,
+                ends: counted.ends,
+                factor: counted.factor,
             });
-            edges.weigh(at, listed, &[], radiance);
+            edges.weigh(at, listed, &[], &light);
             // Edges of other subtrees may lie on them and share the discontinuity.
-            edges.push_companions(|edge| {
-                let others = sampler.overlapping(edge);
-                others.filter(|&other| {
-                    let edge = field.boundaries.edge(other);
-                    edge.is_silhouette(&field.accel.mesh, position)
-                })
-            });
+            edges.push_companions(|edge| sampler.overlapping(edge, position, field));
             // Divide by the probability of the subtree.
             let place = (place + SPREAD * f64::from(i)).fract();
-            let weight = 1.0 / (subtree.probability * f64::from(SUBTREES));
-            light += edges.term(at, environment, place, POINTS) * R::constant(weight);
+            let weight = 1.0 / (subtree.probability * f64::from(count));
+            term += edges.term(at, &mut jump, place, POINTS) * R::constant(weight);
         }
-        light
+        term
     })
 }
 
