@@ -67,11 +67,36 @@ def log(text):
 
 CORNERS = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
 CUBE_SIDES = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
+
+# Squares along each edge of the cube that a ball is made of: 20,172 triangles.
+BALL_STEPS = 41
+
+
+def ball():
+    """A cube of many squares, blown up to the unit sphere."""
+    numbers, faces = {}, []
+
+    def number(corner):
+        return numbers.setdefault(corner, len(numbers) + 1)
+
+    for side in CUBE_SIDES:
+        a, b, _, d = (np.array(CORNERS[i - 1]) * BALL_STEPS for i in side)
+        for i in range(BALL_STEPS):
+            for j in range(BALL_STEPS):
+                places = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
+                corners = [a + (b - a) * s // BALL_STEPS + (d - a) * t // BALL_STEPS for s, t in places]
+                faces.append(tuple(number(tuple(corner)) for corner in corners))
+    # Equal angles, so that all squares are about as large.
+    points = [np.tan(np.array(corner) / BALL_STEPS * math.pi / 4) for corner in numbers]
+    return [tuple(point / np.linalg.norm(point)) for point in points], faces
+
+
 # Primitives as meshes: vertices, and faces that are counted from 1. Mitsuba's
 # rectangle has no vertices to move, its cube has three at each corner.
 MESHES = {
     "rectangle": ([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [(1, 2, 3, 4)]),
     "cube": (CORNERS, CUBE_SIDES),
+    "sphere": ball(),
 }
 
 

@@ -35,6 +35,8 @@ enum Origin {
     BuiltIn,
     /// A folder of `tests/scenes`.
     Folder,
+    /// A file of `xtask/peers`.
+    Peers,
 }
 
 /// Width and height of the images of built-in scenes, as `capwalk demo` has them;
@@ -43,11 +45,13 @@ const SIZE: [u32; 2] = [128, 96];
 
 /// All scenes. Mitsuba must be able to load them and to move the vertices of the shape;
 /// whether its derivative is right is measured.
-const SUBJECTS: [Subject; 8] = [
+const SUBJECTS: [Subject; 10] = [
     Subject::new("leaf", Origin::BuiltIn, "leaf", 'x'),
     Subject::new("ball", Origin::BuiltIn, "ball", 'x'),
     Subject::new("box-room", Origin::BuiltIn, "box", 'x'),
     Subject::new("lattice-shadow", Origin::BuiltIn, "lattice", 'y'),
+    Subject::new("sphere-shadow", Origin::Peers, "thing", 'z'),
+    Subject::new("cube-shadow", Origin::Peers, "thing", 'z'),
     Subject::new("shadow_of_a_moving_occluder", Origin::Folder, "thing", 'x'),
     Subject::new("lamp_moves", Origin::Folder, "lamp", 'y'),
     Subject::new("interreflection", Origin::Folder, "thing", 'x'),
@@ -76,6 +80,11 @@ impl Subject {
                     bail!("capwalk: {}", String::from_utf8_lossy(&output.stderr));
                 }
                 Ok(folder.join(format!("{}.xml", self.name)))
+            }
+            Origin::Peers => {
+                let file = format!("{}.xml", self.name);
+                fs::copy(root().join("xtask/peers").join(&file), folder.join(&file))?;
+                Ok(folder.join(file))
             }
             Origin::Folder => {
                 let source = root().join("tests/scenes").join(self.name);

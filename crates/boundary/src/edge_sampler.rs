@@ -311,6 +311,7 @@ impl EdgeBounds {
 
 #[cfg(test)]
 mod tests {
+    use capwalk_geometry::Edge;
     use capwalk_math::Affine;
     use capwalk_scene::primitive::{cube, icosphere, rectangle};
     use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};
@@ -359,26 +360,36 @@ mod tests {
         found
     }
 
-    /// What is listed has the silhouettes of brute force and no others, each list as often
+    /// What is listed has the edges of brute force that count and no others, each list as often
     /// as its probability says, so that over it they are counted.
     #[test]
     fn subtrees_are_brute_force() {
         let accel = accel();
         let boundaries = Boundaries::new(&accel);
-        let sampler = boundaries.edge_sampler(&accel, EdgeSelection::Silhouettes);
         // Surfaces that cross are on both sides of where they do.
         let crossings = boundaries.crossings.len();
-        let of_meshes = &boundaries.edges()[..boundaries.edges().len() - crossings];
-        assert_eq!(sampler.edges.len(), of_meshes.len());
         assert!(crossings > 0);
+        let all = boundaries.edges();
+        let of_meshes = &all[..all.len() - crossings];
+        let is_silhouette = |edge: &Edge, viewpoint| edge.is_silhouette(&accel.mesh, viewpoint);
+        meets(EdgeSelection::Silhouettes, of_meshes, is_silhouette);
+        meets(EdgeSelection::All, all, |_, _| true);
+    }
+
+    /// Compares a sampler of these edges, of which those for which `counts` holds count.
+    fn meets(selection: EdgeSelection, edges: &[Edge], counts: impl Fn(&Edge, Vec3) -> bool) {
+        let accel = accel();
+        let boundaries = Boundaries::new(&accel);
+        let sampler = boundaries.edge_sampler(&accel, selection);
+        assert_eq!(sampler.edges.len(), edges.len());
         for viewpoint in viewpoints(&accel) {
             let importance = |_: usize, bounds: &EdgeBounds| {
                 let distance = (bounds.centre - viewpoint).length().max(bounds.radius);
                 bounds.length / (distance * distance)
             };
-            let edges = of_meshes.iter().zip(0..);
+            let edges = edges.iter().zip(0..);
             let mut expected: Vec<u32> = edges
-                .filter(|(edge, _)| edge.is_silhouette(&accel.mesh, viewpoint))
+                .filter(|(edge, _)| counts(edge, viewpoint))
                 .map(|(_, number)| number)
                 .collect();
             // Each subtree that is found, how often, and its probability.
@@ -399,15 +410,15 @@ mod tests {
                 let share = f64::from(*times) / f64::from(n);
                 assert!((share - subtree.probability).abs() < 2.0 / f64::from(n));
                 let before = listed.len();
-                let silhouettes = sampler.counted(subtree, viewpoint);
-                listed.extend(silhouettes.map(|silhouette| silhouette.edge));
+                let counted = sampler.counted(subtree, viewpoint);
+                listed.extend(counted.map(|counted| counted.edge));
                 count += share * (listed.len() - before) as f64 / subtree.probability;
             }
             listed.sort_unstable();
             expected.sort_unstable();
             // Some subtrees are too improbable to be met.
             let n = expected.len();
-            println!("{n} silhouettes, {} subtrees, {hits} hits", found.len());
+            println!("{n} edges, {} subtrees, {hits} hits", found.len());
             assert!(
                 listed
                     .iter()

@@ -5,8 +5,9 @@
 use crate::common::agree::*;
 use crate::common::stages::*;
 use crate::common::*;
+use capwalk_diff::Method;
 use capwalk_math::{Affine, Rgb};
-use capwalk_scene::primitive::rectangle;
+use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
 
 /// Paths of at most this many segments.
@@ -75,6 +76,29 @@ fn box_in_a_room() {
         ..visible_case(300)
     };
     agree("box room, indirect", scene, &tangent, case);
+}
+
+/// What reflects light ends, turns edges to the floor that are no silhouettes, and cuts through
+/// something else: edges before surfaces are sampled.
+#[test]
+fn edges_of_reflectors() {
+    let mut scene = bounced_light();
+    let place = Affine::translate(v(0.25, -0.1, 1.95))
+        * Affine::rotate(v(0.3, 0.2, 1.0), 0.5)
+        * Affine::scale(v(0.25, 0.2, 0.15));
+    let (mesh, normals) = cube(place);
+    add(&mut scene, "block", mesh, normals, 0.3);
+    let expression = "block.translate.x + block.rotate.y + ceiling.translate.z + thing.translate.y";
+    let tangent = tangent(&scene, expression);
+    let case = Case {
+        method: Method::EDGES,
+        step: 1e-2,
+        gradient_spp: 200,
+        reference_spp: 2000,
+        min_pixels: 400,
+        ..Case::default()
+    };
+    agree("edges of reflectors", scene, &tangent, case);
 }
 
 /// The camera moves past things that light each other.
