@@ -220,7 +220,7 @@ impl Measure {
         let file = subject.copy_to(&folder, &self.capwalk)?;
         let size = match subject.from {
             Origin::BuiltIn => json!({ "width": SIZE[0], "height": SIZE[1] }),
-            Origin::Folder => Value::Null,
+            Origin::Folder | Origin::Peers => Value::Null,
         };
         let plan = json!({
             "name": name,

@@ -53,6 +53,9 @@ pub struct Gathers {
     pub environment: bool,
     /// The same edges and all others in front of surfaces that reflect light.
     pub indirect: bool,
+    /// Points on the `n` pieces of the edges in front of an area emitter: so many times `√n`.
+    /// Gathering is paid once for all of them.
+    pub points: u32,
 }
 
 impl Gathers {
@@ -62,6 +65,7 @@ impl Gathers {
         emitters: true,
         environment: true,
         indirect: true,
+        points: Self::POINTS,
     };
     /// Nowhere.
     pub const NONE: Self = Self {
@@ -69,6 +73,7 @@ impl Gathers {
         emitters: false,
         environment: false,
         indirect: false,
+        points: Self::POINTS,
     };
     /// Along one kind of segment each.
     pub const SEGMENTS: [Self; 4] = [
@@ -102,6 +107,14 @@ impl Gathers {
         gathered.map(|(name, _)| *name).collect()
     }
 
+    /// Points where nothing says how many are best.
+    pub const POINTS: u32 = 4;
+
+    /// True if edges are gathered along no segment.
+    pub fn is_nowhere(self) -> bool {
+        self.names().is_empty()
+    }
+
     /// True if this also gathers along a segment of the other.
     pub fn along(self, other: Self) -> bool {
         self.without(other) != self
@@ -115,6 +128,7 @@ impl Gathers {
             emitters: self.emitters && !other.emitters,
             environment: self.environment && !other.environment,
             indirect: self.indirect && !other.indirect,
+            points: self.points,
         }
     }
 }

@@ -130,12 +130,20 @@ pub fn name(value: &impl ValueEnum) -> String {
     value.map_or_else(String::new, |value| value.get_name().to_owned())
 }
 
+/// What the root of the number of pieces of edges before an emitter is multiplied by to give the
+/// number of points on them; nothing where none are gathered there.
+fn points(method: Method) -> Option<u32> {
+    let gathers = method.traits().gathers;
+    gathers.emitters.then_some(gathers.points)
+}
+
 /// How a method was chosen, for `--json`.
 pub fn choice_json(chosen: &Chosen) -> Value {
     let trial = |trial: &Trial| {
         json!({
             "method": trial.method.name(),
             "gathers": trial.method.traits().gathers.names(),
+            "points": points(trial.method),
             "max_angle": trial.max_radius.to_degrees(),
             "variance_per_sample": trial.variance,
             "effort_per_sample": trial.effort,
@@ -143,6 +151,7 @@ pub fn choice_json(chosen: &Chosen) -> Value {
     };
     json!({
         "gathers": chosen.options.method.traits().gathers.names(),
+        "points": points(chosen.options.method),
         "max_angle": chosen.options.walk.max_radius.to_degrees(),
         "trials": chosen.trials.iter().map(trial).collect::<Vec<_>>(),
     })
@@ -156,8 +165,10 @@ pub fn log(chosen: &Chosen) {
             true => String::new(),
             false => format!(" ({})", segments.join(", ")),
         };
+        let points = points(method);
+        let points = points.map_or_else(String::new, |points| format!(", {points} √n points"));
         let angle = report::number(max_radius.to_degrees());
-        format!("{}{along}, walks up to {angle}°", method.name())
+        format!("{}{along}{points}, walks up to {angle}°", method.name())
     };
     for trial in &chosen.trials {
         log::info!(

@@ -104,6 +104,9 @@ const CLEARLY: f64 = 0.9;
 /// walks have rare and large values, which hardly any pilot sees: in the built-in `ball`, with
 /// paths of four segments, a variance of 0.4 instead of 1500.
 const FAR: f64 = 1.0 / 3.0;
+/// By what the number of points on gathered edges is multiplied.
+const POINTS: [f64; 2] = [4.0, 0.25];
+
 /// The best cutoff before an emitter, as a part of the emitter's angular width (METHOD 10).
 /// Narrower fields are met by few samples: a pilot may not see them at all.
 const PART_OF_EMITTER: f64 = 0.25;
@@ -138,7 +141,8 @@ impl Pilot<'_> {
         Chosen { options, trials }
     }
 
-    /// Tries to gather edges along all segments, then without each kind of them in turn.
+    /// Tries to gather edges along all segments, then without each kind of them in turn, then
+    /// with more and fewer points.
     fn best(&self, trials: &mut Vec<Trial>) -> Option<Trial> {
         if !Wanted::by(self.tangent).geometry() {
             return None;
@@ -168,6 +172,18 @@ impl Pilot<'_> {
                 (best, gathers) = (trial, without);
             }
         }
+        if gathers.emitters {
+            // More points on the edges before emitters, or fewer.
+            for factor in POINTS {
+                let points = (f64::from(gathers.points) * factor) as u32;
+                let method = Method::Edges(Gathers { points, ..gathers });
+                let trial = self.trial(method, best.max_radius, trials);
+                if trial.beats(&best, CLEARLY) {
+                    best = trial;
+                    break;
+                }
+            }
+        }
         Some(best)
     }
 
@@ -190,9 +206,9 @@ impl Pilot<'_> {
 
     /// The better one of the cutoff that is asked for and another one, if that is narrower.
     fn with_cutoffs(&self, gathers: Gathers, other: Option<f64>, trials: &mut Vec<Trial>) -> Trial {
-        let method = match gathers {
-            Gathers::NONE => Method::Walk,
-            gathers => Method::Edges(gathers),
+        let method = match gathers.is_nowhere() {
+            true => Method::Walk,
+            false => Method::Edges(gathers),
         };
         let asked = self.trial(method, self.options.walk.max_radius, trials);
         let Some(angle) = other.filter(|&angle| angle < asked.max_radius) else {

@@ -12,19 +12,16 @@ use crate::scene_eval::SceneEval;
 /// How many random numbers [`gathered_term`] uses.
 pub const NUMBERS: u32 = 2;
 
-/// Points on the edges in front of the chosen emitter, for so many pieces: gathering them
-/// is paid once, and where there are many pieces they differ more.
-fn point_count(pieces: usize) -> u32 {
-    ((pieces as f64).sqrt() as u32).clamp(LEAST_POINTS, MOST_POINTS)
-}
-const LEAST_POINTS: u32 = 2;
-const MOST_POINTS: u32 = 32;
+/// Bounds of the root of the number of pieces, as far as it decides how many points there are:
+/// where there are many pieces they differ more.
+const ROOTS: [f64; 2] = [2.0, 32.0];
 
 /// An estimate of the boundary term of direct light from area emitters, see
-/// [`SampledEdges::term`], over all edges in front of an emitter and its own. The
-/// [`NUMBERS`] from `dimension` on choose the emitter and the points.
+/// [`SampledEdges::term`], over all edges in front of an emitter and its own, from `points` times
+/// the root of the number of their pieces. The [`NUMBERS`] from `dimension` on choose the emitter and the points.
 pub fn gathered_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
+    points: u32,
     draw: Draw,
     dimension: u32,
 ) -> Rgb<R> {
@@ -50,7 +47,8 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
         });
         edges.weigh(at, listed, &window.planes, |_| 1.0);
         // Divide by the probability of the emitter.
-        let points = point_count(edges.count());
+        let root = (edges.count() as f64).sqrt().clamp(ROOTS[0], ROOTS[1]);
+        let points = (f64::from(points) * root) as u32;
         let jump = |point: &EdgePoint| discontinuity(at.field, at.vertex, point, chosen.emitter);
         edges.term(at, jump, place, points) * R::constant(emitters.len() as f64)
     })

@@ -328,7 +328,7 @@ impl Tracer<'_> {
             if gathers.emitters {
                 // What moves across directions that stay (METHOD 8).
                 let dimension = EDGE_NUMBERS + gathered_term::NUMBERS * (depth + 1);
-                light += gathered_term(&at, draw, dimension);
+                light += gathered_term(&at, gathers.points, draw, dimension);
             }
             if gathers.environment
                 && let Some(environment) = environment

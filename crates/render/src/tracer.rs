@@ -120,6 +120,7 @@ impl<'a> Tracer<'a> {
             environment: self.plan.lights_surfaces() && self.has_environment(),
             // With no boundary seen through specular surfaces.
             indirect: self.plan.reaches(3) && self.events_behind(1) == 0,
+            points: Gathers::POINTS,
         }
     }
 
