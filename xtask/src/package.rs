@@ -54,6 +54,6 @@ pub fn run(verify: bool) -> Result<()> {
     let mut command = cargo(&arguments);
     command.arg("--target-dir").arg(&fresh);
     let outcome = start("packages", command);
-    std::fs::remove_dir_all(&fresh).with_context(|| format!("cannot remove {fresh:?}"))?;
-    outcome
+    let removed = std::fs::remove_dir_all(&fresh);
+    outcome.and(removed.with_context(|| format!("cannot remove {}", fresh.display())))
 }

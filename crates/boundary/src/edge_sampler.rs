@@ -61,7 +61,7 @@ pub struct EdgeBounds {
     pub centre: Vec3,
     /// Its radius.
     pub radius: f64,
-    /// The normals of the faces at them.
+    /// The normals of the faces at them; all directions if creases count.
     pub normals: NormalCone,
     /// The sum of their lengths, each times its [share](SampledEdge::share).
     pub length: f64,
@@ -261,6 +261,7 @@ impl EdgeSampler {
 impl EdgeBounds {
     /// Bounds of edges in a tree with leaves of so many.
     fn new(edges: &[SampledEdge], leaf: usize, sights: Option<&[Sights]>) -> Self {
+        let has_creases = edges.iter().any(|edge| edge.crease > 0.0);
         let mut all = Bin::EMPTY;
         edges.iter().for_each(|edge| all.add(&Bin::of(edge)));
         let centre = (all.low + all.high) * 0.5;
@@ -282,7 +283,11 @@ impl EdgeBounds {
             radius,
             // On a surface, so many edges in a disk are in one smaller by the square root.
             least_radius: radius * (leaf as f64 / edges.len().max(leaf) as f64).sqrt(),
-            normals: NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
+            normals: match has_creases {
+                // The plane through a viewpoint and a crease need not be between its faces.
+                true => NormalCone::ALL,
+                false => NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
+            },
             length: all.weight,
             visibility: sights.map_or(LearnedVisibility::ALL, visibility),
             height: edges.iter().map(height).fold(0.0, f64::max),
@@ -372,12 +377,12 @@ mod tests {
         let all = boundaries.edges();
         let of_meshes = &all[..all.len() - crossings];
         let is_silhouette = |edge: &Edge, viewpoint| edge.is_silhouette(&accel.mesh, viewpoint);
-        meets(EdgeSelection::Silhouettes, of_meshes, is_silhouette);
-        meets(EdgeSelection::All, all, |_, _| true);
+        samples_all(EdgeSelection::Silhouettes, of_meshes, is_silhouette);
+        samples_all(EdgeSelection::All, all, |_, _| true);
     }
 
     /// Compares a sampler of these edges, of which those for which `counts` holds count.
-    fn meets(selection: EdgeSelection, edges: &[Edge], counts: impl Fn(&Edge, Vec3) -> bool) {
+    fn samples_all(selection: EdgeSelection, edges: &[Edge], counts: impl Fn(&Edge, Vec3) -> bool) {
         let accel = accel();
         let boundaries = Boundaries::new(&accel);
         let sampler = boundaries.edge_sampler(&accel, selection);

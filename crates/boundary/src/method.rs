@@ -110,6 +110,12 @@ impl Gathers {
     /// Points where nothing says how many are best.
     pub const POINTS: u32 = 4;
 
+    /// Only along segments of the other, too.
+    #[must_use]
+    pub fn within(self, other: Self) -> Self {
+        self.without(self.without(other))
+    }
+
     /// True if edges are gathered along no segment.
     pub fn is_nowhere(self) -> bool {
         self.names().is_empty()

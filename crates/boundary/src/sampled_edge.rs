@@ -23,8 +23,8 @@ const CONCAVE: f64 = 0.02;
 /// viewpoint.
 const LEAST_SHARE: f64 = 1e-6;
 
-/// Share of all viewpoints from which a crease is seen.
-const SEEN: f64 = 0.5;
+/// Share of all viewpoints from which a crease is visible.
+const CREASE_SHARE: f64 = 0.5;
 
 /// An edge and what decides from where it is a silhouette.
 #[derive(Clone, Copy, Debug)]
@@ -123,7 +123,7 @@ pub fn divide(edges: &mut [SampledEdge], depth: u32) -> usize {
 pub struct Bin {
     pub low: Vec3,
     pub high: Vec3,
-    /// The sum of lengths of silhouettes, roughly.
+    /// The sum of lengths, each times its share.
     pub weight: f64,
 }
 
@@ -195,7 +195,7 @@ impl SampledEdge {
             let is_hidden = outward.is_some_and(|outward| (height > 0.0) == outward);
             sampled.exposure = if is_hidden { CONCAVE } else { 1.0 };
             let share = sampled.exposure * turn / PI;
-            sampled.share = share.max(SEEN * crease).max(LEAST_SHARE);
+            sampled.share = share.max(CREASE_SHARE * crease).max(LEAST_SHARE);
         }
         sampled
     }

@@ -195,7 +195,7 @@ pub enum MethodName {
     Auto,
     /// Walks on spherical caps: unbiased
     Walk,
-    /// Points on all edges in front of emitters and the camera, walks elsewhere: unbiased
+    /// Points on edges in front of light and the camera, walks where that cannot be: unbiased
     Edges,
     /// Warped-area sampling (Bangaru et al. 2020): biased
     #[cfg_attr(not(feature = "paper"), value(hide = true))]

@@ -105,7 +105,7 @@ const CLEARLY: f64 = 0.9;
 /// paths of four segments, a variance of 0.4 instead of 1500.
 const FAR: f64 = 1.0 / 3.0;
 /// By what the number of points on gathered edges is multiplied.
-const POINTS: [f64; 2] = [4.0, 0.25];
+const MORE_OR_FEWER: [f64; 2] = [4.0, 0.25];
 
 /// The best cutoff before an emitter, as a part of the emitter's angular width (METHOD 10).
 /// Narrower fields are met by few samples: a pilot may not see them at all.
@@ -174,7 +174,7 @@ impl Pilot<'_> {
         }
         if gathers.emitters {
             // More points on the edges before emitters, or fewer.
-            for factor in POINTS {
+            for factor in MORE_OR_FEWER {
                 let points = (f64::from(gathers.points) * factor) as u32;
                 let method = Method::Edges(Gathers { points, ..gathers });
                 let trial = self.trial(method, best.max_radius, trials);

@@ -53,7 +53,7 @@ impl Tracer<'_> {
     pub fn pixel<R: Real, W: SceneEval<R>>(&self, eval: &W, pixel: [u32; 2], draw: Draw) -> Rgb<R> {
         let support = self.supports.pixel(pixel);
         let camera = self.camera(eval, draw);
-        if W::MOVES && self.gathers_for_camera() && eval.moves() {
+        if W::MOVES && self.gathers.camera && eval.moves() {
             // Film points stay, also those on the border: there is no pixel-border term.
             return self.interior_of_fixed_points(eval, &camera, &support, draw)
                 + self.pixel_silhouette_term(eval, &camera, pixel, &support, draw);

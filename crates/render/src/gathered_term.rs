@@ -48,7 +48,7 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
         edges.weigh(at, listed, &window.planes, |_| 1.0);
         // Divide by the probability of the emitter.
         let root = (edges.count() as f64).sqrt().clamp(ROOTS[0], ROOTS[1]);
-        let points = (f64::from(points) * root) as u32;
+        let points = ((f64::from(points) * root) as u32).max(1);
         let jump = |point: &EdgePoint| discontinuity(at.field, at.vertex, point, chosen.emitter);
         edges.term(at, jump, place, points) * R::constant(emitters.len() as f64)
     })

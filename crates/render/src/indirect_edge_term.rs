@@ -67,12 +67,12 @@ impl Tracer<'_> {
             let hit = accel.first_hit(from.position, direction);
             (from, direction, hit)
         });
-        // Behind a nearer surface, both sides are the same.
+        // Where a nearer face hides the edge, both sides are the same.
         let nearest = point.distance * (1.0 - SHORT_OF_EDGE);
-        let is_hidden = looks
-            .iter()
-            .all(|(_, _, hit)| hit.is_some_and(|hit| hit.t < nearest));
-        if is_hidden {
+        if let [(_, _, Some(one)), (_, _, Some(other))] = &looks
+            && one.face == other.face
+            && one.t.max(other.t) < nearest
+        {
             return Rgb::zero();
         }
         let [behind, before] = looks.map(|(from, direction, hit)| {

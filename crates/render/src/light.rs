@@ -145,16 +145,24 @@ pub fn sample_lights(
     next
 }
 
+/// Largest solid angle of an emitter, steradians, of which points alone are sampled at diffuse
+/// surfaces: in a wider one cosines differ much.
+const NARROW: f64 = 1.0;
+
 /// True if directions from the material would add more time than they take noise away:
-/// where light comes from one area emitter to a surface that scatters it evenly, points on
-/// the emitter have weights that hardly differ.
+/// where light comes from one area emitter, which is not wide, to a surface that scatters it
+/// evenly, points on the emitter have weights that hardly differ.
 fn is_sampled_well(
     emitters: &[EmitterSampler],
     vertex: &Vertex<f64>,
     sampling: LightSampling,
 ) -> bool {
-    let is_one = matches!(emitters, [EmitterSampler::Area(_)]);
-    is_one && sampling.emitter_samples > 0 && vertex.bsdf.is_diffuse()
+    let [EmitterSampler::Area(triangles)] = emitters else {
+        return false;
+    };
+    sampling.emitter_samples > 0
+        && vertex.bsdf.is_diffuse()
+        && triangles.solid_angle(vertex.position) < NARROW
 }
 
 /// Weight of a sample of density `own` that the density `other` could have

@@ -19,11 +19,6 @@ use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::{EDGE_NUMBERS, Tracer};
 
 impl Tracer<'_> {
-    /// True if the method gathers edges for the camera and can do so.
-    pub(super) fn gathers_for_camera(&self) -> bool {
-        self.gathered_segments().camera && self.can_gather().camera
-    }
-
     /// A sample of this term for one pixel: a number of value zero, with a derivative.
     pub(super) fn pixel_silhouette_term<R: Real, W: SceneEval<R>>(
         &self,

@@ -149,7 +149,7 @@ impl Tracer<'_> {
             let (emitted, next) = self.emitted(eval, &vertex, depth, chain, draw);
             light += throughput * emitted;
             // What moves across directions towards other surfaces, if those stay.
-            let stays = W::MOVES && self.gathered_segments().indirect;
+            let stays = W::MOVES && self.gathers.indirect;
             if stays && plan.reaches(depth + 3) {
                 light += throughput * self.indirect_edge_term(eval, &vertex, depth, draw);
             }
@@ -307,7 +307,7 @@ impl Tracer<'_> {
             && let Some(Moving { field, .. }) = &self.moving
             && field.method.traits().is_spherical
         {
-            let gathers = self.gathered_segments();
+            let gathers = self.gathers;
             let environment = self.accel.scene.environment();
             if !gathers.emitters || (environment.is_some() && !gathers.environment) {
                 // What the field moves across the edges of emitters (METHOD 3).

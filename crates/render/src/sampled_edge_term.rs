@@ -70,8 +70,11 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
                 factor: counted.factor,
             });
             edges.weigh(at, listed, &[], &light);
-            // Edges of other subtrees may lie on them and share the discontinuity.
-            edges.push_companions(|edge| sampler.overlapping(edge, position, field));
+            // Edges of other subtrees may lie on them and share the discontinuity, if they move.
+            edges.push_companions(|edge| {
+                let others = sampler.overlapping(edge, position, field);
+                others.filter(|&other| !at.rests(&turning, other))
+            });
             // Divide by the probability of the subtree.
             let place = (place + SPREAD * f64::from(i)).fract();
             let weight = 1.0 / (subtree.probability * f64::from(count));
@@ -81,9 +84,9 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
     })
 }
 
-/// A guess of what edges contribute: the length of the visible silhouettes among them times their
-/// speed, over the square of their distance, times the largest cosine of a direction to
-/// them. Zero only if they contribute nothing.
+/// A guess of what edges contribute: the visible length of those that count times their speed,
+/// over the square of their distance, times the largest cosine of a direction to them. Zero
+/// only if they contribute nothing.
 fn importance(vertex: &Vertex<f64>, bounds: &EdgeBounds, speed: f64) -> f64 {
     let offset = bounds.centre - vertex.position;
     let distance = offset.length();

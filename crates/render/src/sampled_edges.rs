@@ -1,6 +1,6 @@
 //! Points sampled on edges around a shading point, in proportion to what they contribute
-//! to the boundary term of an emitter's light, where directions do not move, or turn with
-//! the shading normal (METHOD 8).
+//! to the boundary term, where directions do not move, or turn with the shading normal
+//! (METHOD 8).
 
 use std::borrow::Cow;
 
@@ -95,6 +95,13 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
         }
     }
 
+    /// True if an edge certainly rests, seen in directions that rest.
+    pub fn rests(&self, turning: &Turning, edge: u32) -> bool {
+        let points = self.field.boundaries.edge(edge).vertices.into_iter();
+        let mut motions = points.map(|point| self.eval.motion_of_point(point));
+        turning.is_still() && motions.all(|motion| motion == Motion::STILL)
+    }
+
     /// A sampled direction, as it moves.
     pub fn warped(&self, direction: Vec3) -> Warped<R> {
         match self.turning {
@@ -171,14 +178,12 @@ impl SampledEdges {
             true => DIFFUSE_PIECE,
             false => PIECE,
         };
-        let is_still =
-            |point: u32| turning.is_still() && eval.motion_of_point(point) == Motion::STILL;
         for ListedEdge { edge, ends, factor } in listed {
             // What rests as seen from what rests contributes nothing.
-            let points = at.field.boundaries.edge(edge).vertices;
-            if points.into_iter().all(is_still) {
+            if at.rests(&turning, edge) {
                 continue;
             }
+            let points = at.field.boundaries.edge(edge).vertices;
             let [a, b] = ends.map(|p| p - vertex.position);
             // Clip the edge; an emitter's own edges, in its planes, count as inside.
             let margin = IN_PLANE * a.length().max(b.length());

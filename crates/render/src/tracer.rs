@@ -51,6 +51,8 @@ pub struct Tracer<'a> {
     pub supports: Supports,
     /// Which paths are sampled.
     pub plan: Plan,
+    /// Along which of their segments edges are gathered.
+    pub gathers: Gathers,
     /// How directions move; not needed for the primal image.
     pub moving: Option<Moving<'a>>,
     /// The silhouettes in each pixel, where the camera's rays all start from one point.
@@ -69,6 +71,7 @@ impl<'a> Tracer<'a> {
             emitters: prepared.emitters(),
             supports: Supports::new(&scene.film),
             plan: Plan::new(scene),
+            gathers: Gathers::NONE,
             moving: None,
             silhouettes: PixelSilhouettes::default(),
             edge_motions: Default::default(),
@@ -82,14 +85,18 @@ impl<'a> Tracer<'a> {
             ..surface
         };
         let walks = Walks { camera, surface };
-        Self {
+        let tracer = Self {
             moving: Some(Moving { field, walks }),
             silhouettes: PixelSilhouettes::of(prepared.scene()),
             ..Self::primal(prepared)
+        };
+        Self {
+            gathers: field.method.traits().gathers.within(tracer.can_gather()),
+            ..tracer
         }
     }
 
-    /// The same with another plan.
+    /// The same with another plan, which reaches no farther.
     pub fn with_plan(self, plan: Plan) -> Self {
         Self { plan, ..self }
     }
@@ -104,10 +111,10 @@ impl<'a> Tracer<'a> {
 
     /// True if directions towards an emitter do not move, and edges in front of it are gathered.
     pub(crate) fn gathers(&self, emitter: EmitterId) -> bool {
-        let (gathers, scene) = (self.gathered_segments(), &self.accel.scene);
+        let scene = &self.accel.scene;
         match scene.environment() == Some(emitter) {
-            true => gathers.environment,
-            false => gathers.emitters && scene.emitter(emitter).shape().is_some(),
+            true => self.gathers.environment,
+            false => self.gathers.emitters && scene.emitter(emitter).shape().is_some(),
         }
     }
 
@@ -155,12 +162,6 @@ impl<'a> Tracer<'a> {
     fn has_area_emitters(&self) -> bool {
         let mut emitters = self.accel.scene.emitters.iter();
         emitters.any(|emitter| emitter.shape().is_some())
-    }
-
-    /// The segments along which the method gathers edges.
-    pub(crate) fn gathered_segments(&self) -> Gathers {
-        let gathers = |moving: &Moving| moving.field.method.traits().gathers;
-        self.moving.as_ref().map_or(Gathers::NONE, gathers)
     }
 
     /// True if the field has no reflected boundaries.
@@ -231,3 +232,50 @@ const NO_WALK: WalkSettings = WalkSettings {
     estimator: capwalk_walk::Estimator::Anchored,
     antithetic: false,
 };
+
+#[cfg(test)]
+mod tests {
+    use capwalk_boundary::Method;
+    use capwalk_math::{Affine, Rgb, Vec3};
+    use capwalk_scene::bsdf::Metal;
+    use capwalk_scene::primitive::rectangle;
+    use capwalk_scene::{Bsdf, BsdfId, Integrator, Material, Shape, Texture, builtin};
+
+    use super::*;
+
+    /// Edges seen in flat mirrors behind a surface are in no list: there it walks.
+    #[test]
+    fn light_by_way_of_mirrors_is_walked() {
+        for (has_mirror, max_depth) in [(false, 4), (true, 4), (true, 2)] {
+            let mut scene = builtin::scene("leaf").expect("built in");
+            scene.settings.integrator = Integrator::Path {
+                max_depth: Some(max_depth),
+                rr_depth: 5,
+                hide_emitters: false,
+            };
+            if has_mirror {
+                let colour = |id: &str, grey: f64| Texture::colour(id, Rgb::splat(grey));
+                let k = scene.add_texture(colour("k", 1.0));
+                let eta = scene.add_texture(colour("eta", 0.0));
+                let metal = Metal {
+                    eta,
+                    k,
+                    specular_reflectance: k,
+                };
+                scene.materials.push(Material {
+                    id: "metal".into(),
+                    bsdf: Bsdf::Conductor(metal),
+                });
+                let id = BsdfId(scene.materials.len() as u32 - 1);
+                let (mesh, normals) = rectangle(Affine::translate(Vec3::new(0.0, 0.0, -3.0)));
+                scene.add_shape(Shape::new("mirror", mesh, normals, id));
+            }
+            let prepared = PreparedScene::new(scene);
+            let field = Field::new(prepared.accel(), prepared.boundaries(), Method::EDGES);
+            let tracer = Tracer::moving(&prepared, field, NO_WALK);
+            let expected = !has_mirror && max_depth > 2;
+            assert_eq!(tracer.gathers.indirect, expected);
+            assert_eq!(tracer.gathers.camera, !has_mirror);
+        }
+    }
+}

@@ -80,6 +80,11 @@ impl TriangleSampler {
         }
     }
 
+    /// About the solid angle under which the front of the mesh is seen, steradians.
+    pub fn solid_angle(&self, viewpoint: Vec3) -> f64 {
+        self.nodes[0].seen(viewpoint)
+    }
+
     /// A point that is seen from the front, and its density. `None` if there is none where
     /// the random numbers lead.
     pub fn sample(&self, viewpoint: Vec3, [mut u, v]: [f64; 2]) -> Option<TrianglePoint> {

@@ -34,6 +34,7 @@ phenomena! {
     camera_over_a_texture
     checkerboard_under_a_moving_cube
     coarse_smooth_ball_turns
+    colours_of_a_wall_slide
     colours_of_faces
     colours_of_vertices
     depth_of_a_turning_cube
