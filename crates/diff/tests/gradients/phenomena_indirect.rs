@@ -93,9 +93,10 @@ fn edges_of_reflectors() {
     let case = Case {
         method: Method::EDGES,
         step: 1e-2,
-        gradient_spp: 200,
-        reference_spp: 2000,
+        gradient_spp: 400,
+        reference_spp: 4000,
         min_pixels: 400,
+        patience: 2.0,
         ..Case::default()
     };
     agree("edges of reflectors", scene, &tangent, case);
