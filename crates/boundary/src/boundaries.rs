@@ -142,13 +142,8 @@ impl Boundaries {
     pub fn contrast(&self, edge: u32, mesh: &Mesh, viewpoint: Vec3) -> f64 {
         match self.edge(edge).is_silhouette(mesh, viewpoint) {
             true => 1.0,
-            false => self.contrast_of_crease(edge),
+            false => f64::from(self.contrasts[edge as usize]),
         }
-    }
-
-    /// The same where the edge is no silhouette.
-    pub(crate) fn contrast_of_crease(&self, edge: u32) -> f64 {
-        f64::from(self.contrasts[edge as usize])
     }
 
     /// Where the ends of an edge are.
@@ -173,8 +168,17 @@ impl Boundaries {
 
     /// A sampler of the silhouettes of meshes, or of all edges; built by the first call.
     pub fn edge_sampler(&self, accel: &Accel, selection: EdgeSelection) -> &EdgeSampler {
-        self.edge_samplers[selection as usize]
-            .get_or_init(|| uncounted(|| EdgeSampler::new(self, accel, selection)))
+        self.edge_samplers[selection as usize].get_or_init(|| {
+            // Where faces cross, or textures end, surfaces cover both sides: these edges,
+            // which come last, are no silhouettes.
+            let of_meshes = self.edges.len() - self.crossings.len();
+            let creases = match selection {
+                EdgeSelection::Silhouettes => None,
+                EdgeSelection::All => Some(&self.contrasts[..]),
+            };
+            let (edges, positions) = (&self.edges, &self.positions);
+            uncounted(|| EdgeSampler::new(edges, of_meshes, positions, creases, accel))
+        })
     }
 
     /// The edges in a tree.

@@ -4,13 +4,11 @@
 
 use std::ops::Range;
 
-use capwalk_geometry::{EdgeSelection, NormalCone, add_effort};
+use capwalk_geometry::{Edge, EdgeSelection, NormalCone, add_effort};
 use capwalk_math::Vec3;
 
 use crate::accel::Accel;
-use crate::boundaries::Boundaries;
 use crate::coincident::visit_overlaps;
-use crate::field::Field;
 use crate::motion::Motion;
 use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
 use crate::sights::{LearnedVisibility, Sights};
@@ -93,24 +91,26 @@ pub struct Counted {
 }
 
 impl EdgeSampler {
-    /// A sampler of the edges of a scene. It depends on where surfaces are alone, not on how
-    /// the scene came about.
-    pub(crate) fn new(boundaries: &Boundaries, accel: &Accel, selection: EdgeSelection) -> Self {
-        // Where faces cross, or textures end, surfaces cover both sides: these edges, which
-        // come last, are no silhouettes.
-        let all = boundaries.edges();
-        let of_meshes = &all[..all.len() - boundaries.crossings.len()];
-        let (edges, outward) = match selection {
-            EdgeSelection::Silhouettes => (of_meshes, outward(of_meshes, accel)),
-            EdgeSelection::All => (all, outward(of_meshes, accel)),
+    /// A sampler of the edges of a scene: of the silhouettes among the first `of_meshes`, or,
+    /// given how large the discontinuity is at each where it is no silhouette, of all. It depends
+    /// on where surfaces are alone, not on how the scene came about.
+    pub(crate) fn new(
+        edges: &[Edge],
+        of_meshes: usize,
+        positions: &[Vec3],
+        creases: Option<&[f32]>,
+        accel: &Accel,
+    ) -> Self {
+        let outward = outward(&edges[..of_meshes], accel);
+        let (selection, edges) = match creases {
+            None => (EdgeSelection::Silhouettes, &edges[..of_meshes]),
+            Some(_) => (EdgeSelection::All, edges),
         };
         let sampled = edges.iter().zip(0..).map(|(edge, number)| {
+            let ends = edge.vertices.map(|i| positions[i as usize]);
             let shape = accel.shape_of_vertex(edge.vertices[0]);
-            let crease = match selection {
-                EdgeSelection::Silhouettes => 0.0,
-                EdgeSelection::All => boundaries.contrast_of_crease(number),
-            };
-            let (ends, outward) = (boundaries.ends(number), outward[shape.0 as usize]);
+            let outward = outward[shape.0 as usize];
+            let crease = creases.map_or(0.0, |creases| f64::from(creases[number as usize]));
             SampledEdge::new(number, edge, ends, &accel.mesh, outward, crease)
         });
         let sampled: Vec<SampledEdge> = sampled.collect();
@@ -129,7 +129,7 @@ impl EdgeSampler {
         if count > 0 {
             sampler.add_node(0..count, 0, sights);
         }
-        visit_overlaps(edges, boundaries.positions(), |[a, b]| {
+        visit_overlaps(edges, positions, |[a, b]| {
             let [a, b] = [a as u32, b as u32];
             sampler.overlaps.extend([[a, b], [b, a]]);
         });
@@ -239,22 +239,16 @@ impl EdgeSampler {
         })
     }
 
-    /// The edges that count as seen from a viewpoint and may lie on a part of this one.
-    pub fn overlapping<'a>(
-        &'a self,
-        edge: u32,
-        viewpoint: Vec3,
-        field: &'a Field,
-    ) -> impl Iterator<Item = u32> {
-        let counts = move |other: &u32| {
-            let other = field.boundaries.edge(*other);
-            self.selection == EdgeSelection::All
-                || other.is_silhouette(&field.accel.mesh, viewpoint)
-        };
+    /// The edges that may lie on a part of this one.
+    pub fn overlapping(&self, edge: u32) -> impl Iterator<Item = u32> {
         let first = self.overlaps.partition_point(|&[a, _]| a < edge);
         let pairs = self.overlaps[first..].iter();
-        let pairs = pairs.take_while(move |&&[a, _]| a == edge);
-        pairs.map(|&[_, b]| b).filter(counts)
+        pairs.take_while(move |&&[a, _]| a == edge).map(|&[_, b]| b)
+    }
+
+    /// Which of its edges count.
+    pub fn selection(&self) -> EdgeSelection {
+        self.selection
     }
 }
 
@@ -316,7 +310,6 @@ impl EdgeBounds {
 
 #[cfg(test)]
 mod tests {
-    use capwalk_geometry::Edge;
     use capwalk_math::Affine;
     use capwalk_scene::primitive::{cube, icosphere, rectangle};
     use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};

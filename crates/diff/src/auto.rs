@@ -152,7 +152,9 @@ impl Pilot<'_> {
             Method::FittedWalk => Gathers::NONE,
             _ => tracer.can_gather(),
         };
-        everywhere.camera &= !self.moves_gloss(&tracer);
+        if self.moves_gloss(&tracer) {
+            (everywhere.camera, everywhere.indirect) = (false, false);
+        }
         let fitting = self.emitter_width().map(|width| PART_OF_EMITTER * width);
         // Where it walks around surfaces, the cutoff that is asked for, and the fitting one.
         let mut with_cutoffs = |gathers: Gathers| {
@@ -188,8 +190,8 @@ impl Pilot<'_> {
     }
 
     /// True if something with interpolated normals moves against the camera that is glossy,
-    /// or lit by something glossy. At the creases between its faces, which pass under rays of
-    /// the camera that stay, discontinuities are then so rare and so large that no pilot sees
+    /// or lit by something glossy. At the creases between its faces, which pass under rays
+    /// that stay, discontinuities are then so rare and so large that no pilot sees
     /// them; the rays of a walk move along.
     fn moves_gloss(&self, tracer: &Tracer) -> bool {
         let scene = self.prepared.scene();

@@ -6,6 +6,7 @@
 use std::cell::RefCell;
 
 use capwalk_boundary::{Draw, EdgeBounds, EdgePoint, EdgeSampler, Motion};
+use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Rgb, Vec3};
 
 use crate::sampled_edges::{ListedEdge, SampledEdges, ShadingPoint};
@@ -51,6 +52,10 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
         let speed = motions[node].speed_against(&motion, &bounds.normals);
         importance(vertex, bounds, speed)
     };
+    let counts = |edge: u32| {
+        let edge = field.boundaries.edge(edge);
+        sampler.selection() == EdgeSelection::All || edge.is_silhouette(&field.accel.mesh, position)
+    };
     let [u, place] = draw.stream.pair(first + NUMBERS * depth);
     let count = subtree_count(depth);
     draw.count_queries(u64::from(count));
@@ -72,8 +77,8 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
             edges.weigh(at, listed, &[], &light);
             // Edges of other subtrees may lie on them and share the discontinuity, if they move.
             edges.push_companions(|edge| {
-                let others = sampler.overlapping(edge, position, field);
-                others.filter(|&other| !at.rests(&turning, other))
+                let others = sampler.overlapping(edge);
+                others.filter(|&other| counts(other) && !at.rests(&turning, other))
             });
             // Divide by the probability of the subtree.
             let place = (place + SPREAD * f64::from(i)).fract();
