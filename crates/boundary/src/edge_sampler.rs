@@ -61,7 +61,7 @@ pub struct EdgeBounds {
     pub radius: f64,
     /// The normals of the faces at them; all directions if creases count.
     pub normals: NormalCone,
-    /// The sum of their lengths, each times its [share](SampledEdge::share).
+    /// The sum of their lengths, each times its share of viewpoints.
     pub length: f64,
     /// The radius of the subtrees that are chosen below, roughly.
     pub least_radius: f64,
