@@ -290,5 +290,11 @@ pub fn likely_motion(may_move: bool) -> Motion {
 
 /// The same for a viewpoint.
 pub fn likely_motion_of_viewpoint(may_move: bool) -> Motion {
-    Motion::guessed(if may_move { STILL_EDGE } else { 0.0 })
+    // Never certainly still: a velocity can vanish of what depends on something that moves, and
+    // forward mode, sampling alike, would then take it for what does not.
+    Motion::guessed(if may_move {
+        STILL_EDGE
+    } else {
+        f64::MIN_POSITIVE
+    })
 }
