@@ -118,7 +118,9 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         let ray = camera.moving.direction(s.map(R::constant));
         let against = eval.motion_of(camera.moving.origin + ray * R::constant(distance));
         let mut motions = points.iter().map(|&point| eval.motion_of_point(point));
-        match against == Motion::STILL && motions.all(|motion| motion == Motion::STILL) {
+        // The least spread is that of what certainly does not depend on anything that moves.
+        let rests = against.velocity == Vec3::zero() && against.spread <= f64::MIN_POSITIVE;
+        match rests && motions.all(|motion| motion == Motion::STILL) {
             true => 0.0,
             false => eval.speed(points, t, against.velocity, normal) / distance,
         }
