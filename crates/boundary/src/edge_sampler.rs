@@ -13,8 +13,7 @@ use crate::motion::Motion;
 use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
 use crate::sights::{LearnedVisibility, Sights};
 
-/// The most edges in a leaf, which are listed one by one. The more of them are silhouettes, the
-/// fewer have to be listed to find one.
+/// The most edges in a leaf, which are listed one by one: more where few of them count.
 fn leaf_size(selection: EdgeSelection) -> usize {
     match selection {
         EdgeSelection::Silhouettes => 32,
@@ -108,8 +107,10 @@ impl EdgeSampler {
         };
         let sampled = edges.iter().zip(0..).map(|(edge, number)| {
             let ends = edge.vertices.map(|i| positions[i as usize]);
-            let shape = accel.shape_of_vertex(edge.vertices[0]);
-            let outward = outward[shape.0 as usize];
+            // Those beyond are of two shapes.
+            let of_mesh = (number as usize) < of_meshes;
+            let shape = of_mesh.then(|| accel.shape_of_vertex(edge.vertices[0]));
+            let outward = shape.and_then(|shape| outward[shape.0 as usize]);
             let crease = creases.map_or(0.0, |creases| f64::from(creases[number as usize]));
             SampledEdge::new(number, edge, ends, &accel.mesh, outward, crease)
         });
@@ -177,8 +178,8 @@ impl EdgeSampler {
 
     /// A subtree of few edges, chosen by the random number `u` in `[0, 1)`. On the way down
     /// nodes are chosen in proportion to their importance, given their number and bounds,
-    /// unless they certainly have no edge that counts. `None` if that leads to nothing. A tree of one
-    /// leaf is always chosen. Where an importance is not a number, the probability is none.
+    /// unless they certainly have no edge that counts. `None` if that leads to nothing. A tree of
+    /// one leaf is always chosen. Where an importance is not a number, the probability is none.
     pub fn descend(
         &self,
         viewpoint: Vec3,

@@ -118,7 +118,7 @@ impl Gathers {
 
     /// True if edges are gathered along no segment.
     pub fn is_nowhere(self) -> bool {
-        self.names().is_empty()
+        !self.along(Self::ALL)
     }
 
     /// True if this also gathers along a segment of the other.

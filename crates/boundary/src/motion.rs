@@ -16,6 +16,9 @@ impl Motion {
     /// None.
     pub const STILL: Self = Self::known(Vec3::new(0.0, 0.0, 0.0));
 
+    /// So little that it counts for nothing, of what may not be taken for resting.
+    pub const LEAST: Self = Self::guessed(f64::MIN_POSITIVE);
+
     /// One that is known.
     pub const fn known(velocity: Vec3) -> Self {
         Self {

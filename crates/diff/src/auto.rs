@@ -104,12 +104,13 @@ const CLEARLY: f64 = 0.9;
 /// walks have rare and large values, which hardly any pilot sees: in the built-in `ball`, with
 /// paths of four segments, a variance of 0.4 instead of 1500.
 const FAR: f64 = 1.0 / 3.0;
-/// By what the number of points on gathered edges is multiplied.
-const MORE_OR_FEWER: [f64; 2] = [4.0, 0.25];
+/// What is tried in the place of [`Gathers::POINTS`], in turn.
+const MORE_POINTS: [u32; 2] = [16, 64];
+const FEWER_POINTS: [u32; 1] = [1];
 
 /// The best cutoff before an emitter, as a part of the emitter's angular width (METHOD 10).
 /// Narrower fields are met by few samples: a pilot may not see them at all.
-const PART_OF_EMITTER: f64 = 0.25;
+const PART_OF_EMITTER: f64 = 0.4;
 
 /// Makes the random numbers of a pilot independent of those of the work; e.
 const PILOT_SEED: u64 = 0xadf8_5458_a2bb_4a9a;
@@ -175,13 +176,18 @@ impl Pilot<'_> {
             }
         }
         if gathers.emitters {
-            // More points on the edges before emitters, or fewer.
-            for factor in MORE_OR_FEWER {
-                let points = (f64::from(gathers.points) * factor) as u32;
-                let method = Method::Edges(Gathers { points, ..gathers });
-                let trial = self.trial(method, best.max_radius, trials);
-                if trial.beats(&best, CLEARLY) {
+            // More points on the edges before emitters, as long as that is better, or else fewer.
+            for steps in [&MORE_POINTS[..], &FEWER_POINTS] {
+                let before = best;
+                for &points in steps {
+                    let method = Method::Edges(Gathers { points, ..gathers });
+                    let trial = self.trial(method, best.max_radius, trials);
+                    if !trial.beats(&best, CLEARLY) {
+                        break;
+                    }
                     best = trial;
+                }
+                if best != before {
                     break;
                 }
             }

@@ -292,9 +292,8 @@ pub fn likely_motion(may_move: bool) -> Motion {
 pub fn likely_motion_of_viewpoint(may_move: bool) -> Motion {
     // Never certainly still: a velocity can vanish of what depends on something that moves, and
     // forward mode, sampling alike, would then take it for what does not.
-    Motion::guessed(if may_move {
-        STILL_EDGE
-    } else {
-        f64::MIN_POSITIVE
-    })
+    match may_move {
+        true => Motion::guessed(STILL_EDGE),
+        false => Motion::LEAST,
+    }
 }

@@ -27,8 +27,8 @@ pub fn add_effort(more: u64) {
     EFFORT.set(EFFORT.get().wrapping_add(more));
 }
 
-/// What work comes to that is done once, and is no effort of the sample that happens to be
-/// the first to need it.
+/// The result of work that is done once for many samples: it does not count as effort of the
+/// sample that happens to be the first to need it.
 pub fn uncounted<T>(work: impl FnOnce() -> T) -> T {
     let before = effort();
     let result = work();

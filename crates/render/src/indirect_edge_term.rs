@@ -1,4 +1,4 @@
-//! The boundary term of light that comes from other surfaces (METHOD 8 and 11): its
+//! The boundary term of light that comes from other surfaces (METHOD 8): its
 //! discontinuity at an edge is the difference of two paths that go on to either side of it.
 
 use capwalk_boundary::{Draw, EdgePoint, Field, Viewpoint};

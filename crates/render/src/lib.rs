@@ -10,6 +10,7 @@
 
 mod aov;
 mod camera;
+mod direct_edge_term;
 mod emitter_edge_term;
 mod emitter_sampler;
 mod estimate;

@@ -87,6 +87,7 @@ pub fn sample_lights(
         // Nothing else samples the direction of an emitter without extent.
         let other = match emitters[drawn.emitter.0 as usize] {
             EmitterSampler::Delta => 0.0,
+            _ if counts.bsdf_samples == 0 => 0.0,
             EmitterSampler::Area(_) | EmitterSampler::Constant | EmitterSampler::Environment(_) => {
                 of_bsdf(vertex.pdf(drawn.direction))
             }

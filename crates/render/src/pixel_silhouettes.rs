@@ -110,6 +110,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     };
     let area = support.sides[0].width() * support.sides[1].width();
     let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);
+    let camera_rests = camera.moving.is_constant();
     // How fast an edge crosses the rays through film points that stay, radians. What neither
     // moves nor is seen from a camera that may has no share of the discontinuities where it
     // lies on other edges.
@@ -118,9 +119,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         let ray = camera.moving.direction(s.map(R::constant));
         let against = eval.motion_of(camera.moving.origin + ray * R::constant(distance));
         let mut motions = points.iter().map(|&point| eval.motion_of_point(point));
-        // The least spread is that of what certainly does not depend on anything that moves.
-        let rests = against.velocity == Vec3::zero() && against.spread <= f64::MIN_POSITIVE;
-        match rests && motions.all(|motion| motion == Motion::STILL) {
+        match camera_rests && motions.all(|motion| motion == Motion::STILL) {
             true => 0.0,
             false => eval.speed(points, t, against.velocity, normal) / distance,
         }

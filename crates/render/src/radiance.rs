@@ -19,8 +19,8 @@
 //!
 //! Sampling, weights and roulette are detached: they see the primal scene.
 
-use capwalk_boundary::{Draw, EdgePoint, FlatEvents, MAX_EVENTS, Viewpoint};
-use capwalk_geometry::{EdgeSelection, Hit, Ray};
+use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
+use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::ViewRay;
@@ -28,14 +28,12 @@ use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
-use crate::gathered_term::{self, gathered_term};
 use crate::light::{Continuation, emitter_towards, sample_lights};
-use crate::sampled_edge_term::sampled_edge_term;
-use crate::sampled_edges::{ShadingPoint, discontinuity};
-use crate::scene_eval::{Primal, SceneEval, Warped};
+use crate::sampled_edges::ShadingPoint;
+use crate::scene_eval::{SceneEval, Warped};
 use crate::shading::vertex_at;
 use crate::surface::{emitted_at, surface_at};
-use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Moving, Tracer};
+use crate::tracer::{Moving, Tracer};
 use crate::vertex::Vertex;
 
 /// Largest probability that a path survives roulette.
@@ -165,10 +163,10 @@ impl Tracer<'_> {
                     let viewpoint =
                         Viewpoint::towards_surfaces(vertex.position, vertex.face_normal, events);
                     let warped = match stays {
-                        true => match self.turning(eval, &vertex, &viewpoint) {
-                            Some(normal) => Warped::turning(next.direction, normal),
-                            None => Warped::still(next.direction),
-                        },
+                        true => {
+                            let normal = self.turning(eval, &vertex, &viewpoint);
+                            Warped::turning(next.direction, normal)
+                        }
                         false => {
                             let (walk, numbers) = self.vertex_walk(depth, 1, draw);
                             eval.warp(&viewpoint, next.direction, walk, numbers)
@@ -282,10 +280,10 @@ impl Tracer<'_> {
                 // Any other direction moves along the field around this point, unless edges
                 // before the emitter are gathered.
                 let warped = match self.gathers(sample.emitter) {
-                    true => match self.turning_before(eval, vertex, &viewpoint, sample.emitter) {
-                        Some(normal) => Warped::turning(sample.direction, normal),
-                        None => Warped::still(sample.direction),
-                    },
+                    true => {
+                        let normal = self.turning_before(eval, vertex, &viewpoint, sample.emitter);
+                        Warped::turning(sample.direction, normal)
+                    }
                     false => {
                         let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
                         eval.warp(&viewpoint, sample.direction, walk, numbers)
@@ -318,6 +316,7 @@ impl Tracer<'_> {
                     self.accel, boundaries, eval, &viewpoint, &primal, u, walk, numbers, walks,
                 );
             }
+            // What moves across directions that stay, or turn (METHOD 8).
             let at = ShadingPoint {
                 field,
                 eval,
@@ -326,34 +325,14 @@ impl Tracer<'_> {
                 turning: None,
             };
             if gathers.emitters {
-                // What moves across directions that stay (METHOD 8).
-                let dimension = EDGE_NUMBERS + gathered_term::NUMBERS * (depth + 1);
-                light += gathered_term(&at, gathers.points, draw, dimension);
+                light += self.emitters_edge_term(&at, draw, depth);
             }
             if gathers.environment
                 && let Some(environment) = environment
             {
-                let silhouettes =
-                    self.sampled_edges(field.boundaries, eval, EdgeSelection::Silhouettes);
-                let at = ShadingPoint {
-                    turning: self.turning_before(eval, vertex, &viewpoint, environment),
-                    ..at
-                };
-                let radiance = |direction: Vec3| {
-                    let (accel, origin) = (self.accel, primal.position);
-                    emitted_at(&Primal(accel), accel, environment, None, origin, direction)
-                        .max_component()
-                };
-                let jump = |point: &EdgePoint| discontinuity(field, &primal, point, environment);
-                light += sampled_edge_term(
-                    &at,
-                    silhouettes,
-                    radiance,
-                    jump,
-                    draw,
-                    ENVIRONMENT_EDGE_NUMBERS,
-                    depth,
-                );
+                let turning = self.turning_before(eval, vertex, &viewpoint, environment);
+                let at = ShadingPoint { turning, ..at };
+                light += self.environment_edge_term(&at, environment, draw, depth);
             }
         }
         (light, next)

@@ -101,14 +101,6 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
         let mut motions = points.map(|point| self.eval.motion_of_point(point));
         turning.is_still() && motions.all(|motion| motion == Motion::STILL)
     }
-
-    /// A sampled direction, as it moves.
-    pub fn warped(&self, direction: Vec3) -> Warped<R> {
-        match self.turning {
-            Some(normal) => Warped::turning(direction, normal),
-            None => Warped::still(direction),
-        }
-    }
 }
 
 /// An edge listed for sampling.
@@ -258,7 +250,7 @@ impl SampledEdges {
                 continue;
             };
             // Evaluate (u_edge - u)·n over the density.
-            let warped = at.warped(point.direction).direction;
+            let warped = Warped::turning(point.direction, at.turning).direction;
             let ends = point.ends().map(|i| at.eval.boundary_point(i));
             let flow = point.flow(ends, at.viewpoint.position, warped);
             // Trace rays only where something moves. A shading point on the edge itself

@@ -124,6 +124,13 @@ impl<R: Real> View<R> {
         }
     }
 
+    /// True if it certainly has no derivative.
+    pub fn is_constant(&self) -> bool {
+        let vectors = [self.origin, self.axes[0], self.axes[1], self.axes[2]];
+        let numbers = [self.focal, self.centre[0], self.centre[1]];
+        vectors.iter().all(|v| v.is_constant()) && numbers.iter().all(|x| x.is_constant())
+    }
+
     /// True if all rays have the same direction.
     pub fn is_parallel(&self) -> bool {
         self.is_parallel

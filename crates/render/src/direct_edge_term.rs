@@ -1,0 +1,76 @@
+//! The boundary terms of light that comes from emitters (METHOD 8): sampled directions do not
+//! move, or turn with the normal, and points are sampled on the edges before an emitter instead.
+
+use capwalk_boundary::{Draw, EdgePoint};
+use capwalk_geometry::EdgeSelection;
+use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_scene::EmitterId;
+
+use crate::gathered_term::gathered_term;
+use crate::sampled_edge_term::sampled_edge_term;
+use crate::sampled_edges::{ShadingPoint, discontinuity};
+use crate::scene_eval::{Primal, SceneEval};
+use crate::surface::emitted_at;
+use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Tracer};
+
+/// How many random numbers the edges before area emitters use at each vertex: to choose an
+/// emitter, and points.
+const NUMBERS: u32 = 2;
+
+impl Tracer<'_> {
+    /// An estimate of the boundary term of light from area emitters at the vertex of a path of
+    /// number `depth`.
+    pub(crate) fn emitters_edge_term<R: Real, W: SceneEval<R>>(
+        &self,
+        at: &ShadingPoint<R, W>,
+        draw: Draw,
+        depth: u32,
+    ) -> Rgb<R> {
+        let (field, vertex) = (at.field, at.vertex);
+        let emitters = &field.boundaries.area_emitters;
+        if emitters.is_empty() || at.eval.is_still(at.viewpoint) {
+            return Rgb::zero();
+        }
+        // Choose one emitter uniformly.
+        let dimension = EDGE_NUMBERS + NUMBERS * (depth + 1);
+        let choice = draw.stream.number(dimension) * emitters.len() as f64;
+        let chosen = &emitters[(choice as usize).min(emitters.len() - 1)];
+        let Some(window) = chosen.window(vertex.position) else {
+            return Rgb::zero();
+        };
+        // Sample points on edges in its window.
+        let jump = |point: &EdgePoint| discontinuity(field, vertex, point, chosen.emitter);
+        draw.count_queries(1);
+        let place = draw.stream.number(dimension + 1);
+        let term = gathered_term(at, &window, self.gathers.points, jump, place);
+        // Divide by the probability of the emitter.
+        term * R::constant(emitters.len() as f64)
+    }
+
+    /// The same of light from the environment.
+    pub(crate) fn environment_edge_term<R: Real, W: SceneEval<R>>(
+        &self,
+        at: &ShadingPoint<R, W>,
+        environment: EmitterId,
+        draw: Draw,
+        depth: u32,
+    ) -> Rgb<R> {
+        let (accel, field, vertex) = (self.accel, at.field, at.vertex);
+        let edges = self.sampled_edges(field.boundaries, at.eval, EdgeSelection::Silhouettes);
+        let radiance = |direction: Vec3| {
+            let origin = vertex.position;
+            let light = emitted_at(&Primal(accel), accel, environment, None, origin, direction);
+            light.max_component()
+        };
+        let jump = |point: &EdgePoint| discontinuity(field, vertex, point, environment);
+        sampled_edge_term(
+            at,
+            edges,
+            radiance,
+            jump,
+            draw,
+            ENVIRONMENT_EDGE_NUMBERS,
+            depth,
+        )
+    }
+}
