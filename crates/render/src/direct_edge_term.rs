@@ -6,6 +6,7 @@ use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
 
+use crate::emitter_choice::EmitterChoice;
 use crate::gathered_term::gathered_term;
 use crate::sampled_edge_term::sampled_edge_term;
 use crate::sampled_edges::{ShadingPoint, discontinuity};
@@ -31,10 +32,15 @@ impl Tracer<'_> {
         if emitters.is_empty() || at.eval.is_still(at.viewpoint) {
             return Rgb::zero();
         }
-        // Choose one emitter uniformly.
+        // Choose one of them.
         let dimension = EDGE_NUMBERS + NUMBERS * (depth + 1);
-        let choice = draw.stream.number(dimension) * emitters.len() as f64;
-        let chosen = &emitters[(choice as usize).min(emitters.len() - 1)];
+        let choice = EmitterChoice::new(self.accel, self.emitters, vertex, emitters.len(), |i| {
+            emitters[i].emitter
+        });
+        let Some((chosen, probability)) = choice.choose(draw.stream.number(dimension)) else {
+            return Rgb::zero();
+        };
+        let chosen = &emitters[chosen];
         let Some(window) = chosen.window(vertex.position) else {
             return Rgb::zero();
         };
@@ -44,7 +50,7 @@ impl Tracer<'_> {
         let place = draw.stream.number(dimension + 1);
         let term = gathered_term(at, &window, self.gathers.points, jump, place);
         // Divide by the probability of the emitter.
-        term * R::constant(emitters.len() as f64)
+        term * R::constant(1.0 / probability)
     }
 
     /// The same of light from the environment.

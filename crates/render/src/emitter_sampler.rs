@@ -1,13 +1,26 @@
-//! How directions towards each emitter of a scene are sampled.
+//! How each emitter of a scene is sampled.
 
+use std::f64::consts::PI;
+
+use capwalk_boundary::Accel;
 use capwalk_scene::emitter::EnvironmentTable;
-use capwalk_scene::{Emitter, Scene};
+use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
 
 use crate::triangle_sampler::TriangleSampler;
+use crate::vertex::Vertex;
+
+/// How an emitter is sampled.
+#[derive(Clone, Debug)]
+pub struct EmitterSampler {
+    /// How directions towards it are.
+    pub directions: DirectionSampler,
+    /// The mean of the largest channel of its radiance, or of what it has instead.
+    pub brightness: f64,
+}
 
 /// How directions towards an emitter are sampled.
 #[derive(Clone, Debug)]
-pub enum EmitterSampler {
+pub enum DirectionSampler {
     /// By points on its triangles, as they are seen.
     Area(TriangleSampler),
     /// By the cosine at the surface, or uniformly: light from everywhere.
@@ -21,17 +34,52 @@ pub enum EmitterSampler {
 impl EmitterSampler {
     /// The sampler of a scene's emitter.
     pub fn new(scene: &Scene, emitter: &Emitter) -> Self {
-        match emitter {
+        let directions = match emitter {
             Emitter::Area { shape, .. } => {
-                Self::Area(TriangleSampler::new(&scene.shape(*shape).mesh))
+                DirectionSampler::Area(TriangleSampler::new(&scene.shape(*shape).mesh))
             }
-            Emitter::Constant { .. } => Self::Constant,
+            Emitter::Constant { .. } => DirectionSampler::Constant,
             Emitter::EnvironmentMap { map, data, .. } => {
-                Self::Environment(EnvironmentTable::new(map, scene.texture(*data)))
+                DirectionSampler::Environment(EnvironmentTable::new(map, scene.texture(*data)))
             }
             Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
-                Self::Delta
+                DirectionSampler::Delta
+            }
+        };
+        let scale = match emitter {
+            Emitter::EnvironmentMap { scale, .. } => scene.texture(*scale).texel(0).r,
+            _ => 1.0,
+        };
+        Self {
+            directions,
+            brightness: scale * brightness(scene, emitter.radiance()),
+        }
+    }
+
+    /// About how much light arrives at a shading point, over [`Self::brightness`], if nothing is
+    /// in between; 0 only if none can, whatever it emits. `id` is that of the emitter.
+    pub fn view(&self, accel: &Accel, id: EmitterId, vertex: &Vertex<f64>) -> f64 {
+        let position = vertex.position;
+        match &self.directions {
+            DirectionSampler::Area(triangles) => {
+                let (centre, radius) = triangles.ball();
+                triangles.solid_angle(position) * vertex.largest_cosine(centre, radius)
+            }
+            DirectionSampler::Constant | DirectionSampler::Environment(_) => PI,
+            DirectionSampler::Delta => {
+                let number = |id: TextureId| accel.scene.texture(id).data[0];
+                let light = accel.scene.emitter(id).delta_light(position, number);
+                light.map_or(0.0, |light| {
+                    light.factor * vertex.largest_cosine(position + light.direction, 0.0)
+                })
             }
         }
     }
+}
+
+/// The mean over the texels of a texture of the largest channel.
+fn brightness(scene: &Scene, texture: TextureId) -> f64 {
+    let texture = scene.texture(texture);
+    let texels = (0..texture.texels()).map(|i| texture.texel(i).max_component());
+    texels.sum::<f64>() / texture.texels() as f64
 }

@@ -11,6 +11,7 @@
 mod aov;
 mod camera;
 mod direct_edge_term;
+mod emitter_choice;
 mod emitter_edge_term;
 mod emitter_sampler;
 mod estimate;
@@ -40,7 +41,7 @@ mod tracer;
 mod triangle_sampler;
 mod vertex;
 
-pub use emitter_sampler::EmitterSampler;
+pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
 pub use image::{RenderWork, render};

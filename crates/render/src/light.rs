@@ -11,7 +11,8 @@ use capwalk_scene::EmitterId;
 use capwalk_scene::emitter::EnvironmentTable;
 use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 
-use crate::emitter_sampler::EmitterSampler;
+use crate::emitter_choice::EmitterChoice;
+use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
 use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LightSampling};
 use crate::vertex::Vertex;
 
@@ -79,20 +80,29 @@ pub fn sample_lights(
     } else {
         0
     };
+    let emitter_choice = EmitterChoice::new(accel, emitters, vertex, emitters.len(), |i| {
+        EmitterId(i as u32)
+    });
     for i in 0..on_emitters {
         let base = dimension + i * EMITTER_NUMBERS;
-        let Some((drawn, pdf)) = sample_emitter(accel, emitters, vertex, stream, base) else {
+        let (u, point) = (stream.number(base), stream.pair(base + 1));
+        let Some((chosen, probability)) = emitter_choice.choose(u) else {
+            continue;
+        };
+        let emitter = EmitterId(chosen as u32);
+        let sampler = &emitters[chosen].directions;
+        let Some((drawn, pdf)) = sample_emitter(accel, emitter, sampler, vertex, point) else {
             continue;
         };
         // Nothing else samples the direction of an emitter without extent.
-        let other = match emitters[drawn.emitter.0 as usize] {
-            EmitterSampler::Delta => 0.0,
+        let other = match sampler {
+            DirectionSampler::Delta => 0.0,
             _ if counts.bsdf_samples == 0 => 0.0,
-            EmitterSampler::Area(_) | EmitterSampler::Constant | EmitterSampler::Environment(_) => {
-                of_bsdf(vertex.pdf(drawn.direction))
-            }
+            DirectionSampler::Area(_)
+            | DirectionSampler::Constant
+            | DirectionSampler::Environment(_) => of_bsdf(vertex.pdf(drawn.direction)),
         };
-        let own = of_emitters(pdf);
+        let own = of_emitters(probability * pdf);
         if own > 0.0 {
             let weight = power_heuristic(own, other) / own;
             shade(i, LightSample { weight, ..drawn });
@@ -125,14 +135,11 @@ pub fn sample_lights(
         // Nothing else samples a specular direction.
         let other = match drawn.specular {
             Some(_) => 0.0,
-            None => of_emitters(emitter_pdf(
-                accel,
-                emitters,
-                emitter,
-                hit.as_ref(),
-                direction,
-                vertex,
-            )),
+            None => {
+                let sampler = &emitters[emitter.0 as usize].directions;
+                let pdf = emitter_pdf(accel, emitter, sampler, hit.as_ref(), direction, vertex);
+                of_emitters(emitter_choice.probability(emitter.0 as usize) * pdf)
+            }
         };
         let sample = LightSample {
             direction,
@@ -158,7 +165,10 @@ fn is_sampled_well(
     vertex: &Vertex<f64>,
     sampling: LightSampling,
 ) -> bool {
-    let [EmitterSampler::Area(triangles)] = emitters else {
+    let [emitter] = emitters else {
+        return false;
+    };
+    let DirectionSampler::Area(triangles) = &emitter.directions else {
         return false;
     };
     sampling.emitter_samples > 0
@@ -183,50 +193,41 @@ pub fn emitter_towards(accel: &Accel, hit: Option<&Hit>, direction: Vec3) -> Opt
 }
 
 /// Density per solid angle with which [`sample_emitter`] samples a direction in
-/// which `emitter` is seen.
+/// which the emitter is seen.
 fn emitter_pdf(
     accel: &Accel,
-    emitters: &[EmitterSampler],
     emitter: EmitterId,
+    sampler: &DirectionSampler,
     hit: Option<&Hit>,
     direction: Vec3,
     vertex: &Vertex<f64>,
 ) -> f64 {
-    let chosen = 1.0 / emitters.len() as f64;
-    match (&emitters[emitter.0 as usize], hit) {
-        (EmitterSampler::Area(triangles), Some(hit)) => {
+    match (sampler, hit) {
+        (DirectionSampler::Area(triangles), Some(hit)) => {
             let face = hit.face - accel.emitter_face(emitter, 0);
-            chosen * triangles.pdf(vertex.position, face, direction, hit.t)
+            triangles.pdf(vertex.position, face, direction, hit.t)
         }
-        (EmitterSampler::Environment(table), _) => chosen * map_pdf(table.as_ref(), direction),
-        (EmitterSampler::Constant, _) => {
-            chosen * environment_pdf(vertex, vertex.frame.to_local(direction))
+        (DirectionSampler::Environment(table), _) => map_pdf(table.as_ref(), direction),
+        (DirectionSampler::Constant, _) => {
+            environment_pdf(vertex, vertex.frame.to_local(direction))
         }
-        (EmitterSampler::Area(_) | EmitterSampler::Delta, _) => 0.0,
+        (DirectionSampler::Area(_) | DirectionSampler::Delta, _) => 0.0,
     }
 }
 
-/// Draws an emitter uniformly and a direction towards it: to a point of an area
-/// emitter, or to the environment; with its density, and no weight
-/// yet. `None` if it is occluded or seen from behind.
+/// Draws a direction towards an emitter: to a point of an area emitter, or to the environment;
+/// with its density, and no weight yet. `None` if it is occluded or seen from behind.
 fn sample_emitter(
     accel: &Accel,
-    emitters: &[EmitterSampler],
+    emitter: EmitterId,
+    sampler: &DirectionSampler,
     vertex: &Vertex<f64>,
-    stream: &Stream,
-    dimension: u32,
+    u: [f64; 2],
 ) -> Option<(LightSample, f64)> {
-    let count = emitters.len();
-    if count == 0 {
-        return None;
-    }
-    let index = ((stream.number(dimension) * count as f64) as usize).min(count - 1);
-    let u = stream.pair(dimension + 1);
-    let emitter = EmitterId(index as u32);
     let position = vertex.position;
     let is_free = |direction: Vec3| accel.first_hit(position, direction).is_none();
-    let (direction, hit, pdf) = match &emitters[index] {
-        EmitterSampler::Area(triangles) => {
+    let (direction, hit, pdf) = match sampler {
+        DirectionSampler::Area(triangles) => {
             let point = triangles.sample(position, u)?;
             let direction = point.direction;
             // False for NaN, which the pixel counts.
@@ -241,18 +242,18 @@ fn sample_emitter(
             };
             (direction, Some(hit), point.pdf)
         }
-        EmitterSampler::Constant => {
+        DirectionSampler::Constant => {
             let local = sample_environment(vertex, u);
             let direction = vertex.frame.to_world(local);
             let free = is_free(direction);
             free.then(|| (direction, None, environment_pdf(vertex, local)))?
         }
-        EmitterSampler::Environment(table) => {
+        DirectionSampler::Environment(table) => {
             let direction = sample_map(table.as_ref(), u);
             let free = is_free(direction);
             free.then(|| (direction, None, map_pdf(table.as_ref(), direction)))?
         }
-        EmitterSampler::Delta => {
+        DirectionSampler::Delta => {
             let light = accel
                 .scene
                 .emitter(emitter)
@@ -272,7 +273,7 @@ fn sample_emitter(
         weight: 0.0,
         specular: None,
     };
-    Some((sample, pdf / count as f64))
+    Some((sample, pdf))
 }
 
 /// Share of directions to an environment map that are drawn uniformly: black

@@ -81,8 +81,10 @@ impl PreparedScene {
             self.emitters = emitter_samplers(scene);
             return;
         }
-        let radiance = |scene: &Scene, emitter: &Emitter| {
-            std::ptr::from_ref(scene.texture(emitter.radiance()))
+        let textures = |scene: &Scene, emitter: &Emitter| {
+            let slots = emitter.slots().into_iter();
+            let textures = slots.map(|slot| std::ptr::from_ref(scene.texture(slot.texture)));
+            textures.collect::<Vec<_>>()
         };
         let shape = |scene: &Scene, emitter: &Emitter| {
             let shape = emitter.shape();
@@ -91,7 +93,7 @@ impl PreparedScene {
         let pairs = scene.emitters.iter().zip(&old.emitters);
         for (sampler, (new, before)) in self.emitters.iter_mut().zip(pairs) {
             let is_same = new == before
-                && radiance(scene, new) == radiance(&old, before)
+                && textures(scene, new) == textures(&old, before)
                 && shape(scene, new) == shape(&old, before);
             if !is_same {
                 *sampler = EmitterSampler::new(scene, new);

@@ -93,25 +93,8 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
 /// over the square of their distance, times the largest cosine of a direction to them. Zero
 /// only if they contribute nothing.
 fn importance(vertex: &Vertex<f64>, bounds: &EdgeBounds, speed: f64) -> f64 {
-    let offset = bounds.centre - vertex.position;
-    let distance = offset.length();
-    let cosine = match distance <= bounds.radius {
-        true => 1.0,
-        false => {
-            // The angle between the normal and the centre, less that of the ball around it.
-            let cos = offset.dot(vertex.frame.n) / distance;
-            let cos = if vertex.transmits { cos.abs() } else { cos };
-            let sin_ball = bounds.radius / distance;
-            let cos_ball = (1.0 - sin_ball * sin_ball).max(0.0).sqrt();
-            match cos >= cos_ball {
-                true => 1.0,
-                false => {
-                    let sin = (1.0 - cos * cos).max(0.0).sqrt();
-                    (cos * cos_ball + sin * sin_ball + ROUNDING).max(0.0)
-                }
-            }
-        }
-    };
+    let distance = (bounds.centre - vertex.position).length();
+    let cosine = vertex.largest_cosine(bounds.centre, bounds.radius);
     // The mean of 1/d² over a disk, beside the smallest one.
     let squared = |x: f64| x * x;
     let radius = squared(bounds.radius).max(f64::MIN_POSITIVE);
@@ -119,9 +102,6 @@ fn importance(vertex: &Vertex<f64>, bounds: &EdgeBounds, speed: f64) -> f64 {
     let near = (radius / beyond).ln_1p() / radius;
     bounds.visible_length(vertex.position) * speed * cosine * near
 }
-
-/// Of a cosine.
-const ROUNDING: f64 = 1e-9;
 
 thread_local! {
     static MEMORY: RefCell<SampledEdges> = RefCell::default();

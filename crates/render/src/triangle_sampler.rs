@@ -11,7 +11,7 @@ use capwalk_math::{Vec3, spherical_triangle};
 const LEAF: usize = 4;
 
 /// Triangles seen under less than this, in steradians, are sampled by area: all points of
-/// them are seen nearly alike, and a point on the triangle costs a quarter of one on the sphere.
+/// them are seen nearly alike, and that takes less time.
 const SMALL: f64 = 0.015;
 
 /// A mesh, sampled as it is seen. Indices are the mesh's own.
@@ -78,6 +78,11 @@ impl TriangleSampler {
             rank,
             nodes,
         }
+    }
+
+    /// Centre and radius of a ball around the mesh.
+    pub fn ball(&self) -> (Vec3, f64) {
+        (self.nodes[0].centre, self.nodes[0].radius)
     }
 
     /// About the solid angle under which the front of the mesh is seen, steradians.

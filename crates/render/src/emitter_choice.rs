@@ -1,0 +1,185 @@
+//! Which of some emitters a shading point samples: those that seem to light it more are chosen
+//! more often, but what hides them is not known.
+
+use capwalk_boundary::Accel;
+use capwalk_scene::EmitterId;
+
+use crate::emitter_sampler::EmitterSampler;
+use crate::vertex::Vertex;
+
+/// Share of the choices that do not depend on how bright emitters are: the brightest one may be
+/// hidden. So none is chosen less than half as often as if all were chosen alike.
+const UNIFORM: f64 = 0.5;
+
+/// More emitters are chosen alike: to add up their light at each shading point takes too long.
+const MANY: usize = 64;
+
+/// The probabilities of numbered emitters at a shading point.
+pub struct EmitterChoice<'a, F> {
+    accel: &'a Accel,
+    samplers: &'a [EmitterSampler],
+    vertex: &'a Vertex<f64>,
+    /// The emitter of a number.
+    emitter: F,
+    count: usize,
+    /// How many can light the point, and how much light they all send; `None` if they are chosen
+    /// alike.
+    lit: Option<(f64, f64)>,
+}
+
+impl<'a, F: Fn(usize) -> EmitterId> EmitterChoice<'a, F> {
+    /// A choice among `count` emitters; `emitter` gives them by their numbers, and `samplers` are
+    /// those of all emitters of the scene.
+    pub fn new(
+        accel: &'a Accel,
+        samplers: &'a [EmitterSampler],
+        vertex: &'a Vertex<f64>,
+        count: usize,
+        emitter: F,
+    ) -> Self {
+        let mut choice = Self {
+            accel,
+            samplers,
+            vertex,
+            emitter,
+            count,
+            lit: None,
+        };
+        if (2..=MANY).contains(&count) {
+            let (mut lit, mut sum) = (0.0, 0.0);
+            for i in 0..count {
+                let (can_light, irradiance) = choice.light(i);
+                lit += f64::from(can_light);
+                sum += irradiance;
+            }
+            // False for NaN, and where all are black.
+            if sum > 0.0 && sum < f64::INFINITY {
+                choice.lit = Some((lit, sum));
+            }
+        }
+        choice
+    }
+
+    /// The number of the emitter that `u` in `[0, 1)` chooses, and its probability; `None` if
+    /// there are none.
+    pub fn choose(&self, u: f64) -> Option<(usize, f64)> {
+        if self.lit.is_none() {
+            let last = self.count.checked_sub(1)?;
+            let chosen = ((u * self.count as f64) as usize).min(last);
+            return Some((chosen, self.probability(chosen)));
+        }
+        let (mut rest, mut chosen) = (u, None);
+        for i in 0..self.count {
+            let probability = self.probability(i);
+            if probability > 0.0 {
+                // The last one takes what rounding leaves over.
+                chosen = Some((i, probability));
+            }
+            if rest < probability {
+                break;
+            }
+            rest -= probability;
+        }
+        chosen
+    }
+
+    /// The probability of the emitter of a number; 0 only if it cannot light the point.
+    pub fn probability(&self, i: usize) -> f64 {
+        match self.lit {
+            None => 1.0 / self.count as f64,
+            Some((lit, sum)) => {
+                let (can_light, irradiance) = self.light(i);
+                UNIFORM * f64::from(can_light) / lit + (1.0 - UNIFORM) * irradiance / sum
+            }
+        }
+    }
+
+    /// Whether an emitter can light the point, and how much it does, if nothing is in between.
+    fn light(&self, i: usize) -> (bool, f64) {
+        let id = (self.emitter)(i);
+        let sampler = &self.samplers[id.0 as usize];
+        let view = sampler.view(self.accel, id, self.vertex);
+        (view > 0.0, view * sampler.brightness)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::{Affine, Vec3};
+    use capwalk_scene::primitive::rectangle;
+    use capwalk_scene::{Emitter, Shape, ShapeId, Texture, builtin};
+
+    use super::*;
+    use crate::prepared::PreparedScene;
+    use crate::scene_eval::Primal;
+    use crate::shading::vertex_at;
+    use crate::surface::surface_at;
+
+    /// Emitters are chosen as often as their probabilities say, brighter and nearer ones more
+    /// often, those below the horizon or seen from behind never, and hidden ones still.
+    #[test]
+    fn brighter_emitters_are_chosen_more_often() {
+        let mut scene = builtin::scene("leaf").expect("built in");
+        let bsdf = scene.shapes[0].bsdf;
+        scene.shapes.clear();
+        scene.emitters.clear();
+        let (floor, normals) = rectangle(Affine::scale(Vec3::splat(5.0)));
+        scene.add_shape(Shape::new("floor", floor, normals, bsdf));
+        // Height above the floor, radiance, and whether it looks down.
+        let lamps = [
+            (2.0, 1.0, true),
+            (2.0, 10.0, true),
+            (4.0, 10.0, true),
+            (3.0, 100.0, false),
+            (-2.0, 100.0, true),
+            (2.5, 0.0, true),
+        ];
+        for (i, (height, radiance, looks_down)) in lamps.into_iter().enumerate() {
+            let turn = if looks_down {
+                std::f64::consts::PI
+            } else {
+                0.0
+            };
+            let place = Affine::translate(Vec3::new(0.0, 0.0, height))
+                * Affine::rotate(Vec3::new(1.0, 0.0, 0.0), turn)
+                * Affine::scale(Vec3::splat(0.2));
+            let (mesh, normals) = rectangle(place);
+            let name = format!("lamp{i}");
+            let radiance =
+                scene.add_texture(Texture::colour(&name, capwalk_math::Rgb::splat(radiance)));
+            scene.add_shape(Shape::new(&name, mesh, normals, bsdf));
+            let shape = ShapeId(scene.shapes.len() as u32 - 1);
+            scene.emitters.push(Emitter::Area { shape, radiance });
+        }
+        let prepared = PreparedScene::new(scene);
+        let accel = prepared.accel();
+        let (origin, down) = (Vec3::new(1.0, 0.5, 0.5), Vec3::new(0.0, 0.0, -1.0));
+        let hit = accel.first_hit(origin, down).expect("the floor");
+        let eval = Primal(accel);
+        let surface = surface_at(&eval, accel, &hit, origin, down);
+        let vertex = vertex_at(&eval, accel, &surface, down).expect("diffuse");
+        let choice = EmitterChoice::new(accel, prepared.emitters(), &vertex, lamps.len(), |i| {
+            EmitterId(i as u32)
+        });
+        let probabilities: Vec<f64> = (0..lamps.len()).map(|i| choice.probability(i)).collect();
+        assert!((probabilities.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+        let least = UNIFORM / 4.0;
+        assert!(
+            probabilities[1] > 2.5 * probabilities[0],
+            "{probabilities:?}"
+        );
+        assert!(probabilities[1] > probabilities[2] && probabilities[2] > probabilities[0]);
+        assert_eq!(probabilities[3..], [0.0, 0.0, least]);
+        let n = 10_000;
+        let mut counts = [0.0; 6];
+        for k in 0..n {
+            let u = (f64::from(k) + 0.5) / f64::from(n);
+            let (chosen, probability) = choice.choose(u).expect("one");
+            assert_eq!(probability, probabilities[chosen]);
+            counts[chosen] += 1.0 / f64::from(n);
+        }
+        for (count, probability) in counts.iter().zip(&probabilities) {
+            assert!((count - probability).abs() < 2.0 / f64::from(n));
+        }
+    }
+}
