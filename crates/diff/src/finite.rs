@@ -4,7 +4,9 @@
 use capwalk_boundary::{Counts, Draw, Refusal};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Averages, Sample};
-use capwalk_render::{GradientImage, Part, PreparedScene, Primal, RenderOptions, Tracer, Watch};
+use capwalk_render::{
+    GradientImage, Part, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch,
+};
 use capwalk_scene::{Scene, Tangent};
 
 /// The derivative of the image along `tangent` by central differences over
@@ -27,7 +29,10 @@ pub fn finite_difference(
         })?;
     }
     let sides = sides.map(PreparedScene::new);
-    let tracers = sides.each_ref().map(Tracer::primal);
+    let plan = Plan::new(scene).for_differences();
+    let tracers = sides
+        .each_ref()
+        .map(|side| Tracer::primal(side).with_plan(plan));
     let part = Part::whole(tiles::grid(scene, options));
     let sums = tiles::average(scene, options, None, &part, watch, |pixel, stream| {
         let draw = Draw {

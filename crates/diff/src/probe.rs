@@ -38,6 +38,7 @@ const EMITTERS_ALONE: Plan = Plan {
     sampling: LightSampling {
         emitter_samples: 1,
         bsdf_samples: 0,
+        alike: true,
     },
     hide_emitters: false,
     aov: None,

@@ -28,12 +28,14 @@ pub struct EmitterChoice<'a, F> {
 }
 
 impl<'a, F: Fn(usize) -> EmitterId> EmitterChoice<'a, F> {
-    /// A choice among `count` emitters; `emitter` gives them by their numbers, and `samplers` are
-    /// those of all emitters of the scene.
+    /// A choice among `count` emitters, `alike` or by how much they seem to light the point;
+    /// `emitter` gives them by their numbers, and `samplers` are those of all emitters of the
+    /// scene.
     pub fn new(
         accel: &'a Accel,
         samplers: &'a [EmitterSampler],
         vertex: &'a Vertex<f64>,
+        alike: bool,
         count: usize,
         emitter: F,
     ) -> Self {
@@ -45,7 +47,7 @@ impl<'a, F: Fn(usize) -> EmitterId> EmitterChoice<'a, F> {
             count,
             lit: None,
         };
-        if (2..=MANY).contains(&count) {
+        if !alike && (2..=MANY).contains(&count) {
             let (mut lit, mut sum) = (0.0, 0.0);
             for i in 0..count {
                 let (can_light, irradiance) = choice.light(i);
@@ -158,9 +160,14 @@ mod tests {
         let eval = Primal(accel);
         let surface = surface_at(&eval, accel, &hit, origin, down);
         let vertex = vertex_at(&eval, accel, &surface, down).expect("diffuse");
-        let choice = EmitterChoice::new(accel, prepared.emitters(), &vertex, lamps.len(), |i| {
-            EmitterId(i as u32)
-        });
+        let choice = EmitterChoice::new(
+            accel,
+            prepared.emitters(),
+            &vertex,
+            false,
+            lamps.len(),
+            |i| EmitterId(i as u32),
+        );
         let probabilities: Vec<f64> = (0..lamps.len()).map(|i| choice.probability(i)).collect();
         assert!((probabilities.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         let least = UNIFORM / 4.0;

@@ -80,9 +80,14 @@ pub fn sample_lights(
     } else {
         0
     };
-    let emitter_choice = EmitterChoice::new(accel, emitters, vertex, emitters.len(), |i| {
-        EmitterId(i as u32)
-    });
+    let emitter_choice = EmitterChoice::new(
+        accel,
+        emitters,
+        vertex,
+        sampling.alike,
+        emitters.len(),
+        |i| EmitterId(i as u32),
+    );
     for i in 0..on_emitters {
         let base = dimension + i * EMITTER_NUMBERS;
         let (u, point) = (stream.number(base), stream.pair(base + 1));

@@ -19,6 +19,8 @@ pub struct LightSampling {
     pub emitter_samples: u32,
     /// Directions sampled from the material.
     pub bsdf_samples: u32,
+    /// True if all emitters are chosen alike, not by how much they seem to light the point.
+    pub alike: bool,
 }
 
 /// Random numbers that a point on an emitter takes.
@@ -69,6 +71,7 @@ impl Plan {
                 sampling: LightSampling {
                     emitter_samples,
                     bsdf_samples,
+                    alike: false,
                 },
                 hide_emitters,
                 aov: None,
@@ -84,6 +87,7 @@ impl Plan {
                 sampling: LightSampling {
                     emitter_samples: 1,
                     bsdf_samples: 1,
+                    alike: false,
                 },
                 hide_emitters,
                 aov: None,
@@ -95,11 +99,19 @@ impl Plan {
                 sampling: LightSampling {
                     emitter_samples: 0,
                     bsdf_samples: 0,
+                    alike: false,
                 },
                 hide_emitters: false,
                 aov: Some(aov),
             },
         }
+    }
+
+    /// The same for finite differences: to them a choice that changes with the scene is noise.
+    #[must_use]
+    pub fn for_differences(mut self) -> Self {
+        self.sampling.alike = true;
+        self
     }
 
     /// True if paths of this many segments are sampled.

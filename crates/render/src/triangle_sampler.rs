@@ -11,8 +11,8 @@ use capwalk_math::{Vec3, spherical_triangle};
 const LEAF: usize = 4;
 
 /// Triangles seen under less than this, in steradians, are sampled by area: all points of
-/// them are seen nearly alike, and that takes less time.
-const SMALL: f64 = 0.015;
+/// them are seen nearly alike, and the triangle on the sphere loses digits.
+const SMALL: f64 = 1e-6;
 
 /// A mesh, sampled as it is seen. Indices are the mesh's own.
 #[derive(Clone, Debug)]
@@ -419,16 +419,14 @@ mod tests {
         }
     }
 
-    /// Of a rectangle that is near all directions have the same density, and of others roughly:
-    /// sampled by area, a ball has a standard deviation of more than the mean.
+    /// Of a rectangle all directions have the same density, and of others roughly: sampled
+    /// by area, a ball has a standard deviation of more than the mean.
     #[test]
     fn densities_are_nearly_uniform() {
         let mut seen = 0;
-        let bounds = [[0.03, 1e-9], [0.3; 2], [0.9; 2], [0.9; 2]];
-        for ((name, mesh), bounds) in meshes().into_iter().zip(bounds) {
+        for ((name, mesh), bound) in meshes().into_iter().zip([1e-9, 0.3, 0.9, 0.9]) {
             let sampler = TriangleSampler::new(&mesh);
-            for (&viewpoint, bound) in VIEWPOINTS.iter().zip(bounds) {
-                let viewpoint = Vec3::from(viewpoint);
+            for viewpoint in VIEWPOINTS[..2].iter().map(|&p| Vec3::from(p)) {
                 let mut weights = Moments::default();
                 for i in 0..4000 {
                     let point = sampler.sample(viewpoint, numbers(i));
