@@ -2,62 +2,66 @@
 //! more often, but what hides them is not known.
 
 use capwalk_boundary::Accel;
+use capwalk_geometry::add_effort;
 use capwalk_scene::EmitterId;
 
 use crate::emitter_sampler::EmitterSampler;
 use crate::vertex::Vertex;
 
 /// Share of the choices that do not depend on how bright emitters are: the brightest one may be
-/// hidden. So none is chosen less than half as often as if all were chosen alike.
+/// hidden. So none that can light the point is chosen less than half as often as if all were
+/// chosen alike.
 const UNIFORM: f64 = 0.5;
 
 /// More emitters are chosen alike: to add up their light at each shading point takes too long.
-const MANY: usize = 64;
+const MANY: usize = 32;
 
 /// The probabilities of numbered emitters at a shading point.
-pub struct EmitterChoice<'a, F> {
-    accel: &'a Accel,
-    samplers: &'a [EmitterSampler],
-    vertex: &'a Vertex<f64>,
-    /// The emitter of a number.
-    emitter: F,
+pub struct EmitterChoice {
     count: usize,
-    /// How many can light the point, and how much light they all send; `None` if they are chosen
-    /// alike.
-    lit: Option<(f64, f64)>,
+    /// By number, unless all have the same.
+    probabilities: Option<[f64; MANY]>,
 }
 
-impl<'a, F: Fn(usize) -> EmitterId> EmitterChoice<'a, F> {
-    /// A choice among `count` emitters, `alike` or by how much they seem to light the point;
-    /// `emitter` gives them by their numbers, and `samplers` are those of all emitters of the
-    /// scene.
-    pub fn new(
-        accel: &'a Accel,
-        samplers: &'a [EmitterSampler],
-        vertex: &'a Vertex<f64>,
-        alike: bool,
-        count: usize,
-        emitter: F,
-    ) -> Self {
-        let mut choice = Self {
-            accel,
-            samplers,
-            vertex,
-            emitter,
+impl EmitterChoice {
+    /// A choice in which `count` emitters are alike.
+    pub fn alike(count: usize) -> Self {
+        Self {
             count,
-            lit: None,
-        };
-        if !alike && (2..=MANY).contains(&count) {
-            let (mut lit, mut sum) = (0.0, 0.0);
-            for i in 0..count {
-                let (can_light, irradiance) = choice.light(i);
-                lit += f64::from(can_light);
-                sum += irradiance;
-            }
-            // False for NaN, and where all are black.
-            if sum > 0.0 && sum < f64::INFINITY {
-                choice.lit = Some((lit, sum));
-            }
+            probabilities: None,
+        }
+    }
+
+    /// A choice among `count` emitters by how much they seem to light the point. `emitter` gives
+    /// them by their numbers, and `samplers` are those of all emitters of the scene.
+    pub fn by_light(
+        accel: &Accel,
+        samplers: &[EmitterSampler],
+        vertex: &Vertex<f64>,
+        count: usize,
+        emitter: impl Fn(usize) -> EmitterId,
+    ) -> Self {
+        let mut choice = Self::alike(count);
+        if !(2..=MANY).contains(&count) {
+            return choice;
+        }
+        add_effort(count as u64);
+        // How much light each sends, if nothing is in between, and which can send any.
+        let (mut light, mut can_light) = ([0.0; MANY], [0.0; MANY]);
+        for i in 0..count {
+            let id = emitter(i);
+            let sampler = &samplers[id.0 as usize];
+            let view = sampler.view(accel, id, vertex);
+            light[i] = view * sampler.brightness;
+            can_light[i] = f64::from(view > 0.0);
+        }
+        let [all, lit]: [f64; 2] = [light.iter().sum(), can_light.iter().sum()];
+        // False for NaN, and where all are black.
+        if all > 0.0 && all < f64::INFINITY {
+            let parts = std::array::from_fn(|i| {
+                UNIFORM * can_light[i] / lit + (1.0 - UNIFORM) * light[i] / all
+            });
+            choice.probabilities = Some(parts);
         }
         choice
     }
@@ -65,14 +69,13 @@ impl<'a, F: Fn(usize) -> EmitterId> EmitterChoice<'a, F> {
     /// The number of the emitter that `u` in `[0, 1)` chooses, and its probability; `None` if
     /// there are none.
     pub fn choose(&self, u: f64) -> Option<(usize, f64)> {
-        if self.lit.is_none() {
-            let last = self.count.checked_sub(1)?;
+        let last = self.count.checked_sub(1)?;
+        let Some(probabilities) = &self.probabilities else {
             let chosen = ((u * self.count as f64) as usize).min(last);
             return Some((chosen, self.probability(chosen)));
-        }
+        };
         let (mut rest, mut chosen) = (u, None);
-        for i in 0..self.count {
-            let probability = self.probability(i);
+        for (i, &probability) in probabilities[..self.count].iter().enumerate() {
             if probability > 0.0 {
                 // The last one takes what rounding leaves over.
                 chosen = Some((i, probability));
@@ -87,29 +90,18 @@ impl<'a, F: Fn(usize) -> EmitterId> EmitterChoice<'a, F> {
 
     /// The probability of the emitter of a number; 0 only if it cannot light the point.
     pub fn probability(&self, i: usize) -> f64 {
-        match self.lit {
+        match &self.probabilities {
             None => 1.0 / self.count as f64,
-            Some((lit, sum)) => {
-                let (can_light, irradiance) = self.light(i);
-                UNIFORM * f64::from(can_light) / lit + (1.0 - UNIFORM) * irradiance / sum
-            }
+            Some(probabilities) => probabilities[i],
         }
-    }
-
-    /// Whether an emitter can light the point, and how much it does, if nothing is in between.
-    fn light(&self, i: usize) -> (bool, f64) {
-        let id = (self.emitter)(i);
-        let sampler = &self.samplers[id.0 as usize];
-        let view = sampler.view(self.accel, id, self.vertex);
-        (view > 0.0, view * sampler.brightness)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use capwalk_math::{Affine, Vec3};
+    use capwalk_math::{Affine, Rgb, Vec3};
     use capwalk_scene::primitive::rectangle;
-    use capwalk_scene::{Emitter, Shape, ShapeId, Texture, builtin};
+    use capwalk_scene::{Attribute, Emitter, Pattern, Shape, ShapeId, Texture, builtin};
 
     use super::*;
     use crate::prepared::PreparedScene;
@@ -147,9 +139,30 @@ mod tests {
                 * Affine::scale(Vec3::splat(0.2));
             let (mesh, normals) = rectangle(place);
             let name = format!("lamp{i}");
-            let radiance =
-                scene.add_texture(Texture::colour(&name, capwalk_math::Rgb::splat(radiance)));
-            scene.add_shape(Shape::new(&name, mesh, normals, bsdf));
+            let mut shape = Shape::new(&name, mesh, normals, bsdf);
+            // One lamp has its radiance at its faces, as half of it.
+            let radiance = match i {
+                1 => {
+                    let texture = |data, pattern| Texture {
+                        id: name.clone(),
+                        channels: 1,
+                        data,
+                        pattern,
+                    };
+                    let halves = vec![0.5 * radiance; 2];
+                    shape.attributes.push(Attribute {
+                        name: "face_glow".into(),
+                        texture: scene.add_texture(texture(halves, Pattern::PerFace)),
+                    });
+                    let pattern = Pattern::MeshAttribute {
+                        name: "face_glow".into(),
+                        scale: 2.0,
+                    };
+                    scene.add_texture(texture(Vec::new(), pattern))
+                }
+                _ => scene.add_texture(Texture::colour(&name, Rgb::splat(radiance))),
+            };
+            scene.add_shape(shape);
             let shape = ShapeId(scene.shapes.len() as u32 - 1);
             scene.emitters.push(Emitter::Area { shape, radiance });
         }
@@ -160,14 +173,10 @@ mod tests {
         let eval = Primal(accel);
         let surface = surface_at(&eval, accel, &hit, origin, down);
         let vertex = vertex_at(&eval, accel, &surface, down).expect("diffuse");
-        let choice = EmitterChoice::new(
-            accel,
-            prepared.emitters(),
-            &vertex,
-            false,
-            lamps.len(),
-            |i| EmitterId(i as u32),
-        );
+        let choice =
+            EmitterChoice::by_light(accel, prepared.emitters(), &vertex, lamps.len(), |i| {
+                EmitterId(i as u32)
+            });
         let probabilities: Vec<f64> = (0..lamps.len()).map(|i| choice.probability(i)).collect();
         assert!((probabilities.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         let least = UNIFORM / 4.0;

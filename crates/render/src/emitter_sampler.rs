@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use capwalk_boundary::Accel;
 use capwalk_scene::emitter::EnvironmentTable;
-use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
+use capwalk_scene::{Emitter, EmitterId, Pattern, Scene, Texture, TextureId};
 
 use crate::triangle_sampler::TriangleSampler;
 use crate::vertex::Vertex;
@@ -46,13 +46,9 @@ impl EmitterSampler {
                 DirectionSampler::Delta
             }
         };
-        let scale = match emitter {
-            Emitter::EnvironmentMap { scale, .. } => scene.texture(*scale).texel(0).r,
-            _ => 1.0,
-        };
         Self {
             directions,
-            brightness: scale * brightness(scene, emitter.radiance()),
+            brightness: brightness(scene, emitter),
         }
     }
 
@@ -77,9 +73,31 @@ impl EmitterSampler {
     }
 }
 
-/// The mean over the texels of a texture of the largest channel.
-fn brightness(scene: &Scene, texture: TextureId) -> f64 {
-    let texture = scene.texture(texture);
-    let texels = (0..texture.texels()).map(|i| texture.texel(i).max_component());
-    texels.sum::<f64>() / texture.texels() as f64
+/// [`EmitterSampler::brightness`] of an emitter.
+pub fn brightness(scene: &Scene, emitter: &Emitter) -> f64 {
+    // The scale of an environment map, and for numbers at vertices the texture that has them.
+    let factors = textures(scene, emitter).into_iter().map(|texture| {
+        let texels = (0..texture.texels()).map(|i| texture.texel(i).max_component());
+        texels.sum::<f64>() / texture.texels() as f64
+    });
+    let scale = match &scene.texture(emitter.radiance()).pattern {
+        Pattern::MeshAttribute { scale, .. } => scale.max(0.0),
+        _ => 1.0,
+    };
+    scale * factors.product::<f64>()
+}
+
+/// The textures whose numbers make its brightness.
+pub fn textures<'a>(scene: &'a Scene, emitter: &Emitter) -> Vec<&'a Texture> {
+    let numbers = |id| match emitter.shape() {
+        Some(shape) => scene.numbers_of(id, scene.shape(shape)),
+        None => id,
+    };
+    let own = numbers(emitter.radiance());
+    let scale = match emitter {
+        Emitter::EnvironmentMap { scale, .. } => Some(*scale),
+        _ => None,
+    };
+    let ids = [Some(own), scale].into_iter().flatten();
+    ids.map(|id| scene.texture(id)).collect()
 }

@@ -80,14 +80,11 @@ pub fn sample_lights(
     } else {
         0
     };
-    let emitter_choice = EmitterChoice::new(
-        accel,
-        emitters,
-        vertex,
-        sampling.alike,
-        emitters.len(),
-        |i| EmitterId(i as u32),
-    );
+    let count = emitters.len();
+    let emitter_choice = match sampling.alike || on_emitters == 0 {
+        true => EmitterChoice::alike(count),
+        false => EmitterChoice::by_light(accel, emitters, vertex, count, |i| EmitterId(i as u32)),
+    };
     for i in 0..on_emitters {
         let base = dimension + i * EMITTER_NUMBERS;
         let (u, point) = (stream.number(base), stream.pair(base + 1));

@@ -3,9 +3,9 @@
 use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::{Accel, Boundaries, pool, same_edges};
-use capwalk_scene::{Emitter, Scene};
+use capwalk_scene::{Emitter, Scene, Texture};
 
-use crate::emitter_sampler::EmitterSampler;
+use crate::emitter_sampler::{EmitterSampler, brightness, textures};
 
 /// A scene with its trees. It owns what it needs and can be shared between threads; the
 /// scene in it does not change but by [`PreparedScene::update`].
@@ -40,7 +40,7 @@ impl PreparedScene {
         &self.accel
     }
 
-    /// How directions towards each emitter are drawn, by its id.
+    /// How each emitter is sampled, by its id.
     pub fn emitters(&self) -> &[EmitterSampler] {
         &self.emitters
     }
@@ -81,10 +81,12 @@ impl PreparedScene {
             self.emitters = emitter_samplers(scene);
             return;
         }
-        let textures = |scene: &Scene, emitter: &Emitter| {
-            let slots = emitter.slots().into_iter();
-            let textures = slots.map(|slot| std::ptr::from_ref(scene.texture(slot.texture)));
-            textures.collect::<Vec<_>>()
+        let radiance = |scene: &Scene, emitter: &Emitter| {
+            std::ptr::from_ref(scene.texture(emitter.radiance()))
+        };
+        let brightness_from = |scene: &Scene, emitter: &Emitter| -> Vec<*const Texture> {
+            let textures = textures(scene, emitter).into_iter();
+            textures.map(std::ptr::from_ref).collect()
         };
         let shape = |scene: &Scene, emitter: &Emitter| {
             let shape = emitter.shape();
@@ -93,10 +95,12 @@ impl PreparedScene {
         let pairs = scene.emitters.iter().zip(&old.emitters);
         for (sampler, (new, before)) in self.emitters.iter_mut().zip(pairs) {
             let is_same = new == before
-                && textures(scene, new) == textures(&old, before)
+                && radiance(scene, new) == radiance(&old, before)
                 && shape(scene, new) == shape(&old, before);
             if !is_same {
                 *sampler = EmitterSampler::new(scene, new);
+            } else if brightness_from(scene, new) != brightness_from(&old, before) {
+                sampler.brightness = brightness(scene, new);
             }
         }
     }

@@ -45,7 +45,7 @@ pub struct Moving<'a> {
 pub struct Tracer<'a> {
     /// The scene.
     pub accel: &'a Accel,
-    /// How directions towards its emitters are drawn.
+    /// How its emitters are sampled.
     pub emitters: &'a [EmitterSampler],
     /// The supports of its pixels.
     pub supports: Supports,
