@@ -1,6 +1,6 @@
 //! One path tracer for the primal image and its derivatives.
 //!
-//! A pixel is an integral over paths. With the [`Primal`] scene a sample of it is
+//! A pixel is an integral over paths. With the [`Primal`](crate::Primal) scene a sample of it is
 //! its value; with one that carries derivatives, every sampled direction moves
 //! with the velocity field around the point that it starts from, and the same
 //! code gives the integrand's derivative along the moved path (Algorithm 1).
