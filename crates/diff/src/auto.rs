@@ -104,9 +104,6 @@ const CLEARLY: f64 = 0.9;
 /// walks have rare and large values, which hardly any pilot sees: in the built-in `ball`, with
 /// paths of four segments, a variance of 0.4 instead of 1500.
 const FAR: f64 = 1.0 / 3.0;
-/// What is tried in the place of [`Gathers::POINTS`], in turn.
-const MORE_POINTS: [u32; 2] = [16, 64];
-const FEWER_POINTS: [u32; 1] = [1];
 
 /// The best cutoff before an emitter, as a part of the emitter's angular width (METHOD 10).
 /// Narrower fields are met by few samples: a pilot may not see them at all.
@@ -177,20 +174,15 @@ impl Pilot<'_> {
         }
         if gathers.emitters {
             // More points on the edges before emitters, as long as that is better, or else fewer.
-            for steps in [&MORE_POINTS[..], &FEWER_POINTS] {
-                let before = best;
-                for &points in steps {
-                    let method = Method::Edges(Gathers { points, ..gathers });
-                    let trial = self.trial(method, best.max_radius, trials);
-                    if !trial.beats(&best, CLEARLY) {
-                        break;
-                    }
-                    best = trial;
-                }
-                if best != before {
-                    break;
-                }
-            }
+            let mut with = |points: u32, than: &Trial| {
+                let method = Method::Edges(Gathers { points, ..gathers });
+                let trial = self.trial(method, than.max_radius, trials);
+                trial.beats(than, CLEARLY).then_some(trial)
+            };
+            best = match with(16, &best) {
+                Some(more) => with(64, &more).unwrap_or(more),
+                None => with(1, &best).unwrap_or(best),
+            };
         }
         Some(best)
     }
