@@ -18,8 +18,10 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::Affine;
+use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, icosphere};
 use capwalk_scene::*;
+use common::materials::make;
 use common::stages::*;
 use common::*;
 
@@ -103,7 +105,26 @@ fn sky_scenes() -> Vec<(&'static str, Scene, &'static str)> {
         scene.sensor = empty(v(1.5, -1.5, 3.0), v(0.75, -0.75, 0.0), 12.0, SIZE).sensor;
         scene
     };
+    // The camera sees the mirrored ball.
+    let mirrored = |alpha: f64| {
+        let mut scene = under_sky(bumpy.clone(), false);
+        make(&mut scene, "floor", |n| {
+            Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Ggx, alpha))
+        });
+        scene.sensor = empty(v(0.0, -3.0, 1.2), v(0.0, -0.95, 0.0), 18.0, SIZE).sensor;
+        scene
+    };
     vec![
+        (
+            "bumpy ball of 76,880 faces in a floor of roughness 0.05 under the sky",
+            mirrored(0.05),
+            "ball.translate.x",
+        ),
+        (
+            "bumpy ball of 76,880 faces in a floor of roughness 0.2 under the sky",
+            mirrored(0.2),
+            "ball.translate.x",
+        ),
         (
             "floor beside a smooth ball of 76,880 faces under the sky",
             beside(&smooth),

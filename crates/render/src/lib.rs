@@ -18,6 +18,7 @@ mod estimate;
 mod film;
 mod gathered_term;
 mod grid;
+mod highlight;
 mod image;
 mod indirect_edge_term;
 mod light;

@@ -9,6 +9,7 @@ use capwalk_boundary::{Draw, EdgeBounds, EdgePoint, EdgeSampler, Motion};
 use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Rgb, Vec3};
 
+use crate::highlight::Highlight;
 use crate::sampled_edges::{ListedEdge, SampledEdges, ShadingPoint};
 use crate::scene_eval::SceneEval;
 use crate::vertex::Vertex;
@@ -45,12 +46,13 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
     }
     let position = vertex.position;
     let turning = at.motion();
+    let highlight = Highlight::of(vertex);
     let importance = |node: usize, bounds: &EdgeBounds| {
         // Over all of the node, what turns moves as at its centre, give or take its size.
         let mut motion = turning.at(bounds.centre - position);
         motion.spread += turning.speed() * bounds.radius;
         let speed = motions[node].speed_against(&motion, &bounds.normals);
-        importance(vertex, bounds, speed)
+        importance(vertex, highlight, bounds, speed)
     };
     let counts = |edge: u32| {
         let edge = field.boundaries.edge(edge);
@@ -90,17 +92,25 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
 }
 
 /// A guess of what edges contribute: the visible length of those that count times their speed,
-/// over the square of their distance, times the largest cosine of a direction to them. Zero
+/// over the square of their distance, times the most that is scattered of light from there. Zero
 /// only if they contribute nothing.
-fn importance(vertex: &Vertex<f64>, bounds: &EdgeBounds, speed: f64) -> f64 {
+fn importance(
+    vertex: &Vertex<f64>,
+    highlight: Option<Highlight>,
+    bounds: &EdgeBounds,
+    speed: f64,
+) -> f64 {
     let distance = (bounds.centre - vertex.position).length();
     let cosine = vertex.largest_cosine(bounds.centre, bounds.radius);
+    let scattered = highlight.map_or(cosine, |highlight| {
+        highlight.largest(vertex, bounds.centre, bounds.radius, cosine)
+    });
     // The mean of 1/d² over a disk, beside the smallest one.
     let squared = |x: f64| x * x;
     let radius = squared(bounds.radius).max(f64::MIN_POSITIVE);
     let beyond = (squared(distance) - radius).max(0.0) + squared(bounds.least_radius);
     let near = (radius / beyond).ln_1p() / radius;
-    bounds.visible_length(vertex.position) * speed * cosine * near
+    bounds.visible_length(vertex.position) * speed * scattered * near
 }
 
 thread_local! {

@@ -52,6 +52,27 @@ fn receiver_and_camera_move() {
     sky_case("receiver", scene, expression, case());
 }
 
+/// A floor of rough metal, to whose highlight the edges are nearly all that matter.
+#[test]
+fn glossy_receiver() {
+    let mut scene = under_constant_light(with(tilted_cube().0));
+    make(&mut scene, "floor", |n| {
+        Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Ggx, 0.15))
+    });
+    scene.settings.integrator = Integrator::Direct {
+        emitter_samples: 1,
+        bsdf_samples: 1,
+        hide_emitters: false,
+    };
+    let expression = "thing.translate.x + 0.3*thing.rotate.y";
+    let case = Case {
+        gradient_spp: 60,
+        reference_spp: 2000,
+        ..case()
+    };
+    sky_case("glossy", scene, expression, case);
+}
+
 /// A ball with interpolated normals that turns, so that the faces' own horizons move
 /// against the sky. Differences seldom see that: all pixels are added up.
 #[test]

@@ -92,6 +92,11 @@ impl<R: Real> LocalBsdf<R> {
         self
     }
 
+    /// True if some lobe has a normal of its own.
+    pub fn is_tilted(&self) -> bool {
+        self.tilts().any(|tilt| tilt.is_some())
+    }
+
     /// The tilts of the lobes, in the order of [`LocalBsdf::lobes`].
     fn tilts(&self) -> impl Iterator<Item = Option<&Tilt<R>>> {
         self.tilts.iter().map(Option::as_deref)
