@@ -1,8 +1,8 @@
 //! A prepared scene that was changed answers like one that was made of the result, to the
 //! bit: whatever was refitted, kept or built anew.
 
-use crate::common::add;
-use crate::common::stages::{visible_ball, visible_cube, with_parallel_rays};
+use crate::common::stages::{under_a_sky, visible_ball, visible_cube, with_parallel_rays};
+use crate::common::{add, add_lamp, v};
 use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
     render,
@@ -10,7 +10,9 @@ use capwalk_diff::{
 use capwalk_geometry::Mesh;
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Filter, Image, Scene, ShadingNormals};
+use capwalk_scene::{
+    Attribute, Emitter, Filter, Image, Pattern, Scene, ShadingNormals, ShapeId, Texture,
+};
 
 const SAMPLING: RenderOptions = RenderOptions::new(3, 7);
 
@@ -61,7 +63,10 @@ fn agree(mut start: Scene, along: &str, steps: &[(&str, f64)]) {
         next.check().expect("a valid scene");
         prepared.update(next.clone());
         let fresh = PreparedScene::new(next);
-        assert_eq!(answers(&prepared, along), answers(&fresh, along), "{name}");
+        assert!(
+            answers(&prepared, along) == answers(&fresh, along),
+            "{name}"
+        );
     }
 }
 
@@ -81,6 +86,42 @@ fn whatever_changes() {
         ("lamp.emitter.radiance.value", 0.5),
     ];
     agree(visible_cube(), "thing.translate.y", &steps);
+}
+
+/// The brightness of several emitters, by which they are chosen: the scale of a sky, one texel of
+/// it, and numbers at the faces of a lamp.
+#[test]
+fn brightness_of_emitters() {
+    let mut scene = under_a_sky(visible_cube());
+    add_lamp(&mut scene, v(0.3, -0.2, 3.0), 0.8, 0.2, 4.0);
+    let glow = scene.add_texture(Texture {
+        id: "lamp.face_glow".into(),
+        channels: 1,
+        data: vec![2.0, 5.0],
+        pattern: Pattern::PerFace,
+    });
+    let name = "face_glow".to_string();
+    let attribute = Attribute {
+        name: name.clone(),
+        texture: glow,
+    };
+    let lamp = ShapeId(scene.shapes.len() as u32 - 1);
+    scene.shape_mut(lamp).attributes.push(attribute);
+    let radiance = scene.add_texture(Texture {
+        id: "lamp.glow".into(),
+        channels: 1,
+        data: Vec::new(),
+        pattern: Pattern::MeshAttribute { name, scale: 2.0 },
+    });
+    let shape = lamp;
+    *scene.emitters.last_mut().expect("the lamp") = Emitter::Area { shape, radiance };
+    let steps = [
+        ("sky.scale", 1.5),
+        ("lamp.face_glow[1]", 3.0),
+        ("sky.data[3,1]", 2.0),
+        ("thing.translate.x", 0.05),
+    ];
+    agree(scene, "thing.translate.y", &steps);
 }
 
 /// A fine mesh that is squeezed until its trees are worn out.
