@@ -178,8 +178,8 @@ fn lens() {
     let expression = "ball.translate.x + 0.3*sensor.translate.x + 0.2*sensor.aperture_radius";
     let case = Case {
         step: 3e-3,
-        gradient_spp: 24,
-        reference_spp: 160,
+        gradient_spp: 12,
+        reference_spp: 80,
         ..primary()
     };
     camera_case("lens", scene, expression, case);

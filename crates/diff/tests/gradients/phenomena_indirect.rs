@@ -59,7 +59,7 @@ fn unlimited_depth() {
     let tangent = tangent(&scene, "ball.translate.x");
     let case = Case {
         patience: 2.0,
-        ..visible_case(400)
+        ..visible_case(200)
     };
     agree("unlimited depth", scene, &tangent, case);
 }

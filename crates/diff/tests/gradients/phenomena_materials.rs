@@ -38,12 +38,12 @@ fn sample_of(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
 }
 
 /// Numbers of the floor's material change, nothing moves.
-fn numbers_change(name: &str, scene: Scene, expression: &str) {
+fn numbers_change(name: &str, scene: Scene, expression: &str, gradient_spp: u32) {
     let along = tangent(&scene, expression);
     let case = Case {
         step: 1e-2,
-        gradient_spp: 200,
-        reference_spp: 400,
+        gradient_spp,
+        reference_spp: 2 * gradient_spp,
         min_pixels: 900,
         ..Case::default()
     };
@@ -55,7 +55,7 @@ fn numbers_of_a_rough_metal() {
     let metal = |n: &mut Slots| Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.3));
     for name in ["eta", "k", "specular_reflectance"] {
         let expression = format!("floor.bsdf.{name}.value");
-        numbers_change(name, sample_of(metal), &expression);
+        numbers_change(name, sample_of(metal), &expression, 60);
     }
 }
 
@@ -66,7 +66,7 @@ fn numbers_of_rough_glass() {
     let expression = "floor.bsdf.int_ior.value + 0.3*floor.bsdf.alpha.value \
                       - 0.2*floor.bsdf.specular_transmittance.value";
     for expression in [expression, "floor.bsdf.ext_ior.value"] {
-        numbers_change("rough glass", sample_of(glass), expression);
+        numbers_change("rough glass", sample_of(glass), expression, 100);
     }
 }
 
@@ -74,7 +74,7 @@ fn numbers_of_rough_glass() {
 fn numbers_of_plastic() {
     let plastic = |n: &mut Slots| Bsdf::Plastic(n.coat(true));
     let expression = "floor.bsdf.int_ior.value + 0.5*floor.bsdf.diffuse_reflectance.value";
-    numbers_change("plastic", sample_of(plastic), expression);
+    numbers_change("plastic", sample_of(plastic), expression, 200);
 }
 
 #[test]
@@ -86,7 +86,7 @@ fn numbers_of_rough_plastic() {
     };
     for name in ["alpha", "int_ior"] {
         let expression = format!("floor.bsdf.{name}.value");
-        numbers_change("rough plastic", sample_of(rough), &expression);
+        numbers_change("rough plastic", sample_of(rough), &expression, 60);
     }
 }
 
@@ -97,7 +97,7 @@ fn numbers_of_principled() {
         "floor.bsdf.roughness.value + 0.5*floor.bsdf.base_color.value",
         "floor.bsdf.metallic.value - 0.3*floor.bsdf.spec_trans.value + 0.2*floor.bsdf.eta.value",
     ] {
-        numbers_change("principled", sample_of(principled), expression);
+        numbers_change("principled", sample_of(principled), expression, 100);
     }
     // Where a number decides what is drawn, differences are noisy. It depends on
     // these almost linearly, so that steps can be long.
@@ -189,8 +189,8 @@ fn texels_at_the_ends(name: &str, mut scene: Scene, ends: [f64; 2]) {
     let case = Case {
         step: 0.125, // sums of it are exact, and stay inside
         one_sided: true,
-        gradient_spp: 100,
-        reference_spp: 300,
+        gradient_spp: 50,
+        reference_spp: 150,
         min_pixels: 900,
         ..Case::default()
     };
