@@ -111,7 +111,7 @@ fn sky_scenes() -> Vec<(&'static str, Scene, &'static str)> {
         make(&mut scene, "floor", |n| {
             Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Ggx, alpha))
         });
-        scene.sensor = empty(v(0.0, -3.0, 1.2), v(0.0, -0.95, 0.0), 18.0, SIZE).sensor;
+        scene.sensor = empty(v(0.0, -3.0, 1.2), v(0.0, -1.15, 0.0), 18.0, SIZE).sensor;
         scene
     };
     vec![

@@ -35,8 +35,9 @@ pub fn by(options: GradientOptions, spp: u32, scene: &Scene, tangent: &Tangent) 
     result.gradient
 }
 
-/// Demands that the derivative with these options meets the differences in a file. An eighth of
-/// the scene's samples often tells: they are as many as walks need.
+/// Demands that the derivative with these options meets the differences in a file. The scene has
+/// the samples that walks need; often an eighth of them tells. A factor that is wrong by 10 % comes
+/// out as right three times as often as with one look, in 7 % of cases at most.
 pub fn meets(name: &str, options: GradientOptions, scene: &Scene, tangent: &Tangent, check: &Path) {
     let differences = image::read(check).expect("readable");
     let layer = |name: &str| differences.layer(name).expect("written").clone();
@@ -45,7 +46,7 @@ pub fn meets(name: &str, options: GradientOptions, scene: &Scene, tangent: &Tang
         standard_error: layer("reference_stderr"),
     };
     let spp = scene.settings.spp;
-    for spp in [spp.div_ceil(8), spp / 2, spp] {
+    for spp in [(spp / 8).max(16), spp / 2, spp] {
         let result = compare(&by(options, spp, scene, tangent), &differences);
         println!("{name}, {spp} samples: {result}");
         assert!(

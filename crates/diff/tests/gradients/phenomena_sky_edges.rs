@@ -52,12 +52,12 @@ fn receiver_and_camera_move() {
     sky_case("receiver", scene, expression, case());
 }
 
-/// A floor of rough metal, to whose highlight the edges are nearly all that matter.
+/// A floor of rough metal, in whose highlight some edges of many are.
 #[test]
 fn glossy_receiver() {
-    let mut scene = under_constant_light(with(tilted_cube().0));
+    let mut scene = under_constant_light(with(small_ball()));
     make(&mut scene, "floor", |n| {
-        Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Ggx, 0.15))
+        Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Ggx, 0.08))
     });
     scene.settings.integrator = Integrator::Direct {
         emitter_samples: 1,
@@ -66,8 +66,8 @@ fn glossy_receiver() {
     };
     let expression = "thing.translate.x + 0.3*thing.rotate.y";
     let case = Case {
-        gradient_spp: 60,
-        reference_spp: 2000,
+        gradient_spp: 300,
+        reference_spp: 4000,
         ..case()
     };
     sky_case("glossy", scene, expression, case);

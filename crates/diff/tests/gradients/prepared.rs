@@ -105,15 +105,14 @@ fn brightness_of_emitters() {
         name: name.clone(),
         texture: glow,
     };
-    let lamp = ShapeId(scene.shapes.len() as u32 - 1);
-    scene.shape_mut(lamp).attributes.push(attribute);
+    let shape = ShapeId(scene.shapes.len() as u32 - 1);
+    scene.shape_mut(shape).attributes.push(attribute);
     let radiance = scene.add_texture(Texture {
         id: "lamp.glow".into(),
         channels: 1,
         data: Vec::new(),
         pattern: Pattern::MeshAttribute { name, scale: 2.0 },
     });
-    let shape = lamp;
     *scene.emitters.last_mut().expect("the lamp") = Emitter::Area { shape, radiance };
     let steps = [
         ("sky.scale", 1.5),
