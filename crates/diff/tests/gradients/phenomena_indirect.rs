@@ -98,6 +98,36 @@ fn edges_of_reflectors() {
     agree("edges of reflectors", scene, &tangent, case);
 }
 
+/// A box that hangs from a ceiling of two tiles moves, and an edge of it lies on their joint,
+/// which rests: all of the discontinuity there is the box's.
+#[test]
+fn box_on_a_joint() {
+    let mut scene = bounced_light();
+    let tile = |x: f64| {
+        let place = Affine::translate(v(x, 0.0, 2.0))
+            * Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::PI)
+            * Affine::scale(v(0.3, 0.6, 1.0));
+        rectangle(place).0
+    };
+    for shape in scene.shapes_mut().filter(|shape| shape.id == "ceiling") {
+        shape.mesh = tile(-0.3);
+    }
+    add(&mut scene, "tile", tile(0.3), ShadingNormals::Face, 0.8);
+    let place = Affine::translate(v(-0.15, 0.0, 1.85)) * Affine::scale(v(0.15, 0.4, 0.15));
+    let (mesh, normals) = cube(place);
+    add(&mut scene, "box", mesh, normals, 0.1);
+    let tangent = tangent(&scene, "box.translate.x");
+    let case = Case {
+        method: Method::EDGES,
+        step: 1e-2,
+        gradient_spp: 200,
+        reference_spp: 2000,
+        min_pixels: 400,
+        ..Case::default()
+    };
+    agree("box on a joint", scene, &tangent, case);
+}
+
 /// The camera moves past things that light each other.
 #[test]
 fn moving_camera() {
