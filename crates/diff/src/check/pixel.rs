@@ -47,8 +47,11 @@ impl Pixel {
 /// whole image only keep weights finite where all of them are without noise.
 const NEIGHBOURHOODS: [(usize, f64); 3] = [(2, 0.9), (8, 0.09), (usize::MAX, 0.01)];
 
-/// A pixel whose standard error is below this fraction of its value counts as
-/// free of noise: the reference's own bias, of order `step²`, is larger.
+/// A pixel whose standard error, and that around it, are below this fraction of its value
+/// counts as free of noise: the reference's own bias, of order `step²`, is larger.
+///
+/// Its own error alone does not tell: beside a gradient without noise, the pixels in which the
+/// reference met no event would be left out and the others kept, in which it is too large.
 const NOISE_FREE: f64 = 1e-3;
 
 /// A pixel that claims to have no noise.
@@ -101,27 +104,30 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
             pixels.left_out += 1;
             continue;
         }
+        let around = |c: usize| {
+            [
+                gradient_around.variance(x, y, c),
+                reference_around.variance(x, y, c),
+            ]
+        };
+        let error_around = |c: usize| around(c).iter().sum::<f64>().sqrt();
         let noisy = |c: &usize| {
-            let error = channel(g_error, *c).hypot(channel(r_error, *c));
-            error > NOISE_FREE * channel(g, *c).abs().max(channel(r, *c).abs())
+            let size = channel(g, *c).abs().max(channel(r, *c).abs());
+            let own = channel(g_error, *c).hypot(channel(r_error, *c));
+            // A pixel of zeros adds nothing to any sum.
+            let is_zero = size == 0.0 && own == 0.0;
+            !is_zero && own.max(error_around(*c)) > NOISE_FREE * size
         };
         let Some(c) = (0..3).map(|c| (x + y + c) % 3).find(noisy) else {
-            let around = [0, 1, 2].map(|c| {
-                let gradient = gradient_around.variance(x, y, c);
-                (gradient + reference_around.variance(x, y, c)).sqrt()
-            });
             pixels.noise_free.push(NoiseFree {
                 index,
                 gradient: g,
                 reference: r,
-                error_around: around.into(),
+                error_around: [0, 1, 2].map(error_around).into(),
             });
             continue;
         };
-        let around = [
-            gradient_around.variance(x, y, c),
-            reference_around.variance(x, y, c),
-        ];
+        let around = around(c);
         let own = [channel(g_error, c).powi(2), channel(r_error, c).powi(2)];
         let mut pixel = Pixel {
             index,
@@ -135,7 +141,9 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
         if pixel.local_variance == 0.0 {
             pixel.local_variance = pixel.variance(); // the only noisy pixel
         }
-        pixel.z = pixel.difference() / guarded_variance(own, around).sqrt();
+        // The reference's bias is not held against a pixel with hardly any noise.
+        let bias = NOISE_FREE * pixel.gradient.abs().max(pixel.reference.abs());
+        pixel.z = pixel.difference() / guarded_variance(own, around).sqrt().max(bias);
         pixels.noisy.push(pixel);
     }
     pixels

@@ -218,6 +218,32 @@ fn rare_events_raise_no_false_alarm() {
     }
 }
 
+/// A gradient without noise beside differences that see rare events: most of their pixels
+/// have none. Left out where they have none, they would be too large.
+#[test]
+fn rare_events_beside_no_noise_raise_no_false_alarm() {
+    for events in [0.3, 3.0] {
+        let mut factors = capwalk_math::Moments::default();
+        let counts = count(100, |noise| {
+            let gradient = estimate_of(|x, y| (truth(x, y), 1e-6 * truth(x, y).abs()));
+            let reference = estimate_of(|x, y| {
+                // The mean and its error, as 100 samples tell.
+                let met = noise.poisson(events);
+                let per_event = truth(x, y) / events;
+                let spread = met * (1.0 - met / 100.0) * 100.0 / 99.0;
+                (met * per_event, spread.max(0.0).sqrt() * per_event.abs())
+            });
+            let c = compare(&gradient, &reference);
+            factors.add((c.scale_factor - 1.0) / c.scale_factor_error);
+            c
+        });
+        assert_eq!(counts[1], 0, "{events} events: {counts:?}");
+        let off = factors.mean.abs();
+        assert!(off < 4.0 * factors.standard_error(), "{factors:?}");
+        assert!((0.6..1.5).contains(&factors.variance()), "{factors:?}");
+    }
+}
+
 /// The promised number of samples is enough nine times out of ten, and not
 /// many times too large.
 #[test]
