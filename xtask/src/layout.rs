@@ -118,7 +118,10 @@ fn members() -> Result<Vec<Member>> {
     for package in packages()? {
         for target in list(&package["targets"]) {
             let kinds = list(&target["kind"]);
-            if !kinds.iter().any(|kind| kind == "lib" || kind == "bin") {
+            if !kinds
+                .iter()
+                .any(|kind| kind == "lib" || kind == "cdylib" || kind == "bin")
+            {
                 continue;
             }
             let path = |value: &Value| value.as_str().map(PathBuf::from);

@@ -2,7 +2,7 @@
 //!
 //! | task | does |
 //! |---|---|
-//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests |
+//! | `test` | everything a change must pass: layout, format, lints, packages, documentation, all tests, Python's too |
 //! | `layout` | finds circles of files, and names that mean two things |
 //! | `package` | builds every crate from its package alone |
 //! | `bench` | the benchmarks |
@@ -18,9 +18,11 @@ mod mitsuba;
 mod package;
 mod parity;
 mod peers;
+mod python;
 mod shell;
 mod soak;
 mod test;
+mod virtual_environment;
 
 use std::process::ExitCode;
 
@@ -32,7 +34,9 @@ const HELP: &str = "\
 usage: cargo xtask <task>
 
 tasks:
-  test     layout, format, lints, packages, documentation, and all tests
+  test     layout, format, lints, packages, documentation, and all tests;
+           Python's need python3 and PyPI, and are left out where these are not
+           there
   layout   files that import each other in a circle, and names that mean two
            things (further arguments: crates, as `geometry`)
   package  pack every crate that may be published, and build it from its package

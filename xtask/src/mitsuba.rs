@@ -3,11 +3,11 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 use anyhow::Result;
 
-use crate::shell::{root, step};
+use crate::shell::root;
+use crate::virtual_environment;
 
 /// The release compared with.
 pub const MITSUBA: &str = "mitsuba==3.9.1";
@@ -15,21 +15,7 @@ pub const MITSUBA: &str = "mitsuba==3.9.1";
 /// The Python of a virtual environment with Mitsuba, made if there is none.
 pub fn environment() -> Result<PathBuf> {
     let folder = root().join("target/parity/venv");
-    let python = folder.join("bin/python");
-    let has_mitsuba = python.exists()
-        && Command::new(&python)
-            .args(["-c", "import mitsuba, numpy"])
-            .status()?
-            .success();
-    if !has_mitsuba {
-        let mut create = Command::new("python3");
-        create.args(["-m", "venv"]).arg(&folder);
-        step("virtual environment", create)?;
-        let mut install = Command::new(&python);
-        install.args(["-m", "pip", "install", "--quiet", MITSUBA, "numpy"]);
-        step("install Mitsuba", install)?;
-    }
-    Ok(python)
+    virtual_environment::environment(&folder, "mitsuba, numpy", &[MITSUBA, "numpy"])
 }
 
 /// The variable by which Mitsuba is told where LLVM is.

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use anyhow::Result;
 
 use crate::shell::{EVERYTHING, cargo, start};
-use crate::{layout, package};
+use crate::{layout, package, python};
 
 /// Runs the quick steps first, stops at the first that fails, and ends with
 /// the time that each took.
@@ -29,13 +29,14 @@ pub fn run() -> Result<()> {
 
 type Step = fn() -> Result<()>;
 
-const STEPS: [(&str, Step); 6] = [
+const STEPS: [(&str, Step); 7] = [
     ("layout", || layout::run(&[])),
     ("format", format),
     ("lints", lints),
     ("packages", || package::run(false)),
     ("documentation", documentation),
     ("tests", tests),
+    ("python", python::test),
 ];
 
 fn format() -> Result<()> {

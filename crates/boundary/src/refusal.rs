@@ -151,62 +151,91 @@ pub enum SpecularCause {
     Method,
 }
 
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Refusal {
+    /// What was found where, and what is not differentiated; without a full stop.
+    pub fn reason(&self) -> String {
+        self.sentences().0
+    }
+
+    /// What to do instead, without a full stop; `None` where the reason says what was expected.
+    pub fn instead(&self) -> Option<String> {
+        self.sentences().1
+    }
+
+    /// [`Refusal::reason`] and [`Refusal::instead`].
+    fn sentences(&self) -> (String, Option<String>) {
+        let instead = |text: &str| Some(text.into());
         match self {
-            Self::NoSteps => f.write_str(
+            Self::NoSteps => (
                 "a walk of 0 steps gives a discontinuous velocity field, and with it a wrong \
-                 derivative; use at least 1 step",
+                 derivative"
+                    .into(),
+                instead("Use at least 1 step"),
             ),
-            Self::MaxAngle(angle) => write!(
-                f,
-                "the largest angle of a walk is {angle}; expected radians above 0 and at most π"
-            ),
-            #[cfg(feature = "paper")]
-            Self::AuxiliaryRays { rays, kappa } => write!(
-                f,
-                "warped-area sampling with {rays} auxiliary rays of concentration {kappa}; expected \
-                 at least one ray and a finite concentration above 0"
+            Self::MaxAngle(angle) => (
+                format!(
+                    "the largest angle of a walk is {angle}; expected radians above 0 and at most π"
+                ),
+                None,
             ),
             #[cfg(feature = "paper")]
-            Self::ManyEdges { count, most } => write!(
-                f,
-                "the scene has {count} edges, and walks among explicit boundaries test all of them \
-                 for every direction; expected at most {most}. Use fields on triangles or on the \
-                 sphere, which find the closest ones in a tree"
+            Self::AuxiliaryRays { rays, kappa } => (
+                format!(
+                    "warped-area sampling with {rays} auxiliary rays of concentration {kappa}; \
+                     expected at least one ray and a finite concentration above 0"
+                ),
+                None,
             ),
-            Self::HardShadows { emitter, plugin } => write!(
-                f,
-                "the emitter \"{emitter}\" ({plugin}) has no extent, so its shadows have hard \
-                 edges, and how these move is not differentiated. Use a small area emitter, or \
-                 finite differences"
+            #[cfg(feature = "paper")]
+            Self::ManyEdges { count, most } => (
+                format!(
+                    "the scene has {count} edges, and walks among explicit boundaries test all of \
+                     them for every direction; expected at most {most}"
+                ),
+                instead(
+                    "Use fields on triangles or on the sphere, which find the closest ones in a \
+                     tree",
+                ),
             ),
-            Self::ParallelRays { method } => write!(
-                f,
-                "the method `{method}` has no velocity field for the parallel rays of an \
-                 orthographic sensor. Use the default method, or a perspective sensor far away with \
-                 a small fov"
+            Self::HardShadows { emitter, plugin } => (
+                format!(
+                    "the emitter \"{emitter}\" ({plugin}) has no extent, so its shadows have hard \
+                     edges, and how these move is not differentiated"
+                ),
+                instead("Use a small area emitter, or finite differences"),
+            ),
+            Self::ParallelRays { method } => (
+                format!(
+                    "the method `{method}` has no velocity field for the parallel rays of an \
+                     orthographic sensor"
+                ),
+                instead(
+                    "Use the default method, or a perspective sensor far away with a small fov",
+                ),
             ),
             Self::TextureDiscontinuities {
                 texture,
                 shape,
                 method,
-            } => write!(
-                f,
-                "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
-                 texels, and the method `{method}` does not differentiate how these discontinuities \
-                 move. Use the filter `bilinear`, the default method, or finite differences"
+            } => (
+                format!(
+                    "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
+                     texels, and the method `{method}` does not differentiate how these \
+                     discontinuities move"
+                ),
+                instead("Use the filter `bilinear`, the default method, or finite differences"),
             ),
             Self::ManyTextureLines {
                 texture,
                 shape,
                 count,
                 most,
-            } => write!(
-                f,
-                "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
-                 texels, along {count:.0} lines; expected at most {most:.0}. Use the filter \
-                 `bilinear`, or finite differences"
+            } => (
+                format!(
+                    "the texture \"{texture}\" on the shape \"{shape}\" is discontinuous between \
+                     texels, along {count:.0} lines; expected at most {most:.0}"
+                ),
+                instead("Use the filter `bilinear`, or finite differences"),
             ),
             Self::UnknownTangents {
                 shape,
@@ -217,88 +246,99 @@ impl fmt::Display for Refusal {
                     true => "has a map of normals",
                     false => "is anisotropic",
                 };
-                write!(
-                    f,
-                    "the material of the shape \"{shape}\" {material}, and its mesh has "
-                )?;
-                match face {
-                    None => f.write_str("no texture coordinates")?,
-                    Some(face) => write!(
-                        f,
-                        "texture coordinates without extent in face {face} (from 0)"
-                    )?,
-                }
-                f.write_str(
-                    " that would give its tangents. Tangents made up without them are discontinuous \
-                     on smooth surfaces. Add texture coordinates to the mesh that span every face",
+                let lack = match face {
+                    None => "no texture coordinates".into(),
+                    Some(face) => {
+                        format!("texture coordinates without extent in face {face} (from 0)")
+                    }
+                };
+                (
+                    format!(
+                        "the material of the shape \"{shape}\" {material}, and its mesh has {lack} \
+                         that would give its tangents. Tangents made up without them are \
+                         discontinuous on smooth surfaces"
+                    ),
+                    instead("Add texture coordinates to the mesh that span every face"),
                 )
             }
             Self::CutNormals {
                 material,
                 plugin,
                 flag,
-            } => write!(
-                f,
-                "without `{flag}` the {plugin} \"{material}\" cuts off light along curves inside \
-                 faces, and how these move is not differentiated. Set `{flag}` to true, or use \
-                 finite differences"
+            } => (
+                format!(
+                    "without `{flag}` the {plugin} \"{material}\" cuts off light along curves \
+                     inside faces, and how these move is not differentiated"
+                ),
+                Some(format!("Set `{flag}` to true, or use finite differences")),
             ),
             Self::Clipped {
                 shape,
                 plane,
                 depth,
-            } => write!(
-                f,
-                "the camera's {plane} of {depth} cuts through the shape \"{shape}\" within the \
-                 image, and how the cut moves is not differentiated. Choose another {plane}, or \
-                 move the camera"
+            } => (
+                format!(
+                    "the camera's {plane} of {depth} cuts through the shape \"{shape}\" within the \
+                     image, and how the cut moves is not differentiated"
+                ),
+                Some(format!("Choose another {plane}, or move the camera")),
             ),
             Self::InfiniteDerivative {
                 material,
                 slot,
                 why,
-            } => write!(
-                f,
-                "the derivative with respect to \"{slot}\" of the principled material \
-                 \"{material}\" is infinite where it is 0: {why}. Raise such values a little, for \
-                 example to 0.001"
+            } => (
+                format!(
+                    "the derivative with respect to \"{slot}\" of the principled material \
+                     \"{material}\" is infinite where it is 0: {why}"
+                ),
+                instead("Raise such values a little, for example to 0.001"),
             ),
-            Self::SpecularMotion { share, cause } => specular_motion(f, *share, *cause),
+            Self::SpecularMotion { share, cause } => specular_motion(*share, *cause),
             Self::AdjointSize {
                 found: [width, height],
                 expected: [right_width, right_height],
-            } => write!(
-                f,
-                "the adjoint has {width} x {height} pixels; expected {right_width} x \
-                 {right_height}, as the image has"
+            } => (
+                format!(
+                    "the adjoint has {width} x {height} pixels; expected {right_width} x \
+                     {right_height}, as the image has"
+                ),
+                None,
             ),
             Self::AdjointNotFinite {
                 pixel: [x, y],
                 value: [r, g, b],
-            } => write!(
-                f,
-                "the adjoint is ({r}, {g}, {b}) in column {x}, row {y}, counted from 0 at the \
-                 upper left; expected finite numbers"
+            } => (
+                format!(
+                    "the adjoint is ({r}, {g}, {b}) in column {x}, row {y}, counted from 0 at the \
+                     upper left; expected finite numbers"
+                ),
+                None,
             ),
-            Self::InvalidStep { step, reason } => write!(
-                f,
-                "a finite difference over ±{step} leaves the valid scenes: {reason}. Choose a \
-                 smaller step"
+            Self::InvalidStep { step, reason } => (
+                format!("a finite difference over ±{step} leaves the valid scenes: {reason}"),
+                instead("Choose a smaller step"),
             ),
         }
     }
 }
 
-fn specular_motion(f: &mut fmt::Formatter<'_>, share: f64, cause: SpecularCause) -> fmt::Result {
+/// The sentences of [`Refusal::SpecularMotion`].
+fn specular_motion(share: f64, cause: SpecularCause) -> (String, Option<String>) {
     let per_cent = 100.0 * share;
     let (mirrors, covered, most) = match cause {
         SpecularCause::Method => {
-            return write!(
-                f,
-                "objects move that are seen in mirrors or through transparent surfaces (about \
-                 {per_cent:.2} specular events in 100 samples), and fields on triangles do not \
-                 cover the silhouettes seen there. Use fields on the sphere, the default, which \
-                 cover them in flat mirrors and through panes"
+            return (
+                format!(
+                    "objects move that are seen in mirrors or through transparent surfaces (about \
+                     {per_cent:.2} specular events in 100 samples), and fields on triangles do not \
+                     cover the silhouettes seen there"
+                ),
+                Some(
+                    "Use fields on the sphere, the default, which cover them in flat mirrors and \
+                     through panes"
+                        .into(),
+                ),
             );
         }
         SpecularCause::Orthographic { most_events } => (
@@ -310,14 +350,30 @@ fn specular_motion(f: &mut fmt::Formatter<'_>, share: f64, cause: SpecularCause)
             ("in curved mirrors", "in flat mirrors", most_events)
         }
     };
-    write!(
-        f,
-        "objects move that are seen {mirrors}, through refracting glass, or after more than {most} \
-         reflections (about {per_cent:.2} specular events in 100 samples), and the silhouettes seen \
-         there are not covered. Covered are those seen {covered} (without vertex normals) and \
-         through panes (`thindielectric`), and all shadows seen in mirrors that do not move. Use \
-         one of these, a rough material (alpha of 0.01 or more), or finite differences"
+    (
+        format!(
+            "objects move that are seen {mirrors}, through refracting glass, or after more than \
+             {most} reflections (about {per_cent:.2} specular events in 100 samples), and the \
+             silhouettes seen there are not covered. Covered are those seen {covered} (without \
+             vertex normals) and through panes (`thindielectric`), and all shadows seen in mirrors \
+             that do not move"
+        ),
+        Some(
+            "Use one of these, a rough material (alpha of 0.01 or more), or finite differences"
+                .into(),
+        ),
     )
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (reason, instead) = self.sentences();
+        f.write_str(&reason)?;
+        match instead {
+            Some(instead) => write!(f, ". {instead}"),
+            None => Ok(()),
+        }
+    }
 }
 
 impl std::error::Error for Refusal {}

@@ -345,6 +345,26 @@ impl Prepared {
         })
     }
 
+    /// The motion in which the numbers of an array change with these velocities, row by row.
+    /// Refuses another count, numbers that are not finite, and velocities that part vertices
+    /// at the same place.
+    ///
+    /// ```
+    /// # let scene = capwalk::Loader::new("leaf").size([8, 6]).load()?.scene;
+    /// # let prepared = capwalk::Prepared::new(scene)?;
+    /// let upwards = [0.0, 1.0, 0.0].repeat(3);
+    /// let tangent = prepared.tangent("leaf.positions", &upwards)?;
+    /// let options = capwalk::GradientOptions::default();
+    /// let result = prepared.gradient(&tangent, &options, &capwalk::Unwatched)?;
+    /// let same = prepared.gradient("leaf.translate.y", &options, &capwalk::Unwatched)?;
+    /// assert_eq!(result.gradient.mean, same.gradient.mean);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn tangent(&self, name: &str, velocities: &[f64]) -> Result<Tangent, Error> {
+        let array = backward::array(&self.engine, name)?;
+        Ok(array.given_tangent(self.scene(), velocities)?)
+    }
+
     /// Changes the numbers of an array, such as `"ball.positions"`. Moved vertices refit
     /// the trees, other colours touch none. Nothing is changed if the scene could not be
     /// rendered with them.
@@ -359,9 +379,15 @@ impl Prepared {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn update(&mut self, name: &str, numbers: &[f64]) -> Result<(), Error> {
-        let array = backward::array(&self.engine, name)?;
+        self.update_all(&[(name, numbers)])
+    }
+
+    /// [`Prepared::update`] of several arrays, all of them or none.
+    pub fn update_all(&mut self, changes: &[(&str, &[f64])]) -> Result<(), Error> {
         let mut scene = Scene::clone(self.scene());
-        array.set(&mut scene, numbers)?;
+        for (name, numbers) in changes {
+            backward::array(&self.engine, name)?.set(&mut scene, numbers)?;
+        }
         scene.check().map_err(Error::InvalidUpdate)?;
         self.engine.update(scene);
         Ok(())

@@ -11,6 +11,7 @@ use super::error::ParameterError;
 use super::matrix;
 use super::optic::{optic_scale, optic_value};
 use super::parameter::ParameterKind;
+use super::velocity::vertex_tangent;
 use crate::ids::{ShapeId, TextureId};
 use crate::scene::Scene;
 use crate::scene_vector::{Gradient, ShapeVectors, Tangent};
@@ -130,7 +131,8 @@ impl ArrayParameter {
         Ok(())
     }
 
-    fn check(&self, scene: &Scene, numbers: &[f64]) -> Result<(), ParameterError> {
+    /// As many numbers as the array has, all of them finite.
+    fn check_finite(&self, numbers: &[f64]) -> Result<(), ParameterError> {
         if numbers.len() != self.count() {
             return Err(ParameterError::ArrayLength {
                 name: self.name.clone(),
@@ -139,15 +141,24 @@ impl ArrayParameter {
                 given: numbers.len(),
             });
         }
-        let bad = |index: usize, expected| ParameterError::BadNumber {
+        match numbers.iter().position(|x| !x.is_finite()) {
+            Some(index) => Err(self.bad(numbers, index, "finite numbers")),
+            None => Ok(()),
+        }
+    }
+
+    fn bad(&self, numbers: &[f64], index: usize, expected: &'static str) -> ParameterError {
+        ParameterError::BadNumber {
             name: self.name.clone(),
             index,
             value: numbers[index],
             expected,
-        };
-        if let Some(index) = numbers.iter().position(|x| !x.is_finite()) {
-            return Err(bad(index, "finite numbers"));
         }
+    }
+
+    fn check(&self, scene: &Scene, numbers: &[f64]) -> Result<(), ParameterError> {
+        self.check_finite(numbers)?;
+        let bad = |index: usize, expected| self.bad(numbers, index, expected);
         if let Place::Normals(_) = self.place {
             let zero = vectors(numbers).iter().position(|n| n.length() == 0.0);
             if let Some(vertex) = zero {
@@ -207,6 +218,20 @@ impl ArrayParameter {
             }
         }
         tangent
+    }
+
+    /// [`ArrayParameter::tangent`] of velocities that somebody gives: refuses another count,
+    /// numbers that are not finite, and those that part vertices at the same place.
+    pub fn given_tangent(
+        &self,
+        scene: &Scene,
+        velocities: &[f64],
+    ) -> Result<Tangent, ParameterError> {
+        self.check_finite(velocities)?;
+        match self.place {
+            Place::Positions(id) => vertex_tangent(scene, &scene.shape(id).id, vectors(velocities)),
+            _ => Ok(self.tangent(scene, velocities)),
+        }
     }
 
     /// What a gradient says about its numbers: the derivative by each, so that a step along it is one that

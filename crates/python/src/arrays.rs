@@ -1,0 +1,55 @@
+//! Images and numbers of the scene as NumPy arrays, and back.
+
+use capwalk::{Image, Rgb};
+use numpy::{
+    IntoPyArray, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
+};
+use pyo3::prelude::*;
+
+use crate::errors;
+
+/// An image as an array (height, width, 3).
+pub fn from_image<'py>(py: Python<'py>, image: &Image) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let numbers: Vec<f64> = image.pixels.iter().flat_map(|p| p.to_array()).collect();
+    let shape = [image.height, image.width, 3];
+    numbers.into_pyarray(py).reshape(shape)
+}
+
+/// An array (height, width, 3) as an image; `what` it is for the message.
+pub fn to_image(what: &str, array: &PyReadonlyArrayDyn<'_, f64>) -> PyResult<Image> {
+    let &[height, width, 3] = array.shape() else {
+        let found = shape_text(array.shape());
+        let text = format!("{what} has the shape {found}; expected (height, width, 3)");
+        return Err(errors::argument(array.py(), text));
+    };
+    let numbers = to_numbers(array);
+    let pixels = numbers.chunks_exact(3);
+    Ok(Image {
+        width,
+        height,
+        pixels: pixels.map(|p| Rgb::new(p[0], p[1], p[2])).collect(),
+    })
+}
+
+/// Numbers, row by row, as an array of this shape.
+pub fn from_numbers<'py>(
+    py: Python<'py>,
+    shape: &[usize],
+    numbers: Vec<f64>,
+) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    numbers.into_pyarray(py).reshape(shape.to_vec())
+}
+
+/// The numbers of an array, row by row, however it lies in memory.
+pub fn to_numbers(array: &PyReadonlyArrayDyn<'_, f64>) -> Vec<f64> {
+    array.as_array().iter().copied().collect()
+}
+
+/// A shape as Python writes it.
+pub fn shape_text(shape: &[usize]) -> String {
+    let sizes: Vec<String> = shape.iter().map(ToString::to_string).collect();
+    match sizes.as_slice() {
+        [one] => format!("({one},)"),
+        sizes => format!("({})", sizes.join(", ")),
+    }
+}

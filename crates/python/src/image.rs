@@ -1,0 +1,46 @@
+//! Images as pictures: for notebooks, and in files.
+
+use std::path::PathBuf;
+
+use capwalk::scene_io::image::{LayeredImage, Preview, Style, pixels_as_png, robust_limit, write};
+use numpy::PyReadonlyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::{arrays, errors};
+
+/// The bytes of a PNG file: a photograph, or for what has a sign false colours, blue below
+/// zero and red above.
+#[pyfunction]
+pub fn png<'py>(
+    py: Python<'py>,
+    image: PyReadonlyArrayDyn<'py, f64>,
+    signed: bool,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let image = arrays::to_image("the image", &image)?;
+    let style = match signed {
+        true => Style::Diverging {
+            limit: robust_limit([&image]),
+        },
+        false => Style::Photographic { exposure: 0.0 },
+    };
+    let bytes = pixels_as_png(&image, style);
+    let bytes = bytes.map_err(|error| errors::exception(py, error))?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// Writes images into one file, by their names there.
+#[pyfunction]
+pub fn write_images(
+    py: Python<'_>,
+    path: PathBuf,
+    layers: Vec<(String, PyReadonlyArrayDyn<'_, f64>)>,
+) -> PyResult<()> {
+    let mut layered = LayeredImage::default();
+    for (name, array) in &layers {
+        layered.push(name, arrays::to_image(name, array)?);
+    }
+    let written = write(&path, &layered, &Preview::default());
+    written.map_err(|error| errors::exception(py, error))?;
+    Ok(())
+}

@@ -1,0 +1,112 @@
+//! Long work that Python can follow and stop.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc;
+use std::thread;
+use std::time::{Duration, Instant};
+
+use capwalk::{Watch, with_threads};
+use pyo3::prelude::*;
+
+use crate::errors;
+
+/// How often signals are looked for: Ctrl-C is answered in a fifth of a second.
+const SIGNALS: Duration = Duration::from_millis(50);
+/// How often progress is told.
+const PROGRESS: Duration = Duration::from_millis(100);
+
+/// How work is done beside what it is.
+pub struct How<'py> {
+    /// Worker threads; all cores without.
+    pub threads: Option<usize>,
+    /// Called with what is done and what there is to do.
+    pub progress: Option<Bound<'py, PyAny>>,
+}
+
+/// What the workers and the thread of Python share.
+#[derive(Default)]
+struct Shared {
+    stop: AtomicBool,
+    done: AtomicU64,
+    total: AtomicU64,
+}
+
+impl Watch for Shared {
+    fn progress(&self, done: u64, total: u64) {
+        self.done.fetch_max(done, Ordering::Relaxed);
+        self.total.store(total, Ordering::Relaxed);
+    }
+
+    fn should_stop(&self) -> bool {
+        self.stop.load(Ordering::Relaxed)
+    }
+}
+
+/// Does work on a thread of its own while this one waits without the interpreter's lock,
+/// looks for signals and tells the progress. An exception of either stops the work and is
+/// raised. Workers must not look for signals: only Python's own threads may.
+pub fn watched<T: Send>(
+    py: Python<'_>,
+    how: &How<'_>,
+    work: impl FnOnce(&dyn Watch) -> T + Send,
+) -> PyResult<T> {
+    let shared = Shared::default();
+    let threads = how.threads;
+    thread::scope(|scope| {
+        let (sender, receiver) = mpsc::channel();
+        let watch = &shared;
+        scope.spawn(move || {
+            let work = || match threads {
+                Some(threads) => with_threads(threads, || work(watch)),
+                None => work(watch),
+            };
+            // The other side waits until it is sent.
+            let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
+        });
+        let mut receiver = Some(receiver);
+        let mut raised = None;
+        let mut told = Instant::now();
+        loop {
+            // Only this closure has it: it may be sent, not shared.
+            let waiting = receiver.take().expect("it comes back");
+            let (answer, back) = py.detach(move || (waiting.recv_timeout(SIGNALS), waiting));
+            receiver = Some(back);
+            if let Ok(result) = answer {
+                return match (raised, result) {
+                    (Some(error), _) => Err(error),
+                    (None, Ok(value)) => {
+                        tell(how, &shared)?;
+                        Ok(value)
+                    }
+                    (None, Err(panic)) => Err(errors::internal(py, &text(panic.as_ref()))),
+                };
+            }
+            let mut checked = py.check_signals();
+            if checked.is_ok() && raised.is_none() && told.elapsed() >= PROGRESS {
+                told = Instant::now();
+                checked = tell(how, &shared);
+            }
+            if let Err(error) = checked {
+                shared.stop.store(true, Ordering::Relaxed);
+                raised.get_or_insert(error);
+            }
+        }
+    })
+}
+
+fn tell(how: &How<'_>, shared: &Shared) -> PyResult<()> {
+    if let Some(progress) = &how.progress {
+        let [done, total] = [&shared.done, &shared.total].map(|n| n.load(Ordering::Relaxed));
+        progress.call1((done, total))?;
+    }
+    Ok(())
+}
+
+/// What a panic says.
+fn text(panic: &(dyn Any + Send)) -> String {
+    let words = panic.downcast_ref::<&str>().map(ToString::to_string);
+    let words = words.or_else(|| panic.downcast_ref::<String>().cloned());
+    words.unwrap_or_else(|| "a panic without words".into())
+}

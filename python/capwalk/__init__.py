@@ -1,0 +1,52 @@
+"""Unbiased derivatives of rendered images, geometry above all.
+
+>>> import capwalk as cw
+>>> scene = cw.load_file("leaf")
+>>> slope = cw.gradient(scene, "leaf.translate.x", spp=16)
+>>> slope.gradient.shape == slope.stderr.shape == slope.value.shape
+True
+
+Images are arrays (height, width, 3) of linear RGB in double precision. Lengths are in world
+units, angles of parameters in radians.
+"""
+
+from ._capwalk import Scene
+from ._functions import backward, check, gradient, load_file, load_string, render
+from ._parameters import SceneParameters, traverse
+from ._results import Check, Gradients, Picture, Slope
+from .errors import (
+    ArgumentError,
+    BusyError,
+    Error,
+    ImageError,
+    LoadError,
+    ParameterError,
+    Refused,
+    SceneWarning,
+    UnreliableWarning,
+)
+
+__all__ = [
+    "ArgumentError",
+    "BusyError",
+    "Check",
+    "Error",
+    "Gradients",
+    "ImageError",
+    "LoadError",
+    "ParameterError",
+    "Picture",
+    "Refused",
+    "Scene",
+    "SceneParameters",
+    "SceneWarning",
+    "Slope",
+    "UnreliableWarning",
+    "backward",
+    "check",
+    "gradient",
+    "load_file",
+    "load_string",
+    "render",
+    "traverse",
+]

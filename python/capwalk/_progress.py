@@ -1,0 +1,44 @@
+"""How far long work is."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+Progress = bool | Callable[[int, int], object] | None
+"""``True`` for a bar, or a function that is called with what is done and what there is to do."""
+
+
+@contextmanager
+def shown(progress: Progress, what: str) -> Iterator[Callable[[int, int], object] | None]:
+    """The function to be called with the progress, if anybody wants to know."""
+    if callable(progress):
+        yield progress
+    elif progress:
+        with _bar(what) as bar:
+            yield bar
+    else:
+        yield None
+
+
+@contextmanager
+def _bar(what: str) -> Iterator[Callable[[int, int], object]]:
+    try:
+        from tqdm.auto import tqdm  # type: ignore[import-untyped, unused-ignore]
+    except ImportError:
+        yield lambda done, total: _line(what, done, total)
+        print(file=sys.stderr)
+        return
+    with tqdm(desc=what, unit="sample", unit_scale=True) as bar:
+
+        def show(done: int, total: int) -> None:
+            bar.total = total
+            bar.update(done - bar.n)
+
+        yield show
+
+
+def _line(what: str, done: int, total: int) -> None:
+    share = done / total if total else 0.0
+    print(f"\r{what}: {share:4.0%}", end="", file=sys.stderr, flush=True)

@@ -1,0 +1,205 @@
+"""What comes back: arrays with their standard errors, which show themselves in notebooks."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+from . import _capwalk
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Picture:
+    """An image and its standard errors. ``numpy.asarray(picture)`` is its value."""
+
+    value: Array
+    """Radiance, linear RGB, (height, width, 3)."""
+    stderr: Array
+    """Standard error of each number; NaN for a single sample per pixel."""
+    statistics: Mapping[str, Any]
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+
+    def __repr__(self) -> str:
+        return f"<capwalk.Picture: {_described(self.value, self.stderr)}>"
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        return _as_array(self.value, dtype, copy)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes an .exr or .npz file with all layers, or a .png file with the image."""
+        layers = [("value", self.value), ("value_stderr", self.stderr)]
+        _capwalk.write_images(os.fspath(path), layers)
+
+    def _repr_png_(self) -> bytes:
+        return _capwalk.png(self.value, False)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Slope:
+    """The derivative of an image along one direction, with the image that comes with it.
+    ``numpy.asarray(slope)`` is the derivative."""
+
+    gradient: Array
+    """Derivative of each pixel per unit of the parameter, (height, width, 3)."""
+    stderr: Array
+    """Standard error of each number of the derivative; NaN for a single sample per pixel."""
+    value: Array
+    """The image itself, (height, width, 3)."""
+    value_stderr: Array
+    """Standard error of the image."""
+    method: str
+    """The method that was chosen."""
+    statistics: Mapping[str, Any]
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+
+    def __repr__(self) -> str:
+        described = _described(self.gradient, self.stderr)
+        return f"<capwalk.Slope: {described}, method {self.method}>"
+
+    def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
+        return _as_array(self.gradient, dtype, copy)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes an .exr or .npz file with all layers, or a .png file with the derivative in
+        false colours, blue below zero and red above."""
+        layers = [
+            ("gradient", self.gradient),
+            ("stderr", self.stderr),
+            ("value", self.value),
+            ("value_stderr", self.value_stderr),
+        ]
+        # A preview shows one layer.
+        if os.fspath(path).lower().endswith(".png"):
+            layers = layers[:1]
+        _capwalk.write_images(os.fspath(path), layers)
+
+    def _repr_png_(self) -> bytes:
+        return _capwalk.png(self.gradient, True)
+
+
+class Gradients(dict[str, Array]):
+    """Gradients of a loss by the names of the arrays, each in the shape of its array."""
+
+    stderr: dict[str, Array]
+    """Standard error of each number, by the same names."""
+    statistics: Mapping[str, Any]
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+
+    def __init__(
+        self,
+        values: Mapping[str, Array],
+        stderr: Mapping[str, Array],
+        statistics: Mapping[str, Any],
+    ) -> None:
+        super().__init__(values)
+        self.stderr, self.statistics = dict(stderr), statistics
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Check:
+    """A gradient beside central differences, and what follows. Prints as a verdict with its
+    numbers."""
+
+    verdict: str
+    """``"right"``, ``"wrong"`` or ``"inconclusive"``."""
+    reason: str | None
+    """In which respects they differ, if the gradient is wrong."""
+    samples_factor: float | None
+    """How many times the samples would be enough, if that is inconclusive; infinite if there
+    is nothing to see."""
+    scale_factor: float
+    """Regression of the reference on the gradient: 1 for a right gradient."""
+    scale_factor_error: float
+    """Standard error of ``scale_factor``."""
+    mean_z2: float
+    """Mean of the squared differences over their variances: 1 for right errors."""
+    mean_z2_error: float
+    """Standard error of ``mean_z2``."""
+    sign: float
+    """Sum of the differences over its standard error."""
+    relative_l1: float
+    """Mean absolute difference over the mean absolute reference."""
+    relative_l1_of_noise: float
+    """What ``relative_l1`` would be from noise alone."""
+    correlation: float
+    """Correlation of both images."""
+    pixels: int
+    """Pixels with noise."""
+    worst: list[tuple[int, int, float]]
+    """Column, row and z of the pixels that differ most."""
+    step: float
+    """How far the parameter moved on each side."""
+    spp: int
+    """Samples per pixel of the gradient."""
+    reference_spp: int
+    """Samples per pixel of the reference, on each side."""
+    gradient: Array
+    """The gradient, (height, width, 3)."""
+    stderr: Array
+    """Its standard errors."""
+    reference: Array
+    """Central differences, (height, width, 3)."""
+    reference_stderr: Array
+    """Their standard errors."""
+
+    @property
+    def right(self) -> bool:
+        """True if they agree, and a factor wrong by 10 % would have been seen."""
+        return self.verdict == "right"
+
+    def __repr__(self) -> str:
+        return f"<capwalk.Check: {self.verdict}: {self._sentence()}>"
+
+    def __str__(self) -> str:
+        lines = [
+            f"scale factor  {self.scale_factor:.4f} ± {self.scale_factor_error:.4f} "
+            "(reference / gradient)",
+            f"mean z²       {self.mean_z2:.3f} ± {self.mean_z2_error:.3f} "
+            f"over {self.pixels} pixels with noise",
+            f"sign          {self.sign:+.2f} standard errors",
+            f"relative L1   {self.relative_l1:.3g} "
+            f"(noise alone: {self.relative_l1_of_noise:.3g})",
+            f"correlation   {self.correlation:.4f}",
+            f"reference     central differences over ± {self.step:.3g}",
+            f"{self.verdict}: {self._sentence()}",
+        ]
+        return "\n".join(lines)
+
+    def _sentence(self) -> str:
+        if self.verdict == "right":
+            if np.isnan(self.scale_factor):
+                return "both are zero everywhere: nothing in the image changes"
+            return "they agree, and a factor wrong by 10 % would have been seen"
+        if self.verdict == "wrong":
+            return f"{self.reason} (if a smaller step changes this, the reference is at fault)"
+        factor = self.samples_factor or np.inf
+        if min(self.spp, self.reference_spp) < 2:
+            return "standard errors need at least two samples per pixel"
+        if np.isfinite(factor):
+            spp, reference = (int(np.ceil(n * factor)) for n in (self.spp, self.reference_spp))
+            return (
+                f"about {factor:.2g} times the samples would be enough "
+                f"(spp={spp}, reference_spp={reference})"
+            )
+        return "there is no derivative to be seen, only noise"
+
+
+def _described(value: Array, stderr: Array) -> str:
+    height, width, _ = value.shape
+    return (
+        f"{width} x {height} pixels, mean {np.mean(value):.4g}, "
+        f"standard error {np.sqrt(np.mean(np.square(stderr))):.2g} a number"
+    )
+
+
+def _as_array(array: Array, dtype: DTypeLike | None, copy: bool | None) -> NDArray[Any]:
+    if copy is False and dtype is not None and np.dtype(dtype) != array.dtype:
+        raise ValueError(f"the numbers are {array.dtype}; another type needs a copy")
+    return np.array(array, dtype=dtype) if copy else np.asarray(array, dtype=dtype)

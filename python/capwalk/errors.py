@@ -1,0 +1,70 @@
+"""What can go wrong. Every exception of capwalk is an :class:`Error`."""
+
+from __future__ import annotations
+
+
+class Error(Exception):
+    """Anything that capwalk objects to."""
+
+
+class LoadError(Error):
+    """A scene that cannot be loaded. The message says where, what was expected and what to do."""
+
+    file: str | None
+    """The scene file, or the file that it refers to; ``None`` for a text."""
+    line: int | None
+    """Line in the file, from 1; ``None`` for the file as a whole."""
+    column: int | None
+    """Character in the line, from 1; ``None`` for the file as a whole."""
+
+    def __init__(
+        self, message: str, file: str | None, line: int | None, column: int | None
+    ) -> None:
+        super().__init__(message)
+        self.file, self.line, self.column = file, line, column
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (str(self), self.file, self.line, self.column)
+
+
+class Refused(Error):
+    """A derivative that could only be estimated with a bias."""
+
+    reason: str
+    """What was found where, and what of it is not differentiated."""
+    instead: str | None
+    """What to do instead."""
+
+    def __init__(self, message: str, reason: str, instead: str | None) -> None:
+        super().__init__(message)
+        self.reason, self.instead = reason, instead
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return type(self), (str(self), self.reason, self.instead)
+
+
+class ParameterError(Error, KeyError):
+    """A name that means no parameter of the scene, or numbers that a parameter cannot have."""
+
+    # A KeyError shows its message in quotes.
+    __str__ = Exception.__str__
+
+
+class ArgumentError(Error, ValueError):
+    """An argument of the wrong shape or out of its range."""
+
+
+class ImageError(Error, OSError):
+    """A file that cannot be read or written as an image."""
+
+
+class BusyError(Error, RuntimeError):
+    """A scene that another thread is changing or rendering."""
+
+
+class UnreliableWarning(UserWarning):
+    """A result that has to be taken with care; the message says why."""
+
+
+class SceneWarning(UserWarning):
+    """Something in a scene file that has no effect, or is read as something else."""

@@ -1,0 +1,11 @@
+"""How does every pixel change when the leaf moves? Writes gradient.png: red gets brighter,
+blue darker."""
+
+import capwalk as cw
+
+scene = cw.load_file("leaf")  # a Mitsuba 3 XML file, or a built-in scene
+scene.resize(128, 96)
+slope = cw.gradient(scene, "leaf.translate.x", spp=64, progress=True)
+slope.save("gradient.png")
+print(slope)
+print(cw.check(scene, "leaf.translate.x", spp=64))

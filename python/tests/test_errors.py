@@ -1,0 +1,100 @@
+"""Wrong input: each exception says what was found, what was expected and what to do."""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Callable
+from pathlib import Path
+
+import capwalk as cw
+import numpy as np
+import pytest
+
+MIRROR = """<scene version="3.0.0">
+<integrator type="path"><integer name="max_depth" value="4"/></integrator>
+<sensor type="perspective"><transform name="to_world">
+<lookat origin="0, 0, 6" target="0, 0, 0" up="0, 1, 0"/></transform>
+<film type="hdrfilm"><integer name="width" value="16"/><integer name="height" value="12"/></film>
+</sensor>
+<shape type="sphere" id="mirror"><bsdf type="conductor"/></shape>
+<shape type="cube" id="box"><transform name="to_world"><scale value="0.3"/>
+<translate x="1.2" y="1" z="1.5"/></transform></shape>
+<emitter type="constant"/>
+</scene>"""
+
+
+def test_places_of_mistakes(tmp_path: Path) -> None:
+    file = tmp_path / "scene.xml"
+    start = '<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"/>'
+    file.write_text(f'{start}\n  <shape type="cubus"/>\n</scene>')
+    with pytest.raises(cw.LoadError) as caught:
+        cw.load_file(file)
+    error = caught.value
+    assert (error.file, error.line, error.column) == (str(file), 2, 16)
+    assert "known shape plugins: " in str(error)
+    again = pickle.loads(pickle.dumps(error))
+    assert (str(again), again.line) == (str(error), 2)
+    with pytest.raises(cw.LoadError, match="no file .*no built-in scene"):
+        cw.load_file(tmp_path / "nothing.xml")
+
+
+def test_warnings_of_files() -> None:
+    text = '<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"/></scene>'
+    with pytest.warns(cw.SceneWarning, match="no emitter"):
+        cw.load_string(text)
+
+
+def test_refusals_say_what_to_do_instead() -> None:
+    scene = cw.load_string(MIRROR)
+    with pytest.raises(cw.Refused) as caught:
+        cw.gradient(scene, "box.translate.x", spp=16)
+    error = caught.value
+    assert "silhouettes" in error.reason
+    assert error.instead is not None and "finite differences" in error.instead
+    assert str(error) == f"{error.reason}. {error.instead}"
+    assert pickle.loads(pickle.dumps(error)).instead == error.instead
+
+
+BOX = "box.translate.x"
+ONES = np.ones((18, 24, 3))
+WRONG: list[tuple[Callable[[cw.Scene], object], type[Exception], str]] = [
+    (lambda s: cw.render(s, spp=0), cw.ArgumentError, "spp is 0; expected 1 to"),
+    (lambda s: cw.render(s, spp=2.5), TypeError, "expected an integer"),  # type: ignore[arg-type]
+    (lambda s: cw.render(s, seed=-1), cw.ArgumentError, "seed is -1; expected 0 to"),
+    (lambda s: cw.render(s, threads=0), cw.ArgumentError, "threads is 0"),
+    (lambda s: cw.gradient(s, "box.tranlate.x"), cw.ParameterError, "did you mean `box.translate"),
+    (lambda s: cw.gradient(s, "box.scale - box.scale"), cw.ArgumentError, "nothing changes"),
+    (lambda s: cw.gradient(s, 3), TypeError, "expected the name of a parameter"),  # type: ignore[arg-type]
+    (lambda s: cw.gradient(s, {"box.positions": ONES}), cw.ParameterError, "expected 24"),
+    (lambda s: cw.gradient(s, {"box.positions": "up"}), cw.ArgumentError, "no array of numbers"),
+    (lambda s: cw.gradient(s, {"bx.positions": ONES}), cw.ParameterError, "no parameter"),
+    (lambda s: cw.gradient(s, BOX, method="fast"), cw.ArgumentError, "there are auto, walk, edges"),
+    (lambda s: cw.gradient(s, BOX, method="walk", steps=0), cw.ArgumentError, "steps is 0"),
+    (lambda s: cw.gradient(s, BOX, method="walk", max_angle=-1), cw.Refused, "largest angle"),
+    (lambda s: cw.check(s, BOX, step=0.0), cw.ArgumentError, "`step` is 0; expected"),
+    (lambda s: cw.backward(s, ONES[0]), cw.ArgumentError, r"shape \(24, 3\); expected"),
+    (lambda s: cw.backward(s, ONES[:9]), cw.ArgumentError, "expected 24 x 18"),
+    (lambda s: cw.backward(s, ONES * np.nan), cw.ArgumentError, "expected finite numbers"),
+    (lambda s: cw.backward(s, ONES, "box.positions"), TypeError, "expected a list of names"),
+    (lambda s: cw.backward(s, ONES, ["x.positions"]), cw.ParameterError, "no parameter"),
+    (lambda s: s.update({"box.positions": ONES[0]}), cw.ArgumentError, r"found \(24, 3\)"),
+    (lambda s: cw.traverse(s)["box.position"], cw.ParameterError, "did you mean"),
+    (lambda s: cw.render(s).save("image.jpg"), cw.ImageError, "image.jpg"),
+    (lambda s: cw.render(s).save("/no/folder/image.exr"), cw.ImageError, "/no/folder/image.exr"),
+]
+
+
+@pytest.mark.parametrize("case", range(len(WRONG)))
+def test_wrong_input(scene: cw.Scene, case: int) -> None:
+    call, kind, message = WRONG[case]
+    with pytest.raises(kind, match=message):
+        call(scene)
+
+
+def test_numbers_that_a_scene_cannot_have(scene: cw.Scene) -> None:
+    params = cw.traverse(scene)
+    params["box.positions"][3, 1] = np.nan
+    with pytest.raises(cw.ParameterError, match="finite"):
+        params.update()
+    with pytest.raises(cw.ArgumentError, match=r"shape \(8, 3\); found \(5, 3\)"):
+        params["box.positions"] = np.ones((5, 3))

@@ -1,0 +1,109 @@
+"""Images, derivatives and gradients: that they are what the library computes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import capwalk as cw
+import numpy as np
+
+
+def test_image_is_an_array_with_errors(scene: cw.Scene) -> None:
+    picture = cw.render(scene, seed=3)
+    assert picture.value.shape == picture.stderr.shape == (18, 24, 3)
+    assert np.array_equal(np.asarray(picture), picture.value)
+    assert np.asarray(picture, dtype=np.float32).dtype == np.float32
+    assert picture.statistics["samples"] == 16 * 18 * 24
+    # Two images differ by their errors.
+    other = cw.render(scene, seed=4, spp=64)
+    error = np.hypot(picture.stderr, other.stderr)
+    lit = error > 0
+    z = (picture.value - other.value)[lit] / error[lit]
+    assert 0.5 < np.mean(z**2) < 2.0
+
+
+def test_same_bits_for_any_number_of_threads(scene: cw.Scene) -> None:
+    one = cw.gradient(scene, "box.translate.x", threads=1)
+    four = cw.gradient(scene, "box.translate.x", threads=4)
+    assert np.array_equal(one.gradient, four.gradient)
+    assert np.array_equal(one.stderr, four.stderr)
+
+
+def test_gradient_agrees_with_differences(scene: cw.Scene) -> None:
+    verdict = cw.check(scene, "box.translate.x", spp=128, reference_spp=16384)
+    assert verdict.right, str(verdict)
+    assert abs(verdict.scale_factor - 1) < 0.1
+    assert verdict.gradient.shape == verdict.reference.shape == (18, 24, 3)
+    assert "right: they agree" in str(verdict)
+
+
+def test_velocities_are_a_direction(scene: cw.Scene) -> None:
+    along_x = np.zeros(scene.values("box.positions").shape)
+    along_x[:, 0] = 1.0
+    one = cw.gradient(scene, "box.translate.x")
+    other = cw.gradient(scene, {"box.positions": along_x})
+    assert np.array_equal(one.gradient, other.gradient)
+    # Two arrays at once add up, and other layouts and types are understood.
+    both = cw.gradient(
+        scene,
+        {
+            "box.positions": np.asfortranarray(along_x.astype(np.float32)),
+            "floor.bsdf.reflectance.value": [1, 0, 0],
+        },
+        method="edges",
+        spp=64,
+    )
+    sum_ = cw.gradient(
+        scene,
+        "box.translate.x + floor.bsdf.reflectance.value.r",
+        method="edges",
+        spp=64,
+    )
+    assert np.allclose(both.gradient, sum_.gradient, rtol=1e-9, atol=1e-9)
+
+
+def test_forward_is_reverse(scene: cw.Scene) -> None:
+    adjoint = np.random.default_rng(1).normal(size=(18, 24, 3))
+    names = ["box.positions", "box.translate.x"]
+    # With the cutoff given; a pilot may find another one for each.
+    slope = cw.gradient(scene, "box.translate.x", method="walk", max_angle=10.0)
+    gradients = cw.backward(scene, adjoint, names, method="walk", max_angle=10.0)
+    forward = (adjoint * slope.gradient).sum()
+    assert np.isclose(gradients["box.translate.x"], forward, rtol=1e-9)
+    assert np.isclose(gradients["box.positions"][:, 0].sum(), forward, rtol=1e-9)
+    # Forward mode draws edges by how they move, too: equal within errors.
+    slope = cw.gradient(scene, "box.translate.x", method="edges", spp=256)
+    gradients = cw.backward(scene, adjoint, names, method="edges", spp=256, seed=1)
+    difference = gradients["box.translate.x"] - (adjoint * slope.gradient).sum()
+    forward_error = np.sqrt(np.square(adjoint * slope.stderr).sum())
+    # Channels of a pixel share their noise: at most sqrt(3) as much.
+    error = np.hypot(np.sqrt(3) * forward_error, gradients.stderr["box.translate.x"])
+    assert 0 < abs(difference) < 4 * error
+    assert gradients.stderr["box.positions"].shape == gradients["box.positions"].shape
+
+
+def test_all_arrays_by_default(scene: cw.Scene) -> None:
+    gradients = cw.backward(scene, np.ones((18, 24, 3)), spp=2)
+    assert list(gradients) == list(cw.traverse(scene))
+
+
+def test_pictures(scene: cw.Scene, tmp_path: Path) -> None:
+    slope = cw.gradient(scene, "box.translate.x")
+    assert slope._repr_png_().startswith(b"\x89PNG")
+    assert cw.render(scene)._repr_png_().startswith(b"\x89PNG")
+    for ending in ["exr", "npz", "png"]:
+        slope.save(tmp_path / f"slope.{ending}")
+        assert (tmp_path / f"slope.{ending}").stat().st_size > 100
+    saved = np.load(tmp_path / "slope.npz")
+    assert np.allclose(saved["gradient"], slope.gradient, rtol=1e-6)
+    assert {"gradient", "stderr", "value", "value_stderr"} <= set(saved)
+
+
+def test_size_and_defines() -> None:
+    from conftest import SCENE
+
+    scene = cw.load_string(SCENE, width=7, spp=3)
+    assert list(scene.size) == [7, 18]
+    assert cw.render(scene).statistics["samples"] == 3 * 7 * 18
+    scene.resize(5, 4)
+    assert cw.render(scene).value.shape == (4, 5, 3)

@@ -1,0 +1,84 @@
+"""The numbers of a scene."""
+
+from __future__ import annotations
+
+import capwalk as cw
+import numpy as np
+import pytest
+
+
+def test_update_moves_the_scene(scene: cw.Scene) -> None:
+    before = cw.render(scene).value
+    params = cw.traverse(scene)
+    params["box.positions"] += [0.3, 0.0, 0.0]
+    # Nothing before the update.
+    assert np.array_equal(cw.render(scene).value, before)
+    params.update()
+    moved = cw.render(scene).value
+    assert not np.array_equal(moved, before)
+    params["box.positions"] -= [0.3, 0.0, 0.0]
+    params.update()
+    assert np.allclose(cw.render(scene).value, before, atol=1e-9)
+
+
+def test_update_answers_like_a_new_scene(scene: cw.Scene) -> None:
+    positions = scene.values("box.positions") * 1.1
+    colour = [0.1, 0.9, 0.2]
+    params = cw.traverse(scene)
+    params.update({"box.positions": positions, "floor.bsdf.reflectance.value": colour})
+    anew = scene.copy()
+    one = cw.gradient(scene, "box.translate.x", seed=5)
+    other = cw.gradient(anew, "box.translate.x", seed=5)
+    assert np.array_equal(one.gradient, other.gradient)
+    # A copy changes by itself.
+    cw.traverse(anew).update({"floor.bsdf.reflectance.value": [0.5, 0.5, 0.5]})
+    assert scene.values("floor.bsdf.reflectance.value").tolist() == colour
+
+
+def test_all_changes_or_none(scene: cw.Scene) -> None:
+    params = cw.traverse(scene)
+    before = scene.values("box.positions")
+    params["box.positions"] = before + 1.0
+    params["floor.bsdf.reflectance.value"] = [-1.0, 0.0, 0.0]
+    with pytest.raises(cw.Error):
+        params.update()
+    assert np.array_equal(scene.values("box.positions"), before)
+    # What was refused is forgotten.
+    params.update()
+    assert np.array_equal(scene.values("box.positions"), before)
+
+
+def test_mapping(scene: cw.Scene) -> None:
+    params = cw.traverse(scene)
+    assert "box.positions" in params and "sphere.positions" not in params
+    assert len(params) == len(list(params)) > 8
+    table = repr(params)
+    assert "box.positions" in table and "world units" in table
+    with pytest.raises(TypeError):
+        del params["box.positions"]
+    # Flat arrays as Mitsuba has them, and a number for an array of one.
+    params["box.positions"] = scene.values("box.positions").ravel() * 2
+    params["sensor.x_fov"] = 50.0
+    params.update()
+    assert scene.values("sensor.x_fov")[0] == pytest.approx(50.0)
+
+
+def test_colours_are_recovered(scene: cw.Scene) -> None:
+    """A few steps down a gradient, with independent seeds for image and gradient."""
+    name = "floor.bsdf.reflectance.value"
+    target = cw.render(scene, spp=256, seed=99).value
+    params = cw.traverse(scene)
+    params[name] = [0.2, 0.2, 0.2]
+    params.update()
+
+    def loss() -> float:
+        return float(((cw.render(scene, spp=64, seed=7).value - target) ** 2).sum())
+
+    start = loss()
+    for step in range(12):
+        adjoint = 2 * (cw.render(scene, seed=2 * step).value - target)
+        gradients = cw.backward(scene, adjoint, [name], seed=2 * step + 1)
+        params[name] -= 0.004 * gradients[name]
+        params.update()
+    assert loss() < 0.05 * start
+    assert np.abs(params[name] - [0.7, 0.5, 0.3]).max() < 0.1
