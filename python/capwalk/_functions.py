@@ -11,38 +11,42 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _capwalk
+from ._numbers import Array, numbers
 from ._options import integer, options
 from ._progress import Progress, shown
-from ._results import Array, Check, Gradients, Picture, Slope
+from ._results import Check, Gradients, Picture, Slope
 from .errors import ArgumentError, SceneWarning, UnreliableWarning
 
 Scene = _capwalk.Scene
 Along = str | Mapping[str, ArrayLike]
+Sensor = int | str
 
 
-def load_file(path: str | os.PathLike[str], **defines: object) -> Scene:
+def load_file(path: str | os.PathLike[str], /, **defines: object) -> Scene:
     """The scene in a Mitsuba 3 XML file, or the built-in scene of this name (``"leaf"``,
-    ``"ball"``, ``"box-room"``, ``"lattice"``, ``"lattice-shadow"``).
+    ``"ball"``, ``"box-room"``, ``"lattice-shadow"``).
 
     Keyword arguments are values of ``$name`` in the file and win over its ``<default>``. What
     has no effect, or is read as something else, is a :class:`SceneWarning`.
 
     :raises LoadError: the file is no scene; with ``file``, ``line`` and ``column``.
     """
-    return _warned(_capwalk.load_file(os.fspath(path), _texts(defines)))
+    return warned(_capwalk.load_file(os.fspath(path), _texts(defines)))
 
 
-def load_string(text: str, *, folder: str | os.PathLike[str] = ".", **defines: object) -> Scene:
+def load_string(text: str, folder: str | os.PathLike[str] = ".", /, **defines: object) -> Scene:
     """The scene in a text of Mitsuba's XML. Files in it are relative to ``folder``.
 
     :raises LoadError: the text is no scene; with ``line`` and ``column``.
     """
-    return _warned(_capwalk.load_string(text, os.fspath(folder), _texts(defines)))
+    return warned(_capwalk.load_string(text, os.fspath(folder), _texts(defines)))
 
 
 def render(
     scene: Scene,
     *,
+    sensor: Sensor = 0,
+    aov: str | None = None,
     spp: int | None = None,
     seed: int | None = None,
     threads: int | None = None,
@@ -52,16 +56,18 @@ def render(
 
     The same scene, ``spp`` and ``seed`` give the same bits, whatever ``threads`` is.
 
+    :param sensor: which of the scene's sensors, by number from 0 or by name.
+    :param aov: what is shown of the surfaces that are seen, instead of their light: ``"depth"``,
+        ``"position"``, ``"uv"``, ``"geo_normal"``, ``"sh_normal"``, ``"albedo"``, ``"mask"``.
     :param spp: samples per pixel, at least 1; by default the scene's.
     :param seed: of all random numbers, 0 to 2**64 - 1; by default the scene's.
     :param threads: worker threads; by default all cores.
     :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
     """
     with shown(progress, "render") as told:
-        (value, stderr), statistics = _capwalk.render(
-            scene, options(scene, spp, seed, threads, told)
-        )
-    _warn_of(statistics)
+        asked = options(scene, sensor, spp, seed, aov=aov, threads=threads, progress=told)
+        (value, stderr), statistics = _capwalk.render(scene, asked)
+    warn_of(statistics)
     return Picture(value, stderr, statistics)
 
 
@@ -69,6 +75,8 @@ def gradient(
     scene: Scene,
     along: Along,
     *,
+    sensor: Sensor = 0,
+    aov: str | None = None,
     spp: int | None = None,
     seed: int | None = None,
     threads: int | None = None,
@@ -83,37 +91,39 @@ def gradient(
 
     :param along: an expression such as ``"ball.translate.x"`` or ``"a.scale - 2*b.scale"``, or
         velocities of arrays by their names: ``{"ball.positions": array of shape (V, 3)}``.
+    :param sensor: which of the scene's sensors, by number from 0 or by name.
+    :param aov: what is shown instead of light, see :func:`render`.
     :param spp: samples per pixel, at least 1; by default the scene's.
     :param seed: of all random numbers, 0 to 2**64 - 1; by default the scene's.
     :param threads: worker threads; by default all cores. They change no bit.
     :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
     :param method: ``"auto"`` takes the method with the least variance × time, which is
         ``"walk"`` (the paper's) or ``"edges"``.
-    :param steps: steps of a walk, for these two.
+    :param steps: steps of a walk, for these two, at most 1000.
     :param max_angle: the walk's angular cutoff, degrees, above 0 and at most 180.
     :param antithetic: whether walks average opposite rim samples.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
     :raises ParameterError: a name means no parameter.
+    :raises ArgumentError: velocities of another shape than the array's, and all else.
     """
     with shown(progress, "gradient") as told:
-        value, slope, chosen, statistics = _capwalk.gradient(
+        asked = options(
             scene,
-            _direction(along),
-            options(
-                scene,
-                spp,
-                seed,
-                threads,
-                told,
-                method=method,
-                steps=steps,
-                max_angle=max_angle,
-                antithetic=antithetic,
-            ),
+            sensor,
+            spp,
+            seed,
+            aov=aov,
+            threads=threads,
+            progress=told,
+            method=method,
+            steps=steps,
+            max_angle=max_angle,
+            antithetic=antithetic,
         )
-    _warn_of(statistics)
-    return Slope(*slope, *value, chosen["method"], statistics)
+        value, slope, chosen, statistics = _capwalk.gradient(scene, direction(along), asked)
+    warn_of(statistics)
+    return Slope(*slope, *value, chosen, statistics)
 
 
 def backward(
@@ -121,6 +131,8 @@ def backward(
     adjoint: ArrayLike,
     names: Sequence[str] | None = None,
     *,
+    sensor: Sensor = 0,
+    aov: str | None = None,
     spp: int | None = None,
     seed: int | None = None,
     threads: int | None = None,
@@ -136,35 +148,35 @@ def backward(
     :param adjoint: derivative of a loss with respect to each pixel, (height, width, 3). Its
         noise must be independent of ``seed``: render the image that it comes from with another
         one, or the product of both is biased.
-    :param names: of the arrays; by default all of :func:`traverse`. Numbers such as
-        ``"ball.translate.x"`` and sums of them are allowed.
+    :param names: of the arrays; by default all that can be differentiated with respect to, with
+        a warning if some cannot. Numbers such as ``"ball.translate.x"`` and sums of them are
+        allowed.
+    :param seed: of all random numbers, 0 to 2**64 - 1; by default one that no image has which
+        is rendered with the scene's.
     :return: the gradients by name, each in the shape of its array, and their ``stderr``.
 
     The other parameters, and what is raised, are those of :func:`gradient`.
     """
-    if isinstance(names, str):
-        raise TypeError(f"names is the string {names!r}; expected a list of names: [{names!r}]")
-    wanted = [n for n, _, _, _, alias, _ in scene.arrays() if alias is None]
-    if names is not None:
-        wanted = list(names)
     with shown(progress, "backward") as told:
-        values, errors, statistics = _capwalk.backward(
+        asked = options(
             scene,
-            _numbers("adjoint", adjoint),
-            wanted,
-            options(
-                scene,
-                spp,
-                seed,
-                threads,
-                told,
-                method=method,
-                steps=steps,
-                max_angle=max_angle,
-                antithetic=antithetic,
-            ),
+            sensor,
+            spp,
+            seed,
+            independent=True,
+            aov=aov,
+            threads=threads,
+            progress=told,
+            method=method,
+            steps=steps,
+            max_angle=max_angle,
+            antithetic=antithetic,
         )
-    _warn_of(statistics)
+        wanted = wanted_names(scene, names, asked.sensor)
+        values, errors, statistics = _capwalk.backward(
+            scene, numbers("adjoint", adjoint), wanted, asked
+        )
+    warn_of(statistics)
     return Gradients(values, errors, statistics)
 
 
@@ -172,6 +184,8 @@ def check(
     scene: Scene,
     along: Along,
     *,
+    sensor: Sensor = 0,
+    aov: str | None = None,
     spp: int | None = None,
     reference_spp: int | None = None,
     step: float | None = None,
@@ -195,33 +209,35 @@ def check(
     if reference_spp is not None:
         reference_spp = integer("reference_spp", reference_spp, 1, 2**32 - 1)
     with shown(progress, "check") as told:
-        slope, reference, numbers = _capwalk.check(
+        asked = options(
             scene,
-            _direction(along),
-            options(
-                scene,
-                spp,
-                seed,
-                threads,
-                told,
-                method=method,
-                steps=steps,
-                max_angle=max_angle,
-                antithetic=antithetic,
-            ),
-            reference_spp,
-            step,
+            sensor,
+            spp,
+            seed,
+            aov=aov,
+            threads=threads,
+            progress=told,
+            method=method,
+            steps=steps,
+            max_angle=max_angle,
+            antithetic=antithetic,
         )
+        slope, reference, found = _capwalk.check(
+            scene, direction(along), asked, reference_spp, step
+        )
+    warn_of(found["statistics"])
+    warn_of(found["reference_statistics"])
     return Check(
         gradient=slope[0],
         stderr=slope[1],
         reference=reference[0],
         reference_stderr=reference[1],
-        **numbers,
+        **found,
     )
 
 
-def _direction(along: Along) -> str | dict[str, Array]:
+def direction(along: Along) -> str | dict[str, Array]:
+    """What the image changes along, as the module takes it."""
     if isinstance(along, str):
         return along
     if not isinstance(along, Mapping):
@@ -229,31 +245,50 @@ def _direction(along: Along) -> str | dict[str, Array]:
             f"the direction is a {type(along).__name__}; expected the name of a parameter, or a "
             "dict of velocities by the names of arrays"
         )
-    return {name: _numbers(name, velocities) for name, velocities in along.items()}
+    for name in along:
+        if not isinstance(name, str):
+            raise TypeError(f"the name of an array is {name!r}; expected a string")
+    return {name: numbers(name, velocities) for name, velocities in along.items()}
 
 
-def _numbers(what: str, value: ArrayLike) -> Array:
-    try:
-        return np.asarray(value, dtype=np.float64)
-    except (TypeError, ValueError) as error:
-        raise ArgumentError(f"{what} is no array of numbers: {error}") from error
+def wanted_names(scene: Scene, names: Sequence[str] | None, sensor: int) -> list[str]:
+    """What is differentiated with respect to."""
+    if isinstance(names, str):
+        raise TypeError(f"names is the string {names!r}; expected a list of names: [{names!r}]")
+    if names is not None:
+        return list(names)
+    allowed, refused, reason = scene._gradient_names(sensor)
+    if refused:
+        text = f"{', '.join(refused)} are left out: {reason}"
+        if not allowed:
+            raise ArgumentError(f"nothing in this scene can be differentiated: {text}")
+        warnings.warn(text, UnreliableWarning, stacklevel=3)
+    return allowed
 
 
-def _texts(defines: Mapping[str, object]) -> dict[str, str]:
-    words = {True: "true", False: "false"}
-    return {
-        name: words[value] if isinstance(value, bool) else str(value)
-        for name, value in defines.items()
-    }
-
-
-def _warned(scene: Scene) -> Scene:
+def warned(scene: Scene) -> Scene:
+    """A scene that was just loaded, after a warning for all that its file says in vain."""
     for warning in scene.warnings:
         warnings.warn(warning, SceneWarning, stacklevel=3)
     return scene
 
 
-def _warn_of(statistics: Mapping[str, Any]) -> None:
-    if statistics["too_many_non_finite"]:
+def warn_of(statistics: Mapping[str, Any]) -> None:
+    """Warns of samples that are no numbers."""
+    if statistics["non_finite"]:
         text = f"{statistics['non_finite']} of {statistics['samples']} samples were infinite or NaN"
-        warnings.warn(f"{text} and count as zero", UnreliableWarning, stacklevel=3)
+        text += ", and count as zero"
+        if statistics["too_many_non_finite"]:
+            text += ": too many, do not use these images"
+        warnings.warn(text, UnreliableWarning, stacklevel=3)
+
+
+def _texts(defines: Mapping[str, object]) -> dict[str, str]:
+    def text(name: str, value: object) -> str:
+        if isinstance(value, bool | np.bool_):
+            return "true" if value else "false"
+        if isinstance(value, str | int | float | np.integer | np.floating):
+            return str(value)
+        raise TypeError(f"{name} is {value!r}; expected a string, a number, True or False")
+
+    return {name: text(name, value) for name, value in defines.items()}

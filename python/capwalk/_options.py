@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,11 +10,16 @@ from dataclasses import dataclass
 from . import _capwalk
 from .errors import ArgumentError
 
+METHODS = ("auto", "walk", "edges")
+LARGEST_SEED = 2**64 - 1
+
 
 @dataclass(frozen=True)
 class Options:
     """What `_capwalk` reads, attribute by attribute."""
 
+    sensor: int
+    aov: str | None
     spp: int
     seed: int
     threads: int | None
@@ -22,31 +28,51 @@ class Options:
     steps: int | None = None
     max_angle: float | None = None
     antithetic: bool | None = None
+    chosen: bytes | None = None
+    """What a pilot has chosen, instead of the last four."""
 
 
 def options(
     scene: _capwalk.Scene,
+    sensor: int | str,
     spp: int | None,
     seed: int | None,
-    threads: int | None,
-    progress: Callable[[int, int], object] | None,
     *,
+    independent: bool = False,
+    aov: str | None = None,
+    threads: int | None = None,
+    progress: Callable[[int, int], object] | None = None,
     method: str = "auto",
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
 ) -> Options:
-    """The options; what is ``None`` is as the scene's file says."""
-    own_spp, own_seed = scene.sampling
+    """The options; what is ``None`` is as the scene's file says. The seed is then
+    ``independent`` of that of an image, if asked for."""
+    if not isinstance(scene, _capwalk.Scene):
+        raise TypeError(
+            f"the scene is a {type(scene).__name__}; expected what load_file or load_string give"
+        )
+    if method not in METHODS:
+        raise ArgumentError(f'there is no method "{method}"; there are {", ".join(METHODS)}')
+    if antithetic not in (None, True, False):
+        raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
+    sensors = scene._sensors()
+    number = _sensor([name for name, _, _, _ in sensors], sensor)
+    _, _, own_spp, own_seed = sensors[number]
+    if independent:
+        own_seed = LARGEST_SEED - own_seed
     return Options(
+        sensor=number,
+        aov=aov,
         spp=own_spp if spp is None else integer("spp", spp, 1, 2**32 - 1),
-        seed=own_seed if seed is None else integer("seed", seed, 0, 2**64 - 1),
-        threads=None if threads is None else integer("threads", threads, 1, 2**16),
+        seed=own_seed if seed is None else integer("seed", seed, 0, LARGEST_SEED),
+        threads=None if threads is None else integer("threads", threads, 1, 1024),
         progress=progress,
         method=method,
-        steps=None if steps is None else integer("steps", steps, 1, 2**32 - 1),
-        max_angle=max_angle,
-        antithetic=antithetic,
+        steps=None if steps is None else integer("steps", steps, 1, 1000),
+        max_angle=None if max_angle is None else real("max_angle", max_angle),
+        antithetic=None if antithetic is None else bool(antithetic),
     )
 
 
@@ -59,3 +85,22 @@ def integer(name: str, value: int, least: int, most: int) -> int:
     if not least <= number <= most:
         raise ArgumentError(f"{name} is {number}; expected {least} to {most}")
     return number
+
+
+def real(name: str, value: float) -> float:
+    """A number, also one of NumPy's."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name} is {value!r}; expected a number") from None
+    if not math.isfinite(number):
+        raise ArgumentError(f"{name} is {number}; expected a finite number")
+    return number
+
+
+def _sensor(names: list[str], sensor: int | str) -> int:
+    if isinstance(sensor, str):
+        if sensor not in names:
+            raise ArgumentError(f'there is no sensor "{sensor}"; there are {", ".join(names)}')
+        return names.index(sensor)
+    return integer("sensor", sensor, 0, len(names) - 1)

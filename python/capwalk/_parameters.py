@@ -2,76 +2,122 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, MutableMapping
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _capwalk
-from ._results import Array
-from .errors import ArgumentError
+from ._numbers import Array, numbers
+from .errors import ArgumentError, BusyError
+
+
+@dataclass
+class _Entry:
+    """An array that was read or set."""
+
+    value: Array
+    """What the user has and may change in place."""
+    read: Array
+    """What the scene had."""
+    revision: int
+    """When the scene had it."""
+    was_set: bool = False
+    """Whether it counts even if it is what the scene had."""
+
+    @property
+    def changed(self) -> bool:
+        return self.was_set or not np.array_equal(self.value, self.read, equal_nan=True)
 
 
 class SceneParameters(MutableMapping[str, Array]):
-    """Arrays of a scene by their names. What is set counts when :meth:`update` is called, all
-    at once. Iteration gives each array under its first name; other names that it has
-    (``ball.vertex_positions`` for ``ball.positions``) are understood."""
+    """Arrays of a scene by their names. What is set, or changed in place, counts when
+    :meth:`update` is called, all at once. Iteration gives each array under its first name;
+    other names that it has (``ball.vertex_positions`` for ``ball.positions``) are understood."""
 
     def __init__(self, scene: _capwalk.Scene) -> None:
         self._scene = scene
-        self._listed = scene.arrays()
-        self._changed: dict[str, Array] = {}
+        self._listed = scene._arrays()
         self._first = {name: alias or name for name, _, _, _, alias, _ in self._listed}
+        self._kept = [name for name, first in self._first.items() if name == first]
+        self._entries: dict[str, _Entry] = {}
 
     def __getitem__(self, name: str) -> Array:
         first = self._first.get(name, name)
-        if first not in self._changed:
-            # Changed in place, too: ``params["ball.positions"][0] += 1``.
-            self._changed[first] = self._scene.values(first)
-        return self._changed[first]
+        entry = self._entries.get(first)
+        revision = self._scene.revision
+        if entry is None or (entry.revision != revision and not entry.changed):
+            now = self._scene._values(first)
+            entry = self._entries[first] = _Entry(now, now.copy(), revision)
+        return entry.value
 
     def __setitem__(self, name: str, value: ArrayLike) -> None:
-        shape = self._scene.values(name).shape
-        numbers = np.asarray(value, dtype=np.float64)
-        if numbers.size == np.prod(shape) and numbers.ndim <= 1:
-            # A number for an array of one, and a flat array as Mitsuba has them.
-            numbers = numbers.reshape(shape)
-        if numbers.shape != shape:
-            raise ArgumentError(f"{name} has the shape {shape}; found {numbers.shape}")
-        self._changed[self._first.get(name, name)] = np.array(numbers)
+        entry = self._entry(name, value)
+        self._entries[self._first[name]] = entry
 
     def __delitem__(self, name: str) -> None:
         raise TypeError(f"{name} cannot be removed: the scene needs all of its parameters")
 
     def __iter__(self) -> Iterator[str]:
-        return (name for name, _, _, _, alias, _ in self._listed if alias is None)
+        return iter(self._kept)
 
     def __len__(self) -> int:
-        return sum(1 for _ in self)
+        return len(self._kept)
 
     def __contains__(self, name: object) -> bool:
         return name in self._first
 
+    __eq__ = object.__eq__
+    __hash__ = object.__hash__
+
+    def keep(self, pattern: str) -> None:
+        """Leaves only the arrays whose names match a regular expression as a whole. The others
+        can still be read and set by name."""
+        self._kept = [name for name in self._kept if re.fullmatch(pattern, name)]
+
     def update(self, *others: Mapping[str, ArrayLike], **more: ArrayLike) -> None:  # type: ignore[override]
         """Changes the scene to what was set, all of it or, if the scene could not be rendered
         so, nothing; then what was set is forgotten. Moved vertices refit the trees, other
-        colours touch none. Mappings are set before."""
+        colours touch none. Mappings are set before.
+
+        :raises BusyError: another thread renders the scene; what was set is kept, to be tried
+            again.
+        """
+        entries = dict(self._entries)
         for other in (*others, more):
-            for name, value in other.items():
-                self[name] = value
-        changed, self._changed = self._changed, {}
-        self._scene.update({
-            name: value
-            for name, value in changed.items()
-            if not np.array_equal(value, self._scene.values(name))
-        })
+            for name, value in dict(other).items():
+                entry = self._entry(name, value)
+                entries[self._first[name]] = entry
+        self._entries = entries
+        try:
+            changes = {name: entry.value for name, entry in entries.items() if entry.changed}
+            if changes:
+                self._scene._update(changes)
+        except BusyError:
+            raise
+        except Exception:
+            self._entries = {}
+            raise
+        self._entries = {}
+
+    def _entry(self, name: str, value: ArrayLike) -> _Entry:
+        now = self._scene._values(name)
+        array = numbers(name, value)
+        if array.size == now.size and array.ndim <= 1:
+            # A number for an array of one, and a flat array as Mitsuba has them.
+            array = array.reshape(now.shape)
+        if array.shape != now.shape:
+            raise ArgumentError(f"{name} has the shape {now.shape}; found {array.shape}")
+        return _Entry(array.copy(), now, self._scene.revision, was_set=True)
 
     def __repr__(self) -> str:
         """A table: ``D`` stands where edges move, so that the derivative has a boundary part."""
         rows = [
             (name, str(tuple(shape)), "D" if moves else "", unit, description)
-            for name, shape, unit, description, alias, moves in self._listed
-            if alias is None
+            for name, shape, unit, description, _, moves in self._listed
+            if name in self._kept
         ]
         rows.insert(0, ("name", "shape", "", "unit", "what it is"))
         widths = [max(len(row[i]) for row in rows) for i in range(4)]
@@ -89,4 +135,3 @@ def traverse(scene: _capwalk.Scene) -> SceneParameters:
     >>> params.update()
     """
     return SceneParameters(scene)
-

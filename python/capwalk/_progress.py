@@ -6,29 +6,36 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
-Progress = bool | Callable[[int, int], object] | None
+Told = Callable[[int, int], object]
+Progress = bool | Told | None
 """``True`` for a bar, or a function that is called with what is done and what there is to do."""
 
 
 @contextmanager
-def shown(progress: Progress, what: str) -> Iterator[Callable[[int, int], object] | None]:
+def shown(progress: Progress, what: str) -> Iterator[Told | None]:
     """The function to be called with the progress, if anybody wants to know."""
     if callable(progress):
         yield progress
-    elif progress:
+    elif progress is True:
         with _bar(what) as bar:
             yield bar
-    else:
+    elif progress is None or progress is False:
         yield None
+    else:
+        raise TypeError(f"progress is {progress!r}; expected True, False or a function")
 
 
 @contextmanager
-def _bar(what: str) -> Iterator[Callable[[int, int], object]]:
+def _bar(what: str) -> Iterator[Told]:
     try:
         from tqdm.auto import tqdm  # type: ignore[import-untyped, unused-ignore]
     except ImportError:
-        yield lambda done, total: _line(what, done, total)
-        print(file=sys.stderr)
+        tqdm = None
+    if tqdm is None:
+        try:
+            yield lambda done, total: _line(what, done, total)
+        finally:
+            print(file=sys.stderr)
         return
     with tqdm(desc=what, unit="sample", unit_scale=True) as bar:
 

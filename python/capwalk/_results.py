@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from . import _capwalk
-
-Array = NDArray[np.float64]
+from ._numbers import Array
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -33,7 +32,8 @@ class Picture:
         return _as_array(self.value, dtype, copy)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes an .exr or .npz file with all layers, or a .png file with the image."""
+        """Writes an .exr or .npz file with all layers in single precision, or a .png file with
+        the image."""
         layers = [("value", self.value), ("value_stderr", self.stderr)]
         _capwalk.write_images(os.fspath(path), layers)
 
@@ -67,8 +67,8 @@ class Slope:
         return _as_array(self.gradient, dtype, copy)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes an .exr or .npz file with all layers, or a .png file with the derivative in
-        false colours, blue below zero and red above."""
+        """Writes an .exr or .npz file with all layers in single precision, or a .png file with
+        the derivative in false colours, blue below zero and red above."""
         layers = [
             ("gradient", self.gradient),
             ("stderr", self.stderr),
@@ -131,7 +131,7 @@ class Check:
     correlation: float
     """Correlation of both images."""
     pixels: int
-    """Pixels with noise."""
+    """Pixels with noise, which are compared."""
     worst: list[tuple[int, int, float]]
     """Column, row and z of the pixels that differ most."""
     step: float
@@ -140,6 +140,12 @@ class Check:
     """Samples per pixel of the gradient."""
     reference_spp: int
     """Samples per pixel of the reference, on each side."""
+    text: str
+    """All of this in words, as the command line prints it."""
+    statistics: Mapping[str, Any]
+    """What was done for the gradient."""
+    reference_statistics: Mapping[str, Any]
+    """What was done for the reference."""
     gradient: Array
     """The gradient, (height, width, 3)."""
     stderr: Array
@@ -155,40 +161,10 @@ class Check:
         return self.verdict == "right"
 
     def __repr__(self) -> str:
-        return f"<capwalk.Check: {self.verdict}: {self._sentence()}>"
+        return f"<capwalk.Check: {self.text.splitlines()[-1]}>"
 
     def __str__(self) -> str:
-        lines = [
-            f"scale factor  {self.scale_factor:.4f} ± {self.scale_factor_error:.4f} "
-            "(reference / gradient)",
-            f"mean z²       {self.mean_z2:.3f} ± {self.mean_z2_error:.3f} "
-            f"over {self.pixels} pixels with noise",
-            f"sign          {self.sign:+.2f} standard errors",
-            f"relative L1   {self.relative_l1:.3g} "
-            f"(noise alone: {self.relative_l1_of_noise:.3g})",
-            f"correlation   {self.correlation:.4f}",
-            f"reference     central differences over ± {self.step:.3g}",
-            f"{self.verdict}: {self._sentence()}",
-        ]
-        return "\n".join(lines)
-
-    def _sentence(self) -> str:
-        if self.verdict == "right":
-            if np.isnan(self.scale_factor):
-                return "both are zero everywhere: nothing in the image changes"
-            return "they agree, and a factor wrong by 10 % would have been seen"
-        if self.verdict == "wrong":
-            return f"{self.reason} (if a smaller step changes this, the reference is at fault)"
-        factor = self.samples_factor or np.inf
-        if min(self.spp, self.reference_spp) < 2:
-            return "standard errors need at least two samples per pixel"
-        if np.isfinite(factor):
-            spp, reference = (int(np.ceil(n * factor)) for n in (self.spp, self.reference_spp))
-            return (
-                f"about {factor:.2g} times the samples would be enough "
-                f"(spp={spp}, reference_spp={reference})"
-            )
-        return "there is no derivative to be seen, only noise"
+        return self.text
 
 
 def _described(value: Array, stderr: Array) -> str:

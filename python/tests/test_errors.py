@@ -65,8 +65,20 @@ WRONG: list[tuple[Callable[[cw.Scene], object], type[Exception], str]] = [
     (lambda s: cw.gradient(s, "box.tranlate.x"), cw.ParameterError, "did you mean `box.translate"),
     (lambda s: cw.gradient(s, "box.scale - box.scale"), cw.ArgumentError, "nothing changes"),
     (lambda s: cw.gradient(s, 3), TypeError, "expected the name of a parameter"),  # type: ignore[arg-type]
-    (lambda s: cw.gradient(s, {"box.positions": ONES}), cw.ParameterError, "expected 24"),
-    (lambda s: cw.gradient(s, {"box.positions": "up"}), cw.ArgumentError, "no array of numbers"),
+    (lambda s: cw.gradient(s, {"box.positions": ONES}), cw.ArgumentError, r"found \(18, 24, 3\)"),
+    (lambda s: cw.gradient(s, {"box.positions": ONES[0].T}), cw.ArgumentError, r"shape \(8, 3\)"),
+    (lambda s: cw.backward(s, ONES * 1j), cw.ArgumentError, "complex128; expected real"),
+    (lambda s: cw.gradient(s, BOX, method="was"), cw.ArgumentError, "there are auto, walk, edges"),
+    (lambda s: cw.gradient(s, BOX, method="walk", steps=10**6), cw.ArgumentError, "expected 1 to 1000"),
+    (lambda s: cw.gradient(s, BOX, method="walk", max_angle="a"), TypeError, "expected a number"),  # type: ignore[arg-type]
+    (lambda s: cw.render("leaf"), TypeError, "expected what load_file"),  # type: ignore[arg-type]
+    (lambda s: cw.render(s, sensor=1), cw.ArgumentError, "sensor is 1; expected 0 to 0"),
+    (lambda s: cw.render(s, sensor="left"), cw.ArgumentError, 'no sensor "left"; there are sensor'),
+    (lambda s: cw.render(s, aov="deep"), cw.ArgumentError, 'no aov "deep"; there are depth'),
+    (lambda s: cw.render(s, progress=5), TypeError, "expected True, False or a function"),  # type: ignore[arg-type]
+    (lambda s: cw.load_string("<scene/>", a=None), TypeError, "a is None; expected"),
+    (lambda s: cw.gradient(s, {"box.positions": "up"}), cw.ArgumentError, "expected real numbers"),
+    (lambda s: cw.gradient(s, {"box.positions": [[1], [1, 2]]}), cw.ArgumentError, "no array of"),
     (lambda s: cw.gradient(s, {"bx.positions": ONES}), cw.ParameterError, "no parameter"),
     (lambda s: cw.gradient(s, BOX, method="fast"), cw.ArgumentError, "there are auto, walk, edges"),
     (lambda s: cw.gradient(s, BOX, method="walk", steps=0), cw.ArgumentError, "steps is 0"),
@@ -77,7 +89,7 @@ WRONG: list[tuple[Callable[[cw.Scene], object], type[Exception], str]] = [
     (lambda s: cw.backward(s, ONES * np.nan), cw.ArgumentError, "expected finite numbers"),
     (lambda s: cw.backward(s, ONES, "box.positions"), TypeError, "expected a list of names"),
     (lambda s: cw.backward(s, ONES, ["x.positions"]), cw.ParameterError, "no parameter"),
-    (lambda s: s.update({"box.positions": ONES[0]}), cw.ArgumentError, r"found \(24, 3\)"),
+    (lambda s: s._update({"box.positions": ONES[0]}), cw.ArgumentError, r"found \(24, 3\)"),
     (lambda s: cw.traverse(s)["box.position"], cw.ParameterError, "did you mean"),
     (lambda s: cw.render(s).save("image.jpg"), cw.ImageError, "image.jpg"),
     (lambda s: cw.render(s).save("/no/folder/image.exr"), cw.ImageError, "/no/folder/image.exr"),

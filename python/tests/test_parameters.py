@@ -22,7 +22,7 @@ def test_update_moves_the_scene(scene: cw.Scene) -> None:
 
 
 def test_update_answers_like_a_new_scene(scene: cw.Scene) -> None:
-    positions = scene.values("box.positions") * 1.1
+    positions = scene._values("box.positions") * 1.1
     colour = [0.1, 0.9, 0.2]
     params = cw.traverse(scene)
     params.update({"box.positions": positions, "floor.bsdf.reflectance.value": colour})
@@ -32,20 +32,20 @@ def test_update_answers_like_a_new_scene(scene: cw.Scene) -> None:
     assert np.array_equal(one.gradient, other.gradient)
     # A copy changes by itself.
     cw.traverse(anew).update({"floor.bsdf.reflectance.value": [0.5, 0.5, 0.5]})
-    assert scene.values("floor.bsdf.reflectance.value").tolist() == colour
+    assert scene._values("floor.bsdf.reflectance.value").tolist() == colour
 
 
 def test_all_changes_or_none(scene: cw.Scene) -> None:
     params = cw.traverse(scene)
-    before = scene.values("box.positions")
+    before = scene._values("box.positions")
     params["box.positions"] = before + 1.0
     params["floor.bsdf.reflectance.value"] = [-1.0, 0.0, 0.0]
     with pytest.raises(cw.Error):
         params.update()
-    assert np.array_equal(scene.values("box.positions"), before)
+    assert np.array_equal(scene._values("box.positions"), before)
     # What was refused is forgotten.
     params.update()
-    assert np.array_equal(scene.values("box.positions"), before)
+    assert np.array_equal(scene._values("box.positions"), before)
 
 
 def test_mapping(scene: cw.Scene) -> None:
@@ -57,10 +57,10 @@ def test_mapping(scene: cw.Scene) -> None:
     with pytest.raises(TypeError):
         del params["box.positions"]
     # Flat arrays as Mitsuba has them, and a number for an array of one.
-    params["box.positions"] = scene.values("box.positions").ravel() * 2
+    params["box.positions"] = scene._values("box.positions").ravel() * 2
     params["sensor.x_fov"] = 50.0
     params.update()
-    assert scene.values("sensor.x_fov")[0] == pytest.approx(50.0)
+    assert scene._values("sensor.x_fov")[0] == pytest.approx(50.0)
 
 
 def test_colours_are_recovered(scene: cw.Scene) -> None:
@@ -82,3 +82,55 @@ def test_colours_are_recovered(scene: cw.Scene) -> None:
         params.update()
     assert loss() < 0.05 * start
     assert np.abs(params[name] - [0.7, 0.5, 0.3]).max() < 0.1
+
+
+def test_reading_changes_nothing(scene: cw.Scene) -> None:
+    """What was only read is not written back over what others have set."""
+    colour = "floor.bsdf.reflectance.value"
+    params, others = cw.traverse(scene), cw.traverse(scene)
+    before = params[colour].copy()
+    others.update({colour: [0.1, 0.2, 0.3]})
+    # What was read is read again where the scene has changed.
+    assert params[colour].tolist() == [0.1, 0.2, 0.3]
+    params.update({"box.positions": params["box.positions"] + 0.1})
+    assert scene._values(colour).tolist() == [0.1, 0.2, 0.3]
+    params[colour] = before
+    params.update()
+    assert np.array_equal(scene._values(colour), before)
+
+
+def test_a_refused_mapping_leaves_nothing_behind(scene: cw.Scene) -> None:
+    params = cw.traverse(scene)
+    before = scene._values("box.positions")
+    with pytest.raises(cw.ArgumentError):
+        params.update({"box.positions": before + 1, "box.to_world": [1.0, 2.0]})
+    params.update()
+    assert np.array_equal(scene._values("box.positions"), before)
+
+
+def test_a_busy_scene_keeps_what_was_set(scene: cw.Scene) -> None:
+    params = cw.traverse(scene)
+    moved = params["box.positions"] + 0.2
+    params["box.positions"] = moved
+
+    def change(done: int, total: int) -> None:
+        with pytest.raises(cw.BusyError, match="change a copy"):
+            params.update()
+
+    cw.render(scene, progress=change)
+    params.update()
+    assert np.array_equal(scene._values("box.positions"), moved)
+
+
+def test_mitsubas_names(scene: cw.Scene) -> None:
+    params = cw.traverse(scene)
+    assert "box.vertex_positions" in params and "box.vertex_positions" not in list(params)
+    params["box.vertex_positions"] += 0.1
+    params.update()
+    assert np.array_equal(params["box.positions"], params["box.vertex_positions"])
+    ones = np.ones((18, 24, 3))
+    names = ["box.vertex_positions", "box.positions"]
+    gradients = cw.backward(scene, ones, names, spp=4)
+    assert np.array_equal(gradients[names[0]], gradients[names[1]])
+    params.keep(r"box\..*")
+    assert set(params) == {"box.positions", "box.to_world", "box.bsdf.reflectance.value"}

@@ -93,7 +93,7 @@ def test_a_scene_is_not_changed_while_it_is_rendered(scene: cw.Scene) -> None:
     assert running.wait(10)
     params = cw.traverse(scene)
     params["floor.bsdf.reflectance.value"] = [0.1, 0.1, 0.1]
-    with pytest.raises(cw.BusyError, match="rendered in another thread"):
+    with pytest.raises(cw.BusyError, match="rendered: by another thread"):
         params.update()
     # A copy can be changed meanwhile.
     cw.traverse(scene.copy()).update({"floor.bsdf.reflectance.value": [0.1, 0.1, 0.1]})

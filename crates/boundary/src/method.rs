@@ -1,10 +1,12 @@
 //! The boundary estimators by name, and what each of them covers.
 
+use serde::{Deserialize, Serialize};
+
 #[cfg(feature = "paper")]
 pub use crate::paper::settings::{WasBoundary, WasSettings};
 
 /// How the derivative of a discontinuous integrand is estimated.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub enum Method {
     /// Of [`Method::Walk`] and [`Method::Edges`] what has the least variance × time: each
     /// kind of segment is tried in a short pilot before the work, with the walk's angular
@@ -42,7 +44,7 @@ pub enum Method {
 }
 
 /// The segments of paths along which edges are gathered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Gathers {
     /// Edges in each pixel.
     pub camera: bool,

@@ -7,7 +7,7 @@ use capwalk_diff::{
     Backward, BatchSums, Chosen, GradientOptions, Grid, Part, Partial, Refusal, Statistics, Wanted,
     Watch,
 };
-use capwalk_scene::params::{ArrayParameter, ParameterError, Request};
+use capwalk_scene::params::{ArrayParameter, ParameterError, Registry, Request};
 use capwalk_scene::{Image, Scene, Tangent};
 
 use crate::direction::is_zero;
@@ -204,8 +204,12 @@ fn requests<N: AsRef<str>>(engine: &Engine, names: &[N]) -> Result<Vec<(String, 
 }
 
 /// The array of this name.
-pub(crate) fn array(engine: &Engine, name: &str) -> Result<ArrayParameter, ParameterError> {
-    match engine.registry().request(engine.scene(), name)? {
+pub(crate) fn array(
+    registry: &Registry,
+    scene: &Scene,
+    name: &str,
+) -> Result<ArrayParameter, ParameterError> {
+    match registry.request(scene, name)? {
         Request::Array(array) => Ok(array),
         Request::Tangent(_) => Err(ParameterError::NoParameter {
             name: name.into(),

@@ -1,10 +1,11 @@
 //! A gradient against central differences.
 
 use capwalk_diff::GradientImage;
-use capwalk_diff::check::{Comparison, compare, without_rounding};
+use capwalk_diff::GradientOptions;
+use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
 
 use crate::options::DifferenceOptions;
-use capwalk_diff::GradientOptions;
+use crate::text::{count, list, number, plus_minus, significant};
 
 /// Samples of the reference for each one of the gradient, if nothing is said:
 /// differences are cheaper, and noisier.
@@ -12,6 +13,9 @@ const REFERENCE_FACTOR: u32 = 4;
 
 /// Makes the reference's random numbers independent of the gradient's.
 const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// How many of the worst pixels are shown.
+const SHOWN_PIXELS: usize = 4;
 
 /// How a gradient is checked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -89,4 +93,112 @@ impl Check {
             made,
         }
     }
+
+    /// What follows, in a sentence. `option` writes an option as the reader would give it:
+    /// its name, `step` or `spp`, and its value if it should have one.
+    pub fn verdict(&self, option: impl Fn(&str, Option<u64>) -> String) -> String {
+        // Samples that were really taken: the work may have been stopped.
+        let taken = |image: &GradientImage| {
+            let statistics = &image.statistics;
+            statistics.samples as f64 / statistics.samples_per_pixel.len() as f64
+        };
+        let (spp, reference_spp) = (taken(&self.gradient), taken(&self.reference));
+        match &self.comparison.verdict {
+            Verdict::Right if self.comparison.scale_factor.is_nan() => {
+                "right: both are zero everywhere: nothing in the image changes".into()
+            }
+            Verdict::Right => {
+                "right: they agree, and a factor wrong by 10 % would have been seen".into()
+            }
+            Verdict::Wrong { reason } => {
+                let step = option("step", None);
+                format!(
+                    "wrong: {reason}\n(if a smaller {step} changes this, the reference is at fault)"
+                )
+            }
+            Verdict::Inconclusive { .. } if spp.min(reference_spp) < 2.0 => {
+                "inconclusive: standard errors need at least two samples per pixel".into()
+            }
+            Verdict::Inconclusive { samples_factor } if samples_factor.is_finite() => {
+                let enough = |spp: f64| Some((spp * samples_factor).ceil() as u64);
+                format!(
+                    "inconclusive: about {} times the samples would be enough ({} {})",
+                    significant(*samples_factor, 2),
+                    option("spp", enough(spp)),
+                    option("reference-spp", enough(reference_spp))
+                )
+            }
+            Verdict::Inconclusive { .. } => {
+                "inconclusive: there is no derivative to be seen, only noise".into()
+            }
+        }
+    }
+}
+
+/// The numbers of a comparison, one on each line; `-` stands for what images
+/// without noise, or of zeros, do not have.
+pub fn comparison_text(c: &Comparison) -> String {
+    let worst = c.worst.iter().take(SHOWN_PIXELS);
+    let worst: Vec<String> = worst
+        .map(|(x, y, z)| format!("({x}, {y}) {z:.1}"))
+        .collect();
+    let worst = match worst.is_empty() {
+        true => "-".into(),
+        false => worst.join(", "),
+    };
+    let if_any = |x: f64, text: String| if x.is_nan() { "-".into() } else { text };
+    let mut lines = vec![
+        (
+            "relative L1",
+            format!(
+                "{} (noise alone: {})",
+                number(c.relative_l1),
+                number(c.relative_l1_of_noise)
+            ),
+        ),
+        (
+            "correlation",
+            if_any(c.correlation, format!("{:.4}", c.correlation)),
+        ),
+        (
+            "scale factor",
+            format!(
+                "{} (reference / gradient)",
+                if_any(
+                    c.scale_factor,
+                    plus_minus(c.scale_factor, c.scale_factor_error)
+                )
+            ),
+        ),
+        (
+            "mean z²",
+            format!(
+                "{} over {} pixels with noise",
+                if_any(
+                    c.mean_z_squared,
+                    plus_minus(c.mean_z_squared, c.mean_z_squared_error)
+                ),
+                count(c.pixels as u64)
+            ),
+        ),
+        (
+            "plain mean z²",
+            format!(
+                "{} (all pixels alike; off 1 where noise is rare events)",
+                if_any(c.mean_z_squared_plain, number(c.mean_z_squared_plain))
+            ),
+        ),
+        (
+            "sign",
+            if_any(c.sign, format!("{:+.2} standard errors", c.sign)),
+        ),
+        ("worst z", worst),
+    ];
+    if c.left_out > 0 {
+        lines.push((
+            "left out",
+            format!("{} pixels without a standard error", c.left_out),
+        ));
+    }
+    list(&lines)
 }

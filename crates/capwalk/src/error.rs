@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use capwalk_diff::{PartError, Refusal};
 use capwalk_inverse::variable::{ApplyError, VariableError};
 use capwalk_scene::params::ParameterError;
-use capwalk_scene::{SceneError, builtin};
+use capwalk_scene::{BytesError, SceneError, builtin};
 use capwalk_scene_io::image::ImageError;
 use capwalk_scene_io::{LoadError, VelocityFileError};
 
@@ -34,13 +34,21 @@ pub enum Error {
         /// The scene.
         scene: String,
     },
-    /// A built-in scene has one sensor.
-    #[error("the built-in scene \"{scene}\" has one sensor, number 0, and no number {number}")]
+    /// There are not so many sensors.
+    #[error("there is no sensor {number}: the scene has {sensors} sensors, counted from 0")]
     NoSuchSensor {
-        /// The scene.
-        scene: String,
+        /// How many there are.
+        sensors: usize,
         /// What was asked for.
         number: usize,
+    },
+    /// A name that means the sensor of a scene with several.
+    #[error("\"{name}\" could be of several sensors; name one of them: {}", sensors.join(", "))]
+    SeveralSensors {
+        /// What was asked for.
+        name: String,
+        /// The sensors there are.
+        sensors: Vec<String>,
     },
     /// The scene was read and cannot be rendered.
     #[error("the scene {scene} cannot be rendered")]
@@ -69,6 +77,16 @@ pub enum Error {
     /// A file holds no velocities.
     #[error(transparent)]
     Velocities(#[from] VelocityFileError),
+    /// Numbers for an array in another shape than it has.
+    #[error("{name} has the shape {expected}; found {found}")]
+    Shape {
+        /// The array.
+        name: String,
+        /// Its shape.
+        expected: String,
+        /// That of the numbers.
+        found: String,
+    },
     /// Nothing moves or changes, so the derivative is zero everywhere.
     #[error("nothing changes: {what} add up to zero")]
     NothingMoves {
@@ -87,6 +105,9 @@ pub enum Error {
     /// Parts of a work that make no whole.
     #[error("{0}")]
     Part(PartError),
+    /// Bytes that are no scene.
+    #[error(transparent)]
+    Bytes(#[from] BytesError),
     /// Options that contradict each other.
     #[error(transparent)]
     Option(#[from] OptionError),

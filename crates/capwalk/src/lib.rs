@@ -31,6 +31,7 @@
 //! |---|---|
 //! | [`load()`], [`Loader`] | a scene from a file, with warnings, another size, other `$name`s |
 //! | [`Prepared`] | a scene that is ready for any number of images and gradients |
+//! | [`Views`] | the same for all sensors of a scene, and for what they show besides light |
 //! | [`Prepared::render`] | an image with its standard errors |
 //! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |
 //! | [`Prepared::backward`] | the gradient of a loss with respect to everything named (reverse mode) |
@@ -69,6 +70,8 @@ pub mod optimize;
 mod options;
 mod prepared;
 mod step;
+pub mod text;
+mod views;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
@@ -88,7 +91,8 @@ pub use capwalk_scene::{
 pub use capwalk_scene_io::export::ExportError;
 pub use capwalk_scene_io::image::ImageError;
 pub use capwalk_scene_io::{
-    Diagnostic, LoadError, Loaded, NotVelocities, VelocityFileError, Warning, read_velocities,
+    Diagnostic, LoadError, Loaded, NotVelocities, SensorSettings, VelocityFileError, Warning,
+    read_velocities,
 };
 
 // What a command line or another face needs besides.
@@ -96,7 +100,7 @@ pub use capwalk_scene as scene;
 pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
-pub use check::{Check, CheckOptions, Reference};
+pub use check::{Check, CheckOptions, Reference, comparison_text};
 pub use direction::Direction;
 pub use error::{Error, UnusableImage};
 pub use folder_error::FolderError;
@@ -111,3 +115,4 @@ pub use method::{
 pub use options::DifferenceOptions;
 pub use prepared::{Prepared, Values};
 pub use step::{bounds, difference_step};
+pub use views::{Look, Views};

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use capwalk_scene::{Filter, builtin};
-use capwalk_scene_io::{LoadOptions, Loaded, load_scene_with};
+use capwalk_scene_io::{LoadOptions, Loaded, SensorSettings, load_scene_with};
 
 use crate::error::Error;
 
@@ -56,9 +56,10 @@ impl Loader {
         self
     }
 
-    /// With this sensor of the file, counted from 0.
+    /// With this sensor of the file, counted from 0; by default the first, with a warning
+    /// if there are others.
     pub fn sensor(mut self, number: usize) -> Self {
-        self.options.sensor = number;
+        self.options.sensor = Some(number);
         self
     }
 
@@ -80,18 +81,21 @@ impl Loader {
             Some(scene) => {
                 self.refuse_options_of_files()?;
                 Loaded {
+                    sensors: vec![SensorSettings::of(&scene)],
                     scene,
                     warnings: Vec::new(),
                 }
             }
             None => self.read()?,
         };
-        let film = &mut loaded.scene.film;
-        if let Some(size) = self.size {
-            (film.size, film.crop_offset, film.crop_size) = (size, [0, 0], size);
-        }
-        if let Some(filter) = self.filter {
-            film.filter = filter;
+        let films = loaded.sensors.iter_mut().map(|view| &mut view.film);
+        for film in films.chain([&mut loaded.scene.film]) {
+            if let Some(size) = self.size {
+                film.resize(size);
+            }
+            if let Some(filter) = self.filter {
+                film.filter = filter;
+            }
         }
         loaded.scene.check().map_err(|error| Error::InvalidScene {
             scene: self.shown(),
@@ -107,11 +111,8 @@ impl Loader {
             return Err(Error::NothingToDefine { scene: scene() });
         }
         match self.options.sensor {
-            0 => Ok(()),
-            number => Err(Error::NoSuchSensor {
-                scene: scene(),
-                number,
-            }),
+            None | Some(0) => Ok(()),
+            Some(number) => Err(Error::NoSuchSensor { sensors: 1, number }),
         }
     }
 

@@ -156,6 +156,12 @@ pub enum OptionError {
         /// The first method that has the option.
         owner: MethodName,
     },
+    /// A walk gains nothing from so many steps.
+    #[error("`steps` is {steps}; expected 1 to {MOST_STEPS}")]
+    Steps {
+        /// What was asked for.
+        steps: u32,
+    },
     /// Nothing would be sampled.
     #[error("`{option}` is 0; expected at least one sample per pixel")]
     NoSamples {
@@ -169,6 +175,9 @@ pub enum OptionError {
         step: f64,
     },
 }
+
+/// Steps of a walk, at most: far more than it takes to be where it goes.
+const MOST_STEPS: u32 = 1000;
 
 /// An option: its name, the methods that have it, and whether it was given.
 type MethodOption = (
@@ -253,6 +262,9 @@ impl MethodChoice {
                     owner: methods[0],
                 });
             }
+        }
+        if let Some(steps) = self.walk.steps.filter(|&steps| steps > MOST_STEPS) {
+            return Err(OptionError::Steps { steps });
         }
         let method = match (self.method, self.walk.domain.unwrap_or_default()) {
             (MethodName::Auto, _) => Method::Auto,

@@ -338,7 +338,7 @@ impl Prepared {
 
     /// What an array of the scene is now.
     pub fn values(&self, name: &str) -> Result<Values, Error> {
-        let array = backward::array(&self.engine, name)?;
+        let array = backward::array(self.registry(), self.scene(), name)?;
         Ok(Values {
             numbers: array.get(self.scene()),
             shape: array.shape,
@@ -361,7 +361,7 @@ impl Prepared {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn tangent(&self, name: &str, velocities: &[f64]) -> Result<Tangent, Error> {
-        let array = backward::array(&self.engine, name)?;
+        let array = backward::array(self.registry(), self.scene(), name)?;
         Ok(array.given_tangent(self.scene(), velocities)?)
     }
 
@@ -386,7 +386,7 @@ impl Prepared {
     pub fn update_all(&mut self, changes: &[(&str, &[f64])]) -> Result<(), Error> {
         let mut scene = Scene::clone(self.scene());
         for (name, numbers) in changes {
-            backward::array(&self.engine, name)?.set(&mut scene, numbers)?;
+            backward::array(self.registry(), self.scene(), name)?.set(&mut scene, numbers)?;
         }
         scene.check().map_err(Error::InvalidUpdate)?;
         self.engine.update(scene);

@@ -1,55 +1,11 @@
-//! Numbers for people: sensible digits, standard errors, aligned columns.
+//! What was done, for people: aligned columns, times, warnings.
 
+pub use capwalk::text::{count, list, number, plus_minus, significant};
 use capwalk::{Estimate, Image, Rgb, Statistics};
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
 use crate::progress;
-
-/// A number with three significant digits.
-pub fn number(x: f64) -> String {
-    significant(x, 3)
-}
-
-/// A number with so many significant digits, in powers of ten where plain
-/// digits would be long.
-pub fn significant(x: f64, digits: i32) -> String {
-    if x == 0.0 || !x.is_finite() {
-        return format!("{x}");
-    }
-    let magnitude = x.abs().log10().floor() as i32;
-    if (-4..7).contains(&magnitude) {
-        let decimals = (digits - 1 - magnitude).max(0) as usize;
-        format!("{x:.decimals$}")
-    } else {
-        let decimals = (digits - 1).max(0) as usize;
-        format!("{x:.decimals$e}")
-    }
-}
-
-/// A number and its standard error, both to the second digit of the error.
-pub fn plus_minus(x: f64, error: f64) -> String {
-    if !error.is_finite() || error <= 0.0 || !x.is_finite() {
-        return format!("{} ± {}", number(x), number(error));
-    }
-    let decimals = (1 - error.log10().floor() as i32).max(0) as usize;
-    if decimals > 8 {
-        return format!("{x:.6e} ± {error:.1e}");
-    }
-    format!("{x:.decimals$} ± {error:.decimals$}")
-}
-
-/// A whole number with its thousands apart.
-pub fn count(n: u64) -> String {
-    let digits = n.to_string();
-    let groups: Vec<&str> = digits
-        .as_bytes()
-        .rchunks(3)
-        .rev()
-        .map(|group| std::str::from_utf8(group).expect("digits are ASCII"))
-        .collect();
-    groups.join(",")
-}
 
 /// How many of something there are: "1 emitter", "2 emitters".
 pub fn counted(n: usize, noun: &str) -> String {
@@ -101,16 +57,6 @@ pub fn shape(sides: &[usize]) -> String {
             format!("({})", sides.join(", "))
         }
     }
-}
-
-/// Lines of a name and what belongs to it, aligned.
-pub fn list(lines: &[(&str, String)]) -> String {
-    let width = lines.iter().map(|(name, _)| name.chars().count()).max();
-    let width = width.unwrap_or(0);
-    lines
-        .iter()
-        .map(|(name, what)| format!("{name:width$}   {what}\n"))
-        .collect()
 }
 
 /// One line on what was done, and one for each thing that is not as it should be.
@@ -232,28 +178,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn digits_follow_the_error() {
-        assert_eq!(plus_minus(0.98731, 0.00213), "0.9873 ± 0.0021");
-        assert_eq!(plus_minus(1234.5, 21.0), "1234 ± 21");
-        assert_eq!(plus_minus(1.0, f64::INFINITY), "1.00 ± inf");
-        assert_eq!(plus_minus(1.0, 0.0), "1.00 ± 0");
-        assert_eq!(plus_minus(1e-12, 2e-13), "1.000000e-12 ± 2.0e-13");
-    }
-
-    #[test]
-    fn numbers_keep_three_digits() {
-        for (x, text) in [
-            (0.0, "0"),
-            (1.0, "1.00"),
-            (0.012345, "0.0123"),
-            (123456.0, "123456"),
-            (1.5e-9, "1.50e-9"),
-            (f64::NAN, "NaN"),
-        ] {
-            assert_eq!(number(x), text);
-        }
-        assert_eq!(count(1234567), "1,234,567");
-        assert_eq!(count(12), "12");
+    fn things_are_counted() {
         assert_eq!(counted(1, "emitter"), "1 emitter");
         assert_eq!(counted(2000, "emitter"), "2,000 emitters");
         assert_eq!(counted(0, "emitter"), "0 emitters");

@@ -26,7 +26,7 @@ use capwalk_math::stats::normal_upper_tail;
 use capwalk_render::Estimate;
 pub use rounding::without_rounding;
 
-use pixel::{NoiseFree, Pixel, Pixels, channel};
+use pixel::{NoiseFree, Pixel, Pixels, REFERENCE_BIAS, channel};
 use scale_factor::ScaleFactor;
 
 /// Standard errors beyond which a statistic is not an accident.
@@ -36,9 +36,6 @@ pub const FALSE_ALARM: f64 = 6.3e-5;
 /// The band of `mean_z_squared` that is never held against a gradient: wide
 /// enough for standard errors that are wrong by ten per cent.
 const Z_SQUARED_BAND: std::ops::RangeInclusive<f64> = 0.8..=1.25;
-/// Relative differences below this are not held against a gradient: central
-/// differences have a bias of order `step²` themselves.
-const REFERENCE_BIAS: f64 = 0.02;
 /// The error of the scale factor that a verdict of "right" excludes.
 const EXCLUDED_ERROR: f64 = 0.1;
 /// How many standard errors away it is excluded.
@@ -77,7 +74,8 @@ pub struct Comparison {
     /// standard normal variable for a right gradient, large for a systematic
     /// sign.
     pub sign: f64,
-    /// How many pixels entered `z`: those where either image has noise.
+    /// How many pixels entered `z`: those where either image has noise, and those without
+    /// that differ amid noise.
     pub pixels: usize,
     /// How many pixels have no finite value or standard error in one of the
     /// images (fewer than two samples reached them), and entered nothing.
@@ -90,7 +88,7 @@ pub struct Comparison {
     pub scale_factor_error: f64,
     /// The pixels with the largest `|z|`, worst first: column, row, z.
     pub worst: Vec<(usize, usize, f64)>,
-    /// `z` of each pixel, row by row; 0 where neither image has noise.
+    /// `z` of each pixel, row by row; 0 for those that did not enter it.
     pub z: Vec<f64>,
     /// What follows from it.
     pub verdict: Verdict,

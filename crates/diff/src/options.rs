@@ -4,9 +4,10 @@ use capwalk_boundary::Method;
 use capwalk_render::{Grid, RenderOptions};
 use capwalk_scene::Scene;
 use capwalk_walk::WalkSettings;
+use serde::{Deserialize, Serialize};
 
 /// How a gradient is estimated.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct GradientOptions {
     /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,

@@ -1,9 +1,10 @@
 //! Triangle meshes as flat arrays.
 
 use capwalk_math::Vec3;
+use serde::{Deserialize, Serialize};
 
 /// Triangles that share vertices; no topology beyond the indices.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh {
     /// One position for each vertex, world units.
     pub positions: Vec<Vec3>,

@@ -2,10 +2,12 @@
 
 use std::ops::Mul;
 
+use serde::{Deserialize, Serialize};
+
 use crate::vec3::Vec3;
 
 /// An affine map `p -> linear * p + translation`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Affine {
     /// Rows of the linear part.
     pub rows: [Vec3; 3],

@@ -2,6 +2,8 @@
 
 use std::ops::{Add, AddAssign, Div, Index, Mul, Sub};
 
+use serde::{Deserialize, Serialize};
+
 use crate::dual::Dual;
 use crate::real::Real;
 
@@ -14,7 +16,7 @@ use crate::real::Real;
 /// let light = Rgb::new(4.0, 2.0, 1.0) * Rgb::new(0.5, 0.5, 0.0);
 /// assert_eq!(light.to_array(), [2.0, 1.0, 0.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[repr(C)]
 pub struct Rgb<R = f64> {
     /// Red.

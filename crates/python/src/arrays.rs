@@ -1,6 +1,6 @@
 //! Images and numbers of the scene as NumPy arrays, and back.
 
-use capwalk::{Image, Rgb};
+use capwalk::{Error, Image, Rgb};
 use numpy::{
     IntoPyArray, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
 };
@@ -17,7 +17,7 @@ pub fn from_image<'py>(py: Python<'py>, image: &Image) -> PyResult<Bound<'py, Py
 
 /// An array (height, width, 3) as an image; `what` it is for the message.
 pub fn to_image(what: &str, array: &PyReadonlyArrayDyn<'_, f64>) -> PyResult<Image> {
-    let &[height, width, 3] = array.shape() else {
+    let &[height @ 1..=usize::MAX, width @ 1..=usize::MAX, 3] = array.shape() else {
         let found = shape_text(array.shape());
         let text = format!("{what} has the shape {found}; expected (height, width, 3)");
         return Err(errors::argument(array.py(), text));
@@ -43,6 +43,18 @@ pub fn from_numbers<'py>(
 /// The numbers of an array, row by row, however it lies in memory.
 pub fn to_numbers(array: &PyReadonlyArrayDyn<'_, f64>) -> Vec<f64> {
     array.as_array().iter().copied().collect()
+}
+
+/// Refuses an array of another shape than the scene has; `name` is what it is for.
+pub fn check_shape(name: &str, expected: &[usize], found: &[usize]) -> Result<(), Error> {
+    match expected == found {
+        true => Ok(()),
+        false => Err(Error::Shape {
+            name: name.into(),
+            expected: shape_text(expected),
+            found: shape_text(found),
+        }),
+    }
 }
 
 /// A shape as Python writes it.

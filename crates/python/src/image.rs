@@ -7,6 +7,7 @@ use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::watched::detached;
 use crate::{arrays, errors};
 
 /// The bytes of a PNG file: a photograph, or for what has a sign false colours, blue below
@@ -24,7 +25,7 @@ pub fn png<'py>(
         },
         false => Style::Photographic { exposure: 0.0 },
     };
-    let bytes = pixels_as_png(&image, style);
+    let bytes = detached(py, || pixels_as_png(&image, style))?;
     let bytes = bytes.map_err(|error| errors::exception(py, error))?;
     Ok(PyBytes::new(py, &bytes))
 }
@@ -40,7 +41,7 @@ pub fn write_images(
     for (name, array) in &layers {
         layered.push(name, arrays::to_image(name, array)?);
     }
-    let written = write(&path, &layered, &Preview::default());
+    let written = detached(py, || write(&path, &layered, &Preview::default()))?;
     written.map_err(|error| errors::exception(py, error))?;
     Ok(())
 }

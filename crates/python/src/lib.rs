@@ -2,8 +2,11 @@
 //! arrays. Users see the package around it, `python/capwalk`, which has the words.
 
 mod arrays;
+mod direction;
 mod errors;
 mod image;
+mod parts;
+mod results;
 mod scene;
 mod watched;
 mod work;
@@ -14,7 +17,9 @@ mod _capwalk {
     #[pymodule_export]
     use crate::image::{png, write_images};
     #[pymodule_export]
-    use crate::scene::{Scene, load_file, load_string};
+    use crate::parts::{choose, merge, part};
+    #[pymodule_export]
+    use crate::scene::{Scene, load_file, load_lines, load_string};
     #[pymodule_export]
     use crate::work::{backward, check, gradient, render};
 }

@@ -2,66 +2,119 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::{Arc, RwLock, RwLockReadGuard, RwLockWriteGuard};
+use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
 
-use capwalk::scene_io::load_scene_str;
-use capwalk::{Loaded, Loader, Prepared};
+use capwalk::scene_io::{LoadOptions, load_scene_lines, load_scene_str_with};
+use capwalk::{Loaded, Loader, Look, Views};
 use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyType};
 
+use crate::watched::detached;
 use crate::{arrays, errors};
 
 /// A scene that is ready to be rendered and differentiated.
-#[pyclass(frozen, module = "capwalk")]
+#[pyclass(frozen, weakref, module = "capwalk._capwalk")]
 pub struct Scene {
-    prepared: RwLock<Prepared>,
+    state: RwLock<State>,
     name: String,
     warnings: Vec<String>,
 }
 
+/// What of a scene changes.
+struct State {
+    views: Views,
+    /// How often it was changed.
+    revision: u64,
+}
+
 impl Scene {
-    /// Trees are built without the interpreter's lock, as all that waits for workers: these
-    /// may be waiting for it, to tell a progress.
     fn new(
         py: Python<'_>,
         name: String,
-        scene: impl Into<Arc<capwalk::Scene>> + Send,
         warnings: Vec<String>,
+        views: impl FnOnce() -> Result<Views, capwalk::Error> + Send,
     ) -> PyResult<Self> {
-        let prepared = py.detach(|| Prepared::new(scene.into()));
-        let prepared = prepared.map_err(|error| errors::exception(py, error))?;
+        let views = detached(py, views)?;
+        let views = views.map_err(|error| errors::exception(py, error))?;
         Ok(Self {
-            prepared: RwLock::new(prepared),
+            state: RwLock::new(State { views, revision: 0 }),
             name,
             warnings,
         })
     }
 
-    fn of(py: Python<'_>, name: String, loaded: Loaded) -> PyResult<Self> {
+    fn of(
+        py: Python<'_>,
+        name: String,
+        load: impl FnOnce() -> Result<Loaded, capwalk::Error> + Send,
+    ) -> PyResult<Self> {
+        let loaded = detached(py, load)?;
+        let loaded = loaded.map_err(|error| errors::exception(py, error))?;
         let warnings = loaded.warnings.iter().map(ToString::to_string).collect();
-        Self::new(py, name, loaded.scene, warnings)
+        Self::new(py, name, warnings, || {
+            Views::new(loaded.scene, loaded.sensors)
+        })
     }
 
     /// The scene, for work beside other work.
-    pub fn read(&self, py: Python<'_>) -> PyResult<RwLockReadGuard<'_, Prepared>> {
-        let changing = "the scene is being changed in another thread; wait for that, or use a copy \
-                        of the scene in each thread";
-        let read = self.prepared.try_read();
-        read.map_err(|_| errors::busy(py, changing))
+    pub fn read(&self, py: Python<'_>) -> PyResult<impl std::ops::Deref<Target = Views>> {
+        let changing = "the scene is being changed by another thread, or was when this process was \
+                        forked; use a copy of the scene in each of them";
+        Ok(Reading(unlocked(py, self.state.try_read(), changing)?))
     }
 
-    /// The scene, to be changed.
-    fn write(&self, py: Python<'_>) -> PyResult<RwLockWriteGuard<'_, Prepared>> {
-        let rendering = "the scene is being rendered in another thread; wait for that, or change a \
-                         copy of the scene";
-        let write = self.prepared.try_write();
-        write.map_err(|_| errors::busy(py, rendering))
+    /// Changes the scene.
+    fn change(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(&mut Views) -> Result<(), capwalk::Error> + Send,
+    ) -> PyResult<()> {
+        let rendering = "the scene is being rendered: by another thread, by what calls this to tell \
+                         its progress, or when this process was forked; change a copy of it";
+        let mut guard: RwLockWriteGuard<State> = unlocked(py, self.state.try_write(), rendering)?;
+        let state: &mut State = &mut guard;
+        let changed = detached(py, || change(&mut state.views))?;
+        changed.map_err(|error| errors::exception(py, error))?;
+        state.revision += 1;
+        Ok(())
     }
+}
+
+/// A lock on the scene through which it is read.
+struct Reading<'a>(RwLockReadGuard<'a, State>);
+
+impl std::ops::Deref for Reading<'_> {
+    type Target = Views;
+
+    fn deref(&self) -> &Views {
+        &self.0.views
+    }
+}
+
+/// The scene if nobody keeps it from being taken; `busy` says who may.
+fn unlocked<G>(py: Python<'_>, lock: Result<G, TryLockError<G>>, busy: &str) -> PyResult<G> {
+    lock.map_err(|error| match error {
+        TryLockError::WouldBlock => errors::busy(py, busy),
+        TryLockError::Poisoned(_) => {
+            let broken = "an internal error interrupted a change of this scene; load it again";
+            errors::internal(py, broken)
+        }
+    })
 }
 
 /// An array of a scene: name, shape, unit, description, name of which it is an alias, and
 /// whether edges move with it.
 type Listed = (String, Vec<usize>, String, String, Option<String>, bool);
+
+/// A sensor of a scene: name, width and height of its image, samples per pixel, and seed.
+type Sensor = (String, (u32, u32), u32, u64);
+
+/// What makes a scene again, and from what.
+type Pickled<'py> = (Bound<'py, PyAny>, (Bound<'py, PyBytes>, String));
+
+/// Names of arrays: those with gradients, those without, and why.
+type Differentiable = (Vec<String>, Vec<String>, Option<String>);
 
 #[pymethods]
 impl Scene {
@@ -77,24 +130,36 @@ impl Scene {
         self.warnings.clone()
     }
 
-    /// Width and height of its image, pixels.
+    /// Width and height of the image of its first sensor, pixels.
     #[getter]
-    fn size(&self, py: Python<'_>) -> PyResult<[u32; 2]> {
-        Ok(self.read(py)?.scene().film.crop_size)
+    fn size(&self, py: Python<'_>) -> PyResult<(u32, u32)> {
+        Ok(self.read(py)?.scene().film.crop_size.into())
     }
 
-    /// Samples per pixel and seed, as its file says.
+    /// Its sensors.
+    #[pyo3(name = "_sensors")]
+    fn sensors(&self, py: Python<'_>) -> PyResult<Vec<Sensor>> {
+        let views = self.read(py)?;
+        let sensors = views.sensors().iter();
+        Ok(sensors
+            .map(|view| {
+                let name = view.sensor.id.clone();
+                (name, view.film.crop_size.into(), view.spp, view.seed)
+            })
+            .collect())
+    }
+
+    /// How often it was changed.
     #[getter]
-    fn sampling(&self, py: Python<'_>) -> PyResult<(u32, u64)> {
-        let prepared = self.read(py)?;
-        let settings = &prepared.scene().settings;
-        Ok((settings.spp, settings.seed))
+    fn revision(&self, py: Python<'_>) -> PyResult<u64> {
+        let busy = "the scene is being changed by another thread; wait for that";
+        Ok(unlocked(py, self.state.try_read(), busy)?.revision)
     }
 
     /// All arrays of the scene.
+    #[pyo3(name = "_arrays")]
     fn arrays(&self, py: Python<'_>) -> PyResult<Vec<Listed>> {
-        let prepared = self.read(py)?;
-        let arrays = prepared.registry().arrays().iter().cloned();
+        let arrays = self.read(py)?.arrays().into_iter();
         let listed = arrays.map(|array| {
             (
                 array.name,
@@ -109,6 +174,7 @@ impl Scene {
     }
 
     /// The numbers of an array.
+    #[pyo3(name = "_values")]
     fn values<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
         let values = self.read(py)?.values(name);
         let values = values.map_err(|error| errors::exception(py, error))?;
@@ -116,37 +182,44 @@ impl Scene {
     }
 
     /// Changes arrays: all of them, or none.
+    #[pyo3(name = "_update")]
     fn update(
         &self,
         py: Python<'_>,
         changes: BTreeMap<String, PyReadonlyArrayDyn<'_, f64>>,
     ) -> PyResult<()> {
-        let mut guard = self.write(py)?;
-        let prepared: &mut Prepared = &mut guard;
-        for (name, array) in &changes {
-            let values = prepared.values(name);
-            let expected = values.map_err(|error| errors::exception(py, error))?.shape;
-            if array.shape() != expected {
-                let [expected, found] = [&expected, array.shape()].map(arrays::shape_text);
-                let text = format!("{name} has the shape {expected}; found {found}");
-                return Err(errors::argument(py, text));
+        let changes = changes.iter().map(|(name, array)| {
+            let numbers = arrays::to_numbers(array);
+            (name.as_str(), array.shape().to_vec(), numbers)
+        });
+        let changes: Vec<(&str, Vec<usize>, Vec<f64>)> = changes.collect();
+        self.change(py, |views| {
+            for (name, shape, _) in &changes {
+                arrays::check_shape(name, &views.values(name)?.shape, shape)?;
             }
-        }
-        let changes: Vec<(&str, Vec<f64>)> = changes
-            .iter()
-            .map(|(name, array)| (name.as_str(), arrays::to_numbers(array)))
-            .collect();
-        let changes: Vec<(&str, &[f64])> = changes
-            .iter()
-            .map(|(name, numbers)| (*name, numbers.as_slice()))
-            .collect();
-        let updated = py.detach(|| prepared.update_all(&changes));
-        updated.map_err(|error| errors::exception(py, error))
+            let changes = changes.iter();
+            let changes: Vec<(&str, &[f64])> = changes
+                .map(|(name, _, numbers)| (*name, numbers.as_slice()))
+                .collect();
+            views.update(&changes)
+        })
+    }
+
+    /// The arrays that can be differentiated with respect to, those that are refused, and why.
+    #[pyo3(name = "_gradient_names")]
+    fn gradient_names(&self, py: Python<'_>, sensor: usize) -> PyResult<Differentiable> {
+        let views = self.read(py)?;
+        let views: &Views = &views;
+        let view = Look { sensor, aov: None };
+        let names = detached(py, || Ok(views.prepared(view)?.gradient_names()))?;
+        let names = names.map_err(|error: capwalk::Error| errors::exception(py, error))?;
+        let reason = names.refusal.map(|refusal| refusal.to_string());
+        Ok((names.allowed, names.refused, reason))
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
-        let prepared = self.read(py)?;
-        let scene = prepared.scene();
+        let views = self.read(py)?;
+        let scene = views.scene();
         let [width, height] = scene.film.crop_size;
         let (name, shapes) = (&self.name, scene.shapes.len());
         Ok(format!(
@@ -154,22 +227,42 @@ impl Scene {
         ))
     }
 
-    /// Gives its image another size, pixels, without crop.
+    /// Gives the images of all sensors another size, pixels, without crop.
     fn resize(&self, py: Python<'_>, width: u32, height: u32) -> PyResult<()> {
-        let mut guard = self.write(py)?;
-        let prepared: &mut Prepared = &mut guard;
-        let mut scene = capwalk::Scene::clone(prepared.scene());
-        let film = &mut scene.film;
-        film.size = [width, height];
-        (film.crop_offset, film.crop_size) = ([0, 0], film.size);
-        let updated = py.detach(|| prepared.update_scene(scene));
-        updated.map_err(|error| errors::exception(py, error))
+        self.change(py, |views| views.resize([width, height]))
     }
 
     /// Another scene with the same numbers.
     fn copy(&self, py: Python<'_>) -> PyResult<Self> {
-        let scene = self.read(py)?.scene().clone();
-        Self::new(py, self.name.clone(), scene, self.warnings.clone())
+        let (scene, sensors) = {
+            let views = self.read(py)?;
+            (views.scene().clone(), views.sensors().to_vec())
+        };
+        let (name, warnings) = (self.name.clone(), self.warnings.clone());
+        Self::new(py, name, warnings, || Views::new(scene, sensors))
+    }
+
+    fn __copy__(&self, py: Python<'_>) -> PyResult<Self> {
+        self.copy(py)
+    }
+
+    fn __deepcopy__(&self, py: Python<'_>, _memo: Bound<'_, PyAny>) -> PyResult<Self> {
+        self.copy(py)
+    }
+
+    /// The scene as bytes, for another process.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Pickled<'py>> {
+        let (py, scene) = (slf.py(), slf.get());
+        let bytes = scene.read(py)?.to_bytes();
+        let bytes = bytes.map_err(|error| errors::exception(py, error))?;
+        let made = PyType::new::<Self>(py).getattr("from_bytes")?;
+        Ok((made, (PyBytes::new(py, &bytes), scene.name.clone())))
+    }
+
+    /// What pickling made of a scene.
+    #[staticmethod]
+    fn from_bytes(py: Python<'_>, bytes: &[u8], name: String) -> PyResult<Self> {
+        Self::new(py, name, Vec::new(), || Views::from_bytes(bytes))
     }
 }
 
@@ -180,13 +273,12 @@ pub fn load_file(
     path: PathBuf,
     defines: BTreeMap<String, String>,
 ) -> PyResult<Scene> {
-    let mut loader = Loader::new(&path);
+    // All sensors are used: no warning that only the first is.
+    let mut loader = Loader::new(&path).sensor(0);
     for (name, value) in defines {
         loader = loader.define(name, value);
     }
-    let loaded = py.detach(|| loader.load());
-    let loaded = loaded.map_err(|error| errors::exception(py, error))?;
-    Scene::of(py, path.display().to_string(), loaded)
+    Scene::of(py, path.display().to_string(), || loader.load())
 }
 
 /// The scene in a text. Files in it are relative to `folder`.
@@ -198,8 +290,32 @@ pub fn load_string(
     defines: BTreeMap<String, String>,
 ) -> PyResult<Scene> {
     let name = "string";
-    let defines: Vec<(String, String)> = defines.into_iter().collect();
-    let loaded = py.detach(|| load_scene_str(text, &folder, name, &defines));
-    let loaded = loaded.map_err(|error| errors::exception(py, error))?;
-    Scene::of(py, name.into(), loaded)
+    let options = all_sensors(defines);
+    Scene::of(py, name.into(), || {
+        Ok(load_scene_str_with(text, &folder, name, &options)?)
+    })
+}
+
+/// The scene in a text that was made from something else, which messages call
+/// `lines[i]` where they are about line `i` of it.
+#[pyfunction]
+pub fn load_lines(
+    py: Python<'_>,
+    text: &str,
+    folder: PathBuf,
+    lines: Vec<String>,
+) -> PyResult<Scene> {
+    let name = lines.first().cloned().unwrap_or_default();
+    let options = all_sensors(BTreeMap::new());
+    Scene::of(py, name, || {
+        Ok(load_scene_lines(text, &folder, lines, &options)?)
+    })
+}
+
+/// No warning says that only the first sensor is used: all of them are.
+fn all_sensors(defines: BTreeMap<String, String>) -> LoadOptions {
+    LoadOptions {
+        defines: defines.into_iter().collect(),
+        sensor: Some(0),
+    }
 }

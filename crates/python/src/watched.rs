@@ -35,8 +35,11 @@ struct Shared {
 
 impl Watch for Shared {
     fn progress(&self, done: u64, total: u64) {
-        self.done.fetch_max(done, Ordering::Relaxed);
-        self.total.store(total, Ordering::Relaxed);
+        // Another total is another stage of the work.
+        match self.total.swap(total, Ordering::Relaxed) == total {
+            true => self.done.fetch_max(done, Ordering::Relaxed),
+            false => self.done.swap(done, Ordering::Relaxed),
+        };
     }
 
     fn should_stop(&self) -> bool {
@@ -57,7 +60,8 @@ pub fn watched<T: Send>(
     thread::scope(|scope| {
         let (sender, receiver) = mpsc::channel();
         let watch = &shared;
-        scope.spawn(move || {
+        let worker = thread::Builder::new().name("capwalk".into());
+        let spawned = worker.spawn_scoped(scope, move || {
             let work = || match threads {
                 Some(threads) => with_threads(threads, || work(watch)),
                 None => work(watch),
@@ -65,6 +69,7 @@ pub fn watched<T: Send>(
             // The other side waits until it is sent.
             let _ = sender.send(catch_unwind(AssertUnwindSafe(work)));
         });
+        spawned.map_err(|error| errors::internal(py, &format!("no thread to work on: {error}")))?;
         let mut receiver = Some(receiver);
         let mut raised = None;
         let mut told = Instant::now();
@@ -94,6 +99,13 @@ pub fn watched<T: Send>(
             }
         }
     })
+}
+
+/// Something short, without the interpreter's lock, as all that waits for workers: these may
+/// be waiting for it, to tell a progress.
+pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyResult<T> {
+    let done = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
+    done.map_err(|panic| errors::internal(py, &text(panic.as_ref())))
 }
 
 fn tell(how: &How<'_>, shared: &Shared) -> PyResult<()> {

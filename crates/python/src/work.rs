@@ -1,21 +1,21 @@
 //! Images and gradients of scenes.
 
-use std::collections::BTreeMap;
-
+use capwalk::scene::{Aov, unpack};
 use capwalk::{
-    CheckOptions, Choice, Chosen, Direction, Error, Estimate, GradientOptions, MethodChoice,
-    MethodName, Prepared, RenderOptions, Statistics, Tangent, Verdict, WalkChoice, Watch,
+    CheckOptions, Choice, Error, GradientOptions, Look, MethodChoice, MethodName, Prepared,
+    RenderOptions, Views, WalkChoice, Watch,
 };
-use numpy::{PyArray3, PyReadonlyArrayDyn};
+use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::pybacked::PyBackedBytes;
 
+use crate::direction::{Along, Motion};
+use crate::results::{
+    OfBackward, OfCheck, OfGradient, OfRender, of_backward, of_check, of_gradient, of_render,
+};
 use crate::scene::Scene;
 use crate::watched::{How, watched};
 use crate::{arrays, errors};
-
-/// An image and its standard errors, (height, width, 3) each.
-type Arrays<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
 
 /// What is asked for besides the scene and the direction.
 #[derive(FromPyObject)]
@@ -29,6 +29,10 @@ pub struct Options<'py> {
     #[pyo3(attribute)]
     progress: Option<Bound<'py, PyAny>>,
     #[pyo3(attribute)]
+    sensor: usize,
+    #[pyo3(attribute)]
+    aov: Option<String>,
+    #[pyo3(attribute)]
     method: String,
     #[pyo3(attribute)]
     steps: Option<u32>,
@@ -36,14 +40,32 @@ pub struct Options<'py> {
     max_angle: Option<f64>,
     #[pyo3(attribute)]
     antithetic: Option<bool>,
+    /// What [`choose`](crate::parts::choose) has chosen, instead of the last four.
+    #[pyo3(attribute)]
+    chosen: Option<PyBackedBytes>,
 }
 
 impl<'py> Options<'py> {
-    fn sampling(&self) -> RenderOptions {
+    pub fn sampling(&self) -> RenderOptions {
         RenderOptions::new(self.spp, self.seed)
     }
 
-    fn gradient(&self, py: Python<'_>) -> PyResult<GradientOptions> {
+    pub fn view(&self, py: Python<'_>) -> PyResult<Look> {
+        let aov = match &self.aov {
+            None => None,
+            Some(name) => Some(aov(py, name)?),
+        };
+        Ok(Look {
+            sensor: self.sensor,
+            aov,
+        })
+    }
+
+    pub fn gradient(&self, py: Python<'_>) -> PyResult<GradientOptions> {
+        if let Some(chosen) = &self.chosen {
+            let options = unpack(chosen);
+            return options.map_err(|error| errors::exception(py, Error::from(error)));
+        }
         let Some(method) = MethodName::named(&self.method) else {
             let names: Vec<&str> = MethodName::NAMES.iter().map(|(name, _)| *name).collect();
             let (method, names) = (&self.method, names.join(", "));
@@ -75,39 +97,28 @@ impl<'py> Options<'py> {
     }
 }
 
-/// What the image changes along: an expression, or velocities of arrays by their names.
-#[derive(FromPyObject)]
-pub enum Along<'py> {
-    Expression(String),
-    Velocities(BTreeMap<String, PyReadonlyArrayDyn<'py, f64>>),
-}
-
-impl Along<'_> {
-    fn tangent(&self, prepared: &Prepared) -> Result<Tangent, Error> {
-        let (scene, registry) = (prepared.scene(), prepared.registry());
-        match self {
-            Self::Expression(text) => Ok(text.tangent(scene, registry)?.into_owned()),
-            Self::Velocities(velocities) => {
-                let mut sum = Tangent::zero(scene);
-                for (name, array) in velocities {
-                    sum.add(&prepared.tangent(name, &arrays::to_numbers(array))?);
-                }
-                Ok(sum)
-            }
-        }
-    }
+/// What can be seen of surfaces, by its name.
+fn aov(py: Python<'_>, name: &str) -> PyResult<Aov> {
+    let found = Aov::ALL.into_iter().find(|aov| aov.name() == name);
+    found.ok_or_else(|| {
+        let names = Aov::ALL.map(Aov::name).join(", ");
+        errors::argument(py, format!("there is no aov \"{name}\"; there are {names}"))
+    })
 }
 
 /// Work on a scene, followed by Python.
-fn run<T: Send>(
+pub fn run<T: Send>(
     py: Python<'_>,
     scene: &Scene,
     options: &Options<'_>,
     work: impl FnOnce(&Prepared, &dyn Watch) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
-    let guard = scene.read(py)?;
-    let prepared = &*guard;
-    let result = watched(py, &options.how(), |watch| work(prepared, watch))?;
+    let view = options.view(py)?;
+    let views = scene.read(py)?;
+    let views: &Views = &views;
+    let result = watched(py, &options.how(), |watch| {
+        work(views.prepared(view)?, watch)
+    })?;
     result.map_err(|error| errors::exception(py, error))
 }
 
@@ -117,44 +128,31 @@ pub fn render<'py>(
     py: Python<'py>,
     scene: &Scene,
     options: Options<'py>,
-) -> PyResult<(Arrays<'py>, Bound<'py, PyDict>)> {
+) -> PyResult<OfRender<'py>> {
     let sampling = options.sampling();
     let image = run(py, scene, &options, |prepared, watch| {
         Ok(prepared.render(&sampling, watch)?)
     })?;
-    Ok((
-        of_estimate(py, &image.value)?,
-        of_statistics(py, &image.statistics)?,
-    ))
+    of_render(py, &image)
 }
 
-/// The image, its derivative, what was chosen and what was done.
+/// The image, its derivative, the method and what was done.
 #[pyfunction]
 pub fn gradient<'py>(
     py: Python<'py>,
     scene: &Scene,
     along: Along<'py>,
     options: Options<'py>,
-) -> PyResult<(
-    Arrays<'py>,
-    Arrays<'py>,
-    Bound<'py, PyDict>,
-    Bound<'py, PyDict>,
-)> {
+) -> PyResult<OfGradient<'py>> {
     let asked = options.gradient(py)?;
-    let tangent = along.tangent(&*scene.read(py)?);
-    let tangent = tangent.map_err(|error| errors::exception(py, error))?;
-    let (image, chosen) = run(py, scene, &options, |prepared, watch| {
-        let chosen = prepared.choose(&tangent, &asked, watch)?;
-        let image = prepared.gradient(&tangent, &chosen.options, watch)?;
-        Ok((image, chosen))
+    let motion = Motion::from(along);
+    let (image, method) = run(py, scene, &options, |prepared, watch| {
+        let tangent = motion.tangent(prepared)?;
+        let chosen = prepared.choose(&tangent, &asked, watch)?.options;
+        let image = prepared.gradient(&tangent, &chosen, watch)?;
+        Ok((image, chosen.method.name()))
     })?;
-    Ok((
-        of_estimate(py, &image.value)?,
-        of_estimate(py, &image.gradient)?,
-        of_chosen(py, &chosen)?,
-        of_statistics(py, &image.statistics)?,
-    ))
+    of_gradient(py, &image, method)
 }
 
 /// The gradient of a loss and its standard errors by names, and what was done.
@@ -165,19 +163,13 @@ pub fn backward<'py>(
     adjoint: PyReadonlyArrayDyn<'py, f64>,
     names: Vec<String>,
     options: Options<'py>,
-) -> PyResult<[Bound<'py, PyDict>; 3]> {
+) -> PyResult<OfBackward<'py>> {
     let asked = options.gradient(py)?;
     let adjoint = arrays::to_image("the adjoint", &adjoint)?;
     let gradients = run(py, scene, &options, |prepared, watch| {
         prepared.backward(&adjoint, &names, &asked, watch)
     })?;
-    let [values, errors] = [PyDict::new(py), PyDict::new(py)];
-    for gradient in &gradients {
-        let array = |numbers: &[f64]| arrays::from_numbers(py, &gradient.shape, numbers.to_vec());
-        values.set_item(&gradient.name, array(&gradient.numbers)?)?;
-        errors.set_item(&gradient.name, array(&gradient.standard_errors)?)?;
-    }
-    Ok([values, errors, of_statistics(py, &gradients.statistics)?])
+    of_backward(py, &gradients)
 }
 
 /// The gradient, its reference, and all numbers of their comparison.
@@ -189,67 +181,15 @@ pub fn check<'py>(
     options: Options<'py>,
     reference_spp: Option<u32>,
     step: Option<f64>,
-) -> PyResult<(Arrays<'py>, Arrays<'py>, Bound<'py, PyDict>)> {
+) -> PyResult<OfCheck<'py>> {
     let asked = CheckOptions {
         gradient: options.gradient(py)?,
         reference_spp,
         step,
     };
-    let tangent = along.tangent(&*scene.read(py)?);
-    let tangent = tangent.map_err(|error| errors::exception(py, error))?;
+    let motion = Motion::from(along);
     let check = run(py, scene, &options, |prepared, watch| {
-        prepared.check(&tangent, &asked, watch)
+        prepared.check(&motion.tangent(prepared)?, &asked, watch)
     })?;
-    let comparison = &check.comparison;
-    let numbers = PyDict::new(py);
-    let (verdict, reason, samples_factor) = match &comparison.verdict {
-        Verdict::Right => ("right", None, None),
-        Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
-    };
-    numbers.set_item("verdict", verdict)?;
-    numbers.set_item("reason", reason)?;
-    numbers.set_item("samples_factor", samples_factor)?;
-    numbers.set_item("scale_factor", comparison.scale_factor)?;
-    numbers.set_item("scale_factor_error", comparison.scale_factor_error)?;
-    numbers.set_item("mean_z2", comparison.mean_z_squared)?;
-    numbers.set_item("mean_z2_error", comparison.mean_z_squared_error)?;
-    numbers.set_item("sign", comparison.sign)?;
-    numbers.set_item("relative_l1", comparison.relative_l1)?;
-    numbers.set_item("relative_l1_of_noise", comparison.relative_l1_of_noise)?;
-    numbers.set_item("correlation", comparison.correlation)?;
-    numbers.set_item("pixels", comparison.pixels)?;
-    numbers.set_item("worst", comparison.worst.clone())?;
-    numbers.set_item("step", check.made.step)?;
-    numbers.set_item("spp", asked.gradient.spp)?;
-    numbers.set_item("reference_spp", check.made.spp)?;
-    Ok((
-        of_estimate(py, &check.gradient.gradient)?,
-        of_estimate(py, &check.reference.gradient)?,
-        numbers,
-    ))
-}
-
-fn of_estimate<'py>(py: Python<'py>, estimate: &Estimate) -> PyResult<Arrays<'py>> {
-    Ok((
-        arrays::from_image(py, &estimate.mean)?,
-        arrays::from_image(py, &estimate.standard_error)?,
-    ))
-}
-
-fn of_chosen<'py>(py: Python<'py>, chosen: &Chosen) -> PyResult<Bound<'py, PyDict>> {
-    let numbers = PyDict::new(py);
-    numbers.set_item("method", chosen.options.method.name())?;
-    numbers.set_item("trials", chosen.trials.len())?;
-    Ok(numbers)
-}
-
-fn of_statistics<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, PyDict>> {
-    let numbers = PyDict::new(py);
-    numbers.set_item("samples", statistics.samples)?;
-    numbers.set_item("complete", statistics.complete)?;
-    numbers.set_item("non_finite", statistics.non_finite)?;
-    numbers.set_item("too_many_non_finite", statistics.too_many_non_finite())?;
-    numbers.set_item("cone_queries", statistics.cone_queries)?;
-    Ok(numbers)
+    of_check(py, &check, &asked)
 }

@@ -1,6 +1,7 @@
 //! Why parts do not make a whole.
 
 use capwalk_boundary::Refusal;
+use capwalk_scene::BytesError;
 
 /// Why parts do not make a whole.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -47,4 +48,10 @@ pub enum PartError {
     /// All parts together show that the derivative would be wrong.
     #[error(transparent)]
     Refused(#[from] Refusal),
+}
+
+impl From<BytesError> for PartError {
+    fn from(BytesError { reason }: BytesError) -> Self {
+        Self::Bytes { reason }
+    }
 }

@@ -5,6 +5,8 @@ use std::fmt::{self, Write};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use capwalk_scene::{pack, unpack};
+
 use crate::grid::{Cell, Grid};
 use crate::ordered_sum::{Accumulate, CannotMerge, OrderedSum};
 use crate::part_error::PartError;
@@ -134,26 +136,12 @@ fn misfit() -> PartError {
 impl<T: Accumulate + Serialize + DeserializeOwned> Partial<T> {
     /// The bytes to send it elsewhere, with a checksum. Read them with the same version.
     pub fn to_bytes(&self) -> Result<Vec<u8>, PartError> {
-        let mut bytes = postcard::to_allocvec(self).map_err(|error| PartError::Bytes {
-            reason: error.to_string(),
-        })?;
-        bytes.extend(crc32fast::hash(&bytes).to_le_bytes());
-        Ok(bytes)
+        Ok(pack(self)?)
     }
 
     /// What [`Partial::to_bytes`] made.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self, PartError> {
-        let damaged = |reason: &str| PartError::Bytes {
-            reason: reason.into(),
-        };
-        let (content, checksum) = bytes
-            .split_last_chunk::<4>()
-            .ok_or_else(|| damaged("they are too few"))?;
-        if crc32fast::hash(content).to_le_bytes() != *checksum {
-            return Err(damaged("their checksum is wrong"));
-        }
-        let partial: Self =
-            postcard::from_bytes(content).map_err(|error| damaged(&error.to_string()))?;
+        let partial: Self = unpack(bytes)?;
         partial.is_valid().then_some(partial).ok_or_else(misfit)
     }
 }

@@ -35,6 +35,7 @@ pub mod mesh;
 mod mitsuba;
 mod node;
 mod problem;
+mod sensor_settings;
 mod suggest;
 mod texts;
 pub mod toml;
@@ -55,7 +56,11 @@ pub use atomic::append;
 #[cfg(feature = "faults")]
 pub use atomic::faults;
 pub use error::{Diagnostic, LoadError};
-pub use load::{LoadOptions, Loaded, load_scene, load_scene_str, load_scene_with};
+pub use load::{
+    LoadOptions, Loaded, load_scene, load_scene_lines, load_scene_str, load_scene_str_with,
+    load_scene_with,
+};
 pub use location::{Location, Position};
+pub use sensor_settings::SensorSettings;
 pub use velocities::{NotVelocities, VelocityFileError, read_velocities};
 pub use warning::Warning;

@@ -11,6 +11,7 @@ use crate::files::read_text;
 use crate::lower::lower;
 use crate::mitsuba;
 use crate::problem::Problem;
+use crate::sensor_settings::SensorSettings;
 use crate::texts::{Text, Texts};
 use crate::warning::Warning;
 
@@ -19,8 +20,9 @@ use crate::warning::Warning;
 pub struct LoadOptions {
     /// Names and values: what `$name` in the file stands for.
     pub defines: Vec<(String, String)>,
-    /// Which of the scene's sensors to take, counted from 0.
-    pub sensor: usize,
+    /// Which of the scene's sensors to take, counted from 0; without, the first, with a
+    /// warning if there are others.
+    pub sensor: Option<usize>,
 }
 
 /// A scene, and what its file says in vain.
@@ -28,6 +30,8 @@ pub struct LoadOptions {
 pub struct Loaded {
     /// The scene.
     pub scene: Scene,
+    /// All of its sensors, in the order of the file.
+    pub sensors: Vec<SensorSettings>,
     /// What Mitsuba allows and does not change the image, and what makes the
     /// image other than the file seems to ask for. Everything else that is not
     /// understood is an error.
@@ -39,7 +43,7 @@ pub struct Loaded {
 pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Loaded, LoadError> {
     let options = LoadOptions {
         defines: defines.to_vec(),
-        sensor: 0,
+        sensor: None,
     };
     load_scene_with(path, &options)
 }
@@ -60,12 +64,37 @@ pub fn load_scene_str(
     name: &str,
     defines: &[(String, String)],
 ) -> Result<Loaded, LoadError> {
-    let text = Text::in_memory(name, base_dir.into(), text.into());
     let options = LoadOptions {
         defines: defines.to_vec(),
-        sensor: 0,
+        sensor: None,
     };
-    load(text, &options)
+    load_scene_str_with(text, base_dir, name, &options)
+}
+
+/// [`load_scene_str`] with a choice of the sensor.
+pub fn load_scene_str_with(
+    text: &str,
+    base_dir: &Path,
+    name: &str,
+    options: &LoadOptions,
+) -> Result<Loaded, LoadError> {
+    load(Text::in_memory(name, base_dir.into(), text.into()), options)
+}
+
+/// [`load_scene_str`] of a text that was made from something else: messages name the line
+/// of it that they are about by what it was made from, `lines[i]` for the line `i` from 0.
+pub fn load_scene_lines(
+    text: &str,
+    base_dir: &Path,
+    lines: Vec<String>,
+    options: &LoadOptions,
+) -> Result<Loaded, LoadError> {
+    let name = lines.first().map_or("", String::as_str).to_owned();
+    let text = Text {
+        lines,
+        ..Text::in_memory(&name, base_dir.into(), text.into())
+    };
+    load(text, options)
 }
 
 fn load(text: Text, options: &LoadOptions) -> Result<Loaded, LoadError> {
@@ -94,9 +123,10 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
     directories.push(texts.main().directory.clone());
     // As Mitsuba does, last of all in the working directory.
     directories.push(PathBuf::new());
-    let scene = lower(&context, directories, options.sensor)?;
+    let (scene, sensors) = lower(&context, directories, options.sensor)?;
     Ok(Loaded {
         scene,
+        sensors,
         warnings: context.warnings.into_inner(),
     })
 }

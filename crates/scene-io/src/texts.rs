@@ -26,6 +26,8 @@ pub(crate) struct Text {
     /// Names of files in it are relative to this.
     pub directory: PathBuf,
     pub content: String,
+    /// What messages call each line, where they mean something else than the text.
+    pub lines: Vec<String>,
     /// The `<include>` that asked for it.
     pub included_at: Option<Span>,
 }
@@ -38,6 +40,7 @@ impl Text {
             path: Some(path.to_owned()),
             directory: path.parent().unwrap_or(Path::new("")).to_owned(),
             content,
+            lines: Vec::new(),
             included_at: None,
         }
     }
@@ -49,6 +52,7 @@ impl Text {
             path: None,
             directory,
             content,
+            lines: Vec::new(),
             included_at: None,
         }
     }
@@ -95,11 +99,18 @@ impl Texts {
 
     /// Where a span begins.
     pub fn location(&self, span: Span) -> Location {
-        let text = &self.get(span.file).content;
-        let before = &text[..text.floor_char_boundary(span.start)];
+        let Text { content, lines, .. } = self.get(span.file);
+        let before = &content[..content.floor_char_boundary(span.start)];
+        let line = before.matches('\n').count();
+        if let Some(name) = lines.get(line) {
+            return Location {
+                name: name.clone(),
+                ..self.file(span.file)
+            };
+        }
         let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
         let position = Position {
-            line: before.matches('\n').count() as u32 + 1,
+            line: line as u32 + 1,
             column: before[line_start..].chars().count() as u32 + 1,
             span: span.start..span.end,
         };

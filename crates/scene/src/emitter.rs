@@ -6,13 +6,14 @@ mod environment;
 pub use environment::{EnvironmentMap, EnvironmentTable};
 
 use capwalk_math::{Affine, Vec3};
+use serde::{Deserialize, Serialize};
 
 use crate::ids::{ShapeId, TextureId};
 use crate::quantity::Quantity;
 use crate::slot::Slot;
 
 /// What sends out light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Emitter {
     /// A shape that emits the same radiance in every direction from its front.
     Area {

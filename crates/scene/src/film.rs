@@ -1,11 +1,13 @@
 //! The film: how many pixels, and what part of the image.
 
+use serde::{Deserialize, Serialize};
+
 use crate::filter::Filter;
 use crate::scene_error::SceneError;
 
 /// The film of a sensor. Film coordinates are in pixels, `x` to the right and
 /// `y` down, `(0, 0)` at the upper left corner of the whole film.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Film {
     /// Width and height of the whole film, pixels.
     pub size: [u32; 2],
@@ -37,12 +39,18 @@ impl Film {
         }
     }
 
+    /// Gives it another width and height in pixels, without crop.
+    pub fn resize(&mut self, size: [u32; 2]) {
+        (self.size, self.crop_offset, self.crop_size) = (size, [0, 0], size);
+    }
+
     /// How many pixels the image has.
     pub fn pixel_count(&self) -> usize {
         self.crop_size[0] as usize * self.crop_size[1] as usize
     }
 
-    pub(crate) fn check(&self) -> Result<(), SceneError> {
+    /// Whether an image of it can be rendered.
+    pub fn check(&self) -> Result<(), SceneError> {
         let [w, h] = self.crop_size;
         let pixels = u64::from(w) * u64::from(h);
         let whole = u64::from(self.size[0]) * u64::from(self.size[1]);

@@ -1,11 +1,12 @@
 //! Reconstruction filters: what a pixel weighs the light around it with.
 
 use capwalk_math::Real;
+use serde::{Deserialize, Serialize};
 
 use crate::scene_error::SceneError;
 
 /// A separable filter, in pixels around the pixel's centre.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Filter {
     /// One within the pixel, zero outside. Discontinuous at its border.
     Box,

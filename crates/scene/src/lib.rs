@@ -5,6 +5,7 @@
 //! knows an integrator, or casts a ray.
 
 pub mod builtin;
+mod bytes;
 pub mod emitter;
 pub mod film;
 pub mod filter;
@@ -27,6 +28,7 @@ pub mod texture;
 // What appears in the signatures here.
 pub use capwalk_geometry::{Mesh, MeshError};
 
+pub use bytes::{BytesError, pack, unpack};
 pub use emitter::delta::DeltaLight;
 pub use emitter::{Emitter, EmitterExtent, EmitterTraits};
 pub use film::Film;

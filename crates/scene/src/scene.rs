@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use crate::emitter::{Emitter, EnvironmentMap};
 use crate::film::Film;
 use crate::ids::{BsdfId, EmitterId, ShapeId, TextureId};
@@ -18,7 +20,7 @@ use crate::texture::{Pattern, Texture};
 ///
 /// Shapes and textures are shared: a clone costs no mesh, and a change copies only
 /// what changes ([`Scene::shape_mut`], [`Scene::texture_mut`], [`Arc::make_mut`]).
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scene {
     /// Shapes; their ids are unique.
     pub shapes: Vec<Arc<Shape>>,

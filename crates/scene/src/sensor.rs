@@ -6,11 +6,12 @@
 pub mod view;
 
 use capwalk_math::{Affine, Vec3};
+use serde::{Deserialize, Serialize};
 
 use crate::scene_error::SceneError;
 
 /// A sensor.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Sensor {
     /// Name, for parameters; `sensor` if none was given.
     pub id: String,
@@ -27,7 +28,7 @@ pub struct Sensor {
 }
 
 /// How film points look into camera space.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum SensorModel {
     /// Through the origin.
     Perspective {
@@ -143,7 +144,8 @@ impl Sensor {
         }
     }
 
-    pub(crate) fn check(&self) -> Result<(), SceneError> {
+    /// Whether its numbers are in their range.
+    pub fn check(&self) -> Result<(), SceneError> {
         let bad = |name: &str, value: String, expected| {
             let name = format!("{}.{name}", self.id);
             Err(SceneError::BadNumber {

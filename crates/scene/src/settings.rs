@@ -1,7 +1,9 @@
 //! How to render: plain data, read by the integrators.
 
+use serde::{Deserialize, Serialize};
+
 /// Settings of a scene file that a command line may override.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Settings {
     /// How light is transported.
     pub integrator: Integrator,
@@ -14,7 +16,7 @@ pub struct Settings {
 }
 
 /// Light transport algorithms.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Integrator {
     /// Emitters seen directly and light that was reflected once.
     Direct {
@@ -41,7 +43,7 @@ pub enum Integrator {
 
 /// What can be said of the surface that the camera sees; zero where it sees
 /// none. Names as in Mitsuba's `aov` integrator, and `mask`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Aov {
     /// Distance from the camera along the ray, world units.
     Depth,
@@ -86,7 +88,7 @@ impl Aov {
 }
 
 /// Sources of random numbers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SamplerKind {
     /// Independent uniform numbers.
     Independent,

@@ -2,11 +2,12 @@
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Real, Vec3};
+use serde::{Deserialize, Serialize};
 
 use crate::ids::{BsdfId, EmitterId, TextureId};
 
 /// A shape.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Shape {
     /// Its name, unique in the scene.
     pub id: String,
@@ -29,7 +30,7 @@ pub struct Shape {
 }
 
 /// Numbers that come with a mesh.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Attribute {
     /// Its name: `vertex_color`, `face_heat` ...
     pub name: String,
@@ -39,7 +40,7 @@ pub struct Attribute {
 
 /// Where shading normals come from. Unit length, on the side of the face
 /// normals, interpolated over the triangle and normalised.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ShadingNormals {
     /// Each triangle is flat.
     Face,

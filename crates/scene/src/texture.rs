@@ -6,11 +6,12 @@ mod bitmap;
 pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
 
 use capwalk_math::{Real, Rgb};
+use serde::{Deserialize, Serialize};
 
 use crate::scene_error::SceneError;
 
 /// Numbers, and how they cover a surface.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Texture {
     /// Its name; parameters are `<id>.value` and so on. That of a texture that
     /// stands in a material is `<material>.<slot>`, such as
@@ -25,7 +26,7 @@ pub struct Texture {
 }
 
 /// How texels cover a surface.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Pattern {
     /// The one texel is everywhere.
     Constant,

@@ -28,11 +28,13 @@
 //! absent with velocity zero: the field stays continuous and exact on the
 //! boundaries (METHOD 1).
 
+use serde::{Deserialize, Serialize};
+
 use crate::domain::{Domain, Nearest, Vector};
 use crate::field::FieldSample;
 
 /// How the field is built, and its divergence estimated.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WalkSettings {
     /// Number of steps `M`, at least 1: with none the field is not continuous.
     pub steps: u32,
@@ -46,7 +48,7 @@ pub struct WalkSettings {
 }
 
 /// Estimators of the divergence (METHOD 2).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Estimator {
     /// `c` is the velocity at the closest boundary point, and the value sample
     /// lies on the same azimuth as the rim sample: finite variance.

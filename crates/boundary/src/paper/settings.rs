@@ -1,7 +1,9 @@
 //! Settings of the baselines.
 
+use serde::{Deserialize, Serialize};
+
 /// How warped-area sampling makes its field.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct WasSettings {
     /// `κ`, concentration of the auxiliary rays: they are about `1/√κ` radians
     /// away, and so is the field's reach.
@@ -30,7 +32,7 @@ impl Default for WasSettings {
 }
 
 /// Boundary tests of warped-area sampling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum WasBoundary {
     /// Normals across the view: for smooth surfaces. Flat faces end without it,
     /// and their silhouettes are missed.

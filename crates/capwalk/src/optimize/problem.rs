@@ -116,7 +116,10 @@ impl Job {
         let mut loader = match is_built_in(located) {
             false => {
                 let path = document.path(name);
-                let loader = Loader::new(path).sensor(sensor.map_or(0, |(number, _)| number));
+                let mut loader = Loader::new(path);
+                if let Some((number, _)) = sensor {
+                    loader = loader.sensor(number);
+                }
                 let own = |define: &&Define| defines.iter().any(|own| own.name == define.name);
                 let of_job = self.keys.defines.iter().filter(|define| !own(define));
                 of_job.chain(defines).fold(loader, |loader, define| {
@@ -140,6 +143,7 @@ impl Job {
             Ok(Loaded {
                 scene,
                 warnings: found,
+                ..
             }) => {
                 // Views can name one file several times.
                 for warning in found {

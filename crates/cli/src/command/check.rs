@@ -4,16 +4,13 @@ pub mod layers;
 pub mod timed;
 
 use anyhow::{Result, ensure};
-use capwalk::{Check, CheckOptions, Comparison, GradientImage, Verdict};
+use capwalk::{Check, CheckOptions, Comparison, Verdict, comparison_text};
 use serde_json::{Value, json};
 
 use crate::args::{self, MethodName};
 use crate::diagnostics::Outcome;
 use crate::output::Files;
 use crate::{console, direction, method, report, source};
-
-/// How many of the worst pixels are shown.
-const SHOWN_PIXELS: usize = 4;
 
 pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
@@ -71,7 +68,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             report::work("gradient", of_gradient, checked.seconds[0]),
             report::work("reference", of_reference, checked.seconds[1]),
             report::number(made.step),
-            describe(comparison),
+            comparison_text(comparison),
             verdict(&checked.check),
             report::written(&written)
         ))?;
@@ -82,111 +79,12 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     })
 }
 
-/// The numbers of a comparison, one on each line; `-` stands for what images
-/// without noise, or of zeros, do not have.
-pub fn describe(c: &Comparison) -> String {
-    let worst = c.worst.iter().take(SHOWN_PIXELS);
-    let worst: Vec<String> = worst
-        .map(|(x, y, z)| format!("({x}, {y}) {z:.1}"))
-        .collect();
-    let worst = match worst.is_empty() {
-        true => "-".into(),
-        false => worst.join(", "),
-    };
-    let if_any = |x: f64, text: String| if x.is_nan() { "-".into() } else { text };
-    let mut lines = vec![
-        (
-            "relative L1",
-            format!(
-                "{} (noise alone: {})",
-                report::number(c.relative_l1),
-                report::number(c.relative_l1_of_noise)
-            ),
-        ),
-        (
-            "correlation",
-            if_any(c.correlation, format!("{:.4}", c.correlation)),
-        ),
-        (
-            "scale factor",
-            format!(
-                "{} (reference / gradient)",
-                if_any(
-                    c.scale_factor,
-                    report::plus_minus(c.scale_factor, c.scale_factor_error)
-                )
-            ),
-        ),
-        (
-            "mean z²",
-            format!(
-                "{} over {} pixels with noise",
-                if_any(
-                    c.mean_z_squared,
-                    report::plus_minus(c.mean_z_squared, c.mean_z_squared_error)
-                ),
-                report::count(c.pixels as u64)
-            ),
-        ),
-        (
-            "plain mean z²",
-            format!(
-                "{} (all pixels alike; off 1 where noise is rare events)",
-                if_any(
-                    c.mean_z_squared_plain,
-                    report::number(c.mean_z_squared_plain)
-                )
-            ),
-        ),
-        (
-            "sign",
-            if_any(c.sign, format!("{:+.2} standard errors", c.sign)),
-        ),
-        ("worst z", worst),
-    ];
-    if c.left_out > 0 {
-        lines.push((
-            "left out",
-            format!("{} pixels without a standard error", c.left_out),
-        ));
-    }
-    report::list(&lines)
-}
-
-/// What follows, in a sentence.
+/// What follows, in a sentence that names options of the command line.
 pub fn verdict(check: &Check) -> String {
-    // Samples that were really taken: the work may have been stopped.
-    let taken = |image: &GradientImage| {
-        let statistics = &image.statistics;
-        statistics.samples as f64 / statistics.samples_per_pixel.len() as f64
-    };
-    let (spp, reference_spp) = (taken(&check.gradient), taken(&check.reference));
-    match &check.comparison.verdict {
-        Verdict::Right if check.comparison.scale_factor.is_nan() => {
-            "right: both are zero everywhere: nothing in the image changes".into()
-        }
-        Verdict::Right => {
-            "right: they agree, and a factor wrong by 10 % would have been seen".into()
-        }
-        Verdict::Wrong { reason } => {
-            format!(
-                "wrong: {reason}\n(if a smaller --step changes this, the reference is at fault)"
-            )
-        }
-        Verdict::Inconclusive { .. } if spp.min(reference_spp) < 2.0 => {
-            "inconclusive: standard errors need at least two samples per pixel".into()
-        }
-        Verdict::Inconclusive { samples_factor } if samples_factor.is_finite() => format!(
-            "inconclusive: about {} times the samples would be enough (--spp {} \
-             --reference-spp {})",
-            report::significant(*samples_factor, 2),
-            (spp * samples_factor).ceil(),
-            (reference_spp * samples_factor).ceil()
-        ),
-        Verdict::Inconclusive { .. } => {
-            "inconclusive: there is no derivative to be seen, only noise".into()
-        }
-    }
+    check.verdict(|option, value| match value {
+        None => format!("--{option}"),
+        Some(value) => format!("--{option} {value}"),
+    })
 }
 
 /// How a command ends that came to this comparison.

@@ -83,7 +83,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         if let Some(comparison) = &comparison {
             text += &format!(
                 "\nwith their standard errors\n{}{}\n",
-                verdicts::describe(comparison),
+                capwalk::comparison_text(comparison),
                 sentence(comparison)
             );
         }

@@ -6,7 +6,7 @@ use anyhow::Result;
 use capwalk::scene::builtin;
 use capwalk::{
     CheckOptions, Estimator, GradientImage, GradientOptions, Method, Prepared, RenderOptions,
-    Rendering, Tangent, WalkSettings,
+    Rendering, Tangent, WalkSettings, comparison_text,
 };
 use serde_json::json;
 
@@ -143,7 +143,7 @@ pub fn run(args: &Demo) -> Result<Outcome> {
             "{SCENE}, {width} x {height} pixels, derivative for {parameter}\n\n\
              {}\nvariance per sample\n{}\n\
              {} million silhouette queries per second, {} in all\n{}\n{}",
-            check::describe(&check.comparison),
+            comparison_text(&check.comparison),
             report::list(&variances),
             report::number(queries / 1e6),
             report::seconds(seconds[2]),

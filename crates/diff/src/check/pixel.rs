@@ -47,11 +47,16 @@ impl Pixel {
 /// whole image only keep weights finite where all of them are without noise.
 const NEIGHBOURHOODS: [(usize, f64); 3] = [(2, 0.9), (8, 0.09), (usize::MAX, 0.01)];
 
-/// A pixel whose standard error, and that around it, are below this fraction of its value
-/// counts as free of noise: the reference's own bias, of order `step²`, is larger.
+/// Relative differences below this are not held against a gradient: central
+/// differences have a bias of order `step²` themselves.
+pub(super) const REFERENCE_BIAS: f64 = 0.02;
+
+/// A pixel whose standard error is below this fraction of its value counts as free of noise:
+/// the reference's own bias, of order `step²`, is larger.
 ///
-/// Its own error alone does not tell: beside a gradient without noise, the pixels in which the
-/// reference met no event would be left out and the others kept, in which it is too large.
+/// Its own error does not tell where it differs from the reference amid noise: beside a
+/// gradient without noise, the pixels in which the reference met no event would be left out
+/// and the others kept, in which it is too large.
 const NOISE_FREE: f64 = 1e-3;
 
 /// A pixel that claims to have no noise.
@@ -69,7 +74,7 @@ pub(super) struct NoiseFree {
 
 /// The pixels with noise, and those without.
 pub(super) struct Pixels {
-    /// Pixels where at least one image has noise.
+    /// Pixels where an image has noise, or that differ amid noise.
     pub noisy: Vec<Pixel>,
     /// The others.
     pub noise_free: Vec<NoiseFree>,
@@ -114,9 +119,8 @@ pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
         let noisy = |c: &usize| {
             let size = channel(g, *c).abs().max(channel(r, *c).abs());
             let own = channel(g_error, *c).hypot(channel(r_error, *c));
-            // A pixel of zeros adds nothing to any sum.
-            let is_zero = size == 0.0 && own == 0.0;
-            !is_zero && own.max(error_around(*c)) > NOISE_FREE * size
+            let differs = (channel(g, *c) - channel(r, *c)).abs() > REFERENCE_BIAS * size;
+            own > NOISE_FREE * size || (differs && error_around(*c) > NOISE_FREE * size)
         };
         let Some(c) = (0..3).map(|c| (x + y + c) % 3).find(noisy) else {
             pixels.noise_free.push(NoiseFree {

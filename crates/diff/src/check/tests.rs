@@ -244,6 +244,31 @@ fn rare_events_beside_no_noise_raise_no_false_alarm() {
     }
 }
 
+/// Exact pixels beside noisy ones, as those of a lamp that is seen: they are large and agree,
+/// and say nothing of the others.
+#[test]
+fn exact_pixels_hide_no_wrong_ones() {
+    let is_exact = |x: usize| x < 6;
+    let against = |factor: f64, bias: f64, sigma: f64| {
+        count(100, |noise| {
+            let mut image = |factor: f64, exact: f64| {
+                estimate_of(|x, y| match is_exact(x) {
+                    true => (30.0 * exact, 0.0),
+                    false => (factor * truth(x, y) + sigma * noise.normal(), sigma),
+                })
+            };
+            let gradient = image(factor, 1.0);
+            compare(&gradient, &image(1.0, 1.0 + bias))
+        })
+    };
+    assert_eq!(against(1.0, 0.0, 0.1)[1], 0);
+    // The bias of the reference where nothing is noisy is not held against the gradient.
+    assert_eq!(against(1.0, 5e-3, 0.1)[1], 0);
+    assert_eq!(against(0.8, 0.0, 0.1)[0], 0);
+    // Noise that hides a wrong factor is not made up for.
+    assert_eq!(against(1.0, 0.0, 30.0)[0], 0);
+}
+
 /// The promised number of samples is enough nine times out of ten, and not
 /// many times too large.
 #[test]

@@ -8,16 +8,18 @@ use capwalk_scene::{Integrator, Quantity, Scene, Settings};
 use super::integrator;
 use super::lowering::Lowering;
 use crate::fields::{Child, Context, Fields};
-use crate::node::{Kind, NodeId};
+use crate::node::Kind;
 use crate::problem::Problem;
+use crate::sensor_settings::SensorSettings;
 use crate::texts::Span;
 
-/// The scene that the nodes describe, seen by the sensor with this index.
+/// The scene that the nodes describe, seen by the sensor with this index, and all its
+/// sensors.
 pub(crate) fn lower(
     context: &Context,
     directories: Vec<PathBuf>,
-    sensor: usize,
-) -> Result<Scene, Problem> {
+    sensor: Option<usize>,
+) -> Result<(Scene, Vec<SensorSettings>), Problem> {
     let fields = Fields::new(context, context.graph.root);
     scene_settings(&fields);
     Lowering::new(context, directories).scene(&fields, sensor)
@@ -43,7 +45,11 @@ fn scene_settings(fields: &Fields) {
 }
 
 impl Lowering<'_> {
-    fn scene(mut self, fields: &Fields, sensor: usize) -> Result<Scene, Problem> {
+    fn scene(
+        mut self,
+        fields: &Fields,
+        sensor: Option<usize>,
+    ) -> Result<(Scene, Vec<SensorSettings>), Problem> {
         let root = fields.node.span;
         let integrator = fields.child(Kind::Integrator)?.ok_or_else(|| {
             Problem::missing(root, "the scene has no integrator")
@@ -51,13 +57,25 @@ impl Lowering<'_> {
         })?;
         let integrator = integrator::lower(&Fields::new(self.context, integrator.node))?;
         let sensors = fields.children(Kind::Sensor);
-        let sensor = choose_sensor(self.context, root, &sensors, sensor)?;
-        // The others are read for their mistakes, the chosen one last: its
-        // places in the text count.
-        for other in sensors.iter().filter(|other| other.node != sensor) {
-            self.sensor(other.node)?;
+        let chosen = choose_sensor(self.context, root, &sensors, sensor)?;
+        // The chosen one last: its places in the text count.
+        let mut all_sensors = Vec::new();
+        for other in (0..sensors.len()).filter(|&i| i != chosen).chain([chosen]) {
+            let unnamed = match other {
+                0 => "sensor".to_owned(),
+                other => format!("sensor_{other}"),
+            };
+            all_sensors.push((other, self.sensor(sensors[other].node, &unnamed)?));
         }
-        let (sensor, film, sampler) = self.sensor(sensor)?;
+        all_sensors.sort_by_key(|&(i, _)| i);
+        let all_sensors: Vec<SensorSettings> = all_sensors.into_iter().map(|(_, v)| v).collect();
+        let SensorSettings {
+            sensor,
+            film,
+            sampler,
+            spp,
+            seed,
+        } = all_sensors[chosen].clone();
         // Parts of sensors may stand in the scene to be referred to.
         for part in [Kind::Film, Kind::Filter, Kind::Sampler] {
             fields.children(part);
@@ -91,15 +109,15 @@ impl Lowering<'_> {
             film,
             settings: Settings {
                 integrator,
-                spp: sampler.spp,
-                sampler: sampler.kind,
-                seed: sampler.seed,
+                spp,
+                sampler,
+                seed,
             },
         };
         match scene.check() {
             Ok(()) => {
                 self.places.warn_of_clipping(self.context, &scene, root);
-                Ok(scene)
+                Ok((scene, all_sensors))
             }
             Err(error) => Err(self.places.problem(&scene, root, error)),
         }
@@ -111,23 +129,24 @@ fn choose_sensor(
     context: &Context,
     root: Span,
     sensors: &[Child],
-    index: usize,
-) -> Result<NodeId, Problem> {
-    let Some(sensor) = sensors.get(index) else {
+    index: Option<usize>,
+) -> Result<usize, Problem> {
+    let chosen = index.unwrap_or(0);
+    if chosen >= sensors.len() {
         let problem = match sensors.len() {
             0 => Problem::missing(root, "the scene has no sensor")
                 .help("add <sensor type=\"perspective\"> ... </sensor>"),
-            n => Problem::missing(root, format!("the scene has no sensor {index}"))
+            n => Problem::missing(root, format!("the scene has no sensor {chosen}"))
                 .help(format!("its sensors are 0 to {}", n - 1)),
         };
         return Err(problem);
-    };
-    if sensors.len() > 1 && index == 0 {
+    }
+    if sensors.len() > 1 && index.is_none() {
         let message = format!(
             "the scene has {} sensors; rendering with the first",
             sensors.len()
         );
         context.warn(sensors[1].span, &message);
     }
-    Ok(sensor.node)
+    Ok(chosen)
 }

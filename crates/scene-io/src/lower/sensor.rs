@@ -8,6 +8,7 @@ use super::sampler::{self, Sampler};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId};
 use crate::problem::Problem;
+use crate::sensor_settings::SensorSettings;
 
 /// Values of `type` that are read.
 const SENSORS: [&str; 3] = ["perspective", "thinlens", "orthographic"];
@@ -20,8 +21,12 @@ const FILM_DIAGONAL: f64 = 43.266615305567875;
 pub(super) const RIGID: f64 = 1e-3;
 
 impl Lowering<'_> {
-    /// The sensor, its film and its sampler.
-    pub(super) fn sensor(&mut self, node: NodeId) -> Result<(Sensor, Film, Sampler), Problem> {
+    /// The sensor, its film and its sampler. `unnamed` is its name if it has none.
+    pub(super) fn sensor(
+        &mut self,
+        node: NodeId,
+        unnamed: &str,
+    ) -> Result<SensorSettings, Problem> {
         let fields = Fields::new(self.context, node);
         let plugin = fields.node.plugin.as_str();
         if !SENSORS.contains(&plugin) {
@@ -32,7 +37,7 @@ impl Lowering<'_> {
             Some(child) => sampler::lower(&Fields::new(self.context, child.node))?,
             None => Sampler::default(),
         };
-        let id = fields.node.id.clone().unwrap_or_else(|| "sensor".into());
+        let id = fields.node.id.clone().unwrap_or_else(|| unnamed.into());
         let far_clip = fields.float("far_clip", 1e4)?;
         let model = match plugin {
             "perspective" => SensorModel::Perspective {
@@ -89,7 +94,13 @@ impl Lowering<'_> {
             )
             .help("expected 0 < near_clip < far_clip"));
         }
-        Ok((sensor, film, sampler))
+        Ok(SensorSettings {
+            sensor,
+            film,
+            sampler: sampler.kind,
+            spp: sampler.spp,
+            seed: sampler.seed,
+        })
     }
 }
 

@@ -421,7 +421,7 @@ fn sensors_are_chosen_by_index() {
     let path = folder().join("two_sensors.xml");
     let sensor = |index: usize| {
         let options = capwalk_scene_io::LoadOptions {
-            sensor: index,
+            sensor: Some(index),
             ..Default::default()
         };
         capwalk_scene_io::load_scene_with(&path, &options).map(|loaded| loaded.scene.sensor.id)

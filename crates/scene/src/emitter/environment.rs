@@ -5,11 +5,12 @@
 use std::f64::consts::PI;
 
 use capwalk_math::{Affine, Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
 use crate::texture::Texture;
 
 /// Where the texels of an environment map are.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EnvironmentMap {
     /// Texels per row; at least 1.
     pub width: u32,

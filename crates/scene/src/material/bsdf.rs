@@ -1,13 +1,15 @@
 //! Materials: what a file says of a surface. What it does to light at a point is
 //! in [`crate::lobe`]. To add one: add a variant here, and follow the compiler.
 
+use serde::{Deserialize, Serialize};
+
 use super::lobe::Distribution;
 use crate::ids::{BsdfId, TextureId};
 use crate::quantity::Quantity;
 use crate::slot::Slot;
 
 /// A material and its name.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Material {
     /// Its name; parameters are `<id>.reflectance.value` and so on.
     pub id: String,
@@ -16,7 +18,7 @@ pub struct Material {
 }
 
 /// What a surface does to light.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Bsdf {
     /// Reflects equally to all directions, from its front side only.
     Diffuse {
@@ -92,7 +94,7 @@ pub enum Bsdf {
 }
 
 /// The numbers of a metal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Metal {
     /// Refractive index.
     pub eta: TextureId,
@@ -103,7 +105,7 @@ pub struct Metal {
 }
 
 /// How rough a surface is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Facets {
     /// Distribution of their normals.
     pub distribution: Distribution,
@@ -112,7 +114,7 @@ pub struct Facets {
 }
 
 /// The numbers of a clear body.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Glass {
     /// Refractive index on the side that the normal points away from.
     pub int_ior: TextureId,
@@ -125,7 +127,7 @@ pub struct Glass {
 }
 
 /// The numbers of a clear coat and its base.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Coat {
     /// Refractive index of the coat.
     pub int_ior: TextureId,
@@ -140,7 +142,7 @@ pub struct Coat {
 }
 
 /// The numbers of [`Bsdf::Principled`].
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[allow(missing_docs, reason = "the names are those of the literature")]
 pub struct PrincipledTextures {
     pub base_color: TextureId,
@@ -158,7 +160,7 @@ pub struct PrincipledTextures {
 }
 
 /// How much a principled material refracts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PrincipledIndex {
     /// Refractive index relative to the outside.
     Eta(TextureId),
@@ -167,7 +169,7 @@ pub enum PrincipledIndex {
 }
 
 /// What is done about perturbed normals that go too far.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NormalLimits {
     /// True if normals that turn away from the viewer are turned back.
     pub flip_invalid: bool,

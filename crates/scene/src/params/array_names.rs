@@ -114,10 +114,21 @@ fn of_shape(scene: &Scene, id: ShapeId) -> Vec<ArrayParameter> {
         place: Place::ShapeToWorld(id),
         ..positions.clone()
     };
-    match shape.normals {
-        ShadingNormals::Given(_) => vec![positions, normals, to_world],
-        ShadingNormals::Face | ShadingNormals::Computed(_) => vec![positions, to_world],
+    // Mitsuba's name, directly behind ours.
+    let with_alias = |array: ArrayParameter, name: String| {
+        let alias = ArrayParameter {
+            name,
+            alias_of: Some(array.name.clone()),
+            ..array.clone()
+        };
+        [array, alias]
+    };
+    let mut arrays = Vec::from(with_alias(positions, format!("{name}.vertex_positions")));
+    if let ShadingNormals::Given(_) = shape.normals {
+        arrays.extend(with_alias(normals, format!("{name}.vertex_normals")));
     }
+    arrays.push(to_world);
+    arrays
 }
 
 /// Unit of the numbers of a matrix.

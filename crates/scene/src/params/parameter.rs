@@ -82,6 +82,21 @@ pub enum ParameterKind {
     FocusDistance,
 }
 
+impl ParameterKind {
+    /// True if it changes the sensor.
+    pub fn is_of_sensor(self) -> bool {
+        matches!(
+            self,
+            Self::SensorTranslation
+                | Self::SensorRotation
+                | Self::SensorToWorld
+                | Self::FieldOfView
+                | Self::ApertureRadius
+                | Self::FocusDistance
+        )
+    }
+}
+
 impl From<Quantity> for ParameterKind {
     fn from(quantity: Quantity) -> Self {
         match quantity {

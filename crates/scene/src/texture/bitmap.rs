@@ -2,9 +2,10 @@
 //! has its centre at `(i + 0.5) / n`.
 
 use capwalk_math::{Affine, Real, Rgb};
+use serde::{Deserialize, Serialize};
 
 /// A rectangle of texels.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bitmap {
     /// Texels per row.
     pub width: u32,
@@ -19,7 +20,7 @@ pub struct Bitmap {
 }
 
 /// What is between the centres of texels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum TexelFilter {
     /// The texel that is nearest.
     Nearest,
@@ -28,7 +29,7 @@ pub enum TexelFilter {
 }
 
 /// What is outside the unit square.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Wrap {
     /// The bitmap again.
     Repeat,
@@ -39,7 +40,7 @@ pub enum Wrap {
 }
 
 /// An affine map of texture coordinates: `(a·u + b·v + c, d·u + e·v + f)`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct UvTransform {
     /// `[a, b, c]` and `[d, e, f]`.
     pub rows: [[f64; 3]; 2],

@@ -9,6 +9,7 @@ use std::f64::consts::PI;
 
 use capwalk_math::special::{erf, erf_inverse};
 use capwalk_math::{Real, Vec3};
+use serde::{Deserialize, Serialize};
 
 /// Smallest roughness, as in Mitsuba; below, the lobe is too narrow for the
 /// digits of a direction.
@@ -18,7 +19,7 @@ pub(super) const MIN_ALPHA: f64 = 1e-4;
 const SHADOWLESS: f64 = 6.0;
 
 /// The shape of the distribution of slopes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Distribution {
     /// Gaussian slopes.
     Beckmann,

@@ -1,0 +1,340 @@
+//! A scene seen by each of its sensors.
+
+use std::sync::{Arc, OnceLock};
+
+use capwalk_scene::params::{ArrayParameter, Registry};
+use capwalk_scene::{Aov, Integrator, Scene, SceneError, pack, unpack};
+use capwalk_scene_io::SensorSettings;
+
+use crate::backward::array;
+use crate::error::Error;
+use crate::prepared::{Prepared, Values};
+
+/// What is looked at: one of the sensors, and what it shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Look {
+    /// Which sensor, from 0.
+    pub sensor: usize,
+    /// What is shown of the surfaces instead of their light.
+    pub aov: Option<Aov>,
+}
+
+impl Look {
+    /// All views of a scene with so many sensors.
+    fn all(sensors: usize) -> impl Iterator<Item = Self> {
+        let of = |sensor| {
+            let aovs = Aov::ALL.map(Some).into_iter();
+            std::iter::once(None)
+                .chain(aovs)
+                .map(move |aov| Self { sensor, aov })
+        };
+        (0..sensors).flat_map(of)
+    }
+
+    /// Where it stands among all views.
+    fn place(self) -> usize {
+        let aov = Aov::ALL.iter().position(|&aov| Some(aov) == self.aov);
+        self.sensor * (1 + Aov::ALL.len()) + aov.map_or(0, |i| 1 + i)
+    }
+}
+
+/// A scene with all of its sensors. Each view is made ready when it is asked for first, and
+/// follows every change of the scene from then on.
+///
+/// ```
+/// use capwalk::{Look, RenderOptions, Unwatched, Views};
+///
+/// let loaded = capwalk::Loader::new("leaf").size([8, 6]).load()?;
+/// let mut views = Views::new(loaded.scene, loaded.sensors)?;
+/// let mask = Look { sensor: 0, aov: Some(capwalk::scene::Aov::Mask) };
+/// let mask = views.prepared(mask)?;
+/// let image = mask.render(&RenderOptions::new(4, 1), &Unwatched)?.value.mean;
+/// assert!(image.pixels.iter().all(|pixel| pixel.g <= 1.0));
+/// views.update(&[("floor.bsdf.reflectance.value", &[0.1, 0.2, 0.3])])?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Views {
+    /// As the first sensor sees it.
+    scene: Arc<Scene>,
+    sensors: Vec<SensorSettings>,
+    /// The names of its parameters as each sensor has them.
+    registries: Vec<OnceLock<Registry>>,
+    /// By [`Look::place`]; what was asked for so far.
+    prepared: Vec<OnceLock<Prepared>>,
+}
+
+impl Views {
+    /// A scene and its sensors, at least one; that of the scene itself does not count. An
+    /// error if one of them cannot render it.
+    pub fn new(scene: impl Into<Arc<Scene>>, sensors: Vec<SensorSettings>) -> Result<Self, Error> {
+        let scene = scene.into();
+        let first = sensors.first().ok_or(Error::NoSuchSensor {
+            sensors: 0,
+            number: 0,
+        })?;
+        let views = Self {
+            scene: Arc::new(first.scene(&scene)),
+            registries: sensors.iter().map(|_| OnceLock::new()).collect(),
+            prepared: Look::all(sensors.len()).map(|_| OnceLock::new()).collect(),
+            sensors,
+        };
+        views.check(&views.scene, &views.sensors)?;
+        Ok(views)
+    }
+
+    /// The scene with its sensors as bytes, exact in every number, to be sent to another
+    /// process of the same version.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, Error> {
+        Ok(pack(&(&*self.scene, &self.sensors))?)
+    }
+
+    /// What [`Views::to_bytes`] made.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Error> {
+        let (scene, sensors): (Scene, _) = unpack(bytes)?;
+        Self::new(scene, sensors)
+    }
+
+    /// The scene as the first sensor sees it.
+    pub fn scene(&self) -> &Arc<Scene> {
+        &self.scene
+    }
+
+    /// The sensors.
+    pub fn sensors(&self) -> &[SensorSettings] {
+        &self.sensors
+    }
+
+    /// The scene, ready to be rendered by a sensor.
+    pub fn prepared(&self, look: Look) -> Result<&Prepared, Error> {
+        if look.sensor >= self.sensors.len() {
+            return Err(Error::NoSuchSensor {
+                sensors: self.sensors.len(),
+                number: look.sensor,
+            });
+        }
+        let place = &self.prepared[look.place()];
+        if let Some(prepared) = place.get() {
+            return Ok(prepared);
+        }
+        // Trees are built outside of the lock. Who is first is kept.
+        let prepared = Prepared::new(self.seen(look))?;
+        Ok(place.get_or_init(|| prepared))
+    }
+
+    /// The arrays of the scene, with those of all sensors.
+    pub fn arrays(&self) -> Vec<ArrayParameter> {
+        if self.sensors.len() == 1 {
+            return self.registry(0).arrays().to_vec();
+        }
+        let arrays = self.registry(0).arrays().iter();
+        let mut arrays: Vec<ArrayParameter> = arrays
+            .filter(|array| !array.kind.is_of_sensor())
+            .cloned()
+            .collect();
+        for i in 0..self.sensors.len() {
+            let own = self.registry(i).arrays().iter();
+            let own = own.filter(|array| self.is_own(i, array)).cloned();
+            // `sensor`, of which it may be an alias, is not one of several.
+            arrays.extend(own.map(|mut array| {
+                array.alias_of = None;
+                array
+            }));
+        }
+        arrays
+    }
+
+    /// What an array of the scene is now.
+    pub fn values(&self, name: &str) -> Result<Values, Error> {
+        let sensor = self.sensor_of(name)?;
+        let seen = self.sensors[sensor].scene(&self.scene);
+        let array = array(self.registry(sensor), &seen, name)?;
+        Ok(Values {
+            numbers: array.get(&seen),
+            shape: array.shape,
+        })
+    }
+
+    /// Changes arrays, all of them or none, see [`Prepared::update`].
+    pub fn update(&mut self, changes: &[(&str, &[f64])]) -> Result<(), Error> {
+        let mut scene = Scene::clone(&self.scene);
+        let mut sensors = self.sensors.clone();
+        for (name, numbers) in changes {
+            let sensor = self.sensor_of(name)?;
+            let mut seen = sensors[sensor].scene(&scene);
+            array(self.registry(sensor), &seen, name)?.set(&mut seen, numbers)?;
+            sensors[sensor].sensor = seen.sensor.clone();
+            scene = seen;
+        }
+        self.replace(scene, sensors)
+    }
+
+    /// Gives all images this width and height in pixels, without crop.
+    pub fn resize(&mut self, size: [u32; 2]) -> Result<(), Error> {
+        let mut sensors = self.sensors.clone();
+        sensors.iter_mut().for_each(|view| view.film.resize(size));
+        self.replace(Scene::clone(&self.scene), sensors)
+    }
+
+    /// Goes over to a scene with the same names.
+    fn replace(&mut self, scene: Scene, sensors: Vec<SensorSettings>) -> Result<(), Error> {
+        let scene = Arc::new(sensors[0].scene(&scene));
+        self.check(&scene, &sensors).map_err(Error::InvalidUpdate)?;
+        (self.scene, self.sensors) = (scene, sensors);
+        for (look, place) in Look::all(self.sensors.len()).zip(0..) {
+            let seen = self.seen(look);
+            if let Some(prepared) = self.prepared[place].get_mut() {
+                prepared.update_scene(seen)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether all sensors can render a scene.
+    fn check(&self, scene: &Scene, sensors: &[SensorSettings]) -> Result<(), SceneError> {
+        scene.check()?;
+        let others = sensors.iter().skip(1);
+        others.map(|view| view.scene(scene)).try_for_each(|seen| {
+            seen.film.check()?;
+            seen.sensor.check()
+        })
+    }
+
+    /// The sensor that an array is of, or the first for what all of them see.
+    fn sensor_of(&self, name: &str) -> Result<usize, Error> {
+        for i in 0..self.sensors.len() {
+            let array = self.registry(i).array(name)?;
+            if array.is_some_and(|array| self.is_own(i, array)) {
+                return Ok(i);
+            }
+        }
+        let array = self.registry(0).array(name)?;
+        match array.is_some_and(|a| a.kind.is_of_sensor()) && self.sensors.len() > 1 {
+            true => Err(Error::SeveralSensors {
+                name: name.into(),
+                sensors: self.sensors.iter().map(|v| v.sensor.id.clone()).collect(),
+            }),
+            false => Ok(0),
+        }
+    }
+
+    /// True for the arrays of a sensor under its own name.
+    fn is_own(&self, sensor: usize, array: &ArrayParameter) -> bool {
+        let id = &self.sensors[sensor].sensor.id;
+        let own = array.name.strip_prefix(id.as_str());
+        array.kind.is_of_sensor() && own.is_some_and(|rest| rest.starts_with('.'))
+    }
+
+    /// What a view shows.
+    fn seen(&self, look: Look) -> Scene {
+        let mut seen = self.sensors[look.sensor].scene(&self.scene);
+        if let Some(aov) = look.aov {
+            seen.settings.integrator = Integrator::Aov(aov);
+        }
+        seen
+    }
+
+    fn registry(&self, sensor: usize) -> &Registry {
+        self.registries[sensor]
+            .get_or_init(|| Registry::new(&self.sensors[sensor].scene(&self.scene)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use capwalk_diff::{RenderOptions, Unwatched};
+
+    /// Two cameras, one to the left and one to the right of a box.
+    fn views() -> Views {
+        let sensor = |id: &str, x: f64| {
+            format!(
+                "<sensor type=\"perspective\" id=\"{id}\">\
+                 <transform name=\"to_world\"><translate x=\"{x}\" z=\"-6\"/></transform>\
+                 <sampler type=\"independent\"><integer name=\"sample_count\" value=\"4\"/></sampler>\
+                 <film type=\"hdrfilm\"><integer name=\"width\" value=\"8\"/>\
+                 <integer name=\"height\" value=\"6\"/></film></sensor>"
+            )
+        };
+        let (left, right) = (sensor("left", -1.0), sensor("right", 1.0));
+        let text = format!(
+            "<scene version=\"3.0.0\"><integrator type=\"path\"/>{left}{right}\
+             <emitter type=\"constant\"/><shape type=\"cube\" id=\"box\"/></scene>"
+        );
+        let loaded = capwalk_scene_io::load_scene_str(&text, "".as_ref(), "text", &[]);
+        let loaded = loaded.expect("a scene");
+        Views::new(loaded.scene, loaded.sensors).expect("it can be rendered")
+    }
+
+    fn image(views: &Views, sensor: usize) -> capwalk_scene::Image {
+        let view = Look { sensor, aov: None };
+        let prepared = views.prepared(view).expect("it is there");
+        let options = RenderOptions::new(4, 1);
+        let image = prepared.render(&options, &Unwatched).expect("samples");
+        image.value.mean
+    }
+
+    /// A change of the scene is seen from everywhere, that of a sensor by it alone; and what
+    /// was looked at before answers like what was not.
+    #[test]
+    fn changes_are_seen_from_everywhere() {
+        let mut views = views();
+        let before = [image(&views, 0), image(&views, 1)];
+        assert!(before[0] != before[1]);
+
+        let name = "box.bsdf.reflectance.value";
+        views.update(&[(name, &[0.9, 0.1, 0.1])]).expect("a colour");
+        let mut fresh = self::views();
+        fresh.update(&[(name, &[0.9, 0.1, 0.1])]).expect("a colour");
+        for i in [0, 1] {
+            assert!(image(&views, i) != before[i]);
+            assert!(image(&views, i) == image(&fresh, i));
+        }
+
+        let old = [image(&views, 0), image(&views, 1)];
+        let place = views.values("left.to_world").expect("it has one");
+        views
+            .update(&[("right.to_world", &place.numbers)])
+            .expect("a matrix");
+        assert!(image(&views, 0) == old[0]);
+        assert!(image(&views, 1) == old[0]);
+        let bytes = views.to_bytes().expect("it has bytes");
+        let elsewhere = Views::from_bytes(&bytes).expect("a scene");
+        assert!(image(&elsewhere, 1) == old[0]);
+        assert_eq!(views.values("right.to_world").expect("there"), place);
+    }
+
+    /// Each view has its own place, in the order of all of them.
+    #[test]
+    fn places_are_in_order() {
+        assert!(
+            Look::all(3)
+                .map(Look::place)
+                .eq(0..3 * (1 + Aov::ALL.len()))
+        );
+    }
+
+    #[test]
+    fn sensors_are_named() {
+        let mut views = views();
+        let names: Vec<String> = views.arrays().into_iter().map(|a| a.name).collect();
+        assert!(
+            names.contains(&"left.to_world".into()) && names.contains(&"right.to_world".into())
+        );
+        let error = views.values("sensor.to_world").expect_err("two are meant");
+        assert!(error.to_string().contains("left, right"), "{error}");
+        let error = views
+            .prepared(Look {
+                sensor: 2,
+                aov: None,
+            })
+            .expect_err("two");
+        assert!(error.to_string().contains("2 sensors"), "{error}");
+        // Nothing is changed if something is wrong.
+        let old = views.values("box.positions").expect("there").numbers;
+        let moved: Vec<f64> = old.iter().map(|x| x + 1.0).collect();
+        let changes: [(&str, &[f64]); 2] = [("box.positions", &moved), ("left.to_world", &[1.0])];
+        assert!(views.update(&changes).is_err());
+        assert_eq!(views.values("box.positions").expect("there").numbers, old);
+    }
+}

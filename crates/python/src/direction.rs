@@ -1,0 +1,65 @@
+//! What the image changes along.
+
+use std::collections::BTreeMap;
+
+use capwalk::{Direction, Error, Prepared, Tangent};
+use numpy::{PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use pyo3::prelude::*;
+
+use crate::arrays;
+
+/// An expression, or velocities of arrays by their names.
+#[derive(FromPyObject)]
+pub enum Along<'py> {
+    Expression(String),
+    Velocities(BTreeMap<String, PyReadonlyArrayDyn<'py, f64>>),
+}
+
+/// The same without Python, for other threads.
+pub enum Motion {
+    Expression(String),
+    Velocities(Vec<Velocities>),
+}
+
+pub struct Velocities {
+    array: String,
+    shape: Vec<usize>,
+    numbers: Vec<f64>,
+}
+
+impl From<Along<'_>> for Motion {
+    fn from(along: Along) -> Self {
+        let velocities = match along {
+            Along::Expression(text) => return Self::Expression(text),
+            Along::Velocities(velocities) => velocities.into_iter(),
+        };
+        let velocities = velocities.map(|(array, velocities)| Velocities {
+            array,
+            shape: velocities.shape().to_vec(),
+            numbers: arrays::to_numbers(&velocities),
+        });
+        Self::Velocities(velocities.collect())
+    }
+}
+
+impl Motion {
+    /// What moves in the scene.
+    pub fn tangent(&self, prepared: &Prepared) -> Result<Tangent, Error> {
+        let (scene, registry) = (prepared.scene(), prepared.registry());
+        let velocities = match self {
+            Self::Expression(text) => return Ok(text.tangent(scene, registry)?.into_owned()),
+            Self::Velocities(velocities) => velocities,
+        };
+        let mut sum = Tangent::zero(scene);
+        for velocity in velocities {
+            let Velocities {
+                array,
+                shape,
+                numbers,
+            } = velocity;
+            arrays::check_shape(array, &prepared.values(array)?.shape, shape)?;
+            sum.add(&prepared.tangent(array, numbers)?);
+        }
+        Ok(sum)
+    }
+}

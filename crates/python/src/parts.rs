@@ -1,0 +1,152 @@
+//! Work in parts, for other processes and machines. Each has the same scene; the parts are
+//! merged to the bits of the whole.
+
+use capwalk::{Error, GradientOptions, Image, Part, Partial, RenderOptions};
+use numpy::PyReadonlyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::pybacked::PyBackedBytes;
+use pyo3::types::PyBytes;
+
+use crate::direction::{Along, Motion};
+use crate::results::{of_backward, of_gradient, of_render};
+use crate::scene::Scene;
+use crate::work::{Options, run};
+use crate::{arrays, errors};
+
+/// What is asked for besides an image: the adjoint and the names of [`backward`], or the
+/// direction of [`gradient`].
+///
+/// [`backward`]: crate::work::backward
+/// [`gradient`]: crate::work::gradient
+#[derive(FromPyObject)]
+pub enum Asked<'py> {
+    Backward(PyReadonlyArrayDyn<'py, f64>, Vec<String>),
+    Gradient(Along<'py>),
+}
+
+/// The same without Python.
+enum Task {
+    Render(RenderOptions),
+    Gradient(Motion, GradientOptions),
+    Backward(Image, Vec<String>, GradientOptions),
+}
+
+impl Task {
+    fn new(py: Python<'_>, asked: Option<Asked>, options: &Options) -> PyResult<Self> {
+        Ok(match asked {
+            None => Self::Render(options.sampling()),
+            Some(Asked::Gradient(along)) => Self::Gradient(along.into(), options.gradient(py)?),
+            Some(Asked::Backward(adjoint, names)) => {
+                let adjoint = arrays::to_image("the adjoint", &adjoint)?;
+                Self::Backward(adjoint, names, options.gradient(py)?)
+            }
+        })
+    }
+}
+
+/// The method that is used for all parts, as bytes for `options.chosen`; `None` for images.
+#[pyfunction]
+pub fn choose<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    asked: Option<Asked<'py>>,
+    options: Options<'py>,
+) -> PyResult<Option<Bound<'py, PyBytes>>> {
+    let task = Task::new(py, asked, &options)?;
+    let chosen = run(py, scene, &options, |prepared, watch| {
+        let chosen = match &task {
+            Task::Render(_) => return Ok(None),
+            Task::Gradient(motion, options) => {
+                prepared.choose(&motion.tangent(prepared)?, options, watch)?
+            }
+            Task::Backward(adjoint, names, options) => {
+                prepared.choose_backward(adjoint, names, options, watch)?
+            }
+        };
+        Ok(Some(capwalk::scene::pack(&chosen.options)?))
+    })?;
+    Ok(chosen.map(|bytes| PyBytes::new(py, &bytes)))
+}
+
+/// The bytes of part `index` of `count`.
+#[pyfunction]
+pub fn part<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    asked: Option<Asked<'py>>,
+    options: Options<'py>,
+    index: u32,
+    count: u32,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let task = Task::new(py, asked, &options)?;
+    let bytes = run(py, scene, &options, |prepared, watch| {
+        let part = |grid| Part::nth(grid, index, count);
+        Ok(match &task {
+            Task::Render(options) => {
+                let work = prepared.render_work(options)?;
+                work.part(&part(work.grid())?, watch)?.to_bytes()?
+            }
+            Task::Gradient(motion, options) => {
+                let tangent = motion.tangent(prepared)?;
+                let work = prepared.gradient_work(&tangent, options)?;
+                work.part(&part(work.grid())?, watch)?.to_bytes()?
+            }
+            Task::Backward(adjoint, names, options) => {
+                let work = prepared.backward_work(adjoint, names, options)?;
+                work.part(&part(work.grid())?, watch)?.to_bytes()?
+            }
+        })
+    })?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+/// What the whole gives, from the bytes of all parts.
+#[pyfunction]
+pub fn merge<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    asked: Option<Asked<'py>>,
+    options: Options<'py>,
+    parts: Vec<PyBackedBytes>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let task = Task::new(py, asked, &options)?;
+    let views = scene.read(py)?;
+    let prepared = views.prepared(options.view(py)?);
+    let prepared = prepared.map_err(|error| errors::exception(py, error))?;
+    let raised = |error: Error| errors::exception(py, error);
+    match &task {
+        Task::Render(options) => {
+            let work = prepared.render_work(options);
+            let work = work.map_err(|error| raised(error.into()))?;
+            let merged = merged(&parts).and_then(|parts| Ok(work.finish(parts)?));
+            Ok(of_render(py, &merged.map_err(raised)?)?
+                .into_pyobject(py)?
+                .into_any())
+        }
+        Task::Gradient(motion, options) => {
+            let tangent = motion.tangent(prepared).map_err(raised)?;
+            let work = prepared.gradient_work(&tangent, options).map_err(raised)?;
+            let merged = merged(&parts).and_then(|parts| Ok(work.finish(parts)?));
+            let method = options.method.name();
+            let results = of_gradient(py, &merged.map_err(raised)?, method)?;
+            Ok(results.into_pyobject(py)?.into_any())
+        }
+        Task::Backward(adjoint, names, options) => {
+            let work = prepared.backward_work(adjoint, names, options);
+            let work = work.map_err(raised)?;
+            let merged = merged(&parts).and_then(|parts| work.finish(parts));
+            Ok(of_backward(py, &merged.map_err(raised)?)?
+                .into_pyobject(py)?
+                .into_any())
+        }
+    }
+}
+
+/// All parts as one.
+fn merged<T>(parts: &[PyBackedBytes]) -> Result<Partial<T>, Error>
+where
+    T: capwalk::Accumulate + serde::Serialize + serde::de::DeserializeOwned,
+{
+    let parts: Result<Vec<_>, _> = parts.iter().map(|part| Partial::from_bytes(part)).collect();
+    Ok(Partial::merge(parts?)?)
+}

@@ -1,0 +1,121 @@
+//! What work gives, as Python has it.
+
+use capwalk::comparison_text;
+use capwalk::{
+    Check, CheckOptions, Estimate, GradientImage, Gradients, Rendering, Statistics, Verdict,
+};
+use numpy::PyArray3;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays;
+
+/// An image and its standard errors, (height, width, 3) each.
+type Arrays<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
+
+/// An image and what was done.
+pub type OfRender<'py> = (Arrays<'py>, Bound<'py, PyDict>);
+
+/// An image, its derivative, the method, and what was done.
+pub type OfGradient<'py> = (Arrays<'py>, Arrays<'py>, &'static str, Bound<'py, PyDict>);
+
+/// The gradient of a loss and its standard errors by names, and what was done.
+pub type OfBackward<'py> = [Bound<'py, PyDict>; 3];
+
+/// A gradient, its reference, and all numbers of their comparison.
+pub type OfCheck<'py> = (Arrays<'py>, Arrays<'py>, Bound<'py, PyDict>);
+
+pub fn of_render<'py>(py: Python<'py>, image: &Rendering) -> PyResult<OfRender<'py>> {
+    Ok((
+        of_estimate(py, &image.value)?,
+        of_statistics(py, &image.statistics)?,
+    ))
+}
+
+pub fn of_gradient<'py>(
+    py: Python<'py>,
+    image: &GradientImage,
+    method: &'static str,
+) -> PyResult<OfGradient<'py>> {
+    Ok((
+        of_estimate(py, &image.value)?,
+        of_estimate(py, &image.gradient)?,
+        method,
+        of_statistics(py, &image.statistics)?,
+    ))
+}
+
+pub fn of_backward<'py>(py: Python<'py>, gradients: &Gradients) -> PyResult<OfBackward<'py>> {
+    let [values, errors] = [PyDict::new(py), PyDict::new(py)];
+    for gradient in gradients {
+        let array = |numbers: &[f64]| arrays::from_numbers(py, &gradient.shape, numbers.to_vec());
+        values.set_item(&gradient.name, array(&gradient.numbers)?)?;
+        errors.set_item(&gradient.name, array(&gradient.standard_errors)?)?;
+    }
+    Ok([values, errors, of_statistics(py, &gradients.statistics)?])
+}
+
+pub fn of_check<'py>(
+    py: Python<'py>,
+    check: &Check,
+    asked: &CheckOptions,
+) -> PyResult<OfCheck<'py>> {
+    let comparison = &check.comparison;
+    let numbers = PyDict::new(py);
+    let (verdict, reason, samples_factor) = match &comparison.verdict {
+        Verdict::Right => ("right", None, None),
+        Verdict::Wrong { reason } => ("wrong", Some(reason), None),
+        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+    };
+    numbers.set_item("verdict", verdict)?;
+    numbers.set_item("reason", reason)?;
+    numbers.set_item("samples_factor", samples_factor)?;
+    numbers.set_item("scale_factor", comparison.scale_factor)?;
+    numbers.set_item("scale_factor_error", comparison.scale_factor_error)?;
+    numbers.set_item("mean_z2", comparison.mean_z_squared)?;
+    numbers.set_item("mean_z2_error", comparison.mean_z_squared_error)?;
+    numbers.set_item("sign", comparison.sign)?;
+    numbers.set_item("relative_l1", comparison.relative_l1)?;
+    numbers.set_item("relative_l1_of_noise", comparison.relative_l1_of_noise)?;
+    numbers.set_item("correlation", comparison.correlation)?;
+    numbers.set_item("pixels", comparison.pixels)?;
+    numbers.set_item("worst", comparison.worst.clone())?;
+    numbers.set_item("step", check.made.step)?;
+    numbers.set_item("spp", asked.gradient.spp)?;
+    numbers.set_item("reference_spp", check.made.spp)?;
+    let option = |name: &str, value: Option<u64>| {
+        let name = name.replace('-', "_");
+        value.map_or(name.clone(), |value| format!("{name}={value}"))
+    };
+    let text = comparison_text(comparison) + &check.verdict(option);
+    numbers.set_item("text", text)?;
+    let statistics = [&check.gradient, &check.reference].map(|image| &image.statistics);
+    for (name, statistics) in ["statistics", "reference_statistics"]
+        .iter()
+        .zip(statistics)
+    {
+        numbers.set_item(name, of_statistics(py, statistics)?)?;
+    }
+    Ok((
+        of_estimate(py, &check.gradient.gradient)?,
+        of_estimate(py, &check.reference.gradient)?,
+        numbers,
+    ))
+}
+
+fn of_estimate<'py>(py: Python<'py>, estimate: &Estimate) -> PyResult<Arrays<'py>> {
+    Ok((
+        arrays::from_image(py, &estimate.mean)?,
+        arrays::from_image(py, &estimate.standard_error)?,
+    ))
+}
+
+fn of_statistics<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Bound<'py, PyDict>> {
+    let numbers = PyDict::new(py);
+    numbers.set_item("samples", statistics.samples)?;
+    numbers.set_item("complete", statistics.complete)?;
+    numbers.set_item("non_finite", statistics.non_finite)?;
+    numbers.set_item("too_many_non_finite", statistics.too_many_non_finite())?;
+    numbers.set_item("cone_queries", statistics.cone_queries)?;
+    Ok(numbers)
+}
