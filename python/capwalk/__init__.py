@@ -14,6 +14,7 @@ from ._capwalk import Scene
 from ._functions import backward, check, gradient, load_file, load_string, render
 from ._parameters import SceneParameters, traverse
 from ._results import Check, Gradients, Picture, Slope
+from ._steps import Adam, LargeSteps
 from .errors import (
     ArgumentError,
     BusyError,
@@ -27,12 +28,14 @@ from .errors import (
 )
 
 __all__ = [
+    "Adam",
     "ArgumentError",
     "BusyError",
     "Check",
     "Error",
     "Gradients",
     "ImageError",
+    "LargeSteps",
     "LoadError",
     "ParameterError",
     "Picture",

@@ -1,9 +1,10 @@
 from typing import Any, final
 
-from numpy import float64
+from numpy import float64, uint32
 from numpy.typing import NDArray
 
 from ._options import Options
+from ._steps import Adam
 
 _Array = NDArray[float64]
 _Estimate = tuple[_Array, _Array]
@@ -34,6 +35,10 @@ class Scene:
 
     def resize(self, width: int, height: int) -> None:
         """Gives the images of all sensors another size, pixels, without crop."""
+
+    def faces(self, shape: str) -> NDArray[uint32]:
+        """The triangles of a shape, (F, 3): numbers of their vertices, counter-clockwise seen
+        from outside."""
 
     def copy(self) -> Scene:
         """Another scene with the same numbers, which changes by itself."""
@@ -70,5 +75,17 @@ def check(
 def choose(scene: Scene, asked: _Asked, options: Options) -> bytes | None: ...
 def part(scene: Scene, asked: _Asked, options: Options, index: int, count: int) -> bytes: ...
 def merge(scene: Scene, asked: _Asked, options: Options, parts: list[bytes]) -> Any: ...
+@final
+class Smooth:
+    def __init__(self, positions: _Array, faces: list[list[int]], lambda_: float, /) -> None: ...
+    @property
+    def sizes(self) -> tuple[int, int]: ...
+    def multiply(self, positions: _Array) -> _Array: ...
+    def solve(self, nodes: _Array) -> _Array: ...
+    def pull(self, gradient: _Array) -> _Array: ...
+
+def adam(
+    rates: Adam, step: int, numbers: _Array, gradient: _Array, means: list[_Array]
+) -> tuple[_Array, _Array, _Array]: ...
 def png(image: _Array, signed: bool) -> bytes: ...
 def write_images(path: str, layers: list[tuple[str, _Array]]) -> None: ...

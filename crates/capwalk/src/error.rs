@@ -35,7 +35,7 @@ pub enum Error {
         scene: String,
     },
     /// There are not so many sensors.
-    #[error("there is no sensor {number}: the scene has {sensors} sensors, counted from 0")]
+    #[error("the scene has no sensor {number}; they are counted from 0, and it has {sensors}")]
     NoSuchSensor {
         /// How many there are.
         sensors: usize,

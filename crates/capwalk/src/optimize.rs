@@ -11,10 +11,11 @@ mod job;
 mod problem;
 mod run;
 
-pub use capwalk_inverse::adam::Adam;
+pub use capwalk_inverse::adam::{Adam, MomentEstimates};
 pub use capwalk_inverse::guard::{Guards, Violation, ViolationKind};
 pub use capwalk_inverse::record::{Row, Step};
 pub use capwalk_inverse::schedule::{Decay, Schedule};
+pub use capwalk_inverse::smooth::Smoother;
 pub use capwalk_inverse::variable::{
     ApplyError, Curve, Reparameterization, Variable, VariableError, VariableSpec, Variables,
     VerticesError, variable,

@@ -329,7 +329,7 @@ mod tests {
                 aov: None,
             })
             .expect_err("two");
-        assert!(error.to_string().contains("2 sensors"), "{error}");
+        assert!(error.to_string().contains("it has 2"), "{error}");
         // Nothing is changed if something is wrong.
         let old = views.values("box.positions").expect("there").numbers;
         let moved: Vec<f64> = old.iter().map(|x| x + 1.0).collect();

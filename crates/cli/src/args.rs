@@ -110,6 +110,9 @@ pub struct SceneArgs {
     /// Replace the default of a $name in the scene file
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse::define)]
     pub defines: Vec<(String, String)>,
+    /// Which of the scene's sensors, counted from 0 [default: the first]
+    #[arg(short = 's', long, value_name = "NUMBER")]
+    pub sensor: Option<usize>,
     /// Width and height of the image, without crop
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     pub size: Option<[u32; 2]>,

@@ -13,6 +13,9 @@ pub fn load(args: &SceneArgs) -> Result<Prepared> {
     for (name, value) in &args.defines {
         loader = loader.define(name, value);
     }
+    if let Some(sensor) = args.sensor {
+        loader = loader.sensor(sensor);
+    }
     if let Some(size) = args.size {
         loader = loader.size(size);
     }

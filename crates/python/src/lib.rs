@@ -8,6 +8,7 @@ mod image;
 mod parts;
 mod results;
 mod scene;
+mod steps;
 mod watched;
 mod work;
 
@@ -20,6 +21,8 @@ mod _capwalk {
     use crate::parts::{choose, merge, part};
     #[pymodule_export]
     use crate::scene::{Scene, load_file, load_lines, load_string};
+    #[pymodule_export]
+    use crate::steps::{Smooth, adam};
     #[pymodule_export]
     use crate::work::{backward, check, gradient, render};
 }

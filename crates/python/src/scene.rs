@@ -6,7 +6,9 @@ use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
 
 use capwalk::scene_io::{LoadOptions, load_scene_lines, load_scene_str_with};
 use capwalk::{Loaded, Loader, Look, Views};
-use numpy::{PyArrayDyn, PyReadonlyArrayDyn, PyUntypedArrayMethods};
+use numpy::{
+    IntoPyArray, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
@@ -215,6 +217,23 @@ impl Scene {
         let names = names.map_err(|error: capwalk::Error| errors::exception(py, error))?;
         let reason = names.refusal.map(|refusal| refusal.to_string());
         Ok((names.allowed, names.refused, reason))
+    }
+
+    /// The triangles of a shape, (F, 3): numbers of their vertices.
+    fn faces<'py>(&self, py: Python<'py>, shape: &str) -> PyResult<Bound<'py, PyArray2<u32>>> {
+        let views = self.read(py)?;
+        let shapes = &views.scene().shapes;
+        let Some(found) = shapes.iter().find(|found| found.id == shape) else {
+            let names: Vec<&str> = shapes.iter().map(|shape| shape.id.as_str()).collect();
+            let text = format!(
+                "there is no shape \"{shape}\"; there are {}",
+                names.join(", ")
+            );
+            return Err(errors::argument(py, text));
+        };
+        let faces = &found.mesh.faces;
+        let numbers: Vec<u32> = faces.iter().flatten().copied().collect();
+        numbers.into_pyarray(py).reshape([faces.len(), 3])
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

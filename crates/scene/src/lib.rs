@@ -26,6 +26,7 @@ mod surface_point;
 pub mod texture;
 
 // What appears in the signatures here.
+pub use capwalk_geometry::topology::weld;
 pub use capwalk_geometry::{Mesh, MeshError};
 
 pub use bytes::{BytesError, pack, unpack};

@@ -51,6 +51,7 @@ struct Results {
 
 pub fn run(args: &Demo) -> Result<Outcome> {
     let prepared = source::load(&SceneArgs {
+        sensor: None,
         scene: SCENE.into(),
         defines: Vec::new(),
         size: Some(args.size.unwrap_or(SIZE)),

@@ -23,7 +23,12 @@ fn unknown_parameter_lists_near_names() {
 fn names_of_other_renderers_are_explained() {
     let capwalk = Capwalk::new("foreign_names");
     let message = capwalk.error("gradient ball -p ball.vertex_positions");
-    assert_has(&message, &["did you mean `ball.positions`?"]);
+    assert_has(&message, &["is an array", "reverse mode gives"]);
+    let message = capwalk.error("gradient ball -p ball.vertexPositions");
+    assert_has(
+        &message,
+        &["did you mean `ball.vertex_positions`?"],
+    );
 }
 
 #[test]
@@ -34,6 +39,12 @@ fn image_size() {
     let billion = capwalk.error("render leaf --size 100000x10000");
     assert_has(&billion, &["100000 x 10000 pixels", "at most"]);
     assert_has(&capwalk.error("render leaf --size 12"), &["640x480"]);
+}
+
+#[test]
+fn unknown_sensors() {
+    let message = Capwalk::new("unknown_sensors").error("render leaf --sensor 1");
+    assert_has(&message, &["the scene has no sensor 1", "it has 1"]);
 }
 
 /// Found before any work is done.

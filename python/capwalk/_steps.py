@@ -1,0 +1,125 @@
+"""Steps of an optimisation, for those who have no framework for them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, MutableMapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _capwalk
+from ._numbers import Array, numbers
+from .errors import ArgumentError
+
+
+@dataclass
+class Adam:
+    """Adam (Kingma and Ba 2015), with PyTorch's conventions, over arrays by their names.
+
+    >>> import capwalk as cw
+    >>> adam = cw.Adam(lr=0.1)
+    >>> values = {"x": np.array([3.0])}
+    >>> for _ in range(100):
+    ...     adam.step(values, {"x": 2 * values["x"]})
+    >>> bool(abs(values["x"][0]) < 0.1)
+    True
+    """
+
+    lr: float
+    """Length of the first step in each number."""
+    betas: tuple[float, float] = (0.9, 0.999)
+    """How much of the means of the gradient and of its square is kept."""
+    eps: float = 1e-8
+    """Added to the root of the mean square."""
+    uniform: bool = False
+    """Whether all numbers of an array take steps by the same rate, so that the direction of the
+    gradient is kept (Nicolet et al. 2021, section 4): for :class:`LargeSteps`."""
+    _means: dict[str, tuple[int, Array, Array]] = field(default_factory=dict, init=False)
+
+    def step(
+        self, values: MutableMapping[str, Array], gradients: Mapping[str, ArrayLike]
+    ) -> None:
+        """Takes a step in each array that has a gradient. ``values`` may be a dict, or
+        :func:`capwalk.traverse` of a scene, to be updated then.
+
+        :raises ArgumentError: a gradient of another shape, or with NaN or infinite numbers.
+        """
+        new: dict[str, Array] = {}
+        means = dict(self._means)
+        for name, given in gradients.items():
+            value, gradient = numbers(name, values[name]), numbers(name, given)
+            if value.shape != gradient.shape:
+                text = f"the gradient of {name} has the shape {gradient.shape}"
+                raise ArgumentError(f"{text}; expected {value.shape}")
+            if not np.isfinite(gradient).all():
+                raise ArgumentError(f"the gradient of {name} has infinite numbers or NaN")
+            zero = np.zeros_like(value)
+            step, first, second = means.get(name, (0, zero, zero))
+            new[name], first, second = _capwalk.adam(
+                self, step + 1, value, gradient, [first, second]
+            )
+            means[name] = (step + 1, first, second)
+        # All of them or none.
+        self._means = means
+        for name, array in new.items():
+            values[name] = array
+
+
+class LargeSteps:
+    """Other numbers for a mesh, in which a step moves whole regions, so that noise in the
+    gradient wrinkles nothing (Nicolet, Jacobson and Jakob 2021): instead of the positions
+    ``x`` of the vertices, ``u = (I + λL) x`` with the Laplacian ``L`` of the mesh. Vertices at
+    the same place are one node.
+
+    >>> import capwalk as cw
+    >>> scene = cw.load_file("ball")
+    >>> x = cw.traverse(scene)["ball.positions"]
+    >>> large = cw.LargeSteps(x, scene.faces("ball"), lambda_=19.0)
+    >>> u = large.to_differential(x)
+    >>> bool(np.allclose(large.from_differential(u), x))
+    True
+
+    :param positions: (V, 3), world units.
+    :param faces: (F, 3), numbers of vertices.
+    :param lambda_: how far a step reaches, at least 0; 0 changes nothing.
+    """
+
+    def __init__(self, positions: ArrayLike, faces: ArrayLike, lambda_: float = 19.0) -> None:
+        vertices = _rows("positions", positions)
+        triangles = np.asarray(faces)
+        if triangles.dtype.kind not in "iu" or triangles.ndim != 2 or triangles.shape[1] != 3:
+            text = f"faces are {triangles.dtype} of the shape {triangles.shape}"
+            raise ArgumentError(f"{text}; expected integers of the shape (F, 3)")
+        if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(vertices):
+            raise ArgumentError(f"faces name vertices beyond the {len(vertices)} there are")
+        if not (np.isfinite(lambda_) and lambda_ >= 0.0):
+            raise ArgumentError(f"lambda_ is {lambda_}; expected a finite number of at least 0")
+        self._smooth = _capwalk.Smooth(vertices, triangles.tolist(), float(lambda_))
+
+    def to_differential(self, positions: ArrayLike) -> Array:
+        """``u`` (N, 3) of positions (V, 3)."""
+        return self._smooth.multiply(self._checked("positions", positions, 1))
+
+    def from_differential(self, u: ArrayLike) -> Array:
+        """Positions (V, 3) of ``u`` (N, 3)."""
+        return self._smooth.solve(self._checked("u", u, 0))
+
+    def gradient(self, by_positions: ArrayLike) -> Array:
+        """The gradient of a loss by ``u`` (N, 3) from that by positions (V, 3)."""
+        return self._smooth.pull(self._checked("the gradient", by_positions, 1))
+
+    def _checked(self, what: str, value: ArrayLike, side: int) -> Array:
+        array, expected = _rows(what, value), self._smooth.sizes[side]
+        if len(array) != expected:
+            raise ArgumentError(f"{what} has {len(array)} rows; expected {expected}")
+        return array
+
+
+def _rows(what: str, value: ArrayLike) -> Array:
+    array = numbers(what, value)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ArgumentError(f"{what} has the shape {array.shape}; expected rows of three numbers")
+    if not np.isfinite(array).all():
+        raise ArgumentError(f"{what} has infinite numbers or NaN")
+    return array
