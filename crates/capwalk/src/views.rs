@@ -95,6 +95,21 @@ impl Views {
         Self::new(scene, sensors)
     }
 
+    /// Goes over to a scene of bytes with as many sensors, and refits what it can. Later answers
+    /// are those of [`Views::from_bytes`].
+    pub fn replace_by_bytes(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        let (scene, sensors): (Scene, Vec<SensorSettings>) = unpack(bytes)?;
+        if sensors.len() != self.sensors.len() {
+            *self = Self::new(scene, sensors)?;
+            return Ok(());
+        }
+        self.replace(scene, sensors)?;
+        self.registries
+            .iter_mut()
+            .for_each(|r| *r = OnceLock::new());
+        Ok(())
+    }
+
     /// The scene as the first sensor sees it.
     pub fn scene(&self) -> &Arc<Scene> {
         &self.scene
@@ -157,8 +172,22 @@ impl Views {
 
     /// Changes arrays, all of them or none, see [`Prepared::update`].
     pub fn update(&mut self, changes: &[(&str, &[f64])]) -> Result<(), Error> {
-        let mut scene = Scene::clone(&self.scene);
-        let mut sensors = self.sensors.clone();
+        let (scene, sensors) = (Scene::clone(&self.scene), self.sensors.clone());
+        self.change(scene, sensors, changes)
+    }
+
+    /// Goes over to what another scene with the same names would be after these changes.
+    pub fn restore(&mut self, other: &Self, changes: &[(&str, &[f64])]) -> Result<(), Error> {
+        let (scene, sensors) = (Scene::clone(&other.scene), other.sensors.clone());
+        self.change(scene, sensors, changes)
+    }
+
+    fn change(
+        &mut self,
+        mut scene: Scene,
+        mut sensors: Vec<SensorSettings>,
+        changes: &[(&str, &[f64])],
+    ) -> Result<(), Error> {
         for (name, numbers) in changes {
             let sensor = self.sensor_of(name)?;
             let mut seen = sensors[sensor].scene(&scene);
@@ -176,7 +205,7 @@ impl Views {
         self.replace(Scene::clone(&self.scene), sensors)
     }
 
-    /// Goes over to a scene with the same names.
+    /// Goes over to another scene with as many sensors.
     fn replace(&mut self, scene: Scene, sensors: Vec<SensorSettings>) -> Result<(), Error> {
         let scene = Arc::new(sensors[0].scene(&scene));
         self.check(&scene, &sensors).map_err(Error::InvalidUpdate)?;
@@ -299,8 +328,11 @@ mod tests {
         assert!(image(&views, 0) == old[0]);
         assert!(image(&views, 1) == old[0]);
         let bytes = views.to_bytes().expect("it has bytes");
-        let elsewhere = Views::from_bytes(&bytes).expect("a scene");
+        let mut elsewhere = Views::from_bytes(&bytes).expect("a scene");
         assert!(image(&elsewhere, 1) == old[0]);
+        let bytes = self::views().to_bytes().expect("it has bytes");
+        elsewhere.replace_by_bytes(&bytes).expect("a scene");
+        assert!(image(&elsewhere, 1) == before[1]);
         assert_eq!(views.values("right.to_world").expect("there"), place);
     }
 
@@ -312,6 +344,24 @@ mod tests {
                 .map(Look::place)
                 .eq(0..3 * (1 + Aov::ALL.len()))
         );
+    }
+
+    /// What was relative to the scene as it was is so again.
+    #[test]
+    fn scenes_are_restored() {
+        let (was, mut views) = (views(), views());
+        for x in [0.5, 0.5] {
+            let changes: [(&str, &[f64]); 1] = [("left.translate", &[x, 0.0, 0.0])];
+            views.restore(&was, &changes).expect("a motion");
+        }
+        let mut once = self::views();
+        once.update(&[("left.translate", &[0.5, 0.0, 0.0])])
+            .expect("a motion");
+        assert_eq!(
+            views.values("left.to_world").ok(),
+            once.values("left.to_world").ok()
+        );
+        assert!(image(&views, 0) == image(&once, 0));
     }
 
     #[test]

@@ -115,6 +115,32 @@ type Sensor = (String, (u32, u32), u32, u64);
 /// What makes a scene again, and from what.
 type Pickled<'py> = (Bound<'py, PyAny>, (Bound<'py, PyBytes>, String));
 
+/// New numbers by the names of arrays.
+type Changes<'py> = BTreeMap<String, PyReadonlyArrayDyn<'py, f64>>;
+
+/// The same without Python: name, shape and numbers.
+type Owned = (String, Vec<usize>, Vec<f64>);
+
+fn owned(changes: &Changes<'_>) -> Vec<Owned> {
+    let changes = changes.iter().map(|(name, array)| {
+        let numbers = arrays::to_numbers(array);
+        (name.clone(), array.shape().to_vec(), numbers)
+    });
+    changes.collect()
+}
+
+/// Changes whose shapes are those of the scene.
+fn checked<'a>(
+    views: &Views,
+    changes: &'a [Owned],
+) -> Result<Vec<(&'a str, &'a [f64])>, capwalk::Error> {
+    let changes = changes.iter().map(|(name, shape, numbers)| {
+        arrays::check_shape(name, &views.values(name)?.shape, shape)?;
+        Ok((name.as_str(), numbers.as_slice()))
+    });
+    changes.collect()
+}
+
 /// Names of arrays: those with gradients, those without, and why.
 type Differentiable = (Vec<String>, Vec<String>, Option<String>);
 
@@ -185,26 +211,24 @@ impl Scene {
 
     /// Changes arrays: all of them, or none.
     #[pyo3(name = "_update")]
-    fn update(
-        &self,
-        py: Python<'_>,
-        changes: BTreeMap<String, PyReadonlyArrayDyn<'_, f64>>,
-    ) -> PyResult<()> {
-        let changes = changes.iter().map(|(name, array)| {
-            let numbers = arrays::to_numbers(array);
-            (name.as_str(), array.shape().to_vec(), numbers)
-        });
-        let changes: Vec<(&str, Vec<usize>, Vec<f64>)> = changes.collect();
-        self.change(py, |views| {
-            for (name, shape, _) in &changes {
-                arrays::check_shape(name, &views.values(name)?.shape, shape)?;
-            }
-            let changes = changes.iter();
-            let changes: Vec<(&str, &[f64])> = changes
-                .map(|(name, _, numbers)| (*name, numbers.as_slice()))
-                .collect();
-            views.update(&changes)
-        })
+    fn update(&self, py: Python<'_>, changes: Changes<'_>) -> PyResult<()> {
+        let changes = owned(&changes);
+        self.change(py, |views| views.update(&checked(views, &changes)?))
+    }
+
+    /// Goes over to what a copy of another scene would be after these changes.
+    #[pyo3(name = "_restore")]
+    fn restore(&self, py: Python<'_>, other: &Self, changes: Changes<'_>) -> PyResult<()> {
+        let changes = owned(&changes);
+        let other = other.read(py)?;
+        let other: &Views = &other;
+        self.change(py, |views| views.restore(other, &checked(other, &changes)?))
+    }
+
+    /// Goes over to the scene that pickling made these bytes of.
+    #[pyo3(name = "_replace")]
+    fn replace(&self, py: Python<'_>, bytes: &[u8]) -> PyResult<()> {
+        self.change(py, |views| views.replace_by_bytes(bytes))
     }
 
     /// The arrays that can be differentiated with respect to, those that are refused, and why.

@@ -25,10 +25,7 @@ fn names_of_other_renderers_are_explained() {
     let message = capwalk.error("gradient ball -p ball.vertex_positions");
     assert_has(&message, &["is an array", "reverse mode gives"]);
     let message = capwalk.error("gradient ball -p ball.vertexPositions");
-    assert_has(
-        &message,
-        &["did you mean `ball.vertex_positions`?"],
-    );
+    assert_has(&message, &["did you mean `ball.vertex_positions`?"]);
 }
 
 #[test]
