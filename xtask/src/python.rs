@@ -11,17 +11,38 @@ use crate::shell::{EVERYTHING, cargo, root, start, target};
 use crate::virtual_environment::environment;
 
 /// What the tests need of PyPI, and how it is imported.
-const PACKAGES: [&str; 3] = ["numpy>=2", "pytest>=8", "mypy>=1.14"];
+const PACKAGES: &[&str] = &["numpy>=2", "pytest>=8", "mypy>=1.14"];
 const MODULES: &str = "numpy, pytest, mypy";
 
+/// What capwalk works with: gigabytes, most of them PyTorch's. Tests of what is not there are
+/// skipped.
+const FRAMEWORKS: &[&str] = &[
+    "torch>=2",
+    "jax[cpu]",
+    "mitsuba==3.9.1",
+    "ray>=2.40",
+    "nbclient>=0.10",
+    "ipykernel>=6",
+    "matplotlib>=3.8",
+];
+const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, nbclient, ipykernel, matplotlib";
+
 /// Builds the module as the tests of Rust are built, and runs the tests of the package with
-/// it. Where there is no python3 or PyPI cannot be reached it says so, and fails only where
-/// the variable `CI` is set.
+/// it. Where there is no python3 or PyPI cannot be reached it says so. Where the variable `CI`
+/// is set it fails then, and the frameworks are installed as well.
 pub fn test() -> Result<()> {
     let folder = target().join("python");
-    let python = match environment(&folder.join("environment"), MODULES, &PACKAGES) {
+    let is_ci = std::env::var_os("CI").is_some();
+    let (name, modules, packages) = match is_ci {
+        true => {
+            let modules = format!("{MODULES}, {MODULES_OF_FRAMEWORKS}");
+            ("frameworks", modules, [PACKAGES, FRAMEWORKS].concat())
+        }
+        false => ("environment", MODULES.to_owned(), PACKAGES.to_vec()),
+    };
+    let python = match environment(&folder.join(name), &modules, &packages) {
         Ok(python) => python,
-        Err(error) if std::env::var_os("CI").is_some() => return Err(error),
+        Err(error) if is_ci => return Err(error),
         Err(error) => {
             println!("--- python\n    SKIPPED: {error:#}");
             return Ok(());
@@ -49,8 +70,13 @@ pub fn test() -> Result<()> {
     start("python: types", run(&sources))?;
     start(
         "python: tests",
-        run(&["-m", "pytest", "-q", "python/tests"]),
-    )
+        run(&["-m", "pytest", "-q", "-rs", "python/tests"]),
+    )?;
+    // Examples in docstrings, but of what is not installed.
+    let examples = ["--doctest-modules", "--doctest-ignore-import-errors"];
+    let mut doctest = run(&["-m", "pytest", "-q", "--pyargs", "capwalk"]);
+    doctest.args(examples).current_dir(&folder);
+    start("python: examples in docstrings", doctest)
 }
 
 /// The package and the module beside it, as an installation has them.
@@ -59,13 +85,7 @@ fn install(site: &Path) -> Result<()> {
     if package.exists() {
         fs::remove_dir_all(&package)?;
     }
-    fs::create_dir_all(&package)?;
-    for entry in fs::read_dir(root().join("python/capwalk"))? {
-        let file = entry?;
-        if file.file_type()?.is_file() {
-            fs::copy(file.path(), package.join(file.file_name()))?;
-        }
-    }
+    copy(&root().join("python/capwalk"), &package)?;
     let [built, installed] = match std::env::consts::OS {
         "windows" => ["_capwalk.dll", "_capwalk.pyd"],
         "macos" => ["lib_capwalk.dylib", "_capwalk.abi3.so"],
@@ -74,5 +94,24 @@ fn install(site: &Path) -> Result<()> {
     let module = target().join("debug").join(built);
     fs::copy(&module, package.join(installed))
         .with_context(|| format!("cannot copy {}", module.display()))?;
+    Ok(())
+}
+
+/// Copies the files of a folder and of those in it, but for what Python keeps there.
+fn copy(from: &Path, to: &Path) -> Result<()> {
+    fs::create_dir_all(to)?;
+    for entry in fs::read_dir(from)? {
+        let entry = entry?;
+        if entry.file_name() == "__pycache__" {
+            continue;
+        }
+        let target = to.join(entry.file_name());
+        match entry.file_type()?.is_dir() {
+            true => copy(&entry.path(), &target)?,
+            false => {
+                fs::copy(entry.path(), target)?;
+            }
+        }
+    }
     Ok(())
 }

@@ -1,0 +1,271 @@
+"""Images as functions of numbers, for frameworks in which nothing changes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Any
+from weakref import WeakKeyDictionary
+
+import numpy as np
+
+from . import _capwalk, _functions
+from ._numbers import Array
+from ._options import LARGEST_SEED, integer, options
+from ._progress import Progress
+from .errors import ArgumentError, ParameterError, Refused
+
+Scene = _capwalk.Scene
+Sensor = _functions.Sensor
+
+
+@dataclass(frozen=True)
+class _Listed:
+    """An array of a scene."""
+
+    shape: tuple[int, ...]
+    unit: str
+    first: str
+    """The name under which it is listed first."""
+
+
+@dataclass
+class _Kept:
+    """What is kept of a scene from call to call."""
+
+    arrays: dict[str, _Listed]
+    """By all of their names, which do not change."""
+    revision: int
+    was: Scene
+    """The scene at this revision; nobody changes it."""
+    spare: dict[tuple[int, str | None], list[Scene]] = field(default_factory=dict)
+    """Copies that nobody is using, by the view that they are ready for."""
+
+
+_KEPT: WeakKeyDictionary[Scene, _Kept] = WeakKeyDictionary()
+
+
+class Work:
+    """The image of a scene as a function of some of its arrays, and its derivatives.
+
+    The scene counts as it was when this was made, and stays as it is. What is done is done on
+    copies of it, which are kept and refitted. Every call has one for itself, so that none waits
+    for another, be they in several threads, in forked processes or in callbacks.
+
+    Values are in the order of the names, in the shapes that were given.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        shapes: Mapping[str, tuple[int, ...]],
+        *,
+        sensor: Sensor,
+        aov: str | None,
+        spp: int | None,
+        spp_grad: int | None,
+        threads: int | None,
+        progress: Progress,
+        **method: Any,
+    ) -> None:
+        # Checked here, not only when the first derivative is asked for.
+        asked = options(scene, sensor, spp, None, aov=aov, threads=threads, **method)
+        spp_grad = asked.spp if spp_grad is None else integer("spp_grad", spp_grad, 1, 2**32 - 1)
+        how = {"sensor": asked.sensor, "aov": aov, "threads": threads, "progress": progress}
+        self._of_image: dict[str, Any] = {**how, "spp": asked.spp}
+        self._of_derivative: dict[str, Any] = {**how, "spp": spp_grad, **method}
+        self.seed = asked.seed
+        """The scene's own."""
+        kept = _kept(scene)
+        self._arrays = {name: _array(scene, kept.arrays, name) for name in shapes}
+        for name, shape in shapes.items():
+            _check_shape(name, self._arrays[name].shape, shape)
+        _check_apart(self._arrays)
+        self._was, self._spare = kept.was, kept.spare.setdefault((asked.sensor, aov), [])
+        _, (width, height), _, _ = self._was._sensors()[asked.sensor]
+        self.image_shape = (height, width, 3)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The arrays, in the order of the values."""
+        return tuple(self._arrays)
+
+    def image(self, seed: int, values: Sequence[Array]) -> Array:
+        """The image, (height, width, 3)."""
+        with self._at(values) as scene:
+            return _functions.render(scene, seed=seed, **self._of_image).value
+
+    def push(
+        self,
+        seed: int,
+        values: Sequence[Array],
+        moving: Sequence[bool],
+        velocities: Sequence[Array],
+    ) -> Array:
+        """The derivative of the image, (height, width, 3), while some values move."""
+        along = {
+            name: _turned(array, value, velocity.reshape(array.shape))
+            for (name, array, value), velocity in zip(self._chosen(values, moving), velocities)
+        }
+        # What stands still is no direction.
+        along = {name: velocity for name, velocity in along.items() if velocity.any()}
+        if not along:
+            return np.zeros(self.image_shape)
+        with self._at(values) as scene:
+            slope = _functions.gradient(scene, along, seed=seed, **self._of_derivative)
+            return slope.gradient
+
+    def pull(
+        self, seed: int, values: Sequence[Array], wanted: Sequence[bool], adjoint: Array
+    ) -> list[Array]:
+        """The gradients of ``(adjoint * image).sum()`` with respect to some values, each in the
+        shape of its value. The transpose of :meth:`push`."""
+        chosen = list(self._chosen(values, wanted))
+        names = [name for name, _, _ in chosen]
+        with self._at(values) as scene:
+            gradients = _functions.backward(
+                scene, adjoint, names, seed=seed, **self._of_derivative
+            )
+        return [
+            _turned(array, value, gradients[name], transposed=True).reshape(value.shape)
+            for name, array, value in chosen
+        ]
+
+    def _chosen(
+        self, values: Sequence[Array], chosen: Sequence[bool]
+    ) -> Iterator[tuple[str, _Listed, Array]]:
+        for (name, array), value, is_chosen in zip(self._arrays.items(), values, chosen):
+            if is_chosen:
+                yield name, array, value
+
+    @contextmanager
+    def _at(self, values: Sequence[Array]) -> Iterator[Scene]:
+        """A copy of the scene with these values, until they are done with it."""
+        changes = {
+            name: np.ascontiguousarray(value.reshape(array.shape))
+            for (name, array), value in zip(self._arrays.items(), values)
+        }
+        try:
+            scene = self._spare.pop()
+        except IndexError:
+            scene = self._was.copy()
+        # If that fails, the copy is not used again.
+        scene._restore(self._was, changes)
+        try:
+            yield scene
+        finally:
+            self._spare.append(scene)
+
+
+def second_derivative(names: Sequence[str]) -> Refused:
+    """The exception for a derivative of a derivative."""
+    by = ", ".join(names)
+    reason = f"derivatives of the image are not differentiated again, here with respect to {by}"
+    instead = "Take differences of gradients with the same `seed_grad`"
+    return Refused(f"{reason}. {instead}", reason, instead)
+
+
+def seeds(own: int, seed: int | None, seed_grad: int | None) -> tuple[int, int]:
+    """The seeds of an image and of its derivatives, by default the scene's own and one that
+    is nobody's neighbour in a row of seeds."""
+    seed = own if seed is None else integer("seed", seed, 0, LARGEST_SEED)
+    if seed_grad is None:
+        seed_grad = LARGEST_SEED - seed
+    seed_grad = integer("seed_grad", seed_grad, 0, LARGEST_SEED)
+    check_seeds(seed, seed_grad)
+    return seed, seed_grad
+
+
+def check_seeds(seed: int, seed_grad: int) -> None:
+    """An error if an image and its derivatives would have the same random numbers."""
+    if seed == seed_grad:
+        raise ArgumentError(
+            f"seed and seed_grad are both {seed}; the gradient of a loss is a product of what the "
+            "image and its derivative say, which is biased if they share their random numbers: "
+            "leave seed_grad out, or take another one"
+        )
+
+
+def _kept(scene: Scene) -> _Kept:
+    revision = scene.revision
+    kept = _KEPT.get(scene)
+    if kept is None:
+        arrays = {
+            name: _Listed(tuple(shape), unit, alias or name)
+            for name, shape, unit, _, alias, _ in scene._arrays()
+        }
+        return _KEPT.setdefault(scene, _Kept(arrays, revision, scene.copy()))
+    if kept.revision != revision:
+        kept.was, kept.revision = scene.copy(), revision
+    return kept
+
+
+def _array(scene: Scene, arrays: Mapping[str, _Listed], name: str) -> _Listed:
+    if name in arrays:
+        return arrays[name]
+    direction = re.match(r"(.+)\.(translate|rotate|scale)\b", name)
+    if direction and f"{direction[1]}.to_world" in arrays:
+        owner, motion = direction.groups()
+        instead = [f"{owner}.{array}" for array in (motion, "to_world", "positions")]
+        instead = [f'"{array}"' for array in instead if array in arrays]
+        raise ParameterError(
+            f'"{name}" is a direction and has no value; what moves {owner} are the arrays '
+            f"{' and '.join(instead)}"
+        )
+    # Raises, with names that were perhaps meant.
+    scene._values(name)
+    raise ParameterError(f'"{name}" is no array of the scene')
+
+
+def _check_shape(name: str, expected: tuple[int, ...], found: tuple[int, ...]) -> None:
+    # A number for an array of one, and a flat array as Mitsuba has them.
+    is_flat = len(found) <= 1 and np.prod(found) == np.prod(expected)
+    if found != expected and not is_flat:
+        raise ArgumentError(f"{name} has the shape {expected}; found {found}")
+
+
+def _check_apart(arrays: Mapping[str, _Listed]) -> None:
+    """An error if two arrays set the same numbers: only one of them would count."""
+    names: dict[str, str] = {}
+    for name, array in arrays.items():
+        if array.first in names:
+            raise ArgumentError(f"{names[array.first]} and {name} are the same array; give one")
+        names[array.first] = name
+    for first, name in names.items():
+        owner, _, kind = first.rpartition(".")
+        for other in ("positions", "normals", "translate", "rotate"):
+            if kind == "to_world" and f"{owner}.{other}" in names:
+                both = f"{name} and {names[f'{owner}.{other}']}"
+                raise ArgumentError(f"{both} both place {owner}; give one")
+
+
+def _turned(array: _Listed, value: Array, vector: Array, *, transposed: bool = False) -> Array:
+    """A velocity of a value as that of the scene's numbers, or, transposed, a gradient by these
+    as that by the value."""
+    turned = vector
+    if array.unit == "length 1":
+        # Normals are made unit: n/|n| moves by 1/|n| as much, where it can.
+        turned = vector / np.linalg.norm(value.reshape(array.shape), axis=-1, keepdims=True)
+    elif array.unit == "radians":
+        # The sensor turns on from where it is.
+        jacobian = _rotation_jacobian(value)
+        turned = (jacobian.T if transposed else jacobian) @ vector
+    return turned
+
+
+def _rotation_jacobian(rotation: Array) -> Array:
+    """How fast, in radians about world axes, that turns which is turned by a rotation vector
+    r, per change of r. With K v = r × v and the angle a = |r|,
+    I + (1 - cos a)/a² K + (a - sin a)/a³ K²; e.g. Solà et al. 2018, Eq. (145)."""
+    x, y, z = rotation
+    cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    angle = np.linalg.norm(rotation)
+    if angle == 0:
+        return np.eye(3)
+    # sinc is sin(πx)/(πx). What cancels in 1 - sinc is multiplied by K².
+    first = np.sinc(angle / (2 * np.pi)) ** 2 / 2
+    second = (1 - np.sinc(angle / np.pi)) / angle**2
+    jacobian: Array = np.eye(3) + first * cross + second * (cross @ cross)
+    return jacobian

@@ -1,0 +1,78 @@
+"""capwalk inside Mitsuba 3: an integrator ``"capwalk"`` for unchanged scripts.
+
+>>> import mitsuba as mi, capwalk.mitsuba
+>>> mi.set_variant("scalar_rgb")
+>>> scene = mi.load_dict(mi.cornell_box())
+>>> integrator = mi.load_dict({"type": "capwalk", "max_depth": 3})
+>>> image = mi.render(scene, integrator=integrator, spp=1)
+>>> image.shape
+(256, 256, 3)
+
+In the variants ``llvm_ad_rgb`` and ``cuda_ad_rgb``, ``drjit.backward`` and ``drjit.forward``
+differentiate such an image without bias, geometry included, where ``prb_projective`` stood before.
+The work is done on the CPU.
+
+The integrator's options: ``max_depth`` (6), ``rr_depth`` (5) and ``hide_emitters`` (false) as those
+of Mitsuba's differentiable integrators; ``integrator``, ``"path"`` (the default) or ``"direct"``;
+``method`` and ``threads`` as in :func:`capwalk.gradient`.
+
+The scene is converted from what is loaded, with every change of its parameters. What cannot be
+converted exactly is a :class:`capwalk.LoadError` that says what it is called. (Where Dr.Jit
+records derivatives, ``mitsuba.render`` raises a ``RuntimeError`` with this as its cause.) A
+derivative that capwalk would only estimate with a bias is :class:`capwalk.Refused`, and a
+parameter without one a :class:`capwalk.ParameterError`, when it is asked for.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import mitsuba as mi
+
+from .. import _capwalk
+from .._dictionary import load_dict
+from ._convert import Description, convert
+from ._integrator import integrator_class
+
+__all__ = ["to_capwalk"]
+
+
+def to_capwalk(
+    scene: Any, sensor: Any = 0, integrator: Description | None = None
+) -> _capwalk.Scene:
+    """A loaded scene of Mitsuba's as one of capwalk's, seen by one sensor.
+
+    >>> import mitsuba as mi, capwalk as cw, capwalk.mitsuba
+    >>> mi.set_variant("scalar_rgb")
+    >>> scene = capwalk.mitsuba.to_capwalk(mi.load_dict(mi.cornell_box()))
+    >>> "light.emitter.radiance.value" in cw.traverse(scene)
+    True
+
+    Parameters have the names that ``mitsuba.traverse`` gives them.
+
+    :param sensor: a sensor of Mitsuba's, or the number of one of the scene's.
+    :param integrator: its dictionary; by default ``{"type": "path"}``.
+    :raises LoadError: capwalk cannot render an object; the message has its name.
+    """
+    if isinstance(sensor, int):
+        sensor = scene.sensors()[sensor]
+    return load_dict(convert(scene, [sensor], integrator or {"type": "path"}).plain())
+
+
+_REGISTERED: set[str] = set()
+
+
+def _register(*_: object) -> None:
+    """Makes the integrator known to the current variant, once."""
+    variant = mi.variant()
+    if variant is None or variant in _REGISTERED:
+        return
+    _REGISTERED.add(variant)
+    made = integrator_class()
+    if made is not None:
+        mi.register_integrator("capwalk", lambda props: made(props))
+
+
+_register()
+# Mitsuba has plugins by variant.
+mi.detail.add_variant_callback(_register)

@@ -1,0 +1,141 @@
+"""Images and gradients by all machines of a `Ray <https://www.ray.io>`_ cluster.
+
+    import capwalk as cw, capwalk.ray
+
+    scene = cw.load_file("ball.xml")
+    with capwalk.ray.Cluster() as cluster:
+        picture = cluster.render(scene, spp=4096, progress=True)
+        gradients = cluster.backward(scene, 2 * (picture.value - target), ["ball.positions"])
+
+Bits are those of :func:`capwalk.render` and its like, however many workers there are, and
+whether or not some of them are lost meanwhile. All machines need the same version of capwalk.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import islice
+from types import TracebackType
+from typing import Any
+
+import ray  # type: ignore[import-not-found, unused-ignore]
+
+from ._options import integer
+from ._parts import Job, Sender, SentJob
+from .errors import ArgumentError, Error
+from .parallel import Finished, WorkerError, Workers
+
+__all__ = ["Cluster", "WorkerError"]
+
+
+class Cluster(Workers):
+    """The processes of a Ray cluster. Parts are Ray's tasks: whichever process is free does the
+    next one, and those that were lost with a process or a machine are done again by another.
+
+    A scene goes to each machine and each process once, and stays there; an update sends what it
+    has changed. A process that has nothing yet, such as one in the place of a lost one, fetches
+    what it needs before it begins.
+
+    Connects to Ray unless that was done already (``ray.init``, with whatever it needs), and
+    disconnects then when it is closed.
+
+    :param workers: that work at the same time, at least 1; by default as many as the cluster
+        has room for.
+    :param threads: of each worker, which are cores that Ray sets aside for it.
+    :param parts: that images and gradients are cut into, 1 to 64. Take a few for each worker.
+    :param address: where Ray runs; by default what ``ray.init`` finds, or else it is started
+        on this machine.
+    :param retries: how often a part is done again whose worker was lost; -1 for any number.
+        Then it is a :class:`WorkerError`, for a scene may be too large for all of them.
+    """
+
+    def __init__(
+        self,
+        workers: int | None = None,
+        *,
+        threads: int = 1,
+        parts: int = 16,
+        address: str | None = None,
+        retries: int = 3,
+    ) -> None:
+        super().__init__(parts, threads)
+        self._workers = None if workers is None else integer("workers", workers, 1, 2**16)
+        retries = integer("retries", retries, -1, 2**16)
+        self._connected = not ray.is_initialized()
+        if self._connected:
+            ray.init(address=address)
+        elif address is not None:
+            raise ArgumentError(
+                f"Ray is connected already; leave out the address {address}, or call "
+                "ray.shutdown() before"
+            )
+        part: Any = ray.remote(_part)
+        self._part = part.options(num_cpus=self._threads, max_retries=retries, name="capwalk")
+        self._sender: Sender | None = Sender(_put)
+
+    def close(self) -> None:
+        """Lets go of the scenes, and of Ray if this has connected to it. Nothing can be done
+        afterwards."""
+        self._sender = None
+        if self._connected:
+            self._connected = False
+            ray.shutdown()
+
+    def __enter__(self) -> Cluster:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        traceback: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def _finished(self, jobs: Sequence[Job]) -> Finished:
+        if self._sender is None:
+            raise Error("this cluster was closed; make another one")
+        sent = [self._sender.sent(job) for job in jobs]
+        tasks = ((job, index) for job in range(len(sent)) for index in range(self._parts))
+        at_once = len(sent) * self._parts if self._workers is None else self._workers
+        pending: dict[Any, int] = {}
+        results: list[tuple[int, bytes]] = []
+        try:
+            while True:
+                for job, index in islice(tasks, at_once - len(pending)):
+                    pending[self._part.remote(sent[job], index, self._parts)] = job
+                # Not before: whoever takes these may take time.
+                yield from results
+                if not pending:
+                    return
+                finished, _ = ray.wait(list(pending))
+                results = [(pending.pop(task), ray.get(task)) for task in finished]
+        except ray.exceptions.RayTaskError as error:
+            # What was raised there.
+            raise error.cause from error
+        except ray.exceptions.RayError as error:
+            raise WorkerError(f"a part was given up, whose workers were lost: {error}") from error
+        finally:
+            for task in pending:
+                ray.cancel(task)
+
+
+@dataclass(frozen=True)
+class _Stored:
+    """A parcel in Ray's object store."""
+
+    key: str
+    reference: Any
+
+    def open(self) -> Any:
+        return ray.get(self.reference)
+
+
+def _put(content: object) -> _Stored:
+    reference = ray.put(content)
+    return _Stored(reference.hex(), reference)
+
+
+def _part(work: SentJob, index: int, count: int) -> bytes:
+    return work.part(index, count)
