@@ -32,6 +32,25 @@ class _Listed:
 
 
 @dataclass
+class _Copy:
+    """A copy of a scene, and what it is at."""
+
+    scene: Scene
+    was: Scene | None = None
+    values: dict[str, Array] = field(default_factory=dict)
+
+    def move(self, was: Scene, values: dict[str, Array]) -> None:
+        """Goes over to what a scene would be with these values. A derivative that follows its
+        image is there already."""
+        is_there = self.was is was and self.values.keys() == values.keys()
+        if not is_there or any((self.values[name] != values[name]).any() for name in values):
+            self.was = None
+            self.scene._restore(was, values)
+            # Those who gave the values may change them.
+            self.was, self.values = was, {name: value.copy() for name, value in values.items()}
+
+
+@dataclass
 class _Kept:
     """What is kept of a scene from call to call."""
 
@@ -40,7 +59,7 @@ class _Kept:
     revision: int
     was: Scene
     """The scene at this revision; nobody changes it."""
-    spare: dict[tuple[int, str | None], list[Scene]] = field(default_factory=dict)
+    spare: dict[tuple[int, str | None], list[_Copy]] = field(default_factory=dict)
     """Copies that nobody is using, by the view that they are ready for."""
 
 
@@ -143,20 +162,20 @@ class Work:
     @contextmanager
     def _at(self, values: Sequence[Array]) -> Iterator[Scene]:
         """A copy of the scene with these values, until they are done with it."""
-        changes = {
+        shaped = {
             name: np.ascontiguousarray(value.reshape(array.shape))
             for (name, array), value in zip(self._arrays.items(), values)
         }
         try:
-            scene = self._spare.pop()
+            copy = self._spare.pop()
         except IndexError:
-            scene = self._was.copy()
+            copy = _Copy(self._was.copy())
         # If that fails, the copy is not used again.
-        scene._restore(self._was, changes)
+        copy.move(self._was, shaped)
         try:
-            yield scene
+            yield copy.scene
         finally:
-            self._spare.append(scene)
+            self._spare.append(copy)
 
 
 def second_derivative(names: Sequence[str]) -> Refused:

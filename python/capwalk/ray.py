@@ -23,10 +23,10 @@ import ray  # type: ignore[import-not-found, unused-ignore]
 
 from ._options import integer
 from ._parts import Job, Sender, SentJob
+from ._workers import Finished, WorkerError, Workers, view_seed
 from .errors import ArgumentError, Error
-from .parallel import Finished, WorkerError, Workers
 
-__all__ = ["Cluster", "WorkerError"]
+__all__ = ["Cluster", "WorkerError", "view_seed"]
 
 
 class Cluster(Workers):
@@ -111,11 +111,15 @@ class Cluster(Workers):
                     return
                 finished, _ = ray.wait(list(pending))
                 results = [(pending.pop(task), ray.get(task)) for task in finished]
-        except ray.exceptions.RayTaskError as error:
-            # What was raised there.
-            raise error.cause from error
         except ray.exceptions.RayError as error:
-            raise WorkerError(f"a part was given up, whose workers were lost: {error}") from error
+            raised = getattr(error, "cause", None)
+            if isinstance(raised, Exception) and not isinstance(raised, ray.exceptions.RayError):
+                # By the work itself, in a worker.
+                raise raised from error
+            first_line = str(error).partition("\n")[0]
+            raise WorkerError(
+                f"a part was given up because its workers were lost: {first_line}"
+            ) from error
         finally:
             for task in pending:
                 ray.cancel(task)

@@ -11,7 +11,7 @@ mi.set_variant("llvm_ad_rgb")
 import capwalk.mitsuba  # noqa: E402, F401  Makes the integrator known.
 
 mi.set_log_level(mi.LogLevel.Error)
-SEEDS = 8
+SEEDS = 16
 T = mi.ScalarTransform4f
 
 
@@ -119,11 +119,11 @@ def differences(description, spp, step=0.02):
     return np.array(found)
 
 
-def main(spp=16):
+def main(spp=32):
     print(f"{'':38}{'prb_projective':>20}{'capwalk':>20}{'differences':>20}")
     for name, description in SCENES.items():
         columns = [derivatives(description, kind, spp) for kind in ("prb_projective", "capwalk")]
-        columns.append(differences(description, 128 * spp))
+        columns.append(differences(description, 64 * spp))
         texts = [f"{c.mean():.3f} ± {c.std(ddof=1) / len(c) ** 0.5:.3f}" for c in columns]
         print(f"{name:38}" + "".join(f"{text:>20}" for text in texts), flush=True)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import doctest
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
 
@@ -15,6 +14,9 @@ jax = pytest.importorskip("jax")
 jnp = jax.numpy
 
 import capwalk.jax  # noqa: E402
+
+# To compare bits.
+jax.config.update("jax_enable_x64", True)
 
 LEAF = "leaf.positions"
 FLOOR = "floor.bsdf.reflectance.value"
@@ -31,14 +33,6 @@ def leaf() -> cw.Scene:
     scene = cw.load_file("leaf")
     scene.resize(12, 9)
     return scene
-
-
-@pytest.fixture(autouse=True)
-def double() -> Iterator[None]:
-    """In double precision, to compare bits."""
-    jax.config.update("jax_enable_x64", True)
-    yield
-    jax.config.update("jax_enable_x64", False)
 
 
 def values(scene: cw.Scene) -> tuple[jax.Array, jax.Array]:
@@ -231,11 +225,26 @@ def test_types_and_shapes(leaf: cw.Scene) -> None:
     # Arrays of NumPy, too.
     image = capwalk.jax.render(leaf, {FLOOR: np.asarray(colour)}, spp=1)
     assert same(image, cw.render(leaf, spp=1).value)
+
+
+def test_single_precision(leaf: cw.Scene) -> None:
+    """What JAX has by default."""
+    colours = {FLOOR: cw.traverse(leaf)[FLOOR]}
+
+    def loss(params: dict[str, jax.Array], seed: jax.Array) -> jax.Array:
+        return capwalk.jax.render(leaf, params, spp=1, seed=seed).sum()
+
     jax.config.update("jax_enable_x64", False)
-    colours = {FLOOR: np.asarray(colour)}
-    assert capwalk.jax.render(leaf, colours, spp=1).dtype == jnp.float32
-    assert capwalk.jax.render(leaf, {}, spp=1).dtype == jnp.float32
-    assert jax.jit(jax.grad(loss))(colours)[FLOOR].dtype == jnp.float32
+    try:
+        assert capwalk.jax.render(leaf, {}, spp=1).dtype == jnp.float32
+        image = capwalk.jax.render(leaf, colours, spp=1, seed=2**40)
+        assert image.dtype == jnp.float32
+        assert np.allclose(image, cw.render(leaf, spp=1, seed=2**40), rtol=1e-6)
+        gradient = jax.block_until_ready(jax.jit(jax.grad(loss))(colours, SEED)[FLOOR])
+        assert gradient.dtype == jnp.float32
+    finally:
+        jax.config.update("jax_enable_x64", True)
+    assert np.allclose(gradient, jax.grad(loss)(colours, SEED)[FLOOR], rtol=1e-5)
 
 
 def test_the_scene_counts_as_it_was(leaf: cw.Scene) -> None:

@@ -19,6 +19,7 @@ import capwalk.parallel
 import numpy as np
 import pytest
 from capwalk import _capwalk, _parts
+from capwalk._options import options
 from capwalk.parallel import Pool, WorkerError, Workers, view_seed
 from conftest import SCENE
 
@@ -169,8 +170,8 @@ def test_changes_are_small(leaf: cw.Scene) -> None:
     sender = _parts.Sender(put)
     for red in (0.1, 0.2, 0.3):
         scene._update({"floor.bsdf.reflectance.value": np.array([red, 0.5, 0.5])})
-        pool = capwalk.parallel.options(scene, 0, 1, 0)
-        sender.sent(_parts.Job(scene, None, pool, scene.revision))
+        how = options(scene, 0, 1, 0)
+        sender.sent(_parts.Job(scene, None, how, scene.revision))
     # The scene and what is asked for, then a number and the checksum.
     assert sizes[0] > 10**6
     assert max(sizes[1:]) < 2000
@@ -180,7 +181,7 @@ def _have_no_files() -> None:
     def missing(file: capwalk.parallel._File) -> bytes:
         raise capwalk.parallel._MissingError(file.key)
 
-    capwalk.parallel._File._read = missing  # type: ignore[method-assign]
+    setattr(capwalk.parallel._File, "_read", missing)
 
 
 def test_other_machines_have_no_files(leaf: cw.Scene) -> None:
@@ -242,7 +243,7 @@ def _refuse(*arguments: object) -> bytes:
 
 
 def _refuse_parts() -> None:
-    _capwalk.part = _refuse
+    setattr(_capwalk, "part", _refuse)
 
 
 def test_exceptions_come_through(leaf: cw.Scene, processes: Executor) -> None:
@@ -268,7 +269,7 @@ def _die(*arguments: object) -> bytes:
 
 
 def _die_of_parts() -> None:
-    _capwalk.part = _die
+    setattr(_capwalk, "part", _die)
 
 
 def test_lost_workers_are_reported(leaf: cw.Scene) -> None:

@@ -211,8 +211,17 @@ def test_every_backward_is_of_its_forward(leaf: cw.Scene) -> None:
     before = leaf.copy()
     moved = cw.traverse(leaf)[LEAF] + [0.2, 0.0, 0.0]
     cw.traverse(leaf).update({LEAF: moved})
+    expected = cw.render(leaf, spp=2, seed=SEED)
     later = capwalk.torch.render(leaf, {FLOOR: colours[1]}, spp=2, seed=SEED)
-    assert np.array_equal(later.detach(), cw.render(leaf, spp=2, seed=SEED))
+    assert np.array_equal(later.detach(), expected)
+    # Also in place.
+    changing = torch.tensor(0.5 * start)
+    assert not np.array_equal(capwalk.torch.render(leaf, {FLOOR: changing}, spp=2), expected)
+    changing *= 2
+    half = {FLOOR: 0.5 * changing}
+    for params in ({FLOOR: changing}, half, {LEAF: torch.tensor(moved)}):
+        image = capwalk.torch.render(leaf, params, spp=2, seed=SEED)
+        assert np.array_equal(image, expected) == (params is not half)
     leaf.resize(7, 5)
     for image, colour in zip(images, colours):
         (image * adjoint()).sum().backward()

@@ -24,18 +24,29 @@ NEEDS = {
 
 def executed(path: Path) -> Any:
     """The notebook with all that it shows, in the order of its cells."""
-    nbformat = pytest.importorskip("nbformat")
-    nbclient = pytest.importorskip("nbclient")
+    nbformat: Any = pytest.importorskip("nbformat")
+    nbclient: Any = pytest.importorskip("nbclient")
     pytest.importorskip("ipykernel")
     notebook = nbformat.read(path, as_version=4)
     client = nbclient.NotebookClient(notebook, timeout=600, kernel_name="python3")
     return client.execute(cwd=str(path.parent))
 
 
+def skip_without_llvm() -> None:
+    mi, dr = pytest.importorskip("mitsuba"), pytest.importorskip("drjit")
+    try:
+        mi.set_variant("llvm_ad_rgb")
+        dr.eval(mi.Float(1.0) + 1.0)
+    except (ImportError, RuntimeError):
+        pytest.skip("LLVM is not installed")
+
+
 @pytest.mark.parametrize("name", NEEDS)
 def test_tutorial(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     for module in ("matplotlib", *NEEDS[name]):
         pytest.importorskip(module)
+    if name == "beside_mitsuba":
+        skip_without_llvm()
     monkeypatch.setenv("CAPWALK_SMALL", "1")
     executed(FOLDER / f"{name}.ipynb")
 
@@ -46,23 +57,34 @@ def test_all_tutorials_are_run() -> None:
 
 def store(path: Path) -> None:
     """Runs a tutorial and stores what it shows, without what differs from run to run."""
-    import nbformat
-
+    nbformat: Any = pytest.importorskip("nbformat")
     notebook = executed(path)
     for cell in notebook.cells:
         cell.metadata = {}
         if cell.cell_type == "code":
             cell.execution_count = None
-            # What libraries say of their work, with times and processes.
-            cell.outputs = [output for output in cell.outputs if output.get("name") != "stderr"]
-            for output in cell.outputs:
-                if "execution_count" in output:
-                    output.execution_count = None
+            cell.outputs = _joined(cell.outputs)
     notebook.metadata = {
         "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
         "language_info": {"name": "python"},
     }
     path.write_text(nbformat.writes(notebook) + "\n", encoding="utf-8")
+
+
+def _joined(outputs: list[Any]) -> list[Any]:
+    """Outputs of a cell in which a stream is one text, however often it was flushed. What
+    libraries say of their work, on the stream of errors or as Ray's log, is left out."""
+    kept: list[Any] = []
+    for output in outputs:
+        if "execution_count" in output:
+            output.execution_count = None
+        if output.get("name") == "stderr" or "(raylet)" in output.get("text", ""):
+            continue
+        if output.output_type == "stream" and kept and kept[-1].output_type == "stream":
+            kept[-1].text += output.text
+        else:
+            kept.append(output)
+    return kept
 
 
 if __name__ == "__main__":

@@ -31,7 +31,8 @@ import mitsuba as mi
 
 from .. import _capwalk
 from .._dictionary import load_dict
-from ._convert import Description, convert
+from ._convert import convert
+from ._converted import Description
 from ._integrator import integrator_class
 
 __all__ = ["to_capwalk"]

@@ -18,7 +18,8 @@ from .._functions import backward, gradient, render
 from .._numbers import Array
 from .._parameters import traverse
 from ..errors import LoadError, ParameterError
-from ._convert import Answers, Converted, Description, Number, convert, is_known, numbers
+from ._convert import Answers, convert, is_known
+from ._converted import Converted, Description, Number, numbers
 from ._tree import parts
 
 # Scenes that are kept with their trees.
