@@ -1,6 +1,6 @@
 """The documentation site. Its sources are the pages in docs/, so Sphinx is told where this is:
 
-    python -m pip install . -r docs/site/requirements.txt
+    python -m pip install '.[docs,tutorials]'
     python -m sphinx -W --keep-going -c docs/site docs target/site
 
 Notebooks are shown as they are stored. `capwalk` is imported for its docstrings; JAX has to be there, the

@@ -11,10 +11,12 @@ units, angles of parameters in radians.
 """
 
 from ._capwalk import Scene
+from ._dictionary import load_dict
 from ._functions import backward, check, gradient, load_file, load_string, render
 from ._parameters import SceneParameters, traverse
 from ._results import Check, Gradients, Picture, Slope
 from ._steps import Adam, LargeSteps
+from ._transform import Transform
 from .errors import (
     ArgumentError,
     BusyError,
@@ -44,10 +46,12 @@ __all__ = [
     "SceneParameters",
     "SceneWarning",
     "Slope",
+    "Transform",
     "UnreliableWarning",
     "backward",
     "check",
     "gradient",
+    "load_dict",
     "load_file",
     "load_string",
     "render",

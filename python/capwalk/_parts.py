@@ -172,26 +172,24 @@ class _Kept(threading.local):
                 self.scenes.popitem(last=False)
         self.scenes.move_to_end(first.key)
         wanted = None if changes is None else changes.key
-        if kept.scene is None or kept.changes != wanted:
-            rows, size, name = kept.first
-            if changes is not None:
-                numbers, changed = changes.open()
-                rows = rows.copy()
-                rows[numbers] = changed
-            content = rows.reshape(-1)[:size].tobytes()
-            kept.scene = _become(kept.scene, content, name)
-            kept.changes = wanted
-        return kept.scene
+        if kept.scene is not None and kept.changes == wanted:
+            return kept.scene
+        rows, size, name = kept.first
+        if changes is not None:
+            numbers, changed = changes.open()
+            rows = rows.copy()
+            rows[numbers] = changed
+        content = rows.reshape(-1)[:size].tobytes()
+        # It is nobody's scene if this is interrupted.
+        scene, kept.scene = kept.scene, None
+        if scene is None:
+            scene = Scene.from_bytes(content, name)
+        else:
+            # Refits trees, and builds none.
+            scene._replace(content)
+        kept.changes = wanted
+        kept.scene = scene
+        return scene
 
 
 _KEPT = _Kept()
-
-
-def _become(scene: Scene | None, content: bytes, name: str) -> Scene:
-    """The scene of these bytes. Trees are refitted where there is one already."""
-    replace = getattr(scene, "_replace", None)
-    if replace is None:
-        return Scene.from_bytes(content, name)
-    replace(content)
-    assert scene is not None
-    return scene

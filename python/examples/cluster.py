@@ -9,7 +9,9 @@ import numpy as np
 SENSOR = """
 <sensor type="perspective" id="{id}">
     <float name="fov" value="40"/>
-    <transform name="to_world"><lookat origin="{x}, 3, 6" target="0, 0.5, 0" up="0, 1, 0"/></transform>
+    <transform name="to_world">
+        <lookat origin="{x}, 3, 6" target="0, 0.5, 0" up="0, 1, 0"/>
+    </transform>
     <film type="hdrfilm">
         <integer name="width" value="32"/><integer name="height" value="24"/>
         <rfilter type="box"/>

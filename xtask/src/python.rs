@@ -24,8 +24,12 @@ const FRAMEWORKS: &[&str] = &[
     "nbclient>=0.10",
     "ipykernel>=6",
     "matplotlib>=3.8",
+    "sphinx>=8",
+    "myst-nb>=1.4",
+    "furo>=2025",
 ];
-const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, nbclient, ipykernel, matplotlib";
+const MODULES_OF_FRAMEWORKS: &str =
+    "torch, jax, mitsuba, ray, nbclient, ipykernel, matplotlib, sphinx, myst_nb, furo";
 
 /// Builds the module as the tests of Rust are built, and runs the tests of the package with
 /// it. Where there is no python3 or PyPI cannot be reached it says so. Where the variable `CI`
@@ -76,7 +80,14 @@ pub fn test() -> Result<()> {
     let examples = ["--doctest-modules", "--doctest-ignore-import-errors"];
     let mut doctest = run(&["-m", "pytest", "-q", "--pyargs", "capwalk"]);
     doctest.args(examples).current_dir(&folder);
-    start("python: examples in docstrings", doctest)
+    start("python: examples in docstrings", doctest)?;
+    if !is_ci {
+        return Ok(());
+    }
+    let build = ["-m", "sphinx", "-q", "-W", "--keep-going", "-c", "docs/site", "docs"];
+    let mut site = run(&build);
+    site.arg(target().join("site"));
+    start("python: documentation", site)
 }
 
 /// The package and the module beside it, as an installation has them.

@@ -15,7 +15,8 @@ use pyo3::types::{PyBytes, PyType};
 use crate::watched::detached;
 use crate::{arrays, errors};
 
-/// A scene that is ready to be rendered and differentiated.
+/// A scene that is ready to be rendered and differentiated, from `load_file` and its like. It can
+/// be rendered by several threads at once, pickled, and copied.
 #[pyclass(frozen, weakref, module = "capwalk._capwalk")]
 pub struct Scene {
     state: RwLock<State>,
@@ -243,7 +244,8 @@ impl Scene {
         Ok((names.allowed, names.refused, reason))
     }
 
-    /// The triangles of a shape, (F, 3): numbers of their vertices.
+    /// The triangles of a shape, (F, 3): numbers of their vertices, counter-clockwise seen from
+    /// outside.
     fn faces<'py>(&self, py: Python<'py>, shape: &str) -> PyResult<Bound<'py, PyArray2<u32>>> {
         let views = self.read(py)?;
         let shapes = &views.scene().shapes;
@@ -275,7 +277,7 @@ impl Scene {
         self.change(py, |views| views.resize([width, height]))
     }
 
-    /// Another scene with the same numbers.
+    /// Another scene with the same numbers, which changes by itself.
     fn copy(&self, py: Python<'_>) -> PyResult<Self> {
         let (scene, sensors) = {
             let views = self.read(py)?;
