@@ -36,6 +36,13 @@ def test_sensors(two: cw.Scene) -> None:
         cw.backward(two, ones)
 
 
+def test_all_gradients_of_a_view(two: cw.Scene) -> None:
+    """A sensor goes by its own name."""
+    gradients = cw.backward(two, np.ones((10, 20, 3)), sensor="left", spp=2)
+    assert "left.to_world" in gradients and "box.positions" in gradients
+    assert not any(name.startswith("sensor.") for name in gradients)
+
+
 def test_sensors_change_by_themselves(two: cw.Scene) -> None:
     before = [cw.render(two, sensor=i).value for i in (0, 1)]
     params = cw.traverse(two)

@@ -84,7 +84,16 @@ pub fn test() -> Result<()> {
     if !is_ci {
         return Ok(());
     }
-    let build = ["-m", "sphinx", "-q", "-W", "--keep-going", "-c", "docs/site", "docs"];
+    let build = [
+        "-m",
+        "sphinx",
+        "-q",
+        "-W",
+        "--keep-going",
+        "-c",
+        "docs/site",
+        "docs",
+    ];
     let mut site = run(&build);
     site.arg(target().join("site"));
     start("python: documentation", site)

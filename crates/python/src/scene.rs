@@ -241,7 +241,16 @@ impl Scene {
         let names = detached(py, || Ok(views.prepared(view)?.gradient_names()))?;
         let names = names.map_err(|error: capwalk::Error| errors::exception(py, error))?;
         let reason = names.refusal.map(|refusal| refusal.to_string());
-        Ok((names.allowed, names.refused, reason))
+        // `sensor` is the one that renders; of several each goes by its own name.
+        let own = |name: String| match name.strip_prefix("sensor.") {
+            Some(number) if views.sensors().len() > 1 => {
+                format!("{}.{number}", views.sensors()[sensor].sensor.id)
+            }
+            _ => name,
+        };
+        let [allowed, refused] =
+            [names.allowed, names.refused].map(|names| names.into_iter().map(own).collect());
+        Ok((allowed, refused, reason))
     }
 
     /// The triangles of a shape, (F, 3): numbers of their vertices, counter-clockwise seen from
