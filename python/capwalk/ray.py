@@ -1,4 +1,4 @@
-"""Images and gradients by all machines of a `Ray <https://www.ray.io>`_ cluster.
+"""Images and gradients by all machines of a `Ray <https://www.ray.io>`_ cluster::
 
     import capwalk as cw, capwalk.ray
 

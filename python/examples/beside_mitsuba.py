@@ -11,7 +11,7 @@ mi.set_variant("llvm_ad_rgb")
 import capwalk.mitsuba  # noqa: E402, F401  Makes the integrator known.
 
 mi.set_log_level(mi.LogLevel.Error)
-SEEDS = 16
+SEEDS = 8
 T = mi.ScalarTransform4f
 
 

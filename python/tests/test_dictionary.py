@@ -122,7 +122,7 @@ def test_a_dictionary_is_a_scene_file() -> None:
 def test_meshes_are_arrays() -> None:
     generator = np.random.default_rng(0)
     positions = np.array([[-1, 1, -1], [1, 1.1, -1], [1, 1, 1], [-1, 1.2, 1]])
-    mesh = {
+    mesh: dict[str, Any] = {
         "type": "mesh",
         "positions": positions,
         "faces": [[0, 2, 1], [0, 3, 2]],
@@ -226,7 +226,7 @@ WRONG: list[tuple[str, object, str, str]] = [
     ("ball", {**BALL, "radius": 1j}, '["radius"]', "is 1j"),
     ("ball", {**BALL, "radius": b"1"}, '["radius"]', "is a bytes"),
     ("ball", {**BALL, "bsdf": _Plugin()}, '["bsdf"]', "give its dictionary"),
-    ("ball", {**BALL, 3: 1}, "", "has the key 3"),
+    ("ball", dict[Any, Any](BALL) | {3: 1}, "", "has the key 3"),
     ("ball", {**BALL, "a.b": 1}, "", '"a.b" contains a dot'),
     ("ball", {**BALL, "to_world": np.eye(3)}, '["to_world"]', "the shape (3, 3)"),
     ("ball", {**BALL, "id": 3}, "", "is 3"),

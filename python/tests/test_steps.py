@@ -5,6 +5,7 @@ from __future__ import annotations
 import capwalk as cw
 import numpy as np
 import pytest
+from numpy.typing import ArrayLike
 
 
 def test_adam_takes_the_steps_by_hand() -> None:
@@ -30,10 +31,11 @@ def test_adam_steps_through_a_scene(scene: cw.Scene) -> None:
 
 def test_wrong_gradients_leave_all_as_it_was() -> None:
     adam, values = cw.Adam(lr=0.1), {"x": np.ones(2), "y": np.ones(3)}
-    for wrong, message in [
+    cases: list[tuple[ArrayLike, str]] = [
         (np.ones(2), r"shape \(2,\); expected \(3,\)"),
         ([1.0, np.nan, 0.0], "infinite numbers or NaN"),
-    ]:
+    ]
+    for wrong, message in cases:
         with pytest.raises(cw.ArgumentError, match=message):
             adam.step(values, {"x": np.ones(2), "y": wrong})
     assert values["x"].tolist() == [1.0, 1.0]
