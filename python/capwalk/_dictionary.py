@@ -371,6 +371,9 @@ def _texels(value: object, place: str, *, raw: bool) -> Array:
         numbers = numbers[..., np.newaxis]
     if numbers.ndim != 3 or not 1 <= numbers.shape[2] <= 4 or not numbers.size:
         raise _error(place, f"has the shape {numbers.shape}", expected)
+    if pixels.dtype.kind == "i":
+        expected = "expected bytes (uint8) or floating point"
+        raise _error(place, f"is an image of {pixels.dtype}", expected)
     if "XYZ" in str(getattr(value, "pixel_format", str)()):
         raise _error(place, "has colours in XYZ", "convert it to RGB")
     # Without a word about it, bytes are encoded and all else is linear.

@@ -14,6 +14,7 @@ import numpy as np
 from . import _capwalk, _functions
 from ._numbers import Array
 from ._options import LARGEST_SEED, integer, options
+from ._parameters import check_apart
 from ._progress import Progress
 from .errors import ArgumentError, ParameterError, Refused
 
@@ -102,6 +103,10 @@ class Work:
         for name, shape in shapes.items():
             _check_shape(name, self._arrays[name].shape, shape)
         _check_apart(self._arrays)
+        # The image does not depend on other sensors.
+        sensors = [name for name, _, _, _ in kept.was._sensors()]
+        others = {name for name in sensors if name != sensors[asked.sensor]}
+        self._seen = [array.first.rpartition(".")[0] not in others for array in self._arrays.values()]
         self._was, self._spare = kept.was, kept.spare.setdefault((asked.sensor, aov), [])
         _, (width, height), _, _ = self._was._sensors()[asked.sensor]
         self.image_shape = (height, width, 3)
@@ -126,7 +131,10 @@ class Work:
         """The derivative of the image, (height, width, 3), while some values move."""
         along = {
             name: _turned(array, value, velocity.reshape(array.shape))
-            for (name, array, value), velocity in zip(self._chosen(values, moving), velocities)
+            for (name, array, value, seen), velocity in zip(
+                self._chosen(values, moving), velocities
+            )
+            if seen
         }
         # What stands still is no direction.
         along = {name: velocity for name, velocity in along.items() if velocity.any()}
@@ -142,22 +150,27 @@ class Work:
         """The gradients of ``(adjoint * image).sum()`` with respect to some values, each in the
         shape of its value. The transpose of :meth:`push`."""
         chosen = list(self._chosen(values, wanted))
-        names = [name for name, _, _ in chosen]
-        with self._at(values) as scene:
-            gradients = _functions.backward(
-                scene, adjoint, names, seed=seed, **self._of_derivative
-            )
+        names = [name for name, _, _, seen in chosen if seen]
+        gradients: Mapping[str, Array] = {}
+        if names:
+            with self._at(values) as scene:
+                gradients = _functions.backward(
+                    scene, adjoint, names, seed=seed, **self._of_derivative
+                )
         return [
             _turned(array, value, gradients[name], transposed=True).reshape(value.shape)
-            for name, array, value in chosen
+            if seen
+            else np.zeros(value.shape)
+            for name, array, value, seen in chosen
         ]
 
     def _chosen(
         self, values: Sequence[Array], chosen: Sequence[bool]
-    ) -> Iterator[tuple[str, _Listed, Array]]:
-        for (name, array), value, is_chosen in zip(self._arrays.items(), values, chosen):
+    ) -> Iterator[tuple[str, _Listed, Array, bool]]:
+        arrays = zip(self._arrays.items(), values, self._seen, chosen)
+        for (name, array), value, seen, is_chosen in arrays:
             if is_chosen:
-                yield name, array, value
+                yield name, array, value, seen
 
     @contextmanager
     def _at(self, values: Sequence[Array]) -> Iterator[Scene]:
@@ -252,12 +265,7 @@ def _check_apart(arrays: Mapping[str, _Listed]) -> None:
         if array.first in names:
             raise ArgumentError(f"{names[array.first]} and {name} are the same array; give one")
         names[array.first] = name
-    for first, name in names.items():
-        owner, _, kind = first.rpartition(".")
-        for other in ("positions", "normals", "translate", "rotate"):
-            if kind == "to_world" and f"{owner}.{other}" in names:
-                both = f"{name} and {names[f'{owner}.{other}']}"
-                raise ArgumentError(f"{both} both place {owner}; give one")
+    check_apart(names)
 
 
 def _turned(array: _Listed, value: Array, vector: Array, *, transposed: bool = False) -> Array:

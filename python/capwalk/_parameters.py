@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, MutableMapping
+from collections.abc import Iterable, Iterator, Mapping, MutableMapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,17 @@ from numpy.typing import ArrayLike
 from . import _capwalk
 from ._numbers import Array, numbers
 from .errors import ArgumentError, BusyError
+
+
+def check_apart(names: Iterable[str]) -> None:
+    """An error if two arrays, by their first names, place the same thing: what comes out would
+    depend on which is set first."""
+    chosen = set(names)
+    for name in chosen:
+        owner, _, kind = name.rpartition(".")
+        for other in ("positions", "normals", "translate", "rotate"):
+            if kind == "to_world" and f"{owner}.{other}" in chosen:
+                raise ArgumentError(f"{name} and {owner}.{other} both place {owner}; give one")
 
 
 @dataclass
@@ -93,6 +104,7 @@ class SceneParameters(MutableMapping[str, Array]):
         self._entries = entries
         try:
             changes = {name: entry.value for name, entry in entries.items() if entry.changed}
+            check_apart(changes)
             if changes:
                 self._scene._update(changes)
         except BusyError:

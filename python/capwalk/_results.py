@@ -131,7 +131,7 @@ class Check:
     correlation: float
     """Correlation of both images."""
     pixels: int
-    """Pixels with noise, which are compared."""
+    """Pixels that are compared: those with noise, and those that differ amid noise."""
     worst: list[tuple[int, int, float]]
     """Column, row and z of the pixels that differ most."""
     step: float

@@ -37,6 +37,14 @@ class Adam:
     gradient is kept (Nicolet et al. 2021, section 4): for :class:`LargeSteps`."""
     _means: dict[str, tuple[int, Array, Array]] = field(default_factory=dict, init=False)
 
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.lr) and self.lr > 0.0):
+            raise ArgumentError(f"lr is {self.lr}; expected a finite number above 0")
+        if not all(0.0 <= beta < 1.0 for beta in self.betas):
+            raise ArgumentError(f"betas are {self.betas}; expected two numbers from 0 to below 1")
+        if not (np.isfinite(self.eps) and self.eps > 0.0):
+            raise ArgumentError(f"eps is {self.eps}; expected a finite number above 0")
+
     def step(
         self, values: MutableMapping[str, Array], gradients: Mapping[str, ArrayLike]
     ) -> None:
@@ -56,6 +64,9 @@ class Adam:
                 raise ArgumentError(f"the gradient of {name} has infinite numbers or NaN")
             zero = np.zeros_like(value)
             step, first, second = means.get(name, (0, zero, zero))
+            if first.shape != value.shape:
+                text = f"{name} had the shape {first.shape} in the step before"
+                raise ArgumentError(f"{text}, and has {value.shape}; take another Adam for it")
             new[name], first, second = _capwalk.adam(
                 self, step + 1, value, gradient, [first, second]
             )

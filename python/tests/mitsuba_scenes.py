@@ -111,6 +111,19 @@ def smooth_mesh() -> Any:
     return scene(ball=mesh)
 
 
+def flat_mesh() -> Any:
+    """A sheet of eight triangles with normals that they share."""
+    x, z = (side.ravel() for side in np.meshgrid([-1.2, 0, 1.2], [-1.0, 0, 1]))
+    corner = np.array([0, 1, 3, 4])
+    faces = np.stack([corner, corner + 3, corner + 1, corner + 1, corner + 3, corner + 4], 1)
+    mesh = mi.Mesh("mesh", 9, 8, has_vertex_normals=True)
+    params = mi.traverse(mesh)
+    params["vertex_positions"] = np.stack([x, 1 + 0.5 * x, z], 1).ravel()
+    params["faces"] = faces.ravel().astype(np.uint32)
+    params.update()
+    return scene(ball=mesh)
+
+
 SCENES: dict[str, Callable[[], Description]] = {
     "sphere": scene,
     "cube": lambda: scene(

@@ -11,11 +11,13 @@ import pytest
 mi = pytest.importorskip("mitsuba")
 dr = pytest.importorskip("drjit")
 import capwalk.mitsuba._integrator as integrator_module  # noqa: E402  It needs Mitsuba.
+from capwalk.mitsuba._convert import convert  # noqa: E402
 from mitsuba_scenes import (  # noqa: E402
     SCALAR,
     SCENES,
     VECTORIZED,
     Description,
+    flat_mesh,
     random,
     scene,
     sensor,
@@ -131,6 +133,17 @@ def bend(key: str) -> Move:
     return move
 
 
+def fold(key: str) -> Move:
+    """Raises the middle of a sheet."""
+
+    def move(params: Any, x: Any) -> None:
+        points = dr.unravel(mi.Point3f, dr.detach(params[key]))
+        up = dr.select(dr.abs(points.x) < 0.1, x, 0)
+        params[key] = dr.ravel(points + mi.Vector3f(0, up, 0))
+
+    return move
+
+
 def texels(params: Any, x: Any) -> None:
     data = dr.detach(params["ball.bsdf.reflectance.data"])
     params["ball.bsdf.reflectance.data"] = data + x * mi.TensorXf(random(4, 5, 3) - 0.3)
@@ -150,6 +163,8 @@ MOVES: dict[str, tuple[Callable[[], Description], Move, float, int, int]] = {
         2048,
         32,
     ),
+    # Flat as it is, with normals that faces share: they turn with all of them.
+    "sheet, folded": (flat_mesh, fold("ball.vertex_positions"), 0.02, 2048, 64),
     "lamp": (scene, shift("lamp.to_world", 1, 0, 0.5), 0.1, 2048, 32),
     "normals": (smooth_mesh, bend("ball.vertex_positions"), 0.05, 2048, 32),
 }
@@ -176,6 +191,24 @@ def test_derivatives_are_those_of_mitsubas_images(name: str, mode: str) -> None:
     # One that is wrong by the half of it is seen.
     assert error < 0.1 * size, told
     assert abs(ours.mean() - reference.mean()) < 5 * error + 0.01 * size, told
+
+
+def test_normals_that_faces_share_turn_with_all_of_them() -> None:
+    """A flat mesh has the normals of its faces as long as it stays flat."""
+    loaded = mi.load_dict(flat_mesh())
+    params = mi.traverse(loaded)
+
+    def is_flat() -> bool:
+        described = convert(loaded, loaded.sensors(), {"type": "path"}).plain()
+        [mesh] = [shape for shape in described.values() if "faces" in shape]
+        return bool(mesh["face_normals"])
+
+    assert is_flat()
+    number = mi.Float(0.0)
+    dr.enable_grad(number)
+    fold("ball.vertex_positions")(params, number)
+    params.update()
+    assert not is_flat()
 
 
 def test_image_and_gradient_have_different_seeds(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -231,11 +231,12 @@ def test_an_exception_of_the_callback_stops(leaf: cw.Scene, processes: Executor)
 def test_interruption(leaf: cw.Scene) -> None:
     """Ctrl-C while threads work, also on what they have begun."""
     with ThreadPoolExecutor(2) as executor:
-        threading.Timer(0.3, _thread.interrupt_main).start()
-        started = time.monotonic()
         with pytest.raises(KeyboardInterrupt):
+            threading.Timer(0.3, _thread.interrupt_main).start()
             Pool(executor, parts=2).render(leaf, spp=10**5)
-    assert time.monotonic() - started < 5
+        started = time.monotonic()
+    # It would take minutes.
+    assert time.monotonic() - started < 20
 
 
 def _refuse(*arguments: object) -> bytes:

@@ -88,7 +88,9 @@ def once(share: float, what: Callable[[], object]) -> tuple[Callable[[int, int],
 
 
 def kill() -> None:
+    started = time.monotonic()
     while not (found := busy()):
+        assert time.monotonic() - started < 60, "no worker has anything to do"
         time.sleep(0.01)
     os.kill(found[0], signal.SIGKILL)
 
@@ -140,7 +142,8 @@ def test_interruption(nodes: Any, leaf: cw.Scene) -> None:
             cluster.render(leaf, spp=10**5)
         started = time.monotonic()
         while busy():
-            assert time.monotonic() - started < 10
+            # Machines may be slow; without cancelling it takes minutes.
+            assert time.monotonic() - started < 60
             time.sleep(0.1)
         assert np.array_equal(cluster.render(leaf, spp=2), cw.render(leaf, spp=2))
 

@@ -6,6 +6,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+import drjit as dr
 import mitsuba as mi
 import numpy as np
 
@@ -199,8 +200,13 @@ class _Converter:
         faces = numbers(own.values["faces"]).reshape(-1, 3).astype(np.int64)
         described |= {"positions": positions, "faces": faces}
         normals = numbers(own.values["vertex_normals"]).reshape(-1, 3)
+        # Where vertices part, normals that faces share turn with all of them.
+        moves = any(dr.grad_enabled(own.values[key]) for key in ("vertex_positions", "vertex_normals"))
+        shared = len(faces) > 0 and np.bincount(faces.ravel()).max() > 1
         described["face_normals"] = bool(
-            mesh.has_face_normals() or not len(normals) or _is_flat(positions.value, faces, normals)
+            mesh.has_face_normals()
+            or not len(normals)
+            or (_is_flat(positions.value, faces, normals) and not (moves and shared))
         )
         if not described["face_normals"]:
             described["normals"] = self._number(
