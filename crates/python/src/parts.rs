@@ -1,7 +1,10 @@
 //! Work in parts, for other processes and machines. Each has the same scene; the parts are
 //! merged to the bits of the whole.
 
-use capwalk::{Error, GradientOptions, Image, Part, Partial, RenderOptions};
+use capwalk::{
+    Error, GradientImage, GradientOptions, Gradients, Image, Part, Partial, Prepared,
+    RenderOptions, Rendering, Views,
+};
 use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
@@ -10,6 +13,7 @@ use pyo3::types::PyBytes;
 use crate::direction::{Along, Motion};
 use crate::results::{of_backward, of_gradient, of_render};
 use crate::scene::Scene;
+use crate::watched::detached;
 use crate::work::{Options, run};
 use crate::{arrays, errors};
 
@@ -39,6 +43,34 @@ impl Task {
             Some(Asked::Backward(adjoint, names)) => {
                 let adjoint = arrays::to_image("the adjoint", &adjoint)?;
                 Self::Backward(adjoint, names, options.gradient(py)?)
+            }
+        })
+    }
+}
+
+/// What a task gives.
+enum Whole {
+    Render(Rendering),
+    Gradient(GradientImage, &'static str),
+    Backward(Gradients),
+}
+
+impl Task {
+    /// What all parts give.
+    fn whole(&self, prepared: &Prepared, parts: &[PyBackedBytes]) -> Result<Whole, Error> {
+        Ok(match self {
+            Self::Render(options) => {
+                let work = prepared.render_work(options)?;
+                Whole::Render(work.finish(merged(parts)?)?)
+            }
+            Self::Gradient(motion, options) => {
+                let tangent = motion.tangent(prepared)?;
+                let work = prepared.gradient_work(&tangent, options)?;
+                Whole::Gradient(work.finish(merged(parts)?)?, options.method.name())
+            }
+            Self::Backward(adjoint, names, options) => {
+                let work = prepared.backward_work(adjoint, names, options)?;
+                Whole::Backward(work.finish(merged(parts)?)?)
             }
         })
     }
@@ -110,34 +142,18 @@ pub fn merge<'py>(
     parts: Vec<PyBackedBytes>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let task = Task::new(py, asked, &options)?;
+    let view = options.view(py)?;
     let views = scene.read(py)?;
-    let prepared = views.prepared(options.view(py)?);
-    let prepared = prepared.map_err(|error| errors::exception(py, error))?;
-    let raised = |error: Error| errors::exception(py, error);
-    match &task {
-        Task::Render(options) => {
-            let work = prepared.render_work(options);
-            let work = work.map_err(|error| raised(error.into()))?;
-            let merged = merged(&parts).and_then(|parts| Ok(work.finish(parts)?));
-            Ok(of_render(py, &merged.map_err(raised)?)?
-                .into_pyobject(py)?
-                .into_any())
-        }
-        Task::Gradient(motion, options) => {
-            let tangent = motion.tangent(prepared).map_err(raised)?;
-            let work = prepared.gradient_work(&tangent, options).map_err(raised)?;
-            let merged = merged(&parts).and_then(|parts| Ok(work.finish(parts)?));
-            let method = options.method.name();
-            let results = of_gradient(py, &merged.map_err(raised)?, method)?;
+    let views: &Views = &views;
+    let whole = detached(py, || task.whole(views.prepared(view)?, &parts))?;
+    match whole.map_err(|error| errors::exception(py, error))? {
+        Whole::Render(image) => Ok(of_render(py, &image)?.into_pyobject(py)?.into_any()),
+        Whole::Gradient(image, method) => {
+            let results = of_gradient(py, &image, method)?;
             Ok(results.into_pyobject(py)?.into_any())
         }
-        Task::Backward(adjoint, names, options) => {
-            let work = prepared.backward_work(adjoint, names, options);
-            let work = work.map_err(raised)?;
-            let merged = merged(&parts).and_then(|parts| work.finish(parts));
-            Ok(of_backward(py, &merged.map_err(raised)?)?
-                .into_pyobject(py)?
-                .into_any())
+        Whole::Backward(gradients) => {
+            Ok(of_backward(py, &gradients)?.into_pyobject(py)?.into_any())
         }
     }
 }

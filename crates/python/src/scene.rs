@@ -307,7 +307,9 @@ impl Scene {
     /// The scene as bytes, for another process.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Pickled<'py>> {
         let (py, scene) = (slf.py(), slf.get());
-        let bytes = scene.read(py)?.to_bytes();
+        let views = scene.read(py)?;
+        let views: &Views = &views;
+        let bytes = detached(py, || views.to_bytes())?;
         let bytes = bytes.map_err(|error| errors::exception(py, error))?;
         let made = PyType::new::<Self>(py).getattr("from_bytes")?;
         Ok((made, (PyBytes::new(py, &bytes), scene.name.clone())))

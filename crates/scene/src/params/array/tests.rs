@@ -109,11 +109,15 @@ fn arrays_are_listed_in_the_order_of_parameters() {
         .collect();
     let expected = [
         ("ball.positions", "(42, 3)"),
+        ("ball.vertex_positions", "(42, 3)"),
         ("ball.normals", "(42, 3)"),
+        ("ball.vertex_normals", "(42, 3)"),
         ("ball.to_world", "(4, 4)"),
         ("lamp.positions", "(4, 3)"),
+        ("lamp.vertex_positions", "(4, 3)"),
         ("lamp.to_world", "(4, 4)"),
         ("-a.b+2*c.positions", "(225, 3)"),
+        ("-a.b+2*c.vertex_positions", "(225, 3)"),
         ("-a.b+2*c.to_world", "(4, 4)"),
         ("lamp.emitter.radiance.value", "(3,)"),
         ("sky.radiance.value", "(3,)"),
@@ -304,6 +308,7 @@ fn requests_are_arrays_or_expressions() {
         "-a.b+2*c.positions",
         "red.reflectance.value",
         " eye.rotate ",
+        "ball.vertex_positions",
     ] {
         assert!(is_array(text), "{text}");
     }
@@ -323,7 +328,10 @@ fn requests_are_arrays_or_expressions() {
             "did you mean `lamp.emitter.radiance.value`",
         ),
         ("ball.translate.w", "`ball.translate.x`"),
-        ("ball.vertex_positions", "did you mean `ball.positions`?"),
+        (
+            "ball.vertexPositions",
+            "did you mean `ball.vertex_positions`?",
+        ),
         (
             "ball.vertex_texcoords",
             "\"ball.vertex_texcoords\" is not a parameter: derivatives with respect to texture coordinates",
