@@ -27,6 +27,7 @@ from .errors import (
     Refused,
     SceneWarning,
     UnreliableWarning,
+    WorkerError,
 )
 
 __all__ = [
@@ -48,6 +49,7 @@ __all__ = [
     "Slope",
     "Transform",
     "UnreliableWarning",
+    "WorkerError",
     "backward",
     "check",
     "gradient",

@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _capwalk, _functions
 from ._numbers import Array
-from ._options import LARGEST_SEED, integer, options
+from ._options import LARGEST_COUNT, LARGEST_SEED, integer, options
 from ._parameters import check_apart
 from ._progress import Progress
 from .errors import ArgumentError, ParameterError, Refused
@@ -90,9 +90,8 @@ class Work:
         progress: Progress,
         **method: Any,
     ) -> None:
-        # Checked here, not only when the first derivative is asked for.
         asked = options(scene, sensor, spp, None, aov=aov, threads=threads, **method)
-        spp_grad = asked.spp if spp_grad is None else integer("spp_grad", spp_grad, 1, 2**32 - 1)
+        spp_grad = asked.spp if spp_grad is None else integer("spp_grad", spp_grad, 1, LARGEST_COUNT)
         how = {"sensor": asked.sensor, "aov": aov, "threads": threads, "progress": progress}
         self._of_image: dict[str, Any] = {**how, "spp": asked.spp}
         self._of_derivative: dict[str, Any] = {**how, "spp": spp_grad, **method}
@@ -269,8 +268,8 @@ def _check_apart(arrays: Mapping[str, _Listed]) -> None:
 
 
 def _turned(array: _Listed, value: Array, vector: Array, *, transposed: bool = False) -> Array:
-    """A velocity of a value as that of the scene's numbers, or, transposed, a gradient by these
-    as that by the value."""
+    """A velocity of a value as that of the scene's numbers, or, transposed, a gradient with
+    respect to these as that with respect to the value."""
     turned = vector
     if array.unit == "length 1":
         # Normals are made unit: n/|n| moves by 1/|n| as much, where it can.
@@ -289,7 +288,7 @@ def _rotation_jacobian(rotation: Array) -> Array:
     x, y, z = rotation
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     angle = np.linalg.norm(rotation)
-    if angle == 0:
+    if angle**2 == 0:
         return np.eye(3)
     # sinc is sin(πx)/(πx). What cancels in 1 - sinc is multiplied by K².
     first = np.sinc(angle / (2 * np.pi)) ** 2 / 2

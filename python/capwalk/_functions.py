@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from . import _capwalk
 from ._numbers import Array, numbers
-from ._options import integer, options
+from ._options import LARGEST_COUNT, integer, options
 from ._progress import Progress, shown
 from ._results import Check, Gradients, Picture, Slope
 from .errors import ArgumentError, SceneWarning, UnreliableWarning
@@ -207,7 +207,7 @@ def check(
     The other parameters, and what is raised, are those of :func:`gradient`.
     """
     if reference_spp is not None:
-        reference_spp = integer("reference_spp", reference_spp, 1, 2**32 - 1)
+        reference_spp = integer("reference_spp", reference_spp, 1, LARGEST_COUNT)
     with shown(progress, "check") as told:
         asked = options(
             scene,

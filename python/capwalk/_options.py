@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from . import _capwalk
 from .errors import ArgumentError
 
-METHODS = ("auto", "walk", "edges")
 LARGEST_SEED = 2**64 - 1
+LARGEST_COUNT = 2**32 - 1
+"""Of samples or steps, as the module has them."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +54,6 @@ def options(
         raise TypeError(
             f"the scene is a {type(scene).__name__}; expected what load_file or load_string give"
         )
-    if method not in METHODS:
-        raise ArgumentError(f'there is no method "{method}"; there are {", ".join(METHODS)}')
     if antithetic not in (None, True, False):
         raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
     sensors = scene._sensors()
@@ -62,18 +61,21 @@ def options(
     _, _, own_spp, own_seed = sensors[number]
     if independent:
         own_seed = LARGEST_SEED - own_seed
-    return Options(
+    asked = Options(
         sensor=number,
         aov=aov,
-        spp=own_spp if spp is None else integer("spp", spp, 1, 2**32 - 1),
+        spp=own_spp if spp is None else integer("spp", spp, 1, LARGEST_COUNT),
         seed=own_seed if seed is None else integer("seed", seed, 0, LARGEST_SEED),
         threads=None if threads is None else integer("threads", threads, 1, 1024),
         progress=progress,
         method=method,
-        steps=None if steps is None else integer("steps", steps, 1, 1000),
+        steps=None if steps is None else integer("steps", steps, 1, LARGEST_COUNT),
         max_angle=None if max_angle is None else real("max_angle", max_angle),
         antithetic=None if antithetic is None else bool(antithetic),
     )
+    # Here, not only when the first derivative is asked for.
+    _capwalk.check_options(asked)
+    return asked
 
 
 def integer(name: str, value: int, least: int, most: int) -> int:

@@ -93,7 +93,8 @@ class LargeSteps:
 
     :param positions: (V, 3), world units.
     :param faces: (F, 3), numbers of vertices.
-    :param lambda_: how far a step reaches, at least 0; 0 changes nothing.
+    :param lambda_: the weight of the Laplacian, at least 0: larger ones move larger regions
+        alike; 0 changes nothing.
     """
 
     def __init__(self, positions: ArrayLike, faces: ArrayLike, lambda_: float = 19.0) -> None:
@@ -117,7 +118,8 @@ class LargeSteps:
         return self._smooth.solve(self._checked("u", u, 0))
 
     def gradient(self, by_positions: ArrayLike) -> Array:
-        """The gradient of a loss by ``u`` (N, 3) from that by positions (V, 3)."""
+        """The gradient of a loss with respect to ``u`` (N, 3) from that with respect to the
+        positions (V, 3)."""
         return self._smooth.pull(self._checked("the gradient", by_positions, 1))
 
     def _checked(self, what: str, value: ArrayLike, side: int) -> Array:

@@ -19,17 +19,13 @@ from ._options import LARGEST_SEED, Options, integer, options
 from ._parts import Asked, Job
 from ._progress import Progress, shown
 from ._results import Gradients, Picture, Slope
-from .errors import ArgumentError, Error
+from .errors import ArgumentError
 
 MOST_PARTS = 64
 """16 batches of samples of 4 bands of pixels are not cut further."""
 
 Finished = Generator[tuple[int, bytes], None, None]
 """The number of a job, and a part of it."""
-
-
-class WorkerError(Error, RuntimeError):
-    """A worker that was lost: killed, out of memory, or on a machine that is gone."""
 
 
 class Workers(ABC):
@@ -177,7 +173,8 @@ class Workers(ABC):
         """The gradient of a loss of the images of several sensors, all of whose parts are done
         at once: the sum of what :meth:`backward` gives for each, added in the order of the
         sensors, with the standard errors of the sum. Arrays of a sensor, such as
-        ``"left.to_world"``, change its own image only.
+        ``"left.to_world"``, change its own image only; the gradient with respect to one whose
+        image is not asked for is zero.
 
         :param adjoints: derivative of the loss with respect to each pixel, (height, width, 3),
             for each sensor.
@@ -207,10 +204,13 @@ class Workers(ABC):
                 antithetic=antithetic,
             )
             asked = replace(asked, seed=view_seed(asked.seed, view))
-            wanted = wanted_names(scene, names, sensor)
-            if len(views) > 1:
-                wanted = _seen(scene, wanted, sensor, in_own_words=names is None)
-            work.append(((numbers(f"adjoints[{view}]", adjoint), wanted), asked))
+            wanted = _seen(scene, wanted_names(scene, names, sensor), sensor)
+            of_view = numbers(f"adjoints[{view}]", adjoint)
+            # A view of which nothing is wanted is not sampled.
+            if wanted:
+                work.append(((of_view, wanted), asked))
+        if not work:
+            raise ArgumentError("none of these images changes with any of the names")
         results = self._done("backward", scene, work, progress)
         statistics = _together([statistics for _, _, statistics in results])
         warn_of(statistics)
@@ -220,6 +220,11 @@ class Workers(ABC):
             for name, value in of_view.items():
                 values[name] = values.get(name, 0.0) + value
                 stderr[name] = np.hypot(stderr.get(name, 0.0), errors[name])
+        for name in names or []:
+            if name.partition(".")[0] != "sensor" and name not in values:
+                # It is of a sensor whose image is not among these.
+                values[name] = np.zeros(_shape(scene, name))
+                stderr[name] = values[name].copy()
         return Gradients(values, stderr, statistics)
 
     def _done(
@@ -274,14 +279,16 @@ def _sensors(scene: Scene, sensors: Sequence[Sensor] | None) -> list[int]:
     return [options(scene, sensor, None, None).sensor for sensor in sensors]
 
 
-def _seen(scene: Scene, names: Sequence[str], sensor: int, *, in_own_words: bool) -> list[str]:
+def _seen(scene: Scene, names: Sequence[str], sensor: int) -> list[str]:
     """The names as the scene has them, without those of other sensors, on which the image does
-    not depend. In its own words a sensor is called ``sensor``."""
+    not depend. The one that renders is called ``sensor`` too."""
     ids = [name for name, _, _, _ in scene._sensors()]
+    if len(ids) == 1:
+        return list(names)
     seen = []
     for name in names:
         owner, _, array = name.partition(".")
-        if owner == "sensor" and (in_own_words or owner not in ids):
+        if owner == "sensor" and owner not in ids:
             owner = ids[sensor]
             name = f"{owner}.{array}"
         is_of_another = owner in ids and owner != ids[sensor]
@@ -289,6 +296,12 @@ def _seen(scene: Scene, names: Sequence[str], sensor: int, *, in_own_words: bool
         if not is_of_another or not re.fullmatch(r"[\w.]+", name):
             seen.append(name)
     return seen
+
+
+def _shape(scene: Scene, name: str) -> tuple[int, ...]:
+    """The shape of a gradient: of an array, or of a single number."""
+    shapes = {array: tuple(shape) for array, shape, *_ in scene._arrays()}
+    return shapes.get(name, ())
 
 
 def _together(statistics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:

@@ -62,6 +62,10 @@ class BusyError(Error, RuntimeError):
     """A scene that another thread is changing or rendering."""
 
 
+class WorkerError(Error, RuntimeError):
+    """A worker that was lost: killed, out of memory, or on a machine that is gone."""
+
+
 class UnreliableWarning(UserWarning):
     """A result that has to be taken with care; the message says why."""
 

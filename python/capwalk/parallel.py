@@ -37,9 +37,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from ._parts import Job, Sender, SentJob
-from ._workers import Finished, WorkerError, Workers, view_seed
+from ._workers import Finished, Workers, view_seed
+from .errors import WorkerError
 
-__all__ = ["Pool", "WorkerError", "Workers", "view_seed"]
+__all__ = ["Pool", "Workers", "view_seed"]
 
 
 class Pool(Workers):

@@ -23,10 +23,10 @@ import ray  # type: ignore[import-not-found, unused-ignore]
 
 from ._options import integer
 from ._parts import Job, Sender, SentJob
-from ._workers import Finished, WorkerError, Workers, view_seed
-from .errors import ArgumentError, Error
+from ._workers import Finished, Workers, view_seed
+from .errors import ArgumentError, Error, WorkerError
 
-__all__ = ["Cluster", "WorkerError", "view_seed"]
+__all__ = ["Cluster", "view_seed"]
 
 
 class Cluster(Workers):

@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 from capwalk import _capwalk, _parts
 from capwalk._options import options
-from capwalk.parallel import Pool, WorkerError, Workers, view_seed
+from capwalk.parallel import Pool, Workers, view_seed
 from conftest import SCENE
 
 NAMES = ["leaf.positions", "lamp.emitter.radiance.value"]
@@ -276,7 +276,7 @@ def _die_of_parts() -> None:
 def test_lost_workers_are_reported(leaf: cw.Scene) -> None:
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(1, context, initializer=_die_of_parts) as executor:
-        with pytest.raises(WorkerError, match="make another one"):
+        with pytest.raises(cw.WorkerError, match="make another one"):
             Pool(executor).render(leaf, spp=2)
 
 
@@ -309,6 +309,18 @@ def views_are_right(workers: Workers, spp: int = 3) -> None:
     assert np.array_equal(total.stderr[box], np.hypot(first.stderr[box], second.stderr[box]))
     assert np.array_equal(total[left], second[left])
     assert total.statistics["samples"] == spp * (24 * 18 + 12 * 8)
+
+    for_left = workers.backward_views(scene, adjoints, [left], spp=spp, seed=5, method="walk")
+    assert np.array_equal(for_left[left], total[left])
+    assert for_left.statistics["samples"] == spp * 12 * 8
+    names = [box, left, "left.translate.x"]
+    other = workers.backward_views(scene, adjoints[:1], names, sensors=[0], spp=spp)
+    assert not other[left].any() and other[left].shape == total[left].shape
+    assert other["left.translate.x"] == 0 and other[box].any()
+    with pytest.raises(cw.ArgumentError, match="none of these images"):
+        workers.backward_views(scene, adjoints[:1], [left], sensors=[0], spp=spp)
+    with pytest.raises(cw.ParameterError, match="is of another sensor"):
+        cw.backward(scene, adjoints[0], [left], spp=spp)
 
     everything = workers.backward_views(scene, adjoints, spp=spp, method="walk")
     assert {"sensor.to_world", "left.to_world", "box.positions"} <= set(everything)

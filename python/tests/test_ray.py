@@ -23,7 +23,7 @@ ray_nodes: Any = pytest.importorskip("ray.cluster_utils")
 if not Path("/proc/self/stat").exists():
     pytest.skip("processes are found in /proc", allow_module_level=True)
 
-from capwalk.ray import Cluster, WorkerError  # noqa: E402
+from capwalk.ray import Cluster  # noqa: E402
 
 STORE = 80 * 2**20
 NAMES = ["leaf.positions", "floor.bsdf.reflectance.value"]
@@ -51,8 +51,8 @@ def leaf() -> cw.Scene:
 
 
 def gradients(with_what: Any, scene: cw.Scene, **how: Any) -> list[Any]:
-    """What takes about a second."""
-    found = with_what.backward(scene, np.ones((12, 16, 3)), NAMES, spp=96, method="walk", **how)
+    """What takes some seconds: it is to be interrupted in its middle."""
+    found = with_what.backward(scene, np.ones((12, 16, 3)), NAMES, spp=256, method="walk", **how)
     return [found[name] for name in NAMES] + [found.stderr[name] for name in NAMES]
 
 
@@ -128,7 +128,7 @@ def test_a_lost_worker(nodes: Any, leaf: cw.Scene) -> None:
 def test_workers_that_are_lost_again_and_again(nodes: Any, leaf: cw.Scene) -> None:
     with Cluster(1, retries=0) as cluster:
         told, when = once(0.1, kill)
-        with pytest.raises(WorkerError, match="workers were lost"):
+        with pytest.raises(cw.WorkerError, match="workers were lost"):
             gradients(cluster, leaf, progress=told)
         assert are_same(gradients(cluster, leaf), gradients(cw, leaf))
 

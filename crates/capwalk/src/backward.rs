@@ -153,7 +153,12 @@ impl<'a> GradientsWork<'a> {
         Ok(self.work.chosen(watch)?)
     }
 
-    /// What a part of the work gives; refused like the whole.
+    /// Refuses what only samples show, after one of each pixel: parts do not look.
+    pub fn look(&self, watch: &dyn Watch) -> Result<(), Error> {
+        Ok(self.work.look(watch)?)
+    }
+
+    /// What a part of the work gives; refused like the whole, see [`GradientsWork::look`].
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, Error> {
         Ok(self.work.part(part, watch)?)
     }

@@ -50,6 +50,17 @@ pub enum Error {
         /// The sensors there are.
         sensors: Vec<String>,
     },
+    /// A parameter of a sensor that does not render.
+    #[error(
+        "\"{name}\" is of another sensor; the image of {sensor} does not change with it: its \
+         derivative is zero"
+    )]
+    OfAnotherSensor {
+        /// What was asked for.
+        name: String,
+        /// The sensor that renders.
+        sensor: String,
+    },
     /// The scene was read and cannot be rendered.
     #[error("the scene {scene} cannot be rendered")]
     InvalidScene {

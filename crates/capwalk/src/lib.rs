@@ -115,4 +115,4 @@ pub use method::{
 pub use options::DifferenceOptions;
 pub use prepared::{Prepared, Values};
 pub use step::{bounds, difference_step};
-pub use views::{Look, Views};
+pub use views::{ViewId, Views};

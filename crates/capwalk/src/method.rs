@@ -156,7 +156,7 @@ pub enum OptionError {
         /// The first method that has the option.
         owner: MethodName,
     },
-    /// A walk gains nothing from so many steps.
+    /// A walk takes a step at least, and gains nothing from so many.
     #[error("`steps` is {steps}; expected 1 to {MOST_STEPS}")]
     Steps {
         /// What was asked for.
@@ -263,7 +263,11 @@ impl MethodChoice {
                 });
             }
         }
-        if let Some(steps) = self.walk.steps.filter(|&steps| steps > MOST_STEPS) {
+        if let Some(steps) = self
+            .walk
+            .steps
+            .filter(|steps| !(1..=MOST_STEPS).contains(steps))
+        {
             return Err(OptionError::Steps { steps });
         }
         let method = match (self.method, self.walk.domain.unwrap_or_default()) {

@@ -1,8 +1,9 @@
 //! A scene seen by each of its sensors.
 
+use std::collections::HashSet;
 use std::sync::{Arc, OnceLock};
 
-use capwalk_scene::params::{ArrayParameter, Registry};
+use capwalk_scene::params::{ArrayParameter, ParameterError, Registry};
 use capwalk_scene::{Aov, Integrator, Scene, SceneError, pack, unpack};
 use capwalk_scene_io::SensorSettings;
 
@@ -10,16 +11,16 @@ use crate::backward::array;
 use crate::error::Error;
 use crate::prepared::{Prepared, Values};
 
-/// What is looked at: one of the sensors, and what it shows.
+/// Names a view: one of the sensors, and what it shows.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Look {
+pub struct ViewId {
     /// Which sensor, from 0.
     pub sensor: usize,
     /// What is shown of the surfaces instead of their light.
     pub aov: Option<Aov>,
 }
 
-impl Look {
+impl ViewId {
     /// All views of a scene with so many sensors.
     fn all(sensors: usize) -> impl Iterator<Item = Self> {
         let of = |sensor| {
@@ -42,11 +43,11 @@ impl Look {
 /// follows every change of the scene from then on.
 ///
 /// ```
-/// use capwalk::{Look, RenderOptions, Unwatched, Views};
+/// use capwalk::{ViewId, RenderOptions, Unwatched, Views};
 ///
 /// let loaded = capwalk::Loader::new("leaf").size([8, 6]).load()?;
 /// let mut views = Views::new(loaded.scene, loaded.sensors)?;
-/// let mask = Look { sensor: 0, aov: Some(capwalk::scene::Aov::Mask) };
+/// let mask = ViewId { sensor: 0, aov: Some(capwalk::scene::Aov::Mask) };
 /// let mask = views.prepared(mask)?;
 /// let image = mask.render(&RenderOptions::new(4, 1), &Unwatched)?.value.mean;
 /// assert!(image.pixels.iter().all(|pixel| pixel.g <= 1.0));
@@ -60,7 +61,7 @@ pub struct Views {
     sensors: Vec<SensorSettings>,
     /// The names of its parameters as each sensor has them.
     registries: Vec<OnceLock<Registry>>,
-    /// By [`Look::place`]; what was asked for so far.
+    /// By [`ViewId::place`]; what was asked for so far.
     prepared: Vec<OnceLock<Prepared>>,
 }
 
@@ -76,10 +77,12 @@ impl Views {
         let views = Self {
             scene: Arc::new(first.scene(&scene)),
             registries: sensors.iter().map(|_| OnceLock::new()).collect(),
-            prepared: Look::all(sensors.len()).map(|_| OnceLock::new()).collect(),
+            prepared: ViewId::all(sensors.len())
+                .map(|_| OnceLock::new())
+                .collect(),
             sensors,
         };
-        views.check(&views.scene, &views.sensors)?;
+        check(&views.scene, &views.sensors)?;
         Ok(views)
     }
 
@@ -121,20 +124,36 @@ impl Views {
     }
 
     /// The scene, ready to be rendered by a sensor.
-    pub fn prepared(&self, look: Look) -> Result<&Prepared, Error> {
-        if look.sensor >= self.sensors.len() {
+    pub fn prepared(&self, view: ViewId) -> Result<&Prepared, Error> {
+        if view.sensor >= self.sensors.len() {
             return Err(Error::NoSuchSensor {
                 sensors: self.sensors.len(),
-                number: look.sensor,
+                number: view.sensor,
             });
         }
-        let place = &self.prepared[look.place()];
+        let place = &self.prepared[view.place()];
         if let Some(prepared) = place.get() {
             return Ok(prepared);
         }
         // Trees are built outside of the lock. Who is first is kept.
-        let prepared = Prepared::new(self.seen(look))?;
+        let prepared = Prepared::new(seen(&self.scene, &self.sensors, view))?;
         Ok(place.get_or_init(|| prepared))
+    }
+
+    /// What went wrong in a view, whose own names do not tell a parameter of another sensor
+    /// from one that there is not.
+    pub fn explain(&self, view: ViewId, error: Error) -> Error {
+        let Error::Parameter(ParameterError::Unknown { name, .. }) = &error else {
+            return error;
+        };
+        let owner = name.split('.').next();
+        match self.sensors.iter().any(|v| Some(&*v.sensor.id) == owner) {
+            true => Error::OfAnotherSensor {
+                name: name.clone(),
+                sensor: self.sensors[view.sensor].sensor.id.clone(),
+            },
+            false => error,
+        }
     }
 
     /// The arrays of the scene, with those of all sensors.
@@ -208,25 +227,15 @@ impl Views {
     /// Goes over to another scene with as many sensors.
     fn replace(&mut self, scene: Scene, sensors: Vec<SensorSettings>) -> Result<(), Error> {
         let scene = Arc::new(sensors[0].scene(&scene));
-        self.check(&scene, &sensors).map_err(Error::InvalidUpdate)?;
+        check(&scene, &sensors).map_err(Error::InvalidUpdate)?;
         (self.scene, self.sensors) = (scene, sensors);
-        for (look, place) in Look::all(self.sensors.len()).zip(0..) {
-            let seen = self.seen(look);
-            if let Some(prepared) = self.prepared[place].get_mut() {
-                prepared.update_scene(seen)?;
+        // A view that nobody has asked for costs nothing.
+        for (view, place) in ViewId::all(self.sensors.len()).zip(&mut self.prepared) {
+            if let Some(prepared) = place.get_mut() {
+                prepared.update_scene(seen(&self.scene, &self.sensors, view))?;
             }
         }
         Ok(())
-    }
-
-    /// Whether all sensors can render a scene.
-    fn check(&self, scene: &Scene, sensors: &[SensorSettings]) -> Result<(), SceneError> {
-        scene.check()?;
-        let others = sensors.iter().skip(1);
-        others.map(|view| view.scene(scene)).try_for_each(|seen| {
-            seen.film.check()?;
-            seen.sensor.check()
-        })
     }
 
     /// The sensor that an array is of, or the first for what all of them see.
@@ -254,19 +263,36 @@ impl Views {
         array.kind.is_of_sensor() && own.is_some_and(|rest| rest.starts_with('.'))
     }
 
-    /// What a view shows.
-    fn seen(&self, look: Look) -> Scene {
-        let mut seen = self.sensors[look.sensor].scene(&self.scene);
-        if let Some(aov) = look.aov {
-            seen.settings.integrator = Integrator::Aov(aov);
-        }
-        seen
-    }
-
     fn registry(&self, sensor: usize) -> &Registry {
         self.registries[sensor]
             .get_or_init(|| Registry::new(&self.sensors[sensor].scene(&self.scene)))
     }
+}
+
+/// The scene of a view.
+fn seen(scene: &Scene, sensors: &[SensorSettings], view: ViewId) -> Scene {
+    let mut seen = sensors[view.sensor].scene(scene);
+    if let Some(aov) = view.aov {
+        seen.settings.integrator = Integrator::Aov(aov);
+    }
+    seen
+}
+
+/// Whether all sensors can render a scene, and all go by different names.
+fn check(scene: &Scene, sensors: &[SensorSettings]) -> Result<(), SceneError> {
+    scene.check()?;
+    let shapes = scene.shapes.iter().map(|shape| shape.id.as_str());
+    let mut ids: HashSet<&str> = shapes.collect();
+    for view in sensors {
+        view.film.check()?;
+        view.sensor.check()?;
+        if !ids.insert(&view.sensor.id) {
+            return Err(SceneError::DuplicateId {
+                id: view.sensor.id.clone(),
+            });
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -296,7 +322,7 @@ mod tests {
     }
 
     fn image(views: &Views, sensor: usize) -> capwalk_scene::Image {
-        let view = Look { sensor, aov: None };
+        let view = ViewId { sensor, aov: None };
         let prepared = views.prepared(view).expect("it is there");
         let options = RenderOptions::new(4, 1);
         let image = prepared.render(&options, &Unwatched).expect("samples");
@@ -336,12 +362,28 @@ mod tests {
         assert_eq!(views.values("right.to_world").expect("there"), place);
     }
 
+    /// Parameters would have two meanings.
+    #[test]
+    fn ids_are_not_shared() {
+        let views = views();
+        for (sensor, id) in [(1, "left"), (1, "box"), (0, "box")] {
+            let mut sensors = views.sensors().to_vec();
+            sensors[sensor].sensor.id = id.into();
+            let error = Views::new(views.scene().clone(), sensors).expect_err("it is taken");
+            let text = format!("{error:?}");
+            assert!(
+                text.contains(&format!("DuplicateId {{ id: \"{id}\"")),
+                "{text}"
+            );
+        }
+    }
+
     /// Each view has its own place, in the order of all of them.
     #[test]
     fn places_are_in_order() {
         assert!(
-            Look::all(3)
-                .map(Look::place)
+            ViewId::all(3)
+                .map(ViewId::place)
                 .eq(0..3 * (1 + Aov::ALL.len()))
         );
     }
@@ -374,12 +416,29 @@ mod tests {
         let error = views.values("sensor.to_world").expect_err("two are meant");
         assert!(error.to_string().contains("left, right"), "{error}");
         let error = views
-            .prepared(Look {
+            .prepared(ViewId {
                 sensor: 2,
                 aov: None,
             })
             .expect_err("two");
         assert!(error.to_string().contains("it has 2"), "{error}");
+        // Of what another sensor has, it is said so.
+        let view = ViewId {
+            sensor: 0,
+            aov: None,
+        };
+        let left = views.prepared(view).expect("it is there");
+        let options = RenderOptions::new(4, 1).into();
+        let error = |name: &str| {
+            let error = left
+                .gradient(name, &options, &Unwatched)
+                .expect_err("not its own");
+            views.explain(view, error).to_string()
+        };
+        let text = error("left.translate.x - right.translate.x");
+        assert!(text.contains("the image of left does not"), "{text}");
+        let text = error("rihgt.translate.x");
+        assert!(text.contains("no parameter"), "{text}");
         // Nothing is changed if something is wrong.
         let old = views.values("box.positions").expect("there").numbers;
         let moved: Vec<f64> = old.iter().map(|x| x + 1.0).collect();

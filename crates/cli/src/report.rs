@@ -48,17 +48,6 @@ pub fn table(rows: &[Vec<String>]) -> String {
     text
 }
 
-/// The shape of an array as NumPy writes it.
-pub fn shape(sides: &[usize]) -> String {
-    match sides {
-        [one] => format!("({one},)"),
-        _ => {
-            let sides: Vec<String> = sides.iter().map(ToString::to_string).collect();
-            format!("({})", sides.join(", "))
-        }
-    }
-}
-
 /// One line on what was done, and one for each thing that is not as it should be.
 pub fn work(what: &str, statistics: &Statistics, elapsed: f64) -> String {
     let rate = |n: u64| number(n as f64 / elapsed / 1e6);

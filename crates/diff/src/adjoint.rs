@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 /// Which parameters' gradients are wanted: the others count as constants, and
 /// cost nothing.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Wanted {
     /// The vertices of each shape, with the normals that are computed from them.
     pub shapes: Vec<bool>,

@@ -28,9 +28,7 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    let work = GradientWork::new(prepared, Cow::Borrowed(tangent), *options);
-    let partial = work.sums(None, &Part::whole(work.grid()), watch)?;
-    work.gradient_image(partial.into_sums())
+    GradientWork::new(prepared, Cow::Borrowed(tangent), *options).whole(watch)
 }
 
 /// A derivative image that is computed in parts.
@@ -64,6 +62,13 @@ impl<'a> GradientWork<'a> {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
     }
 
+    /// All of it at once, see [`gradient`].
+    pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
+        self.look(watch)?;
+        let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
+        self.gradient_image(partial.into_sums())
+    }
+
     /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
     /// by the first call. Refused like the work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
@@ -81,8 +86,25 @@ impl<'a> GradientWork<'a> {
         Ok(Chosen::of(&self.options, &self.chosen, watch, choose))
     }
 
+    /// Refuses what cannot be covered, which only samples show, after a few of them.
+    pub fn look(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+        let options = self.chosen(watch)?.options;
+        let scene = self.prepared.scene();
+        if !options.method.traits().is_unbiased || !is_specular_somewhere(scene) {
+            return Ok(());
+        }
+        let pilot = RenderOptions {
+            spp: options.spp.min(PILOT_SPP),
+            ..options.sampling()
+        };
+        let whole = Part::whole(tiles::grid(scene, &pilot));
+        let found = self.average(&options, &pilot, None, &whole, &Silent(watch));
+        self.refuse_uncovered(&Averages::new(found.into_sums(), &pilot))
+    }
+
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
-    /// the work. Refused like the whole.
+    /// the work. Refused like the whole, but for what only samples show: [`Self::look`] says
+    /// that before, [`Self::finish`] after all parts.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
         part.check(self.grid())?;
         Ok(self.sums(Some(self.fingerprint()), part, watch)?)
@@ -102,7 +124,19 @@ impl<'a> GradientWork<'a> {
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<PixelSums>, Refusal> {
-        let options = &self.chosen(watch)?.options;
+        let options = self.chosen(watch)?.options;
+        Ok(self.average(&options, &options.sampling(), work, part, watch))
+    }
+
+    /// Averages samples of this method, taken so.
+    fn average(
+        &self,
+        options: &GradientOptions,
+        sampling: &RenderOptions,
+        work: Option<u64>,
+        part: &Part,
+        watch: &dyn Watch,
+    ) -> Partial<PixelSums> {
         let (prepared, scene) = (self.prepared, self.prepared.scene());
         let field = Field::new(prepared.accel(), prepared.boundaries(), options.method);
         let eval = Forward::new(field, &self.tangent);
@@ -128,18 +162,7 @@ impl<'a> GradientWork<'a> {
                 uncovered: counts.uncovered.get(),
             }
         };
-        // What cannot be covered is found by looking, before the work is done.
-        if options.method.traits().is_unbiased && is_specular_somewhere(scene) {
-            let pilot = RenderOptions {
-                spp: options.spp.min(PILOT_SPP),
-                ..options.sampling()
-            };
-            let whole = Part::whole(tiles::grid(scene, &pilot));
-            let found = tiles::average(scene, &pilot, None, &whole, &Silent(watch), sample);
-            self.refuse_uncovered(&Averages::new(found.into_sums(), &pilot))?;
-        }
-        let sampling = options.sampling();
-        Ok(tiles::average(scene, &sampling, work, part, watch, sample))
+        tiles::average(scene, sampling, work, part, watch, sample)
     }
 
     /// Refuses what can be seen without a sample.
@@ -180,7 +203,7 @@ impl<'a> GradientWork<'a> {
 
     fn fingerprint(&self) -> u64 {
         let scene = self.prepared.scene();
-        let inputs: [&dyn std::fmt::Debug; 4] = [&"gradient", scene, &self.tangent, &self.options];
+        let inputs = ("gradient", scene, &self.tangent, &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
 }
@@ -195,5 +218,5 @@ impl Watch for Silent<'_> {
     }
 }
 
-/// Samples per pixel of a first look.
+/// Samples per pixel of a look.
 const PILOT_SPP: u32 = 2;

@@ -82,7 +82,7 @@ impl Backward {
 }
 
 /// The gradient of `Σ adjoint · image` in what is wanted. `adjoint` has the
-/// size of the image: the derivative of a loss by each pixel's channels.
+/// size of the image: the derivative of a loss with respect to each pixel's channels.
 /// Draw it from an image with another seed, or the product is biased.
 ///
 /// One pass over the samples, whatever the number of parameters. The same to
@@ -134,6 +134,7 @@ impl<'a> BackwardWork<'a> {
 
     /// All of it at once, see [`backward`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
+        self.look(watch)?;
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
         self.backward(partial.into_sums())
     }
@@ -155,8 +156,20 @@ impl<'a> BackwardWork<'a> {
         Ok(Chosen::of(&self.options, &self.chosen, watch, choose))
     }
 
+    /// Refuses what cannot be covered, which only samples show, after one of each pixel.
+    pub fn look(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+        let options = self.chosen(watch)?.options;
+        let scene = self.prepared.scene();
+        if !options.method.traits().is_unbiased || !is_specular_somewhere(scene) {
+            return Ok(());
+        }
+        let [samples, uncovered] = self.pass(&options, watch).look();
+        refuse_uncovered(scene, uncovered, samples, &options.method)
+    }
+
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
-    /// the work. Refused like the whole.
+    /// the work. Refused like the whole, but for what only samples show: [`Self::look`] says
+    /// that before, [`Self::finish`] after all parts.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, PartError> {
         part.check(self.grid())?;
         Ok(self.sums(Some(self.fingerprint()), part, watch)?)
@@ -177,31 +190,13 @@ impl<'a> BackwardWork<'a> {
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<BatchSums>, Refusal> {
-        let options = &self.chosen(watch)?.options;
-        let (prepared, wanted) = (self.prepared, &self.wanted);
-        let (scene, accel) = (prepared.scene(), prepared.accel());
-        let field = Field::new(accel, prepared.boundaries(), options.method);
-        let grid = self.grid();
-        let mut pass = Pass {
-            scene,
-            adjoint: self.adjoint,
-            wanted,
-            points: wanted.points(accel, field.boundaries),
-            tracer: Tracer::moving(prepared, field, options.walk),
-            field,
-            sampler: Sampler::new(&scene.settings, options.seed, options.spp),
-            spp: options.spp,
-            grid,
-            watch,
-            done: AtomicU64::new(0),
-            total: 0,
-        };
+        let options = self.chosen(watch)?.options;
+        let mut pass = self.pass(&options, watch);
+        let grid = pass.grid;
         let cells = grid.cells().filter(|&cell| part.contains(cell));
         pass.total = cells
             .map(|cell| (pass.pixels(cell.band).len() * pass.samples(cell.batch).len()) as u64)
             .sum();
-        // What cannot be covered is found by looking, before the work is done.
-        pass.refuse_uncovered_soon()?;
         let is_part = work.is_some();
         let sums = pool::install(|| {
             let batches = (0..grid.batches).into_par_iter();
@@ -214,6 +209,27 @@ impl<'a> BackwardWork<'a> {
             Along::Bands,
             sums,
         ))
+    }
+
+    /// What all samples of the work share; nothing is done yet.
+    fn pass<'b>(&'b self, options: &GradientOptions, watch: &'b dyn Watch) -> Pass<'b> {
+        let (prepared, wanted) = (self.prepared, &self.wanted);
+        let (scene, accel) = (prepared.scene(), prepared.accel());
+        let field = Field::new(accel, prepared.boundaries(), options.method);
+        Pass {
+            scene,
+            adjoint: self.adjoint,
+            wanted,
+            points: wanted.points(accel, field.boundaries),
+            tracer: Tracer::moving(prepared, field, options.walk),
+            field,
+            sampler: Sampler::new(&scene.settings, options.seed, options.spp),
+            spp: options.spp,
+            grid: self.grid(),
+            watch,
+            done: AtomicU64::new(0),
+            total: 0,
+        }
     }
 
     /// Refuses what can be seen without a sample.
@@ -278,13 +294,7 @@ impl<'a> BackwardWork<'a> {
 
     fn fingerprint(&self) -> u64 {
         let scene = self.prepared.scene();
-        let inputs: [&dyn std::fmt::Debug; 5] = [
-            &"backward",
-            scene,
-            self.adjoint,
-            &self.wanted,
-            &self.options,
-        ];
+        let inputs = ("backward", scene, self.adjoint, &self.wanted, &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
 }
@@ -386,17 +396,13 @@ struct Memory {
 }
 
 impl Pass<'_> {
-    /// A first look: one sample of each pixel.
-    fn refuse_uncovered_soon(&self) -> Result<(), Refusal> {
-        if !self.field.method.traits().is_unbiased || !is_specular_somewhere(self.scene) {
-            return Ok(());
-        }
-        let mut statistics = Statistics::default();
-        let mut tape = Tape::default();
+    /// Takes one sample of each pixel: how many were taken, and how many of their rays could
+    /// not be covered.
+    fn look(&self) -> [u64; 2] {
         let width = self.adjoint.width;
-        for index in 0..self.adjoint.pixels.len() {
+        let uncovered = |tape: &mut Tape, index: usize| {
             if self.watch.should_stop() {
-                break;
+                return [0, 0];
             }
             let (stream, counts) = (self.sampler.stream(index as u64, 0), Counts::default());
             let draw = Draw {
@@ -404,21 +410,16 @@ impl Pass<'_> {
                 counts: &counts,
             };
             let pixel = [(index % width) as u32, (index / width) as u32];
-            let eval = Reverse::new(self.field, self.wanted, &self.points, &tape);
+            let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
             self.tracer.pixel(&eval, pixel, draw);
             tape.clear();
-            statistics.samples += 1;
-            statistics.uncovered += counts.uncovered.get();
-            if statistics.uncovered > 0 && statistics.samples > 1000 {
-                break;
-            }
-        }
-        refuse_uncovered(
-            self.scene,
-            statistics.uncovered,
-            statistics.samples,
-            &self.field.method,
-        )
+            [1, counts.uncovered.get()]
+        };
+        pool::install(|| {
+            let pixels = (0..self.adjoint.pixels.len()).into_par_iter();
+            let looks = pixels.map_init(Tape::default, uncovered);
+            looks.reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]])
+        })
     }
 
     /// The pixels of a band, which are consecutive.

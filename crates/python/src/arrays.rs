@@ -1,5 +1,6 @@
 //! Images and numbers of the scene as NumPy arrays, and back.
 
+use capwalk::params::shape_text;
 use capwalk::{Error, Image, Rgb};
 use numpy::{
     IntoPyArray, PyArray3, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
@@ -54,14 +55,5 @@ pub fn check_shape(name: &str, expected: &[usize], found: &[usize]) -> Result<()
             expected: shape_text(expected),
             found: shape_text(found),
         }),
-    }
-}
-
-/// A shape as Python writes it.
-pub fn shape_text(shape: &[usize]) -> String {
-    let sizes: Vec<String> = shape.iter().map(ToString::to_string).collect();
-    match sizes.as_slice() {
-        [one] => format!("({one},)"),
-        sizes => format!("({})", sizes.join(", ")),
     }
 }

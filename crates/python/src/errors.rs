@@ -15,7 +15,9 @@ pub fn exception(py: Python<'_>, error: impl Into<Error>) -> PyErr {
         | Error::NoSuchSensor { .. }
         | Error::InvalidScene { .. }
         | Error::Scene(_) => instance(py, "LoadError", (text, None::<()>, None::<()>, None::<()>)),
-        Error::Parameter(_) => instance(py, "ParameterError", (text,)),
+        Error::Parameter(_) | Error::OfAnotherSensor { .. } => {
+            instance(py, "ParameterError", (text,))
+        }
         // Arguments, not the method, are wrong.
         Error::Refused(Refusal::AdjointSize { .. } | Refusal::AdjointNotFinite { .. }) => {
             instance(py, "ArgumentError", (text,))

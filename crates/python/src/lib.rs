@@ -24,5 +24,5 @@ mod _capwalk {
     #[pymodule_export]
     use crate::steps::{Smooth, adam};
     #[pymodule_export]
-    use crate::work::{backward, check, gradient, render};
+    use crate::work::{backward, check, check_options, gradient, render};
 }

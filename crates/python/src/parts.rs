@@ -35,6 +35,13 @@ enum Task {
     Backward(Image, Vec<String>, GradientOptions),
 }
 
+/// What a task gives.
+enum Whole {
+    Render(Rendering),
+    Gradient(GradientImage, &'static str),
+    Backward(Gradients),
+}
+
 impl Task {
     fn new(py: Python<'_>, asked: Option<Asked>, options: &Options) -> PyResult<Self> {
         Ok(match asked {
@@ -46,16 +53,7 @@ impl Task {
             }
         })
     }
-}
 
-/// What a task gives.
-enum Whole {
-    Render(Rendering),
-    Gradient(GradientImage, &'static str),
-    Backward(Gradients),
-}
-
-impl Task {
     /// What all parts give.
     fn whole(&self, prepared: &Prepared, parts: &[PyBackedBytes]) -> Result<Whole, Error> {
         Ok(match self {
@@ -77,6 +75,7 @@ impl Task {
 }
 
 /// The method that is used for all parts, as bytes for `options.chosen`; `None` for images.
+/// Refuses what the whole refuses, so that no part has to look.
 #[pyfunction]
 pub fn choose<'py>(
     py: Python<'py>,
@@ -89,10 +88,15 @@ pub fn choose<'py>(
         let chosen = match &task {
             Task::Render(_) => return Ok(None),
             Task::Gradient(motion, options) => {
-                prepared.choose(&motion.tangent(prepared)?, options, watch)?
+                let tangent = motion.tangent(prepared)?;
+                let work = prepared.gradient_work(&tangent, options)?;
+                work.look(watch)?;
+                work.chosen(watch)?
             }
             Task::Backward(adjoint, names, options) => {
-                prepared.choose_backward(adjoint, names, options, watch)?
+                let work = prepared.backward_work(adjoint, names, options)?;
+                work.look(watch)?;
+                work.chosen(watch)?
             }
         };
         Ok(Some(capwalk::scene::pack(&chosen.options)?))

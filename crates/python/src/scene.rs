@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::sync::{RwLock, RwLockReadGuard, RwLockWriteGuard, TryLockError};
 
 use capwalk::scene_io::{LoadOptions, load_scene_lines, load_scene_str_with};
-use capwalk::{Loaded, Loader, Look, Views};
+use capwalk::{Loaded, Loader, ViewId, Views};
 use numpy::{
     IntoPyArray, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
 };
@@ -188,8 +188,10 @@ impl Scene {
     /// All arrays of the scene.
     #[pyo3(name = "_arrays")]
     fn arrays(&self, py: Python<'_>) -> PyResult<Vec<Listed>> {
-        let arrays = self.read(py)?.arrays().into_iter();
-        let listed = arrays.map(|array| {
+        let views = self.read(py)?;
+        let views: &Views = &views;
+        let arrays = detached(py, || views.arrays())?;
+        let listed = arrays.into_iter().map(|array| {
             (
                 array.name,
                 array.shape,
@@ -205,8 +207,10 @@ impl Scene {
     /// The numbers of an array.
     #[pyo3(name = "_values")]
     fn values<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let values = self.read(py)?.values(name);
-        let values = values.map_err(|error| errors::exception(py, error))?;
+        let views = self.read(py)?;
+        let views: &Views = &views;
+        let values =
+            detached(py, || views.values(name))?.map_err(|error| errors::exception(py, error))?;
         arrays::from_numbers(py, &values.shape, values.numbers)
     }
 
@@ -237,7 +241,7 @@ impl Scene {
     fn gradient_names(&self, py: Python<'_>, sensor: usize) -> PyResult<Differentiable> {
         let views = self.read(py)?;
         let views: &Views = &views;
-        let view = Look { sensor, aov: None };
+        let view = ViewId { sensor, aov: None };
         let names = detached(py, || Ok(views.prepared(view)?.gradient_names()))?;
         let names = names.map_err(|error: capwalk::Error| errors::exception(py, error))?;
         let reason = names.refusal.map(|refusal| refusal.to_string());

@@ -48,14 +48,10 @@ pub fn adam<'py>(
         second: &mut second,
     };
     let gradient = arrays::to_numbers(&gradient);
-    adam.step(
-        step,
-        rates.lr,
-        rates.uniform,
-        &gradient,
-        moments,
-        &mut after,
-    );
+    let (rate, uniform) = (rates.lr, rates.uniform);
+    detached(py, || {
+        adam.step(step, rate, uniform, &gradient, moments, &mut after);
+    })?;
     let array = |numbers| arrays::from_numbers(py, &shape, numbers);
     Ok([array(after)?, array(first)?, array(second)?])
 }
@@ -136,7 +132,8 @@ impl Smooth {
         arrays::from_numbers(py, &[self.nodes.len(), 3], rows.copied().collect())
     }
 
-    /// The transpose of [`Smooth::solve`]: gradients by vertices (V, 3) to those by nodes.
+    /// The transpose of [`Smooth::solve`]: gradients with respect to vertices (V, 3) to those with
+    /// respect to nodes.
     fn pull<'py>(
         &self,
         py: Python<'py>,

@@ -2,8 +2,8 @@
 
 use capwalk::scene::{Aov, unpack};
 use capwalk::{
-    CheckOptions, Choice, Error, GradientOptions, Look, MethodChoice, MethodName, Prepared,
-    RenderOptions, Views, WalkChoice, Watch,
+    CheckOptions, Choice, Error, GradientOptions, MethodChoice, MethodName, Prepared,
+    RenderOptions, ViewId, Views, WalkChoice, Watch,
 };
 use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
@@ -50,12 +50,12 @@ impl<'py> Options<'py> {
         RenderOptions::new(self.spp, self.seed)
     }
 
-    pub fn view(&self, py: Python<'_>) -> PyResult<Look> {
+    pub fn view(&self, py: Python<'_>) -> PyResult<ViewId> {
         let aov = match &self.aov {
             None => None,
             Some(name) => Some(aov(py, name)?),
         };
-        Ok(Look {
+        Ok(ViewId {
             sensor: self.sensor,
             aov,
         })
@@ -117,9 +117,18 @@ pub fn run<T: Send>(
     let views = scene.read(py)?;
     let views: &Views = &views;
     let result = watched(py, &options.how(), |watch| {
-        work(views.prepared(view)?, watch)
+        let result = work(views.prepared(view)?, watch);
+        result.map_err(|error| views.explain(view, error))
     })?;
     result.map_err(|error| errors::exception(py, error))
+}
+
+/// An error if the options name a method or a view that there is not, or do not belong together.
+#[pyfunction]
+pub fn check_options(py: Python<'_>, options: Options<'_>) -> PyResult<()> {
+    options.view(py)?;
+    options.gradient(py)?;
+    Ok(())
 }
 
 /// The image and what was done.

@@ -85,7 +85,7 @@ impl<'a> RenderWork<'a> {
     }
 
     fn fingerprint(&self) -> u64 {
-        let inputs: [&dyn std::fmt::Debug; 3] = [&"image", self.prepared.scene(), &self.options];
+        let inputs = ("image", self.prepared.scene(), &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
 }

@@ -1,11 +1,13 @@
 //! What a caller can choose, and how it can follow and stop the work.
 
+use serde::Serialize;
+
 use capwalk_scene::Scene;
 
 use crate::grid::Grid;
 
 /// How an image is rendered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct RenderOptions {
     /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,

@@ -1,7 +1,5 @@
 //! What parts of the work have given: sent elsewhere, merged, and made a whole.
 
-use std::fmt::{self, Write};
-
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
@@ -146,26 +144,10 @@ impl<T: Accumulate + Serialize + DeserializeOwned> Partial<T> {
     }
 }
 
-/// A number that tells works apart: FNV-1a of all that `Debug` says of what a result depends
-/// on, which is every digit of every number, and of the version.
-pub fn fingerprint(inputs: &[&dyn fmt::Debug]) -> u64 {
-    let mut hash = Hash(0xcbf2_9ce4_8422_2325);
-    let mut write = |input: &dyn fmt::Debug| {
-        write!(hash, "{input:?};").expect("a hash takes everything");
-    };
-    write(&env!("CARGO_PKG_VERSION"));
-    inputs.iter().for_each(|input| write(input));
-    hash.0
-}
-
-/// Hashes what is written.
-struct Hash(u64);
-
-impl Write for Hash {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        for byte in text.bytes() {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-        Ok(())
-    }
+/// A number that tells works apart: FNV-1a of the bytes of all that a result depends on, exact
+/// in every number, and of the version.
+pub fn fingerprint(inputs: &impl Serialize) -> u64 {
+    let bytes = pack(inputs).expect("what is in memory has a length");
+    let add = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+    bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, add)
 }

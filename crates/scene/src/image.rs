@@ -1,9 +1,10 @@
 //! Pixels.
 
 use capwalk_math::Rgb;
+use serde::Serialize;
 
 /// An image of linear colours, row by row from the upper left.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Image {
     /// Pixels in a row.
     pub width: usize,

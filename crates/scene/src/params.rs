@@ -79,7 +79,7 @@ mod target;
 mod users;
 mod velocity;
 
-pub use array::ArrayParameter;
+pub use array::{ArrayParameter, shape_text};
 pub use error::ParameterError;
 pub use parameter::{Parameter, ParameterKind};
 pub use registry::Registry;

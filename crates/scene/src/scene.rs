@@ -1,5 +1,6 @@
 //! The whole scene: flat lists that refer to each other by id.
 
+use std::collections::HashSet;
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
@@ -44,9 +45,10 @@ impl Scene {
     pub fn check(&self) -> Result<(), SceneError> {
         self.film.check()?;
         self.sensor.check()?;
-        let mut ids = std::collections::HashSet::new();
+        // Parameters go by these names; `sensor` is always that which renders.
+        let mut ids = HashSet::from(["sensor", self.sensor.id.as_str()]);
         for shape in &self.shapes {
-            if !ids.insert(&shape.id) {
+            if !ids.insert(shape.id.as_str()) {
                 return Err(SceneError::DuplicateId {
                     id: shape.id.clone(),
                 });

@@ -27,7 +27,7 @@ pub enum SceneError {
         /// How many pixels there may be.
         most: u64,
     },
-    /// Two shapes have the same id.
+    /// Two shapes or sensors have the same id, or a shape is called `sensor`.
     DuplicateId {
         /// The id.
         id: String,
@@ -100,7 +100,10 @@ impl fmt::Display for SceneError {
                 "the image has {w} x {h} pixels; expected at least 1 x 1 and at most {most} in all"
             ),
             Self::DuplicateId { id } => {
-                write!(f, "two shapes have the id \"{id}\"; give each its own")
+                write!(
+                    f,
+                    "two shapes or sensors have the id \"{id}\"; give each its own"
+                )
             }
             Self::BadNumber {
                 name,

@@ -6,6 +6,7 @@ use std::marker::PhantomData;
 use std::sync::Arc;
 
 use capwalk_math::{Affine, Dual, Rgb, Vec3};
+use serde::Serialize;
 
 use crate::ids::TextureId;
 use crate::scene::Scene;
@@ -15,7 +16,7 @@ use crate::texture::texel;
 
 /// A vector with the form of a scene's numbers: those of shapes, textures and the sensor.
 /// `K` tells velocities from derivatives, so that none is taken for the other.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SceneVector<K> {
     /// One per shape; `None` is zero.
     pub shapes: Vec<Option<ShapeVectors>>,
@@ -43,7 +44,7 @@ pub enum Velocities {}
 pub enum Derivatives {}
 
 /// Vectors of a shape.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShapeVectors {
     /// One per vertex, world units (or per world unit).
     pub vertices: Vec<Vec3>,
@@ -53,7 +54,7 @@ pub struct ShapeVectors {
 }
 
 /// Vectors of the sensor; zero by default.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct SensorVectors {
     /// Of its origin, world units (or per world unit).
     pub translation: Vec3,

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use anyhow::{Result, bail, ensure};
+use capwalk::params::shape_text;
 use capwalk::scene_io::arrays::{self, Array, Arrays, METADATA};
 use capwalk::{
     Distance, Error, GradientOptions, Gradients, Image, ImageLoss, Loss, ParameterGradient,
@@ -276,7 +277,7 @@ fn table(gradients: &Gradients) -> String {
         let (shape, noise) = match gradient.is_scalar() {
             true => ("scalar".into(), String::new()),
             false => (
-                report::shape(&gradient.shape),
+                shape_text(&gradient.shape),
                 report::significant(gradient.noise(), 2),
             ),
         };

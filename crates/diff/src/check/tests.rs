@@ -244,7 +244,7 @@ fn rare_events_beside_no_noise_raise_no_false_alarm() {
     }
 }
 
-/// Exact pixels beside noisy ones, as those of a lamp that is seen: they are large and agree,
+/// Exact pixels beside noisy ones, as those of a visible emitter: they are large and agree,
 /// and say nothing of the others.
 #[test]
 fn exact_pixels_hide_no_wrong_ones() {

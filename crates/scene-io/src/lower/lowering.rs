@@ -26,6 +26,7 @@ pub(super) struct Lowering<'a> {
     pub attached: BTreeSet<NodeId>,
     /// How many materials the one being read stands in.
     pub bsdf_depth: usize,
+    /// Of shapes and sensors, whose parameters are called alike.
     pub shape_ids: Names,
     pub material_ids: Names,
     pub emitter_ids: Names,
@@ -37,6 +38,11 @@ pub(super) struct Lowering<'a> {
 pub(super) struct Names(BTreeSet<String>);
 
 impl Names {
+    /// Keeps made up names from being this one.
+    pub fn reserve(&mut self, name: &str) {
+        self.0.insert(name.to_owned());
+    }
+
     /// The name itself, or with `_2`, `_3` ... behind it if it is taken.
     pub fn make_unique(&mut self, name: &str) -> String {
         let numbered = (2..).map(|n: u64| format!("{name}_{n}"));
@@ -70,12 +76,12 @@ impl<'a> Lowering<'a> {
         };
         for node in &context.graph.nodes {
             let taken = match node.kind {
-                Kind::Shape => &mut lowering.shape_ids,
+                Kind::Shape | Kind::Sensor => &mut lowering.shape_ids,
                 Kind::Bsdf => &mut lowering.material_ids,
                 Kind::Emitter => &mut lowering.emitter_ids,
                 _ => continue,
             };
-            taken.0.extend(node.id.clone());
+            node.id.iter().for_each(|id| taken.reserve(id));
         }
         lowering
     }

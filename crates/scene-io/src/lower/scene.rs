@@ -67,6 +67,8 @@ impl Lowering<'_> {
             };
             all_sensors.push((other, self.sensor(sensors[other].node, &unnamed)?));
         }
+        // Whatever its id, the sensor that renders is called so too.
+        self.shape_ids.reserve("sensor");
         all_sensors.sort_by_key(|&(i, _)| i);
         let all_sensors: Vec<SensorSettings> = all_sensors.into_iter().map(|(_, v)| v).collect();
         let SensorSettings {

@@ -37,7 +37,7 @@ impl Lowering<'_> {
             Some(child) => sampler::lower(&Fields::new(self.context, child.node))?,
             None => Sampler::default(),
         };
-        let id = fields.node.id.clone().unwrap_or_else(|| unnamed.into());
+        let id = self.shape_name(fields.node.id.as_deref(), unnamed);
         let far_clip = fields.float("far_clip", 1e4)?;
         let model = match plugin {
             "perspective" => SensorModel::Perspective {

@@ -1,6 +1,7 @@
 //! Ids of shapes, materials, emitters and the sensor, which name parameters.
 
 use capwalk_scene::{Bsdf, Emitter};
+use capwalk_scene_io::load_scene_str;
 
 use crate::common::*;
 
@@ -31,6 +32,30 @@ fn given_ids_are_kept() {
          <shape type=\"sphere\"/><shape type=\"cube\" id=\"sphere_2\"/>",
     );
     assert_eq!(ids, ["sphere_3", "sphere", "sphere_4", "sphere_2"]);
+}
+
+/// Sensors and shapes, whose parameters are called alike, never share a name, and `sensor` is
+/// always that which renders.
+#[test]
+fn sensors_have_names_of_their_own() {
+    let text = scene(
+        "<sensor type=\"perspective\" id=\"sensor_2\"/><sensor type=\"perspective\"/>\
+         <shape type=\"cube\" id=\"sensor_1\"/><sensor type=\"perspective\"/>",
+    );
+    let loaded = load_scene_str(&text, &folder(), "scene.xml", &[]).expect("a scene");
+    let ids: Vec<&str> = loaded.sensors.iter().map(|v| &*v.sensor.id).collect();
+    assert_eq!(ids, ["sensor", "sensor_2", "sensor_2_2", "sensor_3"]);
+
+    let named =
+        scene("<shape type=\"obj\"><string name=\"filename\" value=\"sensor.obj\"/></shape>");
+    let named = named.replace("<sensor ", "<sensor id=\"camera\" ");
+    let files = std::env::temp_dir().join(format!("capwalk-names-{}", std::process::id()));
+    std::fs::create_dir_all(&files).expect("a folder");
+    let square = folder().join("square.obj");
+    std::fs::copy(square, files.join("sensor.obj")).expect("a file");
+    let loaded = load_scene_str(&named, &files, "scene.xml", &[]).expect("a scene");
+    std::fs::remove_dir_all(&files).expect("the folder");
+    assert_eq!(loaded.scene.shapes[0].id, "sensor_2");
 }
 
 #[test]

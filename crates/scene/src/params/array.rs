@@ -54,21 +54,26 @@ pub(super) enum Place {
     SensorOptic(Optic),
 }
 
+/// The shape of an array as NumPy writes it: `(162, 3)`, `(3,)`.
+pub fn shape_text(shape: &[usize]) -> String {
+    match shape {
+        [one] => format!("({one},)"),
+        _ => {
+            let sides: Vec<String> = shape.iter().map(ToString::to_string).collect();
+            format!("({})", sides.join(", "))
+        }
+    }
+}
+
 impl ArrayParameter {
     /// How many numbers it has.
     pub fn count(&self) -> usize {
         self.shape.iter().product()
     }
 
-    /// Its shape as NumPy writes it: `(162, 3)`, `(3,)`.
+    /// Its shape, see [`shape_text`].
     pub fn shape_text(&self) -> String {
-        match self.shape[..] {
-            [one] => format!("({one},)"),
-            _ => {
-                let sides: Vec<String> = self.shape.iter().map(ToString::to_string).collect();
-                format!("({})", sides.join(", "))
-            }
-        }
+        shape_text(&self.shape)
     }
 
     /// Its numbers. The sensor's translation and rotation are zero: they are
