@@ -6,15 +6,12 @@ from __future__ import annotations
 import statistics
 import time
 from collections.abc import Callable
+from pathlib import Path
 
 import capwalk as cw
 import numpy as np
 
-PIXEL = """<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective">
-<transform name="to_world"><lookat origin="0,2,6" target="0,0,0" up="0,1,0"/></transform>
-<film type="hdrfilm"><integer name="width" value="1"/><integer name="height" value="1"/>
-<rfilter type="box"/></film></sensor><shape type="cube" id="box"/><emitter type="constant"/>
-</scene>"""
+PIXEL = Path(__file__).with_name("pixel.xml")
 
 
 def milliseconds(work: Callable[[], object], times: int) -> float:
@@ -28,7 +25,7 @@ def milliseconds(work: Callable[[], object], times: int) -> float:
 
 
 def one_pixel() -> None:
-    scene = cw.load_string(PIXEL)
+    scene = cw.load_file(PIXEL)
     names, ones = ["box.positions"], np.ones((1, 1, 3))
     for name, work in {
         "render": lambda: cw.render(scene, spp=1),

@@ -13,6 +13,7 @@ units, angles of parameters in radians.
 from ._capwalk import Scene
 from ._dictionary import load_dict
 from ._functions import backward, check, gradient, load_file, load_string, render
+from ._method import Method
 from ._parameters import SceneParameters, traverse
 from ._results import Check, Gradients, Picture, Slope
 from ._steps import Adam, LargeSteps
@@ -40,6 +41,7 @@ __all__ = [
     "ImageError",
     "LargeSteps",
     "LoadError",
+    "Method",
     "ParameterError",
     "Picture",
     "Refused",

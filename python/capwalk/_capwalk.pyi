@@ -10,6 +10,7 @@ _Array = NDArray[float64]
 _Estimate = tuple[_Array, _Array]
 _Statistics = dict[str, Any]
 _Along = str | dict[str, _Array]
+_Method = tuple[str, bytes]
 _Asked = _Along | tuple[_Array, list[str]] | None
 
 @final
@@ -64,10 +65,10 @@ def check_options(options: Options) -> None: ...
 def render(scene: Scene, options: Options) -> tuple[_Estimate, _Statistics]: ...
 def gradient(
     scene: Scene, along: _Along, options: Options
-) -> tuple[_Estimate, _Estimate, str, _Statistics]: ...
+) -> tuple[_Estimate, _Estimate, _Method, _Statistics]: ...
 def backward(
     scene: Scene, adjoint: _Array, names: list[str], options: Options
-) -> tuple[dict[str, _Array], dict[str, _Array], _Statistics]: ...
+) -> tuple[dict[str, _Array], dict[str, _Array], _Method, _Statistics]: ...
 def check(
     scene: Scene,
     along: _Along,

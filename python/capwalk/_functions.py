@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _capwalk
+from ._method import Method
 from ._numbers import Array, numbers
 from ._options import LARGEST_COUNT, integer, options
 from ._progress import Progress, shown
@@ -81,7 +82,7 @@ def gradient(
     seed: int | None = None,
     threads: int | None = None,
     progress: Progress = None,
-    method: str = "auto",
+    method: str | Method = "auto",
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
@@ -98,7 +99,7 @@ def gradient(
     :param threads: worker threads; by default all cores. They change no bit.
     :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
     :param method: ``"auto"`` takes the method with the least variance × time, which is
-        ``"walk"`` (the paper's) or ``"edges"``.
+        ``"walk"`` (the paper's) or ``"edges"``; or a :class:`Method` that was chosen before.
     :param steps: steps of a walk, for these two, at most 1000.
     :param max_angle: the walk's angular cutoff, degrees, above 0 and at most 180.
     :param antithetic: whether walks average opposite rim samples.
@@ -123,7 +124,7 @@ def gradient(
         )
         value, slope, chosen, statistics = _capwalk.gradient(scene, direction(along), asked)
     warn_of(statistics)
-    return Slope(*slope, *value, chosen, statistics)
+    return Slope(*slope, *value, Method(*chosen), statistics)
 
 
 def backward(
@@ -137,7 +138,7 @@ def backward(
     seed: int | None = None,
     threads: int | None = None,
     progress: Progress = None,
-    method: str = "auto",
+    method: str | Method = "auto",
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
@@ -173,11 +174,11 @@ def backward(
             antithetic=antithetic,
         )
         wanted = wanted_names(scene, names, asked.sensor)
-        values, errors, statistics = _capwalk.backward(
+        values, errors, chosen, statistics = _capwalk.backward(
             scene, numbers("adjoint", adjoint), wanted, asked
         )
     warn_of(statistics)
-    return Gradients(values, errors, statistics)
+    return Gradients(values, errors, Method(*chosen), statistics)
 
 
 def check(
@@ -192,7 +193,7 @@ def check(
     seed: int | None = None,
     threads: int | None = None,
     progress: Progress = None,
-    method: str = "auto",
+    method: str | Method = "auto",
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,

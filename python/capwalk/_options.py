@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from . import _capwalk
+from ._method import Method
 from .errors import ArgumentError
 
 LARGEST_SEED = 2**64 - 1
@@ -43,7 +44,7 @@ def options(
     aov: str | None = None,
     threads: int | None = None,
     progress: Callable[[int, int], object] | None = None,
-    method: str = "auto",
+    method: str | Method = "auto",
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
@@ -56,6 +57,17 @@ def options(
         )
     if antithetic not in (None, True, False):
         raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
+    chosen = None
+    if isinstance(method, Method):
+        if (steps, max_angle, antithetic) != (None, None, None):
+            raise ArgumentError(
+                "steps, max_angle and antithetic are part of a method that was chosen; give its "
+                f'name with them: method="{method.name}"'
+            )
+        chosen = method.settings
+        method = method.name
+    if not isinstance(method, str):
+        raise TypeError(f"method is {method!r}; expected a name, or the method of a result")
     sensors = scene._sensors()
     number = _sensor([name for name, _, _, _ in sensors], sensor)
     _, _, own_spp, own_seed = sensors[number]
@@ -72,6 +84,7 @@ def options(
         steps=None if steps is None else integer("steps", steps, 1, LARGEST_COUNT),
         max_angle=None if max_angle is None else real("max_angle", max_angle),
         antithetic=None if antithetic is None else bool(antithetic),
+        chosen=chosen,
     )
     # Here, not only when the first derivative is asked for.
     _capwalk.check_options(asked)

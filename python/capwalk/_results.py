@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 
 from . import _capwalk
+from ._method import Method
 from ._numbers import Array
 
 
@@ -54,14 +55,14 @@ class Slope:
     """The image itself, (height, width, 3)."""
     value_stderr: Array
     """Standard error of the image."""
-    method: str
+    method: Method
     """The method that was chosen."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)
-        return f"<capwalk.Slope: {described}, method {self.method}>"
+        return f"<capwalk.Slope: {described}, method {self.method.name}>"
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         return _as_array(self.gradient, dtype, copy)
@@ -89,6 +90,8 @@ class Gradients(dict[str, Array]):
 
     stderr: dict[str, Array]
     """Standard error of each number, by the same names."""
+    method: Method
+    """The method that was chosen; of several views that of the first."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
 
@@ -96,10 +99,11 @@ class Gradients(dict[str, Array]):
         self,
         values: Mapping[str, Array],
         stderr: Mapping[str, Array],
+        method: Method,
         statistics: Mapping[str, Any],
     ) -> None:
         super().__init__(values)
-        self.stderr, self.statistics = dict(stderr), statistics
+        self.stderr, self.method, self.statistics = dict(stderr), method, statistics
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _capwalk
 from ._functions import Along, Scene, Sensor, direction, wanted_names, warn_of
+from ._method import Method
 from ._numbers import Array, numbers
 from ._options import LARGEST_SEED, Options, integer, options
 from ._parts import Asked, Job
@@ -66,7 +67,7 @@ class Workers(ABC):
         spp: int | None = None,
         seed: int | None = None,
         progress: Progress = None,
-        method: str = "auto",
+        method: str | Method = "auto",
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
@@ -89,7 +90,7 @@ class Workers(ABC):
         [result] = self._done("gradient", scene, work, progress)
         (value, value_stderr), (slope, stderr), chosen, statistics = result
         warn_of(statistics)
-        return Slope(slope, stderr, value, value_stderr, chosen, statistics)
+        return Slope(slope, stderr, value, value_stderr, Method(*chosen), statistics)
 
     def backward(
         self,
@@ -102,7 +103,7 @@ class Workers(ABC):
         spp: int | None = None,
         seed: int | None = None,
         progress: Progress = None,
-        method: str = "auto",
+        method: str | Method = "auto",
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
@@ -125,9 +126,9 @@ class Workers(ABC):
         )
         wanted = wanted_names(scene, names, asked.sensor)
         work = [((numbers("adjoint", adjoint), wanted), asked)]
-        [(values, errors, statistics)] = self._done("backward", scene, work, progress)
+        [(values, errors, chosen, statistics)] = self._done("backward", scene, work, progress)
         warn_of(statistics)
-        return Gradients(values, errors, statistics)
+        return Gradients(values, errors, Method(*chosen), statistics)
 
     def render_views(
         self,
@@ -165,7 +166,7 @@ class Workers(ABC):
         spp: int | None = None,
         seed: int | None = None,
         progress: Progress = None,
-        method: str = "auto",
+        method: str | Method = "auto",
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
@@ -212,11 +213,11 @@ class Workers(ABC):
         if not work:
             raise ArgumentError("none of these images changes with any of the names")
         results = self._done("backward", scene, work, progress)
-        statistics = _together([statistics for _, _, statistics in results])
+        statistics = _together([statistics for *_, statistics in results])
         warn_of(statistics)
         values: dict[str, Array] = {}
         stderr: dict[str, Array] = {}
-        for of_view, errors, _ in results:
+        for of_view, errors, _, _ in results:
             for name, value in of_view.items():
                 values[name] = values.get(name, 0.0) + value
                 stderr[name] = np.hypot(stderr.get(name, 0.0), errors[name])
@@ -225,7 +226,8 @@ class Workers(ABC):
                 # It is of a sensor whose image is not among these.
                 values[name] = np.zeros(_shape(scene, name))
                 stderr[name] = values[name].copy()
-        return Gradients(values, stderr, statistics)
+        _, _, first, _ = results[0]
+        return Gradients(values, stderr, Method(*first), statistics)
 
     def _done(
         self,

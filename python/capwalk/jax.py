@@ -32,6 +32,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _capwalk
 from ._functional import Sensor, Work, check_seeds, second_derivative, seeds
 from ._options import LARGEST_SEED, integer
+from ._method import Method
 from ._progress import Progress
 from .errors import ArgumentError
 
@@ -50,7 +51,7 @@ def render(
     seed_grad: int | jax.Array | None = None,
     threads: int | None = None,
     progress: Progress = None,
-    method: str = "auto",
+    method: str | Method = "auto",
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,

@@ -25,6 +25,7 @@ import torch  # type: ignore[import-not-found, unused-ignore]
 
 from . import _capwalk
 from ._functional import Sensor, Work, second_derivative, seeds
+from ._method import Method
 from ._numbers import Array
 from ._progress import Progress
 from .errors import ArgumentError
@@ -44,7 +45,7 @@ def render(
     seed_grad: int | None = None,
     threads: int | None = None,
     progress: Progress = None,
-    method: str = "auto",
+    method: str | Method = "auto",
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import signal
+
 import pytest
 
 import capwalk as cw
@@ -35,6 +37,13 @@ SCENE = """<scene version="3.0.0">
         <emitter type="area"><rgb name="radiance" value="10"/></emitter>
     </shape>
 </scene>"""
+
+
+@pytest.fixture(autouse=True)
+def interruptible() -> None:
+    """Ctrl-C is what tests of it mean, also in what was started in the background, where a shell
+    has it ignored."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture

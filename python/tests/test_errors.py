@@ -81,6 +81,8 @@ WRONG: list[tuple[Callable[[cw.Scene], object], type[Exception], str]] = [
     (lambda s: cw.gradient(s, {"box.positions": [[1], [1, 2]]}), cw.ArgumentError, "no array of"),
     (lambda s: cw.gradient(s, {"bx.positions": ONES}), cw.ParameterError, "no parameter"),
     (lambda s: cw.gradient(s, BOX, method="fast"), cw.ArgumentError, "there are auto, walk, edges"),
+    (lambda s: cw.gradient(s, BOX, method=3), TypeError, "expected a name, or the method of"),  # type: ignore[arg-type]
+    (lambda s: cw.gradient(s, BOX, method=cw.Method("walk", b"")), cw.ArgumentError, "too few"),
     (lambda s: cw.gradient(s, BOX, method="walk", steps=0), cw.ArgumentError, "steps is 0"),
     (lambda s: cw.gradient(s, BOX, method="walk", max_angle=-1), cw.Refused, "largest angle"),
     (lambda s: cw.check(s, BOX, step=0.0), cw.ArgumentError, "`step` is 0; expected"),

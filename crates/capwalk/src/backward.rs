@@ -168,7 +168,8 @@ impl<'a> GradientsWork<'a> {
         Ok(self.by_name(&self.work.finish(parts)?))
     }
 
-    pub(crate) fn whole(&self, watch: &dyn Watch) -> Result<Gradients, Error> {
+    /// All of it at once, see [`Prepared::backward`](crate::Prepared::backward).
+    pub fn whole(&self, watch: &dyn Watch) -> Result<Gradients, Error> {
         Ok(self.by_name(&self.work.whole(watch)?))
     }
 

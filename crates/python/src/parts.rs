@@ -11,7 +11,7 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyBytes;
 
 use crate::direction::{Along, Motion};
-use crate::results::{of_backward, of_gradient, of_render};
+use crate::results::{of_backward, of_gradient, of_method, of_render};
 use crate::scene::Scene;
 use crate::watched::detached;
 use crate::work::{Options, run};
@@ -38,8 +38,8 @@ enum Task {
 /// What a task gives.
 enum Whole {
     Render(Rendering),
-    Gradient(GradientImage, &'static str),
-    Backward(Gradients),
+    Gradient(GradientImage, GradientOptions),
+    Backward(Gradients, GradientOptions),
 }
 
 impl Task {
@@ -64,11 +64,11 @@ impl Task {
             Self::Gradient(motion, options) => {
                 let tangent = motion.tangent(prepared)?;
                 let work = prepared.gradient_work(&tangent, options)?;
-                Whole::Gradient(work.finish(merged(parts)?)?, options.method.name())
+                Whole::Gradient(work.finish(merged(parts)?)?, *options)
             }
             Self::Backward(adjoint, names, options) => {
                 let work = prepared.backward_work(adjoint, names, options)?;
-                Whole::Backward(work.finish(merged(parts)?)?)
+                Whole::Backward(work.finish(merged(parts)?)?, *options)
             }
         })
     }
@@ -99,9 +99,10 @@ pub fn choose<'py>(
                 work.chosen(watch)?
             }
         };
-        Ok(Some(capwalk::scene::pack(&chosen.options)?))
+        Ok(Some(chosen.options))
     })?;
-    Ok(chosen.map(|bytes| PyBytes::new(py, &bytes)))
+    let settings = chosen.map(|options| Ok(of_method(py, &options)?.1));
+    settings.transpose()
 }
 
 /// The bytes of part `index` of `count`.
@@ -152,12 +153,13 @@ pub fn merge<'py>(
     let whole = detached(py, || task.whole(views.prepared(view)?, &parts))?;
     match whole.map_err(|error| errors::exception(py, error))? {
         Whole::Render(image) => Ok(of_render(py, &image)?.into_pyobject(py)?.into_any()),
-        Whole::Gradient(image, method) => {
-            let results = of_gradient(py, &image, method)?;
+        Whole::Gradient(image, options) => {
+            let results = of_gradient(py, &image, &options)?;
             Ok(results.into_pyobject(py)?.into_any())
         }
-        Whole::Backward(gradients) => {
-            Ok(of_backward(py, &gradients)?.into_pyobject(py)?.into_any())
+        Whole::Backward(gradients, options) => {
+            let results = of_backward(py, &gradients, &options)?;
+            Ok(results.into_pyobject(py)?.into_any())
         }
     }
 }

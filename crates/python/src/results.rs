@@ -2,13 +2,14 @@
 
 use capwalk::comparison_text;
 use capwalk::{
-    Check, CheckOptions, Estimate, GradientImage, Gradients, Rendering, Statistics, Verdict,
+    Check, CheckOptions, Error, Estimate, GradientImage, GradientOptions, Gradients, Rendering,
+    Statistics, Verdict,
 };
 use numpy::PyArray3;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict};
 
-use crate::arrays;
+use crate::{arrays, errors};
 
 /// An image and its standard errors, (height, width, 3) each.
 type Arrays<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
@@ -16,11 +17,19 @@ type Arrays<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
 /// An image and what was done.
 pub type OfRender<'py> = (Arrays<'py>, Bound<'py, PyDict>);
 
-/// An image, its derivative, the method, and what was done.
-pub type OfGradient<'py> = (Arrays<'py>, Arrays<'py>, &'static str, Bound<'py, PyDict>);
+/// The name of a method, and what a pilot found for it, as bytes.
+type Method<'py> = (&'static str, Bound<'py, PyBytes>);
 
-/// The gradient of a loss and its standard errors by names, and what was done.
-pub type OfBackward<'py> = [Bound<'py, PyDict>; 3];
+/// An image, its derivative, the method, and what was done.
+pub type OfGradient<'py> = (Arrays<'py>, Arrays<'py>, Method<'py>, Bound<'py, PyDict>);
+
+/// The gradient of a loss and its standard errors by names, the method, and what was done.
+pub type OfBackward<'py> = (
+    Bound<'py, PyDict>,
+    Bound<'py, PyDict>,
+    Method<'py>,
+    Bound<'py, PyDict>,
+);
 
 /// A gradient, its reference, and all numbers of their comparison.
 pub type OfCheck<'py> = (Arrays<'py>, Arrays<'py>, Bound<'py, PyDict>);
@@ -35,24 +44,37 @@ pub fn of_render<'py>(py: Python<'py>, image: &Rendering) -> PyResult<OfRender<'
 pub fn of_gradient<'py>(
     py: Python<'py>,
     image: &GradientImage,
-    method: &'static str,
+    options: &GradientOptions,
 ) -> PyResult<OfGradient<'py>> {
     Ok((
         of_estimate(py, &image.value)?,
         of_estimate(py, &image.gradient)?,
-        method,
+        of_method(py, options)?,
         of_statistics(py, &image.statistics)?,
     ))
 }
 
-pub fn of_backward<'py>(py: Python<'py>, gradients: &Gradients) -> PyResult<OfBackward<'py>> {
+pub fn of_backward<'py>(
+    py: Python<'py>,
+    gradients: &Gradients,
+    options: &GradientOptions,
+) -> PyResult<OfBackward<'py>> {
     let [values, errors] = [PyDict::new(py), PyDict::new(py)];
     for gradient in gradients {
         let array = |numbers: &[f64]| arrays::from_numbers(py, &gradient.shape, numbers.to_vec());
         values.set_item(&gradient.name, array(&gradient.numbers)?)?;
         errors.set_item(&gradient.name, array(&gradient.standard_errors)?)?;
     }
-    Ok([values, errors, of_statistics(py, &gradients.statistics)?])
+    let method = of_method(py, options)?;
+    let statistics = of_statistics(py, &gradients.statistics)?;
+    Ok((values, errors, method, statistics))
+}
+
+/// The method of these options, for `options.chosen`.
+pub fn of_method<'py>(py: Python<'py>, options: &GradientOptions) -> PyResult<Method<'py>> {
+    let settings = capwalk::scene::pack(&(options.method, options.walk));
+    let settings = settings.map_err(|error| errors::exception(py, Error::from(error)))?;
+    Ok((options.method.name(), PyBytes::new(py, &settings)))
 }
 
 pub fn of_check<'py>(

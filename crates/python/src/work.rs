@@ -40,7 +40,7 @@ pub struct Options<'py> {
     max_angle: Option<f64>,
     #[pyo3(attribute)]
     antithetic: Option<bool>,
-    /// What [`choose`](crate::parts::choose) has chosen, instead of the last four.
+    /// What a pilot has chosen, instead of the last four, see [`crate::results::of_method`].
     #[pyo3(attribute)]
     chosen: Option<PyBackedBytes>,
 }
@@ -63,8 +63,13 @@ impl<'py> Options<'py> {
 
     pub fn gradient(&self, py: Python<'_>) -> PyResult<GradientOptions> {
         if let Some(chosen) = &self.chosen {
-            let options = unpack(chosen);
-            return options.map_err(|error| errors::exception(py, Error::from(error)));
+            let (method, walk) =
+                unpack(chosen).map_err(|error| errors::exception(py, Error::from(error)))?;
+            return Ok(GradientOptions {
+                method,
+                walk,
+                ..self.sampling().into()
+            });
         }
         let Some(method) = MethodName::named(&self.method) else {
             let names: Vec<&str> = MethodName::NAMES.iter().map(|(name, _)| *name).collect();
@@ -155,13 +160,12 @@ pub fn gradient<'py>(
 ) -> PyResult<OfGradient<'py>> {
     let asked = options.gradient(py)?;
     let motion = Motion::from(along);
-    let (image, method) = run(py, scene, &options, |prepared, watch| {
+    let (image, options) = run(py, scene, &options, |prepared, watch| {
         let tangent = motion.tangent(prepared)?;
-        let chosen = prepared.choose(&tangent, &asked, watch)?.options;
-        let image = prepared.gradient(&tangent, &chosen, watch)?;
-        Ok((image, chosen.method.name()))
+        let work = prepared.gradient_work(&tangent, &asked)?;
+        Ok((work.whole(watch)?, work.chosen(watch)?.options))
     })?;
-    of_gradient(py, &image, method)
+    of_gradient(py, &image, &options)
 }
 
 /// The gradient of a loss and its standard errors by names, and what was done.
@@ -175,10 +179,11 @@ pub fn backward<'py>(
 ) -> PyResult<OfBackward<'py>> {
     let asked = options.gradient(py)?;
     let adjoint = arrays::to_image("the adjoint", &adjoint)?;
-    let gradients = run(py, scene, &options, |prepared, watch| {
-        prepared.backward(&adjoint, &names, &asked, watch)
+    let (gradients, options) = run(py, scene, &options, |prepared, watch| {
+        let work = prepared.backward_work(&adjoint, &names, &asked)?;
+        Ok((work.whole(watch)?, work.chosen(watch)?.options))
     })?;
-    of_backward(py, &gradients)
+    of_backward(py, &gradients, &options)
 }
 
 /// The gradient, its reference, and all numbers of their comparison.
