@@ -15,10 +15,11 @@ from typing import Any
 
 import numpy as np
 
-ITERATIONS, SPP, RATE, DECAY = 40, 16, 0.08, 0.94
+ITERATIONS, SPP, DECAY = 40, 16, 0.93
+RATES = {"turn": 0.08, "shift": 0.04, "colour": 0.08}
 VIEWS = {"left": [-3.2, 1.6, 2.4], "front": [0.0, 1.2, 4.0], "right": [3.2, 2.2, 2.0]}
 TRUTH = {"turn": [0.2, 0.7, -0.15], "shift": [0.2, 0.95, -0.15], "colour": [0.8, 0.45, 0.25]}
-START = {"turn": [0.0, 0.4, 0.1], "shift": [0.0, 0.8, 0.05], "colour": [0.4, 0.4, 0.4]}
+START = {"turn": [0.1, 0.5, 0.0], "shift": [0.0, 0.8, 0.05], "colour": [0.4, 0.4, 0.4]}
 
 
 def bunny(rings: int = 132, sides: int = 266) -> tuple[np.ndarray, np.ndarray]:
@@ -56,7 +57,7 @@ def scene(look_at: Callable[..., Any], place: Callable[..., Any], shape: Any) ->
     grey = {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.6, 0.6, 0.6]}}
     lamp = {"type": "area", "radiance": {"type": "rgb", "value": 14.0}}
     views = {
-        name: {"type": "perspective", "fov": 24, "to_world": look_at(origin), "film": film}
+        name: {"type": "perspective", "fov": 28, "to_world": look_at(origin), "film": film}
         for name, origin in VIEWS.items()
     }
     return {
@@ -80,7 +81,7 @@ def in_capwalk() -> tuple[list[float], dict[str, np.ndarray], list[np.ndarray]]:
     shape = {"type": "mesh", "positions": vertices, "faces": faces, "bsdf": colour}
     loaded = cw.load_dict(
         scene(
-            lambda origin: cw.Transform().look_at(origin=origin, target=[0.1, 0.9, 0], up=[0, 1, 0]),
+            lambda origin: cw.Transform().look_at(origin=origin, target=[0.2, 1.05, 0], up=[0, 1, 0]),
             lambda turn, size, to: cw.Transform().translate(to).rotate([1, 0, 0], turn).scale(size),
             shape,
         )
@@ -106,7 +107,8 @@ def in_capwalk() -> tuple[list[float], dict[str, np.ndarray], list[np.ndarray]]:
     targets = [render(truth, view, 1000 + view, 64 * SPP) for view in range(len(VIEWS))]
     for value in found.values():
         value.requires_grad_(True)
-    optimiser = torch.optim.Adam(found.values(), lr=RATE)
+    groups = [{"params": [found[name]], "lr": rate} for name, rate in RATES.items()]
+    optimiser = torch.optim.Adam(groups)
     schedule = torch.optim.lr_scheduler.ExponentialLR(optimiser, gamma=DECAY)
     times = []
     for step in range(ITERATIONS):
@@ -146,7 +148,7 @@ def in_mitsuba(integrator: str) -> tuple[list[float], dict[str, np.ndarray], lis
     to_world = mi.ScalarTransform4f
     loaded = mi.load_dict(
         scene(
-            lambda origin: to_world().look_at(origin=origin, target=[0.1, 0.9, 0], up=[0, 1, 0]),
+            lambda origin: to_world().look_at(origin=origin, target=[0.2, 1.05, 0], up=[0, 1, 0]),
             lambda turn, size, to: to_world().translate(to).rotate([1, 0, 0], turn).scale(size),
             mesh,
         )
@@ -170,13 +172,14 @@ def in_mitsuba(integrator: str) -> tuple[list[float], dict[str, np.ndarray], lis
         )
 
     truth = {name: mi.Vector3f(value) for name, value in TRUTH.items()}
-    found = mi.ad.Adam(lr=RATE, params={name: mi.Vector3f(value) for name, value in START.items()})
+    start = {name: mi.Vector3f(value) for name, value in START.items()}
+    found = mi.ad.Adam(lr=max(RATES.values()), params=start)
     targets = [dr.detach(render(truth, view, 1000 + view, 64 * SPP)) for view in range(len(VIEWS))]
     dr.eval(targets)
     times = []
     for step in range(ITERATIONS):
         started = time.perf_counter()
-        found.set_learning_rate(RATE * DECAY**step)
+        found.set_learning_rate({name: rate * DECAY**step for name, rate in RATES.items()})
         for view, target in enumerate(targets):
             image = render(found, view, len(VIEWS) * step + view, SPP)
             dr.backward(dr.mean(dr.square(image - target), axis=None))

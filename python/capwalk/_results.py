@@ -91,7 +91,7 @@ class Gradients(dict[str, Array]):
     stderr: dict[str, Array]
     """Standard error of each number, by the same names."""
     method: Method
-    """The method that was chosen; of several views that of the first."""
+    """The method that was chosen; of several views that of the first which was sampled."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
 

@@ -175,7 +175,7 @@ class Workers(ABC):
         at once: the sum of what :meth:`backward` gives for each, added in the order of the
         sensors, with the standard errors of the sum. Arrays of a sensor, such as
         ``"left.to_world"``, change its own image only; the gradient with respect to one whose
-        image is not asked for is zero.
+        image is not asked for is zero. A sum of numbers must be of what all views see.
 
         :param adjoints: derivative of the loss with respect to each pixel, (height, width, 3),
             for each sensor.
@@ -189,6 +189,15 @@ class Workers(ABC):
                 f"there are {len(adjoints)} adjoints for {len(views)} sensors; expected one for "
                 "each"
             )
+        ids = [name for name, _, _, _ in scene._sensors()]
+        # Of sensors whose images are not among these. Typos are errors.
+        unseen: dict[str, list[int]] = {}
+        if names is not None and not isinstance(names, str):
+            names = list(names)
+            for name in names:
+                owner = _owner(ids, name)
+                if owner is not None and owner not in views:
+                    unseen[name] = scene._gradient_shape(name, owner)
         work: list[tuple[Asked, Options]] = []
         for view, (sensor, adjoint) in enumerate(zip(views, adjoints)):
             asked = options(
@@ -205,7 +214,7 @@ class Workers(ABC):
                 antithetic=antithetic,
             )
             asked = replace(asked, seed=view_seed(asked.seed, view))
-            wanted = _seen(scene, wanted_names(scene, names, sensor), sensor)
+            wanted = _seen(ids, wanted_names(scene, names, sensor), sensor)
             of_view = numbers(f"adjoints[{view}]", adjoint)
             # A view of which nothing is wanted is not sampled.
             if wanted:
@@ -221,11 +230,8 @@ class Workers(ABC):
             for name, value in of_view.items():
                 values[name] = values.get(name, 0.0) + value
                 stderr[name] = np.hypot(stderr.get(name, 0.0), errors[name])
-        for name in names or []:
-            if name.partition(".")[0] != "sensor" and name not in values:
-                # It is of a sensor whose image is not among these.
-                values[name] = np.zeros(_shape(scene, name))
-                stderr[name] = values[name].copy()
+        values.update({name: np.zeros(shape) for name, shape in unseen.items()})
+        stderr.update({name: np.zeros(shape) for name, shape in unseen.items()})
         _, _, first, _ = results[0]
         return Gradients(values, stderr, Method(*first), statistics)
 
@@ -281,29 +287,28 @@ def _sensors(scene: Scene, sensors: Sequence[Sensor] | None) -> list[int]:
     return [options(scene, sensor, None, None).sensor for sensor in sensors]
 
 
-def _seen(scene: Scene, names: Sequence[str], sensor: int) -> list[str]:
+def _owner(ids: Sequence[str], name: str) -> int | None:
+    """The number of the sensor of which an array or a number is; ``None`` for those of the scene,
+    and for sums, which are not looked into."""
+    owners = [i for i, id in enumerate(ids) if name.startswith(f"{id}.")]
+    owner = max(owners, key=lambda i: len(ids[i]), default=None)
+    if owner is None or not re.fullmatch(r"[\w.\[\], ]+", name[len(ids[owner]) :]):
+        return None
+    return owner
+
+
+def _seen(ids: Sequence[str], names: Sequence[str], sensor: int) -> list[str]:
     """The names as the scene has them, without those of other sensors, on which the image does
-    not depend. The one that renders is called ``sensor`` too."""
-    ids = [name for name, _, _, _ in scene._sensors()]
+    not depend. Without one of that name, ``sensor`` is the one that renders."""
     if len(ids) == 1:
         return list(names)
     seen = []
     for name in names:
-        owner, _, array = name.partition(".")
-        if owner == "sensor" and owner not in ids:
-            owner = ids[sensor]
-            name = f"{owner}.{array}"
-        is_of_another = owner in ids and owner != ids[sensor]
-        # Sums of numbers are not looked into.
-        if not is_of_another or not re.fullmatch(r"[\w.]+", name):
+        if name.startswith("sensor.") and "sensor" not in ids:
+            name = ids[sensor] + name.removeprefix("sensor")
+        if _owner(ids, name) in (None, sensor):
             seen.append(name)
     return seen
-
-
-def _shape(scene: Scene, name: str) -> tuple[int, ...]:
-    """The shape of a gradient: of an array, or of a single number."""
-    shapes = {array: tuple(shape) for array, shape, *_ in scene._arrays()}
-    return shapes.get(name, ())
 
 
 def _together(statistics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:

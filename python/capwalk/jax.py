@@ -31,8 +31,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _capwalk
 from ._functional import Sensor, Work, check_seeds, second_derivative, seeds
-from ._options import LARGEST_SEED, integer
 from ._method import Method
+from ._options import LARGEST_SEED, integer
 from ._progress import Progress
 from .errors import ArgumentError
 
@@ -157,7 +157,7 @@ def _push(call: _Call, words: NDArray[Any], *arrays: NDArray[Any]) -> _Arrays:
 
 
 def _pull(call: _Call, words: NDArray[Any], *arrays: NDArray[Any]) -> _Arrays:
-    """The gradients by the values that move, from all values and the adjoint."""
+    """The gradients with respect to the values that move, from all values and the adjoint."""
     *values, adjoint = _doubles(arrays)
     gradients = call.work.pull(_number(words[1]), values, call.moving, adjoint)
     types = [array.dtype for array, moves in zip(arrays, call.moving) if moves]

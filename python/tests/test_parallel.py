@@ -317,13 +317,21 @@ def views_are_right(workers: Workers, spp: int = 3) -> None:
     other = workers.backward_views(scene, adjoints[:1], names, sensors=[0], spp=spp)
     assert not other[left].any() and other[left].shape == total[left].shape
     assert other["left.translate.x"] == 0 and other[box].any()
+    with pytest.raises(cw.ParameterError, match="did you mean"):
+        workers.backward_views(scene, adjoints[:1], [box, "left.to_wrld"], sensors=[0], spp=spp)
+    with pytest.raises(cw.ParameterError, match="is of another sensor"):
+        workers.backward_views(scene, adjoints, ["left.translate.x + box.scale"], spp=spp)
+    again = workers.backward_views(
+        scene, adjoints, (name for name in [box, left]), spp=spp, seed=5, method="walk"  # type: ignore[arg-type]
+    )
+    assert np.array_equal(again[box], total[box])
     with pytest.raises(cw.ArgumentError, match="none of these images"):
         workers.backward_views(scene, adjoints[:1], [left], sensors=[0], spp=spp)
     with pytest.raises(cw.ParameterError, match="is of another sensor"):
         cw.backward(scene, adjoints[0], [left], spp=spp)
 
     everything = workers.backward_views(scene, adjoints, spp=spp, method="walk")
-    assert {"sensor.to_world", "left.to_world", "box.positions"} <= set(everything)
+    assert {"sensor_0.to_world", "left.to_world", "box.positions"} <= set(everything)
     with pytest.raises(cw.ArgumentError, match="there are 1 adjoints for 2 sensors"):
         workers.backward_views(scene, adjoints[:1])
     with pytest.raises(cw.ArgumentError, match='no sensor "right"'):

@@ -46,13 +46,33 @@ def test_all_gradients_of_a_view(two: cw.Scene) -> None:
 def test_sensors_change_by_themselves(two: cw.Scene) -> None:
     before = [cw.render(two, sensor=i).value for i in (0, 1)]
     params = cw.traverse(two)
-    assert "left.to_world" in params and "sensor.to_world" in params
+    assert "left.to_world" in params and "sensor_0.to_world" in params
     moved = params["left.to_world"] + np.eye(4)[:, 3] * np.array([[0.3], [0], [0], [0]])
     params.update({"left.to_world": moved})
     assert np.array_equal(cw.render(two, sensor=0).value, before[0])
     assert not np.array_equal(cw.render(two, sensor=1).value, before[1])
     params.update({"floor.bsdf.reflectance.value": [0.1, 0.1, 0.1]})
     assert not np.array_equal(cw.render(two, sensor=0).value, before[0])
+
+
+def test_a_sensor_called_sensor_is_meant() -> None:
+    """Not whichever renders, where one has that name."""
+    first, second = '<sensor type="perspective" id="eye">', LEFT.replace('"left"', '"sensor"')
+    text = SCENE.replace('<sensor type="perspective">', first).replace("</scene>", second)
+    scene = cw.load_string(text)
+    for along in ("sensor.translate.x", "box.scale - 2*sensor.translate.x"):
+        with pytest.raises(cw.ParameterError, match="is of another sensor; the image of eye"):
+            cw.gradient(scene, along)
+    with pytest.raises(cw.ParameterError, match="is of another sensor"):
+        cw.backward(scene, np.ones((18, 24, 3)), ["box.positions", "sensor.to_world"])
+    gradients = cw.backward(scene, np.ones((10, 20, 3)), ["sensor.to_world"], sensor="sensor", spp=2)
+    assert gradients["sensor.to_world"].any()
+    # Where none has it, whichever renders is.
+    scene = cw.load_string(SCENE.replace("</scene>", LEFT))
+    for sensor in ("sensor_0", "left"):
+        cw.gradient(scene, "sensor.translate.x", sensor=sensor, spp=2)
+    with pytest.raises(cw.ParameterError, match="did you mean `sensor.translate"):
+        cw.gradient(scene, "sensor.tranlate.x", spp=2)
 
 
 @pytest.mark.parametrize("aov", ["depth", "position", "uv", "geo_normal", "sh_normal", "albedo"])

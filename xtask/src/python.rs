@@ -1,11 +1,12 @@
 //! The Python package: its module built, its types and tests checked in an environment of
 //! its own.
 
-use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::LazyLock;
+use std::{fs, thread};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, bail};
 
 use crate::shell::{EVERYTHING, cargo, root, start, target};
 use crate::virtual_environment::environment;
@@ -31,24 +32,41 @@ const FRAMEWORKS: &[&str] = &[
 const MODULES_OF_FRAMEWORKS: &str =
     "torch, jax, mitsuba, ray, nbclient, ipykernel, matplotlib, sphinx, myst_nb, furo";
 
-/// Builds the module as the tests of Rust are built, and runs the tests of the package with
-/// it. Where there is no python3 or PyPI cannot be reached it says so. Where the variable `CI`
-/// is set it fails then, and the frameworks are installed as well.
-pub fn test() -> Result<()> {
-    let folder = target().join("python");
-    let is_ci = std::env::var_os("CI").is_some();
-    let (name, modules, packages) = match is_ci {
+/// The Python of an environment with all that the tests need, or why there is none. Whoever
+/// asks for it first makes it; the others wait.
+static PYTHON: LazyLock<Result<PathBuf, String>> = LazyLock::new(|| {
+    let (name, modules, packages) = match is_ci() {
         true => {
             let modules = format!("{MODULES}, {MODULES_OF_FRAMEWORKS}");
             ("frameworks", modules, [PACKAGES, FRAMEWORKS].concat())
         }
         false => ("environment", MODULES.to_owned(), PACKAGES.to_vec()),
     };
-    let python = match environment(&folder.join(name), &modules, &packages) {
+    let folder = target().join("python").join(name);
+    environment(&folder, &modules, &packages).map_err(|error| format!("{error:#}"))
+});
+
+fn is_ci() -> bool {
+    std::env::var_os("CI").is_some()
+}
+
+/// Where it takes minutes, in CI, fetches what the tests need while other steps compile.
+pub fn fetch() {
+    if is_ci() {
+        thread::spawn(|| LazyLock::force(&PYTHON));
+    }
+}
+
+/// Builds the module as the tests of Rust are built, and runs the tests of the package with
+/// it. Where there is no python3 or PyPI cannot be reached it says so. Where the variable `CI`
+/// is set it fails then, and the frameworks are installed as well.
+pub fn test() -> Result<()> {
+    let folder = target().join("python");
+    let python = match &*PYTHON {
         Ok(python) => python,
-        Err(error) if is_ci => return Err(error),
-        Err(error) => {
-            println!("--- python\n    SKIPPED: {error:#}");
+        Err(reason) if is_ci() => bail!("{reason}"),
+        Err(reason) => {
+            println!("--- python\n    SKIPPED: {reason}");
             return Ok(());
         }
     };
@@ -65,7 +83,7 @@ pub fn test() -> Result<()> {
     let site = folder.join("site");
     install(&site)?;
     let run = |arguments: &[&str]| {
-        let mut command = Command::new(&python);
+        let mut command = Command::new(python);
         command.args(arguments).current_dir(root());
         command.env("PYTHONPATH", &site);
         command
@@ -81,7 +99,7 @@ pub fn test() -> Result<()> {
     let mut doctest = run(&["-m", "pytest", "-q", "--pyargs", "capwalk"]);
     doctest.args(examples).current_dir(&folder);
     start("python: examples in docstrings", doctest)?;
-    if !is_ci {
+    if !is_ci() {
         return Ok(());
     }
     let build = [

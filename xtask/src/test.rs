@@ -11,6 +11,7 @@ use crate::{layout, package, python};
 /// Runs the quick steps first, stops at the first that fails, and ends with
 /// the time that each took.
 pub fn run() -> Result<()> {
+    python::fetch();
     let mut times = Vec::new();
     let result = STEPS.iter().try_for_each(|(name, step)| {
         let started = Instant::now();

@@ -153,12 +153,13 @@ impl<'a> GradientsWork<'a> {
         Ok(self.work.chosen(watch)?)
     }
 
-    /// Refuses what only samples show, after one of each pixel: parts do not look.
-    pub fn look(&self, watch: &dyn Watch) -> Result<(), Error> {
-        Ok(self.work.look(watch)?)
+    /// Refuses what only samples show, after one of each pixel. Parts do not; [`Self::finish`]
+    /// does after all of them.
+    pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Error> {
+        Ok(self.work.check_coverage(watch)?)
     }
 
-    /// What a part of the work gives; refused like the whole, see [`GradientsWork::look`].
+    /// What a part of the work gives; refused like the whole, see [`Self::check_coverage`].
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, Error> {
         Ok(self.work.part(part, watch)?)
     }

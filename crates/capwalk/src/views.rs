@@ -140,14 +140,32 @@ impl Views {
         Ok(place.get_or_init(|| prepared))
     }
 
+    /// An error if names of parameters, or sums of them, mean one sensor that is called `sensor`
+    /// while another renders, which is called so elsewhere.
+    pub fn check_names(&self, view: ViewId, names: &[&str]) -> Result<(), Error> {
+        let is_another = |i: usize| i != view.sensor && self.sensors[i].sensor.id == "sensor";
+        if !(0..self.sensors.len()).any(is_another) {
+            return Ok(());
+        }
+        let in_sum = |c: char| c.is_whitespace() || "+-*".contains(c);
+        let is_meant = |name: &&&str| name.split(in_sum).any(|part| part.starts_with("sensor."));
+        match (names.iter().find(is_meant), self.sensors.get(view.sensor)) {
+            (Some(name), Some(seen)) => Err(Error::OfAnotherSensor {
+                name: name.to_string(),
+                sensor: seen.sensor.id.clone(),
+            }),
+            _ => Ok(()),
+        }
+    }
+
     /// What went wrong in a view, whose own names do not tell a parameter of another sensor
     /// from one that there is not.
     pub fn explain(&self, view: ViewId, error: Error) -> Error {
         let Error::Parameter(ParameterError::Unknown { name, .. }) = &error else {
             return error;
         };
-        let owner = name.split('.').next();
-        match self.sensors.iter().any(|v| Some(&*v.sensor.id) == owner) {
+        let mut others = (0..self.sensors.len()).filter(|&i| i != view.sensor);
+        match others.any(|i| self.gradient_shape(name, i).is_ok()) {
             true => Error::OfAnotherSensor {
                 name: name.clone(),
                 sensor: self.sensors[view.sensor].sensor.id.clone(),
@@ -187,6 +205,17 @@ impl Views {
             numbers: array.get(&seen),
             shape: array.shape,
         })
+    }
+
+    /// The shape of a gradient of what a sensor sees with respect to an array, or to a sum of
+    /// numbers, which has none; an error if the sensor knows neither.
+    pub fn gradient_shape(&self, name: &str, sensor: usize) -> Result<Vec<usize>, Error> {
+        let registry = self.registry(sensor);
+        if let Some(array) = registry.array(name)? {
+            return Ok(array.shape.clone());
+        }
+        registry.tangent(&self.sensors[sensor].scene(&self.scene), name)?;
+        Ok(Vec::new())
     }
 
     /// Changes arrays, all of them or none, see [`Prepared::update`].
@@ -437,8 +466,13 @@ mod tests {
         };
         let text = error("left.translate.x - right.translate.x");
         assert!(text.contains("the image of left does not"), "{text}");
-        let text = error("rihgt.translate.x");
-        assert!(text.contains("no parameter"), "{text}");
+        for typo in ["rihgt.translate.x", "right.translat.x", "left.translat.x"] {
+            let text = error(typo);
+            assert!(
+                text.contains("no parameter") && text.contains("mean"),
+                "{text}"
+            );
+        }
         // Nothing is changed if something is wrong.
         let old = views.values("box.positions").expect("there").numbers;
         let moved: Vec<f64> = old.iter().map(|x| x + 1.0).collect();

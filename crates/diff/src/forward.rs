@@ -11,9 +11,8 @@ use capwalk_boundary::{Counts, Draw, Field, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
 use capwalk_render::{
     GradientImage, Grid, Part, PartError, Partial, PreparedScene, RenderOptions, Tracer, Watch,
-    fingerprint,
 };
-use capwalk_scene::{Tangent, TextureId};
+use capwalk_scene::{Tangent, TextureId, fingerprint};
 
 use crate::adjoint::Wanted;
 use crate::auto::{Chosen, Pilot};
@@ -37,6 +36,8 @@ pub struct GradientWork<'a> {
     prepared: &'a PreparedScene,
     tangent: Cow<'a, Tangent>,
     options: GradientOptions,
+    /// Set when it is known that nothing is refused that can be seen without a sample.
+    is_allowed: OnceLock<()>,
     chosen: OnceLock<Chosen>,
     fingerprint: OnceLock<u64>,
 }
@@ -52,6 +53,7 @@ impl<'a> GradientWork<'a> {
             prepared,
             tangent,
             options,
+            is_allowed: OnceLock::new(),
             chosen: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
@@ -64,7 +66,7 @@ impl<'a> GradientWork<'a> {
 
     /// All of it at once, see [`gradient`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
-        self.look(watch)?;
+        self.check_coverage(watch)?;
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
         self.gradient_image(partial.into_sums())
     }
@@ -72,7 +74,10 @@ impl<'a> GradientWork<'a> {
     /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
     /// by the first call. Refused like the work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
-        self.refuse(&self.options)?;
+        if self.is_allowed.get().is_none() {
+            self.refuse(&self.options)?;
+            self.is_allowed.get_or_init(|| ());
+        }
         let choose = || {
             let pilot = Pilot {
                 prepared: self.prepared,
@@ -87,7 +92,7 @@ impl<'a> GradientWork<'a> {
     }
 
     /// Refuses what cannot be covered, which only samples show, after a few of them.
-    pub fn look(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+    pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Refusal> {
         let options = self.chosen(watch)?.options;
         let scene = self.prepared.scene();
         if !options.method.traits().is_unbiased || !is_specular_somewhere(scene) {
@@ -103,7 +108,7 @@ impl<'a> GradientWork<'a> {
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
-    /// the work. Refused like the whole, but for what only samples show: [`Self::look`] says
+    /// the work. Refused like the whole, but for what only samples show: [`Self::check_coverage`] says
     /// that before, [`Self::finish`] after all parts.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
         part.check(self.grid())?;
@@ -218,5 +223,5 @@ impl Watch for Silent<'_> {
     }
 }
 
-/// Samples per pixel of a look.
+/// Samples per pixel to find what cannot be covered.
 const PILOT_SPP: u32 = 2;

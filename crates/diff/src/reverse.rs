@@ -15,9 +15,9 @@ use capwalk_math::{Moments, Tape, Vec3};
 use capwalk_render::tiles;
 use capwalk_render::{
     Accumulate, Along, Grid, OrderedSum, Part, PartError, Partial, PreparedScene, Statistics,
-    Tracer, Watch, fingerprint,
+    Tracer, Watch,
 };
-use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId};
+use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -105,6 +105,8 @@ pub struct BackwardWork<'a> {
     adjoint: &'a Image,
     wanted: Wanted,
     options: GradientOptions,
+    /// Set when it is known that nothing is refused that can be seen without a sample.
+    is_allowed: OnceLock<()>,
     chosen: OnceLock<Chosen>,
     fingerprint: OnceLock<u64>,
 }
@@ -122,6 +124,7 @@ impl<'a> BackwardWork<'a> {
             adjoint,
             wanted,
             options,
+            is_allowed: OnceLock::new(),
             chosen: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
@@ -134,7 +137,7 @@ impl<'a> BackwardWork<'a> {
 
     /// All of it at once, see [`backward`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
-        self.look(watch)?;
+        self.check_coverage(watch)?;
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
         self.backward(partial.into_sums())
     }
@@ -142,7 +145,10 @@ impl<'a> BackwardWork<'a> {
     /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
     /// by the first call. Refused like the work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
-        self.refuse(&self.options)?;
+        if self.is_allowed.get().is_none() {
+            self.refuse(&self.options)?;
+            self.is_allowed.get_or_init(|| ());
+        }
         let choose = || {
             let pilot = Pilot {
                 prepared: self.prepared,
@@ -157,18 +163,18 @@ impl<'a> BackwardWork<'a> {
     }
 
     /// Refuses what cannot be covered, which only samples show, after one of each pixel.
-    pub fn look(&self, watch: &dyn Watch) -> Result<(), Refusal> {
+    pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Refusal> {
         let options = self.chosen(watch)?.options;
         let scene = self.prepared.scene();
         if !options.method.traits().is_unbiased || !is_specular_somewhere(scene) {
             return Ok(());
         }
-        let [samples, uncovered] = self.pass(&options, watch).look();
+        let [samples, uncovered] = self.pass(&options, watch).count_uncovered();
         refuse_uncovered(scene, uncovered, samples, &options.method)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
-    /// the work. Refused like the whole, but for what only samples show: [`Self::look`] says
+    /// the work. Refused like the whole, but for what only samples show: [`Self::check_coverage`] says
     /// that before, [`Self::finish`] after all parts.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, PartError> {
         part.check(self.grid())?;
@@ -398,7 +404,7 @@ struct Memory {
 impl Pass<'_> {
     /// Takes one sample of each pixel: how many were taken, and how many of their rays could
     /// not be covered.
-    fn look(&self) -> [u64; 2] {
+    fn count_uncovered(&self) -> [u64; 2] {
         let width = self.adjoint.width;
         let uncovered = |tape: &mut Tape, index: usize| {
             if self.watch.should_stop() {
@@ -417,8 +423,8 @@ impl Pass<'_> {
         };
         pool::install(|| {
             let pixels = (0..self.adjoint.pixels.len()).into_par_iter();
-            let looks = pixels.map_init(Tape::default, uncovered);
-            looks.reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]])
+            let counts = pixels.map_init(Tape::default, uncovered);
+            counts.reduce(|| [0, 0], |a, b| [a[0] + b[0], a[1] + b[1]])
         })
     }
 

@@ -43,6 +43,14 @@ impl From<Along<'_>> for Motion {
 }
 
 impl Motion {
+    /// The names of what moves, or a sum of them.
+    pub fn names(&self) -> Vec<&str> {
+        match self {
+            Self::Expression(text) => vec![text],
+            Self::Velocities(velocities) => velocities.iter().map(|v| v.array.as_str()).collect(),
+        }
+    }
+
     /// What moves in the scene.
     pub fn tangent(&self, prepared: &Prepared) -> Result<Tangent, Error> {
         let (scene, registry) = (prepared.scene(), prepared.registry());

@@ -54,6 +54,15 @@ impl Task {
         })
     }
 
+    /// The names of what is differentiated with respect to.
+    fn names(&self) -> Vec<&str> {
+        match self {
+            Self::Render(_) => Vec::new(),
+            Self::Gradient(motion, _) => motion.names(),
+            Self::Backward(_, names, _) => names.iter().map(String::as_str).collect(),
+        }
+    }
+
     /// What all parts give.
     fn whole(&self, prepared: &Prepared, parts: &[PyBackedBytes]) -> Result<Whole, Error> {
         Ok(match self {
@@ -75,7 +84,7 @@ impl Task {
 }
 
 /// The method that is used for all parts, as bytes for `options.chosen`; `None` for images.
-/// Refuses what the whole refuses, so that no part has to look.
+/// Refuses what the whole refuses, also what only samples show, so that no part takes them.
 #[pyfunction]
 pub fn choose<'py>(
     py: Python<'py>,
@@ -84,18 +93,18 @@ pub fn choose<'py>(
     options: Options<'py>,
 ) -> PyResult<Option<Bound<'py, PyBytes>>> {
     let task = Task::new(py, asked, &options)?;
-    let chosen = run(py, scene, &options, |prepared, watch| {
+    let chosen = run(py, scene, &options, &task.names(), |prepared, watch| {
         let chosen = match &task {
             Task::Render(_) => return Ok(None),
             Task::Gradient(motion, options) => {
                 let tangent = motion.tangent(prepared)?;
                 let work = prepared.gradient_work(&tangent, options)?;
-                work.look(watch)?;
+                work.check_coverage(watch)?;
                 work.chosen(watch)?
             }
             Task::Backward(adjoint, names, options) => {
                 let work = prepared.backward_work(adjoint, names, options)?;
-                work.look(watch)?;
+                work.check_coverage(watch)?;
                 work.chosen(watch)?
             }
         };
@@ -116,7 +125,7 @@ pub fn part<'py>(
     count: u32,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let task = Task::new(py, asked, &options)?;
-    let bytes = run(py, scene, &options, |prepared, watch| {
+    let bytes = run(py, scene, &options, &task.names(), |prepared, watch| {
         let part = |grid| Part::nth(grid, index, count);
         Ok(match &task {
             Task::Render(options) => {

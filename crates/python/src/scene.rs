@@ -214,6 +214,16 @@ impl Scene {
         arrays::from_numbers(py, &values.shape, values.numbers)
     }
 
+    /// The shape of a gradient of what a sensor sees, with respect to an array or a number; an
+    /// error if the sensor knows none of the name.
+    #[pyo3(name = "_gradient_shape")]
+    fn gradient_shape(&self, py: Python<'_>, name: &str, sensor: usize) -> PyResult<Vec<usize>> {
+        let views = self.read(py)?;
+        let views: &Views = &views;
+        let shape = detached(py, || views.gradient_shape(name, sensor))?;
+        shape.map_err(|error| errors::exception(py, error))
+    }
+
     /// Changes arrays: all of them, or none.
     #[pyo3(name = "_update")]
     fn update(&self, py: Python<'_>, changes: Changes<'_>) -> PyResult<()> {

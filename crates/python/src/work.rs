@@ -111,17 +111,19 @@ fn aov(py: Python<'_>, name: &str) -> PyResult<Aov> {
     })
 }
 
-/// Work on a scene, followed by Python.
+/// Work on a scene, followed by Python; with respect to what has these names.
 pub fn run<T: Send>(
     py: Python<'_>,
     scene: &Scene,
     options: &Options<'_>,
+    names: &[&str],
     work: impl FnOnce(&Prepared, &dyn Watch) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     let view = options.view(py)?;
     let views = scene.read(py)?;
     let views: &Views = &views;
     let result = watched(py, &options.how(), |watch| {
+        views.check_names(view, names)?;
         let result = work(views.prepared(view)?, watch);
         result.map_err(|error| views.explain(view, error))
     })?;
@@ -144,7 +146,7 @@ pub fn render<'py>(
     options: Options<'py>,
 ) -> PyResult<OfRender<'py>> {
     let sampling = options.sampling();
-    let image = run(py, scene, &options, |prepared, watch| {
+    let image = run(py, scene, &options, &[], |prepared, watch| {
         Ok(prepared.render(&sampling, watch)?)
     })?;
     of_render(py, &image)
@@ -160,7 +162,7 @@ pub fn gradient<'py>(
 ) -> PyResult<OfGradient<'py>> {
     let asked = options.gradient(py)?;
     let motion = Motion::from(along);
-    let (image, options) = run(py, scene, &options, |prepared, watch| {
+    let (image, options) = run(py, scene, &options, &motion.names(), |prepared, watch| {
         let tangent = motion.tangent(prepared)?;
         let work = prepared.gradient_work(&tangent, &asked)?;
         Ok((work.whole(watch)?, work.chosen(watch)?.options))
@@ -179,7 +181,8 @@ pub fn backward<'py>(
 ) -> PyResult<OfBackward<'py>> {
     let asked = options.gradient(py)?;
     let adjoint = arrays::to_image("the adjoint", &adjoint)?;
-    let (gradients, options) = run(py, scene, &options, |prepared, watch| {
+    let texts: Vec<&str> = names.iter().map(String::as_str).collect();
+    let (gradients, options) = run(py, scene, &options, &texts, |prepared, watch| {
         let work = prepared.backward_work(&adjoint, &names, &asked)?;
         Ok((work.whole(watch)?, work.chosen(watch)?.options))
     })?;
@@ -202,7 +205,7 @@ pub fn check<'py>(
         step,
     };
     let motion = Motion::from(along);
-    let check = run(py, scene, &options, |prepared, watch| {
+    let check = run(py, scene, &options, &motion.names(), |prepared, watch| {
         prepared.check(&motion.tangent(prepared)?, &asked, watch)
     })?;
     of_check(py, &check, &asked)

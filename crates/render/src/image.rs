@@ -3,12 +3,13 @@
 use std::sync::OnceLock;
 
 use capwalk_boundary::{Counts, Draw};
+use capwalk_scene::fingerprint;
 
 use crate::estimate::Rendering;
 use crate::grid::{Grid, Part};
 use crate::options::{RenderOptions, Watch};
 use crate::part_error::PartError;
-use crate::partial::{Partial, fingerprint};
+use crate::partial::Partial;
 use crate::prepared::PreparedScene;
 use crate::scene_eval::Primal;
 use crate::tiles::{self, Averages, PixelSums, Sample};

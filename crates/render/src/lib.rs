@@ -49,7 +49,7 @@ pub use image::{RenderWork, render};
 pub use options::{RenderOptions, Unwatched, Watch};
 pub use ordered_sum::{Accumulate, CannotMerge, OrderedSum};
 pub use part_error::PartError;
-pub use partial::{Along, Partial, fingerprint};
+pub use partial::{Along, Partial};
 pub use plan::{FIRST_VERTEX, LightSampling, Plan};
 pub use prepared::PreparedScene;
 pub use radiance::SpecularChain;

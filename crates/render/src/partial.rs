@@ -32,7 +32,7 @@ pub enum Along {
 }
 
 impl<T: Accumulate> Partial<T> {
-    /// Sums for a work with this [`fingerprint`], as many as `along` says.
+    /// Sums for a work with this [`fingerprint`](capwalk_scene::fingerprint), as many as `along` says.
     pub fn new(work: u64, grid: Grid, along: Along, sums: Vec<OrderedSum<T>>) -> Self {
         Self {
             work,
@@ -142,12 +142,4 @@ impl<T: Accumulate + Serialize + DeserializeOwned> Partial<T> {
         let partial: Self = unpack(bytes)?;
         partial.is_valid().then_some(partial).ok_or_else(misfit)
     }
-}
-
-/// A number that tells works apart: FNV-1a of the bytes of all that a result depends on, exact
-/// in every number, and of the version.
-pub fn fingerprint(inputs: &impl Serialize) -> u64 {
-    let bytes = pack(inputs).expect("what is in memory has a length");
-    let add = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
-    bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, add)
 }

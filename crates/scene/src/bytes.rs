@@ -43,6 +43,24 @@ pub fn unpack<T: DeserializeOwned>(bytes: &[u8]) -> Result<T, BytesError> {
     postcard::from_bytes(content).map_err(damaged)
 }
 
+/// A number that tells things apart: FNV-1a of the bytes that [`pack`] makes of them, and of the
+/// version.
+pub fn fingerprint<T: Serialize>(thing: &T) -> u64 {
+    struct Hash(u64);
+
+    impl Extend<u8> for Hash {
+        fn extend<I: IntoIterator<Item = u8>>(&mut self, bytes: I) {
+            let prime = 0x0000_0100_0000_01b3;
+            let add = |hash: u64, byte| (hash ^ u64::from(byte)).wrapping_mul(prime);
+            self.0 = bytes.into_iter().fold(self.0, add);
+        }
+    }
+
+    let start = Hash(0xcbf2_9ce4_8422_2325);
+    let hash = postcard::to_extend(&(VERSION, thing), start);
+    hash.expect("what is in memory has a length").0
+}
+
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 impl Scene {

@@ -29,7 +29,7 @@ pub mod texture;
 pub use capwalk_geometry::topology::weld;
 pub use capwalk_geometry::{Mesh, MeshError};
 
-pub use bytes::{BytesError, pack, unpack};
+pub use bytes::{BytesError, fingerprint, pack, unpack};
 pub use emitter::delta::DeltaLight;
 pub use emitter::{Emitter, EmitterExtent, EmitterTraits};
 pub use film::Film;

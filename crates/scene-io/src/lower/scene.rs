@@ -61,9 +61,9 @@ impl Lowering<'_> {
         // The chosen one last: its places in the text count.
         let mut all_sensors = Vec::new();
         for other in (0..sensors.len()).filter(|&i| i != chosen).chain([chosen]) {
-            let unnamed = match other {
-                0 => "sensor".to_owned(),
-                other => format!("sensor_{other}"),
+            let unnamed = match sensors.len() {
+                1 => "sensor".to_owned(),
+                _ => format!("sensor_{other}"),
             };
             all_sensors.push((other, self.sensor(sensors[other].node, &unnamed)?));
         }

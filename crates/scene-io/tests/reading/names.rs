@@ -34,8 +34,8 @@ fn given_ids_are_kept() {
     assert_eq!(ids, ["sphere_3", "sphere", "sphere_4", "sphere_2"]);
 }
 
-/// Sensors and shapes, whose parameters are called alike, never share a name, and `sensor` is
-/// always that which renders.
+/// Sensors and shapes, whose parameters are called alike, never share a name. None of several is called
+/// `sensor` unless the file says so: without one of that name it is whichever renders.
 #[test]
 fn sensors_have_names_of_their_own() {
     let text = scene(
@@ -44,7 +44,7 @@ fn sensors_have_names_of_their_own() {
     );
     let loaded = load_scene_str(&text, &folder(), "scene.xml", &[]).expect("a scene");
     let ids: Vec<&str> = loaded.sensors.iter().map(|v| &*v.sensor.id).collect();
-    assert_eq!(ids, ["sensor", "sensor_2", "sensor_2_2", "sensor_3"]);
+    assert_eq!(ids, ["sensor_0", "sensor_2", "sensor_2_2", "sensor_3"]);
 
     let named =
         scene("<shape type=\"obj\"><string name=\"filename\" value=\"sensor.obj\"/></shape>");
