@@ -17,6 +17,9 @@ use crate::scene::Scene;
 use crate::watched::{How, watched};
 use crate::{arrays, errors};
 
+/// What Python offers: with the feature `paper` there is more, which is to compare with.
+const METHODS: [MethodName; 3] = [MethodName::Auto, MethodName::Walk, MethodName::Edges];
+
 /// What is asked for besides the scene and the direction.
 #[derive(FromPyObject)]
 pub struct Options<'py> {
@@ -71,8 +74,12 @@ impl<'py> Options<'py> {
                 ..self.sampling().into()
             });
         }
-        let Some(method) = MethodName::named(&self.method) else {
-            let names: Vec<&str> = MethodName::NAMES.iter().map(|(name, _)| *name).collect();
+        let known = MethodName::NAMES
+            .iter()
+            .filter(|(_, m)| METHODS.contains(m));
+        let named = known.clone().find(|(name, _)| *name == self.method);
+        let Some(&(_, method)) = named else {
+            let names: Vec<&str> = known.map(|(name, _)| *name).collect();
             let (method, names) = (&self.method, names.join(", "));
             let text = format!("there is no method \"{method}\"; there are {names}");
             return Err(errors::argument(py, text));
@@ -83,7 +90,7 @@ impl<'py> Options<'py> {
             antithetic: self.antithetic,
             ..WalkChoice::default()
         };
-        // There is more with the feature `paper`, which is not for Python.
+        // So is more of a choice.
         #[allow(clippy::needless_update)]
         let choice = MethodChoice {
             method,
