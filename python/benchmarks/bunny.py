@@ -17,6 +17,8 @@ import numpy as np
 
 ITERATIONS, SPP, DECAY = 40, 16, 0.93
 RATES = {"turn": 0.08, "shift": 0.04, "colour": 0.08}
+GREY = {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.6, 0.6, 0.6]}}
+MIDDLE = [0.2, 1.05, 0]
 VIEWS = {"left": [-3.2, 1.6, 2.4], "front": [0.0, 1.2, 4.0], "right": [3.2, 2.2, 2.0]}
 TRUTH = {"turn": [0.2, 0.7, -0.15], "shift": [0.2, 0.95, -0.15], "colour": [0.8, 0.45, 0.25]}
 START = {"turn": [0.1, 0.5, 0.0], "shift": [0.0, 0.8, 0.05], "colour": [0.4, 0.4, 0.4]}
@@ -54,7 +56,6 @@ def bunny(rings: int = 132, sides: int = 266) -> tuple[np.ndarray, np.ndarray]:
 def scene(look_at: Callable[..., Any], place: Callable[..., Any], shape: Any) -> dict[str, Any]:
     """What both renderers load; `place` turns about x by degrees, scales, then moves."""
     film = {"type": "hdrfilm", "width": 40, "height": 40, "rfilter": {"type": "box"}}
-    grey = {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.6, 0.6, 0.6]}}
     lamp = {"type": "area", "radiance": {"type": "rgb", "value": 14.0}}
     views = {
         name: {"type": "perspective", "fov": 28, "to_world": look_at(origin), "film": film}
@@ -64,7 +65,7 @@ def scene(look_at: Callable[..., Any], place: Callable[..., Any], shape: Any) ->
         "type": "scene",
         **views,
         "integrator": {"type": "direct"},
-        "floor": {"type": "rectangle", "to_world": place(-90, 6, [0, 0, 0]), "bsdf": grey},
+        "floor": {"type": "rectangle", "to_world": place(-90, 6, [0, 0, 0]), "bsdf": GREY},
         "bunny": shape,
         "lamp": {"type": "rectangle", "to_world": place(90, 0.8, [1, 4, 1]), "emitter": lamp},
         "sky": {"type": "constant", "radiance": {"type": "rgb", "value": 0.25}},
@@ -77,11 +78,10 @@ def in_capwalk() -> tuple[list[float], dict[str, np.ndarray], list[np.ndarray]]:
     import torch
 
     vertices, faces = bunny()
-    colour = {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.5, 0.5, 0.5]}}
-    shape = {"type": "mesh", "positions": vertices, "faces": faces, "bsdf": colour}
+    shape = {"type": "mesh", "positions": vertices, "faces": faces, "bsdf": GREY}
     loaded = cw.load_dict(
         scene(
-            lambda origin: cw.Transform().look_at(origin=origin, target=[0.2, 1.05, 0], up=[0, 1, 0]),
+            lambda origin: cw.Transform().look_at(origin=origin, target=MIDDLE, up=[0, 1, 0]),
             lambda turn, size, to: cw.Transform().translate(to).rotate([1, 0, 0], turn).scale(size),
             shape,
         )
@@ -137,9 +137,8 @@ def in_mitsuba(integrator: str) -> tuple[list[float], dict[str, np.ndarray], lis
 
     mi.set_variant("llvm_ad_rgb")
     vertices, faces = bunny()
-    colour = {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.5, 0.5, 0.5]}}
     properties = mi.Properties()
-    properties["bsdf"] = mi.load_dict(colour)
+    properties["bsdf"] = mi.load_dict(GREY)
     mesh = mi.Mesh("bunny", len(vertices), len(faces), props=properties)
     params = mi.traverse(mesh)
     params["vertex_positions"] = mi.Float(vertices.ravel())
@@ -148,7 +147,7 @@ def in_mitsuba(integrator: str) -> tuple[list[float], dict[str, np.ndarray], lis
     to_world = mi.ScalarTransform4f
     loaded = mi.load_dict(
         scene(
-            lambda origin: to_world().look_at(origin=origin, target=[0.2, 1.05, 0], up=[0, 1, 0]),
+            lambda origin: to_world().look_at(origin=origin, target=MIDDLE, up=[0, 1, 0]),
             lambda turn, size, to: to_world().translate(to).rotate([1, 0, 0], turn).scale(size),
             mesh,
         )
@@ -204,8 +203,8 @@ def turned(vector: Any) -> np.ndarray:
 def main() -> None:
     which = sys.argv[1] if len(sys.argv) > 1 else "capwalk"
     times, found, pictures = in_capwalk() if which == "capwalk" else in_mitsuba(which)
-    rest = np.sort(times[1:])
-    print(f"{which}: first iteration {times[0]:.2f} s, the others {rest.mean():.3f} s each")
+    rest = np.mean(times[1:])
+    print(f"{which}: first iteration {times[0]:.2f} s, the others {rest:.3f} s each")
     vertices, _ = bunny()
     right = vertices @ turned(TRUTH["turn"]).T + TRUTH["shift"]
     here = vertices @ turned(found["turn"]).T + found["shift"]

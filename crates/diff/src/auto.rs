@@ -9,7 +9,7 @@
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::sync::OnceLock;
 
-use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Sampler, pool};
+use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Refusal, Sampler, pool};
 use capwalk_geometry::effort;
 use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_render::{PreparedScene, Tracer, Watch};
@@ -30,28 +30,31 @@ pub struct Chosen {
 }
 
 impl Chosen {
-    /// The options themselves if they leave nothing to be chosen, else what is known or
-    /// what `choose` gives. That becomes known unless the watch stopped it: what was stopped
-    /// says nothing.
+    /// What is known; else, unless `refuse` has an objection, the options themselves if they
+    /// leave nothing to be chosen, or what `choose` gives. That becomes known unless the watch
+    /// stopped it: what was stopped says nothing.
     pub(crate) fn of(
         options: &GradientOptions,
         known: &OnceLock<Self>,
         watch: &dyn Watch,
+        refuse: impl FnOnce() -> Result<(), Refusal>,
         choose: impl FnOnce() -> Self,
-    ) -> Self {
-        if !options.method.is_open() {
-            return Self {
+    ) -> Result<Self, Refusal> {
+        if let Some(known) = known.get() {
+            return Ok(known.clone());
+        }
+        refuse()?;
+        let is_open = options.method.is_open();
+        let chosen = match is_open {
+            true => choose(),
+            false => Self {
                 options: *options,
                 trials: Vec::new(),
-            };
-        }
-        if let Some(known) = known.get() {
-            return known.clone();
-        }
-        let chosen = choose();
-        match watch.should_stop() {
-            true => chosen,
-            false => known.get_or_init(|| chosen).clone(),
+            },
+        };
+        match is_open && watch.should_stop() {
+            true => Ok(chosen),
+            false => Ok(known.get_or_init(|| chosen).clone()),
         }
     }
 }

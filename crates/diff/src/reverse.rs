@@ -105,8 +105,6 @@ pub struct BackwardWork<'a> {
     adjoint: &'a Image,
     wanted: Wanted,
     options: GradientOptions,
-    /// Set when it is known that nothing is refused that can be seen without a sample.
-    is_allowed: OnceLock<()>,
     chosen: OnceLock<Chosen>,
     fingerprint: OnceLock<u64>,
 }
@@ -124,7 +122,6 @@ impl<'a> BackwardWork<'a> {
             adjoint,
             wanted,
             options,
-            is_allowed: OnceLock::new(),
             chosen: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
@@ -145,10 +142,6 @@ impl<'a> BackwardWork<'a> {
     /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
     /// by the first call. Refused like the work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
-        if self.is_allowed.get().is_none() {
-            self.refuse(&self.options)?;
-            self.is_allowed.get_or_init(|| ());
-        }
         let choose = || {
             let pilot = Pilot {
                 prepared: self.prepared,
@@ -159,7 +152,8 @@ impl<'a> BackwardWork<'a> {
             };
             pilot.choose()
         };
-        Ok(Chosen::of(&self.options, &self.chosen, watch, choose))
+        let refuse = || self.refuse(&self.options);
+        Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
     }
 
     /// Refuses what cannot be covered, which only samples show, after one of each pixel.
@@ -174,8 +168,8 @@ impl<'a> BackwardWork<'a> {
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
-    /// the work. Refused like the whole, but for what only samples show: [`Self::check_coverage`] says
-    /// that before, [`Self::finish`] after all parts.
+    /// the work. Refused like the whole, but for what only samples show:
+    /// [`Self::check_coverage`] says that before, [`Self::finish`] after all parts.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, PartError> {
         part.check(self.grid())?;
         Ok(self.sums(Some(self.fingerprint()), part, watch)?)

@@ -74,13 +74,9 @@ impl<'py> Options<'py> {
                 ..self.sampling().into()
             });
         }
-        let known = MethodName::NAMES
-            .iter()
-            .filter(|(_, m)| METHODS.contains(m));
-        let named = known.clone().find(|(name, _)| *name == self.method);
-        let Some(&(_, method)) = named else {
-            let names: Vec<&str> = known.map(|(name, _)| *name).collect();
-            let (method, names) = (&self.method, names.join(", "));
+        let named = MethodName::named(&self.method);
+        let Some(method) = named.filter(|method| METHODS.contains(method)) else {
+            let (method, names) = (&self.method, METHODS.map(MethodName::name).join(", "));
             let text = format!("there is no method \"{method}\"; there are {names}");
             return Err(errors::argument(py, text));
         };
@@ -90,7 +86,7 @@ impl<'py> Options<'py> {
             antithetic: self.antithetic,
             ..WalkChoice::default()
         };
-        // So is more of a choice.
+        // With `paper` a choice has more than this.
         #[allow(clippy::needless_update)]
         let choice = MethodChoice {
             method,

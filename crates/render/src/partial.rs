@@ -32,7 +32,8 @@ pub enum Along {
 }
 
 impl<T: Accumulate> Partial<T> {
-    /// Sums for a work with this [`fingerprint`](capwalk_scene::fingerprint), as many as `along` says.
+    /// Sums for a work with this [`fingerprint`](capwalk_scene::fingerprint), as many as
+    /// `along` says.
     pub fn new(work: u64, grid: Grid, along: Along, sums: Vec<OrderedSum<T>>) -> Self {
         Self {
             work,

@@ -34,8 +34,8 @@ fn given_ids_are_kept() {
     assert_eq!(ids, ["sphere_3", "sphere", "sphere_4", "sphere_2"]);
 }
 
-/// Sensors and shapes, whose parameters are called alike, never share a name. None of several is called
-/// `sensor` unless the file says so: without one of that name it is whichever renders.
+/// Sensors and shapes, whose parameters are called alike, never share a name. None of several
+/// is called `sensor` unless the file says so: without one of that name it is whichever renders.
 #[test]
 fn sensors_have_names_of_their_own() {
     let text = scene(
