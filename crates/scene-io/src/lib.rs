@@ -24,6 +24,7 @@
 
 // Reading scenes, meshes and textures.
 mod bitmap;
+mod cie;
 mod error;
 mod expand;
 mod fields;
@@ -36,6 +37,7 @@ mod mitsuba;
 mod node;
 mod problem;
 mod sensor_settings;
+mod spectrum;
 mod suggest;
 mod texts;
 pub mod toml;

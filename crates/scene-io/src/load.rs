@@ -205,6 +205,17 @@ stray text
         assert_eq!(warnings(text), expected);
     }
 
+    /// Colours that sRGB lacks say what they are read as.
+    #[test]
+    fn clamped_spectra_warn() {
+        let text = r#"<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"/>
+<bsdf type="diffuse" id="m"><spectrum name="reflectance" value="600:0.9 650:1"/></bsdf>
+<emitter type="constant"/></scene>"#;
+        let expected = "scene.xml:2:65: \"reflectance\" has a colour that sRGB lacks: \
+                        (0.7040, -0.0271, -0.0108) is read as (0.7040, 0.0000, 0.0000)";
+        assert_eq!(warnings(text), [expected]);
+    }
+
     /// Integrators of derivatives and samplers that are read as others say so;
     /// old names are shown as they are written.
     #[test]

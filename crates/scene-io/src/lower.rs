@@ -14,6 +14,7 @@ mod sampler;
 mod scene;
 mod sensor;
 mod shape;
+mod spectrum_plugin;
 mod texture;
 
 pub(crate) use scene::lower;

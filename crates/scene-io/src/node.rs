@@ -2,6 +2,7 @@
 
 use capwalk_math::{Affine, Rgb, Vec3};
 
+use crate::spectrum::Samples;
 use crate::texts::Span;
 
 /// Index into [`Graph::nodes`].
@@ -66,8 +67,10 @@ pub(crate) enum PropertyValue {
 pub(crate) enum Spectrum {
     /// The same at all wavelengths.
     Uniform(f64),
-    /// Values at wavelengths, or a file of them.
-    Sampled,
+    /// Values at wavelengths.
+    Sampled(Samples),
+    /// The name of a file with values at wavelengths.
+    File(String),
 }
 
 impl PropertyValue {

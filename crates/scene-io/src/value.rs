@@ -4,12 +4,16 @@ use capwalk_math::{Affine, Rgb, Vec3};
 
 use crate::node::Spectrum;
 use crate::problem::Problem;
+use crate::spectrum::{Samples, finite};
 use crate::texts::Span;
 use crate::xml::{Attribute, Element};
 
 /// How far the length of a rotation's axis may be from 1: the rounding of axes
 /// written with three digits.
 const ROUNDED_AXIS: f64 = 2e-3;
+
+/// What a spectrum needs.
+pub(crate) const PAIRS_HELP: &str = "expected two or more increasing wavelengths in nanometers, each with a value: 400:0.1, 700:0.5";
 
 /// The number that a text spells, infinities and NaN refused.
 pub(crate) fn float(text: &str, span: Span) -> Result<f64, Problem> {
@@ -47,7 +51,8 @@ pub(crate) fn floats(attribute: &Attribute) -> Result<Vec<f64>, Problem> {
         .collect()
 }
 
-fn words(text: &str) -> impl Iterator<Item = &str> {
+/// The words between blanks and commas.
+pub(crate) fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| c == ',' || c.is_whitespace())
         .filter(|word| !word.is_empty())
 }
@@ -128,23 +133,43 @@ pub(crate) fn linear_of_srgb(encoded: f64) -> f64 {
     }
 }
 
-/// `<spectrum value="0.5"/>`, or one that depends on the wavelength.
+/// `<spectrum value="0.5"/>`, one with a value at each of some wavelengths, or the name of a
+/// file of them.
 pub(crate) fn spectrum(element: &Element) -> Result<Spectrum, Problem> {
-    let Some(value) = element.attribute("value") else {
-        element.required("filename").map_err(|_| {
-            Problem::missing(element.span, "<spectrum> has no attribute \"value\"")
-                .help("write <spectrum name=\"...\" value=\"0.5\"/>")
-        })?;
-        return Ok(Spectrum::Sampled);
-    };
-    let mut numbers = words(&value.value);
-    match (numbers.next(), numbers.next()) {
-        (Some(word), None) if !word.contains(':') => {
-            Ok(Spectrum::Uniform(float(word, value.value_span)?))
+    let (value, filename) = (element.attribute("value"), element.attribute("filename"));
+    let help = "write <spectrum name=\"...\" value=\"0.5\"/>, value=\"400:0.1, 700:0.5\" with \
+                wavelengths in nanometers, or filename=\"reflectance.spd\"";
+    match (value, filename) {
+        (None, None) => {
+            let message = "<spectrum> has no attribute \"value\"";
+            Err(Problem::missing(element.span, message).help(help))
         }
-        (Some(_), _) => Ok(Spectrum::Sampled),
-        (None, _) => float("", value.value_span).map(Spectrum::Uniform),
+        (Some(_), Some(filename)) => {
+            let message = "<spectrum> has both \"value\" and \"filename\"";
+            Err(Problem::invalid(filename.name_span, message).help("keep one of them"))
+        }
+        (None, Some(filename)) => Ok(Spectrum::File(filename.value.clone())),
+        (Some(value), None) => match words(&value.value).collect::<Vec<_>>()[..] {
+            [] => float("", value.value_span).map(Spectrum::Uniform),
+            [word] if !word.contains(':') => float(word, value.value_span).map(Spectrum::Uniform),
+            ref pairs => samples(pairs, value.value_span).map(Spectrum::Sampled),
+        },
     }
+}
+
+/// The spectrum of words such as `400:0.1`, a wavelength in nanometers and a value.
+fn samples(words: &[&str], span: Span) -> Result<Samples, Problem> {
+    let pair = |word: &&str| {
+        let (wavelength, value) = word.split_once(':').unwrap_or((word, ""));
+        match (finite(wavelength), finite(value)) {
+            (Some(wavelength), Some(value)) => Ok((wavelength, value)),
+            _ => Err(format!("\"{word}\" is not a wavelength and a value")),
+        }
+    };
+    let pairs: Result<Vec<_>, String> = words.iter().map(pair).collect();
+    pairs
+        .and_then(|pairs| Samples::new(&pairs))
+        .map_err(|message| Problem::invalid(span, message).help(PAIRS_HELP))
 }
 
 /// The children of a `<transform>`; later ones act after earlier ones.

@@ -1,96 +1,126 @@
 //! Colours of materials and emitters.
 
 use capwalk_math::Rgb;
+use capwalk_scene::Quantity;
 
-use crate::fields::{Context, Fields};
+use super::lowering::Lowering;
+use crate::fields::Fields;
 use crate::node::{PropertyValue, Spectrum};
 use crate::problem::Problem;
+use crate::spectrum::{Samples, equal_energy};
 use crate::texts::Span;
 
-/// Linear sRGB of a spectrum that is 1 everywhere, which is not white: the
-/// white of sRGB is daylight (D65). `xyz_to_srgb(1, 1, 1)` of Mitsuba.
-const FLAT_SPECTRUM: Rgb = Rgb::new(1.204794, 0.948292, 0.908916);
-
-/// Reflectance: one number is the same for all colours.
-pub(super) fn reflectance(
-    context: &Context,
-    fields: &Fields,
-    name: &'static str,
-    default: f64,
-) -> Result<Rgb, Problem> {
-    let Some(property) = fields.get(name) else {
-        return Ok(Rgb::splat(default));
-    };
-    let span = property.value_span;
-    let colour = match property.value {
-        PropertyValue::Rgb(rgb) => {
-            // Mitsuba refuses these as well.
-            if rgb.max_component() > 1.0 {
-                return Err(Problem::invalid(
-                    span,
-                    format!("\"{name}\" is ({}, {}, {})", rgb.r, rgb.g, rgb.b),
-                )
-                .help(
+impl Lowering<'_> {
+    /// The linear sRGB colour of a property, as Mitsuba's `rgb` variants read it for this
+    /// quantity: reflectances are under daylight and at most 1, a flat spectrum of light is
+    /// not white.
+    pub(super) fn colour(
+        &self,
+        fields: &Fields,
+        name: &'static str,
+        quantity: Quantity,
+        default: Rgb,
+    ) -> Result<Rgb, Problem> {
+        let Some(property) = fields.get(name) else {
+            return Ok(default);
+        };
+        let span = property.value_span;
+        let colour = match &property.value {
+            PropertyValue::Rgb(rgb) => *rgb,
+            PropertyValue::Float(x) => Rgb::splat(*x),
+            PropertyValue::Integer(i) => Rgb::splat(*i as f64),
+            PropertyValue::Spectrum(Spectrum::Uniform(x)) if is_light(quantity) => {
+                equal_energy() * *x
+            }
+            PropertyValue::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(*x),
+            PropertyValue::Spectrum(Spectrum::Sampled(samples)) => {
+                return Ok(self.colour_of_samples(samples, name, quantity, span));
+            }
+            PropertyValue::Spectrum(Spectrum::File(file)) => {
+                let samples = self.spectrum_file(file, span)?;
+                return Ok(self.colour_of_samples(&samples, name, quantity, span));
+            }
+            other => return Err(not_a_colour(name, other, span)),
+        };
+        let shown = || format!("\"{name}\" is ({}, {}, {})", colour.r, colour.g, colour.b);
+        if colour.to_array().iter().any(|&channel| channel < 0.0) {
+            return Err(Problem::invalid(span, shown()).help("expected numbers of at least 0"));
+        }
+        if is_fraction(quantity) && colour.max_component() > 1.0 {
+            // Mitsuba refuses these as well, and takes one number above 1.
+            if let PropertyValue::Rgb(_) = property.value {
+                return Err(Problem::invalid(span, shown()).help(
                     "expected numbers from 0 to 1: a surface cannot reflect more than it receives",
                 ));
             }
-            rgb
+            let message =
+                format!("\"{name}\" is above 1: the surface reflects more than it receives");
+            self.context.warn(span, &message);
         }
-        PropertyValue::Float(x) => Rgb::splat(x),
-        PropertyValue::Integer(i) => Rgb::splat(i as f64),
-        PropertyValue::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
-        ref other => return Err(not_a_colour(name, other, span)),
-    };
-    refuse_negative(name, colour, span)?;
-    if colour.max_component() > 1.0 {
-        let message = format!("\"{name}\" is above 1: the surface reflects more than it receives");
-        context.warn(span, &message);
+        Ok(colour)
     }
-    Ok(colour)
-}
 
-/// Radiance: a uniform spectrum has the colour that it has under daylight white.
-pub(super) fn radiance(fields: &Fields, name: &'static str, default: f64) -> Result<Rgb, Problem> {
-    let Some(property) = fields.get(name) else {
-        return Ok(Rgb::splat(default));
-    };
-    let span = property.value_span;
-    let colour = match property.value {
-        PropertyValue::Rgb(rgb) => rgb,
-        PropertyValue::Float(x) => Rgb::splat(x),
-        PropertyValue::Integer(i) => Rgb::splat(i as f64),
-        PropertyValue::Spectrum(Spectrum::Uniform(x)) => FLAT_SPECTRUM * x,
-        ref other => return Err(not_a_colour(name, other, span)),
-    };
-    refuse_negative(name, colour, span)?;
-    Ok(colour)
-}
-
-/// Linear colours of any size; a uniform spectrum is the same for all colours.
-pub(super) fn unbounded(fields: &Fields, name: &'static str, default: Rgb) -> Result<Rgb, Problem> {
-    let Some(property) = fields.get(name) else {
-        return Ok(default);
-    };
-    let span = property.value_span;
-    let colour = match property.value {
-        PropertyValue::Rgb(rgb) => rgb,
-        PropertyValue::Float(x) | PropertyValue::Spectrum(Spectrum::Uniform(x)) => Rgb::splat(x),
-        PropertyValue::Integer(i) => Rgb::splat(i as f64),
-        ref other => return Err(not_a_colour(name, other, span)),
-    };
-    refuse_negative(name, colour, span)?;
-    Ok(colour)
-}
-
-fn refuse_negative(name: &str, colour: Rgb, span: Span) -> Result<(), Problem> {
-    if !colour.to_array().iter().any(|&channel| channel < 0.0) {
-        return Ok(());
+    /// The spectrum in a file.
+    fn spectrum_file(&self, name: &str, span: Span) -> Result<Samples, Problem> {
+        let (bytes, path) = self.read_file(name, span)?;
+        let text = String::from_utf8(bytes).map_err(|_| "it is not a text".to_owned());
+        let samples = text.and_then(|text| Samples::parse_file(&text));
+        samples.map_err(|message| {
+            let message = format!("\"{}\": {message}", path.display());
+            Problem::invalid(span, message).help(
+                "expected two or more lines with a wavelength in nanometers and a value, the \
+                 wavelengths increasing",
+            )
+        })
     }
-    Err(Problem::invalid(
-        span,
-        format!("\"{name}\" is ({}, {}, {})", colour.r, colour.g, colour.b),
+
+    /// The colour of a spectrum, brought into the range that the quantity has.
+    pub(super) fn colour_of_samples(
+        &self,
+        samples: &Samples,
+        name: &str,
+        quantity: Quantity,
+        span: Span,
+    ) -> Rgb {
+        let colour = match is_light(quantity) {
+            true => samples.colour_of_light(),
+            false => samples.colour_by_daylight(),
+        };
+        let most = match is_fraction(quantity) {
+            true => 1.0,
+            false => f64::INFINITY,
+        };
+        self.clamped(colour, most, name, span)
+    }
+
+    /// The colour with channels from 0 to `most`, and a warning if it changes.
+    pub(super) fn clamped(&self, colour: Rgb, most: f64, name: &str, span: Span) -> Rgb {
+        let clamped = colour.map(|channel| channel.clamp(0.0, most));
+        if clamped != colour {
+            let (from, to) = (shown(colour), shown(clamped));
+            let message =
+                format!("\"{name}\" has a colour that sRGB lacks: {from} is read as {to}");
+            self.context.warn(span, &message);
+        }
+        clamped
+    }
+}
+
+/// True for what emitters emit.
+pub(super) fn is_light(quantity: Quantity) -> bool {
+    matches!(
+        quantity,
+        Quantity::Radiance | Quantity::Intensity | Quantity::Irradiance
     )
-    .help("expected numbers of at least 0"))
+}
+
+/// True for what a surface makes of light.
+fn is_fraction(quantity: Quantity) -> bool {
+    matches!(quantity, Quantity::Reflectance | Quantity::Transmittance)
+}
+
+fn shown(colour: Rgb) -> String {
+    format!("({:.4}, {:.4}, {:.4})", colour.r, colour.g, colour.b)
 }
 
 fn not_a_colour(name: &str, value: &PropertyValue, span: Span) -> Problem {
@@ -99,14 +129,6 @@ fn not_a_colour(name: &str, value: &PropertyValue, span: Span) -> Problem {
             Problem::invalid(span, format!("\"{name}\" is an object of another kind"))
                 .help("expected a <texture>, or <rgb name=\"...\" value=\"r, g, b\"/>")
         }
-        PropertyValue::Spectrum(Spectrum::Sampled) => Problem::unsupported(
-            span,
-            format!("\"{name}\" depends on the wavelength"),
-        )
-        .help(
-            "light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> \
-                 or a <spectrum> with one number",
-        ),
         other => Problem::invalid(span, format!("\"{name}\" is a <{}>", other.tag()))
             .help(format!("expected <rgb name=\"{name}\" value=\"r, g, b\"/>")),
     }

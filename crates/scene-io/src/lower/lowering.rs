@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 
 use capwalk_scene::BsdfId;
-use capwalk_scene::{Emitter, Material, Shape, Texture, TextureId};
+use capwalk_scene::{Emitter, Material, Quantity, Shape, Texture, TextureId};
 
 use super::places::Places;
 use crate::fields::Context;
@@ -21,7 +21,8 @@ pub(super) struct Lowering<'a> {
     pub emitters: Vec<Emitter>,
     pub textures: Vec<Texture>,
     pub material_of_node: BTreeMap<NodeId, BsdfId>,
-    pub texture_of_node: BTreeMap<NodeId, TextureId>,
+    /// And what their colours are.
+    pub texture_of_node: BTreeMap<NodeId, (TextureId, Quantity)>,
     /// Area emitters that have their shape.
     pub attached: BTreeSet<NodeId>,
     /// How many materials the one being read stands in.

@@ -88,6 +88,16 @@ impl Lowering<'_> {
     ) -> Result<(Vec<u8>, PathBuf, Span), Problem> {
         let filename = named_file(fields, example)?;
         let span = fields.span_of("filename");
+        let (bytes, path) = self.read_file(filename, span)?;
+        Ok((bytes, path, span))
+    }
+
+    /// The bytes of the file with this name, which stands at `span`, and its path.
+    pub(super) fn read_file(
+        &self,
+        filename: &str,
+        span: Span,
+    ) -> Result<(Vec<u8>, PathBuf), Problem> {
         let mut directories = self.directories.clone();
         let own = &self.context.texts.get(span.file).directory;
         if !directories.contains(own) {
@@ -105,7 +115,7 @@ impl Lowering<'_> {
             Problem::unreadable(span, format!("cannot read \"{shown}\": {error}"))
                 .help("give a file that can be read")
         })?;
-        Ok((bytes, path, span))
+        Ok((bytes, path))
     }
 }
 

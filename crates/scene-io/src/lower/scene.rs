@@ -7,6 +7,7 @@ use capwalk_scene::{Integrator, Quantity, Scene, Settings};
 
 use super::integrator;
 use super::lowering::Lowering;
+use super::spectrum_plugin::depends_on_use;
 use crate::fields::{Child, Context, Fields};
 use crate::node::Kind;
 use crate::problem::Problem;
@@ -82,10 +83,13 @@ impl Lowering<'_> {
         for part in [Kind::Film, Kind::Filter, Kind::Sampler] {
             fields.children(part);
         }
-        for (i, texture) in fields.children(Kind::Texture).into_iter().enumerate() {
-            // Colours that are not in an emitter reflect, as in Mitsuba.
-            let name = format!("texture_{i}");
-            self.texture(texture.node, &name, Quantity::Reflectance)?;
+        // Colours that are not in an emitter reflect, as in Mitsuba; those of some spectra
+        // depend on where they are used, so these come last.
+        let textures = fields.children(Kind::Texture).into_iter().enumerate();
+        let (last, first): (Vec<_>, Vec<_>) = textures
+            .partition(|(_, child)| depends_on_use(&self.context.graph.node(child.node).plugin));
+        for (i, texture) in first {
+            self.texture(texture.node, &format!("texture_{i}"), Quantity::Reflectance)?;
         }
         for bsdf in fields.children(Kind::Bsdf) {
             self.bsdf(bsdf.node, &format!("bsdf_{}", self.materials.len()))?;
@@ -95,6 +99,11 @@ impl Lowering<'_> {
         }
         for emitter in fields.children(Kind::Emitter) {
             self.scene_emitter(emitter)?;
+        }
+        for (i, texture) in last {
+            if !self.texture_of_node.contains_key(&texture.node) {
+                self.texture(texture.node, &format!("texture_{i}"), Quantity::Radiance)?;
+            }
         }
         fields.finish()?;
         let shows_light = !matches!(integrator, Integrator::Aov(_));

@@ -4,15 +4,16 @@ use capwalk_math::{Affine, Rgb};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 
-use super::colour;
+use super::colour::is_light;
 use super::lowering::Lowering;
+use super::spectrum_plugin::{SPECTRA, depends_on_use};
 use crate::bitmap::{self, BitmapFile};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId, PropertyValue, Spectrum};
 use crate::problem::Problem;
 use crate::texts::Span;
 
-/// Values of `type` that are read.
+/// Values of `type` that are read, besides those of spectra.
 const TEXTURES: [&str; 3] = ["bitmap", "checkerboard", "mesh_attribute"];
 
 impl Lowering<'_> {
@@ -33,7 +34,7 @@ impl Lowering<'_> {
         {
             return self.texture(node, &id, quantity);
         }
-        let colour = self.colour(fields, slot, quantity, default)?;
+        let colour = self.colour(fields, slot, quantity, Rgb::splat(default))?;
         Ok(self.add_texture(Texture::colour(id, colour), fields.span_of(slot)))
     }
 
@@ -52,7 +53,7 @@ impl Lowering<'_> {
         {
             return self.slot(fields, holder, slot, quantity, 0.0);
         }
-        let colour = colour::unbounded(fields, slot, default)?;
+        let colour = self.colour(fields, slot, quantity, default)?;
         let texture = Texture::colour(format!("{holder}.{slot}"), colour);
         Ok(self.add_texture(texture, fields.span_of(slot)))
     }
@@ -74,7 +75,10 @@ impl Lowering<'_> {
             Some(&PropertyValue::Float(x)) => Texture::number(id, x),
             Some(&PropertyValue::Integer(i)) => Texture::number(id, i as f64),
             Some(&PropertyValue::Spectrum(Spectrum::Uniform(x))) => Texture::number(id, x),
-            Some(&PropertyValue::Rgb(rgb)) => Texture::colour(id, rgb),
+            Some(PropertyValue::Rgb(_) | PropertyValue::Spectrum(_)) => {
+                let colour = self.colour(fields, slot, quantity, Rgb::splat(default))?;
+                Texture::colour(id, colour)
+            }
             Some(PropertyValue::Object { .. }) => {
                 return self.slot(fields, holder, slot, quantity, default);
             }
@@ -88,21 +92,6 @@ impl Lowering<'_> {
         Ok(self.add_texture(texture, span))
     }
 
-    fn colour(
-        &self,
-        fields: &Fields,
-        name: &'static str,
-        quantity: Quantity,
-        default: f64,
-    ) -> Result<Rgb, Problem> {
-        match quantity {
-            Quantity::Radiance | Quantity::Intensity | Quantity::Irradiance => {
-                colour::radiance(fields, name, default)
-            }
-            _ => colour::reflectance(self.context, fields, name, default),
-        }
-    }
-
     /// The texture of a node, made when it is first met. `otherwise` names it
     /// if it has no id; `quantity` is what its colours are.
     pub(super) fn texture(
@@ -111,20 +100,31 @@ impl Lowering<'_> {
         otherwise: &str,
         quantity: Quantity,
     ) -> Result<TextureId, Problem> {
-        if let Some(&known) = self.texture_of_node.get(&node) {
+        let fields = Fields::new(self.context, node);
+        if let Some(&(known, before)) = self.texture_of_node.get(&node) {
+            if is_light(before) != is_light(quantity) && depends_on_use(&fields.node.plugin) {
+                let message = "the spectrum is both light and what a surface does to light";
+                return Err(Problem::invalid(fields.node.span, message)
+                    .help("write it twice: its color under daylight is another"));
+            }
             return Ok(known);
         }
-        let fields = Fields::new(self.context, node);
         let id = fields.node.id.clone().unwrap_or_else(|| otherwise.into());
         let (texture, span) = match fields.node.plugin.as_str() {
+            plugin if SPECTRA.contains(&plugin) => {
+                let texture = self.spectrum_plugin(&fields, &id, quantity)?;
+                fields.finish()?;
+                self.texture_of_node.insert(node, (texture, quantity));
+                return Ok(texture);
+            }
             "bitmap" => self.bitmap(&fields, id)?,
             "checkerboard" => (self.checkerboard(&fields, id, quantity)?, fields.node.span),
             "mesh_attribute" => (mesh_attribute(&fields, id)?, fields.span_of("name")),
-            _ => return Err(fields.unknown_plugin(&TEXTURES)),
+            _ => return Err(fields.unknown_plugin(&[&TEXTURES[..], &SPECTRA].concat())),
         };
         fields.finish()?;
         let texture = self.add_texture(texture, span);
-        self.texture_of_node.insert(node, texture);
+        self.texture_of_node.insert(node, (texture, quantity));
         Ok(texture)
     }
 
@@ -196,7 +196,7 @@ impl Lowering<'_> {
                 )
                 .help(format!("expected one colour, <rgb name=\"{slot}\" .../>")));
             }
-            let colour = self.colour(fields, slot, quantity, default)?;
+            let colour = self.colour(fields, slot, quantity, Rgb::splat(default))?;
             data.extend(colour.to_array());
         }
         Ok(Texture {

@@ -20,6 +20,7 @@ mod parity;
 mod readers;
 mod robustness;
 mod serialized;
+mod spectra;
 mod syntax;
 mod textures;
 mod upgrade;

@@ -103,19 +103,6 @@ fn negative_radiance() {
 }
 
 #[test]
-fn wavelengths() {
-    check(
-        &scene(
-            r#"<bsdf type="diffuse" id="m"><spectrum name="reflectance" value="400:0.1, 700:0.5"/></bsdf>"#,
-        ),
-        &[
-            "scene.xml:5:67: \"reflectance\" depends on the wavelength",
-            "  light is computed in red, green and blue: give <rgb name=\"...\" value=\"r, g, b\"/> or a <spectrum> with one number",
-        ],
-    );
-}
-
-#[test]
 fn flattening_transform() {
     check(
         &scene(
