@@ -65,7 +65,12 @@ impl Affine {
     /// Rotates by `angle` radians about `axis` (any length but zero),
     /// counter-clockwise when the axis points at the viewer.
     pub fn rotate(axis: Vec3, angle: f64) -> Self {
-        let a = axis.normalized();
+        Self::rodrigues(axis.normalized(), angle)
+    }
+
+    /// Rodrigues' formula with an axis of any length, in radians: a rotation for length 1,
+    /// and what Mitsuba makes of other axes, which distorts.
+    pub fn rodrigues(a: Vec3, angle: f64) -> Self {
         let (sin, cos) = angle.sin_cos();
         // Rodrigues: R v = cos v + sin a×v + (1 - cos)(a·v) a
         let image = |v: Vec3| v * cos + a.cross(v) * sin + a * (a.dot(v) * (1.0 - cos));

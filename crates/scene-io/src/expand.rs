@@ -190,17 +190,31 @@ impl Expander<'_> {
             );
         }
         let value = element.required("value")?;
-        let directory = &self.texts.get(element.span.file).directory;
-        let path = directory.join(&value.value);
-        if !path.is_dir() {
+        let places = self.directories(element.span.file);
+        let mut paths = places.iter().map(|place| place.join(&value.value));
+        let Some(path) = paths.find(|path| path.is_dir()) else {
+            let path = places[0].join(&value.value);
             return Err(Problem::unreadable(
                 value.value_span,
                 format!("there is no folder \"{}\"", path.display()),
             )
-            .help("give a folder, relative to this file"));
-        }
+            .help("give a folder, relative to this file or one that includes it"));
+        };
         self.search_directories.insert(0, path);
         Ok(())
+    }
+
+    /// Where the names of folders and included files in a file are looked for, as in Mitsuba:
+    /// beside it, in the folders of `<path>`, and beside the files that include it.
+    fn directories(&self, file: FileId) -> Vec<PathBuf> {
+        let mut text = self.texts.get(file);
+        let mut directories = vec![text.directory.clone()];
+        directories.extend(self.search_directories.iter().cloned());
+        while let Some(place) = text.included_at {
+            text = self.texts.get(place.file);
+            directories.push(text.directory.clone());
+        }
+        directories
     }
 
     /// `<include filename="materials.xml"/>`: the children of its scene, or its
@@ -210,8 +224,7 @@ impl Expander<'_> {
         no_children(element)?;
         let filename = element.required("filename")?;
         let span = filename.value_span;
-        let mut directories = vec![self.texts.get(element.span.file).directory.clone()];
-        directories.extend(self.search_directories.iter().cloned());
+        let directories = self.directories(element.span.file);
         let path = find_file(&filename.value, &directories).map_err(|error| {
             Problem::unreadable(span, error).help("give a scene file to include")
         })?;

@@ -237,19 +237,6 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// Refuses an object of a kind that is not read here.
-    pub fn refuse_object(&self, kind: Kind, help: &str) -> Result<(), Problem> {
-        let mut objects = self.node.properties.iter();
-        let refused = objects.find(|property| match property.value {
-            PropertyValue::Object { node, .. } => self.context.graph.node(node).kind == kind,
-            _ => false,
-        });
-        match refused {
-            None => Ok(()),
-            Some(property) => Err(self.misplaced(property, kind).help(help)),
-        }
-    }
-
     fn misplaced(&self, property: &Property, kind: Kind) -> Problem {
         let tag = kind.tag();
         let article = match tag.starts_with(['a', 'e', 'i', 'o', 'u']) {
@@ -328,6 +315,19 @@ impl<'a> Fields<'a> {
         match self.node.kind {
             Kind::Scene => "the scene".into(),
             kind => format!("the {} \"{}\"", kind.tag(), self.node.plugin),
+        }
+    }
+
+    /// [`Self::unknown_plugin`], or what to do instead of one that `refused` lists.
+    pub fn refused_plugin(&self, known: &[&str], refused: &[(&str, &str)]) -> Problem {
+        let (kind, plugin) = (self.node.kind.tag(), self.node.plugin.as_str());
+        match refused.iter().find(|(name, _)| *name == plugin) {
+            None => self.unknown_plugin(known),
+            Some((_, instead)) => Problem::unsupported(
+                self.node.plugin_span,
+                format!("the {kind} \"{plugin}\" is not supported"),
+            )
+            .help(*instead),
         }
     }
 

@@ -119,6 +119,9 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
     for &stray in &expanded.stray {
         context.warn(stray, "text outside of attributes has no effect");
     }
+    for (span, message) in &graph.warnings {
+        context.warn(*span, message);
+    }
     let mut directories = expanded.search_directories;
     directories.push(texts.main().directory.clone());
     // As Mitsuba does, last of all in the working directory.

@@ -38,6 +38,7 @@ pub(crate) fn parse(texts: &Texts, root: &Element) -> Result<Graph, Problem> {
         ids: BTreeMap::new(),
         aliases: Vec::new(),
         references: Vec::new(),
+        warnings: Vec::new(),
     };
     let root = parser.object(root, Kind::Scene)?;
     parser.resolve_references()?;
@@ -47,6 +48,7 @@ pub(crate) fn parse(texts: &Texts, root: &Element) -> Result<Graph, Problem> {
     let graph = Graph {
         nodes: parser.nodes,
         root,
+        warnings: parser.warnings,
     };
     refuse_cycles(&graph)?;
     Ok(graph)
@@ -60,6 +62,8 @@ struct Parser<'a> {
     /// New name, old name.
     aliases: Vec<(Attribute, Attribute)>,
     references: Vec<Reference>,
+    /// What is odd about properties, and where.
+    warnings: Vec<(Span, String)>,
 }
 
 /// A `<ref>`, resolved when all objects are known.
@@ -173,7 +177,7 @@ impl Parser<'_> {
                 self.aliases.push((new.clone(), old.clone()));
                 Ok(None)
             }
-            _ => typed_property(element).map(Some),
+            _ => typed_property(element, &mut self.warnings).map(Some),
         }
     }
 
@@ -229,7 +233,10 @@ impl Parser<'_> {
     }
 }
 
-fn typed_property(element: &Element) -> Result<Property, Problem> {
+fn typed_property(
+    element: &Element,
+    warnings: &mut Vec<(Span, String)>,
+) -> Result<Property, Problem> {
     let tag = element.tag.as_str();
     let (value, value_span) = match tag {
         "float" | "integer" | "boolean" | "string" | "rgb" => {
@@ -260,7 +267,7 @@ fn typed_property(element: &Element) -> Result<Property, Problem> {
         "transform" => {
             element.only_attributes(&["name"])?;
             (
-                PropertyValue::Transform(value::transform(element)?),
+                PropertyValue::Transform(value::transform(element, warnings)?),
                 element.span,
             )
         }

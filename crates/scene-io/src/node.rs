@@ -14,6 +14,8 @@ pub(crate) struct NodeId(pub usize);
 pub(crate) struct Graph {
     pub nodes: Vec<Node>,
     pub root: NodeId,
+    /// What is odd about properties, and where.
+    pub warnings: Vec<(Span, String)>,
 }
 
 impl Graph {

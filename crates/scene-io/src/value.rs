@@ -172,8 +172,12 @@ fn samples(words: &[&str], span: Span) -> Result<Samples, Problem> {
         .map_err(|message| Problem::invalid(span, message).help(PAIRS_HELP))
 }
 
-/// The children of a `<transform>`; later ones act after earlier ones.
-pub(crate) fn transform(element: &Element) -> Result<Affine, Problem> {
+/// The children of a `<transform>`; later ones act after earlier ones. What is odd about them
+/// is added to `warnings`.
+pub(crate) fn transform(
+    element: &Element,
+    warnings: &mut Vec<(Span, String)>,
+) -> Result<Affine, Problem> {
     let mut total = Affine::IDENTITY;
     for step in &element.children {
         if let Some(child) = step.children.first() {
@@ -183,12 +187,12 @@ pub(crate) fn transform(element: &Element) -> Result<Affine, Problem> {
             )
             .help("move it behind"));
         }
-        total = transform_step(step)? * total;
+        total = transform_step(step, warnings)? * total;
     }
     Ok(total)
 }
 
-fn transform_step(step: &Element) -> Result<Affine, Problem> {
+fn transform_step(step: &Element, warnings: &mut Vec<(Span, String)>) -> Result<Affine, Problem> {
     match step.tag.as_str() {
         "translate" => {
             step.only_attributes(&["value", "x", "y", "z"])?;
@@ -210,14 +214,15 @@ fn transform_step(step: &Element) -> Result<Affine, Problem> {
                 );
             }
             let length = axis.length();
-            if (length - 1.0).abs() > ROUNDED_AXIS {
-                return Err(Problem::invalid(
-                    step.span,
-                    format!("the axis of the rotation has the length {length:.4}"),
-                )
-                .help("expected length 1; with another, Mitsuba distorts instead of rotating"));
+            if (length - 1.0).abs() <= ROUNDED_AXIS {
+                return Ok(Affine::rotate(axis, degrees.to_radians()));
             }
-            Ok(Affine::rotate(axis, degrees.to_radians()))
+            let message = format!(
+                "the axis of the rotation has the length {length:.4}: with any but 1, Mitsuba \
+                 distorts instead of rotating, and so does this"
+            );
+            warnings.push((step.span, message));
+            Ok(Affine::rodrigues(axis, degrees.to_radians()))
         }
         "lookat" => look_at(step),
         "matrix" => matrix(step),

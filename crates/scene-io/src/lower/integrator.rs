@@ -1,10 +1,10 @@
-//! Integrators: `direct`, `path`, and `aov` for one AOV. Mitsuba's integrators
-//! of derivatives are read as the one that makes the same image.
+//! Integrators: `direct`, `path`, and `aov` for one AOV. Others of Mitsuba are read as the one
+//! that makes the same image.
 
 use capwalk_scene::{Aov, Integrator};
 
-use crate::fields::Fields;
-use crate::node::Kind;
+use crate::fields::{Context, Fields};
+use crate::node::{Kind, NodeId};
 use crate::problem::Problem;
 
 /// Values of `type` that are read as they are.
@@ -18,6 +18,82 @@ const OF_DERIVATIVES: [(&str, &str); 6] = [
     ("prb_basic", "path"),
     ("prb_projective", "path"),
     ("prb_reparam", "path"),
+];
+
+/// Integrators that estimate the image of `path` in other ways, and what is to be said of it.
+const OTHER_PATHS: [(&str, &str); 8] = [
+    ("bdpt", LIGHT_PATHS),
+    ("erpt", LIGHT_PATHS),
+    ("mlt", LIGHT_PATHS),
+    ("prbvolpath", WITHOUT_MEDIA),
+    ("pssmlt", LIGHT_PATHS),
+    ("ptracer", FROM_LIGHTS),
+    ("volpath", WITHOUT_MEDIA),
+    ("volpathmis", WITHOUT_MEDIA),
+];
+
+const LIGHT_PATHS: &str = "which estimates the same image";
+const FROM_LIGHTS: &str = "which estimates the same image, and also what is seen in smooth mirrors \
+                           and through smooth glass, which paths from the emitters cannot find";
+const WITHOUT_MEDIA: &str = "which makes the same image without participating media; steps \
+                             straight through masks and null surfaces count for max_depth";
+
+/// Properties that only they have.
+const SETTINGS_OF_OTHER_PATHS: [&str; 18] = [
+    "bidirectional",
+    "bidirectional_mutation",
+    "caustic_perturbation",
+    "chain_length",
+    "direct_samples",
+    "lens_perturbation",
+    "light_image",
+    "luminance_samples",
+    "manifold_perturbation",
+    "max_chains",
+    "multi_chain_perturbation",
+    "num_chains",
+    "p_large",
+    "sample_direct",
+    "separate_direct",
+    "two_stage",
+    "use_mis",
+    "lambda",
+];
+
+/// Integrators that are not read, and what to do instead.
+const REFUSED: [(&str, &str); 8] = [
+    (
+        "adaptive",
+        "write its nested integrator without it, and choose sample_count",
+    ),
+    (
+        "irrcache",
+        "it interpolates; write <integrator type=\"path\"/>",
+    ),
+    (
+        "photonmapper",
+        "its image is blurred; write <integrator type=\"path\"/>",
+    ),
+    (
+        "ppm",
+        "its image is blurred; write <integrator type=\"path\"/>",
+    ),
+    (
+        "sppm",
+        "its image is blurred; write <integrator type=\"path\"/>",
+    ),
+    (
+        "stokes",
+        "light has no polarization here; write its nested integrator without it",
+    ),
+    (
+        "volprim_rf_basic",
+        "volumes are not rendered; write <integrator type=\"path\"/>",
+    ),
+    (
+        "vpl",
+        "its image is clamped; write <integrator type=\"path\"/>",
+    ),
 ];
 
 /// Properties that only they have.
@@ -40,25 +116,49 @@ const SETTINGS_OF_DERIVATIVES: [&str; 13] = [
 /// More samples or segments than this are a slip of the pen.
 const MOST: i64 = i32::MAX as i64;
 
-pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
-    let plugin = fields.node.plugin.as_str();
-    let of_derivatives = OF_DERIVATIVES.iter().find(|(name, _)| *name == plugin);
-    let integrator = match (plugin, of_derivatives) {
-        ("aov", _) => aov(fields)?,
-        ("direct", _) => direct(fields)?,
-        ("path", _) => path(fields, -1)?,
-        (_, Some((_, "direct"))) => direct_of_derivatives(fields)?,
-        (_, Some(_)) => path(fields, 6)?, // Mitsuba's default for them
-        (_, None) => return Err(fields.unknown_plugin(&INTEGRATORS)),
-    };
-    if let Some((name, read_as)) = of_derivatives {
-        fields.warn(&format!(
-            "the integrator \"{name}\" is read as \"{read_as}\", which makes the same image; \
-             derivatives are always those of the whole image, by the method that is asked for"
-        ));
-        let reason = "it concerns how Mitsuba samples derivatives";
-        fields.cosmetic(&SETTINGS_OF_DERIVATIVES, reason);
+/// Integrators inside each other, at most.
+const DEEPEST: usize = 8;
+
+pub(super) fn lower(context: &Context, node: NodeId) -> Result<Integrator, Problem> {
+    nested(context, node, DEEPEST)
+}
+
+/// The integrator of a node, in which others may stand so deep.
+fn nested(context: &Context, node: NodeId, deepest: usize) -> Result<Integrator, Problem> {
+    let fields = &Fields::new(context, node);
+    if deepest == 0 {
+        let message = "integrators stand inside each other too deep";
+        return Err(Problem::unsupported(fields.node.span, message)
+            .help(format!("expected at most {DEEPEST} inside each other")));
     }
+    let plugin = fields.node.plugin.as_str();
+    let read_as = |table: &[(&'static str, &'static str)]| {
+        let found = table.iter().find(|(name, _)| *name == plugin);
+        found.map(|&(_, meaning)| meaning)
+    };
+    let integrator = match (plugin, read_as(&OF_DERIVATIVES), read_as(&OTHER_PATHS)) {
+        ("aov" | "moment", ..) => match wrapped(context, fields, deepest)? {
+            Some(integrator) => integrator,
+            None => aov(fields)?,
+        },
+        ("depth", ..) => {
+            fields.warn("the integrator \"depth\" is read as \"aov\" with the AOV depth");
+            Integrator::Aov(Aov::Depth)
+        }
+        ("direct", ..) => direct(fields)?,
+        ("path", ..) => path(fields, -1)?,
+        (_, Some(meaning), _) => of_derivatives(fields, meaning)?,
+        (_, _, Some(why)) => {
+            fields.warn(&format!(
+                "the integrator \"{plugin}\" is read as \"path\", {why}"
+            ));
+            let reason = "it concerns how paths are sampled";
+            fields.cosmetic(&SETTINGS_OF_OTHER_PATHS, reason);
+            // Mitsuba's default for integrators of derivatives is 6.
+            path(fields, if plugin == "prbvolpath" { 6 } else { -1 })?
+        }
+        _ => return Err(fields.refused_plugin(&INTEGRATORS, &REFUSED)),
+    };
     strict_normals(fields)?;
     fields.cosmetic(
         &["block_size", "samples_per_pass"],
@@ -74,6 +174,60 @@ pub(super) fn lower(fields: &Fields) -> Result<Integrator, Problem> {
         );
     }
     fields.finish()?;
+    Ok(integrator)
+}
+
+/// The image of the integrator in a `moment` or an `aov`, which add channels to it.
+fn wrapped(
+    context: &Context,
+    fields: &Fields,
+    deepest: usize,
+) -> Result<Option<Integrator>, Problem> {
+    let plugin = fields.node.plugin.as_str();
+    let children = fields.children(Kind::Integrator);
+    let Some((first, others)) = children.split_first() else {
+        return match plugin {
+            "aov" => Ok(None),
+            _ => Err(Problem::missing(
+                fields.node.span,
+                format!("the integrator \"{plugin}\" has no integrator"),
+            )
+            .help("put the integrator into it that makes the image")),
+        };
+    };
+    if let Some(other) = others.first() {
+        let message = "only the image of the first integrator here is rendered";
+        context.warn(other.span, message);
+    }
+    match plugin {
+        "aov" => {
+            fields.string("aovs")?;
+            fields.warn(
+                "the image of the nested integrator is rendered, and no AOV: leave the nested \
+                 integrator out for them",
+            );
+        }
+        _ => fields.warn(
+            "the integrator \"moment\" is read as the one inside it: there are no channels of \
+             second moments, errors of images are estimated without them",
+        ),
+    }
+    nested(context, first.node, deepest - 1).map(Some)
+}
+
+/// An integrator of derivatives, which makes the image of `meaning`.
+fn of_derivatives(fields: &Fields, meaning: &str) -> Result<Integrator, Problem> {
+    let integrator = match meaning {
+        "direct" => direct_of_derivatives(fields)?,
+        _ => path(fields, 6)?, // Mitsuba's default for them
+    };
+    fields.warn(&format!(
+        "the integrator \"{}\" is read as \"{meaning}\", which makes the same image; \
+         derivatives are always those of the whole image, by the method that is asked for",
+        fields.node.plugin
+    ));
+    let reason = "it concerns how Mitsuba samples derivatives";
+    fields.cosmetic(&SETTINGS_OF_DERIVATIVES, reason);
     Ok(integrator)
 }
 
@@ -140,11 +294,6 @@ fn path(fields: &Fields, default_depth: i64) -> Result<Integrator, Problem> {
 
 /// The one AOV of `aovs`, a list of `name:kind`.
 fn aov(fields: &Fields) -> Result<Integrator, Problem> {
-    fields.refuse_object(
-        Kind::Integrator,
-        "keep the nested integrator for the image, without the \"aov\" around it, and make a \
-         second file with \"aov\" alone",
-    )?;
     let known = || Aov::ALL.map(Aov::name).join(", ");
     let Some(text) = fields.string("aovs")? else {
         return Err(

@@ -46,6 +46,19 @@ fn scene_settings(fields: &Fields) {
 }
 
 impl Lowering<'_> {
+    /// Refuses what lies between surfaces, wherever it stands.
+    fn refuse_media(&self) -> Result<(), Problem> {
+        let mut nodes = self.context.graph.nodes.iter();
+        match nodes.find(|node| node.kind == Kind::Medium) {
+            None => Ok(()),
+            Some(medium) => Err(Problem::unsupported(
+                medium.span,
+                "participating media are not rendered",
+            )
+            .help("light goes from surface to surface here; remove the <medium>")),
+        }
+    }
+
     fn scene(
         mut self,
         fields: &Fields,
@@ -56,7 +69,8 @@ impl Lowering<'_> {
             Problem::missing(root, "the scene has no integrator")
                 .help("add for example <integrator type=\"path\"/>")
         })?;
-        let integrator = integrator::lower(&Fields::new(self.context, integrator.node))?;
+        let integrator = integrator::lower(self.context, integrator.node)?;
+        self.refuse_media()?;
         let sensors = fields.children(Kind::Sensor);
         let chosen = choose_sensor(self.context, root, &sensors, sensor)?;
         // The chosen one last: its places in the text count.

@@ -13,30 +13,55 @@ fn no_integrator() {
     );
 }
 
+fn integrator(element: &str) -> String {
+    format!("{HEAD}{element}<sensor type=\"perspective\"/></scene>")
+}
+
 #[test]
 fn unknown_integrator() {
     check(
-        &format!(
-            "{HEAD}{}",
-            r#"<integrator type="volpath"/><sensor type="perspective"/></scene>"#
-        ),
+        &integrator(r#"<integrator type="pathh"/>"#),
         &[
-            "scene.xml:2:19: unknown integrator plugin \"volpath\"",
+            "scene.xml:2:19: unknown integrator plugin \"pathh\"",
             "  known integrator plugins: aov, direct, path",
+            "  did you mean \"path\"?",
+        ],
+    );
+    check(
+        &integrator(r#"<integrator type="stokes"><integrator type="path"/></integrator>"#),
+        &[
+            "scene.xml:2:19: the integrator \"stokes\" is not supported",
+            "  light has no polarization here; write its nested integrator without it",
         ],
     );
 }
 
 #[test]
-fn aovs_around_an_image() {
+fn integrators_without_an_image() {
     check(
-        &format!(
-            "{HEAD}{}",
-            r#"<integrator type="aov"><string name="aovs" value="d:depth"/><integrator type="path"/></integrator><sensor type="perspective"/></scene>"#
-        ),
+        &integrator(r#"<integrator type="moment"/>"#),
         &[
-            "scene.xml:2:61: the integrator \"aov\" cannot have an integrator",
-            "  keep the nested integrator for the image, without the \"aov\" around it, and make a second file with \"aov\" alone",
+            "scene.xml:2:1: the integrator \"moment\" has no integrator",
+            "  put the integrator into it that makes the image",
+        ],
+    );
+    let deep = r#"<integrator type="moment">"#.repeat(9) + &"</integrator>".repeat(9);
+    check(
+        &integrator(&deep),
+        &[
+            "scene.xml:2:209: integrators stand inside each other too deep",
+            "  expected at most 8 inside each other",
+        ],
+    );
+}
+
+#[test]
+fn media() {
+    check(
+        &scene(r#"<shape type="cube"><medium name="interior" type="homogeneous"/></shape>"#),
+        &[
+            "scene.xml:5:22: participating media are not rendered",
+            "  light goes from surface to surface here; remove the <medium>",
         ],
     );
 }

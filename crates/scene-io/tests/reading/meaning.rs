@@ -349,6 +349,51 @@ fn reflectance(value: &str) -> Rgb {
     }
 }
 
+/// Mitsuba distorts by axes that are not of length 1: its matrix for this text.
+#[test]
+fn long_axes_of_rotations() {
+    assert_transform(
+        r#"<rotate x="1" z="1" angle="30"/>"#,
+        [
+            [1.0, -0.5, 0.133975, 0.0],
+            [0.5, 0.866025, -0.5, 0.0],
+            [0.133975, 0.5, 1.0, 0.0],
+        ],
+    );
+}
+
+/// Other integrators of the same image, and those that only add channels to one.
+#[test]
+fn integrators_that_make_the_image_of_others() {
+    let with = |integrator: &str| {
+        let text = format!("{HEAD}{integrator}<sensor type=\"perspective\"/></scene>");
+        load(&text).settings.integrator
+    };
+    let path = |max_depth| Integrator::Path {
+        max_depth,
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    for plugin in ["bdpt", "mlt", "ptracer", "volpath", "volpathmis"] {
+        let text = |inside: &str| format!("<integrator type=\"{plugin}\">{inside}</integrator>");
+        assert_eq!(with(&text("")), path(None));
+        let depth = r#"<integer name="max_depth" value="3"/>"#;
+        assert_eq!(with(&text(depth)), path(Some(3)));
+    }
+    assert_eq!(with(r#"<integrator type="prbvolpath"/>"#), path(Some(6)));
+    let depth = Integrator::Aov(capwalk_scene::Aov::Depth);
+    assert_eq!(with(r#"<integrator type="depth"/>"#), depth);
+    let nested = r#"<integrator type="path"/><integrator type="direct"/>"#;
+    for wrapper in [
+        format!("<integrator type=\"moment\">{nested}</integrator>"),
+        format!(
+            "<integrator type=\"aov\"><string name=\"aovs\" value=\"d:depth,n:uv\"/>{nested}</integrator>"
+        ),
+    ] {
+        assert_eq!(with(&wrapper), path(None));
+    }
+}
+
 fn radiance(value: &str) -> Rgb {
     let text = format!(
         "{HEAD}<integrator type=\"path\"/><sensor type=\"perspective\"/>\

@@ -113,6 +113,15 @@ fn files_that_include_themselves() {
     );
 }
 
+/// What stands in an included file is looked for beside it, and then beside the files that
+/// include it, as in Mitsuba: `<path>` and `<include>` alike.
+#[test]
+fn included_files_look_beside_those_that_include_them() {
+    let scene = load(&scene("<include filename=\"include/nested.xml\"/>"));
+    assert_eq!(scene.shapes[0].id, "square");
+    assert_eq!(scene.material(scene.shapes[0].bsdf).id, "grey");
+}
+
 #[test]
 fn paths_are_searched_for_files() {
     let folder = folder();
