@@ -180,6 +180,56 @@ def test_files_are_found(tmp_path: Path) -> None:
     assert same(one, other)
 
 
+SAMPLED = [(400, 0.1), (700, 0.5)]
+
+
+@pytest.mark.parametrize(
+    "spectrum",
+    [
+        {"type": "spectrum", "value": SAMPLED},
+        {"type": "spectrum", "value": np.array(SAMPLED)},
+        {"type": "irregular", "wavelengths": "400, 700", "values": "0.1, 0.5"},
+        {"type": "irregular", "value": {"type": "spectrum", "value": SAMPLED}},
+        {"type": "regular", "wavelength_min": 400, "wavelength_max": 700.0, "values": "0.1, 0.5"},
+        {"type": "srgb", "color": {"type": "rgb", "value": [0.421193, 0.290558, 0.153908]}},
+        {"type": "srgb", "color": [0.421193, 0.290558, 0.153908]},
+        {"type": "rawconstant", "value": np.array([0.421193, 0.290558, 0.153908])},
+    ],
+)
+def test_spectra_are_colours(spectrum: dict[str, Any]) -> None:
+    """That of Mitsuba for each of them."""
+    loaded = cw.load_dict(scene(paint={"type": "diffuse", "reflectance": spectrum}))
+    colour = cw.traverse(loaded)["paint.reflectance.value"]
+    assert np.allclose(colour, [0.421193, 0.290558, 0.153908], atol=1e-6)
+
+
+def test_spectra_of_light_and_of_files(tmp_path: Path) -> None:
+    (tmp_path / "light.spd").write_text("# nm, value\n400 0.1\n700 0.5\n")
+    spectra: dict[str, dict[str, Any]] = {
+        "file": {"type": "spectrum", "filename": "light.spd"},
+        "values": {"type": "spectrum", "value": SAMPLED},
+        "flat": {"type": "spectrum", "value": 2.0},
+        "day": {"type": "d65", "scale": 2.0},
+        "hot": {"type": "blackbody", "temperature": 3000.0},
+    }
+    for key, radiance in spectra.items():
+        spectra[key] = {"type": "rectangle", "emitter": {"type": "area", "radiance": radiance}}
+    arrays = cw.traverse(cw.load_dict(scene(**spectra), folder=tmp_path))
+    colours = {key: arrays[f"{key}.emitter.radiance.value"] for key in spectra}
+    assert np.allclose(colours["file"], colours["values"])
+    assert np.allclose(colours["flat"], 2 * np.array([1.2048, 0.9483, 0.9089]), atol=1e-3)
+    assert np.allclose(colours["day"], 2)
+    assert colours["hot"][0] > colours["hot"][1] > colours["hot"][2] > 0
+
+
+def test_colours_that_srgb_lacks_warn() -> None:
+    """As in Mitsuba, which clamps them."""
+    bright = {"type": "spectrum", "value": [(400, 1), (700, 2)]}
+    with pytest.warns(cw.SceneWarning, match=r'\["reflectance"\]: .*a colour that sRGB lacks'):
+        loaded = cw.load_dict(scene(paint={"type": "diffuse", "reflectance": bright}))
+    assert np.array_equal(cw.traverse(loaded)["paint.reflectance.value"], [1, 1, 1])
+
+
 def test_several_sensors() -> None:
     parts = scene()
     film = {**parts["sensor"]["film"], "width": 5}
@@ -253,9 +303,9 @@ WRONG: list[tuple[str, object, str, str]] = [
     ),
     (
         "paint",
-        {"type": "diffuse", "reflectance": {"type": "spectrum", "value": [(400, 1), (700, 2)]}},
+        {"type": "diffuse", "reflectance": {"type": "spectrum", "value": [(700, 0.1), (400, 0.5)]}},
         '["reflectance"]',
-        "depends on the wavelength",
+        "the wavelength 400 stands behind 700",
     ),
     ("mesh", {"type": "mesh", "positions": np.eye(3)}, "", "has no faces"),
     ("mesh", {**MESH, "positions": np.eye(2)}, '["positions"]', "expected (n, 3)"),

@@ -42,13 +42,26 @@ impl Lowering<'_> {
             }
             other => return Err(not_a_colour(name, other, span)),
         };
+        // Mitsuba refuses such an <rgb>, and takes one number above 1.
+        let strict = matches!(property.value, PropertyValue::Rgb(_));
+        self.allowed(colour, name, quantity, strict, span)
+    }
+
+    /// The colour, if the quantity may be that; above 1 only with a warning, or not if `strict`.
+    pub(super) fn allowed(
+        &self,
+        colour: Rgb,
+        name: &str,
+        quantity: Quantity,
+        strict: bool,
+        span: Span,
+    ) -> Result<Rgb, Problem> {
         let shown = || format!("\"{name}\" is ({}, {}, {})", colour.r, colour.g, colour.b);
         if colour.to_array().iter().any(|&channel| channel < 0.0) {
             return Err(Problem::invalid(span, shown()).help("expected numbers of at least 0"));
         }
         if is_fraction(quantity) && colour.max_component() > 1.0 {
-            // Mitsuba refuses these as well, and takes one number above 1.
-            if let PropertyValue::Rgb(_) = property.value {
+            if strict {
                 return Err(Problem::invalid(span, shown()).help(
                     "expected numbers from 0 to 1: a surface cannot reflect more than it receives",
                 ));

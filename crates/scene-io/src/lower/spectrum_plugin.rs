@@ -1,6 +1,6 @@
 //! Spectra that are objects, `<spectrum type="...">`: textures of one colour or number.
 
-use capwalk_math::Rgb;
+use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::{Quantity, Texture, TextureId};
 
 use super::colour::is_light;
@@ -55,10 +55,10 @@ impl Lowering<'_> {
                     true => Quantity::Radiance,
                     false => Quantity::Reflectance,
                 };
-                Texture::colour(id, self.colour(fields, "color", bound, Rgb::zero())?)
+                Texture::colour(id, self.plain_colour(fields, "color", bound, Rgb::zero())?)
             }
             "rawconstant" => match required(fields, "value", A_NUMBER)? {
-                PropertyValue::Vector(v) => Texture::colour(id, Rgb::new(v.x, v.y, v.z)),
+                PropertyValue::Vector(v) => Texture::colour(id, rgb(*v)),
                 _ => Texture::number(id, fields.float("value", 0.0)?),
             },
             _ => {
@@ -78,7 +78,7 @@ impl Lowering<'_> {
         quantity: Quantity,
     ) -> Result<TextureId, Problem> {
         let scale = fields.float("scale", 1.0)?;
-        let colour = self.colour(fields, "color", Quantity::Radiance, Rgb::splat(1.0))?;
+        let colour = self.plain_colour(fields, "color", Quantity::Radiance, Rgb::splat(1.0))?;
         let texture = match (fields.child(Kind::Texture)?, fields.get("color")) {
             (Some(Child { span, .. }), Some(_)) => {
                 let message = "the spectrum \"d65\" has both a color and a texture";
@@ -95,6 +95,23 @@ impl Lowering<'_> {
             (None, None) => Texture::number(id, scale),
         };
         Ok(self.add_texture(texture, fields.node.span))
+    }
+
+    /// A colour that can be no texture, and may be given as three numbers.
+    fn plain_colour(
+        &self,
+        fields: &Fields,
+        name: &'static str,
+        quantity: Quantity,
+        default: Rgb,
+    ) -> Result<Rgb, Problem> {
+        match fields.get(name).map(|property| &property.value) {
+            Some(PropertyValue::Vector(v)) => {
+                let span = fields.span_of(name);
+                self.allowed(rgb(*v), name, quantity, true, span)
+            }
+            _ => self.colour(fields, name, quantity, default),
+        }
     }
 
     fn black_body(&self, fields: &Fields, quantity: Quantity) -> Result<Rgb, Problem> {
@@ -120,6 +137,10 @@ impl Lowering<'_> {
         let colour = black_body(temperature, [first, last]) * scale;
         Ok(self.clamped(colour, f64::INFINITY, "blackbody", span))
     }
+}
+
+fn rgb(v: Vec3) -> Rgb {
+    Rgb::new(v.x, v.y, v.z)
 }
 
 /// What a spectrum with one number needs.

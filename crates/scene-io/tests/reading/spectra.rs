@@ -102,6 +102,8 @@ fn objects() {
     assert_near(refl("rawconstant", vector), [0.1, 0.2, 0.3]);
     let colour = r#"<rgb name="color" value="0.1, 0.2, 0.3"/>"#;
     assert_near(refl("srgb", colour), [0.1, 0.2, 0.3]);
+    let vector = r#"<vector name="color" value="0.1 0.2 0.3"/>"#;
+    assert_near(refl("srgb", vector), [0.1, 0.2, 0.3]);
     let light = |plugin: &str, inside: &str| {
         radiance(&format!(
             "<spectrum name=\"radiance\" type=\"{plugin}\">{inside}</spectrum>"
@@ -191,6 +193,11 @@ fn what_is_wrong_with_spectra() {
         (
             r#"<spectrum name="reflectance" type="srgb"><rgb name="color" value="2"/></spectrum>"#,
             "scene.xml:5:97: \"color\" is (2, 2, 2)",
+            "  expected numbers from 0 to 1: a surface cannot reflect more than it receives",
+        ),
+        (
+            r#"<spectrum name="reflectance" type="srgb"><vector name="color" value="2"/></spectrum>"#,
+            "scene.xml:5:100: \"color\" is (2, 2, 2)",
             "  expected numbers from 0 to 1: a surface cannot reflect more than it receives",
         ),
         (
