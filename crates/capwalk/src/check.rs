@@ -26,7 +26,7 @@ pub struct CheckOptions {
     /// four times those of the gradient.
     pub reference_spp: Option<u32>,
     /// How far the parameter moves on each side, in its own units; `None` chooses
-    /// [`difference_step`](crate::difference_step).
+    /// [`Prepared::difference_step`](crate::Prepared::difference_step).
     pub step: Option<f64>,
 }
 

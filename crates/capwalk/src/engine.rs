@@ -30,6 +30,10 @@ impl Engine {
         self.prepared.scene()
     }
 
+    pub fn prepared(&self) -> &PreparedScene {
+        &self.prepared
+    }
+
     pub fn registry(&self) -> &Registry {
         self.registry.get_or_init(|| Registry::new(self.scene()))
     }

@@ -114,5 +114,5 @@ pub use method::{
 };
 pub use options::DifferenceOptions;
 pub use prepared::{Prepared, Values};
-pub use step::{bounds, difference_step};
+pub use step::bounds;
 pub use views::{ViewId, Views};

@@ -12,7 +12,7 @@ pub struct DifferenceOptions {
     /// Seed of all random numbers, the same on both sides.
     pub seed: u64,
     /// How far the parameter moves on each side, above 0, in its own units; `None`
-    /// chooses [`difference_step`](crate::difference_step).
+    /// chooses [`Prepared::difference_step`](crate::Prepared::difference_step).
     pub step: Option<f64>,
 }
 

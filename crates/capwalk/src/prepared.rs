@@ -166,7 +166,7 @@ impl Prepared {
     /// The step that central differences along this motion take by default, in units of
     /// the parameter.
     pub fn difference_step(&self, tangent: &Tangent) -> f64 {
-        difference_step(self.scene(), tangent)
+        difference_step(self.engine.prepared(), tangent)
     }
 
     /// A gradient and its reference by central differences, with a verdict.

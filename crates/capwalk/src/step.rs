@@ -1,9 +1,9 @@
 //! By how much a finite difference moves its parameter.
 
-use capwalk_diff::may_be_specular;
+use capwalk_diff::{PreparedScene, may_be_specular};
 use capwalk_math::{Dual, Vec3};
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{Filter, Scene, Shape, ShapeVectors, Tangent};
+use capwalk_scene::{Film, Filter, Scene, Shape, ShapeVectors, Tangent};
 
 /// Part of the size of the fastest shape that it moves by on each side of a
 /// finite difference. The bias of the difference grows with its square, the
@@ -17,7 +17,8 @@ const COLOUR_STEP: f64 = 0.01;
 
 /// The step of a finite difference along the motion, in units of its
 /// parameter: the smallest that any of the things that move asks for.
-pub fn difference_step(scene: &Scene, tangent: &Tangent) -> f64 {
+pub fn difference_step(prepared: &PreparedScene, tangent: &Tangent) -> f64 {
+    let scene = &**prepared.scene();
     let mut step = f64::INFINITY;
     // Vertices move by a part of their shape, given normals by as much as colours.
     for (shape, tangent) in scene.shapes.iter().zip(&tangent.shapes) {
@@ -41,7 +42,7 @@ pub fn difference_step(scene: &Scene, tangent: &Tangent) -> f64 {
     let speed = sensor.translation.length() + turning * size;
     step = step.min(STEP_FRACTION * size / speed);
     // Nothing in the image moves by more than a part of a pixel.
-    step = step.min(film_step(scene) / film_speed(scene, tangent));
+    step = step.min(film_step(scene) / film_speed(prepared, tangent));
     // Numbers of materials and emitters change a little.
     let numbers = tangent.textures.iter().flatten().flatten();
     let rate = numbers.map(|v| v.abs()).fold(0.0, f64::max);
@@ -59,9 +60,10 @@ fn film_step(scene: &Scene) -> f64 {
 }
 
 /// The largest speed on the film, in pixels per unit of the parameter, of a
-/// vertex in the image, hidden or not; and of the image itself if the
-/// sensor turns.
-fn film_speed(scene: &Scene, tangent: &Tangent) -> f64 {
+/// vertex in the image, hidden or not; and of what is seen at some places if
+/// the sensor moves.
+fn film_speed(prepared: &PreparedScene, tangent: &Tangent) -> f64 {
+    let scene = &**prepared.scene();
     let (sensor, film) = (&scene.sensor, &scene.film);
     let moving = sensor.moving_state(&tangent.sensor);
     // The middle of the lens, and places on its rim.
@@ -110,25 +112,39 @@ fn film_speed(scene: &Scene, tangent: &Tangent) -> f64 {
                 })
         });
     let of_vertices = vertices.map(|(position, velocity)| speed(position, velocity));
-    let [x, y] = film.crop_offset.map(f64::from);
-    let [width, height] = film.crop_size.map(f64::from);
-    let corners = [
-        [x, y],
-        [x + width, y],
-        [x, y + height],
-        [x + width, y + height],
-    ];
-    let of_corners = corners.map(|corner| {
-        let view = sensor.view(film);
-        let ray = view.ray(view.direction(corner));
-        let [near, far] = ray.range;
-        speed(
-            ray.origin + ray.direction * (0.5 * (near + far)),
-            Vec3::zero(),
-        )
-    });
-    let seen = of_vertices.chain(of_corners).fold(0.0, f64::max);
+    let view = sensor.view(film);
+    let of_places = places(film)
+        .filter_map(|place| seen_at(prepared, &view, place))
+        .map(|point| speed(point, Vec3::zero()));
+    let seen = of_vertices.chain(of_places).fold(0.0, f64::max);
     seen.max(mirrored_speed(scene, tangent))
+}
+
+/// Steps between the places on the film at which its own motion is measured, along each
+/// side.
+const STEPS_ALONG_FILM: u32 = 4;
+
+/// Places on the film, its corners among them, pixels.
+fn places(film: &Film) -> impl Iterator<Item = [f64; 2]> {
+    let (offset, size) = (film.crop_offset, film.crop_size);
+    let along = move |axis: usize, i: u32| {
+        f64::from(offset[axis]) + f64::from(size[axis]) * f64::from(i) / f64::from(STEPS_ALONG_FILM)
+    };
+    (0..=STEPS_ALONG_FILM)
+        .flat_map(move |j| (0..=STEPS_ALONG_FILM).map(move |i| [along(0, i), along(1, j)]))
+}
+
+/// A point in world space that stands for what is seen at a place on the film: rays from
+/// one point turn by the same angle at every distance, parallel rays move by more the
+/// farther away the surface is that they hit.
+fn seen_at(prepared: &PreparedScene, view: &View<f64>, place: [f64; 2]) -> Option<Vec3> {
+    let accel = prepared.accel();
+    let ray = accel.camera_ray(view.origin, view.direction(place));
+    let distance = match view.is_parallel() {
+        false => 0.5 * (ray.t_min + ray.t_max),
+        true => accel.first_hit_within(&ray)?.t,
+    };
+    Some(ray.origin + ray.direction * distance)
 }
 
 /// A bound of the speed on the film, near its middle, of what moves in a mirror or
@@ -176,7 +192,11 @@ mod tests {
     use capwalk_scene::params::Registry;
 
     use super::*;
-    use capwalk_scene::{Bsdf, Optic};
+    use capwalk_scene::{Bsdf, Optic, SensorModel};
+
+    fn difference_step(scene: &Scene, tangent: &Tangent) -> f64 {
+        super::difference_step(&PreparedScene::new(scene.clone()), tangent)
+    }
 
     /// What is in the image moves by a fixed part of a pixel.
     #[test]
@@ -210,6 +230,26 @@ mod tests {
             (coarse / fine - 2.0).abs() < 1e-6,
             "{coarse} against {fine}"
         );
+    }
+
+    /// Parallel rays that turn move what they hit by its distance, not by that of the clip
+    /// planes.
+    #[test]
+    fn steps_of_parallel_rays_follow_what_is_seen() {
+        let mut scene = capwalk_scene::builtin::scene("ball").unwrap();
+        scene.sensor.model = SensorModel::Orthographic;
+        scene.sensor.far_clip = 1e4;
+        let tangent = Registry::new(&scene)
+            .tangent(&scene, "sensor.rotate.y")
+            .unwrap();
+        let step = difference_step(&scene, &tangent);
+        let view = scene.sensor.view(&scene.film);
+        let prepared = PreparedScene::new(scene.clone());
+        let seen = places(&scene.film).filter_map(|place| seen_at(&prepared, &view, place));
+        let farthest = seen.map(|point| view.depth(point)).fold(0.0, f64::max);
+        assert!(farthest > 1.0 && farthest < 100.0, "{farthest}");
+        let one_pixel = 0.03 * view.pixel_size() / farthest;
+        assert!(step > 0.2 * one_pixel, "{step} against {one_pixel}");
     }
 
     /// Normals that turn where nothing moves.

@@ -1,9 +1,9 @@
 //! How commands end: the exit status, and the one place where errors are shown.
 
-use std::fs;
 use std::process::ExitCode;
 
 use capwalk::scene::params::ParameterError;
+use capwalk::scene_io::read_text_file;
 use capwalk::{Diagnostic, Error, FolderError, LoadError, UnusableImage};
 
 /// How a command that wrote its results ended.
@@ -48,7 +48,7 @@ pub fn describe(error: &anyhow::Error) -> String {
         _ => error.downcast_ref::<LoadError>(),
     };
     if let Some(error) = load {
-        let source = error.file().and_then(|file| fs::read_to_string(file).ok());
+        let source = error.file().and_then(|file| read_text_file(file).ok());
         return describe_load(error, &source.unwrap_or_default());
     }
     let mut text = format!("error: {error}");

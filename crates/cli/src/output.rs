@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview};
 use capwalk::{Estimate, Image, RenderOptions, Statistics};
 
@@ -29,6 +29,7 @@ impl Files {
             make_folder(path)?;
             image::check_writable(path)?;
         }
+        refuse_repeated(&paths)?;
         Ok(Self { paths })
     }
 
@@ -48,6 +49,27 @@ impl Files {
         let names = self.paths.iter();
         Ok(names.map(|path| path.display().to_string()).collect())
     }
+}
+
+/// Refuses two names of one file, whose folder is there.
+fn refuse_repeated(paths: &[PathBuf]) -> Result<()> {
+    let place = |path: &Path| {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
+        let folder = folder.unwrap_or(Path::new(".")).canonicalize();
+        folder.map(|folder| folder.join(path.file_name().unwrap_or_default()))
+    };
+    let mut seen: Vec<PathBuf> = Vec::new();
+    for path in paths {
+        // A file that is there may have several names.
+        let place = path.canonicalize().or_else(|_| place(path))?;
+        ensure!(
+            !seen.contains(&place),
+            "the file {} is to be written twice; name each file once",
+            path.display()
+        );
+        seen.push(place);
+    }
+    Ok(())
 }
 
 /// Creates the folder that a file is to be in.

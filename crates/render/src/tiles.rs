@@ -72,6 +72,10 @@ impl Accumulate for PixelSums {
     }
 }
 
+/// The largest number of a sample that counts as finite: images are kept in single
+/// precision, and the sums of squares of larger ones overflow.
+const LARGEST_NUMBER: f64 = f32::MAX as f64;
+
 /// Pixels that a worker takes at a time.
 const CHUNK: usize = 16;
 /// The work is done in at least this many passes over the image, so that it
@@ -139,7 +143,7 @@ pub fn average<const C: usize>(
                         let sample = sample(position, &stream);
                         tally.cone_queries += sample.cone_queries;
                         tally.uncovered += sample.uncovered;
-                        if sample.numbers.iter().all(|x| x.is_finite()) {
+                        if sample.numbers.iter().all(|x| x.abs() <= LARGEST_NUMBER) {
                             sum.iter_mut()
                                 .zip(sample.numbers)
                                 .for_each(|(s, x)| *s += x);
@@ -260,8 +264,15 @@ mod tests {
     use super::*;
     use crate::options::Unwatched;
 
-    /// Samples that are not finite count as zero, are all counted, and never
-    /// reach the image.
+    /// What is no number that a file can hold.
+    const BAD: [[f64; 3]; 3] = [
+        [1.0, f64::NAN, 1.0],
+        [1.0, f64::NEG_INFINITY, 1.0],
+        [1.0, 1.0, -1e39],
+    ];
+
+    /// Samples that are not finite, or would not be in single precision, count as zero,
+    /// are all counted, and never reach the image.
     #[test]
     fn non_finite_samples_are_counted() {
         let mut scene = capwalk_scene::builtin::scene("leaf").expect("a built-in scene");
@@ -273,7 +284,7 @@ mod tests {
         let partial = average(&scene, &options, None, &part, &Unwatched, |_, stream| {
             Sample {
                 numbers: match bad(stream) {
-                    true => [1.0, f64::NAN, f64::INFINITY],
+                    true => BAD[(10.0 * stream.number(1)) as usize % BAD.len()],
                     false => [1.0; 3],
                 },
                 cone_queries: 0,

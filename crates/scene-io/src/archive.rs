@@ -7,6 +7,8 @@ use zip::read::ZipFile;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
+use crate::npy::{self, PackedArray};
+
 /// Adds an array of a type in NumPy's notation. There must be as many values as
 /// the shape says.
 pub(crate) fn add_array<T: npyz::Serialize>(
@@ -53,11 +55,13 @@ pub(crate) fn add_pairs(
     add_array(archive, name, &descr, &shape, strings().cloned())
 }
 
-/// An array of an archive, with its header read and its numbers still packed.
-pub(crate) type Entry<'a, 'b> = NpyFile<ZipFile<'a, Cursor<&'b [u8]>>>;
+/// An array of an archive.
+pub(crate) type Entry<'a, 'b> = PackedArray<ZipFile<'a, Cursor<&'b [u8]>>>;
 
-/// The name and the header of an array in the archive. The array is not shorter
-/// than its header says, so that no more memory is taken than the file has.
+/// Deflated bytes unpack to at most so many times their number.
+const DEFLATED: u64 = 1032;
+
+/// The name and the header of an array in the archive.
 pub(crate) fn open<'a, 'b>(
     archive: &'a mut ZipArchive<Cursor<&'b [u8]>>,
     index: usize,
@@ -65,18 +69,10 @@ pub(crate) fn open<'a, 'b>(
     let file = archive.by_index(index).map_err(|error| error.to_string())?;
     let name = file.name().map_err(|error| error.to_string())?.into_owned();
     let name = name.strip_suffix(".npy").unwrap_or(&name).to_owned();
-    let stored = file.size();
-    let array = NpyFile::new(file).map_err(|error| format!("the array \"{name}\": {error}"))?;
-    let mut sides = array.shape().iter();
-    let items = sides.try_fold(1_u64, |n, &m| n.checked_mul(m));
-    let item = array.dtype().num_bytes().unwrap_or(1) as u64;
-    let size = items.and_then(|n| n.checked_mul(item));
-    if size.is_none_or(|size| size > stored) {
-        let shape = array.shape();
-        return Err(format!(
-            "the array \"{name}\" ends before its shape {shape:?} is full"
-        ));
-    }
+    let size = file
+        .size()
+        .min(file.compressed_size().saturating_mul(DEFLATED));
+    let array = npy::open(file, size).map_err(|why| format!("the array \"{name}\" {why}"))?;
     Ok((name, array))
 }
 

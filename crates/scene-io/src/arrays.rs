@@ -14,6 +14,7 @@ use zip::{ZipArchive, ZipWriter};
 
 use crate::archive;
 use crate::atomic;
+use crate::files::read_file;
 use crate::image::ImageError;
 
 /// The array of keys and values; no other one may have this name.
@@ -100,7 +101,7 @@ fn encode(arrays: &Arrays) -> Result<Vec<u8>, String> {
 /// Reads arrays of `float64` as [`write()`] and `numpy.savez` write them.
 pub fn read(path: &Path) -> Result<Arrays, ImageError> {
     check_ending(path)?;
-    let bytes = std::fs::read(path).map_err(|error| ImageError::read(path, error))?;
+    let bytes = read_file(path).map_err(|error| ImageError::read(path, error))?;
     decode(&bytes).map_err(|reason| ImageError::read(path, reason))
 }
 

@@ -4,9 +4,11 @@
 //! As in Mitsuba, everything happens in the order of the text: a parameter is
 //! known from its `<default>` on, and a definition from outside wins over it.
 
+use std::collections::BTreeMap;
+use std::ops::Bound;
 use std::path::PathBuf;
 
-use crate::files::{find_file, read_text};
+use crate::files::{LARGEST_TEXT, find_file, read_text};
 use crate::problem::Problem;
 use crate::suggest::nearest;
 use crate::texts::{FileId, Span, Texts};
@@ -20,6 +22,16 @@ const DEEPEST_INCLUDE: usize = 15;
 /// several times at every level.
 const MOST_FILES: usize = 1024;
 
+/// The longest value of an attribute with parameters in it, bytes: numbers of a long
+/// spectrum have a few thousand. A bound on memory when parameters stand for others.
+const LONGEST_VALUE: usize = 1 << 20;
+
+/// Bytes that parameters put into a scene, at most.
+const MOST_SUBSTITUTED: usize = 1 << 26;
+
+/// Parameters of a file that a message names, at most.
+const MOST_NAMES: usize = 50;
+
 /// A scene file without includes and parameters.
 #[derive(Debug)]
 pub(crate) struct Expanded {
@@ -32,9 +44,8 @@ pub(crate) struct Expanded {
     pub upgraded: Vec<Upgraded>,
 }
 
-/// A name that `$name` stands for.
+/// What `$name` stands for.
 struct Parameter {
-    name: String,
     value: String,
     used: bool,
     /// True for a definition from outside, which must be used.
@@ -43,7 +54,10 @@ struct Parameter {
 
 struct Expander<'a> {
     texts: &'a mut Texts,
-    parameters: Vec<Parameter>,
+    /// By name.
+    parameters: BTreeMap<String, Parameter>,
+    /// Bytes that parameters have put in so far.
+    substituted: usize,
     search_directories: Vec<PathBuf>,
     stray: Vec<Span>,
     upgraded: Vec<Upgraded>,
@@ -58,16 +72,19 @@ pub(crate) fn expand(
     defines: &[(String, String)],
 ) -> Result<Expanded, Problem> {
     check_definitions(main, defines)?;
-    let parameters = defines.iter().map(|(name, value)| Parameter {
-        name: name.clone(),
-        value: value.clone(),
-        used: false,
-        defined: true,
+    let parameters = defines.iter().map(|(name, value)| {
+        let parameter = Parameter {
+            value: value.clone(),
+            used: false,
+            defined: true,
+        };
+        (name.clone(), parameter)
     });
     let parameters = parameters.collect();
     let mut expander = Expander {
         texts,
         parameters,
+        substituted: 0,
         search_directories: Vec::new(),
         stray: Vec::new(),
         upgraded: Vec::new(),
@@ -79,8 +96,11 @@ pub(crate) fn expand(
         expander.open_files.push(path);
     }
     let root = expander.file(main)?;
-    if let Some(unused) = expander.parameters.iter().find(|p| p.defined && !p.used) {
-        return Err(expander.unused_definition(main, unused));
+    let unused = defines
+        .iter()
+        .find(|(name, _)| !expander.parameters[name].used);
+    if let Some((name, value)) = unused {
+        return Err(expander.unused_definition(main, name, value));
     }
     Ok(Expanded {
         root,
@@ -92,14 +112,15 @@ pub(crate) fn expand(
 
 /// Refuses definitions without a name and contradictory ones.
 fn check_definitions(main: FileId, defines: &[(String, String)]) -> Result<(), Problem> {
-    for (i, (name, value)) in defines.iter().enumerate() {
+    let mut values = BTreeMap::new();
+    for (name, value) in defines {
         if name.is_empty() || !name.chars().all(|c| c.is_alphanumeric() || c == '_') {
             let message =
                 format!("\"{name}\", defined as \"{value}\", cannot be the name of a parameter");
             return Err(Problem::definition_for(main, message)
                 .help("expected letters, digits and underscores"));
         }
-        if let Some((_, other)) = defines[..i].iter().find(|(other, _)| other == name) {
+        if let Some(other) = values.insert(name, value) {
             let message =
                 format!("the parameter {name} is defined twice, as \"{other}\" and as \"{value}\"");
             return Err(Problem::definition_for(main, message).help("define it once"));
@@ -109,20 +130,19 @@ fn check_definitions(main: FileId, defines: &[(String, String)]) -> Result<(), P
 }
 
 impl Expander<'_> {
-    fn unused_definition(&self, main: FileId, unused: &Parameter) -> Problem {
-        let others = self.parameters.iter().filter(|p| !p.defined || p.used);
-        let names: Vec<&str> = others.map(|p| p.name.as_str()).collect();
-        let help = match names.is_empty() {
-            true => "the file has no parameters".to_owned(),
-            false => format!("the file's parameters are {}", names.join(", ")),
+    fn unused_definition(&self, main: FileId, unused: &str, value: &str) -> Problem {
+        let others = self.parameters.iter().filter(|(_, p)| !p.defined || p.used);
+        let names: Vec<&str> = others.map(|(name, _)| name.as_str()).collect();
+        let help = match names.len() {
+            0 => "the file has no parameters".to_owned(),
+            1..=MOST_NAMES => format!("the file's parameters are {}", names.join(", ")),
+            n => format!("the file has {n} other parameters"),
         };
-        let message = format!(
-            "nothing in the scene uses ${}, which is defined as \"{}\"",
-            unused.name, unused.value
-        );
+        let message =
+            format!("nothing in the scene uses ${unused}, which is defined as \"{value}\"");
         Problem::definition_for(main, message)
             .help(help)
-            .near(nearest(&unused.name, names))
+            .near(nearest(unused, names))
     }
 
     /// The root of one file, resolved.
@@ -168,14 +188,14 @@ impl Expander<'_> {
                     .help("write <default name=\"spp\" value=\"16\"/> and use it as $spp"),
             );
         }
-        if !self.parameters.iter().any(|p| p.name == name.value) {
-            self.parameters.push(Parameter {
-                name: name.value.clone(),
-                value: value.value.clone(),
-                used: false,
-                defined: false,
-            });
-        }
+        let parameter = || Parameter {
+            value: value.value.clone(),
+            used: false,
+            defined: false,
+        };
+        self.parameters
+            .entry(name.value.clone())
+            .or_insert_with(parameter);
         Ok(())
     }
 
@@ -245,6 +265,11 @@ impl Expander<'_> {
         let mut text = read_text(&path).map_err(|error| {
             Problem::unreadable(span, error).help("give a scene file to include")
         })?;
+        if self.texts.bytes() + text.content.len() > LARGEST_TEXT as usize {
+            let most = LARGEST_TEXT >> 20;
+            return Err(Problem::unsupported(span, "too much text is included")
+                .help(format!("at most {most} MiB in all are read")));
+        }
         text.included_at = Some(span);
         let file = self.texts.add(text);
         self.open_files.push(canonical);
@@ -264,44 +289,69 @@ impl Expander<'_> {
     /// that fits, and `\$` by a dollar sign.
     fn substitute(&mut self, element: &mut Element) -> Result<(), Problem> {
         for attribute in &mut element.attributes {
-            if !attribute.value.contains('$') {
-                continue;
+            if attribute.value.contains('$') {
+                attribute.value = self.substituted(attribute)?;
             }
-            let mut result = String::new();
-            let mut rest = attribute.value.as_str();
-            while let Some(dollar) = rest.find('$') {
-                if let Some(before) = rest[..dollar].strip_suffix('\\') {
-                    result.push_str(before);
-                    result.push('$');
-                    rest = &rest[dollar + 1..];
-                    continue;
-                }
-                result.push_str(&rest[..dollar]);
-                rest = &rest[dollar + 1..];
-                let fitting = self.parameters.iter_mut();
-                let longest = fitting
-                    .filter(|p| rest.starts_with(&p.name))
-                    .max_by_key(|p| p.name.len());
-                let Some(parameter) = longest else {
-                    let length = rest
-                        .find(|c: char| !c.is_alphanumeric() && c != '_')
-                        .unwrap_or(rest.len());
-                    let name = rest[..length].to_owned();
-                    let span = attribute.value_span;
-                    return Err(self.undefined(&name, span));
-                };
-                parameter.used = true;
-                result.push_str(&parameter.value);
-                rest = &rest[parameter.name.len()..];
-            }
-            result.push_str(rest);
-            attribute.value = result;
         }
         Ok(())
     }
 
+    fn substituted(&mut self, attribute: &Attribute) -> Result<String, Problem> {
+        let span = attribute.value_span;
+        let mut result = String::new();
+        let mut rest = attribute.value.as_str();
+        while let Some(dollar) = rest.find('$') {
+            if let Some(before) = rest[..dollar].strip_suffix('\\') {
+                result.push_str(before);
+                result.push('$');
+                rest = &rest[dollar + 1..];
+                continue;
+            }
+            result.push_str(&rest[..dollar]);
+            rest = &rest[dollar + 1..];
+            let Some(length) = self.longest_name(rest) else {
+                let length = rest
+                    .find(|c: char| !c.is_alphanumeric() && c != '_')
+                    .unwrap_or(rest.len());
+                return Err(self.undefined(&rest[..length], span));
+            };
+            let (name, behind) = rest.split_at(length);
+            let parameter = self.parameters.get_mut(name);
+            let parameter = parameter.expect("the longest name is one of a parameter");
+            parameter.used = true;
+            self.substituted += parameter.value.len();
+            if result.len() + parameter.value.len() > LONGEST_VALUE
+                || self.substituted > MOST_SUBSTITUTED
+            {
+                return Err(too_long(name, span));
+            }
+            result.push_str(&parameter.value);
+            rest = behind;
+        }
+        result.push_str(rest);
+        Ok(result)
+    }
+
+    /// The length of the longest name of a parameter that the text begins with.
+    fn longest_name(&self, text: &str) -> Option<usize> {
+        // No name between the longest that fits and the text in alphabetical order is
+        // longer than what it shares with the text.
+        let mut upper = text;
+        loop {
+            let up_to = (Bound::Unbounded, Bound::Included(upper));
+            let mut before = self.parameters.range::<str, _>(up_to);
+            let (name, _) = before.next_back()?;
+            let bytes = name.bytes().zip(upper.bytes());
+            let shared = bytes.take_while(|(a, b)| a == b).count();
+            if shared == name.len() {
+                return Some(shared);
+            }
+            upper = &upper[..upper.floor_char_boundary(shared)];
+        }
+    }
+
     fn undefined(&self, name: &str, span: Span) -> Problem {
-        let names = self.parameters.iter().map(|p| p.name.as_str());
+        let names = self.parameters.keys().map(String::as_str);
         Problem::definition(span, format!("the parameter ${name} is not defined"))
             .help(format!(
                 "define {name}, or give it a value before this place with \
@@ -309,6 +359,18 @@ impl Expander<'_> {
             ))
             .near(nearest(name, names))
     }
+}
+
+fn too_long(name: &str, span: Span) -> Problem {
+    let (value, all) = (LONGEST_VALUE >> 20, MOST_SUBSTITUTED >> 20);
+    Problem::unsupported(
+        span,
+        format!("with ${name}, parameters put in too much text"),
+    )
+    .help(format!(
+        "at most {value} MiB into one attribute and {all} MiB into all are read; \
+                 are there parameters that stand for each other many times?"
+    ))
 }
 
 fn no_children(element: &Element) -> Result<(), Problem> {

@@ -18,14 +18,38 @@ pub(crate) struct Context<'a> {
     pub graph: &'a Graph,
     /// Warnings so far, in the order in which they were found.
     pub warnings: RefCell<Vec<Warning>>,
+    /// How many more there were than are kept.
+    pub more_warnings: Cell<usize>,
 }
+
+/// Warnings of one scene that are kept; the others are counted. Finding the line of each
+/// takes time proportional to the length of the file.
+const MOST_WARNINGS: usize = 1000;
 
 impl Context<'_> {
     pub fn warn(&self, span: Span, message: &str) {
-        self.warnings.borrow_mut().push(Warning {
+        let mut warnings = self.warnings.borrow_mut();
+        if warnings.len() == MOST_WARNINGS {
+            self.more_warnings.set(self.more_warnings.get() + 1);
+            return;
+        }
+        warnings.push(Warning {
             location: self.texts.location(span),
             message: message.into(),
         });
+    }
+
+    /// All warnings; the last one says how many more there are.
+    pub fn into_warnings(self) -> Vec<Warning> {
+        let mut warnings = self.warnings.into_inner();
+        let more = self.more_warnings.get();
+        if let (Some(last), 1..) = (warnings.last(), more) {
+            let location = last.location.clone();
+            let message =
+                format!("there are {more} more warnings from here on, which are not shown");
+            warnings.push(Warning { location, message });
+        }
+        warnings
     }
 }
 

@@ -35,6 +35,7 @@ mod lower;
 pub mod mesh;
 mod mitsuba;
 mod node;
+mod npy;
 mod problem;
 mod sensor_settings;
 mod spectrum;
@@ -58,6 +59,7 @@ pub use atomic::append;
 #[cfg(feature = "faults")]
 pub use atomic::faults;
 pub use error::{Diagnostic, LoadError};
+pub use files::{read_file, read_text_file};
 pub use load::{
     LoadOptions, Loaded, load_scene, load_scene_lines, load_scene_str, load_scene_str_with,
     load_scene_with,

@@ -112,6 +112,7 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
         texts,
         graph: &graph,
         warnings: Default::default(),
+        more_warnings: Default::default(),
     };
     for upgraded in &expanded.upgraded {
         context.warn(upgraded.span, &upgraded.message);
@@ -130,7 +131,7 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
     Ok(Loaded {
         scene,
         sensors,
-        warnings: context.warnings.into_inner(),
+        warnings: context.into_warnings(),
     })
 }
 

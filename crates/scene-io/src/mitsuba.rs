@@ -212,9 +212,8 @@ impl Parser<'_> {
                 return Err(self.duplicate(&new, first));
             }
         }
-        // Slots count the properties that are not references, so inserting from
-        // the last to the first keeps the order of the text.
-        for reference in std::mem::take(&mut self.references).into_iter().rev() {
+        let mut by_object: BTreeMap<NodeId, Vec<(usize, Property)>> = BTreeMap::new();
+        for reference in std::mem::take(&mut self.references) {
             let node = self.target(&reference.id)?;
             let name = reference.name;
             let property = Property {
@@ -226,11 +225,30 @@ impl Parser<'_> {
                 },
                 value_span: reference.id.value_span,
             };
-            let properties = &mut self.nodes[reference.from.0].properties;
-            properties.insert(reference.slot, property);
+            let of_object = by_object.entry(reference.from).or_default();
+            of_object.push((reference.slot, property));
+        }
+        for (node, references) in by_object {
+            insert(&mut self.nodes[node.0].properties, references);
         }
         Ok(())
     }
+}
+
+/// Puts references between the other properties, in the order of the text: a slot counts
+/// the properties before it that are no references.
+fn insert(properties: &mut Vec<Property>, references: Vec<(usize, Property)>) {
+    let mut others = std::mem::take(properties)
+        .into_iter()
+        .enumerate()
+        .peekable();
+    for (slot, reference) in references {
+        while let Some((_, other)) = others.next_if(|&(i, _)| i < slot) {
+            properties.push(other);
+        }
+        properties.push(reference);
+    }
+    properties.extend(others.map(|(_, other)| other));
 }
 
 fn typed_property(

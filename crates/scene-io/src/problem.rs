@@ -132,8 +132,8 @@ impl Problem {
         }
         let diagnostic = Box::new(Diagnostic {
             location,
-            message: self.message,
-            help: self.help,
+            message: shortened(self.message),
+            help: self.help.map(shortened),
             near: self.near,
             notes,
         });
@@ -146,4 +146,18 @@ impl Problem {
             },
         }
     }
+}
+
+/// Longer messages are cut, characters: they quote values that may have any length.
+const LONGEST_MESSAGE: usize = 1000;
+
+/// The beginning and the end of a text that is too long.
+fn shortened(text: String) -> String {
+    if text.len() <= LONGEST_MESSAGE {
+        return text;
+    }
+    let start = &text[..text.floor_char_boundary(LONGEST_MESSAGE / 2)];
+    let end = &text[text.ceil_char_boundary(text.len() - LONGEST_MESSAGE / 4)..];
+    let left_out = text.len() - start.len() - end.len();
+    format!("{start} ... [{left_out} bytes more] ... {end}")
 }

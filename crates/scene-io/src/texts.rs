@@ -82,6 +82,11 @@ impl Texts {
         self.texts.len()
     }
 
+    /// The bytes of all texts.
+    pub fn bytes(&self) -> usize {
+        self.texts.iter().map(|text| text.content.len()).sum()
+    }
+
     /// The bytes of a span.
     pub fn slice(&self, span: Span) -> &str {
         &self.get(span.file).content[span.start..span.end]

@@ -3,7 +3,6 @@
 //! perhaps meant.
 
 use std::cell::RefCell;
-use std::fs;
 use std::ops::{Range, RangeInclusive};
 use std::path::{Path, PathBuf};
 
@@ -11,6 +10,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use crate::error::LoadError;
+use crate::files::read_text_file;
 use crate::problem::Problem;
 use crate::suggest::nearest;
 use crate::texts::{FileId, Span, Text, Texts};
@@ -77,7 +77,7 @@ pub struct Value<'d> {
 impl Document {
     /// Reads a file.
     pub fn read(path: &Path) -> Result<Self, LoadError> {
-        let content = fs::read_to_string(path).map_err(|error| {
+        let content = read_text_file(path).map_err(|error| {
             let message = format!("cannot read the file: {error}");
             LoadError::unreadable(path, message, "expected a text in TOML")
         })?;

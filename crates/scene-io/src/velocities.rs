@@ -1,11 +1,13 @@
 //! Velocities of the vertices of a mesh as files: a `.npy` array of shape (V, 3), or a
 //! text with one `x y z` per line and comments behind `#`.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use capwalk_math::Vec3;
+
+use crate::files::read_file;
+use crate::npy;
 
 /// Why a file holds no velocities.
 #[derive(Debug, thiserror::Error)]
@@ -48,8 +50,8 @@ pub enum NotVelocities {
     #[error("the array holds no floating point numbers; expected float32 or float64")]
     NoFloats,
     /// The array ends too early, or its header is damaged.
-    #[error(transparent)]
-    Damaged(#[from] io::Error),
+    #[error("the array {0}")]
+    Damaged(String),
     /// The bytes are neither an array nor UTF-8.
     #[error("it is neither a .npy file nor text")]
     NoText,
@@ -65,7 +67,7 @@ pub enum NotVelocities {
 
 /// One velocity per row of the file, in its order, world units per unit of the parameter.
 pub fn read_velocities(path: &Path) -> Result<Vec<Vec3>, VelocityFileError> {
-    let bytes = fs::read(path).map_err(|error| VelocityFileError::Open {
+    let bytes = read_file(path).map_err(|error| VelocityFileError::Open {
         path: path.into(),
         error,
     })?;
@@ -82,7 +84,7 @@ pub fn read_velocities(path: &Path) -> Result<Vec<Vec3>, VelocityFileError> {
 }
 
 fn npy_numbers(bytes: &[u8]) -> Result<Vec<f64>, NotVelocities> {
-    let open = || npyz::NpyFile::new(bytes);
+    let open = || npy::open(bytes, bytes.len() as u64).map_err(NotVelocities::Damaged);
     let shape = open()?.shape().to_vec();
     if !matches!(shape[..], [_, 3]) {
         return Err(NotVelocities::Shape { shape });
@@ -91,11 +93,16 @@ fn npy_numbers(bytes: &[u8]) -> Result<Vec<f64>, NotVelocities> {
         return Err(NotVelocities::ColumnByColumn);
     }
     if let Ok(doubles) = open()?.try_data::<f64>() {
-        return Ok(doubles.collect::<Result<_, _>>()?);
+        return collect(doubles);
     }
     let floats = open()?.try_data::<f32>();
     let floats = floats.map_err(|_| NotVelocities::NoFloats)?;
-    Ok(floats.map(|x| x.map(f64::from)).collect::<Result<_, _>>()?)
+    collect(floats.map(|x| x.map(f64::from)))
+}
+
+fn collect(numbers: impl Iterator<Item = io::Result<f64>>) -> Result<Vec<f64>, NotVelocities> {
+    let numbers: io::Result<Vec<f64>> = numbers.collect();
+    numbers.map_err(|error| NotVelocities::Damaged(format!("cannot be read: {error}")))
 }
 
 fn text_numbers(bytes: &[u8]) -> Result<Vec<f64>, NotVelocities> {

@@ -8,6 +8,10 @@ use crate::texts::{FileId, Span, Texts};
 /// Elements nested more deeply are an error; Mitsuba's formats need six levels.
 const DEEPEST_NESTING: usize = 32;
 
+/// Attributes of one element, at most; Mitsuba's formats have six. The parser compares
+/// each with all others.
+const MOST_ATTRIBUTES: usize = 64;
+
 /// Elements, attributes and texts in one file, at most: far more than any scene
 /// written by hand or by an exporter, and a bound on memory.
 const MOST_NODES: u32 = 1 << 24;
@@ -75,6 +79,7 @@ impl Element {
 /// The root element of a text, and places of stray text, which has no effect.
 pub(crate) fn parse(texts: &Texts, file: FileId) -> Result<(Element, Vec<Span>), Problem> {
     let text = &texts.get(file).content;
+    refuse_many_attributes(text, file)?;
     let options = ParsingOptions {
         nodes_limit: MOST_NODES,
         ..ParsingOptions::default()
@@ -84,6 +89,50 @@ pub(crate) fn parse(texts: &Texts, file: FileId) -> Result<(Element, Vec<Span>),
     let mut stray = Vec::new();
     let root = convert(document.root_element(), file, 1, &mut stray)?;
     Ok((root, stray))
+}
+
+/// Finds tags as the parser does, and counts what could be attributes in them.
+fn refuse_many_attributes(text: &str, file: FileId) -> Result<(), Problem> {
+    let behind = |from: usize, end: &str| text[from..].find(end).map(|at| from + at + end.len());
+    let mut at = 0;
+    while let Some(tag) = text[at..].find('<').map(|found| at + found) {
+        let rest = &text[tag..];
+        let skipped = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
+        let end = match skipped.iter().find(|(start, _)| rest.starts_with(start)) {
+            Some((start, end)) => behind(tag + start.len(), end),
+            None => tag_end(text, tag, file)?,
+        };
+        let Some(end) = end else {
+            return Ok(()); // The parser says what is missing.
+        };
+        at = end;
+    }
+    Ok(())
+}
+
+/// The place behind a tag, if it ends.
+fn tag_end(text: &str, tag: usize, file: FileId) -> Result<Option<usize>, Problem> {
+    let (mut quote, mut attributes) = (None, 0);
+    for (i, byte) in text.bytes().enumerate().skip(tag) {
+        match (quote, byte) {
+            (None, b'>') => return Ok(Some(i + 1)),
+            (None, b'\'' | b'"') => quote = Some(byte),
+            (Some(open), _) if byte == open => quote = None,
+            (None, b'=') => attributes += 1,
+            _ => {}
+        }
+        if attributes > MOST_ATTRIBUTES {
+            let span = Span {
+                file,
+                start: tag,
+                end: tag + 1,
+            };
+            let message = format!("an element has more than {MOST_ATTRIBUTES} attributes");
+            return Err(Problem::unsupported(span, message)
+                .help("remove those that mean nothing, or add a quotation mark that is missing"));
+        }
+    }
+    Ok(None)
 }
 
 fn convert(

@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 
 use capwalk_inverse::{Iteration, Problem, State, record};
 use capwalk_scene::Image;
-use capwalk_scene_io::append;
 use capwalk_scene_io::arrays::{self, Array, Arrays};
 use capwalk_scene_io::export;
 use capwalk_scene_io::image::{Panel, Style, robust_limit, write_panels};
+use capwalk_scene_io::{append, read_file, read_text_file};
 
 use crate::folder_error::FolderError;
 
@@ -118,7 +118,7 @@ fn refuse_losses(path: &Path, inputs: &[PathBuf]) -> Result<(), FolderError> {
     let results = [PARAMETERS, SCENE, MESHES, TEXTURES];
     let found = results.into_iter().find(|name| path.join(name).exists());
     // A run that was killed before its first checkpoint leaves a header.
-    let table = || fs::read(path.join(RECORD)).is_ok_and(|table| has_rows(&table));
+    let table = || read_file(&path.join(RECORD)).is_ok_and(|table| has_rows(&table));
     match found.or_else(|| table().then_some(RECORD)) {
         None => Ok(()),
         Some(name) => Err(FolderError::ResultInTheWay {
@@ -168,7 +168,7 @@ impl Claimed {
             None => header.clone(),
             Some(state) => {
                 let file = path.join(RECORD);
-                let table = fs::read_to_string(&file).map_err(|error| FolderError::Unreadable {
+                let table = read_text_file(&file).map_err(|error| FolderError::Unreadable {
                     file: file.clone(),
                     error,
                 })?;
@@ -181,7 +181,7 @@ impl Claimed {
             }
         };
         let iterations = state.as_ref().map_or(0, |state| state.iteration);
-        let timing = fs::read_to_string(path.join(TIMING)).unwrap_or_default();
+        let timing = read_text_file(&path.join(TIMING)).unwrap_or_default();
         // What is lost of it is only of interest.
         let timing = record::kept(&timing, TIMING_HEADER, iterations).unwrap_or(TIMING_HEADER);
         let folder = Folder {
@@ -237,7 +237,7 @@ fn read_state(
 /// A file with this text, to be appended to. What it has already is not touched.
 fn cut(path: &Path, text: &str) -> Result<File, FolderError> {
     let cut = || {
-        let old = fs::read_to_string(path).unwrap_or_default();
+        let old = read_text_file(path).unwrap_or_default();
         let mut file = OpenOptions::new().create(true).append(true).open(path)?;
         if old.starts_with(text) {
             file.set_len(text.len() as u64)?;

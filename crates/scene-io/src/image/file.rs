@@ -8,6 +8,7 @@ use super::layered::{GRADIENT, LayeredImage, VALUE};
 use super::panel::{self, Preview, Written};
 use super::{exr, npz_file, tone};
 use crate::atomic;
+use crate::files::read_file;
 
 /// Checks that an image could be written under this name, so that a long
 /// computation need not end in an error: the ending is known and a file can be
@@ -52,7 +53,7 @@ pub fn read(path: &Path) -> Result<LayeredImage, ImageError> {
     let format = format(path, READABLE)?;
     let read_error = |reason: String| ImageError::read(path, reason);
     let bytes = || {
-        std::fs::read(path).map_err(|error| {
+        read_file(path).map_err(|error| {
             let expected = "expected an image (.exr or .npz)";
             read_error(format!("{error}; {expected}"))
         })

@@ -36,23 +36,31 @@ pub(super) struct Lowering<'a> {
 
 /// Names that are taken.
 #[derive(Default)]
-pub(super) struct Names(BTreeSet<String>);
+pub(super) struct Names {
+    taken: BTreeSet<String>,
+    /// The last number that was put behind a name; smaller ones are taken.
+    last: BTreeMap<String, u64>,
+}
 
 impl Names {
     /// Keeps made up names from being this one.
     pub fn reserve(&mut self, name: &str) {
-        self.0.insert(name.to_owned());
+        self.taken.insert(name.to_owned());
     }
 
     /// The name itself, or with `_2`, `_3` ... behind it if it is taken.
     pub fn make_unique(&mut self, name: &str) -> String {
-        let numbered = (2..).map(|n: u64| format!("{name}_{n}"));
-        let mut candidates = std::iter::once(name.to_owned()).chain(numbered);
-        let unique = candidates
-            .find(|candidate| !self.0.contains(candidate))
-            .expect("numbers do not run out before names do");
-        self.0.insert(unique.clone());
-        unique
+        if self.taken.insert(name.to_owned()) {
+            return name.to_owned();
+        }
+        let last = self.last.entry(name.to_owned()).or_insert(1);
+        loop {
+            *last += 1;
+            let numbered = format!("{name}_{last}");
+            if self.taken.insert(numbered.clone()) {
+                return numbered;
+            }
+        }
     }
 }
 
