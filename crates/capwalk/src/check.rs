@@ -135,6 +135,17 @@ impl Check {
     }
 }
 
+/// The best factor from gradient to reference, or that none can be told.
+fn scale_factor(c: &Comparison) -> String {
+    match c.knows_scale_factor() {
+        true => {
+            let factor = plus_minus(c.scale_factor, c.scale_factor_error);
+            format!("{factor} (reference / gradient)")
+        }
+        false => "- (the gradient is too noisy to say by which factor it is off)".into(),
+    }
+}
+
 /// The numbers of a comparison, one on each line; `-` stands for what images
 /// without noise, or of zeros, do not have.
 pub fn comparison_text(c: &Comparison) -> String {
@@ -160,16 +171,7 @@ pub fn comparison_text(c: &Comparison) -> String {
             "correlation",
             if_any(c.correlation, format!("{:.4}", c.correlation)),
         ),
-        (
-            "scale factor",
-            format!(
-                "{} (reference / gradient)",
-                if_any(
-                    c.scale_factor,
-                    plus_minus(c.scale_factor, c.scale_factor_error)
-                )
-            ),
-        ),
+        ("scale factor", if_any(c.scale_factor, scale_factor(c))),
         (
             "mean z²",
             format!(

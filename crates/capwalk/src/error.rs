@@ -42,6 +42,23 @@ pub enum Error {
         /// What was asked for.
         number: usize,
     },
+    /// There is no sensor of this name.
+    #[error("there is no sensor \"{name}\"; there are {}", sensors.join(", "))]
+    NoSensorNamed {
+        /// What was asked for.
+        name: String,
+        /// The sensors there are.
+        sensors: Vec<String>,
+    },
+    /// All vertices of a shape were to be set to a few numbers.
+    #[error(
+        "\"{name}\" are all vertices of a shape, which are not set by a few numbers; move the \
+         shape (`translate`, `rotate`, `scale`), or set one number: `{name}[0,2]`"
+    )]
+    ManyPositions {
+        /// The array.
+        name: String,
+    },
     /// A name that means the sensor of a scene with several.
     #[error("\"{name}\" could be of several sensors; name one of them: {}", sensors.join(", "))]
     SeveralSensors {

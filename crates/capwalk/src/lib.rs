@@ -69,6 +69,7 @@ mod method;
 pub mod optimize;
 mod options;
 mod prepared;
+mod setting;
 mod step;
 pub mod text;
 mod views;
@@ -91,8 +92,8 @@ pub use capwalk_scene::{
 pub use capwalk_scene_io::export::ExportError;
 pub use capwalk_scene_io::image::ImageError;
 pub use capwalk_scene_io::{
-    Diagnostic, LoadError, Loaded, NotVelocities, SensorSettings, VelocityFileError, Warning,
-    read_velocities,
+    Diagnostic, LoadError, Loaded, NotVelocities, SensorChoice, SensorSettings, VelocityFileError,
+    Warning, read_velocities,
 };
 
 // What a command line or another face needs besides.
@@ -114,5 +115,6 @@ pub use method::{
 };
 pub use options::DifferenceOptions;
 pub use prepared::{Prepared, Values};
+pub use setting::{NotASetting, Setting};
 pub use step::bounds;
 pub use views::{ViewId, Views};

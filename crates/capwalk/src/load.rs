@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use capwalk_scene::{Filter, builtin};
-use capwalk_scene_io::{LoadOptions, Loaded, SensorSettings, load_scene_with};
+use capwalk_scene::{Filter, Scene, builtin};
+use capwalk_scene_io::{LoadOptions, Loaded, SensorChoice, SensorSettings, load_scene_with};
 
 use crate::error::Error;
+use crate::setting::{Setting, set};
 
 /// The scene in a Mitsuba 3 XML file, or the built-in scene of this name.
 ///
@@ -36,6 +37,7 @@ pub struct Loader {
     options: LoadOptions,
     size: Option<[u32; 2]>,
     filter: Option<Filter>,
+    settings: Vec<Setting>,
 }
 
 impl Loader {
@@ -46,6 +48,7 @@ impl Loader {
             options: LoadOptions::default(),
             size: None,
             filter: None,
+            settings: Vec::new(),
         }
     }
 
@@ -56,10 +59,10 @@ impl Loader {
         self
     }
 
-    /// With this sensor of the file, counted from 0; by default the first, with a warning
-    /// if there are others.
-    pub fn sensor(mut self, number: usize) -> Self {
-        self.options.sensor = Some(number);
+    /// With this sensor of the file, by its number from 0 or by its name; by default the
+    /// first, with a warning if there are others.
+    pub fn sensor(mut self, sensor: impl Into<SensorChoice>) -> Self {
+        self.options.sensor = Some(sensor.into());
         self
     }
 
@@ -75,11 +78,17 @@ impl Loader {
         self
     }
 
+    /// With other values of parameters, see [`Setting`].
+    pub fn set(mut self, setting: Setting) -> Self {
+        self.settings.push(setting);
+        self
+    }
+
     /// The scene, checked.
     pub fn load(&self) -> Result<Loaded, Error> {
         let mut loaded = match self.name.to_str().and_then(builtin::scene) {
             Some(scene) => {
-                self.refuse_options_of_files()?;
+                self.refuse_options_of_files(&scene)?;
                 Loaded {
                     sensors: vec![SensorSettings::of(&scene)],
                     scene,
@@ -101,18 +110,33 @@ impl Loader {
             scene: self.shown(),
             error,
         })?;
+        if !self.settings.is_empty() {
+            loaded.scene = set(&loaded.scene, &self.settings)?;
+            // What the sensor that renders is now.
+            let id = &loaded.scene.sensor.id;
+            if let Some(view) = loaded.sensors.iter_mut().find(|v| v.sensor.id == *id) {
+                view.sensor = loaded.scene.sensor.clone();
+            }
+        }
         Ok(loaded)
     }
 
     /// A built-in scene has no `$name` and one sensor.
-    fn refuse_options_of_files(&self) -> Result<(), Error> {
-        let scene = || self.shown();
+    fn refuse_options_of_files(&self, scene: &Scene) -> Result<(), Error> {
         if !self.options.defines.is_empty() {
-            return Err(Error::NothingToDefine { scene: scene() });
+            let scene = self.shown();
+            return Err(Error::NothingToDefine { scene });
         }
-        match self.options.sensor {
-            None | Some(0) => Ok(()),
-            Some(number) => Err(Error::NoSuchSensor { sensors: 1, number }),
+        let names = [scene.sensor.id.clone()];
+        match &self.options.sensor {
+            Some(choice) if choice.place(&names).is_none() => Err(match choice.clone() {
+                SensorChoice::Number(number) => Error::NoSuchSensor { sensors: 1, number },
+                SensorChoice::Name(name) => Error::NoSensorNamed {
+                    name,
+                    sensors: names.into(),
+                },
+            }),
+            _ => Ok(()),
         }
     }
 

@@ -9,6 +9,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use capwalk::optimize::parse_duration;
+use capwalk::{SensorChoice, Setting};
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 #[cfg(feature = "paper")]
@@ -103,16 +104,22 @@ impl Command {
 }
 
 /// Which scene, and changes to it.
-#[derive(Args, Debug)]
+#[derive(Args, Debug, Default)]
 pub struct SceneArgs {
     /// Mitsuba XML file, or name of a built-in scene
     pub scene: String,
     /// Replace the default of a $name in the scene file
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse::define)]
     pub defines: Vec<(String, String)>,
-    /// Which of the scene's sensors, counted from 0 [default: the first]
-    #[arg(short = 's', long, value_name = "NUMBER")]
-    pub sensor: Option<usize>,
+    /// Which of the scene's sensors: its number, counted from 0, or its name [default: the
+    /// first]
+    #[arg(short = 's', long, value_name = "NUMBER|NAME")]
+    pub sensor: Option<SensorChoice>,
+    /// Set a parameter before anything is done: `lamp.emitter.radiance.value=10`,
+    /// `floor.bsdf.reflectance.value=0.2,0.4,0.6`. Places are relative:
+    /// `ball.translate.x=0.1` moves the ball. `capwalk info SCENE` lists names; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE[,VALUE...]")]
+    pub settings: Vec<Setting>,
     /// Width and height of the image, without crop
     #[arg(long, value_name = "WxH", value_parser = parse::size)]
     pub size: Option<[u32; 2]>,

@@ -6,7 +6,9 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
 use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview};
-use capwalk::{Estimate, Image, RenderOptions, Statistics};
+use capwalk::{Estimate, Image, RenderOptions, Setting, Statistics};
+
+use crate::args::SceneArgs;
 
 /// Output files of a command, checked.
 pub struct Files {
@@ -89,7 +91,7 @@ pub fn make_folder(path: &Path) -> Result<()> {
 /// An image to be filled with layers, which says what was asked for.
 pub fn layered(
     command: &str,
-    scene: &str,
+    scene: &SceneArgs,
     parameter: Option<&str>,
     options: &RenderOptions,
 ) -> LayeredImage {
@@ -104,15 +106,20 @@ pub fn layered(
 }
 
 /// What every file says about how it was made.
-pub fn origin(command: &str, scene: &str, options: &RenderOptions) -> Vec<(String, String)> {
+pub fn origin(command: &str, scene: &SceneArgs, options: &RenderOptions) -> Vec<(String, String)> {
     let pair = |key: &str, value: String| (key.to_owned(), value);
-    vec![
+    let mut pairs = vec![
         pair("command", command.into()),
-        pair("scene", scene.into()),
+        pair("scene", scene.scene.clone()),
         pair("seed", options.seed.to_string()),
         pair("spp", options.spp.to_string()),
         pair("version", env!("CARGO_PKG_VERSION").into()),
-    ]
+    ];
+    if !scene.settings.is_empty() {
+        let settings: Vec<String> = scene.settings.iter().map(Setting::to_string).collect();
+        pairs.push(pair("set", settings.join("; ")));
+    }
+    pairs
 }
 
 /// Adds to what an image says about itself.

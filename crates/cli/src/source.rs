@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use anyhow::{Result, anyhow};
-use capwalk::{Error, Filter, Loader, Prepared, RenderOptions, Scene};
+use capwalk::{Error, Filter, Loader, Prepared, RenderOptions, Scene, Setting};
+use serde_json::{Value, json};
 
 use crate::args::{FilterName, SamplingArgs, SceneArgs};
 
@@ -13,8 +14,11 @@ pub fn load(args: &SceneArgs) -> Result<Prepared> {
     for (name, value) in &args.defines {
         loader = loader.define(name, value);
     }
-    if let Some(sensor) = args.sensor {
-        loader = loader.sensor(sensor);
+    if let Some(sensor) = &args.sensor {
+        loader = loader.sensor(sensor.clone());
+    }
+    for setting in &args.settings {
+        loader = loader.set(setting.clone());
     }
     if let Some(size) = args.size {
         loader = loader.size(size);
@@ -48,6 +52,13 @@ pub fn load(args: &SceneArgs) -> Result<Prepared> {
         );
     }
     Ok(prepared)
+}
+
+/// What was set in the scene, for JSON.
+pub fn settings_json(args: &SceneArgs) -> Value {
+    let settings = args.settings.iter();
+    let pair = |s: &Setting| json!({"name": s.name, "values": s.values});
+    settings.map(pair).collect()
 }
 
 /// A short name for default outputs: the file's name without its ending.

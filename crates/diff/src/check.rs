@@ -94,18 +94,29 @@ pub struct Comparison {
     pub verdict: Verdict,
 }
 
+impl Comparison {
+    /// True if the scale factor says something: its error is below 1 or below itself. Where it
+    /// is not, the gradient is too noisy to say by which factor it is off.
+    pub fn knows_scale_factor(&self) -> bool {
+        self.scale_factor_error < self.scale_factor.abs().max(1.0)
+    }
+}
+
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "{} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, scale factor {:.3} ± {:.3}",
-            self.pixels,
-            self.mean_z_squared,
-            self.mean_z_squared_error,
-            self.sign,
-            self.scale_factor,
-            self.scale_factor_error,
-        )
+            "{} pixels, mean z² {:.3} ± {:.3}, sign {:+.2}, scale factor ",
+            self.pixels, self.mean_z_squared, self.mean_z_squared_error, self.sign,
+        )?;
+        match self.knows_scale_factor() {
+            true => write!(
+                f,
+                "{:.3} ± {:.3}",
+                self.scale_factor, self.scale_factor_error
+            ),
+            false => f.write_str("hidden by noise"),
+        }
     }
 }
 

@@ -386,6 +386,6 @@ pub fn load_lines(
 fn all_sensors(defines: BTreeMap<String, String>) -> LoadOptions {
     LoadOptions {
         defines: defines.into_iter().collect(),
-        sensor: Some(0),
+        sensor: Some(0.into()),
     }
 }

@@ -37,6 +37,7 @@ mod mitsuba;
 mod node;
 mod npy;
 mod problem;
+mod sensor_choice;
 mod sensor_settings;
 mod spectrum;
 mod suggest;
@@ -65,6 +66,7 @@ pub use load::{
     load_scene_with,
 };
 pub use location::{Location, Position};
+pub use sensor_choice::SensorChoice;
 pub use sensor_settings::SensorSettings;
 pub use velocities::{NotVelocities, VelocityFileError, read_velocities};
 pub use warning::Warning;

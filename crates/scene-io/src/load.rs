@@ -11,6 +11,7 @@ use crate::files::read_text;
 use crate::lower::lower;
 use crate::mitsuba;
 use crate::problem::Problem;
+use crate::sensor_choice::SensorChoice;
 use crate::sensor_settings::SensorSettings;
 use crate::texts::{Text, Texts};
 use crate::warning::Warning;
@@ -20,9 +21,9 @@ use crate::warning::Warning;
 pub struct LoadOptions {
     /// Names and values: what `$name` in the file stands for.
     pub defines: Vec<(String, String)>,
-    /// Which of the scene's sensors to take, counted from 0; without, the first, with a
-    /// warning if there are others.
-    pub sensor: Option<usize>,
+    /// Which of the scene's sensors to take; without, the first, with a warning if there are
+    /// others.
+    pub sensor: Option<SensorChoice>,
 }
 
 /// A scene, and what its file says in vain.
@@ -127,7 +128,7 @@ fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded
     directories.push(texts.main().directory.clone());
     // As Mitsuba does, last of all in the working directory.
     directories.push(PathBuf::new());
-    let (scene, sensors) = lower(&context, directories, options.sensor)?;
+    let (scene, sensors) = lower(&context, directories, options.sensor.as_ref())?;
     Ok(Loaded {
         scene,
         sensors,

@@ -76,6 +76,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     if args.json {
         let document = json!({
             "scene": args.scene.scene,
+            "set": source::settings_json(&args.scene),
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
@@ -299,7 +300,7 @@ fn contents(
     gradients: &Gradients,
     loss: Option<&MeasuredLoss>,
 ) -> Arrays {
-    let mut metadata = output::origin("backward", &args.scene.scene, &options.sampling());
+    let mut metadata = output::origin("backward", &args.scene, &options.sampling());
     let mut note = |key: &str, value: String| metadata.push((key.to_owned(), value));
     let path = |path: &Path| path.display().to_string();
     note("method", options.method.name().into());

@@ -40,7 +40,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
     let parameter = direction::describe(&typed.tangent);
-    let written = layers::write(&files, &typed.scene.scene, &parameter, &checked)?;
+    let written = layers::write(&files, &typed.scene, &parameter, &checked)?;
     method::log(&checked.chosen);
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
@@ -48,6 +48,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     if typed.output.json {
         let document = json!({
             "scene": typed.scene.scene,
+            "set": source::settings_json(&typed.scene),
             "parameter": parameter,
             "size": scene.film.crop_size,
             "spp": sampling.spp,

@@ -50,13 +50,12 @@ struct Results {
 }
 
 pub fn run(args: &Demo) -> Result<Outcome> {
-    let prepared = source::load(&SceneArgs {
-        sensor: None,
+    let scene_args = SceneArgs {
         scene: SCENE.into(),
-        defines: Vec::new(),
         size: Some(args.size.unwrap_or(SIZE)),
-        filter: None,
-    })?;
+        ..SceneArgs::default()
+    };
+    let prepared = source::load(&scene_args)?;
     let parameter = builtin::default_parameter(SCENE).expect("it is built in");
     let scene = prepared.scene();
     let tangent = prepared.registry().tangent(scene, parameter)?;
@@ -77,19 +76,19 @@ pub fn run(args: &Demo) -> Result<Outcome> {
     let (check, options) = (&checked.check, checked.chosen.options.sampling());
     let gradient = &check.gradient;
 
-    let mut layered = output::layered("render", SCENE, None, &options);
+    let mut layered = output::layered("render", &scene_args, None, &options);
     output::push_statistics(&mut layered, &[&rendering.statistics]);
     output::push_estimate(&mut layered, "value", "stderr", &rendering.value);
     let mut written = image_files.write(&layered, &[])?;
     let layered = gradient::layered(
-        SCENE,
+        &scene_args,
         parameter,
         checked.chosen.options.method.name(),
         &options,
         gradient,
     );
     written.extend(gradient_files.write(&layered, &[])?);
-    let of_check = layers::write(&check_files, SCENE, parameter, checked)?;
+    let of_check = layers::write(&check_files, &scene_args, parameter, checked)?;
     written.extend(of_check);
 
     let all = [

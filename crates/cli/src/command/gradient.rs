@@ -5,7 +5,7 @@ use capwalk::scene_io::image::LayeredImage;
 use capwalk::{Chosen, DifferenceOptions, GradientImage, RenderOptions};
 use serde_json::json;
 
-use crate::args::{Gradient, MethodName};
+use crate::args::{Gradient, MethodName, SceneArgs};
 use crate::diagnostics::Outcome;
 use crate::output::{self, Files};
 use crate::progress::Progress;
@@ -42,8 +42,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
     let parameter = direction::describe(&args.tangent);
-    let name = &args.scene.scene;
-    let mut layered = layered(name, &parameter, way.name(), &options, &result);
+    let mut layered = layered(&args.scene, &parameter, way.name(), &options, &result);
     if let Some(step) = way.step() {
         output::note(&mut layered, "step", step);
     }
@@ -55,6 +54,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     if args.output.json {
         let document = json!({
             "scene": args.scene.scene,
+            "set": source::settings_json(&args.scene),
             "parameter": parameter,
             "size": scene.film.crop_size,
             "spp": options.spp,
@@ -151,7 +151,7 @@ impl Way {
 
 /// What the files of a gradient hold that was made by the method of this name.
 pub fn layered(
-    scene: &str,
+    scene: &SceneArgs,
     parameter: &str,
     method: &str,
     options: &RenderOptions,

@@ -24,7 +24,9 @@ pub fn run(args: &Info) -> Result<Outcome> {
     let (parameters, arrays) = (registry.scalars(scene), registry.arrays());
     let refusal = prepared.refusal();
     if args.json {
-        console::print_json(&to_json(scene, &parameters, arrays, refusal.as_ref()))?;
+        let mut document = to_json(scene, &parameters, arrays, refusal.as_ref());
+        document["set"] = source::settings_json(&args.scene);
+        console::print_json(&document)?;
     } else {
         // Before the tables, which are long.
         let refused = refusal.as_ref().map(|refusal| {

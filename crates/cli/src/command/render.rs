@@ -21,8 +21,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let elapsed = progress.finish().as_secs_f64();
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
-    let name = &args.scene.scene;
-    let mut layered = output::layered("render", name, None, &options);
+    let mut layered = output::layered("render", &args.scene, None, &options);
     output::push_statistics(&mut layered, &[statistics]);
     output::push_estimate(&mut layered, "value", "stderr", value);
     let written = files.write(&layered, &[])?;
@@ -30,6 +29,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     if args.output.json {
         let document = json!({
             "scene": args.scene.scene,
+            "set": source::settings_json(&args.scene),
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,

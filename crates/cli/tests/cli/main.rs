@@ -13,6 +13,7 @@ mod images;
 mod methods;
 mod optimize;
 mod scenes;
+mod settings;
 mod stopping;
 mod streams;
 mod verdicts;

@@ -11,15 +11,15 @@ use super::spectrum_plugin::depends_on_use;
 use crate::fields::{Child, Context, Fields};
 use crate::node::Kind;
 use crate::problem::Problem;
+use crate::sensor_choice::SensorChoice;
 use crate::sensor_settings::SensorSettings;
 use crate::texts::Span;
 
-/// The scene that the nodes describe, seen by the sensor with this index, and all its
-/// sensors.
+/// The scene that the nodes describe, seen by this sensor, and all its sensors.
 pub(crate) fn lower(
     context: &Context,
     directories: Vec<PathBuf>,
-    sensor: Option<usize>,
+    sensor: Option<&SensorChoice>,
 ) -> Result<(Scene, Vec<SensorSettings>), Problem> {
     let fields = Fields::new(context, context.graph.root);
     scene_settings(&fields);
@@ -62,7 +62,7 @@ impl Lowering<'_> {
     fn scene(
         mut self,
         fields: &Fields,
-        sensor: Option<usize>,
+        sensor: Option<&SensorChoice>,
     ) -> Result<(Scene, Vec<SensorSettings>), Problem> {
         let root = fields.node.span;
         let integrator = fields.child(Kind::Integrator)?.ok_or_else(|| {
@@ -76,10 +76,7 @@ impl Lowering<'_> {
         // The chosen one last: its places in the text count.
         let mut all_sensors = Vec::new();
         for other in (0..sensors.len()).filter(|&i| i != chosen).chain([chosen]) {
-            let unnamed = match sensors.len() {
-                1 => "sensor".to_owned(),
-                _ => format!("sensor_{other}"),
-            };
+            let unnamed = unnamed_sensor(other, sensors.len());
             all_sensors.push((other, self.sensor(sensors[other].node, &unnamed)?));
         }
         // Whatever its id, the sensor that renders is called so too.
@@ -149,29 +146,48 @@ impl Lowering<'_> {
     }
 }
 
+/// What a sensor is called that has no id.
+fn unnamed_sensor(number: usize, sensors: usize) -> String {
+    match sensors {
+        1 => "sensor".into(),
+        _ => format!("sensor_{number}"),
+    }
+}
+
 /// The sensor to render with.
 fn choose_sensor(
     context: &Context,
     root: Span,
     sensors: &[Child],
-    index: Option<usize>,
+    choice: Option<&SensorChoice>,
 ) -> Result<usize, Problem> {
-    let chosen = index.unwrap_or(0);
-    if chosen >= sensors.len() {
-        let problem = match sensors.len() {
-            0 => Problem::missing(root, "the scene has no sensor")
-                .help("add <sensor type=\"perspective\"> ... </sensor>"),
-            n => Problem::missing(root, format!("the scene has no sensor {chosen}"))
-                .help(format!("its sensors are 0 to {}", n - 1)),
-        };
-        return Err(problem);
+    let count = sensors.len();
+    if count == 0 {
+        return Err(Problem::missing(root, "the scene has no sensor")
+            .help("add <sensor type=\"perspective\"> ... </sensor>"));
     }
-    if sensors.len() > 1 && index.is_none() {
-        let message = format!(
-            "the scene has {} sensors; rendering with the first",
-            sensors.len()
-        );
-        context.warn(sensors[1].span, &message);
-    }
-    Ok(chosen)
+    let Some(choice) = choice else {
+        if count > 1 {
+            let message = format!("the scene has {count} sensors; rendering with the first");
+            context.warn(sensors[1].span, &message);
+        }
+        return Ok(0);
+    };
+    let ids = sensors
+        .iter()
+        .map(|child| &context.graph.node(child.node).id);
+    let named = |(number, id): (usize, &Option<String>)| {
+        id.clone().unwrap_or_else(|| unnamed_sensor(number, count))
+    };
+    let names: Vec<String> = ids.enumerate().map(named).collect();
+    choice.place(&names).ok_or_else(|| match choice {
+        SensorChoice::Number(number) => {
+            Problem::missing(root, format!("the scene has no sensor {number}"))
+                .help(format!("its sensors are 0 to {}", count - 1))
+        }
+        SensorChoice::Name(name) => {
+            Problem::missing(root, format!("there is no sensor \"{name}\""))
+                .help(format!("there are {}", names.join(", ")))
+        }
+    })
 }

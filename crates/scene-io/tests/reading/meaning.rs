@@ -462,22 +462,31 @@ fn one_nested_material_is_on_both_sides() {
 }
 
 #[test]
-fn sensors_are_chosen_by_index() {
+fn sensors_are_chosen_by_number_or_name() {
     let path = folder().join("two_sensors.xml");
-    let sensor = |index: usize| {
+    let sensor = |choice: &str| {
         let options = capwalk_scene_io::LoadOptions {
-            sensor: Some(index),
+            sensor: choice.parse().ok(),
             ..Default::default()
         };
         capwalk_scene_io::load_scene_with(&path, &options).map(|loaded| loaded.scene.sensor.id)
     };
-    assert_eq!(sensor(0).as_deref(), Ok("left"));
-    assert_eq!(sensor(1).as_deref(), Ok("right"));
-    let error = sensor(2).expect_err("there are two").to_string();
-    assert!(
-        error.ends_with("two_sensors.xml:1:1: the scene has no sensor 2\n  its sensors are 0 to 1"),
-        "{error}"
-    );
+    for (choice, name) in [
+        ("0", "left"),
+        ("1", "right"),
+        ("left", "left"),
+        ("right", "right"),
+    ] {
+        assert_eq!(sensor(choice).as_deref(), Ok(name));
+    }
+    for (choice, expected) in [
+        ("2", "the scene has no sensor 2\n  its sensors are 0 to 1"),
+        ("up", "there is no sensor \"up\"\n  there are left, right"),
+    ] {
+        let error = sensor(choice).expect_err("there are two").to_string();
+        let expected = format!("two_sensors.xml:1:1: {expected}");
+        assert!(error.ends_with(&expected), "{error}");
+    }
 }
 
 /// Signed volume about the origin: positive if faces are wound outward.

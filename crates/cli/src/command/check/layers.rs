@@ -6,6 +6,7 @@ use capwalk::scene_io::image::{self, LayeredImage, Panel, Style};
 use capwalk::{Check, Comparison, Image, Rgb};
 
 use super::timed::Checked;
+use crate::args::SceneArgs;
 use crate::output::{self, Files};
 
 /// Where the colours of z end: beyond this, a pixel is not an accident.
@@ -14,7 +15,7 @@ const Z_LIMIT: f64 = 4.0;
 /// Writes a check into all files. Returns their names.
 pub fn write(
     files: &Files,
-    scene: &str,
+    scene: &SceneArgs,
     parameter: &str,
     checked: &Checked,
 ) -> Result<Vec<String>> {
@@ -27,7 +28,7 @@ pub fn write(
 
 /// All layers but z. What the image says of itself is true for gradient and
 /// reference together, unless it names one of them.
-fn layered(scene: &str, parameter: &str, checked: &Checked) -> LayeredImage {
+fn layered(scene: &SceneArgs, parameter: &str, checked: &Checked) -> LayeredImage {
     let Check {
         gradient,
         reference,
@@ -158,7 +159,7 @@ mod tests {
                 },
                 seconds: [1.0, 1.0],
             };
-            let layered = layered("leaf", "leaf.translate.x", &checked);
+            let layered = layered(&SceneArgs::default(), "leaf.translate.x", &checked);
             let of = |key: &str| {
                 let mut found = layered.metadata.iter().filter(|(k, _)| k == key);
                 let value = found.next().map(|(_, value)| value.as_str());
