@@ -359,7 +359,8 @@ fn specular_motion(share: f64, cause: SpecularCause) -> (String, Option<String>)
              that do not move"
         ),
         Some(
-            "Use one of these, a rough material (alpha of 0.01 or more), or finite differences"
+            "Use one of these, a rough material (alpha of 0.01 or more), or finite differences; or \
+             leave it out and know that it is missing (`allow_missing`, \"specular\")"
                 .into(),
         ),
     )

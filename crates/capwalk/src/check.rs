@@ -1,8 +1,8 @@
 //! A gradient against central differences.
 
 use capwalk_diff::GradientImage;
-use capwalk_diff::GradientOptions;
-use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
+use capwalk_diff::check::{Comparison, Verdict, compare, compare_rest, without_rounding};
+use capwalk_diff::{GradientOptions, Missing};
 
 use crate::options::DifferenceOptions;
 use crate::text::{count, list, number, plus_minus, significant};
@@ -86,8 +86,13 @@ impl Check {
     pub fn new(gradient: GradientImage, differences: GradientImage, made: Reference) -> Self {
         let mut reference = differences;
         reference.gradient = without_rounding(&reference, made.step);
+        let pair = (&gradient.gradient, &reference.gradient);
+        let comparison = match &gradient.missing {
+            None => compare(pair.0, pair.1),
+            Some(missing) => compare_rest(pair.0, pair.1, &missing.mean),
+        };
         Self {
-            comparison: compare(&gradient.gradient, &reference.gradient),
+            comparison,
             gradient,
             reference,
             made,
@@ -102,8 +107,30 @@ impl Check {
             let statistics = &image.statistics;
             statistics.samples as f64 / statistics.samples_per_pixel.len() as f64
         };
-        let (spp, reference_spp) = (taken(&self.gradient), taken(&self.reference));
-        match &self.comparison.verdict {
+        let taken = [taken(&self.gradient), taken(&self.reference)];
+        let words = |verdict: &Verdict| self.words(verdict, taken, &option);
+        match (&self.comparison.verdict, &self.gradient.statistics.missing) {
+            (Verdict::Partial { rest }, Some(missing)) => {
+                let rest = match rest {
+                    None => "there are none".into(),
+                    Some(rest) => words(rest),
+                };
+                let missing = missing_text(missing);
+                format!("partial: {missing}.\nThe pixels that they do not reach: {rest}")
+            }
+            (verdict, _) => words(verdict),
+        }
+    }
+
+    /// A verdict in words, of so many samples per pixel of gradient and reference.
+    fn words(
+        &self,
+        verdict: &Verdict,
+        [spp, reference_spp]: [f64; 2],
+        option: impl Fn(&str, Option<u64>) -> String,
+    ) -> String {
+        match verdict {
+            Verdict::Partial { .. } => "partial: something is left out".into(),
             Verdict::Right if self.comparison.scale_factor.is_nan() => {
                 "right: both are zero everywhere: nothing in the image changes".into()
             }
@@ -133,6 +160,16 @@ impl Check {
             }
         }
     }
+}
+
+/// What is left out of a gradient, and how much of the image that concerns.
+pub fn missing_text(missing: &Missing) -> String {
+    let [share, error] = [missing.share, missing.standard_error].map(|x| 100.0 * x);
+    format!(
+        "how silhouettes move that are seen in curved mirrors, through refracting glass, or after \
+         many reflections is left out; paths with such events carry {} % of the radiance",
+        plus_minus(share, error)
+    )
 }
 
 /// The best factor from gradient to reference, or that none can be told.
@@ -199,7 +236,10 @@ pub fn comparison_text(c: &Comparison) -> String {
     if c.left_out > 0 {
         lines.push((
             "left out",
-            format!("{} pixels without a standard error", c.left_out),
+            format!(
+                "{} pixels without a standard error, or to be left out",
+                c.left_out
+            ),
         ));
     }
     list(&lines)

@@ -74,12 +74,12 @@ mod step;
 pub mod text;
 mod views;
 
-pub use capwalk_diff::check::{Comparison, Verdict, compare};
+pub use capwalk_diff::check::{Comparison, Verdict, compare, compare_rest};
 pub use capwalk_diff::{
-    Accumulate, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
-    GradientOptions, GradientWork, Grid, Method, Part, PartError, Partial, PixelSums, Refusal,
-    RenderOptions, RenderWork, Rendering, Statistics, Trial, Unwatched, WalkSettings, Watch,
-    with_threads,
+    Accumulate, AllowMissing, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
+    GradientOptions, GradientWork, Grid, Method, Missing, Part, PartError, Partial, PixelSums,
+    Refusal, RenderOptions, RenderWork, Rendering, Statistics, Trial, Unwatched, WalkSettings,
+    Watch, with_threads,
 };
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};
@@ -101,7 +101,7 @@ pub use capwalk_scene as scene;
 pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
-pub use check::{Check, CheckOptions, Reference, comparison_text};
+pub use check::{Check, CheckOptions, Reference, comparison_text, missing_text};
 pub use direction::Direction;
 pub use error::{Error, UnusableImage};
 pub use folder_error::FolderError;
@@ -111,7 +111,8 @@ pub use loss::{Distance, ImageLoss, Loss, Measured};
 #[cfg(feature = "paper")]
 pub use method::WasChoice;
 pub use method::{
-    Caveat, Choice, DomainName, MethodChoice, MethodName, OptionError, WalkChoice, caveat,
+    Caveat, Choice, DomainName, MethodChoice, MethodName, MissingName, OptionError, WalkChoice,
+    caveat,
 };
 pub use options::DifferenceOptions;
 pub use prepared::{Prepared, Values};

@@ -1,7 +1,7 @@
 //! How gradients are estimated, chosen by names: what files, command lines and other
 //! faces share. Every option belongs to some methods and is an error beside others.
 
-use capwalk_diff::{Estimator, GradientOptions, Method, WalkSettings};
+use capwalk_diff::{AllowMissing, Estimator, GradientOptions, Method, WalkSettings};
 #[cfg(feature = "paper")]
 use capwalk_diff::{WasBoundary, WasSettings};
 
@@ -68,6 +68,28 @@ pub enum MethodName {
     /// `psdr-was`: the same in path space (Xu et al. 2023). Biased.
     #[cfg(feature = "paper")]
     PsdrWas,
+}
+
+/// What may be left out of a derivative, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MissingName {
+    /// `specular`: how silhouettes move that are seen in curved mirrors, through refracting
+    /// glass, or after many reflections.
+    Specular,
+}
+
+impl MissingName {
+    /// What these allow to be missing.
+    pub fn allow(names: &[Self]) -> AllowMissing {
+        AllowMissing {
+            specular: names.contains(&Self::Specular),
+        }
+    }
+}
+
+impl Choice for MissingName {
+    const NAMES: &'static [(&'static str, Self)] = &[("specular", Self::Specular)];
 }
 
 /// Where the velocity field of a walk lives, by name.
@@ -360,6 +382,7 @@ mod tests {
         }
         round_trip::<MethodName>();
         round_trip::<DomainName>();
+        round_trip::<MissingName>();
         round_trip::<Estimator>();
         #[cfg(feature = "paper")]
         round_trip::<WasBoundary>();

@@ -39,7 +39,8 @@ Exit status:
   3  bad input, a derivative that is refused, or results that cannot be written
   4  more than 1 in 10^6 samples was infinite or NaN (the images are written);
      optimize: the loss or its gradient was
-  5  stopped by Ctrl-C (what was done is written, marked as partial)";
+  5  stopped by Ctrl-C (what was done is written, marked as partial)
+  6  check: something is left out (--allow-missing), and the rest is not wrong";
 
 #[derive(Subcommand, Debug)]
 pub enum Command {
@@ -62,7 +63,7 @@ pub enum Command {
     /// Check a gradient against central finite differences
     ///
     /// Writes SCENE-check.png (value | gradient | reference | z) unless -o
-    /// says otherwise. Exit status 0: right, 1: wrong, 2: inconclusive.
+    /// says otherwise. Exit status 0: right, 1: wrong, 2: inconclusive, 6: something is left out.
     Check(Check),
     /// Show what is in a scene, and which of its parameters can be differentiated
     Info(Info),
@@ -113,7 +114,7 @@ pub struct SceneArgs {
     pub defines: Vec<(String, String)>,
     /// Which of the scene's sensors: its number, counted from 0, or its name [default: the
     /// first]
-    #[arg(short = 's', long, value_name = "NUMBER|NAME")]
+    #[arg(short = 's', long, value_name = "NUMBER|NAME", value_parser = str::parse::<SensorChoice>)]
     pub sensor: Option<SensorChoice>,
     /// Set a parameter before anything is done: `lamp.emitter.radiance.value=10`,
     /// `floor.bsdf.reflectance.value=0.2,0.4,0.6`. Places are relative:
@@ -190,6 +191,10 @@ pub struct MethodArgs {
     /// are baselines to compare with [default: auto; walk if one of its options is given]
     #[arg(long)]
     pub method: Option<MethodName>,
+    /// Leave this out of derivatives that would be refused otherwise, compute the rest, and say
+    /// how much of the image it concerns; may be repeated or separated by commas
+    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
+    pub allow_missing: Vec<MissingArg>,
     #[command(flatten)]
     pub walk: WalkArgs,
     #[cfg(feature = "paper")]
@@ -215,6 +220,14 @@ pub enum MethodName {
     PsdrWas,
     /// Central finite differences, for `gradient`
     Fd,
+}
+
+/// What may be missing, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MissingArg {
+    /// How silhouettes move that are seen in curved mirrors, through refracting glass, or after
+    /// many reflections
+    Specular,
 }
 
 /// How the velocity field is estimated with `--method walk`, and where `edges` walks.

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use capwalk::scene::params::ParameterError;
 use capwalk::scene_io::read_text_file;
-use capwalk::{Diagnostic, Error, FolderError, LoadError, UnusableImage};
+use capwalk::{Diagnostic, Error, FolderError, LoadError, Refusal, UnusableImage};
 
 /// How a command that wrote its results ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,6 +17,8 @@ pub enum Outcome {
     Stopped,
     /// The noise hides whether the gradient is right.
     Inconclusive,
+    /// Something is left out of the gradient.
+    Partial,
     /// Too many samples were infinite or NaN.
     NonFinite,
     /// Stopped by Ctrl-C.
@@ -35,6 +37,7 @@ impl From<Outcome> for ExitCode {
             Outcome::Inconclusive => 2,
             Outcome::NonFinite => 4,
             Outcome::Interrupted => 5,
+            Outcome::Partial => 6,
         })
     }
 }
@@ -84,6 +87,10 @@ fn hint(error: &Error) -> Option<&'static str> {
             error: UnusableImage::NoLayer { .. },
             ..
         } => Some("; --layer chooses one"),
+        Error::Refused(Refusal::SpecularMotion { .. }) => Some(
+            "\n  help: --allow-missing specular leaves it out and says so; --method fd takes finite \
+             differences",
+        ),
         _ => None,
     }
 }

@@ -1,11 +1,11 @@
 //! The method that the command line names, in the library's terms.
 
-use anyhow::{Result, anyhow, bail};
+use anyhow::{Result, anyhow, bail, ensure};
 #[cfg(feature = "paper")]
 use capwalk::WasChoice;
 use capwalk::{
-    Caveat, Choice, Chosen, GradientOptions, Method, MethodChoice, MethodName, OptionError,
-    RenderOptions, Trial, WalkChoice, caveat,
+    Caveat, Choice, Chosen, GradientOptions, Method, MethodChoice, MethodName, MissingName,
+    OptionError, RenderOptions, Trial, WalkChoice, caveat,
 };
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
@@ -24,7 +24,12 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
              Use `capwalk gradient --method fd -p NAME` for each parameter"
         );
     };
-    Ok(choice(method, args).apply(GradientOptions::new(sampling))?)
+    let allowed: Vec<MissingName> = args.allow_missing.iter().map(named).collect();
+    let options = GradientOptions {
+        allow_missing: MissingName::allow(&allowed),
+        ..GradientOptions::new(sampling)
+    };
+    Ok(choice(method, args).apply(options)?)
 }
 
 /// An error if the method is left out of this program, or if an option is there that it
@@ -40,6 +45,11 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         // Differences have no options.
         None => choice(MethodName::default(), args).given(),
     };
+    ensure!(
+        args.allow_missing.is_empty() || name(&typed) != name(&args::MethodName::Fd),
+        "--allow-missing is for methods that differentiate samples: finite differences miss \
+         nothing. Leave it out"
+    );
     let Some((option, owner)) = refused else {
         return Ok(());
     };
@@ -235,6 +245,7 @@ mod tests {
         }
         same::<MethodName, args::MethodName>(&["fd"]);
         same::<DomainName, args::DomainName>(&[]);
+        same::<MissingName, args::MissingArg>(&[]);
         same::<Estimator, args::EstimatorName>(&[]);
         #[cfg(feature = "paper")]
         same::<capwalk::WasBoundary, args::was::WasBoundaryName>(&[]);

@@ -1,7 +1,7 @@
 //! What was done, for people: aligned columns, times, warnings.
 
 pub use capwalk::text::{count, list, number, plus_minus, significant};
-use capwalk::{Estimate, Image, Rgb, Statistics};
+use capwalk::{Estimate, Image, Rgb, Statistics, missing_text};
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
@@ -85,10 +85,11 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
             "warning: the {what} is partial: {least} to {most} samples per pixel were taken\n"
         );
     }
-    if statistics.uncovered > 0 {
+    if let Some(missing) = &statistics.missing {
         text += &format!(
-            "warning: in {} specular events of the {what} objects are seen that may move, and the \
-             silhouettes seen there are not covered: this method is biased there\n",
+            "warning: the {what} is incomplete: {}. Silhouettes that move were met there in {} \
+             specular events\n",
+            missing_text(missing),
             count(statistics.uncovered)
         );
     }
@@ -157,6 +158,11 @@ pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
         "most_samples_per_pixel": taken.iter().max(),
         "non_finite": statistics.non_finite,
         "uncovered": statistics.uncovered,
+        "missing": statistics.missing.as_ref().map(|missing| json!({
+            "what": "specular",
+            "share": missing.share,
+            "standard_error": missing.standard_error,
+        })),
         "cone_queries": statistics.cone_queries,
         "seconds": elapsed,
     })

@@ -54,6 +54,7 @@ pub fn finite_difference(
     Ok(GradientImage {
         value: averages.estimate(scene, 0),
         gradient: averages.estimate(scene, 3),
+        missing: None,
         statistics: averages.statistics,
     })
 }

@@ -4,13 +4,14 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use capwalk_boundary::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_infinite_derivatives, refuse_motion,
-    refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
+    refuse_cut_normals, refuse_infinite_derivatives, refuse_motion, refuse_settings,
+    refuse_turned_without_uvs, refuse_uncovered,
 };
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
 use capwalk_render::{
-    GradientImage, Grid, Part, PartError, Partial, PreparedScene, RenderOptions, Tracer, Watch,
+    GradientImage, Grid, Missing, Part, PartError, Partial, PreparedScene, RenderOptions, Tracer,
+    Watch,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -18,6 +19,7 @@ use crate::adjoint::Wanted;
 use crate::auto::{Chosen, Pilot};
 use crate::forward_eval::Forward;
 use crate::options::GradientOptions;
+use crate::refused::refuses_uncovered;
 
 /// The derivative of the image for a unit change along `tangent`, in forward mode, with
 /// its standard error. Refuses what it cannot differentiate rightly, see [`Refusal`].
@@ -79,7 +81,8 @@ impl<'a> GradientWork<'a> {
                 options: &self.options,
                 watch,
             };
-            pilot.choose()
+            let uncovered = |options: &_| self.look_around(options, watch).statistics.uncovered;
+            pilot.choose(uncovered)
         };
         let refuse = || self.refuse(&self.options);
         Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
@@ -89,16 +92,21 @@ impl<'a> GradientWork<'a> {
     pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Refusal> {
         let options = self.chosen(watch)?.options;
         let scene = self.prepared.scene();
-        if !options.method.traits().is_unbiased || !is_specular_somewhere(scene) {
+        if !refuses_uncovered(scene, &options) {
             return Ok(());
         }
+        self.refuse_uncovered(&self.look_around(&options, watch))
+    }
+
+    /// A few samples of each pixel with these options.
+    fn look_around(&self, options: &GradientOptions, watch: &dyn Watch) -> Averages {
         let pilot = RenderOptions {
             spp: options.spp.min(PILOT_SPP),
             ..options.sampling()
         };
-        let whole = Part::whole(tiles::grid(scene, &pilot));
-        let found = self.average(&options, &pilot, None, &whole, &Silent(watch));
-        self.refuse_uncovered(&Averages::new(found.into_sums(), &pilot))
+        let whole = Part::whole(tiles::grid(self.prepared.scene(), &pilot));
+        let found = self.average(options, &pilot, None, &whole, &Silent(watch));
+        Averages::new(found.into_sums(), &pilot)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -112,7 +120,7 @@ impl<'a> GradientWork<'a> {
     /// The derivative image, from all of its parts. The bits are those of [`gradient`].
     pub fn finish(&self, parts: Partial<PixelSums>) -> Result<GradientImage, PartError> {
         let (scene, grid) = (self.prepared.scene(), self.grid());
-        let right = |band: u32, sums: &PixelSums| sums.is_of(scene, grid, band, 6);
+        let right = |band: u32, sums: &PixelSums| sums.is_of(scene, grid, band, NUMBERS);
         let sums = parts.complete(self.fingerprint(), grid, right)?;
         Ok(self.gradient_image(sums)?)
     }
@@ -155,8 +163,9 @@ impl<'a> GradientWork<'a> {
             let light = tracer.pixel(&eval, pixel, draw);
             let (value, derivative) = (light.value(), light.tangent(0));
             let [[a, b, c], [d, e, f]] = [value, derivative].map(|rgb| rgb.to_array());
+            let missing = counts.missing.get().mean();
             Sample {
-                numbers: [a, b, c, d, e, f],
+                numbers: [a, b, c, d, e, f, missing],
                 cone_queries: counts.queries.get(),
                 uncovered: counts.uncovered.get(),
             }
@@ -188,16 +197,25 @@ impl<'a> GradientWork<'a> {
         let scene = self.prepared.scene();
         let averages = Averages::new(sums, &self.options.sampling());
         self.refuse_uncovered(&averages)?;
+        let value = averages.estimate(scene, 0);
+        let mut statistics = averages.statistics.clone();
+        let is_missing = statistics.uncovered > 0;
+        let missing = is_missing.then(|| averages.grey(scene, MISSING));
+        statistics.missing = missing.as_ref().map(|missing| Missing::of(missing, &value));
         Ok(GradientImage {
-            value: averages.estimate(scene, 0),
+            value,
             gradient: averages.estimate(scene, 3),
-            statistics: averages.statistics,
+            missing,
+            statistics,
         })
     }
 
     fn refuse_uncovered(&self, averages: &Averages) -> Result<(), Refusal> {
         let (scene, found) = (self.prepared.scene(), &averages.statistics);
-        refuse_uncovered(scene, found.uncovered, found.samples, &self.options.method)
+        match refuses_uncovered(scene, &self.options) {
+            true => refuse_uncovered(scene, found.uncovered, found.samples, &self.options.method),
+            false => Ok(()),
+        }
     }
 
     fn fingerprint(&self) -> u64 {
@@ -206,6 +224,12 @@ impl<'a> GradientWork<'a> {
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
 }
+
+/// Numbers of a sample: value, derivative, and what of the value arrives where something is
+/// missing.
+const NUMBERS: usize = 7;
+/// The last of them.
+const MISSING: usize = 6;
 
 /// Stops when another watch does, and says nothing.
 struct Silent<'a>(&'a dyn Watch);

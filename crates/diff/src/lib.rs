@@ -29,7 +29,7 @@ pub use capwalk_boundary::{
 #[cfg(feature = "paper")]
 pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{
-    Accumulate, Cell, Estimate, GradientImage, Grid, Part, PartError, Partial, PixelSums,
+    Accumulate, Cell, Estimate, GradientImage, Grid, Missing, Part, PartError, Partial, PixelSums,
     PreparedScene, RenderOptions, RenderWork, Rendering, Statistics, Unwatched, Watch, render,
 };
 pub use capwalk_walk::{Estimator, WalkSettings};
@@ -38,6 +38,6 @@ pub use adjoint::Wanted;
 pub use auto::{Chosen, Trial};
 pub use finite::finite_difference;
 pub use forward::{GradientWork, gradient};
-pub use options::GradientOptions;
+pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;
 pub use reverse::{Backward, BackwardWork, BatchSums, backward};

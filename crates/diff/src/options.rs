@@ -23,6 +23,17 @@ pub struct GradientOptions {
     pub blind: bool,
     /// The walk that builds the velocity field, for methods that walk.
     pub walk: WalkSettings,
+    /// What may be left out of a derivative that would be refused otherwise.
+    pub allow_missing: AllowMissing,
+}
+
+/// Parts of derivatives that may be left out. The rest is estimated as ever, and
+/// [`Statistics::missing`](crate::Statistics::missing) says what is missing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct AllowMissing {
+    /// How silhouettes move that are seen in curved mirrors, through refracting glass, or after
+    /// many reflections.
+    pub specular: bool,
 }
 
 impl Default for GradientOptions {
@@ -42,6 +53,7 @@ impl From<RenderOptions> for GradientOptions {
             blind: false,
             method: Method::default(),
             walk: WalkSettings::default(),
+            allow_missing: AllowMissing::default(),
         }
     }
 }

@@ -79,7 +79,8 @@ pub fn irradiance(
                 stream: &stream,
                 counts: &Counts::default(),
             };
-            let (light, _) = tracer.emitted(&eval, &vertex, 0, SpecularChain::default(), draw);
+            let chain = SpecularChain::default();
+            let light = tracer.emitted(&eval, &vertex, 0, chain, draw).light;
             irradiance.value.add(light.r.value);
             irradiance.gradient.add(light.r.tangent[0]);
         }
@@ -118,7 +119,7 @@ pub fn difference(
                 let eval = Primal(sides[i].accel());
                 tracers[i]
                     .emitted(&eval, &vertex, 0, SpecularChain::default(), draw)
-                    .0
+                    .light
                     .r
             });
             moments.add(above - below);

@@ -6,16 +6,16 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_boundary::refuse::{
-    is_specular_somewhere, refuse_cut_normals, refuse_infinite_derivatives, refuse_motion,
-    refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
+    refuse_cut_normals, refuse_infinite_derivatives, refuse_motion, refuse_settings,
+    refuse_turned_without_uvs, refuse_uncovered,
 };
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
-use capwalk_math::{Moments, Tape, Vec3};
+use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles;
 use capwalk_render::{
-    Accumulate, Along, Grid, OrderedSum, Part, PartError, Partial, PreparedScene, Statistics,
-    Tracer, Watch,
+    Accumulate, Along, Grid, Missing, OrderedSum, Part, PartError, Partial, PreparedScene,
+    Statistics, Tracer, Watch,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint};
 use rayon::prelude::*;
@@ -24,6 +24,7 @@ use serde::{Deserialize, Serialize};
 use crate::adjoint::{Adjoint, Target, Wanted};
 use crate::auto::{Chosen, Pilot, motion};
 use crate::options::GradientOptions;
+use crate::refused::refuses_uncovered;
 use crate::reverse_eval::Reverse;
 
 /// The gradient of `Σ adjoint · image` in all parameters, with errors.
@@ -150,7 +151,8 @@ impl<'a> BackwardWork<'a> {
                 options: &self.options,
                 watch,
             };
-            pilot.choose()
+            let uncovered = |options: &_| self.pass(options, watch).count_uncovered()[1];
+            pilot.choose(uncovered)
         };
         let refuse = || self.refuse(&self.options);
         Chosen::of(&self.options, &self.chosen, watch, refuse, choose)
@@ -160,7 +162,7 @@ impl<'a> BackwardWork<'a> {
     pub fn check_coverage(&self, watch: &dyn Watch) -> Result<(), Refusal> {
         let options = self.chosen(watch)?.options;
         let scene = self.prepared.scene();
-        if !options.method.traits().is_unbiased || !is_specular_somewhere(scene) {
+        if !refuses_uncovered(scene, &options) {
             return Ok(());
         }
         let [samples, uncovered] = self.pass(&options, watch).count_uncovered();
@@ -266,6 +268,7 @@ impl<'a> BackwardWork<'a> {
         };
         let is_empty = batches.iter().all(|batch| batch.samples() == 0);
         let mut gradients: Vec<(Gradient, u64)> = Vec::new();
+        let radiances: Vec<[f64; 2]> = batches.iter().map(|batch| batch.radiance).collect();
         for batch in batches {
             batch.add_to(&mut statistics);
             let samples = batch.samples();
@@ -278,7 +281,10 @@ impl<'a> BackwardWork<'a> {
         statistics.complete = taken.iter().all(|&taken| taken == self.options.spp);
         statistics.samples = taken.iter().map(|&taken| u64::from(taken)).sum();
         let (uncovered, samples) = (statistics.uncovered, statistics.samples);
-        refuse_uncovered(scene, uncovered, samples, &self.options.method)?;
+        if refuses_uncovered(scene, &self.options) {
+            refuse_uncovered(scene, uncovered, samples, &self.options.method)?;
+        }
+        statistics.missing = (uncovered > 0).then(|| missing(&radiances));
         // The mean over all samples, however many each batch has.
         let samples: u64 = gradients.iter().map(|(_, n)| n).sum();
         let mut mean = gradients[0].0.scaled(0.0);
@@ -296,6 +302,21 @@ impl<'a> BackwardWork<'a> {
         let scene = self.prepared.scene();
         let inputs = ("backward", scene, self.adjoint, &self.wanted, &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
+    }
+}
+
+/// The share of the radiance that is missing, from what each batch has of it and in all.
+fn missing(batches: &[[f64; 2]]) -> Missing {
+    let sum = |of: usize| batches.iter().map(|batch| batch[of]).sum::<f64>();
+    let share = sum(0) / sum(1);
+    // What is off a common share in each of them.
+    let squares = batches
+        .iter()
+        .map(|[part, all]| (part - share * all).powi(2));
+    let n = batches.len() as f64;
+    Missing {
+        share,
+        standard_error: (squares.sum::<f64>() * n / (n - 1.0)).sqrt() / sum(1),
     }
 }
 
@@ -323,6 +344,8 @@ pub struct BatchSums {
     non_finite: u64,
     cone_queries: u64,
     uncovered: u64,
+    /// Of all samples together: what arrives by paths of which something is missing, and all.
+    radiance: [f64; 2],
 }
 
 /// How many samples the pixels of a band have.
@@ -367,6 +390,8 @@ impl Accumulate for BatchSums {
         self.non_finite += next.non_finite;
         self.cone_queries += next.cone_queries;
         self.uncovered += next.uncovered;
+        let sums = self.radiance.iter_mut().zip(next.radiance);
+        sums.for_each(|(sum, next)| *sum += next);
     }
 }
 
@@ -490,6 +515,7 @@ impl Pass<'_> {
             non_finite: 0,
             cone_queries: 0,
             uncovered: 0,
+            radiance: [0.0; 2],
         }
     }
 
@@ -512,9 +538,14 @@ impl Pass<'_> {
         let light = self.tracer.pixel(&eval, position, draw);
         // Backwards through the record: from the pixel's covector to those on the scene.
         eval.pull_back(light, self.adjoint.pixels[pixel], adjoints, covectors);
+        let radiance = [counts.missing.get(), light.value()].map(Rgb::mean);
         tape.clear();
         sums.cone_queries += counts.queries.get();
         sums.uncovered += counts.uncovered.get();
+        if radiance.iter().all(|x| x.is_finite()) {
+            sums.radiance[0] += radiance[0];
+            sums.radiance[1] += radiance[1];
+        }
         if covectors.iter().all(|(_, covector)| covector.is_finite()) {
             for &(target, covector) in &*covectors {
                 sums.mean.add(target, covector);

@@ -16,7 +16,7 @@ use crate::real::Real;
 /// let light = Rgb::new(4.0, 2.0, 1.0) * Rgb::new(0.5, 0.5, 0.0);
 /// assert_eq!(light.to_array(), [2.0, 1.0, 0.0]);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[repr(C)]
 pub struct Rgb<R = f64> {
     /// Red.
@@ -94,6 +94,12 @@ impl<R: Real> Rgb<R> {
 }
 
 impl Rgb {
+    /// The mean of the channels.
+    #[inline]
+    pub fn mean(self) -> f64 {
+        (self.r + self.g + self.b) / 3.0
+    }
+
     /// True if no channel is infinite or NaN.
     #[inline]
     pub fn is_finite(self) -> bool {

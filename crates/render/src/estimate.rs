@@ -1,5 +1,6 @@
 //! What comes back: images with standard errors, and counts.
 
+use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
 /// An estimated image and its error.
@@ -28,6 +29,9 @@ pub struct GradientImage {
     pub value: Estimate,
     /// Its derivative per unit of the parameter.
     pub gradient: Estimate,
+    /// Where something is left out of the derivative, see [`Statistics::missing`]: what of the
+    /// image arrives by paths that it concerns, the mean over the channels in each of them.
+    pub missing: Option<Estimate>,
     /// What was done.
     pub statistics: Statistics,
 }
@@ -50,6 +54,43 @@ pub struct Statistics {
     /// Specular reflections and refractions in which something moves, or which
     /// move themselves: their outlines are missing in the derivative.
     pub uncovered: u64,
+    /// What these concern, if there are any in a derivative.
+    pub missing: Option<Missing>,
+}
+
+/// What a derivative leaves out: how silhouettes move that are seen by specular reflection or
+/// refraction. Paths with such events carry this share of the image's radiance.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Missing {
+    /// From 0 to 1.
+    pub share: f64,
+    /// Its standard error, or more; NaN if there were too few samples to know it.
+    pub standard_error: f64,
+}
+
+impl Missing {
+    /// The share of these paths, given what arrives by them in each pixel.
+    pub fn of(missing: &Estimate, value: &Estimate) -> Self {
+        let sum = |image: &Image| {
+            let pixels = image.pixels.iter();
+            pixels.fold(Rgb::zero(), |sum, &pixel| sum + pixel)
+        };
+        let squares = |image: &Image| {
+            let pixels = image.pixels.iter();
+            pixels.fold(Rgb::zero(), |sum, &pixel| sum + pixel * pixel)
+        };
+        let error = |estimate: &Estimate| {
+            let squares = squares(&estimate.standard_error);
+            Rgb::new(squares.r.sqrt(), squares.g.sqrt(), squares.b.sqrt()).mean()
+        };
+        let (part, all) = (sum(&missing.mean).mean(), sum(&value.mean).mean());
+        let share = part / all;
+        Self {
+            share,
+            // As if the errors of both, and those of the channels, always added up.
+            standard_error: (error(missing) + share * error(value)) / all,
+        }
+    }
 }
 
 impl Statistics {

@@ -90,7 +90,23 @@ impl Tracer<'_> {
         let view = &camera.moving;
         let ray = view.ray(view.direction(s.map(R::constant)));
         let weight = support.weight(s) / support.pdf(0.0, s);
-        self.radiance(eval, ray, draw) * R::constant(weight)
+        self.weighted(eval, ray, R::constant(weight), draw)
+    }
+
+    /// A sample of the radiance along a camera ray, times its weight in the pixel.
+    fn weighted<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        ray: ViewRay<R>,
+        weight: R,
+        draw: Draw,
+    ) -> Rgb<R> {
+        // What is missing of it has the same weight.
+        let others = draw.counts.missing.replace(Rgb::zero());
+        let light = self.radiance(eval, ray, draw) * weight;
+        let missing = draw.counts.missing.get() * weight.value();
+        draw.counts.missing.set(others + missing);
+        light
     }
 
     /// The interior term with warped film points.
@@ -117,9 +133,10 @@ impl Tracer<'_> {
         if !point.moves() && !other.moves() {
             return self.share(eval, support, &point, density, draw);
         }
-        let both = self.share(eval, support, &point, density, draw)
-            + self.share(eval, support, &other, density, draw);
-        both * R::constant(0.5)
+        // Each of them half.
+        let density = 2.0 * density;
+        self.share(eval, support, &point, density, draw)
+            + self.share(eval, support, &other, density, draw)
     }
 
     /// What a film point sampled with this density adds: `W L / J` times the Jacobian of the
@@ -133,7 +150,7 @@ impl Tracer<'_> {
         draw: Draw,
     ) -> Rgb<R> {
         let weight = support.weight(point.film) * point.jacobian * R::constant(1.0 / density);
-        self.radiance(eval, point.ray, draw) * weight
+        self.weighted(eval, point.ray, weight, draw)
     }
 
     /// The pixel-border term `-∮ W L ṡ·n dl`: a number of value zero, with a derivative.

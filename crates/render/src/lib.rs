@@ -43,7 +43,7 @@ mod triangle_sampler;
 mod vertex;
 
 pub use emitter_sampler::{DirectionSampler, EmitterSampler};
-pub use estimate::{Estimate, GradientImage, Rendering, Statistics};
+pub use estimate::{Estimate, GradientImage, Missing, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
 pub use image::{RenderWork, render};
 pub use options::{RenderOptions, Unwatched, Watch};
@@ -52,7 +52,7 @@ pub use part_error::PartError;
 pub use partial::{Along, Partial};
 pub use plan::{FIRST_VERTEX, LightSampling, Plan};
 pub use prepared::PreparedScene;
-pub use radiance::SpecularChain;
+pub use radiance::{Emitted, SpecularChain};
 pub use scene_eval::{Primal, SceneEval, Warped, vertex_normal};
 pub use tiles::PixelSums;
 pub use tracer::{Moving, Tracer, Walks};

@@ -22,7 +22,7 @@
 use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
-use capwalk_scene::lobe::Event;
+use capwalk_scene::lobe::{Event, Specular};
 use capwalk_scene::sensor::view::ViewRay;
 use capwalk_scene::{Emitter, EmitterId};
 
@@ -71,6 +71,16 @@ impl SpecularChain {
         let count = self.count.filter(|_| has)?;
         (count < MAX_EVENTS).then_some(count + 1)
     }
+}
+
+/// Light from emitters that a surface reflects.
+pub struct Emitted<R> {
+    /// All of it.
+    pub light: Rgb<R>,
+    /// What of it arrives by a specular event with silhouettes that no field has.
+    pub missed: Rgb,
+    /// Where a path could go on.
+    pub next: Option<Continuation>,
 }
 
 impl Tracer<'_> {
@@ -133,6 +143,8 @@ impl Tracer<'_> {
         let mut light = Rgb::zero();
         // The product of BSDFs, cosines and Jacobians over the density of the path so far.
         let mut throughput = Rgb::constant(Rgb::splat(1.0));
+        // True behind a specular event with silhouettes that no field has.
+        let mut is_missed = false;
         for depth in first.. {
             // The path goes on from a surface that is hit, if paths so long are sampled.
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
@@ -144,8 +156,14 @@ impl Tracer<'_> {
             };
             chain.here = accel.flat_events(&found);
             // Light that comes from emitters, and a direction in which the path can go on.
-            let (emitted, next) = self.emitted(eval, &vertex, depth, chain, draw);
+            let Emitted {
+                light: emitted,
+                missed,
+                next,
+            } = self.emitted(eval, &vertex, depth, chain, draw);
             light += throughput * emitted;
+            let missed = if is_missed { emitted.value() } else { missed };
+            draw.add_missing(throughput.value() * missed);
             // What moves across directions towards other surfaces, if those stay.
             let stays = W::MOVES && self.gathers.indirect;
             if stays && plan.reaches(depth + 3) {
@@ -182,6 +200,7 @@ impl Tracer<'_> {
                     // (METHOD 6).
                     let (wo, fraction) = vertex.specular(event);
                     throughput = throughput * (fraction * over_density);
+                    is_missed |= W::MOVES && self.misses(chain, event);
                     chain.count = chain.after(event.event);
                     wo
                 }
@@ -204,6 +223,11 @@ impl Tracer<'_> {
             hit = next.hit;
         }
         light
+    }
+
+    /// True if no field has the silhouettes that are seen by a specular event.
+    fn misses(&self, chain: SpecularChain, event: Specular) -> bool {
+        chain.after(event.event).is_none() || self.misses_mirrors()
     }
 
     /// Counts a ray after a specular event that bends light if silhouettes seen there
@@ -229,7 +253,7 @@ impl Tracer<'_> {
     }
 
     /// Light that arrives from emitters at a moving surface point and is
-    /// reflected there, and where a path could go on.
+    /// reflected there.
     pub fn emitted<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -237,8 +261,9 @@ impl Tracer<'_> {
         depth: u32,
         chain: SpecularChain,
         draw: Draw,
-    ) -> (Rgb<R>, Option<Continuation>) {
+    ) -> Emitted<R> {
         let mut light = Rgb::zero();
+        let mut missed = Rgb::zero();
         let viewpoint = Viewpoint::towards_emitters(vertex.position, vertex.face_normal);
         let primal = eval.primal(vertex);
         let next = sample_lights(
@@ -265,7 +290,11 @@ impl Tracer<'_> {
                 // A specular direction: what emits there, seen by the event.
                 if let Some(event) = sample.specular {
                     let (direction, fraction) = vertex.specular(event);
-                    light += fraction * radiance(direction) * weight;
+                    let seen = fraction * radiance(direction) * weight;
+                    light += seen;
+                    if W::MOVES && self.misses(chain, event) {
+                        missed += seen.value();
+                    }
                     return;
                 }
                 // An emitter without extent is seen in one direction, wherever that moves.
@@ -293,7 +322,7 @@ impl Tracer<'_> {
                 light += f * radiance(warped.direction) * (warped.jacobian * weight);
             },
             |event, hit| {
-                if W::MOVES && (chain.after(event.event).is_none() || self.misses_mirrors()) {
+                if W::MOVES && self.misses(chain, event) {
                     let (direction, _) = vertex.specular(event);
                     self.count_uncovered(eval, vertex.position, direction, hit, draw);
                 }
@@ -335,7 +364,11 @@ impl Tracer<'_> {
                 light += self.environment_edge_term(&at, environment, draw, depth);
             }
         }
-        (light, next)
+        Emitted {
+            light,
+            missed,
+            next,
+        }
     }
 
     /// The normal with which directions towards an emitter turn: only light that is the same

@@ -225,6 +225,7 @@ impl Averages {
             non_finite: sum(|pixel| u64::from(pixel.non_finite)),
             cone_queries: sum(|pixel| pixel.cone_queries),
             uncovered: sum(|pixel| pixel.uncovered),
+            missing: None,
         };
         let numbers: usize = bands.iter().map(|band| band.moments.len()).sum();
         Self {
@@ -236,6 +237,15 @@ impl Averages {
 
     /// Three consecutive numbers as an image with errors.
     pub fn estimate(&self, scene: &Scene, first: usize) -> Estimate {
+        self.channels(scene, [first, first + 1, first + 2])
+    }
+
+    /// One number as a grey image with errors.
+    pub fn grey(&self, scene: &Scene, number: usize) -> Estimate {
+        self.channels(scene, [number; 3])
+    }
+
+    fn channels(&self, scene: &Scene, numbers: [usize; 3]) -> Estimate {
         let [width, height] = scene.film.crop_size.map(|n| n as usize);
         let pixels = || {
             let bands = self.bands.iter();
@@ -245,11 +255,7 @@ impl Averages {
             width,
             height,
             pixels: pixels()
-                .map(|moments| {
-                    [0, 1, 2]
-                        .map(|channel| of(&moments[first + channel]))
-                        .into()
-                })
+                .map(|moments| numbers.map(|number| of(&moments[number])).into())
                 .collect(),
         };
         Estimate {

@@ -329,6 +329,7 @@ mod tests {
         };
         Run {
             image: GradientImage {
+                missing: None,
                 value: gradient.clone(),
                 gradient,
                 statistics: Statistics::default(),

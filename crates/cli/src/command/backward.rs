@@ -314,6 +314,9 @@ fn contents(
         note("picture_seed", loss.image.seed.to_string());
     }
     let statistics = &gradients.statistics;
+    for (key, value) in output::missing_notes(statistics) {
+        note(&key, value);
+    }
     let complete = statistics.complete && loss.is_none_or(|loss| loss.image.statistics.complete);
     note("samples", statistics.samples.to_string());
     note("complete", complete.to_string());

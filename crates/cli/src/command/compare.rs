@@ -147,6 +147,7 @@ fn sentence(comparison: &Comparison) -> String {
     match &comparison.verdict {
         Verdict::Right => "equal within their errors".into(),
         Verdict::Wrong { reason } => format!("different: {reason}"),
+        Verdict::Partial { .. } => "compared in part".into(),
         Verdict::Inconclusive { samples_factor } => format!(
             "inconclusive: about {} times the samples would be enough",
             report::significant(*samples_factor, 2)

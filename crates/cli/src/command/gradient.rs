@@ -46,7 +46,13 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     if let Some(step) = way.step() {
         output::note(&mut layered, "step", step);
     }
-    let written = files.write(&layered, &[])?;
+    // A picture of a part says so.
+    let title = output::gradient_title(statistics);
+    let panels = match &statistics.missing {
+        None => Vec::new(),
+        Some(_) => vec![output::gradient_panel(&title, &gradient.mean)],
+    };
+    let written = files.write(&layered, &panels)?;
     way.chosen().into_iter().for_each(method::log);
     console::remark(&way.remark());
     console::remark(&report::warnings("gradient", statistics));
@@ -162,5 +168,8 @@ pub fn layered(
     output::push_statistics(&mut layered, &[&result.statistics]);
     output::push_estimate(&mut layered, "value", "value_stderr", &result.value);
     output::push_estimate(&mut layered, "gradient", "stderr", &result.gradient);
+    if let Some(missing) = &result.missing {
+        output::push_estimate(&mut layered, "missing", "missing_stderr", missing);
+    }
     layered
 }

@@ -66,7 +66,7 @@ fn mirrors_are_a_warning() {
     let words = [
         "baseline and biased",
         "specular events",
-        "silhouettes seen there are not covered",
+        "is left out; paths with such events carry",
     ];
     assert_has(&finished.stderr, &words);
 }

@@ -11,6 +11,7 @@ mod demo;
 mod help;
 mod images;
 mod methods;
+mod missing;
 mod optimize;
 mod scenes;
 mod settings;

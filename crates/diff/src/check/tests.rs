@@ -423,6 +423,7 @@ fn rounding_counts_as_zero() {
     };
     let gradient = with_corner(&gradient, 1e-3, 1e-5);
     let image = |gradient: Estimate| crate::GradientImage {
+        missing: None,
         value: estimate_of(|_, _| (0.5, 0.01)),
         gradient,
         statistics: Default::default(),
