@@ -86,6 +86,7 @@ def gradient(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
+    allow_missing: str | None = None,
 ) -> Slope:
     """The derivative of the image along one direction (forward mode), without bias, with its
     standard errors.
@@ -103,6 +104,9 @@ def gradient(
     :param steps: steps of a walk, for these two, at most 1000.
     :param max_angle: the walk's angular cutoff, degrees, above 0 and at most 180.
     :param antithetic: whether walks average opposite rim samples.
+    :param allow_missing: ``"specular"`` leaves out how silhouettes move that are seen in curved
+        mirrors, through refracting glass, or after many reflections, instead of refusing the
+        derivative; ``statistics["missing"]`` is the share of the radiance that it concerns.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
     :raises ParameterError: a name means no parameter.
@@ -121,6 +125,7 @@ def gradient(
             steps=steps,
             max_angle=max_angle,
             antithetic=antithetic,
+            allow_missing=allow_missing,
         )
         value, slope, chosen, statistics = _capwalk.gradient(scene, direction(along), asked)
     warn_of(statistics)
@@ -142,6 +147,7 @@ def backward(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
+    allow_missing: str | None = None,
 ) -> Gradients:
     """The gradient of ``(adjoint * image).sum()`` with respect to arrays of the scene, all in
     one pass (reverse mode), without bias.
@@ -172,6 +178,7 @@ def backward(
             steps=steps,
             max_angle=max_angle,
             antithetic=antithetic,
+            allow_missing=allow_missing,
         )
         wanted = wanted_names(scene, names, asked.sensor)
         values, errors, chosen, statistics = _capwalk.backward(
@@ -197,6 +204,7 @@ def check(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
+    allow_missing: str | None = None,
 ) -> Check:
     """A gradient against central differences of the image, with a verdict.
 
@@ -222,6 +230,7 @@ def check(
             steps=steps,
             max_angle=max_angle,
             antithetic=antithetic,
+            allow_missing=allow_missing,
         )
         slope, reference, found = _capwalk.check(
             scene, direction(along), asked, reference_spp, step
@@ -275,7 +284,10 @@ def warned(scene: Scene) -> Scene:
 
 
 def warn_of(statistics: Mapping[str, Any]) -> None:
-    """Warns of samples that are no numbers."""
+    """Warns of samples that are no numbers, and of what is left out."""
+    if statistics.get("missing"):
+        text = statistics["missing_text"]
+        warnings.warn(f"the derivative is incomplete: {text}", UnreliableWarning, stacklevel=3)
     if statistics["non_finite"]:
         text = f"{statistics['non_finite']} of {statistics['samples']} samples were infinite or NaN"
         text += ", and count as zero"

@@ -32,6 +32,7 @@ class Options:
     antithetic: bool | None = None
     chosen: bytes | None = None
     """What a pilot has chosen, instead of the last four."""
+    allow_missing: str | None = None
 
 
 def options(
@@ -48,6 +49,7 @@ def options(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
+    allow_missing: str | None = None,
 ) -> Options:
     """The options; what is ``None`` is as the scene's file says. The seed is then
     ``independent`` of that of an image, if asked for."""
@@ -57,6 +59,8 @@ def options(
         )
     if antithetic not in (None, True, False):
         raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
+    if not isinstance(allow_missing, str | None):
+        raise TypeError(f'allow_missing is {allow_missing!r}; expected "specular"')
     chosen = None
     if isinstance(method, Method):
         if (steps, max_angle, antithetic) != (None, None, None):
@@ -85,6 +89,7 @@ def options(
         max_angle=None if max_angle is None else real("max_angle", max_angle),
         antithetic=None if antithetic is None else bool(antithetic),
         chosen=chosen,
+        allow_missing=allow_missing,
     )
     # Here, not only when the first derivative is asked for.
     _capwalk.check_options(asked)

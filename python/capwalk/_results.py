@@ -58,7 +58,9 @@ class Slope:
     method: Method
     """The method that was chosen."""
     statistics: Mapping[str, Any]
-    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``; and what is
+    left out (``allow_missing``): ``missing``, the share of the radiance that it concerns with
+    its standard error, or ``None``."""
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)
@@ -93,7 +95,7 @@ class Gradients(dict[str, Array]):
     method: Method
     """The method that was chosen; of several views that of the first which was sampled."""
     statistics: Mapping[str, Any]
-    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``, ``missing``."""
 
     def __init__(
         self,
@@ -112,7 +114,10 @@ class Check:
     numbers."""
 
     verdict: str
-    """``"right"``, ``"wrong"`` or ``"inconclusive"``."""
+    """``"right"``, ``"wrong"`` or ``"inconclusive"``; or ``"partial"`` if something is left out of
+    the gradient (``allow_missing``): then only the pixels that it does not concern are compared."""
+    rest: str | None
+    """The verdict on these pixels, if it is partial and there are any."""
     reason: str | None
     """In which respects they differ, if the gradient is wrong."""
     samples_factor: float | None

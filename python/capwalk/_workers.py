@@ -71,6 +71,7 @@ class Workers(ABC):
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
+        allow_missing: str | None = None,
     ) -> Slope:
         """The derivative of the image along one direction, see :func:`capwalk.gradient`. With
         ``method="auto"`` this process chooses the method first, on all of its cores."""
@@ -85,6 +86,7 @@ class Workers(ABC):
             steps=steps,
             max_angle=max_angle,
             antithetic=antithetic,
+            allow_missing=allow_missing,
         )
         work = [(direction(along), asked)]
         [result] = self._done("gradient", scene, work, progress)
@@ -107,6 +109,7 @@ class Workers(ABC):
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
+        allow_missing: str | None = None,
     ) -> Gradients:
         """The gradient of ``(adjoint * image).sum()`` with respect to arrays of the scene, see
         :func:`capwalk.backward`. With ``method="auto"`` this process chooses the method first,
@@ -123,6 +126,7 @@ class Workers(ABC):
             steps=steps,
             max_angle=max_angle,
             antithetic=antithetic,
+            allow_missing=allow_missing,
         )
         wanted = wanted_names(scene, names, asked.sensor)
         work = [((numbers("adjoint", adjoint), wanted), asked)]
@@ -170,6 +174,7 @@ class Workers(ABC):
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
+        allow_missing: str | None = None,
     ) -> Gradients:
         """The gradient of a loss of the images of several sensors, all of whose parts are done
         at once: the sum of what :meth:`backward` gives for each, added in the order of the
@@ -212,6 +217,7 @@ class Workers(ABC):
                 steps=steps,
                 max_angle=max_angle,
                 antithetic=antithetic,
+                allow_missing=allow_missing,
             )
             asked = replace(asked, seed=view_seed(asked.seed, view))
             wanted = _seen(ids, wanted_names(scene, names, sensor), sensor)

@@ -55,6 +55,7 @@ def render(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
+    allow_missing: str | None = None,
 ) -> jax.Array:
     """The image of a scene with arrays of JAX in place of some of its own, (height, width, 3),
     differentiable with respect to them, in forward and in reverse mode, once. ``jax.jit`` and
@@ -84,7 +85,7 @@ def render(
     :param threads: worker threads; by default all cores. They change no bit.
     :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
 
-    ``method``, ``steps``, ``max_angle`` and ``antithetic`` are those of
+    ``method``, ``steps``, ``max_angle``, ``antithetic`` and ``allow_missing`` are those of
     :func:`capwalk.gradient`.
 
     In compiled functions what depends on values is raised by JAX, as an error of its own with
@@ -110,6 +111,7 @@ def render(
         steps=steps,
         max_angle=max_angle,
         antithetic=antithetic,
+        allow_missing=allow_missing,
     )
     call = _Call(work, np.dtype(jnp.result_type(*values.values() or [float])))
     images: list[jax.Array] = _IMAGE.bind(

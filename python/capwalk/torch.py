@@ -49,6 +49,7 @@ def render(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
+    allow_missing: str | None = None,
 ) -> torch.Tensor:
     """The image of a scene with tensors in place of some of its arrays, (height, width, 3),
     differentiable with respect to them: in reverse mode (``backward``, ``torch.func.grad``) and
@@ -76,7 +77,7 @@ def render(
     :param threads: worker threads; by default all cores. They change no bit.
     :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
 
-    ``method``, ``steps``, ``max_angle`` and ``antithetic`` are those of
+    ``method``, ``steps``, ``max_angle``, ``antithetic`` and ``allow_missing`` are those of
     :func:`capwalk.gradient`.
 
     :raises ArgumentError: a tensor of another shape, type or device, or ``seed_grad`` equals
@@ -102,6 +103,7 @@ def render(
         steps=steps,
         max_angle=max_angle,
         antithetic=antithetic,
+        allow_missing=allow_missing,
     )
     call = _Call(work, *seeds(work.seed, seed, seed_grad), *_common(params))
     image: torch.Tensor = _Image.apply(call, *params.values())

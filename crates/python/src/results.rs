@@ -1,10 +1,10 @@
 //! What work gives, as Python has it.
 
-use capwalk::comparison_text;
 use capwalk::{
     Check, CheckOptions, Error, Estimate, GradientImage, GradientOptions, Gradients, Rendering,
     Statistics, Verdict,
 };
+use capwalk::{comparison_text, missing_text};
 use numpy::PyArray3;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -84,12 +84,21 @@ pub fn of_check<'py>(
 ) -> PyResult<OfCheck<'py>> {
     let comparison = &check.comparison;
     let numbers = PyDict::new(py);
-    let (verdict, reason, samples_factor) = match &comparison.verdict {
-        Verdict::Right => ("right", None, None),
-        Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+    // Where something is left out, what is said of the rest.
+    let (is_partial, said) = match &comparison.verdict {
+        Verdict::Partial { rest } => (true, rest.as_deref()),
+        whole => (false, Some(whole)),
     };
-    numbers.set_item("verdict", verdict)?;
+    let (name, reason, samples_factor) = match said {
+        Some(Verdict::Right) => (Some("right"), None, None),
+        Some(Verdict::Wrong { reason }) => (Some("wrong"), Some(reason), None),
+        Some(Verdict::Inconclusive { samples_factor }) => {
+            (Some("inconclusive"), None, Some(samples_factor))
+        }
+        Some(Verdict::Partial { .. }) | None => (None, None, None),
+    };
+    numbers.set_item("verdict", if is_partial { Some("partial") } else { name })?;
+    numbers.set_item("rest", name.filter(|_| is_partial))?;
     numbers.set_item("reason", reason)?;
     numbers.set_item("samples_factor", samples_factor)?;
     numbers.set_item("scale_factor", comparison.scale_factor)?;
@@ -139,5 +148,9 @@ fn of_statistics<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Boun
     numbers.set_item("non_finite", statistics.non_finite)?;
     numbers.set_item("too_many_non_finite", statistics.too_many_non_finite())?;
     numbers.set_item("cone_queries", statistics.cone_queries)?;
+    let missing = statistics.missing.as_ref();
+    let share = missing.map(|missing| (missing.share, missing.standard_error));
+    numbers.set_item("missing", share)?;
+    numbers.set_item("missing_text", missing.map(missing_text))?;
     Ok(numbers)
 }

@@ -2,8 +2,8 @@
 
 use capwalk::scene::{Aov, unpack};
 use capwalk::{
-    CheckOptions, Choice, Error, GradientOptions, MethodChoice, MethodName, Prepared,
-    RenderOptions, ViewId, Views, WalkChoice, Watch,
+    AllowMissing, CheckOptions, Choice, Error, GradientOptions, MethodChoice, MethodName,
+    MissingName, Prepared, RenderOptions, ViewId, Views, WalkChoice, Watch,
 };
 use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
@@ -46,6 +46,8 @@ pub struct Options<'py> {
     /// What a pilot has chosen, instead of the last four, see [`crate::results::of_method`].
     #[pyo3(attribute)]
     chosen: Option<PyBackedBytes>,
+    #[pyo3(attribute)]
+    allow_missing: Option<String>,
 }
 
 impl<'py> Options<'py> {
@@ -65,13 +67,17 @@ impl<'py> Options<'py> {
     }
 
     pub fn gradient(&self, py: Python<'_>) -> PyResult<GradientOptions> {
+        let sampled = GradientOptions {
+            allow_missing: self.allowed(py)?,
+            ..self.sampling().into()
+        };
         if let Some(chosen) = &self.chosen {
             let (method, walk) =
                 unpack(chosen).map_err(|error| errors::exception(py, Error::from(error)))?;
             return Ok(GradientOptions {
                 method,
                 walk,
-                ..self.sampling().into()
+                ..sampled
             });
         }
         let named = MethodName::named(&self.method);
@@ -93,8 +99,25 @@ impl<'py> Options<'py> {
             walk,
             ..MethodChoice::default()
         };
-        let options = choice.apply(self.sampling().into());
+        let options = choice.apply(sampled);
         options.map_err(|error| errors::exception(py, error))
+    }
+
+    /// What may be missing.
+    fn allowed(&self, py: Python<'_>) -> PyResult<AllowMissing> {
+        let Some(name) = &self.allow_missing else {
+            return Ok(AllowMissing::default());
+        };
+        match MissingName::named(name) {
+            Some(missing) => Ok(MissingName::allow(&[missing])),
+            None => {
+                let names = MissingName::NAMES.iter().map(|(name, _)| *name);
+                let names = names.collect::<Vec<_>>().join(", ");
+                let text =
+                    format!("nothing that may be missing is called \"{name}\"; there is {names}");
+                Err(errors::argument(py, text))
+            }
+        }
     }
 
     fn how(&self) -> How<'py> {
