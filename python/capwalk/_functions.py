@@ -86,7 +86,7 @@ def gradient(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
-    allow_missing: str | None = None,
+    allow_missing: Sequence[str] = (),
 ) -> Slope:
     """The derivative of the image along one direction (forward mode), without bias, with its
     standard errors.
@@ -104,7 +104,7 @@ def gradient(
     :param steps: steps of a walk, for these two, at most 1000.
     :param max_angle: the walk's angular cutoff, degrees, above 0 and at most 180.
     :param antithetic: whether walks average opposite rim samples.
-    :param allow_missing: ``"specular"`` leaves out how silhouettes move that are seen in curved
+    :param allow_missing: ``("specular",)`` leaves out how silhouettes move that are seen in curved
         mirrors, through refracting glass, or after many reflections, instead of refusing the
         derivative; ``statistics["missing"]`` is the share of the radiance that it concerns.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
@@ -147,7 +147,7 @@ def backward(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
-    allow_missing: str | None = None,
+    allow_missing: Sequence[str] = (),
 ) -> Gradients:
     """The gradient of ``(adjoint * image).sum()`` with respect to arrays of the scene, all in
     one pass (reverse mode), without bias.
@@ -204,7 +204,7 @@ def check(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
-    allow_missing: str | None = None,
+    allow_missing: Sequence[str] = (),
 ) -> Check:
     """A gradient against central differences of the image, with a verdict.
 

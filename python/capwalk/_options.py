@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from . import _capwalk
@@ -32,7 +32,7 @@ class Options:
     antithetic: bool | None = None
     chosen: bytes | None = None
     """What a pilot has chosen, instead of the last four."""
-    allow_missing: str | None = None
+    allow_missing: tuple[str, ...] = ()
 
 
 def options(
@@ -49,7 +49,7 @@ def options(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
-    allow_missing: str | None = None,
+    allow_missing: Sequence[str] = (),
 ) -> Options:
     """The options; what is ``None`` is as the scene's file says. The seed is then
     ``independent`` of that of an image, if asked for."""
@@ -59,8 +59,9 @@ def options(
         )
     if antithetic not in (None, True, False):
         raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
-    if not isinstance(allow_missing, str | None):
-        raise TypeError(f'allow_missing is {allow_missing!r}; expected "specular"')
+    missing = (allow_missing,) if isinstance(allow_missing, str) else tuple(allow_missing)
+    if not all(isinstance(name, str) for name in missing):
+        raise TypeError(f'allow_missing is {allow_missing!r}; expected names: ("specular",)')
     chosen = None
     if isinstance(method, Method):
         if (steps, max_angle, antithetic) != (None, None, None):
@@ -89,7 +90,7 @@ def options(
         max_angle=None if max_angle is None else real("max_angle", max_angle),
         antithetic=None if antithetic is None else bool(antithetic),
         chosen=chosen,
-        allow_missing=allow_missing,
+        allow_missing=missing,
     )
     # Here, not only when the first derivative is asked for.
     _capwalk.check_options(asked)

@@ -36,7 +36,7 @@ class Picture:
         """Writes an .exr or .npz file with all layers in single precision, or a .png file with
         the image."""
         layers = [("value", self.value), ("value_stderr", self.stderr)]
-        _capwalk.write_images(os.fspath(path), layers)
+        _capwalk.write_images(os.fspath(path), layers, [])
 
     def _repr_png_(self) -> bytes:
         return _capwalk.png(self.value, False)
@@ -64,7 +64,10 @@ class Slope:
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)
-        return f"<capwalk.Slope: {described}, method {self.method.name}>"
+        method = f"method {self.method.name}"
+        if self.statistics["missing"] is None:
+            return f"<capwalk.Slope: {described}, {method}>"
+        return f"<capwalk.Slope: {described}, {method}, {self.statistics['missing_text']}>"
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         return _as_array(self.gradient, dtype, copy)
@@ -81,7 +84,12 @@ class Slope:
         # A preview shows one layer.
         if os.fspath(path).lower().endswith(".png"):
             layers = layers[:1]
-        _capwalk.write_images(os.fspath(path), layers)
+        notes = []
+        if self.statistics["missing"] is not None:
+            share, stderr = self.statistics["missing"]
+            notes = [("missing", "specular"), ("missing_share", str(share))]
+            notes.append(("missing_share_stderr", str(stderr)))
+        _capwalk.write_images(os.fspath(path), layers, notes)
 
     def _repr_png_(self) -> bytes:
         return _capwalk.png(self.gradient, True)

@@ -71,7 +71,7 @@ class Workers(ABC):
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
-        allow_missing: str | None = None,
+        allow_missing: Sequence[str] = (),
     ) -> Slope:
         """The derivative of the image along one direction, see :func:`capwalk.gradient`. With
         ``method="auto"`` this process chooses the method first, on all of its cores."""
@@ -109,7 +109,7 @@ class Workers(ABC):
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
-        allow_missing: str | None = None,
+        allow_missing: Sequence[str] = (),
     ) -> Gradients:
         """The gradient of ``(adjoint * image).sum()`` with respect to arrays of the scene, see
         :func:`capwalk.backward`. With ``method="auto"`` this process chooses the method first,
@@ -174,7 +174,7 @@ class Workers(ABC):
         steps: int | None = None,
         max_angle: float | None = None,
         antithetic: bool | None = None,
-        allow_missing: str | None = None,
+        allow_missing: Sequence[str] = (),
     ) -> Gradients:
         """The gradient of a loss of the images of several sensors, all of whose parts are done
         at once: the sum of what :meth:`backward` gives for each, added in the order of the
@@ -318,9 +318,12 @@ def _seen(ids: Sequence[str], names: Sequence[str], sensor: int) -> list[str]:
 
 
 def _together(statistics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """The statistics of all views."""
+    """The statistics of all views; what is missing is that of the view with the largest share."""
     merged = {"complete": all, "too_many_non_finite": any}
-    return {
+    worst = max(statistics, key=lambda of_view: of_view["missing"] or (0.0, 0.0))
+    missing = {name: worst[name] for name in ("missing", "missing_text")}
+    return missing | {
         name: merged.get(name, sum)([of_view[name] for of_view in statistics])
         for name in statistics[0]
+        if name not in missing
     }

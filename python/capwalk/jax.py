@@ -55,7 +55,7 @@ def render(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
-    allow_missing: str | None = None,
+    allow_missing: Sequence[str] = (),
 ) -> jax.Array:
     """The image of a scene with arrays of JAX in place of some of its own, (height, width, 3),
     differentiable with respect to them, in forward and in reverse mode, once. ``jax.jit`` and

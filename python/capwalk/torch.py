@@ -16,7 +16,7 @@ torch.Size([3])
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -49,7 +49,7 @@ def render(
     steps: int | None = None,
     max_angle: float | None = None,
     antithetic: bool | None = None,
-    allow_missing: str | None = None,
+    allow_missing: Sequence[str] = (),
 ) -> torch.Tensor:
     """The image of a scene with tensors in place of some of its arrays, (height, width, 3),
     differentiable with respect to them: in reverse mode (``backward``, ``torch.func.grad``) and

@@ -30,14 +30,18 @@ pub fn png<'py>(
     Ok(PyBytes::new(py, &bytes))
 }
 
-/// Writes images into one file, by their names there.
+/// Writes images into one file, by their names there, with notes on them.
 #[pyfunction]
 pub fn write_images(
     py: Python<'_>,
     path: PathBuf,
     layers: Vec<(String, PyReadonlyArrayDyn<'_, f64>)>,
+    notes: Vec<(String, String)>,
 ) -> PyResult<()> {
-    let mut layered = LayeredImage::default();
+    let mut layered = LayeredImage {
+        metadata: notes,
+        ..LayeredImage::default()
+    };
     for (name, array) in &layers {
         layered.push(name, arrays::to_image(name, array)?);
     }

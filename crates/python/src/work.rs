@@ -47,7 +47,7 @@ pub struct Options<'py> {
     #[pyo3(attribute)]
     chosen: Option<PyBackedBytes>,
     #[pyo3(attribute)]
-    allow_missing: Option<String>,
+    allow_missing: Vec<String>,
 }
 
 impl<'py> Options<'py> {
@@ -105,19 +105,21 @@ impl<'py> Options<'py> {
 
     /// What may be missing.
     fn allowed(&self, py: Python<'_>) -> PyResult<AllowMissing> {
-        let Some(name) = &self.allow_missing else {
-            return Ok(AllowMissing::default());
-        };
-        match MissingName::named(name) {
-            Some(missing) => Ok(MissingName::allow(&[missing])),
-            None => {
-                let names = MissingName::NAMES.iter().map(|(name, _)| *name);
-                let names = names.collect::<Vec<_>>().join(", ");
+        let named = |name: &String| {
+            MissingName::named(name).ok_or_else(|| {
+                let names: Vec<_> = MissingName::NAMES.iter().map(|(name, _)| *name).collect();
+                let names = names.join(", ");
                 let text =
                     format!("nothing that may be missing is called \"{name}\"; there is {names}");
-                Err(errors::argument(py, text))
-            }
-        }
+                errors::argument(py, text)
+            })
+        };
+        let names: Vec<MissingName> = self
+            .allow_missing
+            .iter()
+            .map(named)
+            .collect::<PyResult<_>>()?;
+        Ok(MissingName::allow(&names))
     }
 
     fn how(&self) -> How<'py> {
