@@ -217,6 +217,7 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
     match &comparison.verdict {
         check::Verdict::Right => Verdict::Holds,
         check::Verdict::Wrong { reason } => Verdict::DoesNotHold(reason.clone()),
+        check::Verdict::Partial { .. } => Verdict::Inconclusive("something is left out".into()),
         check::Verdict::Inconclusive { samples_factor } => {
             Verdict::Inconclusive(match samples_factor.is_finite() {
                 true => format!("needs {} times the samples", digits(*samples_factor)),
