@@ -55,7 +55,10 @@ pub fn difference_step(prepared: &PreparedScene, tangent: &Tangent) -> f64 {
 fn film_step(scene: &Scene) -> f64 {
     match scene.film.filter {
         Filter::Box => 0.03,
-        Filter::Tent { .. } | Filter::Gaussian { .. } => 0.2,
+        Filter::Tent { .. }
+        | Filter::Gaussian { .. }
+        | Filter::Mitchell { .. }
+        | Filter::Lanczos { .. } => 0.2,
     }
 }
 

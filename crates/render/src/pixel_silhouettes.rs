@@ -145,7 +145,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         for i in 0..count as u32 {
             let part = |k: f64| (f64::from(i) + k) / count;
             let middle = [0, 1].map(|k| start[k] + (end[k] - start[k]) * part(0.5));
-            let filter = support.weight(middle) + LEAST_FILTER / area;
+            let filter = support.weight(middle).abs() + LEAST_FILTER / area;
             let range = [place(part(0.0)), place(part(1.0))];
             // Linear along the edge: zero at both ends, it is zero between them.
             let [first, last] = range.map(|t| speed(points, t, a + (b - a) * t, normal));

@@ -2,19 +2,23 @@
 //! per family.
 
 mod colour;
+mod curve;
 mod emitter;
 mod film;
+mod instance;
 mod integrator;
 mod lowering;
 mod material;
 mod mesh_file;
 mod metals;
 mod places;
+mod primitive_shape;
 mod sampler;
 mod scene;
 mod sensor;
 mod shape;
 mod spectrum_plugin;
+mod surface;
 mod texture;
 
 pub(crate) use scene::lower;

@@ -1,6 +1,7 @@
-//! Mesh files: OBJ, PLY, Mitsuba's `.serialized`, and glTF.
+//! Mesh files: OBJ, PLY, Mitsuba's `.serialized`, and glTF; and files of curves.
 
 mod checked;
+mod curves;
 mod error;
 mod gltf;
 mod gltf_accessor;
@@ -15,6 +16,7 @@ mod serialized;
 
 pub use checked::{FileAttribute, MeshFile};
 pub(crate) use checked::{LARGEST_COORDINATE, direction};
+pub use curves::read_curves;
 pub use error::{MeshFault, MeshFileError, MeshPlace};
 pub use gltf::read_gltf;
 pub use gltf_buffer::OpenFile;

@@ -1,14 +1,18 @@
 //! The shapes that scene files name without a mesh, as triangles: Mitsuba's
-//! `rectangle`, `cube`, `disk` and `sphere`.
+//! `rectangle`, `cube`, `disk`, `cylinder`, `sphere` and curves.
 //!
 //! Everything that can be seen or cast a shadow is a mesh here, so that one
 //! set of silhouette queries serves all. Curved silhouettes are tessellated until
 //! they deviate by less than [`OUTLINE_ERROR`].
 
 mod icosphere;
+mod rings;
 mod tessellated;
+mod tube;
 mod uv;
 
 pub use icosphere::icosphere;
-pub use tessellated::{OUTLINE_ERROR, cube, disk, rectangle, sphere};
-pub use uv::{FaceUvs, cube_uvs, disk_uvs, rectangle_uvs, sphere_uvs};
+pub use rings::{ControlPoint, CurveKind};
+pub use tessellated::{OUTLINE_ERROR, cube, cylinder, disk, rectangle, sphere};
+pub use tube::{TubeError, tubes};
+pub use uv::{FaceUvs, cube_uvs, cylinder_uvs, disk_uvs, rectangle_uvs, sphere_uvs};

@@ -134,6 +134,8 @@ fn filter(filter: &Filter) -> String {
         Filter::Box => "box".into(),
         Filter::Tent { radius } => format!("tent (radius {radius})"),
         Filter::Gaussian { stddev } => format!("Gaussian (σ {stddev})"),
+        Filter::Mitchell { b, c } => format!("Mitchell-Netravali (B {b:.3}, C {c:.3})"),
+        Filter::Lanczos { lobes } => format!("Lanczos ({lobes} lobes)"),
     }
 }
 

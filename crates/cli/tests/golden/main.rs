@@ -43,12 +43,15 @@ scenes! {
     bitmap_box
     bitmap_numbers
     blendbsdf
+    bsplinecurve
     bumpmap
+    catmullrom
     checkerboard
     coarse_normals
     colour_bleeding
     conductor
     cube_sky
+    cylinder
     dielectric
     directional_light
     disk_lamp
@@ -58,15 +61,19 @@ scenes! {
     gaussian_border
     glass_rough
     glass_smooth
+    instances
     lamps_hidden
     lamps_hidden_direct
     lamps_seen
+    lanczos
+    linearcurve
     mask
     mask_and_blend
     mesh_attribute
     metal_rough
     metal_smooth
     mirrored
+    mitchell
     normalmap
     null
     one_sided_ply

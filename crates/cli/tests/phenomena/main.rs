@@ -37,6 +37,8 @@ phenomena! {
     colours_of_a_wall_slide
     colours_of_faces
     colours_of_vertices
+    curve_moves
+    cylinder_moves
     depth_of_a_turning_cube
     emitter_moves_in_view
     emitter_of_texels_moves
@@ -47,6 +49,7 @@ phenomena! {
     hard_shadow
     index_of_refraction
     indirect_shadow
+    instance_moves
     interpenetrating_meshes
     interreflection
     lamp_cut_by_a_blade
@@ -66,6 +69,8 @@ phenomena! {
     open_mesh_moves
     orthographic_sensor_turns
     outline_with_a_box_filter
+    outline_with_negative_lobes
+    outline_with_negative_lobes_cut_off
     outline_with_the_border_sampled
     principled_ball_moves
     radiance

@@ -135,6 +135,15 @@ fn sensor(sensor: &Sensor, film: &Film, settings: &Settings, xml: &mut Xml) {
             xml.open("rfilter", &[("type", "gaussian")]);
             xml.property("float", "stddev", stddev);
         }
+        Filter::Mitchell { b, c } => {
+            xml.open("rfilter", &[("type", "mitchell")]);
+            xml.property("float", "B", b);
+            xml.property("float", "C", c);
+        }
+        Filter::Lanczos { lobes } => {
+            xml.open("rfilter", &[("type", "lanczos")]);
+            xml.property("integer", "lobes", lobes);
+        }
     }
     xml.close();
     xml.close();

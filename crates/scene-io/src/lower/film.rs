@@ -1,4 +1,4 @@
-//! Film and reconstruction filter: `hdrfilm` with `box`, `tent`, `gaussian`.
+//! Film and reconstruction filter: `hdrfilm` with the filters of Mitsuba.
 
 use capwalk_scene::{Film, Filter};
 
@@ -14,7 +14,14 @@ const DEFAULT_SIZE: [u32; 2] = [768, 576];
 const FILMS: [&str; 1] = ["hdrfilm"];
 
 /// Values of `type` of an `<rfilter>`.
-const FILTERS: [&str; 3] = ["box", "tent", "gaussian"];
+const FILTERS: [&str; 6] = [
+    "box",
+    "tent",
+    "gaussian",
+    "mitchell",
+    "catmullrom",
+    "lanczos",
+];
 
 /// The filter of a film that gives none.
 const DEFAULT_FILTER: Filter = Filter::Gaussian { stddev: 0.5 };
@@ -73,10 +80,18 @@ impl Lowering<'_> {
             "gaussian" => Filter::Gaussian {
                 stddev: fields.float("stddev", 0.5)?,
             },
+            "mitchell" => Filter::Mitchell {
+                b: fields.float("B", 1.0 / 3.0)?,
+                c: fields.float("C", 1.0 / 3.0)?,
+            },
+            "catmullrom" => Filter::Mitchell { b: 0.0, c: 0.5 },
+            "lanczos" => Filter::Lanczos {
+                lobes: fields.count("lobes", 1, 3)?,
+            },
             _ => return Err(fields.unknown_plugin(&FILTERS)),
         };
         fields.finish()?;
-        for name in ["radius", "stddev"] {
+        for name in ["radius", "stddev", "B", "C", "lobes"] {
             let span = fields.span_of(name);
             self.places.numbers.insert(format!("rfilter.{name}"), span);
         }

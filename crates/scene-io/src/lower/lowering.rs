@@ -2,6 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
+use std::rc::Rc;
 
 use capwalk_scene::BsdfId;
 use capwalk_scene::{Emitter, Material, Quantity, Shape, Texture, TextureId};
@@ -23,6 +24,10 @@ pub(super) struct Lowering<'a> {
     pub material_of_node: BTreeMap<NodeId, BsdfId>,
     /// And what their colours are.
     pub texture_of_node: BTreeMap<NodeId, (TextureId, Quantity)>,
+    /// The shapes of groups, and where they stand.
+    pub groups: BTreeMap<NodeId, Rc<[(Shape, Span)]>>,
+    /// How many triangles the instances so far have.
+    pub triangles_of_instances: usize,
     /// Area emitters that have their shape.
     pub attached: BTreeSet<NodeId>,
     /// How many materials the one being read stands in.
@@ -76,6 +81,8 @@ impl<'a> Lowering<'a> {
             textures: Vec::new(),
             material_of_node: BTreeMap::new(),
             texture_of_node: BTreeMap::new(),
+            groups: BTreeMap::new(),
+            triangles_of_instances: 0,
             attached: BTreeSet::new(),
             bsdf_depth: 0,
             shape_ids: Names::default(),

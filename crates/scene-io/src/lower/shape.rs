@@ -5,13 +5,14 @@
 
 use std::path::Path;
 
-use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::primitive::{self, FaceUvs};
 use capwalk_scene::{Attribute, Pattern, ShadingNormals, Shape, Texture};
 
+use super::curve::CURVES;
 use super::lowering::Lowering;
 use super::mesh_file::MESH_PLUGINS;
+use super::primitive_shape::primitive;
+use super::surface::{Surface, agree};
 use crate::fields::{Child, Fields};
 use crate::mesh::{FileAttribute, LARGEST_COORDINATE, MeshFile, direction};
 use crate::node::Kind;
@@ -19,7 +20,7 @@ use crate::problem::Problem;
 use crate::texts::Span;
 
 /// Values of `type` that are read.
-const SHAPES: [&str; 8] = [
+const SHAPES: [&str; 13] = [
     "obj",
     "ply",
     "serialized",
@@ -27,78 +28,68 @@ const SHAPES: [&str; 8] = [
     "rectangle",
     "cube",
     "disk",
+    "cylinder",
     "sphere",
+    "bsplinecurve",
+    "linearcurve",
+    "shapegroup",
+    "instance",
 ];
 
-/// How unequal the axes of a sphere may be scaled, relative: rounding of the
-/// digits in scene files.
-const UNIFORM_SCALE: f64 = 1e-4;
+/// A shape before it has its material, as its plugin makes it.
+pub(super) struct Placed {
+    pub surface: Surface,
+    /// What puts the coordinates that it is described in into the world.
+    pub world_from_object: Affine,
+    pub attributes: Vec<FileAttribute>,
+    /// What it is called without an id.
+    pub stem: String,
+}
 
 impl Lowering<'_> {
+    /// Adds the shapes that an object of the scene stands for.
     pub(super) fn shape(&mut self, child: Child) -> Result<(), Problem> {
         let fields = Fields::new(self.context, child.node);
         if child.by_reference {
-            return Err(Problem::invalid(child.span, "a shape is referred to")
-                .help("each shape stands in the scene once; copy it"));
+            return Err(Problem::invalid(child.span, "a shape is referred to").help(
+                "each shape stands in the scene once; copy it, or show a shapegroup by instances",
+            ));
         }
+        match fields.node.plugin.as_str() {
+            "shapegroup" => self.shape_group(child.node),
+            "instance" => self.instance(&fields),
+            _ => {
+                let (shape, span) = self.single_shape(&fields)?;
+                self.add_shape(shape, span);
+                Ok(())
+            }
+        }
+    }
+
+    /// Adds a shape that stands at `span`.
+    pub(super) fn add_shape(&mut self, shape: Shape, span: Span) {
+        self.places.shapes.push(span);
+        self.shapes.push(shape);
+    }
+
+    /// A shape, and where errors of its mesh are shown.
+    pub(super) fn single_shape(&mut self, fields: &Fields) -> Result<(Shape, Span), Problem> {
         if fields.node.id.as_deref() == Some("sensor") {
             return Err(
                 Problem::invalid(fields.node.span, "the id \"sensor\" is the sensor's")
                     .help("parameters are called by it; give the shape another id"),
             );
         }
-        let to_world = fields.transform("to_world")?;
-        if to_world.determinant() == 0.0 || !to_world.determinant().is_finite() {
-            return Err(Problem::invalid(
-                fields.span_of("to_world"),
-                "\"to_world\" cannot be inverted",
-            )
-            .help("scale by finite numbers other than 0"));
-        }
-        let rows = to_world.rows.iter().chain([&to_world.translation]);
-        let mut numbers = rows.flat_map(|row| row.to_array());
-        if numbers.any(|x| x.abs() > LARGEST_COORDINATE) {
-            let span = fields.span_of("to_world");
-            let help = format!("scale and translate by numbers up to {LARGEST_COORDINATE:e}");
-            return Err(Problem::invalid(span, "\"to_world\" leads out of reach").help(help));
-        }
-        let plugin = fields.node.plugin.as_str();
-        let mut stem = plugin.to_owned();
-        let mut of_file = Vec::new();
-        let mut world_from_object = to_world;
-        let (mut surface, is_flipped) = match plugin {
-            _ if MESH_PLUGINS.contains(&plugin) => {
-                let (surface, attributes, name) = self.placed_file(&fields, to_world)?;
-                stem = name;
-                of_file = attributes;
-                (surface, fields.boolean("flip_normals", false)?)
-            }
-            "rectangle" | "cube" => {
-                // They are flat in any case.
-                fields.boolean("face_normals", false)?;
-                let (mesh, uvs) = match plugin {
-                    "rectangle" => {
-                        let mesh = primitive::rectangle(to_world);
-                        (mesh, primitive::rectangle_uvs(to_world))
-                    }
-                    _ => (primitive::cube(to_world), primitive::cube_uvs(to_world)),
-                };
-                let flip = fields.boolean("flip_normals", false)?;
-                (Surface::new(mesh, uvs), flip)
-            }
-            "disk" => {
-                let mesh = primitive::disk(to_world);
-                let flip = fields.boolean("flip_normals", false)?;
-                (Surface::new(mesh, primitive::disk_uvs(to_world)), flip)
-            }
-            "sphere" => {
-                let (surface, is_flipped, from_unit) = sphere(&fields, to_world)?;
-                world_from_object = from_unit;
-                (surface, is_flipped)
-            }
-            _ => return Err(fields.unknown_plugin(&SHAPES)),
-        };
-        if is_flipped {
+        let to_world = placement(fields)?;
+        let Placed {
+            mut surface,
+            world_from_object,
+            attributes,
+            stem,
+        } = self.placed(fields, to_world)?;
+        if !CURVES.contains(&fields.node.plugin.as_str())
+            && fields.boolean("flip_normals", false)?
+        {
             surface.flip();
         }
         let id = self.shape_name(fields.node.id.as_deref(), &stem);
@@ -119,12 +110,8 @@ impl Lowering<'_> {
             "it tunes Mitsuba's own derivatives",
         );
         fields.finish()?;
-        self.places.shapes.push(match plugin {
-            _ if MESH_PLUGINS.contains(&plugin) => fields.span_of("filename"),
-            _ => fields.node.span,
-        });
-        let attributes = self.attributes(&id, of_file, fields.span_of("filename"));
-        self.shapes.push(Shape {
+        let attributes = self.attributes(&id, attributes, fields.span_of("filename"));
+        let shape = Shape {
             id,
             mesh: surface.mesh,
             world_from_object,
@@ -133,8 +120,29 @@ impl Lowering<'_> {
             emitter,
             uvs: surface.uvs,
             attributes,
-        });
-        Ok(())
+        };
+        // That of the object, if no file is named.
+        Ok((shape, fields.span_of("filename")))
+    }
+
+    /// The triangles of a shape in the world.
+    fn placed(&self, fields: &Fields, to_world: Affine) -> Result<Placed, Problem> {
+        let plugin = fields.node.plugin.as_str();
+        if MESH_PLUGINS.contains(&plugin) {
+            return self.placed_file(fields, to_world);
+        }
+        if CURVES.contains(&plugin) {
+            return self.placed_curves(fields, to_world);
+        }
+        match primitive(fields, to_world)? {
+            Some((surface, world_from_object)) => Ok(Placed {
+                surface,
+                world_from_object,
+                attributes: Vec::new(),
+                stem: plugin.to_owned(),
+            }),
+            None => Err(fields.unknown_plugin(&SHAPES)),
+        }
     }
 
     /// The attributes of a shape as textures.
@@ -172,11 +180,7 @@ impl Lowering<'_> {
     }
 
     /// The surface of a file in the world, its attributes, and a name for it.
-    fn placed_file(
-        &self,
-        fields: &Fields,
-        to_world: Affine,
-    ) -> Result<(Surface, Vec<FileAttribute>, String), Problem> {
+    fn placed_file(&self, fields: &Fields, to_world: Affine) -> Result<Placed, Problem> {
         let flat = fields.boolean("face_normals", false)?;
         // Rows of bitmaps begin at v = 0; in OBJ files v points up.
         let flip_v = fields.boolean("flip_tex_coords", fields.node.plugin == "obj")?;
@@ -214,97 +218,37 @@ impl Lowering<'_> {
                 ShadingNormals::Given(normals)
             }
         };
-        let name = name.unwrap_or_else(|| {
-            let stem = path.file_stem().unwrap_or(Path::new("mesh").as_os_str());
-            stem.to_string_lossy().into_owned()
-        });
-        let surface = Surface { mesh, normals, uvs };
-        Ok((surface, attributes, name))
+        Ok(Placed {
+            surface: Surface { mesh, normals, uvs },
+            world_from_object: to_world,
+            attributes,
+            stem: name.unwrap_or_else(|| file_stem(&path, "mesh")),
+        })
     }
 }
 
-/// A mesh with what goes around with its faces.
-struct Surface {
-    mesh: Mesh,
-    normals: ShadingNormals,
-    uvs: Option<FaceUvs>,
+/// The name of a file without its ending.
+pub(super) fn file_stem(path: &Path, otherwise: &str) -> String {
+    let stem = path.file_stem().unwrap_or(Path::new(otherwise).as_os_str());
+    stem.to_string_lossy().into_owned()
 }
 
-impl Surface {
-    fn new((mesh, normals): (Mesh, ShadingNormals), uvs: FaceUvs) -> Self {
-        Self {
-            mesh,
-            normals,
-            uvs: Some(uvs),
-        }
-    }
-
-    /// Makes the back of a surface its front.
-    fn flip(&mut self) {
-        for face in &mut self.mesh.faces {
-            face.swap(1, 2);
-        }
-        for corners in self.uvs.iter_mut().flatten() {
-            corners.swap(1, 2);
-        }
-        match &mut self.normals {
-            ShadingNormals::Face => {}
-            ShadingNormals::Given(normals) | ShadingNormals::Computed(normals) => {
-                for normal in normals {
-                    *normal = -*normal;
-                }
-            }
-        }
-    }
-}
-
-/// Winds each face so that its normal is on the side of its vertices' normals.
-fn agree(mesh: &mut Mesh, uvs: &mut Option<FaceUvs>, normals: &[Vec3]) {
-    for face in 0..mesh.faces.len() {
-        let [a, b, c] = mesh.faces[face].map(|i| normals[i as usize]);
-        if mesh.face_cross(face).dot(a + b + c) < 0.0 {
-            mesh.faces[face].swap(1, 2);
-            if let Some(uvs) = uvs {
-                uvs[face].swap(1, 2);
-            }
-        }
-    }
-}
-
-/// A sphere, and whether its sides must be exchanged. As in Mitsuba, a mirroring
-/// transform turns a sphere inside out ([`primitive::sphere`] does it).
-/// A sphere, whether its sides are swapped, and what puts the unit sphere there.
-fn sphere(fields: &Fields, to_world: Affine) -> Result<(Surface, bool, Affine), Problem> {
-    let centre = fields.point("center")?.unwrap_or(Vec3::zero());
-    let radius = fields.float("radius", 1.0)?;
-    if radius == 0.0 {
-        let span = fields.span_of("radius");
-        return Err(
-            Problem::invalid(span, "\"radius\" is 0").help("expected a number other than 0")
-        );
-    }
-    let [a, b, c] = to_world.rows;
-    let columns = [0, 1, 2].map(|i| Vec3::new(a[i], b[i], c[i]));
-    let scale = columns[0].length();
-    let tolerance = UNIFORM_SCALE * scale;
-    let is_uniform = (0..3).all(|i| {
-        let (next, own) = (columns[(i + 1) % 3], columns[i]);
-        (own.length() - scale).abs() <= tolerance && own.dot(next).abs() <= tolerance * scale
-    });
-    if !is_uniform {
+/// The `to_world` of a shape, which can be inverted.
+pub(super) fn placement(fields: &Fields) -> Result<Affine, Problem> {
+    let to_world = fields.transform("to_world")?;
+    if to_world.determinant() == 0.0 || !to_world.determinant().is_finite() {
         return Err(Problem::invalid(
             fields.span_of("to_world"),
-            "\"to_world\" scales the axes of a sphere differently",
+            "\"to_world\" cannot be inverted",
         )
-        .help(
-            "expected a uniform scale (Mitsuba ignores that of y and z); an ellipsoid can be given \
-             as a mesh",
-        ));
+        .help("scale by finite numbers other than 0"));
     }
-    let mesh = primitive::sphere(to_world, centre, radius.abs());
-    let surface = Surface::new(mesh, primitive::sphere_uvs());
-    // A negative radius mirrors, too.
-    let is_flipped = fields.boolean("flip_normals", false)? != (radius < 0.0);
-    let unit = Affine::translate(centre) * Affine::scale(Vec3::splat(radius.abs()));
-    Ok((surface, is_flipped, to_world * unit))
+    let rows = to_world.rows.iter().chain([&to_world.translation]);
+    let mut numbers = rows.flat_map(|row| row.to_array());
+    if numbers.any(|x| x.abs() > LARGEST_COORDINATE) {
+        let span = fields.span_of("to_world");
+        let help = format!("scale and translate by numbers up to {LARGEST_COORDINATE:e}");
+        return Err(Problem::invalid(span, "\"to_world\" leads out of reach").help(help));
+    }
+    Ok(to_world)
 }

@@ -30,6 +30,7 @@ const COLOURS: u32 = 0x0008;
 const FLAT: u32 = 0x0010;
 const SINGLE: u32 = 0x1000;
 const DOUBLE: u32 = 0x2000;
+/// All that mean something; Mitsuba does not look at the others.
 const KNOWN: u32 = NORMALS | TEXTURE_COORDINATES | COLOURS | FLAT | SINGLE | DOUBLE;
 
 /// What one deflated byte holds at most: 258 bytes take two bits at least.
@@ -105,6 +106,13 @@ pub fn read_serialized(
              <boolean name=\"face_normals\" value=\"true\"/>"
                 .to_owned(),
         );
+    }
+    if flags & !KNOWN != 0 {
+        warnings.push(format!(
+            "has the flags {:#x}, which say nothing of what is in it; they have no effect, as in \
+             Mitsuba 3",
+            flags & !KNOWN
+        ));
     }
     finish(MeshFile {
         name,
@@ -236,16 +244,6 @@ impl Body<'_> {
     /// Which data the mesh has, and of which precision.
     fn flags(&mut self) -> Result<u32, MeshFileError> {
         let flags = u32::from_le_bytes(self.bytes("flags")?);
-        if flags & !KNOWN != 0 {
-            return Err(self.damaged(
-                format!(
-                    "its flags are {flags:#06x}, of which {:#x} is unknown",
-                    flags & !KNOWN
-                ),
-                "expected normals (1), texture coordinates (2), colours (8), flat faces (0x10), \
-                 single (0x1000) or double precision (0x2000)",
-            ));
-        }
         if flags & SINGLE != 0 && flags & DOUBLE != 0 {
             return Err(self.damaged(
                 format!("its flags are {flags:#06x}: both of single and double precision"),

@@ -384,10 +384,25 @@ fn crop_outside() {
 #[test]
 fn unknown_filter() {
     check(
-        &film(r#"<rfilter type="mitchell"/>"#),
+        &film(r#"<rfilter type="sinc"/>"#),
         &[
-            "scene.xml:3:66: unknown rfilter plugin \"mitchell\"",
-            "  known rfilter plugins: box, tent, gaussian",
+            "scene.xml:3:66: unknown rfilter plugin \"sinc\"",
+            "  known rfilter plugins: box, tent, gaussian, mitchell, catmullrom, lanczos",
+        ],
+    );
+}
+
+#[test]
+fn filters_out_of_range() {
+    check(
+        &film(r#"<rfilter type="mitchell"><float name="C" value="1.5"/></rfilter>"#),
+        &["scene.xml:3:99: rfilter.C is 1.5; expected a number from 0 to 1"],
+    );
+    check(
+        &film(r#"<rfilter type="lanczos"><integer name="lobes" value="0"/></rfilter>"#),
+        &[
+            "scene.xml:3:104: \"lobes\" is 0",
+            "  expected a whole number from 1 to 4294967295",
         ],
     );
 }

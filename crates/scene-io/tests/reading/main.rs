@@ -5,6 +5,7 @@
 mod attacks;
 mod camera;
 mod common;
+mod curves;
 mod damage;
 mod emitters;
 mod gltf;

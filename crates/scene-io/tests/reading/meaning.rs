@@ -337,6 +337,21 @@ fn films_have_crops_filters_and_borders() {
         filter("<rfilter type=\"gaussian\"><float name=\"stddev\" value=\"0.4\"/></rfilter>"),
         Filter::Gaussian { stddev: 0.4 }
     );
+    assert_eq!(
+        filter("<rfilter type=\"mitchell\"><float name=\"B\" value=\"0.2\"/></rfilter>"),
+        Filter::Mitchell {
+            b: 0.2,
+            c: 1.0 / 3.0
+        }
+    );
+    assert_eq!(
+        filter("<rfilter type=\"catmullrom\"/>"),
+        Filter::Mitchell { b: 0.0, c: 0.5 }
+    );
+    assert_eq!(
+        filter("<rfilter type=\"lanczos\"/>"),
+        Filter::Lanczos { lobes: 3 }
+    );
 }
 
 fn reflectance(value: &str) -> Rgb {

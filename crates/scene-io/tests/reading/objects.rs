@@ -5,10 +5,11 @@ use crate::common::*;
 #[test]
 fn unknown_shape_plugin() {
     check(
-        &scene(r#"<shape type="cylinder"/>"#),
+        &scene(r#"<shape type="torus"/>"#),
         &[
-            "scene.xml:5:16: unknown shape plugin \"cylinder\"",
-            "  known shape plugins: obj, ply, serialized, gltf, rectangle, cube, disk, sphere",
+            "scene.xml:5:16: unknown shape plugin \"torus\"",
+            "  known shape plugins: obj, ply, serialized, gltf, rectangle, cube, disk, cylinder, \
+             sphere, bsplinecurve, linearcurve, shapegroup, instance",
         ],
     );
 }
@@ -19,7 +20,8 @@ fn mistyped_shape_plugin() {
         &scene(r#"<shape type="spere"/>"#),
         &[
             "scene.xml:5:16: unknown shape plugin \"spere\"",
-            "  known shape plugins: obj, ply, serialized, gltf, rectangle, cube, disk, sphere",
+            "  known shape plugins: obj, ply, serialized, gltf, rectangle, cube, disk, cylinder, \
+             sphere, bsplinecurve, linearcurve, shapegroup, instance",
             "  did you mean \"sphere\"?",
         ],
     );
@@ -262,7 +264,7 @@ fn shape_by_reference() {
         &scene(r#"<shape type="cube" id="c"/><ref id="c"/>"#),
         &[
             "scene.xml:5:39: a shape is referred to",
-            "  each shape stands in the scene once; copy it",
+            "  each shape stands in the scene once; copy it, or show a shapegroup by instances",
         ],
     );
 }

@@ -293,13 +293,6 @@ fn bad_files() {
             ),
         ),
         (
-            with(&|m| m.flags = 0x4000),
-            "mesh 0: its flags are 0x500b, of which 0x4000 is unknown; expected normals (1), \
-             texture coordinates (2), colours (8), flat faces (0x10), single (0x1000) or double \
-             precision (0x2000)"
-                .into(),
-        ),
-        (
             with(&|m| m.flags = 0x2000),
             "mesh 0: its flags are 0x300b: both of single and double precision; expected one of \
              0x1000 and 0x2000"
@@ -379,6 +372,27 @@ fn marked_as_flat() {
     assert!(warnings[0].starts_with("is marked as flat"), "{warnings:?}");
     let flat = read_serialized(&bytes, 0, false).expect("it is good");
     assert_eq!(flat.warnings, Vec::<String>::new());
+}
+
+/// Flags that say nothing of what is in the file have no effect, as in Mitsuba.
+#[test]
+fn flags_without_meaning() {
+    let [_, square] = triangle_and_square();
+    let plain = read(&written(&[triangle_and_square()[1].clone()], 4), 0);
+    let bytes = written(
+        &[Contents {
+            flags: 0x104,
+            ..square
+        }],
+        4,
+    );
+    let marked = read(&bytes, 0);
+    assert_eq!(marked.mesh, plain.mesh);
+    let warnings = marked.warnings;
+    assert!(
+        warnings[0].starts_with("has the flags 0x104"),
+        "{warnings:?}"
+    );
 }
 
 /// A cup around the y axis, single precision, and a saucer below it, double.

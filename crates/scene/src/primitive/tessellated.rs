@@ -1,4 +1,4 @@
-//! Rectangles, cubes, disks and spheres of triangles.
+//! Rectangles, cubes, disks, cylinders and spheres of triangles.
 
 use std::f64::consts::PI;
 
@@ -8,14 +8,14 @@ use capwalk_math::{Affine, Vec3};
 use super::icosphere::icosphere;
 use crate::shape::ShadingNormals;
 
-/// The largest distance between the silhouette of a tessellated disk or sphere
-/// and the true one, in radii: a tenth of a pixel for a disk that fills a
+/// The largest distance between the silhouette of a tessellated disk, cylinder or
+/// sphere and the true one, in radii: a tenth of a pixel for a disk that fills an
 /// image of 2000 pixels.
 pub const OUTLINE_ERROR: f64 = 1e-4;
 
-/// Straight segments around a disk. A regular n-gon is off by `1 - cos(π/n)`;
+/// Straight segments around a disk or a cylinder. A regular n-gon is off by `1 - cos(π/n)`;
 /// a multiple of four reaches the extreme points along the axes.
-pub(super) const DISK_SEGMENTS: u32 = 224;
+pub(super) const ROUND_SEGMENTS: u32 = 224;
 
 /// Subdivision of each icosahedron edge for a sphere. Its faces come closest
 /// to the centre next to the middle of an icosahedron face, by about
@@ -62,17 +62,42 @@ pub fn cube(world_from_object: Affine) -> (Mesh, ShadingNormals) {
 /// The unit disk in the plane `z = 0`, normal `+z`, then placed: a fan around
 /// its centre, vertex 0.
 pub fn disk(world_from_object: Affine) -> (Mesh, ShadingNormals) {
-    let rim = (0..DISK_SEGMENTS).map(|i| {
-        let (sin, cos) = (2.0 * PI * f64::from(i) / f64::from(DISK_SEGMENTS)).sin_cos();
-        Vec3::new(cos, sin, 0.0)
-    });
     let mesh = Mesh {
-        positions: std::iter::once(Vec3::zero()).chain(rim).collect(),
-        faces: (0..DISK_SEGMENTS)
-            .map(|i| [0, 1 + i, 1 + (i + 1) % DISK_SEGMENTS])
+        positions: std::iter::once(Vec3::zero()).chain(circle()).collect(),
+        faces: (0..ROUND_SEGMENTS)
+            .map(|i| [0, 1 + i, 1 + (i + 1) % ROUND_SEGMENTS])
             .collect(),
     };
     (placed(mesh, world_from_object), ShadingNormals::Face)
+}
+
+/// The cylinder of radius 1 around the z axis from `z = 0` to `z = 1`, without lids,
+/// normals outward, then placed. Its vertices lie on the true surface and carry its
+/// exact normals; where the map mirrors, they stay outside, as in Mitsuba 3.9.
+pub fn cylinder(world_from_object: Affine) -> (Mesh, ShadingNormals) {
+    let top = circle().map(|p| p + Vec3::new(0.0, 0.0, 1.0));
+    let mesh = Mesh {
+        positions: circle().chain(top).collect(),
+        faces: (0..ROUND_SEGMENTS)
+            .flat_map(|i| {
+                let next = (i + 1) % ROUND_SEGMENTS;
+                let [above, above_next] = [i, next].map(|i| i + ROUND_SEGMENTS);
+                [[i, next, above_next], [i, above_next, above]]
+            })
+            .collect(),
+    };
+    let normals = circle().chain(circle());
+    let normals = normals.map(|n| world_from_object.normal(n).normalized());
+    let normals = ShadingNormals::Given(normals.collect());
+    (placed(mesh, world_from_object), normals)
+}
+
+/// The vertices of a disk's rim, counter-clockwise seen from `+z`.
+fn circle() -> impl Iterator<Item = Vec3> {
+    (0..ROUND_SEGMENTS).map(|i| {
+        let (sin, cos) = (2.0 * PI * f64::from(i) / f64::from(ROUND_SEGMENTS)).sin_cos();
+        Vec3::new(cos, sin, 0.0)
+    })
 }
 
 /// A sphere around an object-space point, then placed (an ellipsoid if the
@@ -122,7 +147,8 @@ fn placed(mut mesh: Mesh, world_from_object: Affine) -> Mesh {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use capwalk_geometry::topology::weld;
+    use capwalk_geometry::Sides;
+    use capwalk_geometry::topology::{edges, weld};
     use std::collections::HashMap;
 
     fn stretch() -> Affine {
@@ -187,6 +213,31 @@ mod tests {
             let [a, b] = [a, b].map(|i| mesh.positions[i as usize]);
             assert!(1.0 - ((a + b) * 0.5).length() < OUTLINE_ERROR);
             assert!((a.length() - 1.0).abs() < 1e-15);
+        }
+    }
+
+    /// Its sides are planes through chords of the circle, so its silhouette is as far off
+    /// as a disk's; it is open, and its front and its normals are outside, mirrored or not.
+    #[test]
+    fn cylinder_is_open_and_outward() {
+        let (mesh, _) = cylinder(Affine::IDENTITY);
+        assert!((mesh.area() / (2.0 * PI) - 1.0).abs() < OUTLINE_ERROR);
+        assert_eq!(mesh.bounds().0, Vec3::new(-1.0, -1.0, 0.0));
+        assert_eq!(mesh.bounds().1, Vec3::new(1.0, 1.0, 1.0));
+        let edges = edges(&mesh);
+        let open = edges.iter().filter(|e| e.sides == Sides::Open).count();
+        assert_eq!(open, 2 * ROUND_SEGMENTS as usize);
+        for world_from_object in [Affine::IDENTITY, stretch(), mirrored()] {
+            let (mesh, normals) = cylinder(world_from_object);
+            let normals = normals.per_vertex().expect("a cylinder is smooth");
+            let axis = |z: f64| world_from_object.point(Vec3::new(0.0, 0.0, z));
+            for (face, corners) in mesh.faces.iter().enumerate() {
+                let n = mesh.face_cross(face).normalized();
+                let outward = mesh.corners(face)[0] - (axis(0.0) + axis(1.0)) * 0.5;
+                let along = (axis(1.0) - axis(0.0)).normalized();
+                assert!(n.dot(outward.reject_from(along)) > 0.0, "face {face}");
+                assert!(corners.iter().all(|&i| n.dot(normals[i as usize]) > 0.99));
+            }
         }
     }
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 
 use capwalk_math::{Affine, Vec3};
 
-use super::tessellated::{DISK_SEGMENTS, cube, rectangle, turned_icosphere};
+use super::tessellated::{ROUND_SEGMENTS, cube, rectangle, turned_icosphere};
 
 /// Texture coordinates of the three corners of each face.
 pub type FaceUvs = Vec<[[f64; 2]; 3]>;
@@ -48,9 +48,23 @@ pub fn cube_uvs(world_from_object: Affine) -> FaceUvs {
 /// Those of [`super::disk`]: radius and angle over 2π. Along each of the thin
 /// triangles the angle is that of its middle at the centre.
 pub fn disk_uvs(world_from_object: Affine) -> FaceUvs {
-    let n = f64::from(DISK_SEGMENTS);
-    let faces = (0..DISK_SEGMENTS).map(f64::from);
+    let n = f64::from(ROUND_SEGMENTS);
+    let faces = (0..ROUND_SEGMENTS).map(f64::from);
     let faces = faces.map(|i| [[0.0, (i + 0.5) / n], [1.0, i / n], [1.0, (i + 1.0) / n]]);
+    wound(faces.collect(), world_from_object)
+}
+
+/// Those of [`super::cylinder`]: azimuth over 2π, and height from 0 to 1.
+pub fn cylinder_uvs(world_from_object: Affine) -> FaceUvs {
+    let n = f64::from(ROUND_SEGMENTS);
+    let sides = (0..ROUND_SEGMENTS).map(f64::from);
+    let faces = sides.flat_map(|i| {
+        let [low, next] = [i / n, (i + 1.0) / n];
+        [
+            [[low, 0.0], [next, 0.0], [next, 1.0]],
+            [[low, 0.0], [next, 1.0], [low, 1.0]],
+        ]
+    });
     wound(faces.collect(), world_from_object)
 }
 
@@ -60,19 +74,20 @@ pub fn disk_uvs(world_from_object: Affine) -> FaceUvs {
 /// that and show their azimuth distorted.
 pub fn sphere_uvs() -> FaceUvs {
     let mesh = turned_icosphere();
-    let faces = (0..mesh.faces.len()).map(|face| {
-        let mut corners = mesh.corners(face).map(spherical);
-        let first = corners[0][0];
-        for [u, _] in &mut corners[1..] {
-            // The same angle, the closest to the first corner's.
-            *u -= (*u - first).round();
-        }
-        if corners.iter().any(|[u, _]| *u < 0.0) {
-            corners.iter_mut().for_each(|[u, _]| *u += 1.0);
-        }
-        corners
-    });
+    let faces = (0..mesh.faces.len()).map(|face| unwrapped(mesh.corners(face).map(spherical)));
     faces.collect()
+}
+
+/// The same angles, in turns, as close to each other as they can be, none below 0.
+pub(super) fn unwrapped(mut corners: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
+    let first = corners[0][0];
+    for [u, _] in &mut corners[1..] {
+        *u -= (*u - first).round();
+    }
+    if corners.iter().any(|[u, _]| *u < 0.0) {
+        corners.iter_mut().for_each(|[u, _]| *u += 1.0);
+    }
+    corners
 }
 
 fn spherical(p: Vec3) -> [f64; 2] {
@@ -90,7 +105,7 @@ fn wound(mut uvs: FaceUvs, world_from_object: Affine) -> FaceUvs {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{disk, sphere};
+    use super::super::{cylinder, disk, sphere};
     use super::*;
     use crate::ids::BsdfId;
     use crate::shape::{ShadingNormals, Shape};
@@ -137,6 +152,7 @@ mod tests {
         let left = from([-5.0, 0.3, 0.2], [1.0, 0.0, 0.0]);
         let behind = from([0.3, 5.0, 0.2], [0.0, -1.0, 0.0]);
         let front = from([0.3, -5.0, 0.2], [0.0, 1.0, 0.0]);
+        let side = from([1.5, 3.1, 0.3], [-0.75, -1.55, 0.0]);
         let disk_uv = [0.36055514, 0.09358355];
         type Place = fn(Affine) -> (Mesh, ShadingNormals);
         let sphere_at = |affine| sphere(affine, Vec3::zero(), 1.0);
@@ -156,6 +172,7 @@ mod tests {
             (cube, cube_uvs, behind, [0.35, 0.4], 1e-12),
             (cube, cube_uvs, front, [0.6, 0.65], 1e-12),
             (disk, disk_uvs, above, disk_uv, 2e-3),
+            (cylinder, cylinder_uvs, side, [0.178275, 0.3], 1e-4),
             (
                 sphere_at,
                 |_| sphere_uvs(),
