@@ -206,7 +206,7 @@ def check(
     antithetic: bool | None = None,
     allow_missing: Sequence[str] = (),
 ) -> Check:
-    """A gradient against central differences of the image, with a verdict.
+    """A gradient against finite differences of the image, with a verdict.
 
     :param reference_spp: samples per pixel of the differences, on each side; by default four
         times ``spp``.

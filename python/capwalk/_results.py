@@ -153,6 +153,9 @@ class Check:
     """Column, row and z of the pixels that differ most."""
     step: float
     """How far the parameter moved on each side."""
+    sides: str
+    """``"both"`` for central differences; ``"above"`` or ``"below"`` for one-sided ones, where the
+    parameter is at the end of what it can be."""
     spp: int
     """Samples per pixel of the gradient."""
     reference_spp: int
@@ -168,7 +171,7 @@ class Check:
     stderr: Array
     """Its standard errors."""
     reference: Array
-    """Central differences, (height, width, 3)."""
+    """Finite differences, (height, width, 3)."""
     reference_stderr: Array
     """Their standard errors."""
 

@@ -123,7 +123,7 @@ pub enum Refusal {
         /// Its channels.
         value: [f64; 3],
     },
-    /// A finite difference leaves the scenes that can be rendered.
+    /// A finite difference leaves the scenes that can be rendered, whichever side is taken.
     InvalidStep {
         /// The step to either side, in units of the parameter.
         step: f64,
@@ -316,8 +316,14 @@ impl Refusal {
                 None,
             ),
             Self::InvalidStep { step, reason } => (
-                format!("a finite difference over ±{step} leaves the valid scenes: {reason}"),
-                instead("Choose a smaller step"),
+                format!(
+                    "a finite difference over {step} leaves the valid scenes on both sides, for \
+                     example: {reason}"
+                ),
+                instead(
+                    "Choose a smaller step; or, if something is at each end of what it may be, \
+                     such as a texel of 0 beside one of 1, ask for one of them at a time",
+                ),
             ),
         }
     }

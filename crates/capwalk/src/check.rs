@@ -1,10 +1,13 @@
-//! A gradient against central differences.
+//! A gradient against finite differences.
 
 use capwalk_diff::GradientImage;
 use capwalk_diff::check::{Comparison, Verdict, compare, compare_rest, without_rounding};
-use capwalk_diff::{GradientOptions, Missing};
+use capwalk_diff::{GradientOptions, Missing, Sides};
+use capwalk_scene::Tangent;
 
-use crate::options::DifferenceOptions;
+use crate::error::Error;
+use crate::options::{DifferenceOptions, check_spp, check_step};
+use crate::prepared::Prepared;
 use crate::text::{count, list, number, plus_minus, significant};
 
 /// Samples of the reference for each one of the gradient, if nothing is said:
@@ -31,17 +34,24 @@ pub struct CheckOptions {
 }
 
 impl CheckOptions {
-    /// How the reference is made, with this step unless another one was asked for. Its
-    /// random numbers are independent of the gradient's.
-    pub fn reference(&self, default_step: impl FnOnce() -> f64) -> Reference {
+    /// How the reference for a motion of a scene is made. Its random numbers are independent
+    /// of the gradient's.
+    pub fn reference(&self, prepared: &Prepared, tangent: &Tangent) -> Result<Reference, Error> {
         let GradientOptions { spp, seed, .. } = self.gradient;
-        Reference {
-            spp: self
-                .reference_spp
-                .unwrap_or(spp.saturating_mul(REFERENCE_FACTOR)),
+        let step = self
+            .step
+            .unwrap_or_else(|| prepared.difference_step(tangent));
+        let spp = self
+            .reference_spp
+            .unwrap_or(spp.saturating_mul(REFERENCE_FACTOR));
+        check_spp("reference_spp", spp)?;
+        check_step(step)?;
+        Ok(Reference {
+            spp,
             seed: seed ^ REFERENCE_SEED,
-            step: self.step.unwrap_or_else(default_step),
-        }
+            step,
+            sides: Sides::of(prepared.scene(), tangent, step)?,
+        })
     }
 }
 
@@ -54,10 +64,28 @@ pub struct Reference {
     pub seed: u64,
     /// How far the parameter moves on each side, in its own units.
     pub step: f64,
+    /// Whether it moves to both sides.
+    pub sides: Sides,
 }
 
 impl Reference {
-    /// As options of central differences.
+    /// Which differences these are, in words.
+    pub fn describe(&self) -> String {
+        let step = number(self.step);
+        let one_sided = |sign: char| {
+            format!(
+                "one-sided differences over {sign} {step}: on the other side the scene would not \
+                 be valid"
+            )
+        };
+        match self.sides {
+            Sides::Both => format!("central differences over ± {step}"),
+            Sides::Above => one_sided('+'),
+            Sides::Below => one_sided('-'),
+        }
+    }
+
+    /// As options of finite differences.
     pub fn options(&self) -> DifferenceOptions {
         DifferenceOptions {
             spp: self.spp,

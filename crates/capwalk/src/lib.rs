@@ -78,8 +78,8 @@ pub use capwalk_diff::check::{Comparison, Verdict, compare, compare_rest};
 pub use capwalk_diff::{
     Accumulate, AllowMissing, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
     GradientOptions, GradientWork, Grid, Method, Missing, Part, PartError, Partial, PixelSums,
-    Refusal, RenderOptions, RenderWork, Rendering, Statistics, Trial, Unwatched, WalkSettings,
-    Watch, with_threads,
+    Refusal, RenderOptions, RenderWork, Rendering, Sides, Statistics, Trial, Unwatched,
+    WalkSettings, Watch, with_threads,
 };
 #[cfg(feature = "paper")]
 pub use capwalk_diff::{WasBoundary, WasSettings};

@@ -140,9 +140,10 @@ impl Prepared {
         Ok(work.chosen(watch)?)
     }
 
-    /// The derivative of the image along a direction by central differences with common
+    /// The derivative of the image along a direction by finite differences with common
     /// random numbers: the reference that [`Prepared::gradient`] is checked against. Off
-    /// by a term of the order of the step squared, and noisier the smaller the step.
+    /// by a term of the order of the step squared, and noisier the smaller the step. They are
+    /// central, or one-sided where the scene is valid on one side alone.
     pub fn finite_difference<D: Direction + ?Sized>(
         &self,
         direction: &D,
@@ -190,10 +191,8 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
         let tangent = &*direction.tangent(self.scene(), self.registry())?;
-        let reference = options.reference(|| self.difference_step(tangent));
         // Before the gradient is estimated.
-        check_spp("reference_spp", reference.spp)?;
-        check_step(reference.step)?;
+        let reference = options.reference(self, tangent)?;
         let gradient = self.gradient(tangent, &options.gradient, watch)?;
         let differences = self.finite_difference(tangent, &reference.options(), watch)?;
         Ok(Check::new(gradient, differences, reference))

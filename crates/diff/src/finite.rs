@@ -1,5 +1,6 @@
-//! Central differences with common random numbers: the reference that
-//! gradients are checked against, METHOD 9.
+//! Finite differences with common random numbers: the reference that
+//! gradients are checked against, METHOD 9. They are central, or one-sided where a
+//! parameter is at the end of what it can be.
 
 use capwalk_boundary::{Counts, Draw, Refusal};
 use capwalk_math::Rgb;
@@ -9,11 +10,77 @@ use capwalk_render::{
 };
 use capwalk_scene::{Scene, Tangent};
 
+/// Where images are taken for a difference, see [`finite_difference`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sides {
+    /// One step away on both sides.
+    #[default]
+    Both,
+    /// Here, and half a step and a step above.
+    Above,
+    /// Here, and half a step and a step below.
+    Below,
+}
+
+/// An image of a difference.
+struct Place {
+    /// Where, in steps.
+    at: f64,
+    /// Its weight in the image that the derivative is of.
+    value: f64,
+    /// Its weight in the derivative, over the step.
+    slope: f64,
+}
+
+impl Sides {
+    /// In a word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Both => "both",
+            Self::Above => "above",
+            Self::Below => "below",
+        }
+    }
+
+    /// Those on which the scene stays valid, both if it can: black does not become
+    /// darker. Refuses a step that leaves the valid scenes on either side.
+    pub fn of(scene: &Scene, tangent: &Tangent, step: f64) -> Result<Self, Refusal> {
+        let side = |step| scene.moved(tangent, step).check();
+        match (side(step), side(-step)) {
+            (Ok(()), Ok(())) => Ok(Self::Both),
+            (Ok(()), Err(_)) => Ok(Self::Above),
+            (Err(_), Ok(())) => Ok(Self::Below),
+            (Err(error), Err(_)) => Err(Refusal::InvalidStep {
+                step,
+                reason: error.to_string(),
+            }),
+        }
+    }
+
+    /// What is added up; each has an error of the order of the step squared.
+    fn places(self) -> Vec<Place> {
+        let place = |at, value, slope| Place { at, value, slope };
+        let one_sided = |sign: f64| {
+            vec![
+                place(0.0, 1.0, -3.0 * sign),
+                place(0.5 * sign, 0.0, 4.0 * sign),
+                place(sign, 0.0, -sign),
+            ]
+        };
+        match self {
+            Self::Both => vec![place(1.0, 0.5, 0.5), place(-1.0, 0.5, -0.5)],
+            Self::Above => one_sided(1.0),
+            Self::Below => one_sided(-1.0),
+        }
+    }
+}
+
 /// The derivative of the image along `tangent` by central differences over
-/// `±step`, in units of the parameter. The same random numbers on both sides;
+/// `±step`, in units of the parameter, or by one-sided ones where one of these leaves the
+/// valid scenes, see [`Sides`]. The same random numbers everywhere;
 /// the mean is right up to terms of order `step²`, the variance grows like
 /// `1 / step`. Works for everything that can be rendered; refuses a step that
-/// makes the scene invalid.
+/// makes the scene invalid on both sides.
 pub fn finite_difference(
     scene: &Scene,
     tangent: &Tangent,
@@ -21,29 +88,25 @@ pub fn finite_difference(
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    let sides = [step, -step].map(|step| scene.moved(tangent, step));
-    for side in &sides {
-        side.check().map_err(|error| Refusal::InvalidStep {
-            step,
-            reason: error.to_string(),
-        })?;
-    }
-    let sides = sides.map(PreparedScene::new);
+    let places = Sides::of(scene, tangent, step)?.places();
+    let moved = |place: &Place| PreparedScene::new(scene.moved(tangent, place.at * step));
+    let scenes: Vec<_> = places.iter().map(moved).collect();
     let plan = Plan::new(scene).for_differences();
-    let tracers = sides
-        .each_ref()
-        .map(|side| Tracer::primal(side).with_plan(plan));
+    let tracer = |scene| Tracer::primal(scene).with_plan(plan);
+    let tracers: Vec<_> = scenes.iter().map(tracer).collect();
     let part = Part::whole(tiles::grid(scene, options));
     let sums = tiles::average(scene, options, None, &part, watch, |pixel, stream| {
         let draw = Draw {
             stream,
             counts: &Counts::default(),
         };
-        let [plus, minus] =
-            [0, 1].map(|i| tracers[i].pixel(&Primal(tracers[i].accel), pixel, draw));
-        let value: Rgb = (plus + minus) * 0.5;
-        let difference: Rgb = (plus - minus) / (2.0 * step);
-        let [[a, b, c], [d, e, f]] = [value, difference].map(|rgb| rgb.to_array());
+        let (mut value, mut difference) = (Rgb::zero(), Rgb::zero());
+        for (tracer, place) in tracers.iter().zip(&places) {
+            let light: Rgb = tracer.pixel(&Primal(tracer.accel), pixel, draw);
+            value += light * place.value;
+            difference += light * place.slope;
+        }
+        let [[a, b, c], [d, e, f]] = [value, difference / step].map(|rgb| rgb.to_array());
         Sample {
             numbers: [a, b, c, d, e, f],
             cone_queries: 0,

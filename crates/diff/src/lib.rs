@@ -36,7 +36,7 @@ pub use capwalk_walk::{Estimator, WalkSettings};
 
 pub use adjoint::Wanted;
 pub use auto::{Chosen, Trial};
-pub use finite::finite_difference;
+pub use finite::{Sides, finite_difference};
 pub use forward::{GradientWork, gradient};
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;

@@ -112,6 +112,7 @@ pub fn of_check<'py>(
     numbers.set_item("pixels", comparison.pixels)?;
     numbers.set_item("worst", comparison.worst.clone())?;
     numbers.set_item("step", check.made.step)?;
+    numbers.set_item("sides", check.made.sides.name())?;
     numbers.set_item("spp", asked.gradient.spp)?;
     numbers.set_item("reference_spp", check.made.spp)?;
     let option = |name: &str, value: Option<u64>| {

@@ -57,6 +57,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "choice": method::choice_json(&checked.chosen),
             "reference_spp": made.spp,
             "step": made.step,
+            "sides": made.sides.name(),
             "comparison": comparison_json(comparison),
             "gradient": report::statistics_json(of_gradient, checked.seconds[0]),
             "reference": report::statistics_json(of_reference, checked.seconds[1]),
@@ -65,10 +66,10 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         console::print_json(&document)?;
     } else {
         console::print(&format!(
-            "{}{}reference: central differences over ± {}\n\n{}{}\n{}",
+            "{}{}reference: {}\n\n{}{}\n{}",
             report::work("gradient", of_gradient, checked.seconds[0]),
             report::work("reference", of_reference, checked.seconds[1]),
-            report::number(made.step),
+            made.describe(),
             comparison_text(comparison),
             verdict(&checked.check),
             report::written(&written)

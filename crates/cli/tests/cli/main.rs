@@ -12,6 +12,7 @@ mod help;
 mod images;
 mod methods;
 mod missing;
+mod one_sided;
 mod optimize;
 mod scenes;
 mod settings;

@@ -40,6 +40,7 @@ fn layered(scene: &SceneArgs, parameter: &str, checked: &Checked) -> LayeredImag
     let mut layered = output::layered("check", scene, Some(parameter), &sampling);
     output::note(&mut layered, "method", checked.chosen.options.method.name());
     output::note(&mut layered, "step", made.step);
+    output::note(&mut layered, "sides", made.sides.name());
     output::note(&mut layered, "reference_spp", made.spp);
     output::note(&mut layered, "reference_seed", made.seed);
     let both = [&gradient.statistics, &reference.statistics];
@@ -149,6 +150,7 @@ mod tests {
                     gradient,
                     reference,
                     made: Reference {
+                        sides: capwalk::Sides::Both,
                         step: 0.5,
                         spp: 8,
                         seed: 6,

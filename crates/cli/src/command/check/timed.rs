@@ -23,7 +23,7 @@ pub fn check(
     options: &CheckOptions,
     limit: Option<Duration>,
 ) -> Result<Checked> {
-    let reference = options.reference(|| prepared.difference_step(tangent));
+    let reference = options.reference(prepared, tangent)?;
     let started = Instant::now();
     let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
     let chosen = prepared.choose(tangent, &options.gradient, &progress);
