@@ -123,9 +123,10 @@ class Check:
 
     verdict: str
     """``"right"``, ``"wrong"`` or ``"inconclusive"``; or ``"partial"`` if something is left out of
-    the gradient (``allow_missing``): then only the pixels that it does not concern are compared."""
+    the gradient (``allow_missing``): then only the light that it does not concern is compared, of
+    which ``gradient`` and ``reference`` are the derivatives then."""
     rest: str | None
-    """The verdict on these pixels, if it is partial and there are any."""
+    """The verdict on that light, if it is partial."""
     reason: str | None
     """In which respects they differ, if the gradient is wrong."""
     samples_factor: float | None

@@ -1,7 +1,7 @@
 //! A gradient against finite differences.
 
 use capwalk_diff::GradientImage;
-use capwalk_diff::check::{Comparison, Verdict, compare, compare_rest, without_rounding};
+use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
 use capwalk_diff::{GradientOptions, Missing, Sides};
 use capwalk_scene::Tangent;
 
@@ -109,16 +109,16 @@ pub struct Check {
 }
 
 impl Check {
-    /// Compares a gradient with differences that were made like this. Both have the same
-    /// size.
+    /// Compares a gradient with differences that were made like this, both of the same size;
+    /// where something is missing, those of the light that it does not concern.
     pub fn new(gradient: GradientImage, differences: GradientImage, made: Reference) -> Self {
         let mut reference = differences;
         reference.gradient = without_rounding(&reference, made.step);
-        let pair = (&gradient.gradient, &reference.gradient);
-        let comparison = match &gradient.missing {
-            None => compare(pair.0, pair.1),
-            Some(missing) => compare_rest(pair.0, pair.1, &missing.mean),
-        };
+        let mut comparison = compare(&gradient.gradient, &reference.gradient);
+        if gradient.missing.is_some() {
+            let rest = Box::new(comparison.verdict);
+            comparison.verdict = Verdict::Partial { rest };
+        }
         Self {
             comparison,
             gradient,
@@ -139,12 +139,10 @@ impl Check {
         let words = |verdict: &Verdict| self.words(verdict, taken, &option);
         match (&self.comparison.verdict, &self.gradient.statistics.missing) {
             (Verdict::Partial { rest }, Some(missing)) => {
-                let rest = match rest {
-                    None => "there are none".into(),
-                    Some(rest) => words(rest),
-                };
-                let missing = missing_text(missing);
-                format!("partial: {missing}.\nThe pixels that they do not reach: {rest}")
+                let (missing, rest) = (missing_text(missing), words(rest));
+                format!(
+                    "partial: {missing}.\nThe derivative of the light that arrives otherwise is {rest}"
+                )
             }
             (verdict, _) => words(verdict),
         }
@@ -264,10 +262,7 @@ pub fn comparison_text(c: &Comparison) -> String {
     if c.left_out > 0 {
         lines.push((
             "left out",
-            format!(
-                "{} pixels without a standard error, or to be left out",
-                c.left_out
-            ),
+            format!("{} pixels without a standard error", c.left_out),
         ));
     }
     list(&lines)

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    BackwardWork, GradientImage, GradientOptions, GradientWork, PreparedScene, Refusal,
+    BackwardWork, GradientImage, GradientOptions, GradientWork, Method, PreparedScene, Refusal,
     RenderOptions, RenderWork, Rendering, Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
@@ -62,6 +62,15 @@ impl Engine {
         capwalk_diff::gradient(&self.prepared, tangent, options, watch)
     }
 
+    pub fn gradient_of_rest(
+        &self,
+        tangent: &Tangent,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, Refusal> {
+        capwalk_diff::gradient_of_rest(&self.prepared, tangent, options, watch)
+    }
+
     pub fn finite_difference(
         &self,
         tangent: &Tangent,
@@ -70,6 +79,18 @@ impl Engine {
         watch: &dyn Watch,
     ) -> Result<GradientImage, Refusal> {
         capwalk_diff::finite_difference(self.scene(), tangent, step, options, watch)
+    }
+
+    pub fn finite_difference_of_rest(
+        &self,
+        tangent: &Tangent,
+        step: f64,
+        options: &RenderOptions,
+        method: Method,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, Refusal> {
+        let scene = self.scene();
+        capwalk_diff::finite_difference_of_rest(scene, tangent, step, options, method, watch)
     }
 
     pub fn backward_work<'a>(

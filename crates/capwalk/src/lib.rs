@@ -74,7 +74,7 @@ mod step;
 pub mod text;
 mod views;
 
-pub use capwalk_diff::check::{Comparison, Verdict, compare, compare_rest};
+pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
     Accumulate, AllowMissing, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
     GradientOptions, GradientWork, Grid, Method, Missing, Part, PartError, Partial, PixelSums,

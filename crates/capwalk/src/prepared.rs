@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use capwalk_diff::{
-    Chosen, GradientImage, GradientOptions, GradientWork, Refusal, RenderOptions, RenderWork,
-    Rendering, Watch,
+    Chosen, GradientImage, GradientOptions, GradientWork, Method, Refusal, RenderOptions,
+    RenderWork, Rendering, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, SceneError, Tangent};
 
 use crate::backward::{self, GradientNames, Gradients, GradientsWork};
-use crate::check::{Check, CheckOptions};
+use crate::check::{Check, CheckOptions, Reference};
 use crate::direction::Direction;
 use crate::engine::Engine;
 use crate::error::Error;
@@ -193,9 +193,48 @@ impl Prepared {
         let tangent = &*direction.tangent(self.scene(), self.registry())?;
         // Before the gradient is estimated.
         let reference = options.reference(self, tangent)?;
-        let gradient = self.gradient(tangent, &options.gradient, watch)?;
-        let differences = self.finite_difference(tangent, &reference.options(), watch)?;
+        let chosen = self.choose(tangent, &options.gradient, watch)?.options;
+        let gradient = self.gradient(tangent, &chosen, watch)?;
+        let gradient = self.comparable(gradient, tangent, &chosen, watch)?;
+        let differences = self.reference(&gradient, tangent, &reference, chosen.method, watch)?;
         Ok(Check::new(gradient, differences, reference))
+    }
+
+    /// What of a gradient can be compared with differences: all of it; or, if something is
+    /// missing, the derivative of the light that this does not concern.
+    pub fn comparable(
+        &self,
+        gradient: GradientImage,
+        tangent: &Tangent,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, Error> {
+        if gradient.missing.is_none() {
+            return Ok(gradient);
+        }
+        let mut rest = self.engine.gradient_of_rest(tangent, options, watch)?;
+        rest.missing = gradient.missing;
+        rest.statistics.missing = gradient.statistics.missing;
+        Ok(rest)
+    }
+
+    /// The reference for what is comparable of a gradient that was estimated by this method.
+    pub fn reference(
+        &self,
+        comparable: &GradientImage,
+        tangent: &Tangent,
+        made: &Reference,
+        method: Method,
+        watch: &dyn Watch,
+    ) -> Result<GradientImage, Error> {
+        if comparable.missing.is_none() {
+            return self.finite_difference(tangent, &made.options(), watch);
+        }
+        let options = RenderOptions::new(made.spp, made.seed);
+        let differences = self
+            .engine
+            .finite_difference_of_rest(tangent, made.step, &options, method, watch);
+        Ok(differences?)
     }
 
     /// The gradient of `Σ adjoint · image` with respect to everything that is named, in one

@@ -24,7 +24,6 @@ use capwalk_math::Rgb;
 use capwalk_math::stats::normal_upper_tail;
 
 use capwalk_render::Estimate;
-use capwalk_scene::Image;
 pub use rounding::without_rounding;
 
 use pixel::{NoiseFree, Pixel, Pixels, REFERENCE_BIAS, channel};
@@ -133,10 +132,10 @@ pub enum Verdict {
         reason: String,
     },
     /// Something is left out of the gradient, see [`Statistics::missing`](crate::Statistics), and
-    /// this is the verdict on the pixels that it does not concern.
+    /// only the light that it does not concern is compared.
     Partial {
-        /// What would be said if they were the whole image; `None` if there are none.
-        rest: Option<Box<Self>>,
+        /// The verdict on the derivative of that light.
+        rest: Box<Self>,
     },
     /// The noise hides what is asked for.
     Inconclusive {
@@ -149,11 +148,6 @@ pub enum Verdict {
 /// Compares a gradient with an independent reference of the same size. Pixels
 /// without a finite value and standard error in both are left out.
 pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
-    compare_some(gradient, reference, gradient.mean.pixels.len())
-}
-
-/// Compares images of which so many pixels are to be compared.
-fn compare_some(gradient: &Estimate, reference: &Estimate, asked: usize) -> Comparison {
     assert_eq!(
         (gradient.mean.width, gradient.mean.height),
         (reference.mean.width, reference.mean.height),
@@ -162,8 +156,8 @@ fn compare_some(gradient: &Estimate, reference: &Estimate, asked: usize) -> Comp
     let mut comparison = without_errors(gradient, reference);
     let pixels = pixel::split(gradient, reference);
     comparison.left_out = pixels.left_out;
-    let not_asked = gradient.mean.pixels.len() - asked;
-    if 2 * (pixels.left_out - not_asked) > asked {
+    let total = gradient.mean.pixels.len();
+    if 2 * pixels.left_out > total {
         return comparison;
     }
     let fitted = scale_factor::fit(&pixels);
@@ -216,27 +210,6 @@ fn compare_some(gradient: &Estimate, reference: &Estimate, asked: usize) -> Comp
         visible(&pixels, &fitted)
     };
     comparison
-}
-
-/// Compares a gradient of which something is left out where `missing` is not zero with a
-/// reference that has it: the other pixels alone are compared.
-pub fn compare_rest(gradient: &Estimate, reference: &Estimate, missing: &Image) -> Comparison {
-    let mut rest = gradient.clone();
-    let errors = rest.standard_error.pixels.iter_mut();
-    let mut asked = 0;
-    for (error, &missing) in errors.zip(&missing.pixels) {
-        match missing == Rgb::zero() {
-            true => asked += 1,
-            false => *error = Rgb::splat(f64::NAN),
-        }
-    }
-    let comparison = compare_some(&rest, reference, asked);
-    Comparison {
-        verdict: Verdict::Partial {
-            rest: (asked > 0).then(|| Box::new(comparison.verdict)),
-        },
-        ..comparison
-    }
 }
 
 /// Column, row and z of the pixels with the largest `|z|`.

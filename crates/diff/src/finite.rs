@@ -2,13 +2,15 @@
 //! gradients are checked against, METHOD 9. They are central, or one-sided where a
 //! parameter is at the end of what it can be.
 
-use capwalk_boundary::{Counts, Draw, Refusal};
+use capwalk_boundary::{Counts, Draw, Method, Refusal};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Averages, Sample};
 use capwalk_render::{
-    GradientImage, Part, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch,
+    GradientImage, LeavesOut, Part, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch,
 };
 use capwalk_scene::{Scene, Tangent};
+
+use crate::forward::left_out;
 
 /// Where images are taken for a difference, see [`finite_difference`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -88,11 +90,38 @@ pub fn finite_difference(
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
+    difference(scene, tangent, step, options, LeavesOut::Nothing, watch)
+}
+
+/// The same of the image that [`gradient_of_rest`](crate::gradient_of_rest) differentiates by
+/// this method.
+pub fn finite_difference_of_rest(
+    scene: &Scene,
+    tangent: &Tangent,
+    step: f64,
+    options: &RenderOptions,
+    method: Method,
+    watch: &dyn Watch,
+) -> Result<GradientImage, Refusal> {
+    difference(scene, tangent, step, options, left_out(method), watch)
+}
+
+fn difference(
+    scene: &Scene,
+    tangent: &Tangent,
+    step: f64,
+    options: &RenderOptions,
+    leaves_out: LeavesOut,
+    watch: &dyn Watch,
+) -> Result<GradientImage, Refusal> {
     let places = Sides::of(scene, tangent, step)?.places();
     let moved = |place: &Place| PreparedScene::new(scene.moved(tangent, place.at * step));
     let scenes: Vec<_> = places.iter().map(moved).collect();
     let plan = Plan::new(scene).for_differences();
-    let tracer = |scene| Tracer::primal(scene).with_plan(plan);
+    let tracer = |scene| {
+        let tracer = Tracer::primal(scene).with_plan(plan);
+        tracer.leaving_out(leaves_out)
+    };
     let tracers: Vec<_> = scenes.iter().map(tracer).collect();
     let part = Part::whole(tiles::grid(scene, options));
     let sums = tiles::average(scene, options, None, &part, watch, |pixel, stream| {

@@ -7,11 +7,11 @@ use capwalk_boundary::refuse::{
     refuse_cut_normals, refuse_infinite_derivatives, refuse_motion, refuse_settings,
     refuse_turned_without_uvs, refuse_uncovered,
 };
-use capwalk_boundary::{Counts, Draw, Field, Refusal, Stream};
+use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
 use capwalk_render::{
-    GradientImage, Grid, Missing, Part, PartError, Partial, PreparedScene, RenderOptions, Tracer,
-    Watch,
+    GradientImage, Grid, LeavesOut, Missing, Part, PartError, Partial, PreparedScene,
+    RenderOptions, Tracer, Watch,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -32,12 +32,38 @@ pub fn gradient(
     GradientWork::new(prepared, Cow::Borrowed(tangent), *options).whole(watch)
 }
 
+/// The image without the light of which [`gradient`] leaves something out (see
+/// [`AllowMissing`](crate::AllowMissing)), and its derivative, which is complete.
+pub fn gradient_of_rest(
+    prepared: &PreparedScene,
+    tangent: &Tangent,
+    options: &GradientOptions,
+    watch: &dyn Watch,
+) -> Result<GradientImage, Refusal> {
+    let work = GradientWork::new(prepared, Cow::Borrowed(tangent), *options);
+    GradientWork {
+        is_of_rest: true,
+        ..work
+    }
+    .whole(watch)
+}
+
+/// What is left out by a method where only the rest of the light is asked for.
+pub(crate) fn left_out(method: Method) -> LeavesOut {
+    match method.traits().is_spherical {
+        true => LeavesOut::Curved,
+        false => LeavesOut::Specular,
+    }
+}
+
 /// A derivative image that is computed in parts.
 #[derive(Debug)]
 pub struct GradientWork<'a> {
     prepared: &'a PreparedScene,
     tangent: Cow<'a, Tangent>,
     options: GradientOptions,
+    /// True if light of which the derivative is incomplete is left out of the image, too.
+    is_of_rest: bool,
     chosen: OnceLock<Chosen>,
     fingerprint: OnceLock<u64>,
 }
@@ -53,6 +79,7 @@ impl<'a> GradientWork<'a> {
             prepared,
             tangent,
             options,
+            is_of_rest: false,
             chosen: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
@@ -154,6 +181,10 @@ impl<'a> GradientWork<'a> {
         // A sample is one of the image, over numbers that carry their derivative along
         // the tangent.
         let tracer = Tracer::moving(prepared, field, options.walk);
+        let tracer = match self.is_of_rest {
+            true => tracer.leaving_out(left_out(options.method)),
+            false => tracer,
+        };
         let sample = |pixel: [u32; 2], stream: &Stream| {
             let counts = Counts::default();
             let draw = Draw {
@@ -199,7 +230,7 @@ impl<'a> GradientWork<'a> {
         self.refuse_uncovered(&averages)?;
         let value = averages.estimate(scene, 0);
         let mut statistics = averages.statistics.clone();
-        let is_missing = statistics.uncovered > 0;
+        let is_missing = statistics.uncovered > 0 && !self.is_of_rest;
         let missing = is_missing.then(|| averages.grey(scene, MISSING));
         statistics.missing = missing.as_ref().map(|missing| Missing::of(missing, &value));
         Ok(GradientImage {

@@ -36,8 +36,8 @@ pub use capwalk_walk::{Estimator, WalkSettings};
 
 pub use adjoint::Wanted;
 pub use auto::{Chosen, Trial};
-pub use finite::{Sides, finite_difference};
-pub use forward::{GradientWork, gradient};
+pub use finite::{Sides, finite_difference, finite_difference_of_rest};
+pub use forward::{GradientWork, gradient, gradient_of_rest};
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;
 pub use reverse::{Backward, BackwardWork, BatchSums, backward};

@@ -86,19 +86,17 @@ pub fn of_check<'py>(
     let numbers = PyDict::new(py);
     // Where something is left out, what is said of the rest.
     let (is_partial, said) = match &comparison.verdict {
-        Verdict::Partial { rest } => (true, rest.as_deref()),
-        whole => (false, Some(whole)),
+        Verdict::Partial { rest } => (true, &**rest),
+        whole => (false, whole),
     };
     let (name, reason, samples_factor) = match said {
-        Some(Verdict::Right) => (Some("right"), None, None),
-        Some(Verdict::Wrong { reason }) => (Some("wrong"), Some(reason), None),
-        Some(Verdict::Inconclusive { samples_factor }) => {
-            (Some("inconclusive"), None, Some(samples_factor))
-        }
-        Some(Verdict::Partial { .. }) | None => (None, None, None),
+        Verdict::Right => ("right", None, None),
+        Verdict::Wrong { reason } => ("wrong", Some(reason), None),
+        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+        Verdict::Partial { .. } => unreachable!("parts have no parts"),
     };
-    numbers.set_item("verdict", if is_partial { Some("partial") } else { name })?;
-    numbers.set_item("rest", name.filter(|_| is_partial))?;
+    numbers.set_item("verdict", if is_partial { "partial" } else { name })?;
+    numbers.set_item("rest", is_partial.then_some(name))?;
     numbers.set_item("reason", reason)?;
     numbers.set_item("samples_factor", samples_factor)?;
     numbers.set_item("scale_factor", comparison.scale_factor)?;

@@ -55,5 +55,5 @@ pub use prepared::PreparedScene;
 pub use radiance::{Emitted, SpecularChain};
 pub use scene_eval::{Primal, SceneEval, Warped, vertex_normal};
 pub use tiles::PixelSums;
-pub use tracer::{Moving, Tracer, Walks};
+pub use tracer::{LeavesOut, Moving, Tracer, Walks};
 pub use vertex::Vertex;

@@ -33,7 +33,7 @@ use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
 use crate::shading::vertex_at;
 use crate::surface::{emitted_at, surface_at};
-use crate::tracer::{Moving, Tracer};
+use crate::tracer::{LeavesOut, Moving, Tracer};
 use crate::vertex::Vertex;
 
 /// Largest probability that a path survives roulette.
@@ -77,7 +77,8 @@ impl SpecularChain {
 pub struct Emitted<R> {
     /// All of it.
     pub light: Rgb<R>,
-    /// What of it arrives by a specular event with silhouettes that no field has.
+    /// What arrives by a specular event with silhouettes that no field has; not part of it if
+    /// that is left out.
     pub missed: Rgb,
     /// Where a path could go on.
     pub next: Option<Continuation>,
@@ -161,12 +162,17 @@ impl Tracer<'_> {
                 missed,
                 next,
             } = self.emitted(eval, &vertex, depth, chain, draw);
-            light += throughput * emitted;
-            let missed = if is_missed { emitted.value() } else { missed };
-            draw.add_missing(throughput.value() * missed);
+            let is_left_out = is_missed && self.leaves_out != LeavesOut::Nothing;
+            if !is_left_out {
+                light += throughput * emitted;
+            }
+            if W::MOVES {
+                let missed = if is_missed { emitted.value() } else { missed };
+                draw.add_missing(throughput.value() * missed);
+            }
             // What moves across directions towards other surfaces, if those stay.
             let stays = W::MOVES && self.gathers.indirect;
-            if stays && plan.reaches(depth + 3) {
+            if stays && plan.reaches(depth + 3) && !is_left_out {
                 light += throughput * self.indirect_edge_term(eval, &vertex, depth, draw);
             }
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
@@ -200,7 +206,7 @@ impl Tracer<'_> {
                     // (METHOD 6).
                     let (wo, fraction) = vertex.specular(event);
                     throughput = throughput * (fraction * over_density);
-                    is_missed |= W::MOVES && self.misses(chain, event);
+                    is_missed |= self.misses(chain, event);
                     chain.count = chain.after(event.event);
                     wo
                 }
@@ -291,9 +297,12 @@ impl Tracer<'_> {
                 if let Some(event) = sample.specular {
                     let (direction, fraction) = vertex.specular(event);
                     let seen = fraction * radiance(direction) * weight;
-                    light += seen;
-                    if W::MOVES && self.misses(chain, event) {
+                    let is_missed = self.misses(chain, event);
+                    if is_missed {
                         missed += seen.value();
+                    }
+                    if !is_missed || self.leaves_out == LeavesOut::Nothing {
+                        light += seen;
                     }
                     return;
                 }

@@ -41,6 +41,19 @@ pub struct Moving<'a> {
     pub walks: Walks,
 }
 
+/// Light that a tracer leaves out: what arrives by specular events behind which silhouettes are
+/// in no field. The rest is an image of its own, whose derivative is complete.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum LeavesOut {
+    /// No light.
+    #[default]
+    Nothing,
+    /// By curved mirrors, refracting glass, or after many reflections.
+    Curved,
+    /// By any specular event: the field has no silhouettes behind it.
+    Specular,
+}
+
 /// Samples pixels of a scene.
 pub struct Tracer<'a> {
     /// The scene.
@@ -55,6 +68,8 @@ pub struct Tracer<'a> {
     pub gathers: Gathers,
     /// How directions move; not needed for the primal image.
     pub moving: Option<Moving<'a>>,
+    /// Which light is left out, also of the image.
+    pub leaves_out: LeavesOut,
     /// The silhouettes in each pixel, where the camera's rays all start from one point.
     pub silhouettes: PixelSilhouettes,
     /// The motions of the nodes of both edge samplers; computed by the first samples that need
@@ -73,6 +88,7 @@ impl<'a> Tracer<'a> {
             plan: Plan::new(scene),
             gathers: Gathers::NONE,
             moving: None,
+            leaves_out: LeavesOut::Nothing,
             silhouettes: PixelSilhouettes::default(),
             edge_motions: Default::default(),
         }
@@ -99,6 +115,11 @@ impl<'a> Tracer<'a> {
     /// The same with another plan, which reaches no farther; where edges are gathered stays.
     pub fn with_plan(self, plan: Plan) -> Self {
         Self { plan, ..self }
+    }
+
+    /// The same without some of the light.
+    pub fn leaving_out(self, leaves_out: LeavesOut) -> Self {
+        Self { leaves_out, ..self }
     }
 
     /// The most specular events behind which edges are boundaries.
@@ -167,7 +188,11 @@ impl<'a> Tracer<'a> {
     /// True if the field has no reflected boundaries.
     pub(crate) fn misses_mirrors(&self) -> bool {
         let is_spherical = |moving: &Moving| moving.field.method.traits().is_spherical;
-        !self.moving.as_ref().is_none_or(is_spherical)
+        match self.leaves_out {
+            LeavesOut::Nothing => !self.moving.as_ref().is_none_or(is_spherical),
+            LeavesOut::Curved => false,
+            LeavesOut::Specular => true,
+        }
     }
 
     /// Two numbers for a place on the border of a pixel; behind them those of

@@ -94,8 +94,8 @@ pub fn outcome(comparison: &Comparison) -> Outcome {
     match &comparison.verdict {
         Verdict::Right => Outcome::Done,
         Verdict::Wrong { .. } => Outcome::Wrong,
-        Verdict::Partial { rest } => match rest.as_deref() {
-            Some(Verdict::Wrong { .. }) => Outcome::Wrong,
+        Verdict::Partial { rest } => match **rest {
+            Verdict::Wrong { .. } => Outcome::Wrong,
             _ => Outcome::Partial,
         },
         Verdict::Inconclusive { .. } => Outcome::Inconclusive,
@@ -106,20 +106,18 @@ pub fn outcome(comparison: &Comparison) -> Outcome {
 pub fn comparison_json(c: &Comparison) -> Value {
     // Where something is left out, what is said of the rest.
     let (is_partial, said) = match &c.verdict {
-        Verdict::Partial { rest } => (true, rest.as_deref()),
-        whole => (false, Some(whole)),
+        Verdict::Partial { rest } => (true, &**rest),
+        whole => (false, whole),
     };
     let (name, reason, samples_factor) = match said {
-        Some(Verdict::Right) => (Some("right"), None, None),
-        Some(Verdict::Wrong { reason }) => (Some("wrong"), Some(reason), None),
-        Some(Verdict::Inconclusive { samples_factor }) => {
-            (Some("inconclusive"), None, Some(samples_factor))
-        }
-        Some(Verdict::Partial { .. }) | None => (None, None, None),
+        Verdict::Right => ("right", None, None),
+        Verdict::Wrong { reason } => ("wrong", Some(reason), None),
+        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+        Verdict::Partial { .. } => unreachable!("parts have no parts"),
     };
     json!({
-        "verdict": if is_partial { Some("partial") } else { name },
-        "verdict_of_rest": name.filter(|_| is_partial),
+        "verdict": if is_partial { "partial" } else { name },
+        "verdict_of_rest": is_partial.then_some(name),
         "reason": reason,
         "samples_factor": samples_factor,
         "relative_l1": c.relative_l1,

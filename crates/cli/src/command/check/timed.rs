@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk::{Check, CheckOptions, Chosen, Prepared, Tangent};
+use capwalk::{AllowMissing, Check, CheckOptions, Chosen, Prepared, Tangent};
 
 use crate::progress::Progress;
 
@@ -16,7 +16,8 @@ pub struct Checked {
     pub seconds: [f64; 2],
 }
 
-/// Checks a gradient, one bar after the other. Half of a time limit is for the gradient.
+/// Checks a gradient, one bar after the other. Half of a time limit is for the gradient; if
+/// something may be missing, half of that for the derivative of the rest of the light.
 pub fn check(
     prepared: &Prepared,
     tangent: &Tangent,
@@ -25,18 +26,30 @@ pub fn check(
 ) -> Result<Checked> {
     let reference = options.reference(prepared, tangent)?;
     let started = Instant::now();
-    let progress = Progress::new("gradient", limit.map(|limit| limit / 2));
+    let parts = match options.gradient.allow_missing == AllowMissing::default() {
+        true => 2,
+        false => 4,
+    };
+    let part = limit.map(|limit| limit / parts);
+    let progress = Progress::new("gradient", part);
     let chosen = prepared.choose(tangent, &options.gradient, &progress);
     let gradient = chosen.and_then(|chosen| {
         let gradient = prepared.gradient(tangent, &chosen.options, &progress);
         Ok((chosen, gradient?))
     });
-    let gradient_seconds = progress.finish().as_secs_f64();
-    let (chosen, gradient) = gradient?;
+    let mut gradient_seconds = progress.finish().as_secs_f64();
+    let (chosen, mut gradient) = gradient?;
+    if gradient.missing.is_some() {
+        let progress = Progress::new("gradient of the rest", part);
+        let rest = prepared.comparable(gradient, tangent, &chosen.options, &progress);
+        gradient_seconds += progress.finish().as_secs_f64();
+        gradient = rest?;
+    }
 
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
-    let differences = prepared.finite_difference(tangent, &reference.options(), &progress);
+    let method = chosen.options.method;
+    let differences = prepared.reference(&gradient, tangent, &reference, method, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
     Ok(Checked {
         check: Check::new(gradient, differences?, reference),
