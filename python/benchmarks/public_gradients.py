@@ -20,11 +20,11 @@ from pathlib import Path
 from typing import Any
 
 LONGER_SIDE = 48
-SPP = 1 << 16
-"""More than fit in the time."""
+FIRST_SPP = 4
+"""Samples with which the time is measured."""
 DOCS, DATA, TESTS = "mitsuba-data/docs/scenes", "mitsuba-data/scenes", "mitsuba-data/tests/scenes"
 SCENES = [
-    (f"{DATA}/cbox/cbox.xml", "smallbox.translate.x"),
+    (f"{DATA}/cbox/cbox.xml", "cbox_smallbox.translate.x"),
     (f"{DATA}/hello.xml", "{most}.translate.x"),
     (f"{DATA}/matpreview/matpreview.xml", "{most}.translate.x"),
     ("mitsuba-tutorials/scenes/cbox.xml", "{most}.translate.x"),
@@ -82,16 +82,22 @@ def checked(capwalk: str, file: Path, parameter: str, seconds: float) -> tuple[s
     size = "x".join(str(max(1, round(side * pixels))) for pixels in info["size"])
     with tempfile.TemporaryDirectory() as folder:
         command = [capwalk, "check", str(file), "-p", parameter, "--size", size, "--json"]
-        command += ["--spp", str(SPP), "--time-limit", f"{seconds:g}s", "-o", f"{folder}/check.npz"]
-        result, error = run(command)
+        command += ["-o", f"{folder}/check.npz", "--spp"]
+        result, error = run([*command, str(FIRST_SPP)])
+        options = []
         if result is None and "--allow-missing specular" in error:
-            result, error = run([*command, "--allow-missing", "specular"])
+            options = ["--allow-missing", "specular"]
+            result, error = run([*command, str(FIRST_SPP), *options])
+        if result is not None:
+            taken = sum(result[image]["seconds"] for image in ("gradient", "reference"))
+            spp = max(FIRST_SPP, round(FIRST_SPP * seconds / taken))
+            result, error = run([*command, str(spp), *options])
     if result is None:
         return "refused", f"{parameter} | refused: {error.splitlines()[0]} | - | -"
     found = result["comparison"]
     kind = found["verdict"]
     if kind == "partial":
-        kind += f", the rest {found['verdict_of_rest'] or 'no pixel'}"
+        kind += f", the rest {found['verdict_of_rest']}"
     factor, factor_error = found["scale_factor"], found["scale_factor_error"]
     missing = result["gradient"]["missing"]
     share = "-" if missing is None else f"{missing['share']:.2%} of the radiance"
