@@ -375,6 +375,9 @@ pub struct Check {
 pub struct Info {
     #[command(flatten)]
     pub scene: SceneArgs,
+    /// List each parameter on a line of its own, and other names of the same
+    #[arg(long)]
+    pub all: bool,
     /// Print one JSON object instead of text
     #[arg(long)]
     pub json: bool,

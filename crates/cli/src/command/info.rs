@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::thread;
 
 use anyhow::Result;
-use capwalk::scene::params::{ArrayParameter, Parameter};
+use capwalk::scene::params::{ArrayParameter, Parameter, ParameterKind};
 use capwalk::scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
     ShadingNormals, TextureId,
@@ -35,17 +35,28 @@ pub fn run(args: &Info) -> Result<Outcome> {
         // Side by side: of 20,000 shapes the tables have 300,000 lines.
         let (shapes, arrays, parameters) = thread::scope(|scope| {
             let others = scope.spawn(|| {
-                let lines = arrays.iter().map(|a| array_line(a, refusal.as_ref()));
+                let lines = arrays.iter().filter(|a| args.all || a.alias_of.is_none());
+                let lines = lines.map(|a| array_line(a, refusal.as_ref()));
                 (shapes(scene), table(lines))
             });
-            let lines = parameters.iter();
-            let parameters = table(lines.map(|p| parameter_line(p, refusal.as_ref())));
+            let parameters = match args.all {
+                true => table(
+                    parameters
+                        .iter()
+                        .map(|p| parameter_line(p, refusal.as_ref())),
+                ),
+                false => table(groups(&parameters).map(|g| group_line(g, refusal.as_ref()))),
+            };
             let (shapes, arrays) = others.join().expect("tables do not panic");
             (shapes, arrays, parameters)
         });
+        let more = match args.all {
+            true => "",
+            false => "; each name, and other names of the same: --all",
+        };
         let text = format!(
-            "{}\nshapes\n{shapes}\nparameters (∂: differentiable, D: edges move)\n{}{parameters}\n\
-             arrays, for `capwalk backward`\n{arrays}",
+            "{}\nshapes\n{shapes}\nparameters (∂: differentiable, D: edges move{more})\n{}\
+             {parameters}\narrays, for `capwalk backward`\n{arrays}",
             summary(&args.scene.scene, scene),
             refused.unwrap_or_default(),
         );
@@ -253,6 +264,69 @@ fn parameter_line<'a>(parameter: &'a Parameter, refusal: Option<&Refusal>) -> Li
             flags(differentiable(moves, refusal), moves).into(),
             values(&parameter.value).into(),
             format!("{} ({})", parameter.description, parameter.unit).into(),
+        ],
+    }
+}
+
+/// Parameters that belong together, without other names of the same: the motions of one shape or
+/// of the sensor, and a colour with its channels.
+fn groups(parameters: &[Parameter]) -> impl Iterator<Item = Vec<&Parameter>> {
+    let mut own = parameters
+        .iter()
+        .filter(|p| p.alias_of.is_none())
+        .peekable();
+    std::iter::from_fn(move || {
+        let mut group = vec![own.next()?];
+        while let Some(next) = own.next_if(|next| stem(next) == stem(group[0])) {
+            group.push(next);
+        }
+        Some(group)
+    })
+}
+
+/// What the names of a group begin with.
+fn stem(parameter: &Parameter) -> &str {
+    use ParameterKind::{Rotation, Scale, SensorRotation, SensorTranslation, Translation};
+    let without = |suffixes: &[&str]| {
+        let name = parameter.name.as_str();
+        let found = suffixes.iter().find_map(|suffix| name.strip_suffix(suffix));
+        found.unwrap_or(name)
+    };
+    let without_axis = || {
+        let name = without(&[".x", ".y", ".z", ".scale"]);
+        let found = name.strip_suffix(".translate");
+        found.or(name.strip_suffix(".rotate")).unwrap_or(name)
+    };
+    match parameter.kind {
+        Translation | Rotation | Scale | SensorTranslation | SensorRotation => without_axis(),
+        _ => without(&[".r", ".g", ".b"]),
+    }
+}
+
+fn group_line<'a>(group: Vec<&'a Parameter>, refusal: Option<&Refusal>) -> Line<'a> {
+    let first = group[0];
+    let [name, flags, value, what] = parameter_line(first, refusal);
+    let stem = stem(first);
+    let motions = format!("{stem}.translate.x|y|z rotate.x|y|z");
+    match (group.len(), first.kind) {
+        (1, _) => [name, flags, value, what],
+        (_, ParameterKind::Translation) => [
+            format!("{motions} scale").into(),
+            flags,
+            "".into(),
+            format!("moves, turns and scales {stem} (world units, radians, times its size)").into(),
+        ],
+        (_, ParameterKind::SensorTranslation) => [
+            motions.into(),
+            flags,
+            "".into(),
+            "moves and turns the sensor (world units, radians)".into(),
+        ],
+        _ => [
+            format!("{name}[.r|g|b]").into(),
+            flags,
+            value,
+            what.replace(", all channels together", "").into(),
         ],
     }
 }

@@ -61,7 +61,19 @@ fn figures_are_made_elsewhere() {
 #[test]
 fn info_lists_parameters() {
     let capwalk = Capwalk::new("info");
-    let text = capwalk.run("info ball").stdout;
+    let grouped = capwalk.run("info ball").stdout;
+    let lines = [
+        "  ball.translate.x|y|z rotate.x|y|z scale ",
+        "moves, turns and scales ball",
+        "  lamp.emitter.radiance.value[.r|g|b] ",
+        " radiance of lamp (radiance)",
+        "  sensor.translate.x|y|z rotate.x|y|z ",
+        "  ball.positions ",
+        "other names of the same: --all",
+    ];
+    assert_has(&grouped, &lines);
+    assert!(!grouped.contains("ball.translate.y") && !grouped.contains("vertex_positions"));
+    let text = capwalk.run("info ball --all").stdout;
     assert_has(
         &text,
         &[
