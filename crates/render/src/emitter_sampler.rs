@@ -42,9 +42,10 @@ impl EmitterSampler {
             Emitter::EnvironmentMap { map, data, .. } => {
                 DirectionSampler::Environment(EnvironmentTable::new(map, scene.texture(*data)))
             }
-            Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
-                DirectionSampler::Delta
-            }
+            Emitter::Point { .. }
+            | Emitter::Spot { .. }
+            | Emitter::Projector { .. }
+            | Emitter::Directional { .. } => DirectionSampler::Delta,
         };
         Self {
             directions,
@@ -75,7 +76,7 @@ impl EmitterSampler {
 
 /// [`EmitterSampler::brightness`] of an emitter.
 pub fn brightness(scene: &Scene, emitter: &Emitter) -> f64 {
-    // The scale of an environment map, and for numbers at vertices the texture that has them.
+    // What its radiance is multiplied by, and for numbers at vertices the texture that has them.
     let factors = textures(scene, emitter).into_iter().map(|texture| {
         let texels = (0..texture.texels()).map(|i| texture.texel(i).max_component());
         texels.sum::<f64>() / texture.texels() as f64
@@ -94,10 +95,6 @@ pub fn textures<'a>(scene: &'a Scene, emitter: &Emitter) -> Vec<&'a Texture> {
         None => id,
     };
     let own = numbers(emitter.radiance());
-    let scale = match emitter {
-        Emitter::EnvironmentMap { scale, .. } => Some(*scale),
-        _ => None,
-    };
-    let ids = [Some(own), scale].into_iter().flatten();
+    let ids = [Some(own), emitter.factor()].into_iter().flatten();
     ids.map(|id| scene.texture(id)).collect()
 }

@@ -32,7 +32,7 @@ use crate::light::{Continuation, emitter_towards, sample_lights};
 use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
 use crate::shading::vertex_at;
-use crate::surface::{emitted_at, surface_at};
+use crate::surface::{emitted_at, irradiance_of, surface_at};
 use crate::tracer::{LeavesOut, Moving, Tracer};
 use crate::vertex::Vertex;
 
@@ -311,8 +311,7 @@ impl Tracer<'_> {
                 if let Some(delta) = emitter.delta_light(vertex.position, |id| eval.texel(id, 0).r)
                 {
                     let f = vertex.eval(delta.direction);
-                    let irradiance = eval.texel(emitter.radiance(), 0) * delta.factor;
-                    light += f * irradiance * weight;
+                    light += f * irradiance_of(eval, emitter, &delta) * weight;
                     return;
                 }
                 // Any other direction moves along the field around this point, unless edges

@@ -4,6 +4,7 @@
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::Hit;
 use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_scene::emitter::delta::DeltaLight;
 use capwalk_scene::lobe::Side;
 use capwalk_scene::{BsdfId, Emitter, EmitterId, SurfacePoint};
 
@@ -152,8 +153,31 @@ pub fn emitted_at<R: Real, W: SceneEval<R>>(
             let texels = map.lookup(direction, |index| eval.texel(*data, index));
             texels * eval.texel(*scale, 0)
         }
-        (Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. }, _) => {
-            unreachable!("no ray hits an emitter without extent")
-        }
+        (
+            Emitter::Point { .. }
+            | Emitter::Spot { .. }
+            | Emitter::Projector { .. }
+            | Emitter::Directional { .. },
+            _,
+        ) => unreachable!("no ray hits an emitter without extent"),
+    }
+}
+
+/// Irradiance across its direction that a point receives from an emitter without extent.
+pub fn irradiance_of<R: Real, W: SceneEval<R>>(
+    eval: &W,
+    emitter: &Emitter,
+    light: &DeltaLight<R>,
+) -> Rgb<R> {
+    // Numbers that are no pictures are the same everywhere.
+    let uv = light.uv.unwrap_or([R::constant(0.0); 2]);
+    let number = |id| {
+        let texture = eval.scene().texture(id);
+        texture.lookup(uv, |index| eval.texel(id, index))
+    };
+    let intensity = number(emitter.radiance()) * light.factor;
+    match emitter.factor() {
+        None => intensity,
+        Some(factor) => intensity * number(factor),
     }
 }

@@ -62,6 +62,22 @@ pub enum Emitter {
         /// Angle to the axis up to which it is as bright as in the middle,
         /// degrees; in between it falls linearly.
         beam_width: TextureId,
+        /// A picture that it throws, as a factor: it covers the square around the cone.
+        texture: Option<TextureId>,
+    },
+    /// A point that throws a picture, as a perspective camera would see it.
+    Projector {
+        /// Name of the emitter, for parameters.
+        id: String,
+        /// The emitter is at the origin of its own space and shines along `+z`, with `+y`
+        /// up and `+x` to the left of the picture.
+        world_from_emitter: Affine,
+        /// Half the width and half the height of the picture at distance 1.
+        half_size: [f64; 2],
+        /// The picture: power per area across the axis at distance 1, over π.
+        irradiance: TextureId,
+        /// Factor on it.
+        scale: TextureId,
     },
     /// Parallel light.
     Directional {
@@ -103,6 +119,7 @@ impl Emitter {
             Self::EnvironmentMap { .. } => ("envmap", EmitterExtent::Surroundings),
             Self::Point { .. } => ("point", EmitterExtent::Delta),
             Self::Spot { .. } => ("spot", EmitterExtent::Delta),
+            Self::Projector { .. } => ("projector", EmitterExtent::Delta),
             Self::Directional { .. } => ("directional", EmitterExtent::Delta),
         };
         EmitterTraits { plugin, extent }
@@ -115,7 +132,9 @@ impl Emitter {
             Self::Area { radiance, .. } | Self::Constant { radiance, .. } => *radiance,
             Self::EnvironmentMap { data, .. } => *data,
             Self::Point { intensity, .. } | Self::Spot { intensity, .. } => *intensity,
-            Self::Directional { irradiance, .. } => *irradiance,
+            Self::Projector { irradiance, .. } | Self::Directional { irradiance, .. } => {
+                *irradiance
+            }
         }
     }
 
@@ -147,15 +166,52 @@ impl Emitter {
                 intensity,
                 cutoff_angle,
                 beam_width,
+                texture,
                 ..
+            } => {
+                let mut slots = vec![
+                    slot("intensity", *intensity, Quantity::Intensity),
+                    slot("cutoff_angle", *cutoff_angle, Quantity::Angle),
+                    slot("beam_width", *beam_width, Quantity::Angle),
+                ];
+                slots.extend(texture.map(|texture| slot("texture", texture, Quantity::Factor)));
+                slots
+            }
+            Self::Projector {
+                irradiance, scale, ..
             } => vec![
-                slot("intensity", *intensity, Quantity::Intensity),
-                slot("cutoff_angle", *cutoff_angle, Quantity::Angle),
-                slot("beam_width", *beam_width, Quantity::Angle),
+                slot("irradiance", *irradiance, Quantity::Irradiance),
+                slot("scale", *scale, Quantity::Factor),
             ],
             Self::Directional { irradiance, .. } => {
                 vec![slot("irradiance", *irradiance, Quantity::Irradiance)]
             }
+        }
+    }
+
+    /// The texture by which its radiance is multiplied, if it has one.
+    #[inline]
+    pub fn factor(&self) -> Option<TextureId> {
+        match self {
+            Self::EnvironmentMap { scale, .. } | Self::Projector { scale, .. } => Some(*scale),
+            Self::Spot { texture, .. } => *texture,
+            Self::Area { .. }
+            | Self::Constant { .. }
+            | Self::Point { .. }
+            | Self::Directional { .. } => None,
+        }
+    }
+
+    /// The picture that it throws and the name of its slot, if it has one.
+    pub fn picture(&self) -> Option<(&'static str, TextureId)> {
+        match self {
+            Self::Projector { irradiance, .. } => Some(("irradiance", *irradiance)),
+            Self::Spot { texture, .. } => texture.map(|texture| ("texture", texture)),
+            Self::Area { .. }
+            | Self::Constant { .. }
+            | Self::EnvironmentMap { .. }
+            | Self::Point { .. }
+            | Self::Directional { .. } => None,
         }
     }
 

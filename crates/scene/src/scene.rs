@@ -109,15 +109,23 @@ impl Scene {
             for slot in emitter.slots() {
                 self.check_range(slot.texture, slot.quantity)?;
             }
+            if let Some((slot, picture)) = emitter.picture() {
+                self.check_picture(&format!("{}.{slot}", emitter.name(self)), picture)?;
+            }
             if let Emitter::Spot {
                 cutoff_angle,
                 beam_width,
+                texture,
                 ..
             } = emitter
             {
-                let beam = self.texture(*beam_width);
-                if beam.data[0] >= self.texture(*cutoff_angle).data[0] {
+                let [beam, cutoff] = [*beam_width, *cutoff_angle].map(|id| self.texture(id));
+                if beam.data[0] >= cutoff.data[0] {
                     return Err(beam.bad_number(beam.parts()[0], 0, "less than the cutoff_angle"));
+                }
+                if texture.is_some() && cutoff.data[0] >= 90.0 {
+                    let expected = "less than 90 degrees, because the light throws a picture";
+                    return Err(cutoff.bad_number(cutoff.parts()[0], 0, expected));
                 }
             }
         }
@@ -142,6 +150,19 @@ impl Scene {
             }
         }
         Ok(())
+    }
+
+    /// Checks that a texture depends on texture coordinates at most.
+    fn check_picture(&self, name: &str, picture: TextureId) -> Result<(), SceneError> {
+        let texture = self.texture(picture);
+        if texture.is_constant() || texture.needs_uv() {
+            return Ok(());
+        }
+        Err(SceneError::BadNumber {
+            name: name.into(),
+            value: format!("\"{}\", which covers surfaces only", texture.id),
+            expected: "a colour, a bitmap or a checkerboard",
+        })
     }
 
     fn check_slot_on_shape(&self, slot: &Slot, shape: &Shape) -> Result<(), SceneError> {
@@ -275,6 +296,7 @@ impl Emitter {
             | Self::EnvironmentMap { id, .. }
             | Self::Point { id, .. }
             | Self::Spot { id, .. }
+            | Self::Projector { id, .. }
             | Self::Directional { id, .. } => id.clone(),
         }
     }

@@ -90,6 +90,7 @@ scenes! {
     principled_anisotropic
     principled_glass
     principled_metal_cloth
+    projector
     roughconductor
     roughdielectric_ggx
     roughplastic
@@ -99,6 +100,7 @@ scenes! {
     sphere_lamp
     sphere_shadow
     spot_light
+    spot_picture
     textured_lamp
     thinlens
     turned_normals

@@ -72,6 +72,7 @@ phenomena! {
     outline_with_negative_lobes
     outline_with_negative_lobes_cut_off
     outline_with_the_border_sampled
+    picture_of_a_projector
     principled_ball_moves
     radiance
     reflector_moves

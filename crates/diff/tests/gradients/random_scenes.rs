@@ -280,6 +280,7 @@ impl Builder {
                 intensity: self.colour_alone(),
                 cutoff_angle: self.number(20.0, 90.0),
                 beam_width: self.number(0.0, 20.0),
+                texture: None,
             },
             _ => {
                 let shape = self.shape();

@@ -324,10 +324,14 @@ fn materials_come_back() {
 fn emitters_come_back() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
     let text = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<texture type="checkerboard" id="spot.texture"/>
+<texture type="bitmap" id="beamer.irradiance"><string name="filename" value="sky.exr"/></texture>
 <emitter type="envmap" id="sky"><string name="filename" value="sky.exr"/><float name="scale" value="3"/>
 <transform name="to_world"><rotate y="1" angle="30"/></transform></emitter>
 <emitter type="point" id="bulb"><point name="position" x="1" y="2" z="3"/></emitter>
-<emitter type="spot" id="spot"><float name="cutoff_angle" value="33.3"/><rgb name="intensity" value="1 2 3"/>
+<emitter type="spot" id="spot"><ref name="texture" id="spot.texture"/><float name="cutoff_angle" value="33.3"/><rgb name="intensity" value="1 2 3"/>
+<transform name="to_world"><translate x="1" z="-4.5"/></transform></emitter>
+<emitter type="projector" id="beamer"><float name="fov" value="20"/><float name="scale" value="2"/><ref name="irradiance" id="beamer.irradiance"/>
 <transform name="to_world"><translate x="1" z="-4.5"/></transform></emitter>
 <emitter type="directional" id="sun"><vector name="direction" x="0.1" y="-1" z="3"/></emitter></scene>"#;
     let scene = crate::load_scene_str(text, &folder, "scene.xml", &[])
@@ -349,6 +353,10 @@ fn emitters_come_back() {
                 Emitter::Directional { direction: b, .. },
             ) => {
                 assert!((*a - *b).length() < 1e-15);
+                *b = *a;
+            }
+            (Emitter::Projector { half_size: a, .. }, Emitter::Projector { half_size: b, .. }) => {
+                assert!((0..2).all(|i| (a[i] - b[i]).abs() < 1e-15));
                 *b = *a;
             }
             _ => {}

@@ -205,6 +205,15 @@ impl Writer<'_> {
             Emitter::Spot {
                 world_from_emitter, ..
             } => xml.transform("to_world", world_from_emitter),
+            Emitter::Projector {
+                world_from_emitter,
+                half_size,
+                ..
+            } => {
+                let fov = 2.0 * half_size[0].atan().to_degrees();
+                xml.property("float", "fov", fov);
+                xml.transform("to_world", world_from_emitter);
+            }
             Emitter::Directional { direction, .. } => {
                 xml.vector("vector", "direction", *direction);
             }

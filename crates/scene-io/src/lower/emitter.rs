@@ -6,13 +6,27 @@ use capwalk_scene::{Emitter, Pattern, Quantity, Texture, TextureId};
 use capwalk_scene::{EmitterId, ShapeId};
 
 use super::lowering::Lowering;
-use super::sensor::RIGID;
+use super::sensor::{RIGID, fov_x};
 use crate::fields::{Child, Fields};
 use crate::problem::Problem;
 use crate::texts::Span;
 
 /// Values of `type` that are read.
-const EMITTERS: [&str; 6] = ["area", "constant", "envmap", "point", "spot", "directional"];
+const EMITTERS: [&str; 7] = [
+    "area",
+    "constant",
+    "envmap",
+    "point",
+    "spot",
+    "projector",
+    "directional",
+];
+
+/// Emitters of Mitsuba's that are not read, and what to do instead.
+const REFUSED: [(&str, &str); 3] = [("sunsky", SKY), ("sky", SKY), ("sun", SKY)];
+
+const SKY: &str = "bake it into an image with Mitsuba and show that by an <emitter type=\"envmap\">; \
+                   docs/scene-files.md has the lines of Python, under \"Skies\"";
 
 impl Lowering<'_> {
     /// The area emitter that stands in the shape that is added next.
@@ -29,7 +43,7 @@ impl Lowering<'_> {
                 return Err(Problem::invalid(child.span, message)
                     .help("move it into <scene>, or write <emitter type=\"area\">"));
             }
-            _ => return Err(fields.unknown_plugin(&EMITTERS)),
+            _ => return Err(fields.refused_plugin(&EMITTERS, &REFUSED)),
         }
         if !self.attached.insert(child.node) {
             return Err(Problem::invalid(
@@ -57,7 +71,7 @@ impl Lowering<'_> {
     pub(super) fn scene_emitter(&mut self, child: Child) -> Result<(), Problem> {
         let fields = Fields::new(self.context, child.node);
         match fields.node.plugin.as_str() {
-            "constant" | "envmap" | "point" | "spot" | "directional" => {}
+            "constant" | "envmap" | "point" | "spot" | "projector" | "directional" => {}
             // Defined here, used in a shape by a <ref>.
             "area" if self.attached.contains(&child.node) => return Ok(()),
             "area" => {
@@ -67,13 +81,14 @@ impl Lowering<'_> {
                 )
                 .help("move it into the <shape> that emits"));
             }
-            _ => return Err(fields.unknown_plugin(&EMITTERS)),
+            _ => return Err(fields.refused_plugin(&EMITTERS, &REFUSED)),
         }
         let emitter = match fields.node.plugin.as_str() {
             "constant" => self.constant(&fields)?,
             "envmap" => self.environment_map(&fields)?,
             "point" => self.point(&fields)?,
             "spot" => self.spot(&fields)?,
+            "projector" => self.projector(&fields)?,
             _ => self.directional(&fields)?,
         };
         sampling_weight(&fields)?;
@@ -192,12 +207,20 @@ impl Lowering<'_> {
         }
         let intensity = self.slot(fields, &id, "intensity", Quantity::Intensity, 1.0)?;
         self.refuse_texture(fields, intensity, "intensity")?;
-        if let Some(texture) = fields.get("texture") {
-            let message = "projected textures of spot lights are not supported";
-            return Err(
-                Problem::unsupported(texture.value_span, message).help("remove the texture")
-            );
-        }
+        let texture = match fields.get("texture") {
+            None => None,
+            Some(given) => {
+                let texture = self.slot(fields, &id, "texture", Quantity::Factor, 1.0)?;
+                self.note_picture(fields, &id, "texture");
+                if self.textures[texture.0 as usize].is_constant() {
+                    let message = "the \"texture\" of a spot light is the same everywhere";
+                    return Err(Problem::invalid(given.value_span, message).help(
+                        "expected a bitmap or a checkerboard; a colour is its \"intensity\"",
+                    ));
+                }
+                Some(texture)
+            }
+        };
         let mut number = |name: &'static str, value| {
             let texture = Texture::number(format!("{id}.{name}"), value);
             self.add_texture(texture, fields.span_of(name))
@@ -207,8 +230,42 @@ impl Lowering<'_> {
             intensity,
             cutoff_angle: number("cutoff_angle", cutoff),
             beam_width: number("beam_width", beam),
+            texture,
             id,
         })
+    }
+
+    fn projector(&mut self, fields: &Fields) -> Result<Emitter, Problem> {
+        let id = self.emitter_name(fields, "projector");
+        let translation = fields.transform("to_world")?.translation;
+        let world_from_emitter = Affine {
+            translation,
+            ..rotation(fields)?
+        };
+        let irradiance = self.slot(fields, &id, "irradiance", Quantity::Irradiance, 1.0)?;
+        self.note_picture(fields, &id, "irradiance");
+        let size = match &self.textures[irradiance.0 as usize].pattern {
+            Pattern::Bitmap(bitmap) => [bitmap.width, bitmap.height],
+            // A square, as in Mitsuba.
+            _ => [1, 1],
+        };
+        let half_width = (0.5 * fov_x(fields, size)?).tan();
+        Ok(Emitter::Projector {
+            world_from_emitter,
+            half_size: [
+                half_width,
+                half_width * f64::from(size[1]) / f64::from(size[0]),
+            ],
+            irradiance,
+            scale: self.number(fields, &id, "scale", Quantity::Factor, 1.0)?,
+            id,
+        })
+    }
+
+    /// Notes where the picture stands that an emitter throws.
+    fn note_picture(&mut self, fields: &Fields, emitter: &str, slot: &str) {
+        let name = format!("{emitter}.{slot}");
+        self.places.numbers.insert(name, fields.span_of(slot));
     }
 
     fn directional(&mut self, fields: &Fields) -> Result<Emitter, Problem> {

@@ -1,7 +1,7 @@
 //! Sensors, with Mitsuba's fields of view.
 
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::{Film, Sensor, SensorModel};
+use capwalk_scene::{Sensor, SensorModel};
 
 use super::lowering::Lowering;
 use super::sampler::{self, Sampler};
@@ -41,14 +41,14 @@ impl Lowering<'_> {
         let far_clip = fields.float("far_clip", 1e4)?;
         let model = match plugin {
             "perspective" => SensorModel::Perspective {
-                fov_x: fov_x(&fields, &film)?,
+                fov_x: fov_x(&fields, film.size)?,
                 principal_point_offset: [
                     fields.float("principal_point_offset_x", 0.0)?,
                     fields.float("principal_point_offset_y", 0.0)?,
                 ],
             },
             "thinlens" => SensorModel::ThinLens {
-                fov_x: fov_x(&fields, &film)?,
+                fov_x: fov_x(&fields, film.size)?,
                 aperture_radius: aperture_radius(&fields)?,
                 focus_distance: focus_distance(&fields, far_clip)?,
             },
@@ -164,10 +164,10 @@ fn focus_distance(fields: &Fields, far_clip: f64) -> Result<f64, Problem> {
         .help("expected the depth that is sharp, above 0"))
 }
 
-/// The horizontal field of view of the whole film, radians (`parse_fov` of
+/// The horizontal field of view of a film or a picture with so many pixels, radians (`parse_fov` of
 /// Mitsuba).
-fn fov_x(fields: &Fields, film: &Film) -> Result<f64, Problem> {
-    let aspect = f64::from(film.size[0]) / f64::from(film.size[1]);
+pub(super) fn fov_x(fields: &Fields, size: [u32; 2]) -> Result<f64, Problem> {
+    let aspect = f64::from(size[0]) / f64::from(size[1]);
     let fov = fields.optional_float("fov")?;
     let focal_length = fields.string("focal_length")?;
     let axis = fields.string("fov_axis")?;

@@ -2,7 +2,7 @@
 
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::params::{self, ParameterKind};
-use capwalk_scene::{Emitter, Scene};
+use capwalk_scene::{Emitter, Pattern, Scene};
 
 use crate::common::*;
 
@@ -123,6 +123,72 @@ fn parallel_light() {
     }
 }
 
+/// A picture twice as wide as high has twice the field of view in its width.
+#[test]
+fn projectors() {
+    let text = with(
+        "<emitter type=\"projector\"><float name=\"fov\" value=\"90\"/>\
+         <string name=\"fov_axis\" value=\"y\"/><float name=\"scale\" value=\"3\"/>\
+         <texture name=\"irradiance\" type=\"bitmap\">\
+         <string name=\"filename\" value=\"sky.exr\"/></texture></emitter>",
+    );
+    let scene = load(&text);
+    let Emitter::Projector {
+        half_size: [width, height],
+        irradiance,
+        scale,
+        ..
+    } = &scene.emitters[0]
+    else {
+        panic!("a projector");
+    };
+    let Pattern::Bitmap(bitmap) = &scene.texture(*irradiance).pattern else {
+        panic!("a picture");
+    };
+    assert!((height - 1.0).abs() < 1e-12);
+    let aspect = f64::from(bitmap.width) / f64::from(bitmap.height);
+    assert!(aspect > 1.0 && (width - aspect).abs() < 1e-12);
+    assert_eq!(scene.texture(*scale).data, [3.0]);
+    let registry = params::Registry::new(&scene);
+    for name in ["projector.scale", "projector.irradiance.data"] {
+        registry.tangent(&scene, name).expect("listed");
+    }
+    let refused = registry.tangent(&scene, "projector.to_world");
+    let refused = refused.expect_err("no parameter").to_string();
+    assert!(refused.contains("where a projector stands"), "{refused}");
+}
+
+#[test]
+fn wrong_projectors() {
+    check(
+        &with("<emitter type=\"projector\"><float name=\"fov\" value=\"180\"/></emitter>"),
+        &[
+            "scene.xml:4:54: \"fov\" is 180",
+            "  expected an angle between 0 and 180 degrees",
+        ],
+    );
+    check(
+        &with(
+            "<emitter type=\"projector\"><texture name=\"irradiance\" type=\"mesh_attribute\">\
+             <string name=\"name\" value=\"vertex_color\"/></texture></emitter>",
+        ),
+        &[
+            "scene.xml:4:29: projector.irradiance is \"projector.irradiance\", which covers surfaces \
+             only; expected a colour, a bitmap or a checkerboard",
+        ],
+    );
+    check(
+        &with(
+            "<emitter type=\"projector\"><transform name=\"to_world\"><scale value=\"2\"/>\
+             </transform></emitter>",
+        ),
+        &[
+            "scene.xml:4:29: the \"to_world\" of the emitter \"projector\" scales, shears or mirrors",
+            "  expected a rotation and a translation",
+        ],
+    );
+}
+
 #[test]
 fn wrong_properties() {
     check(
@@ -138,6 +204,23 @@ fn wrong_properties() {
         &[
             "scene.xml:4:56: \"beam_width\" is 30 and \"cutoff_angle\" is 20",
             "  expected degrees, 0 <= beam_width < cutoff_angle <= 180",
+        ],
+    );
+    check(
+        &with("<emitter type=\"spot\"><rgb name=\"texture\" value=\"0.5\"/></emitter>"),
+        &[
+            "scene.xml:4:51: the \"texture\" of a spot light is the same everywhere",
+            "  expected a bitmap or a checkerboard; a colour is its \"intensity\"",
+        ],
+    );
+    check(
+        &with(
+            "<emitter type=\"spot\"><float name=\"cutoff_angle\" value=\"90\"/>\
+             <texture type=\"checkerboard\" name=\"texture\"/></emitter>",
+        ),
+        &[
+            "scene.xml:4:58: spot.cutoff_angle.value is (90, 90, 90); expected less than 90 degrees, \
+             because the light throws a picture",
         ],
     );
     check(

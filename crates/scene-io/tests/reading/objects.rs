@@ -46,8 +46,16 @@ fn unknown_emitter_plugin() {
     check(
         &scene(r#"<emitter type="sunsky"/>"#),
         &[
-            "scene.xml:5:18: unknown emitter plugin \"sunsky\"",
-            "  known emitter plugins: area, constant, envmap, point, spot, directional",
+            "scene.xml:5:18: the emitter \"sunsky\" is not supported",
+            "  bake it into an image with Mitsuba and show that by an <emitter type=\"envmap\">; \
+             docs/scene-files.md has the lines of Python, under \"Skies\"",
+        ],
+    );
+    check(
+        &scene(r#"<emitter type="laser"/>"#),
+        &[
+            "scene.xml:5:18: unknown emitter plugin \"laser\"",
+            "  known emitter plugins: area, constant, envmap, point, spot, projector, directional",
         ],
     );
 }

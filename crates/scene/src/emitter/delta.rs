@@ -1,5 +1,7 @@
 //! Lights without extent: a surface point sees each in one direction.
 
+use std::f64::consts::PI;
+
 use capwalk_math::{Affine, Real, Vec3};
 
 use super::Emitter;
@@ -15,6 +17,9 @@ pub struct DeltaLight<R> {
     /// Irradiance across the direction, per intensity (or irradiance) of the
     /// light.
     pub factor: R,
+    /// Where in its picture, for a light that throws one; otherwise its number is the
+    /// same everywhere.
+    pub uv: Option<[R; 2]>,
 }
 
 impl Emitter {
@@ -32,12 +37,14 @@ impl Emitter {
                 direction: Vec3::constant(-*direction),
                 distance: f64::INFINITY,
                 factor: R::constant(1.0),
+                uv: None,
             }),
             Self::Point { position, .. } => from_point(point, *position),
             Self::Spot {
                 world_from_emitter,
                 cutoff_angle,
                 beam_width,
+                texture,
                 ..
             } => {
                 let light = from_point(point, world_from_emitter.translation)?;
@@ -45,9 +52,24 @@ impl Emitter {
                 let cos = -light.direction.dot(Vec3::constant(axis));
                 let radians = |id| number(id) * R::constant(1.0_f64.to_radians());
                 let falloff = falloff(cos, radians(*cutoff_angle), radians(*beam_width))?;
+                let uv = texture.map(|_| {
+                    let (sin, cos) = radians(*cutoff_angle).sin_cos();
+                    let half = R::constant(0.5) * cos / sin;
+                    let [x, y, depth] = seen_from_emitter(point, world_from_emitter);
+                    [x, y].map(|x| R::constant(0.5) + x / depth * half)
+                });
                 let factor = light.factor * falloff;
-                Some(DeltaLight { factor, ..light })
+                Some(DeltaLight {
+                    factor,
+                    uv,
+                    ..light
+                })
             }
+            Self::Projector {
+                world_from_emitter,
+                half_size,
+                ..
+            } => from_projector(point, world_from_emitter, *half_size),
         }
     }
 }
@@ -69,6 +91,41 @@ fn from_point<R: Real>(point: Vec3<R>, position: Vec3) -> Option<DeltaLight<R>> 
         direction: offset.normalized(),
         distance: squared.value().sqrt(),
         factor: R::constant(1.0) / squared,
+        uv: None,
+    })
+}
+
+/// A point in the coordinates of an emitter whose axes are unit vectors.
+fn seen_from_emitter<R: Real>(point: Vec3<R>, world_from_emitter: &Affine) -> [R; 3] {
+    let offset = point - Vec3::constant(world_from_emitter.translation);
+    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    axes.map(|axis| offset.dot(Vec3::constant(world_from_emitter.vector(axis.into()))))
+}
+
+/// What a point receives of a picture, with the falloff of Mitsuba's `projector`, by which
+/// a plane across the axis is lit as brightly everywhere.
+fn from_projector<R: Real>(
+    point: Vec3<R>,
+    world_from_emitter: &Affine,
+    half_size: [f64; 2],
+) -> Option<DeltaLight<R>> {
+    let light = from_point(point, world_from_emitter.translation)?;
+    let [x, y, depth] = seen_from_emitter(point, world_from_emitter);
+    if depth.value() <= 0.0 {
+        return None;
+    }
+    // Pictures begin at the top left, where x and y are largest.
+    let place = |x: R, half: f64| R::constant(0.5) - x / depth * R::constant(0.5 / half);
+    let uv = [place(x, half_size[0]), place(y, half_size[1])];
+    if uv.iter().any(|x| !(0.0..=1.0).contains(&x.value())) {
+        return None;
+    }
+    // π / (depth² cos), where cos = depth / distance and the factor is 1 / distance².
+    let factor = R::constant(PI) / (light.factor.sqrt() * depth * depth * depth);
+    Some(DeltaLight {
+        factor,
+        uv: Some(uv),
+        ..light
     })
 }
 
@@ -107,6 +164,49 @@ mod tests {
             intensity: TextureId(0),
             cutoff_angle: TextureId(1),
             beam_width: TextureId(2),
+            texture: Some(TextureId(3)),
+        }
+    }
+
+    fn projector() -> Emitter {
+        let Emitter::Spot {
+            world_from_emitter, ..
+        } = spot()
+        else {
+            unreachable!()
+        };
+        Emitter::Projector {
+            id: "projector".into(),
+            world_from_emitter,
+            half_size: [0.8, 0.5],
+            irradiance: TextureId(0),
+            scale: TextureId(1),
+        }
+    }
+
+    /// The top left corner of a picture is in the direction of `+x` and `+y`; a plane across
+    /// the axis receives as much everywhere, π at distance 1; outside it is dark.
+    #[test]
+    fn projectors_throw_their_picture_upright() {
+        let Emitter::Projector {
+            world_from_emitter, ..
+        } = projector()
+        else {
+            unreachable!()
+        };
+        let at = |local: Vec3| projector().delta_light(world_from_emitter.point(local), angles);
+        for (x, y, uv) in [(0.4, 0.25, [0.25, 0.25]), (-0.64, -0.1, [0.9, 0.6])] {
+            let light = at(Vec3::new(x, y, 1.0) * 2.0).expect("in the picture");
+            let found = light.uv.expect("a picture");
+            assert!(
+                (0..2).all(|i| (found[i] - uv[i]).abs() < 1e-12),
+                "{found:?}"
+            );
+            let cos = 1.0 / Vec3::new(x, y, 1.0).length();
+            assert!((light.factor * cos - PI / 4.0).abs() < 1e-12);
+        }
+        for outside in [[0.81, 0.0, 1.0], [0.0, -0.51, 1.0], [0.1, 0.1, -1.0]] {
+            assert!(at(outside.into()).is_none(), "{outside:?}");
         }
     }
 
@@ -126,6 +226,10 @@ mod tests {
             let light = light.expect("within the cone");
             assert!((light.factor - expected / 4.0).abs() < 1e-12, "{angle}");
             assert!((light.distance - 2.0).abs() < 1e-12);
+            // The border of the cone is at the border of the picture.
+            let [u, v] = light.uv.expect("a picture");
+            let expected = 0.5 + 0.5 * angle.tan() / f64::to_radians(30.0).tan();
+            assert!((u - 0.5).abs() < 1e-12 && (v - expected).abs() < 1e-12);
         }
         for angle in [0.53, 1.0, 3.0] {
             let local = Vec3::new(f64::sin(angle), 0.0, f64::cos(angle));
@@ -140,6 +244,7 @@ mod tests {
     fn lights_differentiate_by_the_point() {
         let lights = [
             spot(),
+            projector(),
             Emitter::Point {
                 id: "point".into(),
                 position: Vec3::new(0.4, 0.1, 2.0),
@@ -170,6 +275,14 @@ mod tests {
                 let direction = (above.direction - below.direction) / (2.0 * h);
                 assert!((dual.factor.tangent[0] - factor).abs() < 1e-8, "{light:?}");
                 assert!((dual.direction.tangent(0) - direction).length() < 1e-8);
+                let uvs = [dual.uv, None].into_iter().flatten().flatten();
+                let differences = above
+                    .uv
+                    .zip(below.uv)
+                    .map(|(a, b)| [a[0] - b[0], a[1] - b[1]]);
+                for (uv, difference) in uvs.zip(differences.into_iter().flatten()) {
+                    assert!((uv.tangent[0] - difference / (2.0 * h)).abs() < 1e-8);
+                }
                 assert_eq!(dual.direction.value(), at(0.0).direction);
             }
         }

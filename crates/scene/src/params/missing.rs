@@ -39,6 +39,10 @@ fn placement(scene: &Scene, emitter: &Emitter, name: &str) -> Option<String> {
             "derivatives with respect to the rotation of an environment map are not implemented. `{id}.data`, \
              its texels, is a parameter; {other_scene}"
         )),
+        Emitter::Projector { .. } => Some(format!(
+            "derivatives with respect to where a projector stands, and where its picture falls, are not \
+             implemented. `{id}.scale` and the numbers of its picture are parameters; {other_scene}"
+        )),
         Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
             Some(format!(
                 "a light without extent casts hard shadows. Their edges lie on surfaces, where no \
