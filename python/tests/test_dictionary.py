@@ -265,7 +265,7 @@ WRONG: list[tuple[str, object, str, str]] = [
     ("ball", {"type": 3}, "", "unknown plugin 3"),
     ("ball", {"radius": 1}, "", "has no type"),
     ("ball", {"type": "cylinder"}, "", 'unknown shape plugin "cylinder"'),
-    ("ball", {**BALL, "bsdf": {"type": "hair"}}, '["bsdf"]', 'unknown bsdf plugin "hair"'),
+    ("ball", {**BALL, "bsdf": {"type": "hair"}}, '["bsdf"]', 'the bsdf "hair" is not supported'),
     ("ball", {**BALL, "raduis": 1}, '["raduis"]', 'did you mean "radius"?'),
     ("ball", {**BALL, "radius": "1"}, '["radius"]', "is a <string>"),
     ("ball", {**BALL, "radius": np.nan}, '["radius"]', "is nan"),

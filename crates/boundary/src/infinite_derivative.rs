@@ -1,7 +1,7 @@
 //! Numbers of materials that have no finite derivative where they are.
 
 use capwalk_math::Rgb;
-use capwalk_scene::bsdf::{PrincipledIndex, PrincipledTextures};
+use capwalk_scene::bsdf::{PrincipledIndex, PrincipledTextures, ThinTextures};
 use capwalk_scene::{Bsdf, Scene, Shape, Texture, TextureId};
 
 use crate::refusal::Refusal;
@@ -14,8 +14,10 @@ pub fn refuse_infinite_derivatives(
 ) -> Result<(), Refusal> {
     for shape in &scene.shapes {
         for id in scene.materials_below(shape.bsdf) {
-            let principled = match &scene.material(id).bsdf {
-                Bsdf::Principled(principled) => principled,
+            let numbers = Numbers { scene, shape };
+            let found = match &scene.material(id).bsdf {
+                Bsdf::Principled(it) => numbers.of_principled(it, &is_asked_for),
+                Bsdf::PrincipledThin(it) => numbers.of_thin(it, &is_asked_for),
                 // Finite wherever they are valid; what they contain is in the list itself.
                 Bsdf::Diffuse { .. }
                 | Bsdf::Conductor(_)
@@ -25,6 +27,7 @@ pub fn refuse_infinite_derivatives(
                 | Bsdf::ThinDielectric(_)
                 | Bsdf::Plastic(_)
                 | Bsdf::RoughPlastic { .. }
+                | Bsdf::PolarizedPlastic(..)
                 | Bsdf::Null
                 | Bsdf::TwoSided { .. }
                 | Bsdf::Mask { .. }
@@ -32,8 +35,7 @@ pub fn refuse_infinite_derivatives(
                 | Bsdf::NormalMap { .. }
                 | Bsdf::BumpMap { .. } => continue,
             };
-            let numbers = Numbers { scene, shape };
-            if let Some((slot, why)) = numbers.without_derivative(principled, &is_asked_for) {
+            if let Some((slot, why)) = found {
                 return Err(Refusal::InfiniteDerivative {
                     material: scene.material(id).id.clone(),
                     slot,
@@ -56,23 +58,50 @@ impl Numbers<'_> {
         self.scene.texture(self.scene.numbers_of(id, self.shape))
     }
 
+    fn has(&self, id: TextureId) -> bool {
+        self.of(id).data.iter().any(|&x| x > 0.0)
+    }
+
+    /// The colour, if it is black somewhere and a tint takes its hue.
+    fn hue_of_black(
+        &self,
+        base_color: TextureId,
+        spec_tint: TextureId,
+        [sheen, sheen_tint]: [TextureId; 2],
+    ) -> Option<(&'static str, &'static str)> {
+        let colours = self.of(base_color);
+        let is_black = (0..colours.texels()).any(|i| colours.texel(i) == Rgb::zero());
+        let is_tinted = self.has(spec_tint) || self.has(sheen) && self.has(sheen_tint);
+        let why = "tints have its hue, and black has none";
+        (is_black && is_tinted).then_some(("base_color", why))
+    }
+
+    fn of_thin(
+        &self,
+        it: &ThinTextures,
+        is_asked_for: impl Fn(TextureId) -> bool,
+    ) -> Option<(&'static str, &'static str)> {
+        match is_asked_for(self.scene.numbers_of(it.base_color, self.shape)) {
+            true => self.hue_of_black(it.base_color, it.spec_tint, [it.sheen, it.sheen_tint]),
+            false => None,
+        }
+    }
+
     /// What has no finite derivative somewhere, and why.
-    fn without_derivative(
+    fn of_principled(
         &self,
         it: &PrincipledTextures,
         is_asked_for: impl Fn(TextureId) -> bool,
     ) -> Option<(&'static str, &'static str)> {
         let asked = |id| is_asked_for(self.scene.numbers_of(id, self.shape));
         let is_zero = |id| self.of(id).data.contains(&0.0);
-        let has = |id| self.of(id).data.iter().any(|&x| x > 0.0);
         if asked(it.base_color) {
-            if is_zero(it.base_color) && has(it.spec_trans) {
+            if is_zero(it.base_color) && self.has(it.spec_trans) {
                 return Some(("base_color", "glass takes its square root for a tint"));
             }
-            let colours = self.of(it.base_color);
-            let is_black = (0..colours.texels()).any(|i| colours.texel(i) == Rgb::zero());
-            if is_black && (has(it.spec_tint) || has(it.sheen) && has(it.sheen_tint)) {
-                return Some(("base_color", "tints have its hue, and black has none"));
+            let sheen = [it.sheen, it.sheen_tint];
+            if let Some(found) = self.hue_of_black(it.base_color, it.spec_tint, sheen) {
+                return Some(found);
             }
         }
         match it.index {

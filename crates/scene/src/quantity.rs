@@ -30,6 +30,8 @@ pub enum Quantity {
     Extinction,
     /// A number from 0 to 1.
     Fraction,
+    /// Twice a fraction: a number from 0 to 2.
+    TwiceFraction,
     /// An angle of a light.
     Angle,
     /// Normals, `(n + 1) / 2`.
@@ -54,6 +56,7 @@ impl Quantity {
             Self::RefractiveIndex { .. } | Self::MetalIndex => "refractive index",
             Self::Extinction => "extinction",
             Self::Fraction => "fraction",
+            Self::TwiceFraction => "twice a fraction",
             Self::Angle => "angle",
             Self::Normal => "normals",
             Self::Height => "heights",
@@ -74,6 +77,7 @@ impl Quantity {
             Self::RefractiveIndex { .. } | Self::MetalIndex => "refractive index",
             Self::Extinction => "extinction",
             Self::Fraction => "fraction",
+            Self::TwiceFraction => "twice a fraction",
             Self::Angle => "degrees",
             Self::Normal => "(n + 1) / 2",
             Self::Height => "world units before scaling",
@@ -95,6 +99,7 @@ impl Quantity {
             | Self::Extinction => "finite numbers of at least 0",
             Self::RefractiveIndex { .. } => "finite numbers above 0",
             Self::Fraction => "numbers from 0 to 1",
+            Self::TwiceFraction => "numbers from 0 to 2",
             Self::Angle => "numbers from 0 to 180",
             Self::SignedFactor | Self::Normal | Self::Height | Self::Attribute => "finite numbers",
         }
@@ -114,6 +119,7 @@ impl Quantity {
             | Self::Extinction => number >= 0.0,
             Self::RefractiveIndex { .. } => number > 0.0,
             Self::Fraction => (0.0..=1.0).contains(&number),
+            Self::TwiceFraction => (0.0..=2.0).contains(&number),
             Self::Angle => (0.0..=180.0).contains(&number),
             Self::SignedFactor | Self::Normal | Self::Height | Self::Attribute => {
                 number.is_finite()
@@ -137,6 +143,7 @@ impl Quantity {
             | Self::MetalIndex
             | Self::Extinction
             | Self::Fraction
+            | Self::TwiceFraction
             | Self::Angle
             | Self::Normal
             | Self::Height

@@ -85,11 +85,13 @@ scenes! {
     plastic_nonlinear
     plastic_rough
     point_light
+    polarized
     principal_point_tent
     principled
     principled_anisotropic
     principled_glass
     principled_metal_cloth
+    principled_thin
     projector
     roughconductor
     roughdielectric_ggx

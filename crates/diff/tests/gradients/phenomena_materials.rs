@@ -123,6 +123,28 @@ fn numbers_of_principled() {
     }
 }
 
+#[test]
+fn numbers_of_principled_thin() {
+    let thin = |n: &mut Slots| Bsdf::PrincipledThin(n.principled_thin());
+    for expression in [
+        "floor.bsdf.roughness.value + 0.5*floor.bsdf.base_color.value",
+        "floor.bsdf.diff_trans.value - 0.3*floor.bsdf.spec_trans.value + 0.2*floor.bsdf.eta.value",
+        "floor.bsdf.flatness.value + floor.bsdf.spec_tint.value + floor.bsdf.sheen.value",
+    ] {
+        numbers_change("principled thin", sample_of(thin), expression, 100);
+    }
+}
+
+#[test]
+fn numbers_of_polarized_plastic() {
+    let plastic = |n: &mut Slots| {
+        Bsdf::PolarizedPlastic(n.coat(false), n.facets(Distribution::Beckmann, 0.3))
+    };
+    let expression = "floor.bsdf.int_ior.value + 0.5*floor.bsdf.diffuse_reflectance.value \
+                      + 0.3*floor.bsdf.alpha.value";
+    numbers_change("polarized plastic", sample_of(plastic), expression, 100);
+}
+
 fn masked_floor(opacity: f64) -> Scene {
     sample_of(|n| Bsdf::Mask {
         opacity: n.number("opacity", opacity),

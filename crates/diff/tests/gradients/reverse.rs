@@ -338,6 +338,20 @@ fn rough_materials() {
     agree_in_both_modes("rough materials", scene, 4);
 }
 
+/// A sheet that is lit from behind, and the plastic of polarized light.
+#[test]
+fn sheets() {
+    let mut scene = visible_cube();
+    add_balls(&mut scene, ["plastic", "sheet"]);
+    make(&mut scene, "plastic", |n| {
+        Bsdf::PolarizedPlastic(n.coat(false), n.facets(Distribution::Ggx, 0.2))
+    });
+    make(&mut scene, "sheet", |n| {
+        Bsdf::PrincipledThin(n.principled_thin())
+    });
+    agree_in_both_modes("sheets", scene, 4);
+}
+
 /// Maps of normals and bumps, one of them blended.
 #[test]
 fn maps_of_normals() {

@@ -257,7 +257,9 @@ impl Writer<'_> {
             xml.property("string", "distribution", name);
         };
         match bsdf {
-            Bsdf::RoughConductor(_, facets) | Bsdf::RoughDielectric(_, facets) => {
+            Bsdf::RoughConductor(_, facets)
+            | Bsdf::RoughDielectric(_, facets)
+            | Bsdf::PolarizedPlastic(_, facets) => {
                 distribution(&facets.distribution);
             }
             Bsdf::RoughPlastic {
@@ -277,6 +279,7 @@ impl Writer<'_> {
             | Bsdf::Dielectric(_)
             | Bsdf::ThinDielectric(_)
             | Bsdf::Principled(_)
+            | Bsdf::PrincipledThin(_)
             | Bsdf::Null
             | Bsdf::TwoSided { .. }
             | Bsdf::Mask { .. }

@@ -58,6 +58,11 @@ impl Lowering<'_> {
     ) -> Result<Rgb, Problem> {
         let shown = || format!("\"{name}\" is ({}, {}, {})", colour.r, colour.g, colour.b);
         if colour.to_array().iter().any(|&channel| channel < 0.0) {
+            if matches!(quantity, Quantity::MetalIndex | Quantity::Extinction) {
+                self.context
+                    .warn(span, &format!("{}: the sign has no effect", shown()));
+                return Ok(colour.map(f64::abs));
+            }
             return Err(Problem::invalid(span, shown()).help("expected numbers of at least 0"));
         }
         if is_fraction(quantity) && colour.max_component() > 1.0 {

@@ -2,9 +2,7 @@
 
 use capwalk_math::Rgb;
 use capwalk_scene::BsdfId;
-use capwalk_scene::bsdf::{
-    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures,
-};
+use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::{Bsdf, Material, Quantity, Texture, TextureId};
 
@@ -18,7 +16,7 @@ use crate::suggest::nearest;
 use crate::texts::Span;
 
 /// Values of `type` that are read.
-const BSDFS: [&str; 15] = [
+const BSDFS: [&str; 20] = [
     "diffuse",
     "conductor",
     "roughconductor",
@@ -27,13 +25,37 @@ const BSDFS: [&str; 15] = [
     "thindielectric",
     "plastic",
     "roughplastic",
+    "pplastic",
     "principled",
+    "principledthin",
     "null",
+    "polarizer",
+    "circular",
+    "retarder",
     "twosided",
     "mask",
     "blendbsdf",
     "normalmap",
     "bumpmap",
+];
+
+/// Materials that are not read, and what to do instead.
+const REFUSED: [(&str, &str); 3] = [
+    (
+        "hair",
+        "fibres are not rendered as such; write <bsdf type=\"principled\"> with anisotropic, on \
+         curves",
+    ),
+    (
+        "measured",
+        "tables of measurements are not evaluated; fit a <bsdf type=\"principled\"> or a \
+         <bsdf type=\"roughconductor\"> to them",
+    ),
+    (
+        "measured_polarized",
+        "tables of measurements are not evaluated; write <bsdf type=\"roughconductor\"> with the \
+         metal's name as its material",
+    ),
 ];
 
 /// How deep materials may stand in materials.
@@ -118,8 +140,12 @@ impl Lowering<'_> {
                     alpha,
                 }
             }
+            "pplastic" => self.polarized_plastic(fields, name)?,
             "principled" => Bsdf::Principled(self.principled(fields, name)?),
+            "principledthin" => Bsdf::PrincipledThin(self.principled_thin(fields, name)?),
             "null" => Bsdf::Null,
+            "polarizer" | "circular" => self.polarization_filter(fields, name, 0.5)?,
+            "retarder" => self.polarization_filter(fields, name, 1.0)?,
             "twosided" => self.two_sided(fields, name)?,
             "mask" => Bsdf::Mask {
                 opacity: self.number(fields, name, "opacity", Quantity::Fraction, 0.5)?,
@@ -141,7 +167,7 @@ impl Lowering<'_> {
                 }
             }
             "bumpmap" => self.bump(fields, name)?,
-            _ => return Err(fields.unknown_plugin(&BSDFS)),
+            _ => return Err(fields.refused_plugin(&BSDFS, &REFUSED)),
         })
     }
 
@@ -184,7 +210,7 @@ impl Lowering<'_> {
         })
     }
 
-    fn factor(
+    pub(super) fn factor(
         &mut self,
         fields: &Fields,
         name: &str,
@@ -193,7 +219,7 @@ impl Lowering<'_> {
         self.slot(fields, name, slot, Quantity::Reflectance, 1.0)
     }
 
-    fn facets(&mut self, fields: &Fields, name: &str) -> Result<Facets, Problem> {
+    pub(super) fn facets(&mut self, fields: &Fields, name: &str) -> Result<Facets, Problem> {
         let distribution = distribution(fields)?;
         fields.cosmetic(&["sample_visible"], "visible facets are always sampled");
         let roughness = Quantity::Roughness;
@@ -245,7 +271,7 @@ impl Lowering<'_> {
     }
 
     /// A refractive index, as a number or by name.
-    fn index(
+    pub(super) fn index(
         &mut self,
         fields: &Fields,
         name: &str,
@@ -283,47 +309,6 @@ impl Lowering<'_> {
                     .help("a refractive index is the same everywhere; expected a number or a name"),
             ),
         }
-    }
-
-    fn principled(&mut self, fields: &Fields, name: &str) -> Result<PrincipledTextures, Problem> {
-        let reason = "directions are chosen by our own rule; the mean is the same";
-        let rates = [
-            "main_specular_sampling_rate",
-            "clearcoat_sampling_rate",
-            "diffuse_reflectance_sampling_rate",
-        ];
-        fields.cosmetic(&rates, reason);
-        let base_color = self.slot(fields, name, "base_color", Quantity::Reflectance, 0.5)?;
-        let index = match (fields.get("eta"), fields.get("specular")) {
-            (Some(_), Some(specular)) => {
-                let message = "both \"eta\" and \"specular\" are given";
-                return Err(Problem::invalid(specular.name_span, message).help("keep one of them"));
-            }
-            (Some(_), None) => {
-                let quantity = Quantity::RefractiveIndex { bends: false };
-                PrincipledIndex::Eta(self.number(fields, name, "eta", quantity, 1.5)?)
-            }
-            (None, _) => {
-                let quantity = Quantity::Fraction;
-                PrincipledIndex::Specular(self.number(fields, name, "specular", quantity, 0.5)?)
-            }
-        };
-        let mut fraction =
-            |slot, default| self.number(fields, name, slot, Quantity::Fraction, default);
-        Ok(PrincipledTextures {
-            base_color,
-            index,
-            roughness: fraction("roughness", 0.5)?,
-            anisotropic: fraction("anisotropic", 0.0)?,
-            metallic: fraction("metallic", 0.0)?,
-            spec_trans: fraction("spec_trans", 0.0)?,
-            spec_tint: fraction("spec_tint", 0.0)?,
-            sheen: fraction("sheen", 0.0)?,
-            sheen_tint: fraction("sheen_tint", 0.0)?,
-            flatness: fraction("flatness", 0.0)?,
-            clearcoat: fraction("clearcoat", 0.0)?,
-            clearcoat_gloss: fraction("clearcoat_gloss", 0.0)?,
-        })
     }
 
     fn two_sided(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {

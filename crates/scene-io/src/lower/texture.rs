@@ -16,6 +16,13 @@ use crate::texts::Span;
 /// Values of `type` that are read, besides those of spectra.
 const TEXTURES: [&str; 3] = ["bitmap", "checkerboard", "mesh_attribute"];
 
+/// Textures that are not read, and what to do instead.
+const REFUSED: [(&str, &str); 1] = [(
+    "volume",
+    "colours are not looked up in space; write <texture type=\"mesh_attribute\"> or \
+     <texture type=\"bitmap\">",
+)];
+
 impl Lowering<'_> {
     /// What stands in a slot of an object called `holder`: a texture, or one
     /// colour, which is `default` if nothing is given.
@@ -120,7 +127,7 @@ impl Lowering<'_> {
             "bitmap" => self.bitmap(&fields, id)?,
             "checkerboard" => (self.checkerboard(&fields, id, quantity)?, fields.node.span),
             "mesh_attribute" => (mesh_attribute(&fields, id)?, fields.span_of("name")),
-            _ => return Err(fields.unknown_plugin(&[&TEXTURES[..], &SPECTRA].concat())),
+            _ => return Err(fields.refused_plugin(&[&TEXTURES[..], &SPECTRA].concat(), &REFUSED)),
         };
         fields.finish()?;
         let texture = self.add_texture(texture, span);

@@ -24,6 +24,14 @@ pub fn load(text: &str) -> Scene {
     try_load(text, &[]).unwrap_or_else(|error| panic!("{error}"))
 }
 
+/// A scene, and the warnings about it.
+pub fn load_with_warnings(text: &str) -> (Scene, Vec<String>) {
+    let loaded = load_scene_str(text, &folder(), "scene.xml", &[]);
+    let loaded = loaded.unwrap_or_else(|error| panic!("{error}"));
+    let warnings = loaded.warnings.iter().map(ToString::to_string).collect();
+    (loaded.scene, warnings)
+}
+
 /// A scene with one more object, which stands in line 5 from column 3 on.
 pub fn scene(object: &str) -> String {
     format!(

@@ -91,6 +91,101 @@ fn defaults() {
 }
 
 #[test]
+fn sheets_and_materials_for_polarized_light() {
+    let scene = load(&with(
+        "<bsdf type=\"principledthin\"><float name=\"diff_trans\" value=\"1.4\"/></bsdf>",
+    ));
+    let Bsdf::PrincipledThin(thin) = bsdf(&scene, "box.bsdf") else {
+        panic!("principledthin");
+    };
+    let numbers = [thin.diff_trans, thin.eta, thin.roughness, thin.spec_trans];
+    let numbers = numbers.map(|id| number(&scene, id));
+    assert_eq!(numbers, [1.4, 1.5, 0.5, 0.0]);
+    let polarized = |inside: &str, warning: &str| {
+        let (scene, warnings) = load_with_warnings(&with(inside));
+        let text = warnings.join("\n");
+        assert!(text.contains(warning), "{text}");
+        scene
+    };
+    let scene = polarized(
+        "<bsdf type=\"pplastic\"><float name=\"alpha\" value=\"0.3\"/></bsdf>",
+        "polarization is not computed",
+    );
+    let Bsdf::PolarizedPlastic(coat, facets) = bsdf(&scene, "box.bsdf") else {
+        panic!("pplastic");
+    };
+    assert_eq!(number(&scene, coat.int_ior), 1.49);
+    assert_eq!(number(&scene, facets.alpha[0]), 0.3);
+    for (plugin, passes) in [("polarizer", 0.4), ("circular", 0.4), ("retarder", 0.8)] {
+        let inside =
+            format!("<bsdf type=\"{plugin}\"><float name=\"transmittance\" value=\"0.8\"/></bsdf>");
+        let scene = polarized(&inside, "of the light passes");
+        let Bsdf::ThinDielectric(pane) = bsdf(&scene, "box.bsdf") else {
+            panic!("{plugin}");
+        };
+        let found = colour(&scene, pane.specular_transmittance);
+        assert_eq!(found, Rgb::splat(passes));
+        assert_eq!(number(&scene, pane.int_ior), number(&scene, pane.ext_ior));
+    }
+}
+
+/// Metals do not change with the sign of their index.
+#[test]
+fn negative_indices_of_metals() {
+    let (scene, warnings) = load_with_warnings(&with(
+        "<bsdf type=\"conductor\"><rgb name=\"eta\" value=\"0.2 0.4 1\"/>\
+         <rgb name=\"k\" value=\"-3 -2 1.5\"/></bsdf>",
+    ));
+    let Bsdf::Conductor(metal) = bsdf(&scene, "box.bsdf") else {
+        panic!("conductor");
+    };
+    assert_eq!(colour(&scene, metal.k), Rgb::new(3.0, 2.0, 1.5));
+    assert!(
+        warnings
+            .join("")
+            .contains("\"k\" is (-3, -2, 1.5): the sign has no effect")
+    );
+}
+
+#[test]
+fn materials_that_are_refused() {
+    for (plugin, instead) in [
+        ("hair", "write <bsdf type=\"principled\">"),
+        ("measured", "fit a <bsdf type=\"principled\">"),
+        ("measured_polarized", "write <bsdf type=\"roughconductor\">"),
+    ] {
+        let found = message(&with(&format!("<bsdf type=\"{plugin}\"/>")), &[]);
+        let first = format!("the bsdf \"{plugin}\" is not supported");
+        assert!(found.contains(&first) && found.contains(instead), "{found}");
+    }
+    check(
+        &with("<bsdf type=\"principledthin\"><float name=\"diff_trans\" value=\"3\"/></bsdf>"),
+        &["scene.xml:5:91: box.bsdf.diff_trans.value is (3, 3, 3); expected numbers from 0 to 2"],
+    );
+    check(
+        &with("<bsdf type=\"principledthin\"><float name=\"metallic\" value=\"1\"/></bsdf>"),
+        &[
+            "scene.xml:5:72: unknown property \"metallic\" of the bsdf \"principledthin\"",
+            "  its properties are anisotropic, base_color, diff_trans, diffuse_reflectance_sampling_rate, diffuse_transmittance_sampling_rate, eta, flatness, roughness, sheen, sheen_tint, spec_tint, spec_trans, specular_reflectance_sampling_rate, specular_transmittance_sampling_rate",
+        ],
+    );
+    check(
+        &with("<bsdf type=\"pplastic\"><float name=\"nonlinear\" value=\"1\"/></bsdf>"),
+        &[
+            "scene.xml:5:66: unknown property \"nonlinear\" of the bsdf \"pplastic\"",
+            "  its properties are alpha, alpha_u, alpha_v, diffuse_reflectance, distribution, \
+             ext_ior, int_ior, sample_visible, specular_reflectance",
+        ],
+    );
+    let texture = "<bsdf type=\"diffuse\"><texture type=\"volume\" name=\"reflectance\"/></bsdf>";
+    let found = message(&with(texture), &[]);
+    assert!(
+        found.contains("the texture \"volume\" is not supported"),
+        "{found}"
+    );
+}
+
+#[test]
 fn metals_and_indices_have_names() {
     let scene = load(&with(
         "<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/></bsdf>",

@@ -34,8 +34,8 @@ fn unknown_bsdf_plugin() {
         &[
             "scene.xml:5:15: unknown bsdf plugin \"roughconductr\"",
             "  known bsdf plugins: diffuse, conductor, roughconductor, dielectric, roughdielectric, \
-             thindielectric, plastic, roughplastic, principled, null, twosided, mask, blendbsdf, \
-             normalmap, bumpmap",
+             thindielectric, plastic, roughplastic, pplastic, principled, principledthin, null, \
+             polarizer, circular, retarder, twosided, mask, blendbsdf, normalmap, bumpmap",
             "  did you mean \"roughconductor\"?",
         ],
     );

@@ -46,8 +46,12 @@ pub enum Bsdf {
         /// Roughness of the coat; a constant.
         alpha: TextureId,
     },
+    /// Clear facets added to a diffuse base, from its front side only.
+    PolarizedPlastic(Coat, Facets),
     /// Many looks from few numbers.
     Principled(PrincipledTextures),
+    /// The same of a sheet, alike from both sides.
+    PrincipledThin(ThinTextures),
     /// Nothing: light passes.
     Null,
     /// Has a front and a back.
@@ -159,6 +163,22 @@ pub struct PrincipledTextures {
     pub clearcoat_gloss: TextureId,
 }
 
+/// The numbers of [`Bsdf::PrincipledThin`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the names are those of the literature")]
+pub struct ThinTextures {
+    pub base_color: TextureId,
+    pub roughness: TextureId,
+    pub anisotropic: TextureId,
+    pub spec_trans: TextureId,
+    pub eta: TextureId,
+    pub spec_tint: TextureId,
+    pub sheen: TextureId,
+    pub sheen_tint: TextureId,
+    pub flatness: TextureId,
+    pub diff_trans: TextureId,
+}
+
 /// How much a principled material refracts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum PrincipledIndex {
@@ -189,7 +209,9 @@ impl Bsdf {
             Self::ThinDielectric(_) => "thindielectric",
             Self::Plastic(_) => "plastic",
             Self::RoughPlastic { .. } => "roughplastic",
+            Self::PolarizedPlastic(..) => "pplastic",
             Self::Principled(_) => "principled",
+            Self::PrincipledThin(_) => "principledthin",
             Self::Null => "null",
             Self::TwoSided { .. } => "twosided",
             Self::Mask { .. } => "mask",
@@ -228,7 +250,12 @@ impl Bsdf {
                 add("alpha", *alpha, Roughness);
                 coat.slots(add);
             }
+            Self::PolarizedPlastic(coat, facets) => {
+                facets.slots(&mut add);
+                coat.slots(add);
+            }
             Self::Principled(principled) => principled.slots(add),
+            Self::PrincipledThin(thin) => thin.slots(add),
             Self::Null | Self::TwoSided { .. } => {}
             Self::Mask { opacity, .. } => add("opacity", *opacity, Fraction),
             Self::Blend { weight, .. } => add("weight", *weight, Fraction),
@@ -321,5 +348,24 @@ impl PrincipledTextures {
             ("clearcoat", self.clearcoat),
             ("clearcoat_gloss", self.clearcoat_gloss),
         ]
+    }
+}
+
+impl ThinTextures {
+    fn slots(&self, mut add: impl FnMut(&'static str, TextureId, Quantity)) {
+        add("base_color", self.base_color, Quantity::Reflectance);
+        add("eta", self.eta, Quantity::RefractiveIndex { bends: false });
+        for (name, texture) in [
+            ("roughness", self.roughness),
+            ("anisotropic", self.anisotropic),
+            ("spec_trans", self.spec_trans),
+            ("spec_tint", self.spec_tint),
+            ("sheen", self.sheen),
+            ("sheen_tint", self.sheen_tint),
+            ("flatness", self.flatness),
+        ] {
+            add(name, texture, Quantity::Fraction);
+        }
+        add("diff_trans", self.diff_trans, Quantity::TwiceFraction);
     }
 }

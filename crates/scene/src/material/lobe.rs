@@ -4,12 +4,13 @@
 //! `tests/lobes/table.rs`, which tests it.
 //!
 //! Formulas are those of Mitsuba 3's plugins of the same names. They differ in
-//! four places: shadowing of Beckmann's facets is the integral and not a fit
+//! five places: shadowing of Beckmann's facets is the integral and not a fit
 //! to it (up to 0.35 % for each direction); refraction by facets that stand
 //! upright fades out continuously (0.05 % of what a GGX surface of
 //! roughness 0.3 transmits); the transmittance of rough coats is integrated
 //! more exactly (0.1 %, for `eta` below 1 0.3 %); sheen is also on a
-//! [`Principled`] of nothing but glass, as in Mitsuba's vectorised variants.
+//! [`Principled`] of nothing but glass, as in Mitsuba's vectorised variants;
+//! transmission by the facets of a [`PrincipledThin`] fades out continuously.
 //!
 //! A lobe has its numbers in it and knows nothing of textures, frames or faces.
 //! All directions are unit vectors in the shading frame, normal `+z`, and point
@@ -30,7 +31,7 @@
 //! # Sides
 //!
 //! One-sided lobes (everything but [`Dielectric`], [`RoughDielectric`],
-//! [`ThinDielectric`], [`Null`], and a [`Principled`] that transmits) are seen
+//! [`ThinDielectric`], [`Null`], [`PrincipledThin`], and a [`Principled`] that transmits) are seen
 //! from the front: whether the face shows its front is for the caller to
 //! decide, by [`LocalBsdf::seen_from`] or by not asking. Interpolated normals can
 //! turn away from a face that is seen. Then `wi.z <= 0`, and one-sided lobes
@@ -51,9 +52,10 @@
 //!   only just not;
 //! * [`RoughPlastic`] interpolates a table linearly in the cosine: kinks;
 //! * a lobe of weight zero is only sampled with [`LocalBsdf::explored`], and parts of a
-//!   [`Principled`] that it has none of only if they are
+//!   [`Principled`] or [`PrincipledThin`] that it has none of only if they are
 //!   [explored](Principled::explored).
 
+mod burley;
 mod conductor;
 mod dielectric;
 mod diffuse;
@@ -65,7 +67,9 @@ mod local_bsdf;
 mod microfacets;
 mod null;
 mod plastic;
+mod polarized_plastic;
 mod principled;
+mod principled_thin;
 mod rough_conductor;
 mod rough_dielectric;
 mod rough_plastic;
@@ -85,7 +89,9 @@ pub use local_bsdf::{BsdfSample, LocalBsdf};
 pub use microfacets::{Distribution, Microfacets};
 pub use null::Null;
 pub use plastic::Plastic;
+pub use polarized_plastic::PolarizedPlastic;
 pub use principled::{Explored, Principled};
+pub use principled_thin::{ExploredThin, PrincipledThin};
 pub use rough_conductor::RoughConductor;
 pub use rough_dielectric::RoughDielectric;
 pub use rough_plastic::RoughPlastic;

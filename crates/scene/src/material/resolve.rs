@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::bsdf::{Bsdf, Coat, Facets, Glass, PrincipledIndex, PrincipledTextures};
+use super::bsdf::{Bsdf, Coat, Facets, Glass, PrincipledIndex, PrincipledTextures, ThinTextures};
 use super::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
 use super::traits::Composition;
 use crate::ids::{BsdfId, TextureId};
@@ -258,9 +258,16 @@ fn lobe<R: Real>(
                 transmittance: Arc::clone(table),
             })
         }
+        Bsdf::PolarizedPlastic(coat, facets) => Lobe::PolarizedPlastic(lobe::PolarizedPlastic {
+            microfacets: microfacets(scene, facets, textures),
+            eta: coat_index(scene, coat, textures),
+            diffuse_reflectance: textures.value(coat.diffuse_reflectance),
+            specular_reflectance: textures.value(coat.specular_reflectance),
+        }),
         Bsdf::Principled(principled) => {
             Lobe::Principled(principled_lobe(scene, principled, is_opaque, textures))
         }
+        Bsdf::PrincipledThin(thin) => Lobe::PrincipledThin(thin_lobe(scene, thin, textures)),
         Bsdf::Null => Lobe::Null(lobe::Null),
         Bsdf::TwoSided { .. }
         | Bsdf::Mask { .. }
@@ -324,6 +331,32 @@ fn principled_lobe<R: Real>(
             glass: glass_changes && !is_opaque,
             coat: coat_changes,
         },
+    }
+}
+
+fn thin_lobe<R: Real>(
+    scene: &Scene,
+    thin: &ThinTextures,
+    textures: &mut impl TexturesAt<R>,
+) -> lobe::PrincipledThin<R> {
+    let explored = lobe::ExploredThin {
+        facets: textures.may_change(thin.spec_trans),
+        transmission: textures.may_change(thin.diff_trans),
+    };
+    let base_color = textures.value(thin.base_color);
+    let mut number = |id| number(scene, id, textures);
+    lobe::PrincipledThin {
+        base_color,
+        roughness: number(thin.roughness),
+        anisotropic: number(thin.anisotropic),
+        spec_trans: number(thin.spec_trans),
+        eta: number(thin.eta),
+        spec_tint: number(thin.spec_tint),
+        sheen: number(thin.sheen),
+        sheen_tint: number(thin.sheen_tint),
+        flatness: number(thin.flatness),
+        diff_trans: number(thin.diff_trans),
+        explored,
     }
 }
 

@@ -1,6 +1,6 @@
 //! What follows from a material for all who trace paths and look for boundaries.
 
-use super::bsdf::{Bsdf, NormalLimits};
+use super::bsdf::{Bsdf, NormalLimits, PrincipledTextures, ThinTextures};
 use crate::ids::{BsdfId, TextureId};
 
 /// The answers that every material must give, whatever its numbers are.
@@ -85,7 +85,9 @@ impl Bsdf {
             },
             Self::RoughPlastic { .. } => plain,
             Self::Conductor(_) | Self::Dielectric(_) | Self::Plastic(_) => specular,
-            Self::RoughConductor(_, facets) | Self::RoughDielectric(_, facets) => MaterialTraits {
+            Self::RoughConductor(_, facets)
+            | Self::RoughDielectric(_, facets)
+            | Self::PolarizedPlastic(_, facets) => MaterialTraits {
                 anisotropy: match facets.alpha[0] == facets.alpha[1] {
                     true => Isotropic,
                     false => Anisotropic,
@@ -96,8 +98,9 @@ impl Bsdf {
                 passes_light: true,
                 ..specular
             },
-            Self::Principled(principled) => MaterialTraits {
-                anisotropy: By(principled.anisotropic),
+            Self::Principled(PrincipledTextures { anisotropic, .. })
+            | Self::PrincipledThin(ThinTextures { anisotropic, .. }) => MaterialTraits {
+                anisotropy: By(anisotropic),
                 ..plain
             },
             Self::Null => MaterialTraits {

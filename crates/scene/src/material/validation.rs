@@ -80,7 +80,9 @@ impl Scene {
             | Bsdf::RoughDielectric(..)
             | Bsdf::ThinDielectric(_)
             | Bsdf::Plastic(_)
+            | Bsdf::PolarizedPlastic(..)
             | Bsdf::Principled(_)
+            | Bsdf::PrincipledThin(_)
             | Bsdf::Null
             | Bsdf::TwoSided { .. }
             | Bsdf::Mask { .. }
@@ -145,7 +147,10 @@ impl Scene {
                     ..nested
                 }
             }
-            Bsdf::Dielectric(_) | Bsdf::RoughDielectric(..) | Bsdf::ThinDielectric(_) => Summary {
+            Bsdf::Dielectric(_)
+            | Bsdf::RoughDielectric(..)
+            | Bsdf::ThinDielectric(_)
+            | Bsdf::PrincipledThin(_) => Summary {
                 lobes: 1,
                 has_inside: true,
                 ..Summary::default()
@@ -163,6 +168,7 @@ impl Scene {
             | Bsdf::RoughConductor(..)
             | Bsdf::Plastic(_)
             | Bsdf::RoughPlastic { .. }
+            | Bsdf::PolarizedPlastic(..)
             | Bsdf::Null => Summary {
                 lobes: 1,
                 ..Summary::default()

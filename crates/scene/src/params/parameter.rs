@@ -58,7 +58,7 @@ pub enum ParameterKind {
     RefractiveIndex,
     /// The imaginary part of a refractive index.
     Extinction,
-    /// A number from 0 to 1: opacity, weight, metallic ...
+    /// A number from 0 to 1 (or 0 to 2: `diff_trans`): opacity, weight, metallic ...
     Fraction,
     /// An angle of a light.
     Angle,
@@ -110,7 +110,7 @@ impl From<Quantity> for ParameterKind {
             Quantity::Roughness => Self::Roughness,
             Quantity::RefractiveIndex { .. } | Quantity::MetalIndex => Self::RefractiveIndex,
             Quantity::Extinction => Self::Extinction,
-            Quantity::Fraction => Self::Fraction,
+            Quantity::Fraction | Quantity::TwiceFraction => Self::Fraction,
             Quantity::Angle => Self::Angle,
             Quantity::Normal => Self::Normal,
             Quantity::Height => Self::Height,

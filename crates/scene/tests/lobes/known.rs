@@ -47,6 +47,17 @@ const SMOOTH: &[(&str, Pair, [f64; 3], f64)] = &[
     ("principled transmitting", TRANSMIT, [1.267839, 1.002315, 6.339194e-1], 2.425023),
     ("principled transmitting", LEAVE, [2.954228, 2.335522, 1.477114], 2.738554),
     ("principled transmitting", BACK, [3.737762e-2, 3.737762e-2, 3.737762e-2], 6.821033e-2),
+    ("pplastic", REFLECT, [1.323306e-1, 2.123714e-1, 2.342165e-1], 5.931367e-1),
+    ("pplastic ggx anisotropic", REFLECT, [1.215305e-1, 2.051713e-1, 2.306164e-1], 4.758513e-1),
+    ("principledthin", REFLECT, [2.037544e-1, 1.273465e-1, 5.093860e-2], 2.546479e-1),
+    ("principledthin leaf", REFLECT, [7.443696e-2, 4.652927e-2, 1.862158e-2], 1.018592e-1),
+    ("principledthin leaf", TRANSMIT, [1.270262e-1, 7.939137e-2, 3.175655e-2], 1.587827e-1),
+    ("principledthin leaf", LEAVE, [9.778479e-2, 6.111550e-2, 2.444620e-2], 1.222310e-1),
+    ("principledthin leaf", BACK, [7.443696e-2, 4.652927e-2, 1.862158e-2], 1.018592e-1),
+    ("principledthin pane", REFLECT, [6.747835e-2, 4.645151e-2, 2.542468e-2], 2.778428e-1),
+    ("principledthin pane", TRANSMIT, [1.819422, 1.137139, 4.548555e-1], 1.201787),
+    ("principledthin pane", LEAVE, [8.250380e-1, 5.156487e-1, 2.062595e-1], 5.532266e-1),
+    ("principledthin pane", BACK, [6.747835e-2, 4.645151e-2, 2.542468e-2], 2.791879e-1),
     ("roughdielectric ggx", BACK, [8.320650e-2, 5.547100e-2, 2.773550e-2], 9.360732e-2),
 ];
 

@@ -148,6 +148,62 @@ fn principled() -> Vec<(&'static str, Principled)> {
     ]
 }
 
+/// A sheet of which nothing is special.
+pub const PLAIN_THIN: PrincipledThin = PrincipledThin {
+    base_color: Rgb::new(0.8, 0.5, 0.2),
+    roughness: 0.6,
+    anisotropic: 0.0,
+    spec_trans: 0.0,
+    eta: 1.5,
+    spec_tint: 0.0,
+    sheen: 0.0,
+    sheen_tint: 0.0,
+    flatness: 0.0,
+    diff_trans: 0.0,
+    explored: ExploredThin {
+        facets: false,
+        transmission: false,
+    },
+};
+
+fn principled_thin() -> Vec<(&'static str, PrincipledThin)> {
+    vec![
+        ("principledthin", PLAIN_THIN),
+        (
+            "principledthin leaf",
+            PrincipledThin {
+                diff_trans: 1.2,
+                sheen: 0.6,
+                sheen_tint: 0.7,
+                flatness: 0.4,
+                ..PLAIN_THIN
+            },
+        ),
+        (
+            "principledthin pane",
+            PrincipledThin {
+                spec_trans: 0.7,
+                spec_tint: 0.4,
+                diff_trans: 0.5,
+                anisotropic: 0.5,
+                ..PLAIN_THIN
+            },
+        ),
+        (
+            "principledthin explored",
+            PrincipledThin {
+                spec_trans: 1.0,
+                eta: 1.33,
+                explored: ExploredThin {
+                    facets: true,
+                    transmission: true,
+                },
+                ..PLAIN_THIN
+            },
+        ),
+    ]
+}
+
 /// Lobes that are not perfectly specular, of moderate roughness: integrals over
 /// the sphere resolve them.
 pub fn smooth() -> Vec<(&'static str, Lobe)> {
@@ -195,8 +251,22 @@ pub fn smooth() -> Vec<(&'static str, Lobe)> {
             rough_plastic(Ggx, 0.4, 0.8, false),
         ),
     ];
+    for (name, microfacets) in [
+        ("pplastic", beckmann(0.3, 0.3)),
+        ("pplastic ggx anisotropic", ggx(0.2, 0.5)),
+    ] {
+        let lobe = PolarizedPlastic {
+            microfacets,
+            eta: 1.5,
+            diffuse_reflectance: OTHER_TINT,
+            specular_reflectance: TINT,
+        };
+        lobes.push((name, Lobe::PolarizedPlastic(lobe)));
+    }
     let principled = principled().into_iter();
     lobes.extend(principled.map(|(name, lobe)| (name, Lobe::Principled(lobe))));
+    let thin = principled_thin().into_iter();
+    lobes.extend(thin.map(|(name, lobe)| (name, Lobe::PrincipledThin(lobe))));
     lobes
 }
 

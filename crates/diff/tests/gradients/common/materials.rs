@@ -1,7 +1,7 @@
 //! Materials for the cases.
 
 use capwalk_scene::bsdf::{
-    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures,
+    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures, ThinTextures,
 };
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
@@ -77,6 +77,20 @@ impl Slots<'_> {
             clearcoat_gloss: self.number("clearcoat_gloss", 0.05),
         }
     }
+    pub fn principled_thin(&mut self) -> ThinTextures {
+        ThinTextures {
+            base_color: self.colour("base_color", [0.8, 0.5, 0.3]),
+            roughness: self.number("roughness", 0.6),
+            anisotropic: self.number("anisotropic", 0.2),
+            spec_trans: self.number("spec_trans", 0.4),
+            eta: self.number("eta", 1.5),
+            spec_tint: self.number("spec_tint", 0.4),
+            sheen: self.number("sheen", 0.6),
+            sheen_tint: self.number("sheen_tint", 0.3),
+            flatness: self.number("flatness", 0.2),
+            diff_trans: self.number("diff_trans", 0.8),
+        }
+    }
     /// A material of its own, to be mixed.
     pub fn part(&mut self, name: &str, bsdf: Bsdf) -> BsdfId {
         let id = format!("{}.{name}", self.material);
@@ -104,6 +118,7 @@ pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) ->
             | Bsdf::RoughDielectric(..)
             | Bsdf::ThinDielectric(_)
             | Bsdf::Principled(_)
+            | Bsdf::PrincipledThin(_)
             | Bsdf::Mask { .. }
     );
     scene.materials[place].bsdf = bsdf;

@@ -8,7 +8,9 @@ use super::diffuse::Diffuse;
 use super::event::{Drawn, Event, Specular};
 use super::null::Null;
 use super::plastic::Plastic;
+use super::polarized_plastic::PolarizedPlastic;
 use super::principled::Principled;
+use super::principled_thin::PrincipledThin;
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::rough_plastic::RoughPlastic;
@@ -33,8 +35,12 @@ pub enum Lobe<R = f64> {
     Plastic(Plastic<R>),
     /// A rough clear coat over a diffuse base.
     RoughPlastic(RoughPlastic<R>),
+    /// Clear facets and a diffuse base, added.
+    PolarizedPlastic(PolarizedPlastic<R>),
     /// Many looks from few numbers.
     Principled(Principled<R>),
+    /// The same of a sheet.
+    PrincipledThin(PrincipledThin<R>),
     /// Nothing: light passes.
     Null(Null),
 }
@@ -51,7 +57,9 @@ macro_rules! each {
             Lobe::ThinDielectric($it) => $value,
             Lobe::Plastic($it) => $value,
             Lobe::RoughPlastic($it) => $value,
+            Lobe::PolarizedPlastic($it) => $value,
             Lobe::Principled($it) => $value,
+            Lobe::PrincipledThin($it) => $value,
             Lobe::Null($it) => $value,
         }
     };
@@ -69,7 +77,9 @@ impl<R: Real> Lobe<R> {
             Lobe::RoughDielectric(lobe) => lobe.eval(wi, wo),
             Lobe::Plastic(lobe) => lobe.eval(wi, wo),
             Lobe::RoughPlastic(lobe) => lobe.eval(wi, wo),
+            Lobe::PolarizedPlastic(lobe) => lobe.eval(wi, wo),
             Lobe::Principled(lobe) => lobe.eval(wi, wo),
+            Lobe::PrincipledThin(lobe) => lobe.eval(wi, wo),
             Lobe::Conductor(_) | Lobe::Dielectric(_) | Lobe::ThinDielectric(_) | Lobe::Null(_) => {
                 Rgb::zero()
             }
@@ -108,7 +118,9 @@ impl<R: Real> Lobe<R> {
             Lobe::ThinDielectric(lobe) => Lobe::ThinDielectric(lobe.map(f)),
             Lobe::Plastic(lobe) => Lobe::Plastic(lobe.map(f)),
             Lobe::RoughPlastic(lobe) => Lobe::RoughPlastic(lobe.map(f)),
+            Lobe::PolarizedPlastic(lobe) => Lobe::PolarizedPlastic(lobe.map(f)),
             Lobe::Principled(lobe) => Lobe::Principled(lobe.map(f)),
+            Lobe::PrincipledThin(lobe) => Lobe::PrincipledThin(lobe.map(f)),
             Lobe::Null(lobe) => Lobe::Null(*lobe),
         }
     }
@@ -126,7 +138,9 @@ impl<R: Real> Lobe<R> {
             | Lobe::RoughDielectric(_)
             | Lobe::Plastic(_)
             | Lobe::RoughPlastic(_)
-            | Lobe::Principled(_) => true,
+            | Lobe::PolarizedPlastic(_)
+            | Lobe::Principled(_)
+            | Lobe::PrincipledThin(_) => true,
             Lobe::Conductor(_) | Lobe::Dielectric(_) | Lobe::ThinDielectric(_) | Lobe::Null(_) => {
                 false
             }
@@ -139,13 +153,15 @@ impl<R: Real> Lobe<R> {
             Lobe::Dielectric(_)
             | Lobe::RoughDielectric(_)
             | Lobe::ThinDielectric(_)
+            | Lobe::PrincipledThin(_)
             | Lobe::Null(_) => true,
             Lobe::Principled(lobe) => lobe.is_two_sided(),
             Lobe::Diffuse(_)
             | Lobe::Conductor(_)
             | Lobe::RoughConductor(_)
             | Lobe::Plastic(_)
-            | Lobe::RoughPlastic(_) => false,
+            | Lobe::RoughPlastic(_)
+            | Lobe::PolarizedPlastic(_) => false,
         }
     }
 }
@@ -161,7 +177,9 @@ impl Lobe {
             Lobe::RoughDielectric(lobe) => lobe.pdf(wi, wo),
             Lobe::Plastic(lobe) => lobe.pdf(wi, wo),
             Lobe::RoughPlastic(lobe) => lobe.pdf(wi, wo),
+            Lobe::PolarizedPlastic(lobe) => lobe.pdf(wi, wo),
             Lobe::Principled(lobe) => lobe.pdf(wi, wo),
+            Lobe::PrincipledThin(lobe) => lobe.pdf(wi, wo),
             Lobe::Conductor(_) | Lobe::Dielectric(_) | Lobe::ThinDielectric(_) | Lobe::Null(_) => {
                 0.0
             }

@@ -1,11 +1,10 @@
-//! The principled material: many looks from few numbers. After Burley,
-//! "Physically Based Shading at Disney" (2012) and "Extending the Disney BRDF
-//! to a BSDF with Integrated Subsurface Scattering" (2015), in Mitsuba's form.
+//! The principled material: many looks from few numbers.
 
-use std::f64::consts::{FRAC_1_PI, PI};
+use std::f64::consts::PI;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
+use super::burley::{self, schlick, schlick_weight, share};
 use super::event::Drawn;
 use super::fresnel::fresnel_dielectric;
 use super::local;
@@ -60,18 +59,6 @@ pub struct Explored {
     pub coat: bool,
 }
 
-/// Smallest roughness.
-const MIN_ALPHA: f64 = 1e-3;
-
-/// Smallest share of a part that is explored.
-const LEAST_SHARE: f64 = 0.1;
-
-/// The share of a part by which it is sampled.
-#[inline]
-fn share(amount: f64, is_explored: bool) -> f64 {
-    amount.max(if is_explored { LEAST_SHARE } else { 0.0 })
-}
-
 impl<R: Real> Principled<R> {
     /// The refractive index for the number `specular` (0 to 1), which says how
     /// much is reflected at normal incidence: 8 % of it.
@@ -84,20 +71,7 @@ impl<R: Real> Principled<R> {
     /// The facets of metal and glass.
     #[inline]
     fn facets(&self) -> Microfacets<R> {
-        let aspect = (R::constant(1.0) - R::constant(0.9) * self.anisotropic).sqrt();
-        let at_least = |alpha: R| {
-            if alpha.value() < MIN_ALPHA {
-                R::constant(MIN_ALPHA)
-            } else {
-                alpha
-            }
-        };
-        let alpha = self.roughness.squared();
-        Microfacets {
-            distribution: Distribution::Ggx,
-            alpha_u: at_least(alpha / aspect),
-            alpha_v: at_least(alpha * aspect),
-        }
+        burley::facets(self.roughness, self.anisotropic)
     }
 
     /// How much of it is a diffuse base.
@@ -162,49 +136,21 @@ impl<R: Real> Principled<R> {
         if !front {
             return Rgb::splat(self.glass() * dielectric);
         }
-        let weight = schlick_weight(cos_h, eta);
-        let schlick = |normal: Rgb<R>| normal.map(|normal| lerp(normal, one, weight));
-        let normal_incidence = ((eta - one) / (eta + one)).squared();
-        let tinted = schlick(self.hue() * normal_incidence);
+        let metal = schlick(self.base_color, schlick_weight(cos_h, eta));
+        let tinted = burley::tinted_reflectance(self.base_color, cos_h, eta);
         let no_metal = one - self.metallic;
-        schlick(self.base_color) * self.metallic
+        metal * self.metallic
             + tinted * (no_metal * self.spec_tint)
             + Rgb::splat(dielectric * no_metal * (one - self.spec_tint))
     }
 
-    /// The base colour at luminance one; white for black.
-    #[inline]
-    fn hue(&self) -> Rgb<R> {
-        let luminance = self.base_color.luminance();
-        if luminance.value() > 0.0 {
-            self.base_color / luminance
-        } else {
-            Rgb::splat(R::constant(1.0))
-        }
-    }
-
-    /// The diffuse base with its retro-reflection, flatness and sheen.
+    /// The diffuse base and its sheen.
     #[inline]
     fn diffuse(&self, wi: Vec3<R>, wo: Vec3<R>, cos_h: R) -> Rgb<R> {
-        let constant = R::constant;
-        let (one, half) = (constant(1.0), constant(0.5));
-        let at_i = fifth_power(one - wi.z);
-        let at_o = fifth_power(one - wo.z);
-        let lambert = (one - half * at_i) * (one - half * at_o);
-        let twice_rough = constant(2.0) * self.roughness * cos_h.squared();
-        let retro = twice_rough * (at_o + at_i + at_o * at_i * (twice_rough - one));
-        // Below the surface, after Hanrahan and Krueger.
-        let grazing = half * twice_rough;
-        let below = lerp(one, grazing, at_o) * lerp(one, grazing, at_i);
-        let flat = constant(1.25) * (below * (one / (wo.z + wi.z) - half) + half);
-
-        let base = self.base() * constant(FRAC_1_PI) * lerp(lambert + retro, flat, self.flatness);
-        let white = Rgb::splat(one);
-        let hue = white + (self.hue() - white) * self.sheen_tint;
-        let no_metal = one - self.metallic;
+        let base = self.base() * burley::base(wi, wo, cos_h, self.roughness, self.flatness);
         // Of glass alone, too, for continuity: Mitsuba's scalar variants have none there.
-        let sheen = self.sheen * no_metal * fifth_power(one - cos_h);
-        (self.base_color * base + hue * sheen) * wo.z
+        let sheen = self.sheen * (R::constant(1.0) - self.metallic);
+        self.base_color * base + burley::sheen(self.base_color, self.sheen_tint, wo, cos_h) * sheen
     }
 
     /// The clear coat: `f |cos wo|`, with tails longer than those of GGX.
@@ -252,23 +198,6 @@ fn root<R: Real>(x: R) -> R {
     } else {
         R::constant(0.0)
     }
-}
-
-#[inline]
-fn fifth_power<R: Real>(x: R) -> R {
-    x.squared().squared() * x
-}
-
-/// How far Schlick's approximation is from normal to grazing incidence, by the
-/// cosine on the thinner side.
-#[inline]
-fn schlick_weight<R: Real>(cos: R, eta: R) -> R {
-    let one = R::constant(1.0);
-    if eta.value() > 1.0 {
-        return fifth_power(one - cos);
-    }
-    let refracted = super::fresnel::cos_refracted(cos, eta);
-    fifth_power(one - refracted.unwrap_or(R::constant(0.0)))
 }
 
 /// Density of the coat's normals, the distribution "GTR1" of Burley (2012).

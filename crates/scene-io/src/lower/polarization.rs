@@ -1,0 +1,66 @@
+//! Materials for polarized light, as they are to unpolarized light.
+
+use capwalk_scene::bsdf::{Coat, Glass};
+use capwalk_scene::{Bsdf, Quantity, Texture};
+
+use super::lowering::Lowering;
+use crate::fields::Fields;
+use crate::problem::Problem;
+
+impl Lowering<'_> {
+    /// The plastic for polarized light, to unpolarized light.
+    pub(super) fn polarized_plastic(
+        &mut self,
+        fields: &Fields,
+        name: &str,
+    ) -> Result<Bsdf, Problem> {
+        fields.warn("polarization is not computed: as in Mitsuba's unpolarized variants");
+        let facets = self.facets(fields, name)?;
+        let quantity = Quantity::RefractiveIndex { bends: false };
+        let diffuse = Quantity::Reflectance;
+        let coat = Coat {
+            int_ior: self.index(fields, name, "int_ior", quantity, "polypropylene")?,
+            ext_ior: self.index(fields, name, "ext_ior", quantity, "air")?,
+            diffuse_reflectance: self.slot(fields, name, "diffuse_reflectance", diffuse, 0.5)?,
+            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
+            nonlinear: false,
+        };
+        Ok(Bsdf::PolarizedPlastic(coat, facets))
+    }
+
+    /// A filter for polarized light, to unpolarized light: a pane that reflects nothing and lets
+    /// `fraction` of its transmittance pass.
+    pub(super) fn polarization_filter(
+        &mut self,
+        fields: &Fields,
+        name: &str,
+        fraction: f64,
+    ) -> Result<Bsdf, Problem> {
+        let reason = "polarization is not computed";
+        fields.cosmetic(&["theta", "delta", "polarizing", "left_handed"], reason);
+        fields.warn(&format!(
+            "{reason}: as in Mitsuba's unpolarized variants, {fraction} of the light passes; it \
+             is read as a thindielectric"
+        ));
+        let quantity = Quantity::Transmittance;
+        let given = self.slot(fields, name, "transmittance", quantity, 1.0)?;
+        let span = fields.span_of("transmittance");
+        let mut scaled = self.textures[given.0 as usize].clone();
+        if scaled.data.is_empty() {
+            let message = "\"transmittance\" is an attribute of meshes";
+            return Err(Problem::unsupported(span, message).help("expected a color or a bitmap"));
+        }
+        scaled.id = format!("{name}.specular_transmittance");
+        scaled.data.iter_mut().for_each(|x| *x *= fraction);
+        let mut one = |slot| {
+            let texture = Texture::number(format!("{name}.{slot}"), 1.0);
+            self.add_texture(texture, span)
+        };
+        Ok(Bsdf::ThinDielectric(Glass {
+            int_ior: one("int_ior"),
+            ext_ior: one("ext_ior"),
+            specular_reflectance: one("specular_reflectance"),
+            specular_transmittance: self.add_texture(scaled, span),
+        }))
+    }
+}
