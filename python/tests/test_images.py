@@ -6,6 +6,7 @@ from pathlib import Path
 
 import capwalk as cw
 import numpy as np
+import pytest
 
 
 def test_image_is_an_array_with_errors(scene: cw.Scene) -> None:
@@ -80,6 +81,18 @@ def test_forward_is_reverse(scene: cw.Scene) -> None:
     error = np.hypot(np.sqrt(3) * forward_error, gradients.stderr["box.translate.x"])
     assert 0 < abs(difference) < 4 * error
     assert gradients.stderr["box.positions"].shape == gradients["box.positions"].shape
+
+
+def test_grey_adjoints(scene: cw.Scene) -> None:
+    grey = np.random.default_rng(2).normal(size=(18, 24))
+    names = ["box.translate.x"]
+    gradients = [
+        cw.backward(scene, adjoint, names, method="edges", spp=2)["box.translate.x"]
+        for adjoint in (grey, grey[..., None], np.repeat(grey[..., None], 3, axis=2))
+    ]
+    assert gradients[0] == gradients[1] == gradients[2] != 0
+    with pytest.raises(ValueError, match="for equal channels"):
+        cw.backward(scene, np.ones((18, 24, 2)), names)
 
 
 def test_all_arrays_by_default(scene: cw.Scene) -> None:

@@ -350,6 +350,9 @@ pub enum Caveat {
     /// Standard errors can be too small near edges, and what moves in mirrors is
     /// missing.
     ErrorsTooSmall,
+    /// Rare samples are very large: while none of them is among the samples, standard errors
+    /// are too small.
+    HeavyTail,
 }
 
 /// What to know of the standard errors of a gradient with these options; `None` if they
@@ -364,7 +367,14 @@ pub fn caveat(method: Method, walk: &WalkSettings) -> Option<Caveat> {
     }
     // In pairs of opposite azimuths what is infinite cancels (METHOD 2).
     let is_infinite = walk.estimator == Estimator::Literal && !walk.antithetic;
-    (method.traits().walks && is_infinite).then_some(Caveat::InfiniteVariance)
+    if method.traits().walks && is_infinite {
+        return Some(Caveat::InfiniteVariance);
+    }
+    #[cfg(feature = "paper")]
+    if method == Method::TriangleWalk {
+        return Some(Caveat::HeavyTail);
+    }
+    None
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod command;
 mod console;
 mod diagnostics;
 mod direction;
+mod memory;
 mod method;
 mod output;
 mod progress;

@@ -211,6 +211,12 @@ pub fn remark(options: &GradientOptions) -> String {
              small, and verdicts by them mean little. Use anchored, the default\n"
                 .into()
         }
+        Some(Caveat::HeavyTail) => {
+            "with --domain triangle rare samples are very large, where silhouettes cross borders \
+             of triangles: while there are none among the samples, standard errors are too small. \
+             Use the domain sphere, the default\n"
+                .into()
+        }
         Some(Caveat::ErrorsTooSmall) => format!(
             "{method} is a baseline: its standard errors can be too small near edges, and what \
              moves in mirrors is missing. `capwalk check` measures how wrong it is\n"

@@ -16,19 +16,29 @@ pub fn from_image<'py>(py: Python<'py>, image: &Image) -> PyResult<Bound<'py, Py
     numbers.into_pyarray(py).reshape(shape)
 }
 
-/// An array (height, width, 3) as an image; `what` it is for the message.
+/// An array (height, width, 3) as an image, or (height, width) or (height, width, 1) as a grey
+/// one; `what` it is for the message.
 pub fn to_image(what: &str, array: &PyReadonlyArrayDyn<'_, f64>) -> PyResult<Image> {
-    let &[height @ 1..=usize::MAX, width @ 1..=usize::MAX, 3] = array.shape() else {
-        let found = shape_text(array.shape());
-        let text = format!("{what} has the shape {found}; expected (height, width, 3)");
-        return Err(errors::argument(array.py(), text));
+    let (height, width, channels) = match *array.shape() {
+        [height, width] | [height, width, 1] if height * width > 0 => (height, width, 1),
+        [height, width, 3] if height * width > 0 => (height, width, 3),
+        ref shape => {
+            let found = shape_text(shape);
+            let text = format!(
+                "{what} has the shape {found}; expected (height, width, 3), or (height, width) \
+                 for equal channels"
+            );
+            return Err(errors::argument(array.py(), text));
+        }
     };
     let numbers = to_numbers(array);
-    let pixels = numbers.chunks_exact(3);
+    let pixels = numbers.chunks_exact(channels);
     Ok(Image {
         width,
         height,
-        pixels: pixels.map(|p| Rgb::new(p[0], p[1], p[2])).collect(),
+        pixels: pixels
+            .map(|p| Rgb::new(p[0], p[channels / 2], p[channels - 1]))
+            .collect(),
     })
 }
 

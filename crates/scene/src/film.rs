@@ -24,8 +24,8 @@ pub struct Film {
 }
 
 impl Film {
-    /// The most pixels an image may have (a gradient keeps about 200 bytes
-    /// for each).
+    /// The most pixels an image may have. While it is computed, a gradient takes up to 900
+    /// bytes for each.
     pub const MAX_PIXELS: u64 = 1 << 26;
 
     /// A film without crop.

@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 
 use crate::args::{self, MethodName};
 use crate::diagnostics::Outcome;
+use crate::memory::{self, Need};
 use crate::output::Files;
 use crate::{console, direction, method, report, source};
 
@@ -16,6 +17,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let typed = &args.gradient;
     let prepared = source::load(&typed.scene)?;
     let scene = prepared.scene();
+    memory::check(scene, Need::Check)?;
     let tangent = direction::tangent(&prepared, &typed.tangent)?;
     let sampling = source::options(&typed.sampling, scene);
     let stem = format!("{}-check", source::stem(&typed.scene));

@@ -7,6 +7,7 @@ use serde_json::json;
 
 use crate::args::{Gradient, MethodName, SceneArgs};
 use crate::diagnostics::Outcome;
+use crate::memory::{self, Need};
 use crate::output::{self, Files};
 use crate::progress::Progress;
 use crate::{console, direction, method, report, source};
@@ -16,6 +17,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let scene = prepared.scene();
     let tangent = direction::tangent(&prepared, &args.tangent)?;
     let options = source::options(&args.sampling, scene);
+    memory::check(scene, Need::Gradient)?;
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 

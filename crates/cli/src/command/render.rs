@@ -5,6 +5,7 @@ use serde_json::json;
 
 use crate::args::Render;
 use crate::diagnostics::Outcome;
+use crate::memory::{self, Need};
 use crate::output::{self, Files};
 use crate::progress::Progress;
 use crate::{console, report, source};
@@ -13,6 +14,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
     let options = source::options(&args.sampling, scene);
+    memory::check(scene, Need::Image)?;
     let stem = source::stem(&args.scene);
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 

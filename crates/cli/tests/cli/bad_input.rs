@@ -38,6 +38,74 @@ fn image_size() {
     assert_has(&capwalk.error("render leaf --size 12"), &["640x480"]);
 }
 
+/// Refused before its memory is taken, where the system says how much there is.
+#[test]
+#[cfg(target_os = "linux")]
+fn images_beyond_memory() {
+    let capwalk = Capwalk::new("images_beyond_memory");
+    let free = std::fs::read_to_string("/proc/meminfo").expect("readable");
+    let line = free.lines().find(|line| line.starts_with("MemAvailable:"));
+    let kib = line.and_then(|line| line.split_whitespace().nth(1));
+    let kib: u64 = kib.expect("a number").parse().expect("a number");
+    let largest = 1 << 26; // Pixels that films may have.
+    let width = largest / 2000;
+    if kib << 10 > largest * 500 {
+        return; // There is memory for the largest image.
+    }
+    let size = format!("--size {width}x2000 --spp 1");
+    for command in [
+        "render leaf",
+        "gradient leaf -p leaf.translate.x",
+        "check leaf -p leaf.translate.x",
+    ] {
+        let message = capwalk.error(&format!("{command} {size}"));
+        assert_has(
+            &message,
+            &["x 2000 pixels need up to", "MiB are free", "crop windows"],
+        );
+    }
+}
+
+/// Also under two names of one place.
+#[test]
+fn outputs_named_twice() {
+    let capwalk = Capwalk::new("outputs_named_twice");
+    for names in ["a.npz,a.npz", "a.npz,./a.npz", "b.exr,a.npz,new/../b.exr"] {
+        let message = capwalk.error(&format!("render leaf --size 4x4 --spp 1 -o {names}"));
+        assert_has(&message, &["is to be written twice", "name each file once"]);
+    }
+}
+
+/// Nothing waits for a pipe, or reads a device to its end.
+#[test]
+#[cfg(unix)]
+fn what_is_no_file() {
+    let capwalk = Capwalk::new("what_is_no_file");
+    let pipe = capwalk.path("pipe.npz");
+    let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+    assert!(made.expect("there is mkfifo").success());
+    let options = "-p leaf.translate.x --size 4x4 --spp 1";
+    for (name, command) in [
+        ("pipe.npz", "render pipe.npz".to_owned()),
+        ("/dev/zero", "info /dev/zero".into()),
+        ("/dev/zero", "optimize /dev/zero".into()),
+        ("pipe.npz", "compare pipe.npz pipe.npz".into()),
+        (
+            "pipe.npz",
+            format!("backward leaf {options} --adjoint pipe.npz"),
+        ),
+        (
+            "pipe.npz",
+            format!("backward leaf {options} --loss l2 --target pipe.npz"),
+        ),
+        ("/dev/zero", "gradient leaf --motion leaf=/dev/zero".into()),
+        ("pipe.npz", "gradient leaf --motion leaf=pipe.npz".into()),
+    ] {
+        let message = capwalk.error(&command);
+        assert_has(&message, &[name, "write its contents into a file"]);
+    }
+}
+
 #[test]
 fn unknown_sensors() {
     let message = Capwalk::new("unknown_sensors").error("render leaf --sensor 1");

@@ -76,7 +76,8 @@ fn mirrors_are_a_warning() {
 fn methods_say_what_they_are() {
     let capwalk = Capwalk::new("baseline_names");
     let run = |method: &str| gradient_by(&capwalk, method);
-    let (_, method, _) = run("--domain triangle");
+    let (stderr, method, _) = run("--domain triangle");
+    assert_has(&stderr, &["rare samples are very large"]);
     assert_eq!(method.as_deref(), Some("walk, domain triangle"));
     let (stderr, method, _) = run("--method psdr-was --was-rays 4");
     assert_has(&stderr, &["psdr-was is a baseline and biased"]);

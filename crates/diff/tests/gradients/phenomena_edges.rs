@@ -3,6 +3,7 @@
 //! false alarm, is said in `phenomena_shadows.rs`. More phenomena are run by
 //! both methods in `cli/tests/phenomena`.
 
+use std::sync::Arc;
 use std::time::Instant;
 
 use crate::common::agree::*;
@@ -14,7 +15,7 @@ use capwalk_diff::{
     with_threads,
 };
 use capwalk_geometry::Mesh;
-use capwalk_math::Affine;
+use capwalk_math::{Affine, Rgb};
 use capwalk_scene::primitive::{disk, icosphere, rectangle};
 use capwalk_scene::*;
 
@@ -114,6 +115,39 @@ fn two_lamps() {
     light_up(&mut scene, 6.0);
     let expression = "thing.translate.x + bulb.translate.y - lamp.translate.x";
     shadow_case("two lamps", scene, expression);
+}
+
+/// What lies in the plane of a lamp, on it or beside it, hides nothing of it: shadow rays end
+/// before both. Turned out of the plane, it does.
+#[test]
+fn blind_in_the_plane_of_a_lamp() {
+    let mut scene = lit_by(rectangle(down(0.5)).0, 8.0);
+    let shapes = Arc::make_mut(&mut scene.shapes[1]);
+    assert_eq!(shapes.id, "thing");
+    let place = Affine::translate(v(0.2, 0.0, 0.0)) * down(0.3);
+    shapes.mesh = rectangle(place).0;
+    scene.film.size = [24; 2];
+    scene.film.crop_size = [24; 2];
+    let flat = by(
+        Method::EDGES,
+        &scene,
+        &tangent(&scene, "thing.translate.x"),
+        16,
+    );
+    let is_zero = |image: &Image| image.pixels.iter().all(|&pixel| pixel == Rgb::zero());
+    assert!(
+        is_zero(&flat.gradient.mean),
+        "what hides nothing has a shadow"
+    );
+    let shape = Arc::make_mut(&mut scene.shapes[1]);
+    shape.mesh.positions[0].z -= 0.1;
+    let bent = by(
+        Method::EDGES,
+        &scene,
+        &tangent(&scene, "thing.translate.x"),
+        16,
+    );
+    assert!(!is_zero(&bent.gradient.mean));
 }
 
 /// A box of six rectangles: at each of its edges two edges lie on each other.

@@ -66,11 +66,12 @@ pub(super) fn decode(bytes: &[u8]) -> Result<LayeredImage, String> {
 
 fn image(array: NpyFile<impl Read>) -> Result<Image, String> {
     let (height, width, channels) = match *array.shape() {
-        [height, width] => (height, width, 1),
+        [height, width] | [height, width, 1] => (height, width, 1),
         [height, width, 3] => (height, width, 3),
         ref shape => {
             return Err(format!(
-                "has the shape {shape:?}; expected (height, width, 3) or (height, width)"
+                "has the shape {shape:?}; expected (height, width, 3), (height, width, 1) or \
+                 (height, width)"
             ));
         }
     };

@@ -207,6 +207,22 @@ fn errors_say_what_to_do() {
     assert!(text.contains("known endings: .exr, .npz"), "{text}");
 }
 
+/// Grey layers with one channel, or with none of their own.
+#[test]
+fn grey_layers() {
+    let file = Temporary::new("grey.npz");
+    for shape in [[5, 7].as_slice(), &[5, 7, 1]] {
+        let mut archive = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
+        let values = (0..35_u8).map(f32::from);
+        crate::archive::add_array(&mut archive, "value", "<f4", shape, values).expect("writable");
+        let bytes = archive.finish().expect("writable").into_inner();
+        std::fs::write(&file.0, bytes).expect("writable");
+        let image = read(&file.0).expect("readable").layers.remove(0).image;
+        assert_eq!((image.width, image.height), (7, 5));
+        assert_eq!(image.pixels[8], Rgb::splat(8.0));
+    }
+}
+
 /// A header that promises more than the file has is refused before memory is
 /// taken for it.
 #[test]
