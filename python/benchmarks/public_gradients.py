@@ -1,11 +1,11 @@
 """Derivatives of scenes that other people made with respect to something that moves, checked
 against finite differences.
 
-    python python/benchmarks/public_gradients.py CAPWALK FOLDER [--only TEXT] [--seconds S]
+    python python/benchmarks/public_gradients.py CAPWALK FOLDER [--only TEXT] [--seconds S] [--side N]
 
 CAPWALK is the program, FOLDER has the repositories `mitsuba-data` and `mitsuba-tutorials`. In each
 of the scenes below one shape moves along an axis, and `capwalk check` compares the derivative of
-the image, 48 pixels wide or high, with differences, in S seconds. If the derivative is refused for
+the image, N pixels wide or high, with differences, in S seconds. If the derivative is refused for
 what is seen in curved mirrors or through glass, it is checked again without that
 (`--allow-missing specular`). What is printed is a table in Markdown."""
 
@@ -19,7 +19,6 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
-LONGER_SIDE = 48
 FIRST_SPP = 4
 """Samples with which the time is measured."""
 DOCS, DATA, TESTS = "mitsuba-data/docs/scenes", "mitsuba-data/scenes", "mitsuba-data/tests/scenes"
@@ -59,27 +58,31 @@ def main() -> None:
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", default="", help="a part of the names of files")
     parser.add_argument("--seconds", type=float, default=20.0)
+    parser.add_argument("--side", type=int, default=48)
     chosen = parser.parse_args()
     counts: Counter[str] = Counter()
-    print("| scene | what moves | verdict | scale factor | left out |\n|---|---|---|---|---|")
+    print("| scene | what moves | verdict | scale factor | left out | spp |\n|---|---|---|---|---|---|")
     for file, parameter in SCENES:
         if chosen.only in file:
-            kind, row = checked(chosen.capwalk, chosen.folder / file, parameter, chosen.seconds)
+            path = chosen.folder / file
+            kind, row = checked(chosen.capwalk, path, parameter, chosen.side, chosen.seconds)
             counts[kind] += 1
             print(f"| {file} | {row} |", flush=True)
     print("\n" + ", ".join(f"{count} {kind}" for kind, count in counts.most_common()))
 
 
-def checked(capwalk: str, file: Path, parameter: str, seconds: float) -> tuple[str, str]:
+def checked(
+    capwalk: str, file: Path, parameter: str, longer_side: int, seconds: float
+) -> tuple[str, str]:
     """The verdict on the derivative of a scene, and the rest of its row."""
     info, error = run([capwalk, "info", str(file), "--json"])
     if info is None:
-        return "not loaded", f"- | not loaded: {error} | - | -"
+        return "not loaded", f"- | not loaded: {error.splitlines()[0]} | - | - | -"
     shapes = [shape for shape in info["shapes"] if shape["emits"] is None]
     most = max(shapes, key=lambda shape: shape["triangles"])["id"]
     parameter = parameter.format(most=most)
-    side = LONGER_SIDE / max(info["size"])
-    size = "x".join(str(max(1, round(side * pixels))) for pixels in info["size"])
+    scale = longer_side / max(info["size"])
+    size = "x".join(str(max(1, round(scale * pixels))) for pixels in info["size"])
     with tempfile.TemporaryDirectory() as folder:
         command = [capwalk, "check", str(file), "-p", parameter, "--size", size, "--json"]
         command += ["-o", f"{folder}/check.npz", "--spp"]
@@ -93,7 +96,7 @@ def checked(capwalk: str, file: Path, parameter: str, seconds: float) -> tuple[s
             spp = max(FIRST_SPP, round(FIRST_SPP * seconds / taken))
             result, error = run([*command, str(spp), *options])
     if result is None:
-        return "refused", f"{parameter} | refused: {error.splitlines()[0]} | - | -"
+        return "refused", f"{parameter} | refused: {error.splitlines()[0]} | - | - | -"
     found = result["comparison"]
     kind = found["verdict"]
     if kind == "partial":
@@ -101,7 +104,8 @@ def checked(capwalk: str, file: Path, parameter: str, seconds: float) -> tuple[s
     factor, factor_error = found["scale_factor"], found["scale_factor_error"]
     missing = result["gradient"]["missing"]
     share = "-" if missing is None else f"{missing['share']:.2%} of the radiance"
-    return kind, f"{parameter} | {kind} | {number(factor)} ± {number(factor_error)} | {share}"
+    factor = f"{number(factor)} ± {number(factor_error)}"
+    return kind, f"{parameter} | {kind} | {factor} | {share} | {result['spp']}"
 
 
 def number(value: float | None) -> str:
