@@ -58,6 +58,7 @@
 
 mod backward;
 mod check;
+mod coplanar;
 mod direction;
 mod engine;
 mod error;

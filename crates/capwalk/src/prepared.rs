@@ -11,6 +11,7 @@ use capwalk_scene::{Image, Scene, SceneError, Tangent};
 
 use crate::backward::{self, GradientNames, Gradients, GradientsWork};
 use crate::check::{Check, CheckOptions, Reference};
+use crate::coplanar::coplanar;
 use crate::direction::Direction;
 use crate::engine::Engine;
 use crate::error::Error;
@@ -168,6 +169,15 @@ impl Prepared {
     /// the parameter.
     pub fn difference_step(&self, tangent: &Tangent) -> f64 {
         difference_step(self.engine.prepared(), tangent)
+    }
+
+    /// Pairs of shapes, by name, that have faces in one plane which overlap there and move
+    /// against each other: which of them is seen is decided by rounding, and where they part,
+    /// the image has other derivatives to one side than to the other.
+    pub fn coplanar_shapes(&self, tangent: &Tangent) -> Vec<[String; 2]> {
+        let name = |i: usize| self.scene().shapes[i].id.clone();
+        let pairs = coplanar(self.scene(), tangent).into_iter();
+        pairs.map(|pair| pair.map(name)).collect()
     }
 
     /// A gradient and its reference by central differences, with a verdict.

@@ -44,6 +44,8 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let parameter = direction::describe(&typed.tangent);
     let written = layers::write(&files, &typed.scene, &parameter, &checked)?;
     method::log(&checked.chosen);
+    let coplanar = prepared.coplanar_shapes(&tangent);
+    console::remark(&report::coplanar(&coplanar));
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
     console::remark(&report::warnings("reference", of_reference));
@@ -61,6 +63,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "step": made.step,
             "sides": made.sides.name(),
             "comparison": comparison_json(comparison),
+            "coplanar": coplanar,
             "gradient": report::statistics_json(of_gradient, checked.seconds[0]),
             "reference": report::statistics_json(of_reference, checked.seconds[1]),
             "files": written,

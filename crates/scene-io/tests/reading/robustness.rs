@@ -179,3 +179,56 @@ fn long_chains_of_references() {
     let error = message(&scene(&objects), &[]);
     assert!(error.contains("twosided"), "{error}");
 }
+
+/// Parameters that stand for others, and files that are none.
+#[test]
+fn damaged_parameters() {
+    let parameters = scene(
+        "<default name=\"a\" value=\"0.5\"/><default name=\"ab\" value=\"$a $a\"/>\
+         <default name=\"file\" value=\"/dev/zero\"/><default name=\"abc\" value=\"$ab$ab$ab\"/>\
+         <shape type=\"sphere\" id=\"$abc\"><float name=\"radius\" value=\"$a\"/>\
+         <bsdf type=\"diffuse\"><rgb name=\"reflectance\" value=\"$ab $a\"/></bsdf></shape>\
+         <bsdf type=\"diffuse\" id=\"$file\"/>",
+    );
+    let device = parameters.replace(
+        "<bsdf type=\"diffuse\" id=\"$file\"/>",
+        "<bsdf type=\"diffuse\"><texture type=\"bitmap\" name=\"reflectance\">\
+         <string name=\"filename\" value=\"$file\"/></texture></bsdf>",
+    );
+    assert!(message(&device, &[]).contains("/dev/zero"));
+    // The other one is no good file, but is to be damaged as well.
+    let read_device = |bytes: &[u8]| {
+        read_scene(bytes);
+        true
+    };
+    let originals = vec![
+        Original::new(parameters, read_scene),
+        Original::new(device, read_device),
+    ];
+    survive("parameters.xml", originals, 4000);
+}
+
+/// Arrays of NumPy, whose header is a line of Python.
+#[test]
+fn damaged_arrays() {
+    let plain = |descr: &str, shape: &str, bytes: usize| {
+        let header = format!(
+            "{{'descr': '{descr}', 'fortran_order': False, 'shape': {shape}, }}          \n"
+        );
+        let mut file = b"\x93NUMPY\x01\x00".to_vec();
+        file.extend((header.len() as u16).to_le_bytes());
+        file.extend(header.bytes());
+        file.resize(file.len() + bytes, 0);
+        Original::new(file, read_array)
+    };
+    let originals = vec![plain("<f8", "(2, 3)", 48), plain("<f4", "(4, 3)", 48)];
+    let share = survive("array.npy", originals, 4000);
+    assert!((0.003..0.9).contains(&share), "{share}");
+}
+
+fn read_array(bytes: &[u8]) -> bool {
+    let name = format!("capwalk-array-{}.npy", std::process::id());
+    let path = std::env::temp_dir().join(name);
+    std::fs::write(&path, bytes).expect("a folder for temporary files");
+    capwalk_scene_io::read_velocities(&path).is_ok()
+}
