@@ -138,6 +138,12 @@ pub enum FilterName {
     Tent,
     /// Standard deviation 0.5, radius 2
     Gaussian,
+    /// Mitchell and Netravali, B = C = 1/3, radius 2
+    Mitchell,
+    /// Catmull and Rom, radius 2
+    Catmullrom,
+    /// Three lobes, radius 3
+    Lanczos,
 }
 
 /// How much to sample.

@@ -28,6 +28,12 @@ pub fn load(args: &SceneArgs) -> Result<Prepared> {
             FilterName::Box => Filter::Box,
             FilterName::Tent => Filter::Tent { radius: 1.0 },
             FilterName::Gaussian => Filter::Gaussian { stddev: 0.5 },
+            FilterName::Mitchell => Filter::Mitchell {
+                b: 1.0 / 3.0,
+                c: 1.0 / 3.0,
+            },
+            FilterName::Catmullrom => Filter::CATMULL_ROM,
+            FilterName::Lanczos => Filter::Lanczos { lobes: 3 },
         });
     }
     let loaded = loader.load().map_err(|error| match error {

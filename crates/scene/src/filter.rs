@@ -21,7 +21,7 @@ pub enum Filter {
         stddev: f64,
     },
     /// Cubic pieces on `[0, 1]` and `[1, 2]`, negative in the second (Mitchell and
-    /// Netravali 1988); `B = 0`, `C = 1/2` is that of Catmull and Rom.
+    /// Netravali 1988); `B = 0`, `C = 1/2` is [`Filter::CATMULL_ROM`].
     Mitchell {
         /// Their `B`.
         b: f64,
@@ -36,6 +36,9 @@ pub enum Filter {
 }
 
 impl Filter {
+    /// Catmull and Rom's cubic spline.
+    pub const CATMULL_ROM: Self = Self::Mitchell { b: 0.0, c: 0.5 };
+
     /// Half the width of the support, pixels.
     pub fn radius(&self) -> f64 {
         match *self {
@@ -155,7 +158,7 @@ mod tests {
             b: 1.0 / 3.0,
             c: 1.0 / 3.0,
         },
-        Filter::Mitchell { b: 0.0, c: 0.5 },
+        Filter::CATMULL_ROM,
         Filter::Lanczos { lobes: 3 },
     ];
 

@@ -84,7 +84,7 @@ impl Lowering<'_> {
                 b: fields.float("B", 1.0 / 3.0)?,
                 c: fields.float("C", 1.0 / 3.0)?,
             },
-            "catmullrom" => Filter::Mitchell { b: 0.0, c: 0.5 },
+            "catmullrom" => Filter::CATMULL_ROM,
             "lanczos" => Filter::Lanczos {
                 lobes: fields.count("lobes", 1, 3)?,
             },
