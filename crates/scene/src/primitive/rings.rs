@@ -56,6 +56,7 @@ pub(super) struct SplinePoint {
     acceleration: Vec3,
     pub radius: f64,
     radius_velocity: f64,
+    radius_acceleration: f64,
 }
 
 /// The cubic B-spline of four control points at `t` from 0 to 1.
@@ -84,6 +85,7 @@ pub(super) fn spline_point(points: &[ControlPoint], t: f64) -> SplinePoint {
         acceleration: vector(acceleration),
         radius: number(value).max(0.0),
         radius_velocity: number(velocity),
+        radius_acceleration: number(acceleration),
     }
 }
 
@@ -95,7 +97,7 @@ pub(super) fn spline_rings(curve: &[ControlPoint], error: f64) -> Result<Vec<Rin
         let ring = |t: f64| spline_ring(points, t, segment).ok_or(segment);
         // Take the fewest steps, a power of two, with which no step is off by more.
         let mut steps = 1;
-        while steps < MOST_STEPS && !is_straight(&ring, steps, error)? {
+        while steps < MOST_STEPS && !is_straight(points, &ring, steps, error)? {
             steps *= 2;
         }
         let first = u32::from(segment > 0);
@@ -108,25 +110,32 @@ pub(super) fn spline_rings(curve: &[ControlPoint], error: f64) -> Result<Vec<Rin
 
 /// True if each of as many steps along a segment is straight up to an error in radii.
 fn is_straight(
+    points: &[ControlPoint],
     ring: &impl Fn(f64) -> Result<Ring, usize>,
     steps: u32,
     error: f64,
 ) -> Result<bool, usize> {
+    let length = 1.0 / f64::from(steps);
     let mut from = ring(0.0)?;
     for step in 0..steps {
-        let middle = ring((f64::from(step) + 0.5) / f64::from(steps))?;
-        let to = ring((f64::from(step) + 1.0) / f64::from(steps))?;
-        // The chord of the curve, of its radius, and of what lies beside it where it turns.
-        let half_turn = 0.5
-            * from
-                .axis
-                .cross(to.axis)
-                .length()
-                .atan2(from.axis.dot(to.axis));
-        let chord = (middle.centre - (from.centre + to.centre) * 0.5).length()
-            + (middle.radius - 0.5 * (from.radius + to.radius)).abs()
-            + middle.radius * (1.0 - half_turn.cos());
-        if chord > error * middle.radius.max(0.5 * (from.radius + to.radius)) {
+        let start = f64::from(step) * length;
+        let middle = ring(start + 0.5 * length)?;
+        let to = ring(start + length)?;
+        // A curve is off its chord by length²/8 times the largest second derivative, which is
+        // linear along a segment and so largest at an end.
+        let bend = |t: f64| {
+            let at = spline_point(points, t);
+            let along = at.acceleration.dot(middle.axis);
+            at.acceleration.reject_from(middle.axis).length()
+                + (along * middle.tilt).abs()
+                + at.radius_acceleration.abs()
+        };
+        let chord = bend(start).max(bend(start + length)) * length * length / 8.0;
+        // Where it turns, so does what lies beside it; in an S the ends agree.
+        let turn = |a: Vec3, b: Vec3| a.cross(b).length().atan2(a.dot(b));
+        let turn = turn(from.axis, middle.axis).max(turn(middle.axis, to.axis));
+        let radius = middle.radius.max(0.5 * (from.radius + to.radius));
+        if chord + middle.radius * (1.0 - turn.cos()) > error * radius {
             return Ok(false);
         }
         from = to;

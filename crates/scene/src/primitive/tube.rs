@@ -199,6 +199,13 @@ mod tests {
         ]
     }
 
+    /// Between its corners it is S-shaped: middles of segments are on their chords.
+    fn zigzag() -> Vec<ControlPoint> {
+        let sign = |i: usize| if i % 2 == 0 { 0.3 } else { -0.3 };
+        let points = (0..6).map(|i| point([0.5 * i as f64, 0.1, sign(i)], 0.05));
+        points.collect()
+    }
+
     fn borders(mesh: &Mesh) -> usize {
         let edges = edges(mesh);
         edges.iter().filter(|e| e.sides == Sides::Open).count()
@@ -231,8 +238,11 @@ mod tests {
     /// within the stated error of the radius, which is not wasted either.
     #[test]
     fn tubes_are_within_their_error() {
-        let curve = bent();
-        for kind in [CurveKind::BSpline, CurveKind::Linear] {
+        for (kind, curve) in [
+            (CurveKind::BSpline, bent()),
+            (CurveKind::BSpline, zigzag()),
+            (CurveKind::Linear, bent()),
+        ] {
             let curves = [curve.clone()];
             let error = relative_error(&curves) * 0.2;
             let (mesh, _, uvs) = tubes(kind, &curves, usize::MAX).expect("a tube");
