@@ -103,10 +103,9 @@ def welch(a: np.ndarray, variance: np.ndarray, batches: np.ndarray) -> dict[str,
     difference = a - b
     beyond = np.maximum(np.abs(difference) - ROUNDING * np.abs(b) - 1e-9, 0)
     t = np.sign(difference) * beyond / np.maximum(error, 1e-12)
-    freedom = np.minimum(
-        (len(batches) - 1) * error**4 / np.maximum(of_b**2, np.finfo(float).tiny), 1000.0
-    )
-    p = np.vectorize(tail)(np.abs(t), np.maximum(freedom, 1.0))
+    share = error**4 / np.maximum(of_b**2, np.finfo(float).tiny)
+    freedom = np.clip((len(batches) - 1) * share, 1.0, 1000.0)
+    p = np.vectorize(tail)(np.abs(t), freedom)
     return {"t": t, "error": error, "freedom": freedom, "p": p}
 
 
