@@ -201,7 +201,7 @@ mod tests {
 
     /// Between its corners it is S-shaped: middles of segments are on their chords.
     fn zigzag() -> Vec<ControlPoint> {
-        let sign = |i: usize| if i % 2 == 0 { 0.3 } else { -0.3 };
+        let sign = |i: usize| if i.is_multiple_of(2) { 0.3 } else { -0.3 };
         let points = (0..6).map(|i| point([0.5 * i as f64, 0.1, sign(i)], 0.05));
         points.collect()
     }
