@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use capwalk_geometry::{HalfSpace, Hit, Mesh, Ray, RayTree};
+use capwalk_geometry::{HalfSpace, Hit, Mesh, Ray, RayTree, Wedge, WedgePoint};
 use capwalk_math::Vec3;
 use capwalk_scene::resolve::Resolver;
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{EmitterId, Scene, ShapeId};
+use capwalk_scene::{DeltaLight, EmitterId, Scene, ShapeId};
 
 use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
 
@@ -24,6 +24,11 @@ pub struct Accel {
     pub first_vertex: Vec<u32>,
     /// First face of each shape.
     pub first_face: Vec<u32>,
+    /// What places the emitters without extent, emitter by emitter: points of the boundaries
+    /// behind the vertices of the joined mesh.
+    pub anchors: Vec<Vec3>,
+    /// First anchor of each emitter.
+    first_anchor: Vec<u32>,
     /// Whether each shape's material depends on its rotation about the normal.
     pub needs_tangent: Vec<bool>,
     /// What the camera sees from the middle of its lens.
@@ -122,6 +127,11 @@ impl Accel {
             first_face,
         } = joined;
         let shapes = || scene.shapes.iter();
+        let (mut anchors, mut first_anchor) = (Vec::new(), Vec::new());
+        for emitter in &scene.emitters {
+            first_anchor.push(anchors.len() as u32);
+            anchors.extend(emitter.anchors());
+        }
         let flat_events: Vec<_> = shapes().map(|shape| flat_events(&scene, shape)).collect();
         let size = mesh
             .positions
@@ -132,6 +142,8 @@ impl Accel {
             shape_of_face,
             first_vertex,
             first_face,
+            anchors,
+            first_anchor,
             needs_tangent: shapes().map(|s| needs_tangent(&scene, s.bsdf)).collect(),
             view: scene.sensor.view(&scene.film),
             needs_place: shapes().map(|s| needs_place(&scene, s)).collect(),
@@ -164,6 +176,11 @@ impl Accel {
             t_min: self.self_distance,
             ..Ray::new(origin, direction)
         }
+    }
+
+    /// Where faces cross a wedge of light, in ascending order.
+    pub fn across(&self, wedge: &Wedge, found: &mut Vec<(u32, [WedgePoint; 2])>) {
+        self.rays.across(&self.mesh, wedge, found);
     }
 
     /// The first surface along a ray with bounds of its own.
@@ -248,6 +265,20 @@ impl Accel {
     #[inline]
     pub fn shape_of(&self, hit: &Hit) -> ShapeId {
         self.shape_of_face[hit.face as usize]
+    }
+
+    /// The number among the points of the boundaries of the first anchor of an emitter.
+    #[inline]
+    pub fn anchor(&self, emitter: EmitterId) -> u32 {
+        self.mesh.positions.len() as u32 + self.first_anchor[emitter.0 as usize]
+    }
+
+    /// How a point receives an emitter without extent, see [`Emitter::delta_light`].
+    pub fn delta_light(&self, id: EmitterId, point: Vec3) -> Option<DeltaLight<f64>> {
+        let first = self.first_anchor[id.0 as usize] as usize;
+        let anchor = |i: usize| self.anchors[first + i];
+        let number = |id| self.scene.texture(id).data[0];
+        self.scene.emitter(id).delta_light(point, anchor, number)
     }
 
     /// The face of the joined mesh that is the given one of an emitter.

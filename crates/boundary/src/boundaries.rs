@@ -15,6 +15,7 @@ use crate::edge_sampler::EdgeSampler;
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
 use crate::image_space::image_tree;
 use crate::shading::ShadingDiscontinuities;
+use crate::shadow_line::shadow_lines;
 use crate::texture_line::texture_lines;
 use crate::viewpoint::{EMITTED, SEEN};
 use crate::window::AreaEmitter;
@@ -37,11 +38,14 @@ pub struct Boundaries {
     image_tree: Option<SilhouetteTree>,
     /// Of silhouettes, and of all edges; built by the first derivatives that sample them.
     edge_samplers: [OnceLock<EdgeSampler>; 2],
-    /// Positions of the joined mesh's vertices, then of the ends of crossings.
+    /// Positions of the joined mesh's vertices, then the anchors of lights, then positions of
+    /// the ends of crossings.
     positions: Vec<Vec3>,
-    /// The segments where faces cross and where textures are discontinuous, in the order of
-    /// the positions of their ends.
+    /// The segments where faces cross, where textures are discontinuous and where hard shadows
+    /// end, in the order of the positions of their ends.
     pub crossings: Vec<Crossing>,
+    /// How many of them, the last, are edges of hard shadows.
+    pub shadow_lines: usize,
     /// The edges of area emitters with few edges.
     pub emitter_edges: Vec<EmitterEdge>,
     /// The area emitters, in front of which edges can be gathered.
@@ -68,6 +72,7 @@ impl Boundaries {
             contrasts: listed.contrasts,
             positions: listed.mesh.positions,
             crossings: listed.crossings,
+            shadow_lines: listed.shadow_lines,
             edge_samplers: Default::default(),
         }
     }
@@ -102,6 +107,7 @@ impl Boundaries {
             self.contrasts = listed.contrasts;
             self.positions = listed.mesh.positions;
             self.crossings = listed.crossings;
+            self.shadow_lines = listed.shadow_lines;
             self.edge_samplers = Default::default();
         }
         self.area_emitters = AreaEmitter::all(&accel.scene);
@@ -116,13 +122,14 @@ impl Boundaries {
         &self.edges
     }
 
-    /// Positions of the joined mesh's vertices, then of the ends of crossings.
+    /// Positions of the joined mesh's vertices, then the anchors of lights
+    /// ([`Accel::anchors`]), then positions of the ends of crossings.
     pub fn positions(&self) -> &[Vec3] {
         &self.positions
     }
 
     /// How many points the boundaries are made of: the vertices of the joined
-    /// mesh, then the ends of crossings.
+    /// mesh, then the anchors of lights, then the ends of crossings.
     pub fn point_count(&self) -> usize {
         self.positions.len()
     }
@@ -169,8 +176,8 @@ impl Boundaries {
     /// A sampler of the silhouettes of meshes, or of all edges; built by the first call.
     pub fn edge_sampler(&self, accel: &Accel, selection: EdgeSelection) -> &EdgeSampler {
         self.edge_samplers[selection as usize].get_or_init(|| {
-            // Where faces cross, or textures end, surfaces cover both sides: these edges,
-            // which come last, are no silhouettes.
+            // Where faces cross, or textures and hard shadows end, surfaces cover both sides:
+            // these edges, which come last, are no silhouettes.
             let of_meshes = self.edges.len() - self.crossings.len();
             let creases = match selection {
                 EdgeSelection::Silhouettes => None,
@@ -224,11 +231,14 @@ pub fn same_edges(a: &Scene, b: &Scene) -> bool {
 
 /// The edges of a scene, listed.
 struct Listed {
-    /// The joined mesh, with the ends of crossings behind its vertices.
+    /// The joined mesh, with the anchors of lights and the ends of crossings behind its
+    /// vertices.
     mesh: Mesh,
     edges: Vec<Edge>,
     contrasts: Vec<f32>,
     crossings: Vec<Crossing>,
+    /// How many of them are edges of hard shadows.
+    shadow_lines: usize,
     /// Ends of the edges whose term is added explicitly.
     on_emitters: Vec<[u32; 2]>,
 }
@@ -270,8 +280,12 @@ impl Listed {
             first_face += shape.mesh.faces.len() as u32;
         }
         let mut mesh = accel.mesh.clone();
+        mesh.positions.extend(&accel.anchors);
         let mut crossings = crossings(accel);
         crossings.extend(texture_lines(accel));
+        let shadow_lines = shadow_lines(accel, &edges);
+        let shadow_line_count = shadow_lines.len();
+        crossings.extend(shadow_lines);
         for crossing in &crossings {
             let first = mesh.positions.len() as u32;
             mesh.positions.extend(crossing.ends.map(|end| end.position));
@@ -288,13 +302,14 @@ impl Listed {
             edges,
             contrasts,
             crossings,
+            shadow_lines: shadow_line_count,
             on_emitters,
         }
     }
 }
 
 /// Makes an edge of a shape one of the joined mesh.
-fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
+pub(crate) fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
     edge.vertices = edge.vertices.map(|i| i + first_vertex);
     if let Sides::Between { faces, .. } = &mut edge.sides {
         *faces = faces.map(|i| i + first_face);

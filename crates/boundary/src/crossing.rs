@@ -7,14 +7,14 @@
 
 use std::collections::BTreeMap;
 
-use capwalk_geometry::Ray;
+use capwalk_geometry::{Mesh, Ray};
 use capwalk_math::Vec3;
 use rayon::prelude::*;
 
 use crate::accel::Accel;
 
 /// The segment in which two faces intersect, and how it moves; or a segment of another
-/// curve on faces, such as a line of texels.
+/// curve on faces, such as a line of texels or the edge of a hard shadow.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Its ends.
@@ -24,8 +24,8 @@ pub struct Crossing {
     pub emits: bool,
 }
 
-/// An end of a crossing. It stays in the planes of both faces and does not move along the
-/// segment, so its velocity is a linear function of those of the faces' vertices.
+/// An end of a crossing. It stays in two planes, those of both faces, and does not move along
+/// the segment, so its velocity is a linear function of those of three points of each plane.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CrossingEnd {
     /// World space.
@@ -34,8 +34,8 @@ pub struct CrossingEnd {
     pub(crate) pulls: [Pull; 2],
 }
 
-/// What a face adds to the velocity of a crossing's end: `column (normal · Σ weight v)`,
-/// with `v` the velocities of the face's vertices.
+/// What a plane adds to the velocity of a crossing's end: `column (normal · Σ weight v)`,
+/// with `v` the velocities of three points: vertices of the joined mesh, or anchors of lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pull {
     pub(crate) vertices: [u32; 3],
@@ -46,7 +46,7 @@ pub(crate) struct Pull {
 
 impl CrossingEnd {
     /// Its velocity, perpendicular to the segment, for the velocities of the vertices of the
-    /// joined mesh.
+    /// joined mesh and of the anchors of lights.
     pub fn velocity(&self, velocities: &[Vec3]) -> Vec3 {
         let pull = |pull: &Pull| {
             let vertices = pull.vertices.iter().zip(pull.weights);
@@ -58,13 +58,13 @@ impl CrossingEnd {
         pull(&self.pulls[0]) + pull(&self.pulls[1])
     }
 
-    /// The vertices of the joined mesh that it depends on.
+    /// The vertices of the joined mesh, and anchors of lights, that it depends on.
     pub fn vertices(&self) -> impl Iterator<Item = u32> {
         self.pulls.iter().flat_map(|pull| pull.vertices)
     }
 
     /// The transpose of [`CrossingEnd::velocity`]: adds to the covectors of the vertices of
-    /// the joined mesh what follows from one on this velocity.
+    /// the joined mesh, and of the anchors of lights, what follows from one on this velocity.
     pub fn pull_back(&self, covector: Vec3, covectors: &mut [Vec3]) {
         for pull in &self.pulls {
             let along = pull.normal * pull.column.dot(covector);
@@ -137,37 +137,70 @@ fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
 
 /// The crossing of two faces between two points; `None` if the faces are coplanar.
 fn crossing(accel: &Accel, faces: [u32; 2], ends: [Vec3; 2]) -> Option<Crossing> {
-    let normals = faces.map(|face| accel.mesh.face_cross(face as usize).normalized());
+    let planes = faces.map(|face| CrossingPlane::of_face(&accel.mesh, face, ends));
+    let emits = faces.iter().any(|&face| {
+        let shape = accel.shape_of_face[face as usize];
+        accel.scene.shape(shape).emitter.is_some()
+    });
+    crossing_of_planes(planes, ends, emits)
+}
+
+/// A plane through three points of the boundaries that move, and what it is at two places.
+pub(crate) struct CrossingPlane {
+    /// The points.
+    pub(crate) vertices: [u32; 3],
+    /// The velocity of the plane, across itself, is that of the sum of the points with these
+    /// weights; one triple for each place.
+    pub(crate) weights: [[f64; 3]; 2],
+    /// Unit normal.
+    pub(crate) normal: Vec3,
+}
+
+impl CrossingPlane {
+    /// The plane of a face of the joined mesh.
+    pub(crate) fn of_face(mesh: &Mesh, face: u32, places: [Vec3; 2]) -> Self {
+        Self {
+            vertices: mesh.faces[face as usize],
+            weights: places.map(|x| weights_on_face(mesh, face, x)),
+            normal: mesh.face_cross(face as usize).normalized(),
+        }
+    }
+}
+
+/// The segment between two points in which two planes intersect; `None` if they are the same.
+pub(crate) fn crossing_of_planes(
+    planes: [CrossingPlane; 2],
+    ends: [Vec3; 2],
+    emits: bool,
+) -> Option<Crossing> {
+    let normals = [planes[0].normal, planes[1].normal];
     let along = normals[0].cross(normals[1]);
     let square = along.length_squared();
     if square.sqrt() < COPLANAR || !square.is_finite() {
         return None;
     }
     // Solve n₁·ẋ = n₁·v₁, n₂·ẋ = n₂·v₂ and (n₁ × n₂)·ẋ = 0 for the velocity ẋ of the point,
-    // with v₁ and v₂ the velocities of the faces there. With s = n₁ × n₂, the solution is
+    // with v₁ and v₂ the velocities of the planes there. With s = n₁ × n₂, the solution is
     // ẋ = [(n₂ × s) (n₁·v₁) + (s × n₁) (n₂·v₂)] / |s|².
     let columns = [normals[1].cross(along), along.cross(normals[0])];
-    let end = |position: Vec3| CrossingEnd {
-        position,
+    let end = |i: usize| CrossingEnd {
+        position: ends[i],
         pulls: [0, 1].map(|k| Pull {
-            vertices: accel.mesh.faces[faces[k] as usize],
-            weights: weights_on_face(accel, faces[k], position),
+            vertices: planes[k].vertices,
+            weights: planes[k].weights[i],
             normal: normals[k],
             column: columns[k] / square,
         }),
     };
     Some(Crossing {
-        ends: ends.map(end),
-        emits: faces.iter().any(|&face| {
-            let shape = accel.shape_of_face[face as usize];
-            accel.scene.shape(shape).emitter.is_some()
-        }),
+        ends: [end(0), end(1)],
+        emits,
     })
 }
 
 /// Barycentric weights of a point on a face.
-fn weights_on_face(accel: &Accel, face: u32, x: Vec3) -> [f64; 3] {
-    let [a, b, c] = accel.mesh.corners(face as usize);
+fn weights_on_face(mesh: &Mesh, face: u32, x: Vec3) -> [f64; 3] {
+    let [a, b, c] = mesh.corners(face as usize);
     let cross = (b - a).cross(c - a);
     let square = cross.length_squared();
     let wb = (x - a).cross(c - a).dot(cross) / square;

@@ -36,6 +36,7 @@ mod refusal;
 pub mod refuse;
 mod sampled_edge;
 mod shading;
+mod shadow_line;
 mod sights;
 mod silhouette_pieces;
 mod texture_line;

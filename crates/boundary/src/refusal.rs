@@ -28,13 +28,27 @@ pub enum Refusal {
         /// Most that are accepted.
         most: usize,
     },
-    /// Something moves beside an emitter without extent: the edges of its shadows lie
-    /// on surfaces, not among directions (METHOD 7).
+    /// Something moves beside an emitter without extent, and the method misses the edges of
+    /// its shadows, which lie on surfaces (METHOD 12).
     HardShadows {
         /// Name of the emitter.
         emitter: String,
         /// Its kind, by Mitsuba's name.
         plugin: &'static str,
+        /// Name of the method.
+        method: &'static str,
+    },
+    /// Something moves beside an emitter that throws a picture with borders.
+    PictureBorders {
+        /// Name of the emitter.
+        emitter: String,
+        /// Its kind, by Mitsuba's name.
+        plugin: &'static str,
+    },
+    /// The edges of hard shadows consist of too many segments.
+    ManyShadowLines {
+        /// Most that are accepted.
+        most: usize,
     },
     /// Something moves before the parallel rays of an orthographic sensor, and the
     /// method has fields around points only.
@@ -197,12 +211,33 @@ impl Refusal {
                      tree",
                 ),
             ),
-            Self::HardShadows { emitter, plugin } => (
+            Self::HardShadows {
+                emitter,
+                plugin,
+                method,
+            } => (
                 format!(
                     "the emitter \"{emitter}\" ({plugin}) has no extent, so its shadows have hard \
-                     edges, and how these move is not differentiated"
+                     edges, and how these move is not differentiated by the method `{method}`"
                 ),
-                instead("Use a small area emitter, or finite differences"),
+                instead("Use the default method, a small area emitter, or finite differences"),
+            ),
+            Self::PictureBorders { emitter, plugin } => (
+                format!(
+                    "the picture that the emitter \"{emitter}\" ({plugin}) throws is discontinuous, at \
+                     its border or inside, and how this moves on surfaces is not differentiated"
+                ),
+                instead(
+                    "Use a spot light with a `bilinear` texture, an area emitter, or finite \
+                     differences",
+                ),
+            ),
+            Self::ManyShadowLines { most } => (
+                format!(
+                    "the edges of the hard shadows of emitters without extent consist of more than \
+                     {most} segments: one for each face on which the shadow of an edge falls"
+                ),
+                instead("Use small area emitters, coarser meshes, or finite differences"),
             ),
             Self::ParallelRays { method } => (
                 format!(

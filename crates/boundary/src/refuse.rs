@@ -1,30 +1,54 @@
 //! Which derivatives are refused, decided before they are estimated or from counts of
 //! the samples.
 
-use capwalk_scene::{Scene, SensorModel, TextureId};
+use capwalk_scene::{Emitter, Scene, SensorModel, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
-#[cfg(feature = "paper")]
 use crate::boundaries::Boundaries;
 use crate::clip::refuse_clipped;
 use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
 use crate::method::Method;
 use crate::mirror::MAX_EVENTS;
 use crate::refusal::{Refusal, SpecularCause};
+use crate::shadow_line::MOST_SHADOW_LINES;
 use crate::texture_line::{self, MOST_LINES};
 
 pub use crate::infinite_derivative::refuse_infinite_derivatives;
 
-/// A refusal if there are emitters without extent: the edges of their shadows lie on
-/// surfaces, not among directions (METHOD 7).
-fn refuse_hard_shadows(scene: &Scene) -> Result<(), Refusal> {
-    match scene.emitters.iter().find(|emitter| emitter.is_delta()) {
-        None => Ok(()),
-        Some(emitter) => Err(Refusal::HardShadows {
+/// A refusal if there are emitters without extent and the method does not cover the edges
+/// of their shadows, which lie on surfaces (METHOD 12), or those of a picture they throw.
+fn refuse_hard_shadows(scene: &Scene, method: &Method) -> Result<(), Refusal> {
+    let has_borders = |emitter: &&Emitter| match emitter {
+        Emitter::Projector { .. } => true,
+        Emitter::Spot { texture, .. } => {
+            texture.is_some_and(|id| texture_line::is_discontinuous(scene.texture(id)))
+        }
+        _ => false,
+    };
+    if let Some(emitter) = scene.emitters.iter().find(has_borders) {
+        return Err(Refusal::PictureBorders {
             emitter: emitter.name(scene),
             plugin: emitter.plugin(),
+        });
+    }
+    match scene.emitters.iter().find(|emitter| emitter.is_delta()) {
+        Some(emitter) if !method.traits().is_spherical => Err(Refusal::HardShadows {
+            emitter: emitter.name(scene),
+            plugin: emitter.plugin(),
+            method: method.name(),
         }),
+        _ => Ok(()),
+    }
+}
+
+/// A refusal if the edges of hard shadows consist of too many segments.
+pub fn refuse_many_shadows(boundaries: &Boundaries) -> Result<(), Refusal> {
+    match boundaries.shadow_lines {
+        count if count > MOST_SHADOW_LINES => Err(Refusal::ManyShadowLines {
+            most: MOST_SHADOW_LINES,
+        }),
+        _ => Ok(()),
     }
 }
 
@@ -174,7 +198,7 @@ pub fn refuse_uncovered(
 /// A refusal if the scene has discontinuities whose motion no method covers.
 pub fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     refuse_parallel_rays(&accel.scene, method)?;
-    refuse_hard_shadows(&accel.scene)?;
+    refuse_hard_shadows(&accel.scene, method)?;
     refuse_jumping_textures(accel, method)?;
     refuse_turned_without_uvs(&accel.scene)?;
     refuse_clipped(accel)

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use capwalk_math::Vec3;
 use capwalk_scene::params::Registry;
-use capwalk_scene::{Scene, SensorVectors, Tangent};
+use capwalk_scene::{EmitterVectors, Scene, SensorVectors, Tangent};
 
 use crate::error::Error;
 
@@ -50,7 +50,9 @@ impl Direction for Tangent {
 pub(crate) fn is_zero(tangent: &Tangent) -> bool {
     let mut shapes = tangent.shapes.iter().flatten();
     let mut numbers = tangent.textures.iter().flatten().flatten();
+    let mut lights = tangent.emitters.iter();
     tangent.sensor == SensorVectors::default()
+        && lights.all(|light| *light == EmitterVectors::default())
         && numbers.all(|&v| v == 0.0)
         && shapes.all(|shape| {
             let mut velocities = shape.vertices.iter().chain(shape.normals.iter().flatten());

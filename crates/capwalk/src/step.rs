@@ -3,7 +3,7 @@
 use capwalk_diff::{PreparedScene, may_be_specular};
 use capwalk_math::{Dual, Vec3};
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{Film, Filter, Scene, Shape, ShapeVectors, Tangent};
+use capwalk_scene::{Emitter, Film, Filter, Scene, Shape, ShapeVectors, Tangent, TextureId};
 
 /// Part of the size of the fastest shape that it moves by on each side of a
 /// finite difference. The bias of the difference grows with its square, the
@@ -41,12 +41,36 @@ pub fn difference_step(prepared: &PreparedScene, tangent: &Tangent) -> f64 {
         .fold(sensor.rotation.length(), |sum, axis| sum + axis.length());
     let speed = sensor.translation.length() + turning * size;
     step = step.min(STEP_FRACTION * size / speed);
+    step = step.min(light_step(scene, tangent, size));
     // Nothing in the image moves by more than a part of a pixel.
     step = step.min(film_step(scene) / film_speed(prepared, tangent));
     // Numbers of materials and emitters change a little.
     let numbers = tangent.textures.iter().flatten().flatten();
     let rate = numbers.map(|v| v.abs()).fold(0.0, f64::max);
     step.min(COLOUR_STEP / rate)
+}
+
+/// The step at which lights without extent move by a part of the scene, which has a size,
+/// and turn by a small angle.
+fn light_step(scene: &Scene, tangent: &Tangent, size: f64) -> f64 {
+    let lights = scene.emitters.iter().zip(&tangent.emitters);
+    let steps = lights.map(|(emitter, moving)| {
+        let angle = match emitter {
+            Emitter::Spot {
+                cutoff_angle,
+                beam_width,
+                ..
+            } => {
+                // Its intensity falls to zero between these.
+                let degrees = |id: &TextureId| scene.texture(*id).data[0];
+                (degrees(cutoff_angle) - degrees(beam_width)).to_radians()
+            }
+            _ => 1.0,
+        };
+        let moved = STEP_FRACTION * size / moving.translation.length();
+        moved.min(COLOUR_STEP * angle / moving.rotation.length())
+    });
+    steps.fold(f64::INFINITY, f64::min)
 }
 
 /// How far, in pixels, what is in the image moves on each side of a finite
@@ -63,8 +87,8 @@ fn film_step(scene: &Scene) -> f64 {
 }
 
 /// The largest speed on the film, in pixels per unit of the parameter, of a
-/// vertex in the image, hidden or not; and of what is seen at some places if
-/// the sensor moves.
+/// vertex in the image, or an end of a hard shadow's edge, hidden or not; and of what is
+/// seen at some places if the sensor moves.
 fn film_speed(prepared: &PreparedScene, tangent: &Tangent) -> f64 {
     let scene = &**prepared.scene();
     let (sensor, film) = (&scene.sensor, &scene.film);
@@ -114,13 +138,43 @@ fn film_speed(prepared: &PreparedScene, tangent: &Tangent) -> f64 {
                     (position, velocity)
                 })
         });
-    let of_vertices = vertices.map(|(position, velocity)| speed(position, velocity));
+    let shadows = shadow_ends(prepared, tangent);
+    let of_points = vertices.chain(shadows);
+    let of_points = of_points.map(|(position, velocity)| speed(position, velocity));
     let view = sensor.view(film);
     let of_places = places(film)
         .filter_map(|place| seen_at(prepared, &view, place))
         .map(|point| speed(point, Vec3::zero()));
-    let seen = of_vertices.chain(of_places).fold(0.0, f64::max);
+    let seen = of_points.chain(of_places).fold(0.0, f64::max);
     seen.max(mirrored_speed(scene, tangent))
+}
+
+/// The ends of the edges of hard shadows, and their velocities.
+fn shadow_ends(prepared: &PreparedScene, tangent: &Tangent) -> impl Iterator<Item = (Vec3, Vec3)> {
+    let scene = &**prepared.scene();
+    let has_shadows = scene.emitters.iter().any(Emitter::is_delta);
+    // Listing the boundaries takes time.
+    let lines = has_shadows.then(|| {
+        let shapes = scene.shapes.iter().zip(&tangent.shapes);
+        let mut velocities = Vec::new();
+        for (shape, tangent) in shapes {
+            match tangent {
+                Some(tangent) => velocities.extend(&tangent.vertices),
+                None => {
+                    velocities.resize(velocities.len() + shape.mesh.positions.len(), Vec3::zero())
+                }
+            }
+        }
+        velocities.extend(scene.anchor_velocities(tangent));
+        let boundaries = prepared.boundaries();
+        let first = boundaries.crossings.len() - boundaries.shadow_lines;
+        let ends = boundaries.crossings[first..]
+            .iter()
+            .flat_map(|line| &line.ends);
+        let moving = ends.map(move |end| (end.position, end.velocity(&velocities)));
+        moving.collect::<Vec<_>>()
+    });
+    lines.into_iter().flatten()
 }
 
 /// Steps between the places on the film at which its own motion is measured, along each

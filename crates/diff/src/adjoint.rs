@@ -8,8 +8,8 @@ use capwalk_math::tape::Adjoints;
 use capwalk_math::{Tape, Vec3};
 use capwalk_render::Accumulate;
 use capwalk_scene::{
-    Gradient, Optic, Scene, SensorVectors, ShadingNormals, ShapeId, ShapeVectors, Tangent,
-    TextureId, corner_normals, normal_sums,
+    Emitter, EmitterVectors, Gradient, Optic, Scene, SensorVectors, ShadingNormals, ShapeId,
+    ShapeVectors, Tangent, TextureId, corner_normals, normal_sums,
 };
 use serde::{Deserialize, Serialize};
 
@@ -23,6 +23,8 @@ pub struct Wanted {
     pub normals: Vec<bool>,
     /// The data of each texture: the numbers of materials and emitters.
     pub textures: Vec<bool>,
+    /// Where each emitter without extent is.
+    pub emitters: Vec<bool>,
     /// The sensor's position.
     pub sensor_origin: bool,
     /// How the sensor is turned.
@@ -40,6 +42,7 @@ impl Wanted {
             shapes: vec![true; scene.shapes.len()],
             normals: vec![true; scene.shapes.len()],
             textures: vec![true; scene.textures.len()],
+            emitters: scene.emitters.iter().map(Emitter::is_delta).collect(),
             sensor_origin: true,
             sensor_axes: true,
             aperture: true,
@@ -60,6 +63,11 @@ impl Wanted {
             shapes: shapes.clone().map(|s| s.is_some_and(moves)).collect(),
             normals: shapes.map(|s| s.is_some_and(turns)).collect(),
             textures: tangent.textures.iter().map(Option::is_some).collect(),
+            emitters: tangent
+                .emitters
+                .iter()
+                .map(|moving| *moving != EmitterVectors::default())
+                .collect(),
             sensor_origin: sensor.translation != Vec3::zero(),
             sensor_axes: turning.into_iter().any(|v| v != Vec3::zero()),
             aperture: optic(Optic::ApertureRadius),
@@ -77,6 +85,7 @@ impl Wanted {
         add(&mut self.shapes, &other.shapes);
         add(&mut self.normals, &other.normals);
         add(&mut self.textures, &other.textures);
+        add(&mut self.emitters, &other.emitters);
         self.sensor_origin |= other.sensor_origin;
         self.sensor_axes |= other.sensor_axes;
         self.aperture |= other.aperture;
@@ -86,14 +95,19 @@ impl Wanted {
     /// True if curves in the image depend on something wanted.
     pub fn geometry(&self) -> bool {
         let rays_move = self.sensor_origin || self.sensor_axes || self.aperture;
-        rays_move || self.shapes.contains(&true)
+        rays_move || self.shapes.contains(&true) || self.emitters.contains(&true)
     }
 
-    /// For every point of the boundaries, whether it depends on a shape that is
+    /// For every point of the boundaries, whether it depends on a shape or a light that is
     /// wanted.
     pub(crate) fn points(&self, accel: &Accel, boundaries: &Boundaries) -> Vec<bool> {
         let vertices = 0..accel.mesh.positions.len() as u32;
         let mut points: Vec<bool> = vertices.map(|i| self.vertices(accel, i)).collect();
+        let emitters = accel.scene.emitters.iter().zip(&self.emitters);
+        points.extend(emitters.flat_map(|(emitter, &wanted)| {
+            let anchors = emitter.anchors().len();
+            std::iter::repeat_n(wanted, anchors)
+        }));
         let ends = boundaries
             .crossings
             .iter()
@@ -126,8 +140,8 @@ impl Wanted {
 /// What a covector is on: three numbers of a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Target {
-    /// A point of the boundaries: a vertex of the joined mesh, or the end of a
-    /// crossing.
+    /// A point of the boundaries: a vertex of the joined mesh, an anchor of a light, or
+    /// the end of a crossing.
     Point(u32),
     /// The shading normal of a vertex of a shape.
     Normal(usize, u32),
@@ -223,11 +237,23 @@ impl Adjoint {
     /// vertices to the curves where faces cross and to computed normals.
     pub fn gradient(mut self, accel: &Accel, boundaries: &Boundaries, wanted: &Wanted) -> Gradient {
         let scene = &accel.scene;
-        let (vertices, ends) = self.points.split_at_mut(accel.mesh.positions.len());
+        let vertex_count = accel.mesh.positions.len();
+        let (fixed, ends) = self.points.split_at_mut(vertex_count + accel.anchors.len());
         let crossings = boundaries.crossings.iter();
         for (end, &covector) in crossings.flat_map(|crossing| &crossing.ends).zip(&*ends) {
-            end.pull_back(covector, vertices);
+            end.pull_back(covector, fixed);
         }
+        let (vertices, anchors) = fixed.split_at(vertex_count);
+        let emitters = scene
+            .pull_anchors(anchors)
+            .into_iter()
+            .zip(&wanted.emitters);
+        let emitters = emitters.map(|(vectors, &wanted)| match wanted {
+            true => vectors,
+            // Boundaries of something else may have left something here.
+            false => EmitterVectors::default(),
+        });
+        let emitters = emitters.collect();
         let mut shapes = Vec::new();
         for (i, shape) in scene.shapes.iter().enumerate() {
             let count = shape.mesh.positions.len();
@@ -269,7 +295,7 @@ impl Adjoint {
             axes: self.sensor_axes,
             optics: self.sensor_optics,
         };
-        Gradient::new(shapes, textures, sensor)
+        Gradient::new(shapes, textures, emitters, sensor)
     }
 }
 

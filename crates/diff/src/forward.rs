@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use capwalk_boundary::refuse::{
-    refuse_cut_normals, refuse_infinite_derivatives, refuse_motion, refuse_settings,
-    refuse_turned_without_uvs, refuse_uncovered,
+    refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
+    refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
 use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
@@ -218,6 +218,7 @@ impl<'a> GradientWork<'a> {
         refuse_cut_normals(scene, turns || moves, is_asked_for)?;
         if moves {
             refuse_motion(accel, &options.method)?;
+            refuse_many_shadows(prepared.boundaries())?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }

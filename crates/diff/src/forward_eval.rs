@@ -24,7 +24,7 @@ pub struct Forward<'a> {
     /// What the sensor sees from the middle of its lens.
     view: View<D>,
     /// Velocity of every point of the boundaries, world units: the vertices of the
-    /// joined mesh, then the ends of crossings.
+    /// joined mesh, then the anchors of lights, then the ends of crossings.
     points: Vec<Vec3>,
     /// Velocities of each shape's shading normals, where it has any.
     normals: Vec<Option<Vec<Vec3>>>,
@@ -44,6 +44,7 @@ impl<'a> Forward<'a> {
                 points[first..first + shape.vertices.len()].copy_from_slice(&shape.vertices);
             }
         }
+        points.extend(accel.scene.anchor_velocities(tangent));
         let crossings = field.boundaries.crossings.iter();
         let ends: Vec<Vec3> = crossings
             .flat_map(|crossing| crossing.ends.map(|end| end.velocity(&points)))

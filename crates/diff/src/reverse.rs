@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_boundary::refuse::{
-    refuse_cut_normals, refuse_infinite_derivatives, refuse_motion, refuse_settings,
-    refuse_turned_without_uvs, refuse_uncovered,
+    refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
+    refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
 use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
@@ -251,6 +251,7 @@ impl<'a> BackwardWork<'a> {
         refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
         if wanted.geometry() {
             refuse_motion(accel, &options.method)?;
+            refuse_many_shadows(prepared.boundaries())?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }

@@ -3,6 +3,7 @@
 use capwalk_math::{Vec3, sphere};
 
 use crate::mesh::Mesh;
+use crate::wedge::Apex;
 
 /// An edge of a mesh and what lies on its sides. Coplanar neighbours have no
 /// edge between them: it could never be a boundary.
@@ -63,6 +64,23 @@ pub fn separates(crosses: [Vec3; 2], point: Vec3, flipped: bool, viewpoint: Vec3
 }
 
 impl Edge {
+    /// True if the surface ends or folds at this edge as light sees it that comes from there.
+    pub fn is_silhouette_to(&self, mesh: &Mesh, light: Apex) -> bool {
+        match (self.sides, light) {
+            (Sides::Open, _) => true,
+            (Sides::Between { .. }, Apex::Point(origin)) => self.is_silhouette(mesh, origin),
+            (Sides::Between { faces, flipped }, Apex::Direction(direction)) => {
+                let [first, second] = faces.map(|face| {
+                    let cross = mesh.face_cross(face as usize);
+                    let (height, size) = (cross.dot(direction), cross.length());
+                    let tolerance = ON_PLANE * size * direction.length();
+                    i32::from(height < -tolerance) - i32::from(height > tolerance)
+                });
+                first * if flipped { -second } else { second } <= 0
+            }
+        }
+    }
+
     /// True if the visible surface ends or folds at this edge seen from `viewpoint`.
     #[inline]
     pub fn is_silhouette(&self, mesh: &Mesh, viewpoint: Vec3) -> bool {

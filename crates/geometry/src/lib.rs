@@ -1,7 +1,7 @@
 //! Triangle meshes, their silhouettes, and the queries on them.
 //!
 //! Two trees answer everything: [`RayTree`] over triangles (first hit,
-//! occluded) and [`SilhouetteTree`] over edges (the boundary point seen under
+//! occluded, what crosses a wedge of light) and [`SilhouetteTree`] over edges (the boundary point seen under
 //! the smallest angle to an axis, Algorithm 5, and all boundary edges in a cone).
 //! They own what they need, can be shared between threads, and follow moving
 //! vertices by `refit`. Every accelerated query has a brute-force twin in
@@ -23,6 +23,7 @@ mod simd;
 #[cfg(test)]
 mod tests;
 pub mod topology;
+mod wedge;
 
 pub use cone::NormalCone;
 pub use edge::{Edge, Sides};
@@ -30,3 +31,4 @@ pub use effort::{add_effort, effort, uncounted};
 pub use mesh::{Mesh, MeshError};
 pub use query::{ConeQuery, EdgeSelection, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree};
 pub use ray::{Hit, Ray};
+pub use wedge::{Apex, Wedge, WedgePoint};

@@ -4,6 +4,7 @@ use crate::edge::{Edge, closest_direction};
 use crate::mesh::Mesh;
 use crate::query::{ConeQuery, EdgeSelection, SilhouettePoint};
 use crate::ray::{Hit, Ray, intersect_triangle};
+use crate::wedge::{Wedge, WedgePoint};
 
 /// The nearest intersection of the ray with any triangle; of equally near ones
 /// that of the lowest face.
@@ -23,6 +24,14 @@ pub fn first_hit(mesh: &Mesh, ray: &Ray) -> Option<Hit> {
 /// True if the ray meets any triangle.
 pub fn occluded(mesh: &Mesh, ray: &Ray) -> bool {
     (0..mesh.faces.len()).any(|face| intersect_triangle(ray, mesh.corners(face)).is_some())
+}
+
+/// Where triangles cross a wedge: the faces with their sections, in ascending order.
+pub fn across(mesh: &Mesh, wedge: &Wedge) -> Vec<(u32, [WedgePoint; 2])> {
+    let faces = 0..mesh.faces.len();
+    faces
+        .filter_map(|face| Some((face as u32, wedge.section(mesh.corners(face))?)))
+        .collect()
 }
 
 /// The boundary point under the smallest angle to the axis, Eq. (30); of

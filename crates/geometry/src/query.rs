@@ -1,5 +1,6 @@
 //! The trees and their queries.
 
+mod across;
 mod best_first;
 mod closest;
 mod cone_kernel;

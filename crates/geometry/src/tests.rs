@@ -3,3 +3,4 @@
 mod meshes;
 mod rays;
 mod silhouettes;
+mod wedges;

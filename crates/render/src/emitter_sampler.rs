@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use capwalk_boundary::Accel;
 use capwalk_scene::emitter::EnvironmentTable;
-use capwalk_scene::{Emitter, EmitterId, Pattern, Scene, Texture, TextureId};
+use capwalk_scene::{Emitter, EmitterId, Pattern, Scene, Texture};
 
 use crate::triangle_sampler::TriangleSampler;
 use crate::vertex::Vertex;
@@ -64,8 +64,7 @@ impl EmitterSampler {
             }
             DirectionSampler::Constant | DirectionSampler::Environment(_) => PI,
             DirectionSampler::Delta => {
-                let number = |id: TextureId| accel.scene.texture(id).data[0];
-                let light = accel.scene.emitter(id).delta_light(position, number);
+                let light = accel.delta_light(id, position);
                 light.map_or(0.0, |light| {
                     light.factor * vertex.largest_cosine(position + light.direction, 0.0)
                 })

@@ -256,10 +256,7 @@ fn sample_emitter(
             free.then(|| (direction, None, map_pdf(table.as_ref(), direction)))?
         }
         DirectionSampler::Delta => {
-            let light = accel
-                .scene
-                .emitter(emitter)
-                .delta_light(position, |id| accel.scene.texture(id).data[0])?;
+            let light = accel.delta_light(emitter, position)?;
             let free = match light.distance.is_finite() {
                 true => accel.surface_sees(position, light.direction, light.distance),
                 false => is_free(light.direction),

@@ -308,8 +308,10 @@ impl Tracer<'_> {
                 }
                 // An emitter without extent is seen in one direction, wherever that moves.
                 let emitter = self.accel.scene.emitter(sample.emitter);
-                if let Some(delta) = emitter.delta_light(vertex.position, |id| eval.texel(id, 0).r)
-                {
+                let first = self.accel.anchor(sample.emitter);
+                let anchor = |i: usize| eval.boundary_point(first + i as u32);
+                let number = |id| eval.texel(id, 0).r;
+                if let Some(delta) = emitter.delta_light(vertex.position, anchor, number) {
                     let f = vertex.eval(delta.direction);
                     light += f * irradiance_of(eval, emitter, &delta) * weight;
                     return;

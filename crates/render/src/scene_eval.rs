@@ -33,7 +33,8 @@ pub trait SceneEval<R: Real> {
     fn primal<'v>(&self, vertex: &'v Vertex<R>) -> Cow<'v, Vertex<f64>> {
         Cow::Owned(vertex.value())
     }
-    /// Position of a point of the boundaries; used only if `MOVES`.
+    /// A point of the boundaries: the position of a vertex of the joined mesh, an anchor of a
+    /// light ([`Accel::anchors`]), or, only if `MOVES`, the end of a crossing.
     fn boundary_point(&self, index: u32) -> Vec3<R>;
     /// How fast a point of an edge moves along `normal` against something else, at least 0,
     /// world units per unit of the parameter: what sampling weights know of the motion. The
@@ -153,7 +154,12 @@ impl SceneEval<f64> for Primal<'_> {
     }
     #[inline]
     fn boundary_point(&self, index: u32) -> Vec3 {
-        self.vertex(index)
+        let vertices = &self.0.mesh.positions;
+        let anchors = &self.0.anchors;
+        let mut points = vertices.iter().chain(anchors);
+        *points
+            .nth(index as usize)
+            .expect("without derivatives there are no crossings")
     }
     #[inline]
     fn speed(&self, _: [u32; 2], _: f64, _: Vec3, _: Vec3) -> f64 {

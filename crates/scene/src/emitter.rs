@@ -5,6 +5,7 @@ mod environment;
 
 pub use environment::{EnvironmentMap, EnvironmentTable};
 
+use capwalk_geometry::Apex;
 use capwalk_math::{Affine, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -228,6 +229,21 @@ impl Emitter {
         match self.traits().extent {
             EmitterExtent::Delta => true,
             EmitterExtent::Shape(_) | EmitterExtent::Surroundings => false,
+        }
+    }
+
+    /// Where its light comes from, if it has no extent.
+    pub fn apex(&self) -> Option<Apex> {
+        match self {
+            Self::Area { .. } | Self::Constant { .. } | Self::EnvironmentMap { .. } => None,
+            Self::Point { position, .. } => Some(Apex::Point(*position)),
+            Self::Spot {
+                world_from_emitter, ..
+            }
+            | Self::Projector {
+                world_from_emitter, ..
+            } => Some(Apex::Point(world_from_emitter.translation)),
+            Self::Directional { direction, .. } => Some(Apex::Direction(*direction)),
         }
     }
 

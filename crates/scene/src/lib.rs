@@ -40,7 +40,9 @@ pub use material::{Bsdf, Material, Resolved, Resolver, bsdf, lobe, resolve};
 pub use quantity::Quantity;
 pub use scene::Scene;
 pub use scene_error::SceneError;
-pub use scene_vector::{Gradient, SceneVector, SensorVectors, ShapeVectors, Tangent};
+pub use scene_vector::{
+    EmitterVectors, Gradient, SceneVector, SensorVectors, ShapeVectors, Tangent,
+};
 pub use sensor::{Optic, Sensor, SensorModel};
 pub use settings::{Aov, Integrator, SamplerKind, Settings};
 pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, normal_sums, vertex_normals};

@@ -8,13 +8,15 @@ use std::sync::Arc;
 use capwalk_math::{Affine, Dual, Rgb, Vec3};
 use serde::Serialize;
 
+use crate::emitter::Emitter;
 use crate::ids::TextureId;
 use crate::scene::Scene;
 use crate::sensor::{Optic, Sensor, SensorState};
 use crate::shape::{ShadingNormals, vertex_normals};
 use crate::texture::texel;
 
-/// A vector with the form of a scene's numbers: those of shapes, textures and the sensor.
+/// A vector with the form of a scene's numbers: those of shapes, textures, lights and the
+/// sensor.
 /// `K` tells velocities from derivatives, so that none is taken for the other.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SceneVector<K> {
@@ -22,6 +24,8 @@ pub struct SceneVector<K> {
     pub shapes: Vec<Option<ShapeVectors>>,
     /// One per texture, in the form of its data; `None` is zero.
     pub textures: Vec<Option<Vec<f64>>>,
+    /// One per emitter: how lights without extent move. The others have none of their own.
+    pub emitters: Vec<EmitterVectors>,
     /// The sensor.
     pub sensor: SensorVectors,
     kind: PhantomData<K>,
@@ -51,6 +55,33 @@ pub struct ShapeVectors {
     /// One per vertex, orthogonal to its normal, for shapes with normals given with the
     /// mesh. Computed normals follow the vertices, see [`Scene::normal_velocities`].
     pub normals: Option<Vec<Vec3>>,
+}
+
+/// Vectors of an emitter without extent; zero by default.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct EmitterVectors {
+    /// Of its position, world units (or per world unit).
+    pub translation: Vec3,
+    /// Of its rotation about its position, radians (or per radian), in world axes.
+    pub rotation: Vec3,
+}
+
+impl Default for EmitterVectors {
+    fn default() -> Self {
+        Self {
+            translation: Vec3::zero(),
+            rotation: Vec3::zero(),
+        }
+    }
+}
+
+impl EmitterVectors {
+    fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        Self {
+            translation: self.translation.map(&f),
+            rotation: self.rotation.map(&f),
+        }
+    }
 }
 
 /// Vectors of the sensor; zero by default.
@@ -104,15 +135,17 @@ impl SensorVectors {
 }
 
 impl<K> SceneVector<K> {
-    /// A vector of its parts, one per shape and one per texture.
+    /// A vector of its parts, one per shape, one per texture and one per emitter.
     pub fn new(
         shapes: Vec<Option<ShapeVectors>>,
         textures: Vec<Option<Vec<f64>>>,
+        emitters: Vec<EmitterVectors>,
         sensor: SensorVectors,
     ) -> Self {
         Self {
             shapes,
             textures,
+            emitters,
             sensor,
             kind: PhantomData,
         }
@@ -123,6 +156,7 @@ impl<K> SceneVector<K> {
         Self {
             shapes: vec![None; scene.shapes.len()],
             textures: vec![None; scene.textures.len()],
+            emitters: vec![EmitterVectors::default(); scene.emitters.len()],
             sensor: SensorVectors::default(),
             kind: PhantomData,
         }
@@ -146,6 +180,10 @@ impl<K> SceneVector<K> {
                 }
             }
         }
+        for (own, others) in self.emitters.iter_mut().zip(&other.emitters) {
+            own.translation += others.translation;
+            own.rotation += others.rotation;
+        }
         let (own, others) = (self.sensor.vectors(), other.sensor.vectors());
         self.sensor = SensorVectors::from_vectors(array::from_fn(|i| own[i] + others[i]));
     }
@@ -165,6 +203,7 @@ impl<K> SceneVector<K> {
                 .iter()
                 .map(|t| t.as_ref().map(texture))
                 .collect(),
+            emitters: self.emitters.iter().map(|e| e.map(&f)).collect(),
             sensor: SensorVectors::from_vectors(self.sensor.vectors().map(|v| v.map(&f))),
             kind: PhantomData,
         }
@@ -205,7 +244,11 @@ impl Gradient {
             .filter_map(|(a, b)| Some((a.as_ref()?, b.as_ref()?)))
             .flat_map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b))
             .sum();
-        of_shapes + of_textures + dot(&self.sensor.vectors(), &other.sensor.vectors())
+        let emitters = self.emitters.iter().zip(&other.emitters);
+        let of_emitters: f64 = emitters
+            .map(|(a, b)| a.translation.dot(b.translation) + a.rotation.dot(b.rotation))
+            .sum();
+        of_shapes + of_textures + of_emitters + dot(&self.sensor.vectors(), &other.sensor.vectors())
     }
 }
 
@@ -260,6 +303,33 @@ impl Sensor {
     }
 }
 
+impl Emitter {
+    /// Moves on along a motion for `step`, turning rigidly; emitters with an extent stay.
+    fn move_along(&mut self, tangent: &EmitterVectors, step: f64) {
+        let turn = || match tangent.rotation.length() {
+            0.0 => Affine::IDENTITY,
+            rate => Affine::rotate(tangent.rotation, rate * step),
+        };
+        match self {
+            Self::Area { .. } | Self::Constant { .. } | Self::EnvironmentMap { .. } => {}
+            Self::Point { position, .. } => *position += tangent.translation * step,
+            Self::Spot {
+                world_from_emitter, ..
+            }
+            | Self::Projector {
+                world_from_emitter, ..
+            } => {
+                let origin = world_from_emitter.translation + tangent.translation * step;
+                *world_from_emitter = turn() * *world_from_emitter;
+                world_from_emitter.translation = origin;
+            }
+            Self::Directional { direction, .. } => {
+                *direction = turn().vector(*direction).normalized();
+            }
+        }
+    }
+}
+
 impl Scene {
     /// The scene after the motion has gone on for `step`: vertices, normals
     /// and numbers along straight lines, the sensor turning rigidly. Its
@@ -296,8 +366,43 @@ impl Scene {
             let numbers = Arc::make_mut(texture).data.iter_mut().zip(velocities);
             numbers.for_each(|(x, &v)| *x += v * step);
         }
+        for (emitter, tangent) in scene.emitters.iter_mut().zip(&tangent.emitters) {
+            emitter.move_along(tangent, step);
+        }
         scene.sensor.move_along(&tangent.sensor, step);
         scene
+    }
+
+    /// Velocities of the [anchors](Emitter::anchors) of all emitters, one after the other.
+    pub fn anchor_velocities(&self, tangent: &Tangent) -> Vec<Vec3> {
+        let emitters = self.emitters.iter().zip(&tangent.emitters);
+        let of_each = emitters.flat_map(|(emitter, moving)| {
+            let turning = move |v: Vec3| moving.rotation.cross(v);
+            let anchors = emitter.anchors().into_iter().enumerate();
+            anchors.map(move |(i, anchor)| match emitter.anchor_is_point(i) {
+                true => moving.translation,
+                false => turning(anchor),
+            })
+        });
+        of_each.collect()
+    }
+
+    /// The transpose of [`Scene::anchor_velocities`]: what covectors on all anchors mean for
+    /// the emitters.
+    pub fn pull_anchors(&self, covectors: &[Vec3]) -> Vec<EmitterVectors> {
+        let mut covectors = covectors.iter();
+        let of_emitter = |emitter: &Emitter| {
+            let mut sum = EmitterVectors::default();
+            for (i, anchor) in emitter.anchors().into_iter().enumerate() {
+                let covector = *covectors.next().expect("one for each anchor");
+                match emitter.anchor_is_point(i) {
+                    true => sum.translation += covector,
+                    false => sum.rotation += anchor.cross(covector),
+                }
+            }
+            sum
+        };
+        self.emitters.iter().map(of_emitter).collect()
     }
 
     /// Velocities of a shape's unit shading normals, one per vertex; `None` if

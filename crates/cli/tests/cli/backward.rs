@@ -466,18 +466,21 @@ fn wrong_usage() {
     }
 }
 
-/// A light without extent: everything that moves no edges is differentiated,
-/// and one warning names the rest. By name it is refused.
+/// Brushed metal that does not say how it is brushed: everything that moves nothing is
+/// differentiated, and one warning names the rest. By name it is refused.
 #[test]
 fn what_cannot_be_differentiated_is_left_out() {
     let capwalk = Capwalk::new("backward_left_out");
     write_adjoint(&capwalk, "a.npz", "adjoint", |_| {});
+    let sheet = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nvn 0 0 1\nvn 0.6 0 0.8\nf 1//1 2//2 3//1\n";
+    capwalk.write("sheet.obj", sheet);
     capwalk.write(
         "bulb.xml",
         r#"<scene version="3.0.0"><integrator type="direct"/>
 <sensor type="perspective"><transform name="to_world">
 <lookat origin="0, 0, 5" target="0, 0, 0" up="0, 1, 0"/></transform></sensor>
-<shape type="rectangle" id="sheet"/>
+<shape type="obj" id="sheet"><string name="filename" value="sheet.obj"/>
+<bsdf type="roughconductor"><float name="alpha_u" value="0.1"/><float name="alpha_v" value="0.4"/></bsdf></shape>
 <emitter type="point" id="bulb"><point name="position" value="0, 1, 3"/></emitter></scene>"#,
     );
     let command = format!("backward bulb.xml {SIZE} --spp 4 --adjoint a.npz -o g.npz");

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use capwalk_diff::Method;
-use capwalk_scene::{SensorVectors, params};
+use capwalk_scene::{EmitterVectors, SensorVectors, params};
 
 use crate::folder::{Edges, Folder};
 use crate::methods::{by, chosen, meets};
@@ -20,8 +20,13 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     let tangent = params::Registry::new(&scene)
         .tangent(&scene, parameter)
         .unwrap_or_else(|e| panic!("{name}: {e}"));
-    let is_at_rest = tangent.shapes.iter().all(Option::is_none);
-    if is_at_rest && tangent.sensor == SensorVectors::default() {
+    let lights = &tangent.emitters;
+    let is_at_rest = tangent.shapes.iter().all(Option::is_none)
+        && tangent.sensor == SensorVectors::default()
+        && lights
+            .iter()
+            .all(|light| *light == EmitterVectors::default());
+    if is_at_rest {
         return;
     }
     let [walk, gathered, auto] =

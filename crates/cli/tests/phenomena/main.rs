@@ -29,6 +29,7 @@ macro_rules! phenomena {
 phenomena! {
     albedo
     brushed_metal_without_texture_coordinates
+    camera_moves_past_hard_shadows
     camera_moves_with_shadows
     camera_moves_without_shadows
     camera_over_a_texture
@@ -47,6 +48,9 @@ phenomena! {
     environment_texel
     glossy_floor_reflects_a_moving_ball
     hard_shadow
+    hard_shadow_in_a_mirror
+    hard_shadow_of_a_point_light
+    hard_shadow_on_a_moving_receiver
     index_of_refraction
     indirect_shadow
     instance_moves
@@ -73,6 +77,7 @@ phenomena! {
     outline_with_negative_lobes_cut_off
     outline_with_the_border_sampled
     picture_of_a_projector
+    point_light_moves
     principled_ball_moves
     radiance
     reflector_moves
@@ -93,6 +98,8 @@ phenomena! {
     shadow_through_a_pane
     smooth_sphere_under_constant_light
     sphere_emitter_grows
+    spot_light_moves
+    sun_turns
     surface_cut_by_the_near_plane
     texture_texel
     texture_that_jumps
@@ -101,6 +108,7 @@ phenomena! {
     two_occluders_cross
     vertex_of_a_closed_mesh
     vertex_of_an_open_mesh
+    wall_lit_past_a_hard_shadow
     weight_of_a_blend
 }
 

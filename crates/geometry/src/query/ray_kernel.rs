@@ -1,6 +1,8 @@
 //! A ray against the eight children of a node, and against the four triangles
 //! of a leaf.
 
+use capwalk_math::Vec3;
+
 use crate::aabb::{Aabb, round_up};
 use crate::bvh::{Child, WIDTH};
 use crate::local_frame::LocalFrame;
@@ -32,6 +34,14 @@ impl RayNode {
             })
         });
         Self { planes, children }
+    }
+
+    /// The middle of the box of one child, and half of its extents.
+    pub fn child_box(&self, slot: usize) -> [Vec3; 2] {
+        let [low, high] = [0, 3].map(|first| {
+            Vec3::from([0, 1, 2].map(|axis| f64::from(self.planes[first + axis][slot])))
+        });
+        [(low + high) * 0.5, (high - low) * 0.5]
     }
 
     /// The box of one child.

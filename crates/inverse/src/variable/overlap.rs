@@ -2,7 +2,7 @@
 //! other's way.
 
 use capwalk_math::Vec3;
-use capwalk_scene::{Scene, ShapeVectors, Tangent};
+use capwalk_scene::{EmitterVectors, Scene, ShapeVectors, Tangent};
 
 use super::error::VariableError;
 use super::kind::{Map, Variable, turn};
@@ -68,7 +68,16 @@ fn overlap(a: &Tangent, b: &Tangent) -> bool {
         let [t, o] = [sensor.translation, sensor.optics].map(|v| v.to_array().map(|x| x != 0.0));
         [t[0], t[1], t[2], turning, o[0], o[1], o[2]]
     };
-    shapes.any(|(a, b)| (moves(a) && moves(b)) || (turns(a) && turns(b)))
+    let lights = a.emitters.iter().zip(&b.emitters);
+    let mut lights = lights.flat_map(|(a, b)| {
+        let places = |light: &EmitterVectors| {
+            let [x, y, z] = light.translation.to_array().map(|x| x != 0.0);
+            [x, y, z, light.rotation != Vec3::zero()]
+        };
+        places(a).into_iter().zip(places(b))
+    });
+    lights.any(|(a, b)| a && b)
+        || shapes.any(|(a, b)| (moves(a) && moves(b)) || (turns(a) && turns(b)))
         || textures.any(|(a, b)| a.iter().zip(b).any(|(&a, &b)| a != 0.0 && b != 0.0))
         || places(a).iter().zip(places(b)).any(|(&a, b)| a && b)
 }

@@ -1,5 +1,6 @@
 //! From what a user asks for to a variable.
 
+use capwalk_math::Vec3;
 use capwalk_scene::params::{ArrayParameter, ParameterKind, Registry, Request};
 use capwalk_scene::{Scene, SensorVectors, Tangent};
 
@@ -160,6 +161,8 @@ fn scalar_map(
                 _ => element(scene, registry, name),
             };
             let turns = tangent.shapes.iter().flatten().any(|s| s.normals.is_some());
+            let mut lights = tangent.emitters.iter();
+            let turns = turns || lights.any(|light| light.rotation != Vec3::zero());
             if turns || tangent.sensor.rotation != SensorVectors::default().rotation {
                 let name = name.into();
                 return Err(VariableError::RotationInSum { name });

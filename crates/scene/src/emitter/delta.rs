@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use capwalk_math::{Affine, Real, Vec3};
+use capwalk_math::{Real, Vec3};
 
 use super::Emitter;
 use crate::ids::TextureId;
@@ -23,39 +23,66 @@ pub struct DeltaLight<R> {
 }
 
 impl Emitter {
+    /// The vectors that place a light without extent: first where it is, or where its light
+    /// goes, as in [`Emitter::apex`], then its three unit axes, if it shines along the last of
+    /// them. Other emitters have none.
+    pub fn anchors(&self) -> Vec<Vec3> {
+        match self {
+            Self::Area { .. } | Self::Constant { .. } | Self::EnvironmentMap { .. } => Vec::new(),
+            Self::Point { position, .. } => vec![*position],
+            Self::Spot {
+                world_from_emitter, ..
+            }
+            | Self::Projector {
+                world_from_emitter, ..
+            } => {
+                let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+                let axes = axes.map(|axis| world_from_emitter.vector(axis.into()).normalized());
+                let [x, y, z] = axes;
+                vec![world_from_emitter.translation, x, y, z]
+            }
+            Self::Directional { direction, .. } => vec![*direction],
+        }
+    }
+
+    /// True if an anchor is a point: it moves with the light; the others turn with it.
+    pub fn anchor_is_point(&self, anchor: usize) -> bool {
+        anchor == 0 && !matches!(self, Self::Directional { .. })
+    }
+
     /// How a point receives the light, or `None` if the light has an extent or
     /// does not shine there. Continuous in the point, but at the light itself.
-    /// `number` knows the numbers of constant textures.
+    /// `anchor` knows the [`anchors`](Self::anchors), `number` the numbers of constant
+    /// textures.
     pub fn delta_light<R: Real>(
         &self,
         point: Vec3<R>,
+        anchor: impl Fn(usize) -> Vec3<R>,
         number: impl Fn(TextureId) -> R,
     ) -> Option<DeltaLight<R>> {
         match self {
             Self::Area { .. } | Self::Constant { .. } | Self::EnvironmentMap { .. } => None,
-            Self::Directional { direction, .. } => Some(DeltaLight {
-                direction: Vec3::constant(-*direction),
+            Self::Directional { .. } => Some(DeltaLight {
+                direction: -anchor(0),
                 distance: f64::INFINITY,
                 factor: R::constant(1.0),
                 uv: None,
             }),
-            Self::Point { position, .. } => from_point(point, *position),
+            Self::Point { .. } => from_point(point, anchor(0)),
             Self::Spot {
-                world_from_emitter,
                 cutoff_angle,
                 beam_width,
                 texture,
                 ..
             } => {
-                let light = from_point(point, world_from_emitter.translation)?;
-                let axis = spot_axis(world_from_emitter);
-                let cos = -light.direction.dot(Vec3::constant(axis));
+                let light = from_point(point, anchor(0))?;
+                let cos = -light.direction.dot(anchor(3));
                 let radians = |id| number(id) * R::constant(1.0_f64.to_radians());
                 let falloff = falloff(cos, radians(*cutoff_angle), radians(*beam_width))?;
                 let uv = texture.map(|_| {
                     let (sin, cos) = radians(*cutoff_angle).sin_cos();
                     let half = R::constant(0.5) * cos / sin;
-                    let [x, y, depth] = seen_from_emitter(point, world_from_emitter);
+                    let [x, y, depth] = seen_from_emitter(point, &anchor);
                     [x, y].map(|x| R::constant(0.5) + x / depth * half)
                 });
                 let factor = light.factor * falloff;
@@ -65,24 +92,13 @@ impl Emitter {
                     ..light
                 })
             }
-            Self::Projector {
-                world_from_emitter,
-                half_size,
-                ..
-            } => from_projector(point, world_from_emitter, *half_size),
+            Self::Projector { half_size, .. } => from_projector(point, anchor, *half_size),
         }
     }
 }
 
-/// Where a spot light shines, a unit vector.
-fn spot_axis(world_from_emitter: &Affine) -> Vec3 {
-    world_from_emitter
-        .vector(Vec3::new(0.0, 0.0, 1.0))
-        .normalized()
-}
-
-fn from_point<R: Real>(point: Vec3<R>, position: Vec3) -> Option<DeltaLight<R>> {
-    let offset = Vec3::constant(position) - point;
+fn from_point<R: Real>(point: Vec3<R>, position: Vec3<R>) -> Option<DeltaLight<R>> {
+    let offset = position - point;
     let squared = offset.length_squared();
     if squared.value() == 0.0 {
         return None;
@@ -95,22 +111,21 @@ fn from_point<R: Real>(point: Vec3<R>, position: Vec3) -> Option<DeltaLight<R>> 
     })
 }
 
-/// A point in the coordinates of an emitter whose axes are unit vectors.
-fn seen_from_emitter<R: Real>(point: Vec3<R>, world_from_emitter: &Affine) -> [R; 3] {
-    let offset = point - Vec3::constant(world_from_emitter.translation);
-    let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    axes.map(|axis| offset.dot(Vec3::constant(world_from_emitter.vector(axis.into()))))
+/// A point in the coordinates of an emitter with axes.
+fn seen_from_emitter<R: Real>(point: Vec3<R>, anchor: &impl Fn(usize) -> Vec3<R>) -> [R; 3] {
+    let offset = point - anchor(0);
+    [1, 2, 3].map(|axis| offset.dot(anchor(axis)))
 }
 
 /// What a point receives of a picture, with the falloff of Mitsuba's `projector`, by which
 /// a plane across the axis is lit as brightly everywhere.
 fn from_projector<R: Real>(
     point: Vec3<R>,
-    world_from_emitter: &Affine,
+    anchor: impl Fn(usize) -> Vec3<R>,
     half_size: [f64; 2],
 ) -> Option<DeltaLight<R>> {
-    let light = from_point(point, world_from_emitter.translation)?;
-    let [x, y, depth] = seen_from_emitter(point, world_from_emitter);
+    let light = from_point(point, anchor(0))?;
+    let [x, y, depth] = seen_from_emitter(point, &anchor);
     if depth.value() <= 0.0 {
         return None;
     }
@@ -148,11 +163,17 @@ fn falloff<R: Real>(cos: R, cutoff_angle: R, beam_width: R) -> Option<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use capwalk_math::Dual;
+    use capwalk_math::{Affine, Dual};
 
     /// The spot's angles, degrees.
     fn angles(id: TextureId) -> f64 {
         [0.0, 30.0, 12.0][id.0 as usize]
+    }
+
+    /// The light where it stands.
+    fn light_at(emitter: &Emitter, point: Vec3) -> Option<DeltaLight<f64>> {
+        let anchors = emitter.anchors();
+        emitter.delta_light(point, |i| anchors[i], angles)
     }
 
     fn spot() -> Emitter {
@@ -194,7 +215,7 @@ mod tests {
         else {
             unreachable!()
         };
-        let at = |local: Vec3| projector().delta_light(world_from_emitter.point(local), angles);
+        let at = |local: Vec3| light_at(&projector(), world_from_emitter.point(local));
         for (x, y, uv) in [(0.4, 0.25, [0.25, 0.25]), (-0.64, -0.1, [0.9, 0.6])] {
             let light = at(Vec3::new(x, y, 1.0) * 2.0).expect("in the picture");
             let found = light.uv.expect("a picture");
@@ -222,7 +243,7 @@ mod tests {
         for (degrees, expected) in [(0.0, 1.0), (11.9, 1.0), (21.0, 0.5), (29.4, 1.0 / 30.0)] {
             let angle = f64::to_radians(degrees);
             let local = Vec3::new(0.0, f64::sin(angle), f64::cos(angle)) * 2.0;
-            let light = spot().delta_light(world_from_emitter.point(local), angles);
+            let light = light_at(&spot(), world_from_emitter.point(local));
             let light = light.expect("within the cone");
             assert!((light.factor - expected / 4.0).abs() < 1e-12, "{angle}");
             assert!((light.distance - 2.0).abs() < 1e-12);
@@ -234,14 +255,14 @@ mod tests {
         for angle in [0.53, 1.0, 3.0] {
             let local = Vec3::new(f64::sin(angle), 0.0, f64::cos(angle));
             let point = world_from_emitter.point(local);
-            assert!(spot().delta_light(point, angles).is_none(), "{angle}");
+            assert!(light_at(&spot(), point).is_none(), "{angle}");
         }
     }
 
-    /// Derivatives by the point, against central differences, in the beam, on
-    /// its edge, and of the other lights.
+    /// Derivatives by the point and by what places the light, against central differences, in
+    /// the beam, on its edge, and of the other lights.
     #[test]
-    fn lights_differentiate_by_the_point() {
+    fn lights_differentiate_by_places() {
         let lights = [
             spot(),
             projector(),
@@ -260,15 +281,21 @@ mod tests {
         for light in lights {
             for point in [Vec3::new(0.7, 0.2, 2.4), Vec3::new(1.3, 0.9, 2.2)] {
                 let velocity = Vec3::new(0.3, -1.0, 0.7);
+                // Axes stay unit vectors.
+                let anchors = light.anchors();
+                let turn = Vec3::new(0.5, 0.1, -0.3);
+                let turns: Vec<Vec3> = anchors.iter().map(|&anchor| turn.cross(anchor)).collect();
                 let at = |t: f64| {
-                    light
-                        .delta_light(point + velocity * t, angles)
-                        .expect("lit")
+                    let anchor = |i: usize| anchors[i] + turns[i] * t;
+                    let light = light.delta_light(point + velocity * t, anchor, angles);
+                    light.expect("lit")
                 };
                 let dual = light
-                    .delta_light(point.with_tangent(velocity), |id| {
-                        Dual::constant(angles(id))
-                    })
+                    .delta_light(
+                        point.with_tangent(velocity),
+                        |i| anchors[i].with_tangent(turns[i]),
+                        |id| Dual::constant(angles(id)),
+                    )
                     .expect("lit");
                 let (above, below) = (at(h), at(-h));
                 let factor = (above.factor - below.factor) / (2.0 * h);

@@ -12,7 +12,7 @@ use super::matrix;
 use super::optic::{optic_scale, optic_value};
 use super::parameter::ParameterKind;
 use super::velocity::vertex_tangent;
-use crate::ids::{ShapeId, TextureId};
+use crate::ids::{EmitterId, ShapeId, TextureId};
 use crate::scene::Scene;
 use crate::scene_vector::{Gradient, ShapeVectors, Tangent};
 use crate::sensor::Optic;
@@ -48,6 +48,9 @@ pub(super) enum Place {
     Normals(ShapeId),
     Texels(TextureId, NamedTexels),
     ShapeToWorld(ShapeId),
+    LightTranslation(EmitterId),
+    LightPosition(EmitterId),
+    LightRotation(EmitterId),
     SensorTranslation,
     SensorRotation,
     SensorToWorld,
@@ -76,22 +79,26 @@ impl ArrayParameter {
         shape_text(&self.shape)
     }
 
-    /// Its numbers. The sensor's translation and rotation are zero: they are
-    /// changes of what it is.
+    /// Its numbers. Translations and rotations of the sensor and of lights are zero: they
+    /// are changes of what they are.
     pub fn get(&self, scene: &Scene) -> Vec<f64> {
         match self.place {
             Place::Positions(id) => flat(&scene.shape(id).mesh.positions),
             Place::Normals(id) => flat(scene.shape(id).normals.per_vertex().unwrap_or_default()),
             Place::Texels(id, part) => scene.texture(id).data[numbers_of(scene, id, part)].to_vec(),
             Place::ShapeToWorld(id) => matrix::numbers(&scene.shape(id).world_from_object),
-            Place::SensorTranslation | Place::SensorRotation => vec![0.0; 3],
+            Place::LightTranslation(_)
+            | Place::LightRotation(_)
+            | Place::SensorTranslation
+            | Place::SensorRotation => vec![0.0; 3],
+            Place::LightPosition(id) => scene.emitter(id).anchors()[0].to_array().to_vec(),
             Place::SensorToWorld => matrix::numbers(&scene.sensor.world_from_camera),
             Place::SensorOptic(optic) => vec![optic_value(scene, optic)],
         }
     }
 
     /// Replaces its numbers. Computed normals follow the positions, given ones
-    /// are made unit; the sensor moves and turns from where it is, by a vector
+    /// are made unit; the sensor and lights move and turn from where they are, by a vector
     /// along the axis with the angle as its length. A matrix takes the shape with
     /// it.
     ///
@@ -123,7 +130,14 @@ impl ArrayParameter {
             Place::ShapeToWorld(id) => {
                 matrix::place(scene.shape_mut(id), matrix::affine(numbers));
             }
-            Place::SensorTranslation | Place::SensorRotation => {
+            Place::LightPosition(id) => {
+                let offset = vectors(numbers)[0] - scene.emitter(id).anchors()[0];
+                *scene = scene.moved(&self.tangent(scene, &offset.to_array()), 1.0);
+            }
+            Place::LightTranslation(_)
+            | Place::LightRotation(_)
+            | Place::SensorTranslation
+            | Place::SensorRotation => {
                 *scene = scene.moved(&self.tangent(scene, numbers), 1.0);
             }
             Place::SensorToWorld => scene.sensor.world_from_camera = matrix::affine(numbers),
@@ -213,6 +227,12 @@ impl ArrayParameter {
                 let of_shape = matrix::shape_vectors(scene.shape(id), velocities);
                 tangent.shapes[id.0 as usize] = Some(of_shape);
             }
+            Place::LightTranslation(id) | Place::LightPosition(id) => {
+                tangent.emitters[id.0 as usize].translation = vectors(velocities)[0];
+            }
+            Place::LightRotation(id) => {
+                tangent.emitters[id.0 as usize].rotation = vectors(velocities)[0];
+            }
             Place::SensorTranslation => tangent.sensor.translation = vectors(velocities)[0],
             Place::SensorRotation => tangent.sensor.rotation = vectors(velocities)[0],
             Place::SensorToWorld => tangent.sensor = matrix::sensor_vectors(velocities),
@@ -270,6 +290,10 @@ impl ArrayParameter {
                 let of_shape = gradient.shapes[id.0 as usize].as_ref();
                 of_shape.map(|covectors| matrix::shape_gradient(scene.shape(id), covectors))
             }
+            Place::LightTranslation(id) | Place::LightPosition(id) => {
+                Some(flat(&[gradient.emitters[id.0 as usize].translation]))
+            }
+            Place::LightRotation(id) => Some(flat(&[gradient.emitters[id.0 as usize].rotation])),
             Place::SensorTranslation => Some(flat(&[gradient.sensor.translation])),
             Place::SensorRotation => Some(flat(&[gradient.sensor.rotation])),
             Place::SensorToWorld => Some(matrix::sensor_gradient(&gradient.sensor)),

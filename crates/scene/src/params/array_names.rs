@@ -20,7 +20,7 @@ pub(super) fn behind(
     let Some(target) = entry.target else {
         return Vec::new();
     };
-    let sensor = |place| of_sensor(&entry.name, names.alias_of(entry), place);
+    let placed = |place| of_placed(&entry.name, names.alias_of(entry), place);
     match target {
         Target::Translate(id, 0) => of_shape(scene, id),
         // A single number has a short name too, which stays a scalar's.
@@ -48,20 +48,42 @@ pub(super) fn behind(
                 place: Place::Texels(id, part),
             }]
         }
+        Target::TranslateLight(id, 0) => {
+            let moved = ArrayParameter {
+                kind: ParameterKind::LightTranslation,
+                unit: "world units",
+                description: "moves the light, world axes".into(),
+                ..placed(Place::LightTranslation(id))
+            };
+            let position = ArrayParameter {
+                name: format!("{}.position", moved.name.trim_end_matches(".translate")),
+                kind: ParameterKind::LightPosition,
+                description: "where the light is".into(),
+                place: Place::LightPosition(id),
+                ..moved.clone()
+            };
+            vec![moved, position]
+        }
+        Target::RotateLight(id, 0) => vec![ArrayParameter {
+            kind: ParameterKind::LightRotation,
+            unit: "radians",
+            description: "turns the light, world axes".into(),
+            ..placed(Place::LightRotation(id))
+        }],
         Target::TranslateSensor(0) => vec![ArrayParameter {
             kind: ParameterKind::SensorTranslation,
             unit: "world units",
             description: "moves the sensor, world axes".into(),
-            ..sensor(Place::SensorTranslation)
+            ..placed(Place::SensorTranslation)
         }],
         Target::RotateSensor(0) => vec![
             ArrayParameter {
                 kind: ParameterKind::SensorRotation,
                 unit: "radians",
                 description: "turns the sensor about its origin, world axes".into(),
-                ..sensor(Place::SensorRotation)
+                ..placed(Place::SensorRotation)
             },
-            sensor_to_world(sensor(Place::SensorToWorld)),
+            sensor_to_world(placed(Place::SensorToWorld)),
         ],
         Target::SensorOptic(optic) => {
             let (kind, unit, description) = optic_text(optic);
@@ -70,13 +92,15 @@ pub(super) fn behind(
                 shape: vec![1],
                 unit,
                 description: description.into(),
-                ..sensor(Place::SensorOptic(optic))
+                ..placed(Place::SensorOptic(optic))
             }]
         }
         Target::Translate(..)
         | Target::Rotate(..)
         | Target::Scale(_)
         | Target::Texels(..)
+        | Target::TranslateLight(..)
+        | Target::RotateLight(..)
         | Target::TranslateSensor(_)
         | Target::RotateSensor(_) => Vec::new(),
     }
@@ -147,9 +171,9 @@ fn sensor_to_world(rotation: ArrayParameter) -> ArrayParameter {
     }
 }
 
-/// What both arrays of the sensor have in common. The names are those of their
+/// What the arrays that place the sensor or a light have in common. The names are those of their
 /// first entries, without the axis.
-fn of_sensor(name: &str, alias_of: Option<&str>, place: Place) -> ArrayParameter {
+fn of_placed(name: &str, alias_of: Option<&str>, place: Place) -> ArrayParameter {
     let whole = |name: &str| name.trim_end_matches(".x").to_owned();
     ArrayParameter {
         name: whole(name),

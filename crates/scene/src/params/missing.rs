@@ -43,13 +43,16 @@ fn placement(scene: &Scene, emitter: &Emitter, name: &str) -> Option<String> {
             "derivatives with respect to where a projector stands, and where its picture falls, are not \
              implemented. `{id}.scale` and the numbers of its picture are parameters; {other_scene}"
         )),
-        Emitter::Point { .. } | Emitter::Spot { .. } | Emitter::Directional { .. } => {
-            Some(format!(
-                "a light without extent casts hard shadows. Their edges lie on surfaces, where no \
-                 method here integrates over areas. Use a small area emitter (a shape with an \
-                 <emitter type=\"area\">), which has all of these parameters; {other_scene}"
-            ))
-        }
+        Emitter::Point { .. } => Some(format!(
+            "a point light has a place alone: `{id}.translate.x` (y, z) move it, and \
+             `{id}.position` is an array"
+        )),
+        Emitter::Spot { .. } => Some(format!(
+            "`{id}.translate.x` and `{id}.rotate.x` (y, z) move and turn a spot light"
+        )),
+        Emitter::Directional { .. } => Some(format!(
+            "`{id}.rotate.x` (y, z) turn parallel light, which has no place"
+        )),
     }
 }
 

@@ -5,7 +5,8 @@ use std::iter;
 use std::sync::Arc;
 
 use super::target::{AXES, Channel, Target};
-use crate::ids::{BsdfId, ShapeId, TextureId};
+use crate::emitter::Emitter;
+use crate::ids::{BsdfId, EmitterId, ShapeId, TextureId};
 use crate::quantity::Quantity;
 use crate::scene::Scene;
 use crate::sensor::Optic;
@@ -42,6 +43,9 @@ impl Names {
             for attribute in &shape.attributes {
                 texture(&mut names, attribute.texture, Quantity::Attribute);
             }
+        }
+        for (i, emitter) in scene.emitters.iter().enumerate() {
+            names.add_light(scene, EmitterId(i as u32), emitter);
         }
         let mut listed = HashSet::new();
         for slot in scene.emitters.iter().flat_map(|emitter| emitter.slots()) {
@@ -96,6 +100,26 @@ impl Names {
             self.add(format!("{name}.rotate.{letter}"), Some(target), None);
         }
         self.add(format!("{name}.scale"), Some(Target::Scale(id)), None);
+    }
+
+    /// Adds how a light without extent moves and turns; what has no place, or is the same
+    /// from all sides, does not.
+    fn add_light(&mut self, scene: &Scene, id: EmitterId, emitter: &Emitter) {
+        let name = emitter.name(scene);
+        let points = emitter.anchors().len();
+        let is_point = |i: usize| emitter.anchor_is_point(i);
+        if (0..points).any(is_point) {
+            for (axis, letter) in AXES.iter().enumerate() {
+                let target = Target::TranslateLight(id, axis);
+                self.add(format!("{name}.translate.{letter}"), Some(target), None);
+            }
+        }
+        if !(0..points).all(is_point) {
+            for (axis, letter) in AXES.iter().enumerate() {
+                let target = Target::RotateLight(id, axis);
+                self.add(format!("{name}.rotate.{letter}"), Some(target), None);
+            }
+        }
     }
 
     /// Adds the numbers of a texture under all of its names.

@@ -66,6 +66,12 @@ pub enum ParameterKind {
     Normal,
     /// Heights from a texture.
     Height,
+    /// Position of a light without extent along a world axis.
+    LightTranslation,
+    /// Angle of a light without extent about a world axis through it.
+    LightRotation,
+    /// Position of a light without extent.
+    LightPosition,
     /// Position of the sensor along a world axis.
     SensorTranslation,
     /// Angle of the sensor about a world axis through its origin.

@@ -3,7 +3,7 @@
 use super::optic::{optic_text, optic_value};
 use super::parameter::{Parameter, ParameterKind};
 use super::target::{AXES, Target};
-use crate::ids::ShapeId;
+use crate::ids::{EmitterId, ShapeId};
 use crate::scene::Scene;
 
 /// What a user reads about the scalar that is called `name`. `users` says of each
@@ -17,11 +17,14 @@ pub(super) fn describe(
 ) -> Parameter {
     use ParameterKind::*;
     let shape = |id: ShapeId| &scene.shape(id).id;
+    let light = |id: EmitterId| scene.emitter(id).name(scene);
     let moves_discontinuities = match target {
         Target::Texels(_, _, quantity, _) => quantity.moves_edges(),
         Target::Translate(..)
         | Target::Rotate(..)
         | Target::Scale(_)
+        | Target::TranslateLight(..)
+        | Target::RotateLight(..)
         | Target::TranslateSensor(_)
         | Target::RotateSensor(_)
         | Target::SensorOptic(_) => true,
@@ -55,6 +58,14 @@ pub(super) fn describe(
                 _ => Vec::new(),
             };
             (quantity.into(), values, quantity.unit(), what)
+        }
+        Target::TranslateLight(id, axis) => {
+            let what = format!("moves {} along world {}", light(id), AXES[axis]);
+            (LightTranslation, vec![0.0], "world units", what)
+        }
+        Target::RotateLight(id, axis) => {
+            let what = format!("turns {}, world {}", light(id), AXES[axis]);
+            (LightRotation, vec![0.0], "radians", what)
         }
         Target::TranslateSensor(axis) => {
             let what = format!("moves the sensor along world {}", AXES[axis]);

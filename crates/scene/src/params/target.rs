@@ -1,6 +1,6 @@
 //! The numbers that the name of a scalar parameter refers to.
 
-use crate::ids::{ShapeId, TextureId};
+use crate::ids::{EmitterId, ShapeId, TextureId};
 use crate::quantity::Quantity;
 use crate::sensor::Optic;
 use crate::texture::NamedTexels;
@@ -13,6 +13,9 @@ pub(super) enum Target {
     Scale(ShapeId),
     /// Some texels of a texture together.
     Texels(TextureId, NamedTexels, Quantity, Channel),
+    /// A light without extent.
+    TranslateLight(EmitterId, usize),
+    RotateLight(EmitterId, usize),
     TranslateSensor(usize),
     RotateSensor(usize),
     SensorOptic(Optic),

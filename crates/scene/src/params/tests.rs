@@ -371,28 +371,34 @@ fn suggestions_stay_with_the_object() {
     );
 }
 
-/// Where a light without geometry stands is no parameter; the message says why
-/// and what to do.
+/// Lights without extent move and turn as far as that means something; for the rest the
+/// message says what there is.
 #[test]
-fn placement_of_emitters_is_explained() {
+fn lights_without_extent_have_places() {
     let mut scene = example();
     scene.emitters.push(Emitter::Point {
         id: "bulb".into(),
-        position: Vec3::zero(),
+        position: Vec3::new(1.0, 2.0, 3.0),
         intensity: TextureId(0),
     });
-    for name in ["bulb.position", "bulb.translate.x", "bulb.to_world"] {
-        let message = tangent(&scene, name).expect_err(name).to_string();
-        let start = format!("\"{name}\" is not a parameter: a light without extent casts hard");
-        assert!(message.starts_with(&start), "{message}");
-        assert!(message.contains("small area emitter"), "{message}");
-        let array = request(&scene, name).expect_err(name).to_string();
-        assert_eq!(array, message);
-    }
-    let message = tangent(&scene, "bulb.colour")
-        .expect_err("unknown")
-        .to_string();
-    assert!(message.contains("no parameter"), "{message}");
+    scene.emitters.push(Emitter::Directional {
+        id: "sun".into(),
+        direction: Vec3::new(0.0, -1.0, 0.0),
+        irradiance: TextureId(0),
+    });
+    let velocities = |name: &str| scene.anchor_velocities(&tangent(&scene, name).expect(name));
+    let y = Vec3::new(0.0, 1.0, 0.0);
+    assert_eq!(velocities("bulb.translate.y"), [y, Vec3::zero()]);
+    let turning = velocities("sun.rotate.z");
+    assert_eq!(turning[0], Vec3::zero());
+    let along_x = Vec3::new(1.0, 0.0, 0.0);
+    assert!((turning[1] - along_x).length() < 1e-15, "{turning:?}");
+
+    let message = |name: &str| tangent(&scene, name).expect_err(name).to_string();
+    assert!(message("bulb.rotate.x").contains("`bulb.translate.x` (y, z) move it"));
+    assert!(message("sun.translate.x").contains("`sun.rotate.x` (y, z) turn"));
+    assert!(message("bulb.colour").contains("no parameter"));
+    assert!(request(&scene, "bulb.position").is_ok());
 }
 
 #[test]

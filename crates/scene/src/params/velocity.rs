@@ -38,6 +38,12 @@ pub(super) fn accumulate(scene: &Scene, target: Target, factor: f64, tangent: &m
                 }
             }
         }
+        Target::TranslateLight(id, along) => {
+            tangent.emitters[id.0 as usize].translation += axis(along);
+        }
+        Target::RotateLight(id, about) => {
+            tangent.emitters[id.0 as usize].rotation += axis(about);
+        }
         Target::TranslateSensor(along) => tangent.sensor.translation += axis(along),
         Target::RotateSensor(about) => tangent.sensor.rotation += axis(about),
         Target::SensorOptic(optic) => tangent.sensor.add_optic(optic, factor * optic_scale(optic)),

@@ -1,0 +1,431 @@
+//! The edges of hard shadows: where silhouettes, as a light without extent sees them, end its
+//! light on the faces behind (METHOD 12).
+//!
+//! The light past an edge fills a wedge, and on a flat face the shadow of the edge is a
+//! segment: where the face crosses the wedge. So these segments are boundaries like those in
+//! which two faces cross, for any viewpoint, and they move like them: their points stay in the
+//! plane of the face and in that through the light and the edge.
+
+use capwalk_geometry::{Apex, Edge, Wedge, WedgePoint};
+use capwalk_scene::EmitterId;
+use rayon::prelude::*;
+
+use crate::accel::Accel;
+use crate::crossing::{Crossing, CrossingPlane, crossing_of_planes};
+
+/// The most segments that the shadows of a scene may have: two gigabytes.
+pub const MOST_SHADOW_LINES: usize = 4_000_000;
+
+/// Depths that differ by less than this part are the same.
+const SAME_DEPTH: f64 = 1e-9;
+
+/// Shorter parts of an edge, as fractions of it, throw no shadow: what rounding leaves
+/// between two faces that meet.
+const SHORTEST: f64 = 1e-12;
+
+/// The segments of a scene's hard shadows, light by light and edge by edge. `edges` are those
+/// of the shapes, with vertices of the joined mesh. Beyond [`MOST_SHADOW_LINES`] the list ends, and
+/// no derivative by motion is taken.
+pub fn shadow_lines(accel: &Accel, edges: &[Edge]) -> Vec<Crossing> {
+    let mut lines = Vec::new();
+    for (i, emitter) in accel.scene.emitters.iter().enumerate() {
+        let Some(apex) = emitter.apex() else { continue };
+        let light = Light {
+            accel,
+            apex,
+            anchor: accel.anchor(EmitterId(i as u32)),
+        };
+        for edges in edges.chunks(CHUNK) {
+            let of_edge = |edge: &Edge| light.lines(edge);
+            let found: Vec<Crossing> = edges.par_iter().flat_map_iter(of_edge).collect();
+            lines.extend(found);
+            if lines.len() > MOST_SHADOW_LINES {
+                return lines;
+            }
+        }
+    }
+    lines
+}
+
+/// Edges between two looks at how many lines there are.
+const CHUNK: usize = 1 << 16;
+
+/// A light without extent.
+struct Light<'a> {
+    accel: &'a Accel,
+    apex: Apex,
+    /// Its number among the points of the boundaries.
+    anchor: u32,
+}
+
+/// Where a face crosses the wedge of an edge, along a part of the edge.
+#[derive(Clone, Copy)]
+struct Section {
+    face: u32,
+    ends: [WedgePoint; 2],
+}
+
+impl Section {
+    /// Its depth where light passes the edge at a fraction of it.
+    fn depth(&self, along: f64) -> f64 {
+        let [a, b] = self.ends;
+        a.depth + (b.depth - a.depth) * ((along - a.along) / (b.along - a.along))
+    }
+
+    fn range(&self) -> [f64; 2] {
+        self.ends.map(|end| end.along)
+    }
+
+    /// The part of it that is behind the edge.
+    fn behind(&self, depth: f64) -> Option<Self> {
+        let mut behind = *self;
+        let [a, b] = self.ends;
+        let t = (depth - a.depth) / (b.depth - a.depth);
+        let crossing = WedgePoint {
+            along: a.along + (b.along - a.along) * t,
+            depth,
+        };
+        match (a.depth > depth, b.depth > depth) {
+            (true, true) => {}
+            (true, false) => behind.ends[1] = crossing,
+            (false, true) => behind.ends[0] = crossing,
+            (false, false) => return None,
+        }
+        Some(behind)
+    }
+}
+
+impl Light<'_> {
+    /// The shadow of an edge: where the light past it first meets a face.
+    fn lines(&self, edge: &Edge) -> Vec<Crossing> {
+        let mesh = &self.accel.mesh;
+        if !edge.is_silhouette_to(mesh, self.apex) {
+            return Vec::new();
+        }
+        let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
+        let Some(wedge) = Wedge::new(self.apex, ends) else {
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        self.accel.across(&wedge, &mut found);
+        // The faces of the edge itself meet the wedge in the edge.
+        let has_edge = |face: u32| {
+            let corners = mesh.corners(face as usize);
+            ends.iter().all(|end| corners.contains(end))
+        };
+        let found = found.into_iter().filter(|&(face, _)| !has_edge(face));
+        let sections = found.map(|(face, ends)| Section { face, ends });
+        let sections: Vec<Section> = sections.collect();
+        let parts = first_met(&sections, wedge.depth_of_segment());
+        let parts = parts.into_iter();
+        parts
+            .filter_map(|part| self.line(edge, &wedge, &part))
+            .collect()
+    }
+
+    /// The segment of the shadow on a part of a face; `None` if light passes along the face.
+    fn line(&self, edge: &Edge, wedge: &Wedge, part: &Section) -> Option<Crossing> {
+        let mesh = &self.accel.mesh;
+        let [a, b] = edge.vertices;
+        let ends = part.ends.map(|end| wedge.point(end));
+        let positions = ends.map(|(_, position)| position);
+        let face = CrossingPlane::of_face(mesh, part.face, positions);
+        let light = CrossingPlane {
+            vertices: [a, b, self.anchor],
+            weights: ends.map(|(weights, _)| weights),
+            normal: wedge.normal().normalized(),
+        };
+        crossing_of_planes([face, light], positions, false)
+    }
+}
+
+/// The parts of sections that light past an edge meets first; the edge has a depth. Parts
+/// that something hides may be left in where hiding and hidden faces cross; they are edges
+/// of no shadow, but harm nothing.
+fn first_met(sections: &[Section], depth_of_edge: f64) -> Vec<Section> {
+    // What is before the edge takes its light.
+    let edge = |[from, to]: [f64; 2]| Section {
+        face: u32::MAX,
+        ends: [from, to].map(|along| WedgePoint {
+            along,
+            depth: depth_of_edge,
+        }),
+    };
+    let whole = edge([0.0, 1.0]);
+    let mut lit = vec![[0.0, 1.0]];
+    for section in sections {
+        take_hidden(&mut lit, &whole, section);
+    }
+    let behind: Vec<Section> = sections
+        .iter()
+        .filter_map(|section| section.behind(depth_of_edge))
+        .collect();
+    let mut met = Vec::new();
+    for section in &behind {
+        let [from, to] = section.range();
+        let mut free: Vec<[f64; 2]> = lit
+            .iter()
+            .map(|&[low, high]| [low.max(from), high.min(to)])
+            .collect();
+        for other in &behind {
+            free.retain(|[low, high]| high - low > SHORTEST);
+            if free.is_empty() {
+                break;
+            }
+            take_hidden(&mut free, section, other);
+        }
+        free.retain(|[low, high]| high - low > SHORTEST);
+        met.extend(free.into_iter().map(|range| Section {
+            face: section.face,
+            ends: range.map(|along| WedgePoint {
+                along,
+                depth: section.depth(along),
+            }),
+        }));
+    }
+    met
+}
+
+/// Takes from the free ranges of a section that in which another one is before it.
+fn take_hidden(free: &mut Vec<[f64; 2]>, section: &Section, other: &Section) {
+    let ([a, b], [c, d]) = (section.range(), other.range());
+    let (from, to) = (a.max(c), b.min(d));
+    if to - from <= SHORTEST {
+        return;
+    }
+    // How far the other one is before it.
+    let before = |along: f64| section.depth(along) - other.depth(along);
+    let largest = |along: f64| section.depth(along).abs().max(other.depth(along).abs());
+    let same = SAME_DEPTH * largest(from).max(largest(to));
+    if before(from) < -same || before(to) < -same || before(0.5 * (from + to)) <= same {
+        return;
+    }
+    let mut left = Vec::with_capacity(free.len() + 1);
+    for &[low, high] in &*free {
+        if to <= low || high <= from {
+            left.push([low, high]);
+            continue;
+        }
+        if low < from {
+            left.push([low, from]);
+        }
+        if to < high {
+            left.push([to, high]);
+        }
+    }
+    *free = left;
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_geometry::{Mesh, topology};
+    use capwalk_math::Vec3;
+    use capwalk_scene::params::Registry;
+    use capwalk_scene::{Emitter, Scene, ShadingNormals, Shape, Tangent, builtin};
+
+    use super::*;
+    use crate::crossing::crossings;
+
+    /// Numbers from 0 to 1 that look random.
+    struct Numbers(u64);
+
+    impl Numbers {
+        fn next(&mut self) -> f64 {
+            self.0 = self
+                .0
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+        }
+
+        fn point(&mut self) -> Vec3 {
+            Vec3::from([(); 3].map(|()| 2.0 * self.next() - 1.0))
+        }
+    }
+
+    /// Loose triangles, some of which cross, and a closed mesh over a floor that bends, in one
+    /// of the lights.
+    fn scenes() -> Vec<Scene> {
+        let mut numbers = Numbers(7);
+        let loose = |numbers: &mut Numbers| Mesh {
+            positions: (0..24).map(|_| numbers.point()).collect(),
+            faces: (0..8).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
+        };
+        let floor = Mesh {
+            positions: [
+                [-4.0, -4.0, -1.1],
+                [4.0, -4.0, -1.3],
+                [4.0, 4.0, -0.9],
+                [-4.0, 4.0, -1.2],
+            ]
+            .map(Vec3::from)
+            .to_vec(),
+            faces: vec![[0, 1, 2], [0, 2, 3]],
+        };
+        let tip = [0.0, 0.1, 1.2];
+        let closed = Mesh {
+            positions: [[-0.7, -0.4, 0.3], [0.8, -0.5, 0.2], [0.1, 0.9, 0.4], tip]
+                .map(Vec3::from)
+                .to_vec(),
+            faces: vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]],
+        };
+        let bulb = |x: f64, y: f64, z: f64| Emitter::Point {
+            id: "light".into(),
+            position: Vec3::new(x, y, z),
+            intensity: capwalk_scene::TextureId(0),
+        };
+        let sun = Emitter::Directional {
+            id: "light".into(),
+            direction: Vec3::new(0.3, 0.1, -1.0).normalized(),
+            irradiance: capwalk_scene::TextureId(0),
+        };
+        let lights = [bulb(0.4, 0.3, 3.0), bulb(0.0, 0.05, 0.1), sun];
+        let scene = |(meshes, light): (Vec<Mesh>, &Emitter)| {
+            let mut scene = builtin::scene("leaf").expect("built in");
+            let bsdf = scene.shapes[0].bsdf;
+            let shapes = meshes.into_iter().enumerate().map(|(i, mesh)| {
+                Shape::new(format!("shape{i}"), mesh, ShadingNormals::Face, bsdf).into()
+            });
+            scene.shapes = shapes.collect();
+            scene.emitters = vec![light.clone()];
+            scene
+        };
+        let mut scenes = Vec::new();
+        for light in &lights {
+            let soup = vec![loose(&mut numbers), floor.clone()];
+            let solid = vec![closed.clone(), floor.clone()];
+            scenes.extend([soup, solid].map(|meshes| scene((meshes, light))));
+        }
+        scenes
+    }
+
+    fn lines_of(accel: &Accel) -> Vec<Crossing> {
+        let mut edges = Vec::new();
+        for (i, shape) in accel.scene.shapes.iter().enumerate() {
+            let own = topology::edges_with(&shape.mesh, |_| false);
+            edges.extend(own.into_iter().map(|mut edge| {
+                crate::boundaries::shift(&mut edge, accel.first_vertex[i], accel.first_face[i]);
+                edge
+            }));
+        }
+        shadow_lines(accel, &edges)
+    }
+
+    fn is_lit(accel: &Accel, point: Vec3) -> bool {
+        match accel.scene.emitters[0].apex().expect("no extent") {
+            Apex::Point(origin) => accel.visible(point, origin),
+            Apex::Direction(direction) => {
+                accel.surface_sees(point, -direction.normalized(), f64::INFINITY)
+            }
+        }
+    }
+
+    /// Along any way over a face, light begins and ends only where a line or another face is;
+    /// and nearly all lines are places where it does.
+    #[test]
+    fn light_ends_where_lines_are() {
+        const STEPS: u32 = 400;
+        let mut numbers = Numbers(3);
+        let (mut changes, mut passed) = (0, 0);
+        for (number, scene) in scenes().into_iter().enumerate() {
+            let accel = Accel::new(scene);
+            let lines = lines_of(&accel);
+            let crossings = crossings(&accel);
+            for face in 0..accel.mesh.faces.len() {
+                let [a, b, c] = accel.mesh.corners(face);
+                let normal = accel.mesh.face_cross(face).normalized();
+                for _ in 0..30 {
+                    let mut inside = || {
+                        let (u, v) = (numbers.next().sqrt(), numbers.next());
+                        a * (1.0 - u) + b * (u * (1.0 - v)) + c * (u * v)
+                    };
+                    let (from, to) = (inside(), inside());
+                    let across = normal.cross(to - from);
+                    // Where the way passes a segment on the face, in steps.
+                    let passes = |line: &Crossing| {
+                        let ends = line.ends.map(|end| end.position);
+                        if ends.iter().any(|&p| normal.dot(p - a).abs() > 1e-9) {
+                            return None;
+                        }
+                        let heights = ends.map(|p| across.dot(p - from));
+                        let t = heights[0] / (heights[0] - heights[1]);
+                        let at = ends[0] + (ends[1] - ends[0]) * t;
+                        let way = (to - from).dot(at - from) / (to - from).length_squared();
+                        let is_passed = (heights[0] < 0.0) != (heights[1] < 0.0);
+                        (is_passed && (0.0..1.0).contains(&way)).then_some(way * f64::from(STEPS))
+                    };
+                    let at_lines: Vec<f64> = lines.iter().filter_map(passes).collect();
+                    let mut places: Vec<f64> = crossings.iter().filter_map(passes).collect();
+                    places.extend(&at_lines);
+                    let lit: Vec<bool> = (0..=STEPS)
+                        .map(|k| from + (to - from) * (f64::from(k) / f64::from(STEPS)))
+                        .map(|point| is_lit(&accel, point))
+                        .collect();
+                    for (k, pair) in lit.windows(2).enumerate() {
+                        let step = k as f64 - 1e-3..k as f64 + 1.001;
+                        if pair[0] != pair[1] {
+                            changes += 1;
+                            assert!(
+                                places.iter().any(|place| step.contains(place)),
+                                "scene {number}, face {face}, from {from:?} to {to:?}, step {k}"
+                            );
+                        }
+                    }
+                    passed += at_lines.len();
+                }
+            }
+        }
+        assert!(changes > 500, "{changes}");
+        // Two lines within a step hide each other; a few others are false.
+        assert!(
+            changes as f64 > 0.8 * passed as f64,
+            "{changes} of {passed}"
+        );
+    }
+
+    /// Lines move as those of scenes a little later, with everything in motion.
+    #[test]
+    fn lines_move_with_faces_edges_and_lights() {
+        let step = 1e-6;
+        let mut count = 0;
+        for scene in scenes() {
+            let moves = match scene.emitters[0] {
+                Emitter::Directional { .. } => "light.rotate.x - 0.4*light.rotate.y",
+                _ => "0.3*light.translate.x - light.translate.y + 0.2*light.translate.z",
+            };
+            let sum = format!(
+                "shape0.translate.x + 0.6*shape0.rotate.y - shape1.translate.z + 0.1*shape1.rotate.x + {moves}"
+            );
+            let tangent: Tangent = Registry::new(&scene).tangent(&scene, &sum).expect(&sum);
+            let accel = Accel::new(scene.clone());
+            let mut velocities: Vec<Vec3> = Vec::new();
+            for shape in &tangent.shapes {
+                velocities.extend(&shape.as_ref().expect("moves").vertices);
+            }
+            velocities.extend(scene.anchor_velocities(&tangent));
+            let later = Accel::new(scene.moved(&tangent, step));
+            let (before, after) = (lines_of(&accel), lines_of(&later));
+            assert_eq!(before.len(), after.len());
+            for (line, moved) in before.iter().zip(&after) {
+                let [from, to] = moved.ends.map(|end| end.position);
+                let along = to - from;
+                if along.length() < 1e-3 {
+                    continue;
+                }
+                count += 1;
+                for end in &line.ends {
+                    let velocity = end.velocity(&velocities);
+                    let expected = end.position + velocity * step;
+                    let off = along.cross(expected - from).length() / along.length();
+                    // The second order grows where light grazes.
+                    let speed = velocity.length().max(1.0);
+                    assert!(
+                        off < 1e-3 * step * speed * speed,
+                        "off by {off} at {velocity:?}"
+                    );
+                }
+            }
+        }
+        assert!(count > 100, "{count}");
+    }
+}

@@ -1,0 +1,266 @@
+//! Wedges: the parts of planes that light reaches past a segment, and where triangles cross
+//! them.
+//!
+//! The light of a point, or parallel light, that meets a segment fills a plane sector, or a
+//! strip. What it meets there, before the segment and behind it, decides where the segment's
+//! hard shadow falls.
+
+use capwalk_math::Vec3;
+
+/// Where the light of a wedge comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Apex {
+    /// A point.
+    Point(Vec3),
+    /// From infinity: where the light goes, of any length.
+    Direction(Vec3),
+}
+
+/// The points `γ apex + α a + β b` with `α, β ≥ 0`, where `α + β + γ = 1` for light from a
+/// point, and `α + β = 1` for parallel light.
+#[derive(Clone, Copy, Debug)]
+pub struct Wedge {
+    apex: Apex,
+    /// The segment `a b`.
+    ends: [Vec3; 2],
+    /// The plane's normal, of any length.
+    cross: Vec3,
+    /// `α` and `β` of a point of the plane are the products of these with its offsets from
+    /// `b` and from `a`.
+    sides: [Vec3; 2],
+}
+
+/// So many times nearer than the segment is at the apex, up to rounding.
+const AT_APEX: f64 = 1e9;
+
+/// A place on a wedge.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WedgePoint {
+    /// Where the light that comes here passes the segment: 0 at `a`, 1 at `b`.
+    pub along: f64,
+    /// Grows with the distance from the light, linearly with `along` on any straight line:
+    /// for light from a point minus the segment's distance over this one's; for parallel
+    /// light, the distance behind the segment in lengths of the direction.
+    pub depth: f64,
+}
+
+impl Wedge {
+    /// The wedge of a segment; `None` if the segment is a point as the light sees it.
+    pub fn new(apex: Apex, [a, b]: [Vec3; 2]) -> Option<Self> {
+        let light = |p: Vec3| match apex {
+            Apex::Point(origin) => p - origin,
+            Apex::Direction(direction) => direction,
+        };
+        let cross = light(a).cross(b - a);
+        let square = cross.length_squared();
+        if square == 0.0 || !square.is_finite() {
+            return None;
+        }
+        // Each vanishes along the light through one end, and is 1 at the other.
+        let sides = [light(b).cross(cross), cross.cross(light(a))].map(|side| side / square);
+        Some(Self {
+            apex,
+            ends: [a, b],
+            cross,
+            sides,
+        })
+    }
+
+    /// The normal of its plane, of any length.
+    pub fn normal(&self) -> Vec3 {
+        self.cross
+    }
+
+    /// What the depth is at the segment.
+    pub fn depth_of_segment(&self) -> f64 {
+        match self.apex {
+            Apex::Point(_) => -1.0,
+            Apex::Direction(_) => 0.0,
+        }
+    }
+
+    /// `α` and `β` of a point of its plane.
+    fn shares(&self, p: Vec3) -> [f64; 2] {
+        let [a, b] = self.ends;
+        [self.sides[0].dot(p - b), self.sides[1].dot(p - a)]
+    }
+
+    /// The place with these `α` and `β`, not both zero, of a point of its plane.
+    fn place(&self, p: Vec3, [alpha, beta]: [f64; 2]) -> WedgePoint {
+        let sum = alpha + beta;
+        let depth = match self.apex {
+            Apex::Point(_) => -1.0 / sum,
+            Apex::Direction(direction) => {
+                let [a, b] = self.ends;
+                let offset = p - (a * alpha + b * beta) / sum;
+                offset.dot(direction) / direction.length_squared()
+            }
+        };
+        WedgePoint {
+            along: beta / sum,
+            depth,
+        }
+    }
+
+    /// The weights of `a`, `b` and the apex in a place, and where it is.
+    pub fn point(&self, place: WedgePoint) -> ([f64; 3], Vec3) {
+        let [a, b] = self.ends;
+        let WedgePoint { along, depth } = place;
+        let (weights, apex) = match self.apex {
+            Apex::Point(origin) => {
+                let far = -1.0 / depth;
+                ([(1.0 - along) * far, along * far, 1.0 - far], origin)
+            }
+            Apex::Direction(direction) => ([1.0 - along, along, depth], direction),
+        };
+        (weights, a * weights[0] + b * weights[1] + apex * weights[2])
+    }
+
+    /// Where a triangle crosses the wedge, from lower `along` to higher: `None` if it does
+    /// not. Triangles with a common edge cross it where the other does.
+    pub fn section(&self, corners: [Vec3; 3]) -> Option<[WedgePoint; 2]> {
+        let [a, _] = self.ends;
+        let heights = corners.map(|p| self.cross.dot(p - a));
+        let is_below = heights.map(|height| height < 0.0);
+        let mut crossed = (0..3).filter_map(|i| {
+            let k = (i + 1) % 3;
+            if is_below[i] == is_below[k] {
+                return None;
+            }
+            let t = heights[i] / (heights[i] - heights[k]);
+            Some(corners[i] + (corners[k] - corners[i]) * t)
+        });
+        let points = [crossed.next()?, crossed.next()?];
+        // Clip the segment between them to where both shares are positive.
+        let shares = points.map(|p| self.shares(p));
+        let mut range = [0.0_f64, 1.0_f64];
+        for side in 0..2 {
+            let [from, to] = shares.map(|shares| shares[side]);
+            let crossing = from / (from - to);
+            match (from > 0.0, to > 0.0) {
+                (true, true) => {}
+                (false, true) => range[0] = range[0].max(crossing),
+                (true, false) => range[1] = range[1].min(crossing),
+                (false, false) => return None,
+            }
+        }
+        if range[0] >= range[1] {
+            return None;
+        }
+        let at = |t: f64| {
+            let [from, to] = shares;
+            let share = |side: usize| (from[side] + (to[side] - from[side]) * t).max(0.0);
+            let p = points[0] + (points[1] - points[0]) * t;
+            self.place(p, [share(0), share(1)])
+        };
+        let [first, second] = range.map(at);
+        let section = match first.along <= second.along {
+            true => [first, second],
+            false => [second, first],
+        };
+        // What the light sees edge-on has no length, and what it touches no direction.
+        let is_off_apex = section.iter().all(|place| match self.apex {
+            Apex::Point(_) => place.depth > -AT_APEX,
+            Apex::Direction(_) => place.depth.is_finite(),
+        });
+        (is_off_apex && section[0].along < section[1].along).then_some(section)
+    }
+
+    /// False if no triangle in a box can cross it: the box with this middle, and half of
+    /// its extents. `margin` is how far the box may be off, world units.
+    pub fn meets_box(&self, middle: Vec3, half: Vec3, margin: f64) -> bool {
+        let reach = |normal: Vec3| {
+            let sum = |v: Vec3| v.x.abs() + v.y.abs() + v.z.abs();
+            normal.x.abs() * half.x
+                + normal.y.abs() * half.y
+                + normal.z.abs() * half.z
+                + margin * sum(normal)
+        };
+        let [a, b] = self.ends;
+        self.cross.dot(middle - a).abs() <= reach(self.cross)
+            && self.sides[0].dot(middle - b) >= -reach(self.sides[0])
+            && self.sides[1].dot(middle - a) >= -reach(self.sides[1])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ENDS: [Vec3; 2] = [Vec3::new(-0.4, 1.0, 0.3), Vec3::new(0.7, 1.2, -0.2)];
+    const APEXES: [Apex; 2] = [
+        Apex::Point(Vec3::new(0.3, 3.0, 0.1)),
+        Apex::Direction(Vec3::new(0.2, -2.0, 0.4)),
+    ];
+
+    fn wedge(apex: Apex) -> Wedge {
+        Wedge::new(apex, ENDS).expect("seen from the side")
+    }
+
+    /// A place is where light past the segment arrives, and lies in the plane.
+    #[test]
+    fn places_are_on_rays_past_the_segment() {
+        for apex in APEXES {
+            let wedge = wedge(apex);
+            for (along, depth) in [(0.0, -0.5), (0.3, -0.2), (1.0, -0.9)] {
+                let place = WedgePoint { along, depth };
+                let (weights, p) = wedge.point(place);
+                let on_segment = ENDS[0] + (ENDS[1] - ENDS[0]) * along;
+                let light = match apex {
+                    Apex::Point(origin) => p - origin,
+                    Apex::Direction(direction) => direction,
+                };
+                let offset = p - on_segment;
+                assert!(light.cross(offset).length() < 1e-14 * light.length());
+                assert!(wedge.normal().dot(p - ENDS[0]).abs() < 1e-14);
+                let again = wedge.place(p, wedge.shares(p));
+                assert!((again.along - along).abs() < 1e-14, "{again:?}");
+                assert!((again.depth - depth).abs() < 1e-14, "{again:?}");
+                let sum = weights[0] + weights[1] + weights[2];
+                match apex {
+                    Apex::Point(_) => assert!((sum - 1.0).abs() < 1e-15),
+                    Apex::Direction(_) => assert!((weights[0] + weights[1] - 1.0).abs() < 1e-15),
+                }
+            }
+        }
+    }
+
+    /// The section of a floor is the shadow of the segment: depths are linear in between.
+    #[test]
+    fn sections_are_straight() {
+        let corners = [(-9.0, -9.0), (9.0, -9.0), (0.0, 12.0)];
+        let floor = corners.map(|(x, z)| Vec3::new(x, 0.1 * x - 0.2 * z - 1.0, z));
+        for apex in APEXES {
+            let wedge = wedge(apex);
+            let [from, to] = wedge.section(floor).expect("below the segment");
+            assert!(from.along < 1e-15 && (to.along - 1.0).abs() < 1e-15);
+            for t in [0.0, 0.25, 0.8, 1.0] {
+                let place = WedgePoint {
+                    along: t,
+                    depth: from.depth + (to.depth - from.depth) * t,
+                };
+                let (_, p) = wedge.point(place);
+                assert!((0.1 * p.x - 0.2 * p.z - 1.0 - p.y).abs() < 1e-13, "{p:?}");
+            }
+            // Nearer than the segment, beside the light, and behind it.
+            let before = floor.map(|p| p + Vec3::new(0.0, 3.2, 0.0));
+            let section = wedge.section(before).expect("between light and segment");
+            assert!(section[0].depth < wedge.depth_of_segment());
+            let beside = floor.map(|p| p + Vec3::new(40.0, 0.0, 0.0));
+            assert!(wedge.section(beside).is_none());
+            if let Apex::Point(_) = apex {
+                let behind = floor.map(|p| p + Vec3::new(0.0, 9.0, 0.0));
+                assert!(wedge.section(behind).is_none());
+            }
+        }
+    }
+
+    /// A segment that points to the light has no wedge.
+    #[test]
+    fn segments_seen_end_on_have_none() {
+        let [a, b] = ENDS;
+        assert!(Wedge::new(Apex::Point(a + (b - a) * 2.0), ENDS).is_none());
+        assert!(Wedge::new(Apex::Direction(a - b), [a, b]).is_none());
+        assert!(Wedge::new(Apex::Direction(a), [b, b]).is_none());
+    }
+}
