@@ -2,12 +2,11 @@
 
 use capwalk_diff::GradientImage;
 use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
-use capwalk_diff::{GradientOptions, Missing, Sides};
-use capwalk_scene::Tangent;
+use capwalk_diff::{GradientOptions, Missing, Stencil};
+use capwalk_scene::{Scene, Tangent};
 
 use crate::error::Error;
 use crate::options::{DifferenceOptions, check_spp, check_step};
-use crate::prepared::Prepared;
 use crate::text::{count, list, number, plus_minus, significant};
 
 /// Samples of the reference for each one of the gradient, if nothing is said:
@@ -34,13 +33,16 @@ pub struct CheckOptions {
 }
 
 impl CheckOptions {
-    /// How the reference for a motion of a scene is made. Its random numbers are independent
-    /// of the gradient's.
-    pub fn reference(&self, prepared: &Prepared, tangent: &Tangent) -> Result<Reference, Error> {
+    /// How the reference for a motion of a scene is made, with the given step if none is asked
+    /// for. Its random numbers are independent of the gradient's.
+    pub fn reference(
+        &self,
+        scene: &Scene,
+        tangent: &Tangent,
+        step: impl FnOnce() -> f64,
+    ) -> Result<Reference, Error> {
         let GradientOptions { spp, seed, .. } = self.gradient;
-        let step = self
-            .step
-            .unwrap_or_else(|| prepared.difference_step(tangent));
+        let step = self.step.unwrap_or_else(step);
         let spp = self
             .reference_spp
             .unwrap_or(spp.saturating_mul(REFERENCE_FACTOR));
@@ -50,7 +52,7 @@ impl CheckOptions {
             spp,
             seed: seed ^ REFERENCE_SEED,
             step,
-            sides: Sides::of(prepared.scene(), tangent, step)?,
+            sides: Stencil::of(scene, tangent, step)?,
         })
     }
 }
@@ -65,7 +67,7 @@ pub struct Reference {
     /// How far the parameter moves on each side, in its own units.
     pub step: f64,
     /// Whether it moves to both sides.
-    pub sides: Sides,
+    pub sides: Stencil,
 }
 
 impl Reference {
@@ -79,9 +81,9 @@ impl Reference {
             )
         };
         match self.sides {
-            Sides::Both => format!("central differences over ± {step}"),
-            Sides::Above => one_sided('+'),
-            Sides::Below => one_sided('-'),
+            Stencil::Both => format!("central differences over ± {step}"),
+            Stencil::Above => one_sided('+'),
+            Stencil::Below => one_sided('-'),
         }
     }
 

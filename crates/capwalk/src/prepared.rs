@@ -202,7 +202,8 @@ impl Prepared {
     ) -> Result<Check, Error> {
         let tangent = &*direction.tangent(self.scene(), self.registry())?;
         // Before the gradient is estimated.
-        let reference = options.reference(self, tangent)?;
+        let reference =
+            options.reference(self.scene(), tangent, || self.difference_step(tangent))?;
         let chosen = self.choose(tangent, &options.gradient, watch)?.options;
         let gradient = self.gradient(tangent, &chosen, watch)?;
         let gradient = self.comparable(gradient, tangent, &chosen, watch)?;

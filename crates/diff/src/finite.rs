@@ -14,7 +14,7 @@ use crate::forward::left_out;
 
 /// Where images are taken for a difference, see [`finite_difference`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Sides {
+pub enum Stencil {
     /// One step away on both sides.
     #[default]
     Both,
@@ -34,7 +34,7 @@ struct Place {
     slope: f64,
 }
 
-impl Sides {
+impl Stencil {
     /// In a word.
     pub fn name(self) -> &'static str {
         match self {
@@ -79,7 +79,7 @@ impl Sides {
 
 /// The derivative of the image along `tangent` by central differences over
 /// `±step`, in units of the parameter, or by one-sided ones where one of these leaves the
-/// valid scenes, see [`Sides`]. The same random numbers everywhere;
+/// valid scenes, see [`Stencil`]. The same random numbers everywhere;
 /// the mean is right up to terms of order `step²`, the variance grows like
 /// `1 / step`. Works for everything that can be rendered; refuses a step that
 /// makes the scene invalid on both sides.
@@ -114,7 +114,7 @@ fn difference(
     leaves_out: LeavesOut,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    let places = Sides::of(scene, tangent, step)?.places();
+    let places = Stencil::of(scene, tangent, step)?.places();
     let moved = |place: &Place| PreparedScene::new(scene.moved(tangent, place.at * step));
     let scenes: Vec<_> = places.iter().map(moved).collect();
     let plan = Plan::new(scene).for_differences();

@@ -36,7 +36,7 @@ pub use capwalk_walk::{Estimator, WalkSettings};
 
 pub use adjoint::Wanted;
 pub use auto::{Chosen, Trial};
-pub use finite::{Sides, finite_difference, finite_difference_of_rest};
+pub use finite::{Stencil, finite_difference, finite_difference_of_rest};
 pub use forward::{GradientWork, gradient, gradient_of_rest};
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;

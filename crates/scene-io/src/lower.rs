@@ -11,6 +11,7 @@ mod lowering;
 mod material;
 mod mesh_file;
 mod metals;
+mod placed_surface;
 mod places;
 mod polarization;
 mod primitive_shape;

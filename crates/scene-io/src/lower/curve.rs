@@ -5,7 +5,7 @@ use capwalk_scene::primitive::{self, CurveKind, TubeError};
 
 use super::instance::MOST_TRIANGLES;
 use super::lowering::Lowering;
-use super::shape::{Placed, file_stem};
+use super::placed_surface::{PlacedSurface, file_stem};
 use super::surface::Surface;
 use crate::fields::Fields;
 use crate::mesh::read_curves;
@@ -21,7 +21,7 @@ impl Lowering<'_> {
         &self,
         fields: &Fields,
         to_world: Affine,
-    ) -> Result<Placed, Problem> {
+    ) -> Result<PlacedSurface, Problem> {
         let kind = match fields.node.plugin.as_str() {
             "linearcurve" => CurveKind::Linear,
             _ => CurveKind::BSpline,
@@ -50,7 +50,7 @@ impl Lowering<'_> {
             )
             .help("divide the file, or give the curves fewer control points"),
         })?;
-        Ok(Placed {
+        Ok(PlacedSurface {
             surface: Surface::new((mesh, normals), uvs),
             world_from_object: to_world,
             attributes: Vec::new(),

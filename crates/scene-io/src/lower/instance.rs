@@ -6,7 +6,7 @@ use std::rc::Rc;
 use capwalk_scene::Shape;
 
 use super::lowering::Lowering;
-use super::shape::placement;
+use super::placed_surface::placement;
 use super::surface::copy;
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId, PropertyValue};

@@ -3,18 +3,17 @@
 //! In Mitsuba the shading normal decides which side of a surface is its front,
 //! for materials and emitters alike. Our faces are wound to agree with it.
 
-use std::path::Path;
-
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::{Attribute, Pattern, ShadingNormals, Shape, Texture};
 
 use super::curve::CURVES;
 use super::lowering::Lowering;
 use super::mesh_file::MESH_PLUGINS;
+use super::placed_surface::{PlacedSurface, file_stem, placement};
 use super::primitive_shape::primitive;
 use super::surface::{Surface, agree};
 use crate::fields::{Child, Fields};
-use crate::mesh::{FileAttribute, LARGEST_COORDINATE, MeshFile, direction};
+use crate::mesh::{FileAttribute, MeshFile, direction};
 use crate::node::Kind;
 use crate::problem::Problem;
 use crate::texts::Span;
@@ -35,16 +34,6 @@ const SHAPES: [&str; 13] = [
     "shapegroup",
     "instance",
 ];
-
-/// A shape before it has its material, as its plugin makes it.
-pub(super) struct Placed {
-    pub surface: Surface,
-    /// What puts the coordinates that it is described in into the world.
-    pub world_from_object: Affine,
-    pub attributes: Vec<FileAttribute>,
-    /// What it is called without an id.
-    pub stem: String,
-}
 
 impl Lowering<'_> {
     /// Adds the shapes that an object of the scene stands for.
@@ -81,7 +70,7 @@ impl Lowering<'_> {
             );
         }
         let to_world = placement(fields)?;
-        let Placed {
+        let PlacedSurface {
             mut surface,
             world_from_object,
             attributes,
@@ -126,7 +115,7 @@ impl Lowering<'_> {
     }
 
     /// The triangles of a shape in the world.
-    fn placed(&self, fields: &Fields, to_world: Affine) -> Result<Placed, Problem> {
+    fn placed(&self, fields: &Fields, to_world: Affine) -> Result<PlacedSurface, Problem> {
         let plugin = fields.node.plugin.as_str();
         if MESH_PLUGINS.contains(&plugin) {
             return self.placed_file(fields, to_world);
@@ -135,7 +124,7 @@ impl Lowering<'_> {
             return self.placed_curves(fields, to_world);
         }
         match primitive(fields, to_world)? {
-            Some((surface, world_from_object)) => Ok(Placed {
+            Some((surface, world_from_object)) => Ok(PlacedSurface {
                 surface,
                 world_from_object,
                 attributes: Vec::new(),
@@ -180,7 +169,7 @@ impl Lowering<'_> {
     }
 
     /// The surface of a file in the world, its attributes, and a name for it.
-    fn placed_file(&self, fields: &Fields, to_world: Affine) -> Result<Placed, Problem> {
+    fn placed_file(&self, fields: &Fields, to_world: Affine) -> Result<PlacedSurface, Problem> {
         let flat = fields.boolean("face_normals", false)?;
         // Rows of bitmaps begin at v = 0; in OBJ files v points up.
         let flip_v = fields.boolean("flip_tex_coords", fields.node.plugin == "obj")?;
@@ -218,37 +207,11 @@ impl Lowering<'_> {
                 ShadingNormals::Given(normals)
             }
         };
-        Ok(Placed {
+        Ok(PlacedSurface {
             surface: Surface { mesh, normals, uvs },
             world_from_object: to_world,
             attributes,
             stem: name.unwrap_or_else(|| file_stem(&path, "mesh")),
         })
     }
-}
-
-/// The name of a file without its ending.
-pub(super) fn file_stem(path: &Path, otherwise: &str) -> String {
-    let stem = path.file_stem().unwrap_or(Path::new(otherwise).as_os_str());
-    stem.to_string_lossy().into_owned()
-}
-
-/// The `to_world` of a shape, which can be inverted.
-pub(super) fn placement(fields: &Fields) -> Result<Affine, Problem> {
-    let to_world = fields.transform("to_world")?;
-    if to_world.determinant() == 0.0 || !to_world.determinant().is_finite() {
-        return Err(Problem::invalid(
-            fields.span_of("to_world"),
-            "\"to_world\" cannot be inverted",
-        )
-        .help("scale by finite numbers other than 0"));
-    }
-    let rows = to_world.rows.iter().chain([&to_world.translation]);
-    let mut numbers = rows.flat_map(|row| row.to_array());
-    if numbers.any(|x| x.abs() > LARGEST_COORDINATE) {
-        let span = fields.span_of("to_world");
-        let help = format!("scale and translate by numbers up to {LARGEST_COORDINATE:e}");
-        return Err(Problem::invalid(span, "\"to_world\" leads out of reach").help(help));
-    }
-    Ok(to_world)
 }

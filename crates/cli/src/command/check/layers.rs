@@ -150,7 +150,7 @@ mod tests {
                     gradient,
                     reference,
                     made: Reference {
-                        sides: capwalk::Sides::Both,
+                        sides: capwalk::Stencil::Both,
                         step: 0.5,
                         spp: 8,
                         seed: 6,

@@ -24,7 +24,9 @@ pub fn check(
     options: &CheckOptions,
     limit: Option<Duration>,
 ) -> Result<Checked> {
-    let reference = options.reference(prepared, tangent)?;
+    let reference = options.reference(prepared.scene(), tangent, || {
+        prepared.difference_step(tangent)
+    })?;
     let started = Instant::now();
     let parts = match options.gradient.allow_missing == AllowMissing::default() {
         true => 2,
