@@ -38,7 +38,7 @@ enum Task {
 /// What a task gives.
 enum Whole {
     Render(Rendering),
-    Gradient(GradientImage, GradientOptions),
+    Gradient(Box<GradientImage>, GradientOptions),
     Backward(Gradients, GradientOptions),
 }
 
@@ -73,7 +73,7 @@ impl Task {
             Self::Gradient(motion, options) => {
                 let tangent = motion.tangent(prepared)?;
                 let work = prepared.gradient_work(&tangent, options)?;
-                Whole::Gradient(work.finish(merged(parts)?)?, *options)
+                Whole::Gradient(Box::new(work.finish(merged(parts)?)?), *options)
             }
             Self::Backward(adjoint, names, options) => {
                 let work = prepared.backward_work(adjoint, names, options)?;
