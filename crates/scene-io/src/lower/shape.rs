@@ -35,6 +35,13 @@ const SHAPES: [&str; 13] = [
     "instance",
 ];
 
+/// Shapes that are not read, and what to do instead.
+const REFUSED: [(&str, &str); 1] = [(
+    "sdfgrid",
+    "surfaces are triangles; extract a mesh where the distances are 0 (marching cubes), save it as \
+     .ply, and write <shape type=\"ply\">",
+)];
+
 impl Lowering<'_> {
     /// Adds the shapes that an object of the scene stands for.
     pub(super) fn shape(&mut self, child: Child) -> Result<(), Problem> {
@@ -130,7 +137,7 @@ impl Lowering<'_> {
                 attributes: Vec::new(),
                 stem: plugin.to_owned(),
             }),
-            None => Err(fields.unknown_plugin(&SHAPES)),
+            None => Err(fields.refused_plugin(&SHAPES, &REFUSED)),
         }
     }
 

@@ -28,6 +28,18 @@ fn mistyped_shape_plugin() {
 }
 
 #[test]
+fn refused_shape() {
+    check(
+        &scene(r#"<shape type="sdfgrid"/>"#),
+        &[
+            "scene.xml:5:16: the shape \"sdfgrid\" is not supported",
+            "  surfaces are triangles; extract a mesh where the distances are 0 (marching cubes), \
+             save it as .ply, and write <shape type=\"ply\">",
+        ],
+    );
+}
+
+#[test]
 fn unknown_bsdf_plugin() {
     check(
         &scene(r#"<bsdf type="roughconductr" id="m"/>"#),
