@@ -23,6 +23,10 @@ const REFUSED: [(&str, &str); 1] = [(
      <texture type=\"bitmap\">",
 )];
 
+/// A checkerboard that is used for a number is another one in Mitsuba.
+const SWAPPED: &str = "is a checkerboard of numbers, whose squares Mitsuba 3.9 exchanges: its image is \
+                       that of \"color0\" and \"color1\" in each other's place";
+
 impl Lowering<'_> {
     /// What stands in a slot of an object called `holder`: a texture, or one
     /// colour, which is `default` if nothing is given.
@@ -86,7 +90,10 @@ impl Lowering<'_> {
                 let colour = self.colour(fields, slot, quantity, Rgb::splat(default))?;
                 Texture::colour(id, colour)
             }
-            Some(PropertyValue::Object { .. }) => {
+            Some(&PropertyValue::Object { node, .. }) => {
+                if self.context.graph.node(node).plugin == "checkerboard" {
+                    fields.warn_at(slot, SWAPPED);
+                }
                 return self.slot(fields, holder, slot, quantity, default);
             }
             Some(other) => {

@@ -446,3 +446,19 @@ fn materials_that_need_others() {
     );
     assert!(message(&with(&deep), &[]).contains("stand inside each other too deep"));
 }
+
+/// Mitsuba exchanges the colours of a checkerboard that is used for a number, not of one that is
+/// used for a colour.
+#[test]
+fn checkerboards_of_numbers_warn() {
+    let warnings = |slot: &str| {
+        let board = format!("<texture type=\"checkerboard\" name=\"{slot}\"/>");
+        let material = format!("<bsdf type=\"principled\">{board}</bsdf>");
+        let shape = format!("<shape type=\"sphere\">{material}</shape>");
+        load_with_warnings(&scene(&shape)).1
+    };
+    assert_eq!(warnings("base_color"), [""; 0]);
+    let metallic = warnings("metallic");
+    assert_eq!(metallic.len(), 1, "{metallic:?}");
+    assert!(metallic[0].contains("\"metallic\" is a checkerboard of numbers"));
+}
