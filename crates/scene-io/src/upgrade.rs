@@ -1,6 +1,6 @@
 //! Files for Mitsuba 0.x and 1.x, brought to the names of 2 and 3: what
-//! Mitsuba's loader does for versions below 2.0, and two renamings that it
-//! leaves to others (`ldrfilm`, `<lookAt>`).
+//! Mitsuba's loader does for versions below 2.0, and what it leaves to others
+//! (`ldrfilm`, `<lookAt>`, filters and `gamma` of bitmaps, `extEta` of metals).
 
 use crate::texts::Span;
 use crate::xml::{Attribute, Element};
@@ -25,6 +25,10 @@ const OF_LDRFILM: [&str; 7] = [
     "tonemap_method",
     "label",
 ];
+
+/// How bitmaps are filtered where they are small in the image, and kept in memory. Here, as in
+/// Mitsuba 3, all texels under a pixel count by the pixel's samples.
+const OF_BITMAP: [&str; 2] = ["max_anisotropy", "cache"];
 
 /// Offsets and scales of texture coordinates, and what they became.
 const UV_NAMES: [(&str, &str, &str); 4] = [
@@ -83,17 +87,70 @@ fn element(it: &mut Element, changes: &mut Vec<String>) {
             let plugin = it.attributes.iter_mut().find(|a| a.name == "type");
             let plugin = plugin.expect("its value has been looked at");
             rename(&mut plugin.value, &|_| "hdrfilm".into(), changes);
-            it.children.retain(|child| {
-                let name = child.attribute("name").map(|name| name.value.as_str());
-                let is_kept = !name.is_some_and(|name| OF_LDRFILM.contains(&name));
-                if !is_kept {
-                    changes.push(format!("{} left out", name.unwrap_or_default()));
-                }
-                is_kept
-            });
+            leave_out(it, |name, _| OF_LDRFILM.contains(&name), changes);
         }
-        ("texture", _) => uv_transform(it, changes),
+        ("bsdf", Some("conductor" | "roughconductor")) => {
+            leave_out(
+                it,
+                |name, value| name == "ext_eta" && is_air(value),
+                changes,
+            );
+        }
+        ("texture", plugin) => {
+            if plugin == Some("bitmap") {
+                bitmap(it, changes);
+            }
+            uv_transform(it, changes);
+        }
         _ => {}
+    }
+}
+
+/// Leaves out the properties with such a name and value.
+fn leave_out(it: &mut Element, which: impl Fn(&str, &str) -> bool, changes: &mut Vec<String>) {
+    it.children.retain(|child| {
+        let text = |name| child.attribute(name).map_or("", |a| a.value.as_str());
+        let name = text("name");
+        let is_kept = !which(name, text("value"));
+        if !is_kept {
+            changes.push(format!("{name} left out"));
+        }
+        is_kept
+    });
+}
+
+/// True for what is around metals in Mitsuba 3, up to 0.03 %.
+fn is_air(index: &str) -> bool {
+    let is_number = || {
+        index
+            .parse()
+            .is_ok_and(|x: f64| (1.0..=1.000277).contains(&x))
+    };
+    matches!(index, "air" | "vacuum") || is_number()
+}
+
+/// The filters that blur, and `gamma` where it is that of linear numbers or of sRGB.
+fn bitmap(it: &mut Element, changes: &mut Vec<String>) {
+    leave_out(it, |name, _| OF_BITMAP.contains(&name), changes);
+    for child in &mut it.children {
+        let named = |wanted: &str| child.attribute("name").is_some_and(|a| a.value == wanted);
+        let (is_filter, is_gamma) = (named("filter_type"), named("gamma"));
+        let Some(value) = child.attributes.iter_mut().find(|a| a.name == "value") else {
+            continue;
+        };
+        if is_filter && matches!(value.value.as_str(), "trilinear" | "ewa") {
+            rename(&mut value.value, &|_| "bilinear".into(), changes);
+        }
+        let raw = match value.value.parse::<f64>() {
+            Ok(1.0) if is_gamma => "true",
+            Ok(-1.0) if is_gamma => "false",
+            _ => continue,
+        };
+        changes.push(format!("gamma {} is now raw {raw}", value.value));
+        value.value = raw.into();
+        child.tag = "boolean".into();
+        let name = child.attributes.iter_mut().find(|a| a.name == "name");
+        name.expect("it is called gamma").value = "raw".into();
     }
 }
 

@@ -39,8 +39,8 @@ const BSDFS: [&str; 20] = [
     "bumpmap",
 ];
 
-/// Materials that are not read, and what to do instead.
-const REFUSED: [(&str, &str); 3] = [
+/// Materials that are not read, and what to do instead: those of Mitsuba 3, then those of 0.6.
+const REFUSED: [(&str, &str); 10] = [
     (
         "hair",
         "fibres are not rendered as such; write <bsdf type=\"principled\"> with anisotropic, on \
@@ -55,6 +55,38 @@ const REFUSED: [(&str, &str); 3] = [
         "measured_polarized",
         "tables of measurements are not evaluated; write <bsdf type=\"roughconductor\"> with the \
          metal's name as its material",
+    ),
+    (
+        "phong",
+        "powers of cosines are not evaluated; write <bsdf type=\"roughplastic\"> or \
+         <bsdf type=\"principled\">; about as wide as the power n is alpha = 1 / sqrt(2 n)",
+    ),
+    (
+        "ward",
+        "write <bsdf type=\"roughplastic\">, or a <bsdf type=\"blendbsdf\"> of \
+         <bsdf type=\"diffuse\"> and <bsdf type=\"roughconductor\"> with alpha_u and alpha_v",
+    ),
+    (
+        "roughdiffuse",
+        "rough diffuse surfaces are not evaluated; write <bsdf type=\"diffuse\">",
+    ),
+    (
+        "difftrans",
+        "write <bsdf type=\"principledthin\"> with diff_trans",
+    ),
+    (
+        "coating",
+        "layers are not evaluated; write <bsdf type=\"plastic\">, or \
+         <bsdf type=\"principled\"> with clearcoat",
+    ),
+    (
+        "roughcoating",
+        "layers are not evaluated; write <bsdf type=\"roughplastic\">, or \
+         <bsdf type=\"principled\"> with clearcoat",
+    ),
+    (
+        "mixturebsdf",
+        "write a <bsdf type=\"blendbsdf\"> of two materials, one inside the other for more",
     ),
 ];
 
@@ -187,6 +219,10 @@ impl Lowering<'_> {
     }
 
     fn metal(&mut self, fields: &Fields, name: &str) -> Result<Metal, Problem> {
+        fields.refuse(
+            &["ext_eta"],
+            "around metals is air; divide eta and k by it, and remove it",
+        )?;
         let (mut eta, mut k) = (Rgb::zero(), Rgb::splat(1.0));
         match fields.string("material")? {
             None | Some("none") => {}

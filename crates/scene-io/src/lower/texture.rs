@@ -152,6 +152,11 @@ impl Lowering<'_> {
             "clamp" => Wrap::Clamp,
             _ => Wrap::Repeat,
         };
+        fields.refuse(
+            &["gamma"],
+            "write raw = true for texels as they are (gamma 1), and raw = false for sRGB (-1); \
+             convert images with other curves",
+        )?;
         let raw = fields.boolean("raw", false)?;
         let to_uv = uv_transform(fields)?;
         let reason = "texels are kept in double precision";

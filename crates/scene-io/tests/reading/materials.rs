@@ -153,6 +153,13 @@ fn materials_that_are_refused() {
         ("hair", "write <bsdf type=\"principled\">"),
         ("measured", "fit a <bsdf type=\"principled\">"),
         ("measured_polarized", "write <bsdf type=\"roughconductor\">"),
+        ("phong", "write <bsdf type=\"roughplastic\">"),
+        ("ward", "write <bsdf type=\"roughplastic\">"),
+        ("roughdiffuse", "write <bsdf type=\"diffuse\">"),
+        ("difftrans", "write <bsdf type=\"principledthin\">"),
+        ("coating", "write <bsdf type=\"plastic\">"),
+        ("roughcoating", "write <bsdf type=\"roughplastic\">"),
+        ("mixturebsdf", "write a <bsdf type=\"blendbsdf\">"),
     ] {
         let found = message(&with(&format!("<bsdf type=\"{plugin}\"/>")), &[]);
         let first = format!("the bsdf \"{plugin}\" is not supported");

@@ -275,8 +275,9 @@ fn bad_bitmaps() {
     check(
         &textured(&bitmap("<float name=\"gamma\" value=\"2.2\"/>")),
         &[
-            "scene.xml:5:151: unknown property \"gamma\" of the texture \"bitmap\"",
-            "  its properties are accel, filename, filter_type, format, raw, to_uv, wrap_mode",
+            "scene.xml:5:151: \"gamma\" is not supported",
+            "  write raw = true for texels as they are (gamma 1), and raw = false for sRGB (-1); \
+             convert images with other curves",
         ],
     );
     check(

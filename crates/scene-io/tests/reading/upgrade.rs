@@ -12,10 +12,15 @@ const OLD: &str = r#"<scene version="0.6.0"><default name="mySamples" value="7"/
 <float name="gamma" value="2.2"/><string name="fileFormat" value="png"/><rfilter type="tent"/></film></sensor>
 <bsdf type="diffuse" id="wood"><texture name="diffuseReflectance" type="bitmap">
 <string name="filename" value="texels.png"/><string name="filterType" value="nearest"/>
-<float name="uscale" value="2"/><float name="vscale" value="3"/>
+<float name="gamma" value="1.0"/><float name="maxAnisotropy" value="8"/><float name="uscale" value="2"/><float name="vscale" value="3"/>
 <float name="uoffset" value="0.5"/><float name="voffset" value="$shift"/></texture></bsdf>
 <bsdf type="dielectric" id="glass"><float name="intIOR" value="1.4"/></bsdf>
+<bsdf type="conductor" id="mirror"><string name="extEta" value="air"/></bsdf>
+<texture type="bitmap" id="leaf"><string name="filename" value="texels.png"/>
+<string name="filterType" value="trilinear"/><float name="gamma" value="-1"/></texture>
+<bsdf type="diffuse" id="leafy"><ref name="reflectance" id="leaf"/></bsdf>
 <shape type="rectangle"><boolean name="flipNormals" value="true"/><ref id="wood"/></shape>
+<shape type="cube"><ref id="mirror"/></shape><shape type="disk"><ref id="leafy"/></shape>
 <emitter type="constant"/></scene>"#;
 
 const NEW: &str = r#"<scene version="3.0.0">
@@ -27,9 +32,13 @@ const NEW: &str = r#"<scene version="3.0.0">
 <rfilter type="tent"/></film></sensor>
 <bsdf type="diffuse" id="wood"><texture name="reflectance" type="bitmap">
 <string name="filename" value="texels.png"/><string name="filter_type" value="nearest"/>
-<transform name="to_uv"><translate x="0.5" y="0.25"/><scale x="2" y="3"/></transform></texture></bsdf>
+<boolean name="raw" value="true"/><transform name="to_uv"><translate x="0.5" y="0.25"/><scale x="2" y="3"/></transform></texture></bsdf>
 <bsdf type="dielectric" id="glass"><float name="int_ior" value="1.4"/></bsdf>
+<bsdf type="conductor" id="mirror"/>
+<texture type="bitmap" id="leaf"><string name="filename" value="texels.png"/></texture>
+<bsdf type="diffuse" id="leafy"><ref name="reflectance" id="leaf"/></bsdf>
 <shape type="rectangle"><boolean name="flip_normals" value="true"/><ref id="wood"/></shape>
+<shape type="cube"><ref id="mirror"/></shape><shape type="disk"><ref id="leafy"/></shape>
 <emitter type="constant"/></scene>"#;
 
 #[test]
@@ -37,6 +46,42 @@ fn old_names_mean_what_the_new_ones_do() {
     let (old, new) = (load(OLD), load(NEW));
     assert_eq!(old.textures, new.textures);
     assert_eq!(old, new);
+}
+
+/// What is read otherwise than it is written is in the warning.
+#[test]
+fn the_warning_lists_what_was_changed() {
+    let (_, warnings) = load_with_warnings(OLD);
+    for change in [
+        "trilinear is now bilinear",
+        "gamma -1 is now raw false",
+        "gamma 1.0 is now raw true",
+        "max_anisotropy left out",
+        "ext_eta left out",
+    ] {
+        assert!(warnings.join("\n").contains(change), "{warnings:?}");
+    }
+}
+
+/// What cannot be brought to today's names is refused.
+#[test]
+fn old_numbers_that_mean_something_else() {
+    for (old, other, expected) in [
+        (
+            "\"gamma\" value=\"1.0\"",
+            "\"gamma\" value=\"1.8\"",
+            "\"gamma\" is not supported",
+        ),
+        (
+            "\"air\"",
+            "\"water\"",
+            "\"extEta\" (now \"ext_eta\") is not supported",
+        ),
+        ("\"trilinear\"", "\"cubic\"", "\"filter_type\" is \"cubic\""),
+    ] {
+        let message = message(&OLD.replace(old, other), &[]);
+        assert!(message.contains(expected), "{message}");
+    }
 }
 
 /// Only files for old versions may use old names.
