@@ -264,7 +264,7 @@ WRONG: list[tuple[str, object, str, str]] = [
     ("ball", {"type": "sphre"}, "", 'unknown plugin "sphre"\n  did you mean "sphere"?'),
     ("ball", {"type": 3}, "", "unknown plugin 3"),
     ("ball", {"radius": 1}, "", "has no type"),
-    ("ball", {"type": "cylinder"}, "", 'unknown shape plugin "cylinder"'),
+    ("ball", {"type": "sdfgrid"}, "", 'the shape "sdfgrid" is not supported'),
     ("ball", {**BALL, "bsdf": {"type": "hair"}}, '["bsdf"]', 'the bsdf "hair" is not supported'),
     ("ball", {**BALL, "raduis": 1}, '["raduis"]', 'did you mean "radius"?'),
     ("ball", {**BALL, "radius": "1"}, '["radius"]', "is a <string>"),

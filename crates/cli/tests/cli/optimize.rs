@@ -340,15 +340,14 @@ fn scenes_that_warn_do_so_here_too() {
 #[test]
 fn refusals_name_the_parameter() {
     let capwalk = Capwalk::new("optimize_refused");
-    let spot =
-        "<emitter type=\"point\"><point name=\"position\" x=\"0\" y=\"3\" z=\"0\"/></emitter>";
+    let projector = "<emitter type=\"projector\"/>";
     assert_eq!(capwalk.run("scenes --export scenes leaf").status, 0);
     let scene = String::from_utf8(capwalk.bytes("scenes/leaf.xml")).expect("text");
     capwalk.write(
-        "scenes/spot.xml",
-        &scene.replace("</scene>", &format!("{spot}</scene>")),
+        "scenes/projector.xml",
+        &scene.replace("</scene>", &format!("{projector}</scene>")),
     );
-    let job = SMALL.replace("scene = \"leaf\"", "scene = \"scenes/spot.xml\"");
+    let job = SMALL.replace("scene = \"leaf\"", "scene = \"scenes/projector.xml\"");
     let job = job.replace(
         "name = \"leaf.translate.x\"\nbounds = [-1, 1]\n",
         "name = \"floor.bsdf.reflectance.value.r\"\n",
@@ -364,7 +363,7 @@ fn refusals_name_the_parameter() {
         &[
             "job.toml:19:8",
             "with respect to \"leaf.translate.x\" is refused",
-            "no extent",
+            "(projector) throws is discontinuous",
         ],
     );
 }
