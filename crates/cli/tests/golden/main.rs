@@ -67,6 +67,7 @@ scenes! {
     lamps_seen
     lanczos
     linearcurve
+    maps_around_sides
     mask
     mask_and_blend
     mesh_attribute

@@ -79,6 +79,44 @@ fn heights_of_bumps_and_their_scale() {
     agree("heights", scene, &along, case(100));
 }
 
+/// The same scene with the map around both sides of its floor, which is seen from behind.
+fn around_and_behind(mut scene: Scene) -> Scene {
+    let mut materials = scene.materials.iter();
+    let map = materials.position(|m| m.id == "floor.bsdf").expect("a map");
+    let (map, sides) = (BsdfId(map as u32), BsdfId(map as u32 + 1));
+    let around = &mut scene.materials[map.0 as usize].bsdf;
+    let (Bsdf::NormalMap { nested, .. } | Bsdf::BumpMap { nested, .. }) = around else {
+        panic!("{around:?}");
+    };
+    let inside = std::mem::replace(nested, sides);
+    scene.materials[sides.0 as usize].bsdf = Bsdf::TwoSided {
+        front: inside,
+        back: inside,
+    };
+    let floor = scene.shapes_mut().find(|shape| shape.id == "floor");
+    let floor = floor.expect("a floor");
+    floor.bsdf = map;
+    let uvs = floor.uvs.as_mut().expect("a map needs them");
+    for (face, uvs) in floor.mesh.faces.iter_mut().zip(uvs) {
+        face.swap(1, 2);
+        uvs.swap(1, 2);
+    }
+    scene
+}
+
+#[test]
+fn maps_around_two_sides_from_behind() {
+    let scene = around_and_behind(normal_mapped());
+    let along = texels_change(&scene, "floor.bsdf.normalmap");
+    agree("normals from behind", scene.clone(), &along, case(100));
+    let along = tangent(&scene, "floor.translate.x + 0.3*floor.rotate.z");
+    agree("turning from behind", scene, &along, case(100));
+    let scene = around_and_behind(bumpy());
+    let mut along = texels_change(&scene, "floor.bsdf.heights");
+    along.add(&tangent(&scene, "0.5*floor.bsdf.scale"));
+    agree("heights from behind", scene, &along, case(100));
+}
+
 /// The maps move with the plane.
 #[test]
 fn mapped_planes_move() {

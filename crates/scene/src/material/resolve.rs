@@ -141,7 +141,8 @@ impl Resolver {
                 limits,
             } => {
                 let normal = textures.value(*normals) * R::constant(2.0) - Rgb::splat(one);
-                parts.tilt = Some(Tilt::new(Vec3::from(normal.to_array()), *limits));
+                let normal = self.in_shown_frame(Vec3::from(normal.to_array()), *nested, side);
+                parts.tilt = Some(Tilt::new(normal, *limits));
                 self.add(scene, *nested, side, weight, textures, parts);
                 parts.tilt = None;
             }
@@ -154,7 +155,8 @@ impl Resolver {
                 let scale = number(scene, *scale, textures);
                 let slopes = textures.gradient(*heights);
                 let [x, y] = slopes.map(|slope| -grey(scene, *heights, slope) * scale);
-                parts.tilt = Some(Tilt::new(Vec3::new(x, y, one), *limits));
+                let normal = self.in_shown_frame(Vec3::new(x, y, one), *nested, side);
+                parts.tilt = Some(Tilt::new(normal, *limits));
                 self.add(scene, *nested, side, weight, textures, parts);
                 parts.tilt = None;
             }
@@ -165,6 +167,17 @@ impl Resolver {
                     parts.push(weight, lobe);
                 }
             }
+        }
+    }
+
+    /// The normal of a map around a material, in the frame in which the material is seen.
+    /// From behind, a two-sided one is seen in a frame whose normal is turned over and whose
+    /// tangents are not: the map's normal `n` is turned over with it, to `-n`, which is
+    /// `(-x, -y, z)` there.
+    fn in_shown_frame<R: Real>(&self, normal: Vec3<R>, nested: BsdfId, side: Side) -> Vec3<R> {
+        match side == Side::Back && self.two_sided[nested.0 as usize] {
+            true => Vec3::new(-normal.x, -normal.y, normal.z),
+            false => normal,
         }
     }
 }

@@ -136,12 +136,6 @@ impl Scene {
                 if nested.is_perturbed {
                     return Err("normals are perturbed twice");
                 }
-                if nested.is_two_sided {
-                    return Err(
-                        "normals of a two-sided material are perturbed; put the map into \
-                                the two-sided material",
-                    );
-                }
                 Summary {
                     is_perturbed: true,
                     ..nested

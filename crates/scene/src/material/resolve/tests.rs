@@ -273,6 +273,34 @@ fn heights_tilt_against_their_slope() {
     assert_eq!(resolved.bsdf, expected.seen_from(Side::Front));
 }
 
+/// Around a two-sided material, a map turns one surface with two sides: from behind, its
+/// normal points the other way. Inside, each side has the map to itself.
+#[test]
+fn maps_around_two_sides_turn_over() {
+    let mut materials = Materials::new();
+    let (front, back) = (BsdfId(0), BsdfId(1));
+    let both = materials.add(Bsdf::TwoSided { front, back });
+    let around = materials.normal_map(both);
+    let inside = materials.normal_map(BsdfId(1));
+    let inside = materials.add(Bsdf::TwoSided {
+        front: inside,
+        back: inside,
+    });
+    for (map, side, reflectance, y) in [
+        (around, Side::Front, FIRST, 0.5),
+        (around, Side::Back, SECOND, -0.5),
+        (inside, Side::Front, SECOND, 0.5),
+        (inside, Side::Back, SECOND, 0.5),
+    ] {
+        let resolved = materials.resolve(map, side);
+        assert_eq!(resolved.flipped, side == Side::Back);
+        let tilt = Tilt::new(Vec3::new(0.0, y, 1.0), LIMITS);
+        let mut expected = lobe::LocalBsdf::default();
+        expected.push_tilted(1.0, diffuse(reflectance), Some(tilt));
+        assert_eq!(resolved.bsdf, expected.seen_from(Side::Front), "{side:?}");
+    }
+}
+
 #[test]
 fn rough_coats_have_their_table() {
     let mut materials = Materials::new();
