@@ -41,6 +41,7 @@ pub(crate) fn parse(texts: &Texts, root: &Element) -> Result<Graph, Problem> {
         warnings: Vec::new(),
     };
     let root = parser.object(root, Kind::Scene)?;
+    parser.names_become_ids(root);
     parser.resolve_references()?;
     for node in &parser.nodes {
         refuse_duplicates(&node.properties)?;
@@ -179,6 +180,24 @@ impl Parser<'_> {
             }
             _ => typed_property(element, &mut self.warnings).map(Some),
         }
+    }
+
+    /// Objects directly in the scene that have a name and no id are called by their name, as
+    /// the entries of Mitsuba's dictionaries are by their key; ids come first.
+    fn names_become_ids(&mut self, root: NodeId) {
+        let children = std::mem::take(&mut self.nodes[root.0].properties);
+        for child in &children {
+            let PropertyValue::Object { node, .. } = child.value else {
+                continue;
+            };
+            let is_free = !child.name.is_empty() && !self.ids.contains_key(&child.name);
+            let object = &mut self.nodes[node.0];
+            if is_free && object.id.is_none() {
+                object.id = Some(child.name.clone());
+                self.ids.insert(child.name.clone(), (node, child.name_span));
+            }
+        }
+        self.nodes[root.0].properties = children;
     }
 
     fn duplicate(&self, id: &Attribute, first: Span) -> Problem {

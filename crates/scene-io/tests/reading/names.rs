@@ -34,6 +34,23 @@ fn given_ids_are_kept() {
     assert_eq!(ids, ["sphere_3", "sphere", "sphere_4", "sphere_2"]);
 }
 
+/// As the keys of Mitsuba's dictionaries; where an object stands in another, its name says what
+/// it is of.
+#[test]
+fn names_directly_in_the_scene_are_ids() {
+    let loaded = load(&scene(
+        "<bsdf type=\"diffuse\" name=\"grey\"/>\
+         <shape type=\"sphere\" name=\"ball\"><ref id=\"grey\"/></shape>\
+         <shape type=\"cube\" name=\"taken\"/><shape type=\"cube\" id=\"taken\"/>\
+         <shape type=\"cube\" name=\"box\" id=\"crate\">\
+         <bsdf type=\"diffuse\" name=\"skin\"/></shape>",
+    ));
+    let ids: Vec<&str> = loaded.shapes.iter().map(|shape| &*shape.id).collect();
+    assert_eq!(ids, ["ball", "cube", "taken", "crate"]);
+    let material_of = |i: usize| &*loaded.material(loaded.shapes[i].bsdf).id;
+    assert_eq!((material_of(0), material_of(3)), ("grey", "crate.bsdf"));
+}
+
 /// Sensors and shapes, whose parameters are called alike, never share a name. None of several
 /// is called `sensor` unless the file says so: without one of that name it is whichever renders.
 #[test]
