@@ -243,7 +243,7 @@ def _array(scene: Scene, arrays: Mapping[str, _Listed], name: str) -> _Listed:
         instead = [f'"{array}"' for array in instead if array in arrays]
         raise ParameterError(
             f'"{name}" is a direction and has no value; what moves {owner} are the arrays '
-            f"{' and '.join(instead)}"
+            f"{', '.join(instead[:-1])} and {instead[-1]}"
         )
     # Raises, with names that were perhaps meant.
     scene._values(name)

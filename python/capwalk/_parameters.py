@@ -14,14 +14,21 @@ from ._numbers import Array, numbers
 from .errors import ArgumentError, BusyError
 
 
+_PLACES = {
+    "to_world": ("positions", "normals", "translate", "rotate"),
+    "translate": ("positions", "position"),
+}
+"""Kinds of arrays, and others that place the same thing."""
+
+
 def check_apart(names: Iterable[str]) -> None:
     """An error if two arrays, by their first names, place the same thing: what comes out would
     depend on which is set first."""
     chosen = set(names)
     for name in chosen:
         owner, _, kind = name.rpartition(".")
-        for other in ("positions", "normals", "translate", "rotate"):
-            if kind == "to_world" and f"{owner}.{other}" in chosen:
+        for other in _PLACES.get(kind, ()):
+            if f"{owner}.{other}" in chosen:
                 raise ArgumentError(f"{name} and {owner}.{other} both place {owner}; give one")
 
 

@@ -65,13 +65,18 @@ def test_velocities_are_a_direction(scene: cw.Scene) -> None:
 
 def test_forward_is_reverse(scene: cw.Scene) -> None:
     adjoint = np.random.default_rng(1).normal(size=(18, 24, 3))
-    names = ["box.positions", "box.translate.x"]
+    names = ["box.positions", "box.translate.x", "box.translate"]
     # With the cutoff given; a pilot may find another one for each.
     slope = cw.gradient(scene, "box.translate.x", method="walk", max_angle=10.0)
     gradients = cw.backward(scene, adjoint, names, method="walk", max_angle=10.0, seed=0)
     forward = (adjoint * slope.gradient).sum()
     assert np.isclose(gradients["box.translate.x"], forward, rtol=1e-9)
     assert np.isclose(gradients["box.positions"][:, 0].sum(), forward, rtol=1e-9)
+    by_vector = gradients["box.translate"]
+    assert by_vector.shape == (3,) and np.isclose(by_vector[0], forward, rtol=1e-9)
+    assert np.allclose(by_vector, gradients["box.positions"].sum(axis=0), rtol=1e-9)
+    along = cw.gradient(scene, {"box.translate": [1.0, 0.0, 0.0]})
+    assert np.array_equal(along.gradient, cw.gradient(scene, "box.translate.x").gradient)
     # Forward mode draws edges by how they move, too: equal within errors.
     slope = cw.gradient(scene, "box.translate.x", method="edges", spp=256)
     gradients = cw.backward(scene, adjoint, names, method="edges", spp=256, seed=1)

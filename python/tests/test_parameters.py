@@ -21,6 +21,29 @@ def test_update_moves_the_scene(scene: cw.Scene) -> None:
     assert np.allclose(cw.render(scene).value, before, atol=1e-9)
 
 
+def test_translations_move_shapes_and_take_them_back(scene: cw.Scene) -> None:
+    before, place = cw.render(scene).value, scene._values("box.to_world")
+    params = cw.traverse(scene)
+    assert params["box.translate"].tolist() == [0.0, 0.0, 0.0]
+    offset = np.array([0.3, 0.1, -0.2])
+    params["box.translate"] = offset
+    params.update()
+    moved = scene.copy()
+    # From where it is now; and the matrix went with it.
+    assert params["box.translate"].tolist() == [0.0, 0.0, 0.0]
+    assert np.allclose(params["box.to_world"][:3, 3] - place[:3, 3], offset, atol=1e-14)
+    params.update({"box.translate": -offset})
+    assert np.allclose(cw.render(scene).value, before, atol=1e-9)
+    cw.traverse(scene).update({"box.positions": scene._values("box.positions") + offset})
+    by_vertices = cw.render(scene).value
+    assert np.allclose(cw.render(moved).value, by_vertices, atol=1e-9)
+    assert not np.allclose(by_vertices, before, atol=1e-3)
+    for other in ("box.positions", "box.to_world"):
+        both = {"box.translate": offset, other: scene._values(other)}
+        with pytest.raises(cw.ArgumentError, match="both place box"):
+            params.update(both)
+
+
 def test_update_answers_like_a_new_scene(scene: cw.Scene) -> None:
     positions = scene._values("box.positions") * 1.1
     colour = [0.1, 0.9, 0.2]
@@ -133,4 +156,5 @@ def test_mitsubas_names(scene: cw.Scene) -> None:
     gradients = cw.backward(scene, ones, names, spp=4)
     assert np.array_equal(gradients[names[0]], gradients[names[1]])
     params.keep(r"box\..*")
-    assert set(params) == {"box.positions", "box.to_world", "box.bsdf.reflectance.value"}
+    of_shape = {"box.positions", "box.to_world", "box.translate"}
+    assert set(params) == {*of_shape, "box.bsdf.reflectance.value"}

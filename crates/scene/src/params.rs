@@ -40,6 +40,7 @@
 //! | `<material>.reflectance.data` (…) | (H, W, 3) or (H, W, 1) | texels of a bitmap, from the top |
 //! | `<shape>.vertex_color` (…) | (V, 3) or (F, 3) | an attribute of a mesh, or one channel |
 //! | `<shape>.to_world` | (4, 4) | the matrix that puts the shape in the world, see below |
+//! | `<shape>.translate` | (3,) | motion in world axes, from where the shape is |
 //! | `sensor.translate`, `sensor.rotate` | (3,) | motion and turn in world axes |
 //! | `sensor.to_world` | (4, 4) | the matrix that puts the sensor in the world |
 //! | `sensor.x_fov`, `sensor.aperture_radius`, `sensor.focus_distance` | (1,) | as above |

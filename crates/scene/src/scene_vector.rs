@@ -9,7 +9,7 @@ use capwalk_math::{Affine, Dual, Rgb, Vec3};
 use serde::Serialize;
 
 use crate::emitter::Emitter;
-use crate::ids::TextureId;
+use crate::ids::{ShapeId, TextureId};
 use crate::scene::Scene;
 use crate::sensor::{Optic, Sensor, SensorState};
 use crate::shape::{ShadingNormals, vertex_normals};
@@ -222,6 +222,14 @@ impl Tangent {
         match &self.textures[id.0 as usize] {
             Some(velocities) => texel(velocities, scene.texture(id).channels, index),
             None => Rgb::zero(),
+        }
+    }
+
+    /// Adds velocities of a shape's vertices and normals.
+    pub fn add_to_shape(&mut self, id: ShapeId, velocities: ShapeVectors) {
+        match &mut self.shapes[id.0 as usize] {
+            Some(own) => own.add(&velocities),
+            rest => *rest = Some(velocities),
         }
     }
 }

@@ -58,7 +58,7 @@ fn arrays_and_scalars_belong_together() {
     let names = scalars.join(" ");
     let json = capwalk.json(&format!(
         "backward ball {SIZE} --spp 32 --adjoint a.npz -o g.npz --errors --json --param {names} \
-         ball.positions ball.normals lamp.emitter.radiance.value sensor.rotate"
+         ball.positions ball.normals ball.translate lamp.emitter.radiance.value sensor.rotate"
     ));
     let file = read(&capwalk, "g.npz");
     let scene = builtin::scene("ball").expect("built in");
@@ -91,6 +91,10 @@ fn arrays_and_scalars_belong_together() {
             "{name}: {value} {expected}"
         );
     }
+    let translate = array(&file, "ball.translate");
+    assert_eq!(translate.shape, [3]);
+    let x = scalar(&file, "ball.translate.x");
+    assert!((translate.numbers[0] - x).abs() <= 1e-9 * x.abs(), "{x}");
     let radiance = array(&file, "lamp.emitter.radiance.value");
     assert_eq!(radiance.shape, [3]);
     let green = scalar(&file, "lamp.emitter.radiance.value.g");
@@ -134,7 +138,7 @@ fn arrays_and_scalars_belong_together() {
     }
     let names: Vec<String> = file.arrays.iter().map(|a| a.name.clone()).collect();
     assert_eq!(names, expected);
-    assert_eq!(listed.len(), 10);
+    assert_eq!(listed.len(), 11);
     assert!(file.metadata.contains(&("complete".into(), "true".into())));
     assert!(file.metadata.contains(&("adjoint".into(), "a.npz".into())));
 }

@@ -69,6 +69,7 @@ fn info_lists_parameters() {
         " radiance of lamp (radiance)",
         "  sensor.translate.x|y|z rotate.x|y|z ",
         "  ball.positions ",
+        "  ball.translate ",
         "other names of the same: --all",
     ];
     assert_has(&grouped, &lines);

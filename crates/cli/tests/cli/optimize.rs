@@ -90,6 +90,30 @@ fn hidden_numbers_are_found() {
     assert!((red - 0.5).abs() < 0.01, "{red}");
 }
 
+/// The three numbers of a translation are one variable.
+#[test]
+fn a_translation_is_found_as_a_vector() {
+    let capwalk = Capwalk::new("optimize_vector");
+    let job = SMALL
+        .replace("iterations = 40", "iterations = 60")
+        .replace("x\" = 0.2", "x\" = 0.2\n\"leaf.translate.z\" = -0.15")
+        .replace("leaf.translate.x\"\nbounds", "leaf.translate\"\nbounds");
+    let (all, last) = (job.find("[[parameter]]"), job.find("[optimizer]"));
+    let (all, last) = (all.expect("there"), last.expect("there"));
+    let one = "[[parameter]]\nname = \"leaf.translate\"\nbounds = [-1, 1]\n\n";
+    capwalk.write("job.toml", &[&job[..all], one, &job[last..]].concat());
+    let json = capwalk.json("optimize job.toml --json");
+    assert_eq!(json["unknowns"], 3);
+    let found = arrays_of(&capwalk.path("out/parameters.npz"));
+    let found = found.get("leaf.translate").expect("there");
+    assert_eq!(found.shape, [3]);
+    // How high it is shows in the penumbra alone.
+    let hidden = [(0.2, 0.02), (0.0, 0.15), (-0.15, 0.02)];
+    for (number, (hidden, error)) in found.numbers.iter().zip(hidden) {
+        assert!((number - hidden).abs() < error, "{:?}", found.numbers);
+    }
+}
+
 fn examples() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/jobs")
 }

@@ -89,6 +89,9 @@ fn parameters_are_set() {
     ]
     .map(|set| capwalk.json(&format!("render leaf {TINY} {set} --json"))["mean"].clone());
     assert_eq!(means[0], means[1]);
+    let vector = format!("--set {colour}=0.5 --set leaf.translate=0.25,0,0");
+    let vector = capwalk.json(&format!("render leaf {TINY} {vector} --json"));
+    assert_eq!(vector["mean"], means[0]);
     let backward = format!("backward leaf --adjoint plain.npz --layer value {TINY}");
     let json = capwalk.json(&format!("{backward} -p leaf.translate.x {set} --json"));
     assert_eq!(json["set"], said);

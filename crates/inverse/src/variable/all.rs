@@ -8,12 +8,12 @@ use std::ops::Range;
 
 use capwalk_diff::Wanted;
 use capwalk_math::Vec3;
-use capwalk_scene::{Gradient, Scene, SensorVectors, Tangent};
+use capwalk_scene::{Gradient, Scene, SensorVectors, ShapeId, Tangent};
 
 use super::error::{ApplyError, VariableError};
 use super::kind::{Map, Variable, turn};
 use super::overlap;
-use super::pose::{Pose, left_jacobian};
+use super::pose::{self, Pose, left_jacobian};
 
 /// All variables of a problem. Their unknowns stand one variable after the other.
 #[derive(Clone, Debug)]
@@ -80,8 +80,8 @@ impl Variables {
                 }
                 Map::Vertices(vertices) => line.add(&vertices.push(base, &values[range])),
                 Map::Turn { axes } => line.add(&turn(base, axes, &values[range])),
-                Map::Pose { part, .. } => {
-                    if let Some(value) = part.refused(values[range.start]) {
+                Map::Pose { parts, .. } => {
+                    if let Some(value) = pose::refused(parts, &values[range]) {
                         let name = variable.name.clone();
                         return Err(ApplyError::Scale { name, value });
                     }
@@ -114,12 +114,12 @@ impl Variables {
                 Map::Array(array) => tangent.add(&array.tangent(scene, velocities)),
                 Map::Line { tangent: line, .. } => tangent.add(&line.scaled(velocities[0])),
                 Map::Vertices(vertices) => tangent.add(&vertices.push(base, velocities)),
-                Map::Pose { shape, part } => {
+                Map::Pose { shape, parts } => {
                     let pose = self.poses(values)[shape];
-                    let of_shape = pose.push(&base.shapes[*shape], *part, velocities[0]);
-                    let mut of_scene = Tangent::zero(scene);
-                    of_scene.shapes[*shape] = Some(of_shape);
-                    tangent.add(&of_scene);
+                    for (&part, &velocity) in parts.iter().zip(velocities) {
+                        let of_shape = pose.push(&base.shapes[*shape], part, velocity);
+                        tangent.add_to_shape(ShapeId(*shape as u32), of_shape);
+                    }
                 }
                 Map::Turn { axes } => {
                     let change = turn(base, axes, velocities).sensor.rotation;
@@ -144,10 +144,13 @@ impl Variables {
             Map::Array(array) => array.gradient(scene, gradient),
             Map::Line { tangent, .. } => vec![gradient.dot(tangent)],
             Map::Vertices(vertices) => vertices.pull(gradient),
-            Map::Pose { shape, part } => {
+            Map::Pose { shape, parts } => {
                 let of_shape = gradient.shapes[*shape].as_ref();
-                let pull = |of_shape| poses[shape].pull(&base.shapes[*shape], *part, of_shape);
-                vec![of_shape.map_or(0.0, pull)]
+                let pull = |&part| {
+                    let pull = |of_shape| poses[shape].pull(&base.shapes[*shape], part, of_shape);
+                    of_shape.map_or(0.0, pull)
+                };
+                parts.iter().map(pull).collect()
             }
             Map::Turn { axes } => {
                 // J(r)ᵀ = J(-r).
@@ -218,7 +221,9 @@ impl Variables {
                 let rows = positions.iter().flat_map(|p| p.to_array());
                 (vec![positions.len(), 3], rows.collect())
             }
-            Map::Turn { axes } if axes.len() == 3 => (vec![3], numbers),
+            Map::Turn { .. } | Map::Pose { .. } if numbers.len() > 1 => {
+                (vec![numbers.len()], numbers)
+            }
             Map::Line { .. } | Map::Pose { .. } | Map::Turn { .. } => (Vec::new(), numbers),
         };
         Outcome {
@@ -232,9 +237,11 @@ impl Variables {
     fn poses(&self, values: &[f64]) -> BTreeMap<usize, Pose> {
         let mut poses = BTreeMap::new();
         for (variable, range) in self.iter() {
-            if let Map::Pose { shape, part } = variable.map {
-                let pose: &mut Pose = poses.entry(shape).or_default();
-                pose.set(part, values[range.start]);
+            if let Map::Pose { shape, parts } = &variable.map {
+                let pose: &mut Pose = poses.entry(*shape).or_default();
+                for (&part, &value) in parts.iter().zip(&values[range]) {
+                    pose.set(part, value);
+                }
             }
         }
         poses

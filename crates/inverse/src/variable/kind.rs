@@ -35,8 +35,11 @@ pub(crate) enum Map {
     Line { tangent: Box<Tangent>, from: f64 },
     /// Displacements of vertices.
     Vertices(Vertices),
-    /// One number of the place of a shape.
-    Pose { shape: usize, part: PoseComponent },
+    /// Numbers of the place of a shape.
+    Pose {
+        shape: usize,
+        parts: Vec<PoseComponent>,
+    },
     /// Numbers of the vector about which the sensor turns, from this axis on.
     Turn { axes: Range<usize> },
 }

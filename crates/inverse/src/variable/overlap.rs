@@ -2,7 +2,7 @@
 //! other's way.
 
 use capwalk_math::Vec3;
-use capwalk_scene::{EmitterVectors, Scene, ShapeVectors, Tangent};
+use capwalk_scene::{EmitterVectors, Scene, ShapeId, ShapeVectors, Tangent};
 
 use super::error::VariableError;
 use super::kind::{Map, Variable, turn};
@@ -15,10 +15,12 @@ pub(super) fn support(scene: &Scene, variable: &Variable) -> Tangent {
         Map::Array(array) => array.tangent(scene, &ones),
         Map::Line { tangent, .. } => (**tangent).clone(),
         Map::Vertices(vertices) => vertices.push(scene, &ones),
-        Map::Pose { shape, part } => {
+        Map::Pose { shape, parts } => {
             let mut tangent = Tangent::zero(scene);
-            let of_shape = Pose::default().push(&scene.shapes[*shape], *part, 1.0);
-            tangent.shapes[*shape] = Some(of_shape);
+            for &part in parts {
+                let of_shape = Pose::default().push(&scene.shapes[*shape], part, 1.0);
+                tangent.add_to_shape(ShapeId(*shape as u32), of_shape);
+            }
             tangent
         }
         Map::Turn { axes } => turn(scene, axes, &ones),
@@ -48,7 +50,9 @@ pub(super) fn refuse(scene: &Scene, variables: &[Variable]) -> Result<(), Variab
 fn add_up(first: &Variable, second: &Variable) -> bool {
     let adds = |map: &Map| matches!(map, Map::Line { .. } | Map::Vertices(_));
     match (&first.map, &second.map) {
-        (Map::Pose { shape: a, part: p }, Map::Pose { shape: b, part: q }) => a == b && p != q,
+        (Map::Pose { shape: a, parts: p }, Map::Pose { shape: b, parts: q }) => {
+            a == b && !p.iter().any(|part| q.contains(part))
+        }
         (Map::Turn { axes: a }, Map::Turn { axes: b }) => a.end <= b.start || b.end <= a.start,
         (first, second) => adds(first) && adds(second),
     }

@@ -16,12 +16,14 @@ pub enum PoseComponent {
     Scale,
 }
 
-impl PoseComponent {
-    /// The value, if it makes no pose: a scale of 0 flattens a shape to a point,
-    /// and one below turns it inside out.
-    pub fn refused(self, value: f64) -> Option<f64> {
-        (matches!(self, Self::Scale) && value <= 0.0).then_some(value)
-    }
+/// The first of the values that makes no pose: a scale of 0 flattens a shape to a point,
+/// and one below turns it inside out.
+pub(crate) fn refused(parts: &[PoseComponent], values: &[f64]) -> Option<f64> {
+    let mut pairs = parts.iter().zip(values);
+    let no_size = |(part, value): &(&PoseComponent, &f64)| {
+        matches!(part, PoseComponent::Scale) && **value <= 0.0
+    };
+    pairs.find(no_size).map(|(_, &value)| value)
 }
 
 /// A pose.
@@ -64,9 +66,13 @@ impl Pose {
         }
     }
 
-    /// Puts a shape where it belongs. `base` is the shape before the first step.
+    /// Puts a shape where it belongs, and its matrix with it. `base` is the shape before the
+    /// first step.
     pub fn apply(&self, base: &Shape, shape: &mut Shape) {
         let (centre, turned) = (base.centre(), self.turned());
+        let scaled = Affine::scale(Vec3::splat(self.scale));
+        let moved = Affine::translate(centre + self.translation) * turned * scaled;
+        shape.world_from_object = moved * Affine::translate(-centre) * base.world_from_object;
         for (p, &rest) in shape.mesh.positions.iter_mut().zip(&base.mesh.positions) {
             let arm = turned.vector(rest - centre);
             *p = centre + self.translation + arm * self.scale;

@@ -6,7 +6,7 @@ use capwalk_scene::{Scene, SensorVectors, Tangent};
 
 use super::error::VariableError;
 use super::kind::{Map, Variable};
-use super::pose::PoseComponent;
+use super::pose::{self, PoseComponent};
 use super::reparameterization::Reparameterization;
 use super::vertices::{Directions, Selection, Vertices};
 use crate::smooth::Smoother;
@@ -81,8 +81,8 @@ pub fn variable(
             expected: format!("{expected}; change `start`, or the bounds"),
         });
     }
-    if let Map::Pose { part, .. } = map
-        && let Some(value) = part.refused(initial[0])
+    if let Map::Pose { parts, .. } = &map
+        && let Some(value) = pose::refused(parts, &initial)
     {
         return Err(VariableError::Start {
             name: name(),
@@ -106,16 +106,24 @@ fn array_map(
     spec: &VariableSpec,
     array: ArrayParameter,
 ) -> Result<(Map, Vec<f64>), VariableError> {
+    let moved_shape = || {
+        let all_ones = array.tangent(scene, &vec![1.0; array.count()]);
+        let shape = all_ones.shapes.iter().position(Option::is_some);
+        shape.expect("positions and translations are those of a shape")
+    };
     match array.kind {
         ParameterKind::Positions => {
-            let all_ones = array.tangent(scene, &vec![1.0; array.count()]);
-            let shape = all_ones.shapes.iter().position(Option::is_some);
-            let shape = shape.expect("positions are those of a shape");
+            let shape = moved_shape();
             let selection = spec.vertices.clone().unwrap_or(Selection::All);
             let directions = spec.directions.unwrap_or(Directions::Free);
             let vertices = Vertices::new(scene, shape, &selection, directions)?;
             let rest = vec![0.0; vertices.count()];
             Ok((Map::Vertices(vertices), rest))
+        }
+        ParameterKind::Translation => {
+            let shape = moved_shape();
+            let parts = (0..3).map(PoseComponent::Translate).collect();
+            Ok((Map::Pose { shape, parts }, vec![0.0; 3]))
         }
         ParameterKind::SensorRotation => Ok((Map::Turn { axes: 0..3 }, vec![0.0; 3])),
         _ => {
@@ -138,7 +146,10 @@ fn scalar_map(
         .iter()
         .position(|a| name.ends_with(&format!(".{a}")));
     let shape = tangent.shapes.iter().position(Option::is_some);
-    let pose = |part: PoseComponent| shape.map(|shape| Map::Pose { shape, part });
+    let pose = |part: PoseComponent| {
+        let parts = vec![part];
+        shape.map(|shape| Map::Pose { shape, parts })
+    };
     let (map, value) = match (&listed, axis) {
         (Some(listed), Some(axis)) if listed.kind == ParameterKind::Translation => {
             (pose(PoseComponent::Translate(axis)), 0.0)

@@ -78,6 +78,8 @@ fn cases() -> Vec<Vec<VariableSpec>> {
     let some = Selection::Indices((3..40).collect());
     vec![
         vec![
+            spec("floor.translate"),
+            spec("floor.rotate.y"),
             spec("ball.translate.x"),
             spec("ball.translate.z"),
             spec("ball.rotate.x"),
@@ -309,6 +311,42 @@ fn pulls_are_transposes() {
     }
 }
 
+/// Three numbers are the vector, beside other numbers of the same place; and the matrix of a
+/// shape goes with it.
+#[test]
+fn translations_are_vectors() {
+    let base = ball();
+    let others = [spec("ball.rotate.z"), spec("ball.scale")];
+    let scene_of = |names: &[&str], values: &[f64]| {
+        let specs: Vec<_> = names.iter().map(|name| spec(name)).collect();
+        let variables = variables(&base, &[&specs[..], &others].concat());
+        let scene = variables.apply(&base, &[values, &[0.3, 1.5]].concat());
+        let result = variables.result(0, &base, &variables.initial());
+        (scene.expect("a scene"), result)
+    };
+    let numbers = ["x", "y", "z"].map(|axis| format!("ball.translate.{axis}"));
+    let numbers = numbers.each_ref().map(|name| name.as_str());
+    let (by_numbers, _) = scene_of(&numbers, &[0.5, -0.2, 0.1]);
+    let (by_vector, result) = scene_of(&["ball.translate"], &[0.5, -0.2, 0.1]);
+    assert!(by_numbers == by_vector && by_vector != base);
+    assert_eq!((result.shape, result.numbers), (vec![3], vec![0.0; 3]));
+    // In the coordinates of its file a shape stays as it is.
+    let place = |scene: &Scene| {
+        let shape = scene.shapes.iter().find(|shape| shape.id == "ball");
+        let shape = shape.expect("a ball").clone();
+        let object_from_world = shape.world_from_object.inverse().expect("it has one");
+        shape
+            .mesh
+            .positions
+            .iter()
+            .map(|&p| object_from_world.point(p))
+            .collect::<Vec<_>>()
+    };
+    for (there, here) in place(&base).into_iter().zip(place(&by_vector)) {
+        assert!((there - here).length() < 1e-12);
+    }
+}
+
 /// Copies of a vertex move together and are one unknown.
 #[test]
 fn seams_are_one_unknown() {
@@ -424,6 +462,9 @@ fn what_does_not_fit_is_refused() {
     refused(&[one.clone(), one.clone()], "twice");
     refused(&[spec("ball.positions"), one.clone()], "the same numbers");
     refused(&[spec("ball.to_world"), one.clone()], "the same numbers");
+    for other in ["ball.translate.x", "ball.positions", "ball.to_world"] {
+        refused(&[spec("ball.translate"), spec(other)], "the same numbers");
+    }
     refused(
         &[spec("sensor.rotate"), spec("sensor.to_world")],
         "the same numbers",

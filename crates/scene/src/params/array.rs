@@ -5,7 +5,7 @@
 use std::ops::Range;
 
 use capwalk_geometry::topology::weld;
-use capwalk_math::Vec3;
+use capwalk_math::{Affine, Vec3};
 
 use super::error::ParameterError;
 use super::matrix;
@@ -48,6 +48,7 @@ pub(super) enum Place {
     Normals(ShapeId),
     Texels(TextureId, NamedTexels),
     ShapeToWorld(ShapeId),
+    ShapeTranslation(ShapeId),
     LightTranslation(EmitterId),
     LightPosition(EmitterId),
     LightRotation(EmitterId),
@@ -79,15 +80,15 @@ impl ArrayParameter {
         shape_text(&self.shape)
     }
 
-    /// Its numbers. Translations and rotations of the sensor and of lights are zero: they
-    /// are changes of what they are.
+    /// Its numbers. Translations and rotations are zero: they are changes of where things are.
     pub fn get(&self, scene: &Scene) -> Vec<f64> {
         match self.place {
             Place::Positions(id) => flat(&scene.shape(id).mesh.positions),
             Place::Normals(id) => flat(scene.shape(id).normals.per_vertex().unwrap_or_default()),
             Place::Texels(id, part) => scene.texture(id).data[numbers_of(scene, id, part)].to_vec(),
             Place::ShapeToWorld(id) => matrix::numbers(&scene.shape(id).world_from_object),
-            Place::LightTranslation(_)
+            Place::ShapeTranslation(_)
+            | Place::LightTranslation(_)
             | Place::LightRotation(_)
             | Place::SensorTranslation
             | Place::SensorRotation => vec![0.0; 3],
@@ -98,9 +99,9 @@ impl ArrayParameter {
     }
 
     /// Replaces its numbers. Computed normals follow the positions, given ones
-    /// are made unit; the sensor and lights move and turn from where they are, by a vector
-    /// along the axis with the angle as its length. A matrix takes the shape with
-    /// it.
+    /// are made unit; shapes, the sensor and lights move from where they are, and turn by a
+    /// vector along the axis with the angle as its length. A matrix takes the shape with
+    /// it, and a translation takes the matrix with it.
     ///
     /// Refuses another count, numbers that are not finite, normals without
     /// direction, matrices that cannot be inverted or whose last row is not `0 0 0
@@ -129,6 +130,11 @@ impl ArrayParameter {
             }
             Place::ShapeToWorld(id) => {
                 matrix::place(scene.shape_mut(id), matrix::affine(numbers));
+            }
+            Place::ShapeTranslation(id) => {
+                *scene = scene.moved(&self.tangent(scene, numbers), 1.0);
+                let place = &mut scene.shape_mut(id).world_from_object;
+                *place = Affine::translate(vectors(numbers)[0]) * *place;
             }
             Place::LightPosition(id) => {
                 let offset = vectors(numbers)[0] - scene.emitter(id).anchors()[0];
@@ -227,6 +233,13 @@ impl ArrayParameter {
                 let of_shape = matrix::shape_vectors(scene.shape(id), velocities);
                 tangent.shapes[id.0 as usize] = Some(of_shape);
             }
+            Place::ShapeTranslation(id) => {
+                let vertices = vec![vectors(velocities)[0]; scene.shape(id).mesh.positions.len()];
+                tangent.shapes[id.0 as usize] = Some(ShapeVectors {
+                    vertices,
+                    normals: None,
+                });
+            }
             Place::LightTranslation(id) | Place::LightPosition(id) => {
                 tangent.emitters[id.0 as usize].translation = vectors(velocities)[0];
             }
@@ -289,6 +302,11 @@ impl ArrayParameter {
             Place::ShapeToWorld(id) => {
                 let of_shape = gradient.shapes[id.0 as usize].as_ref();
                 of_shape.map(|covectors| matrix::shape_gradient(scene.shape(id), covectors))
+            }
+            Place::ShapeTranslation(id) => {
+                let of_shape = gradient.shapes[id.0 as usize].as_ref();
+                let total = |vectors: &[Vec3]| vectors.iter().fold(Vec3::zero(), |sum, &v| sum + v);
+                of_shape.map(|shape| flat(&[total(&shape.vertices)]))
             }
             Place::LightTranslation(id) | Place::LightPosition(id) => {
                 Some(flat(&[gradient.emitters[id.0 as usize].translation]))

@@ -138,6 +138,14 @@ fn of_shape(scene: &Scene, id: ShapeId) -> Vec<ArrayParameter> {
         place: Place::ShapeToWorld(id),
         ..positions.clone()
     };
+    let translation = ArrayParameter {
+        name: format!("{name}.translate"),
+        kind: ParameterKind::Translation,
+        shape: vec![3],
+        description: format!("moves {name}, world axes"),
+        place: Place::ShapeTranslation(id),
+        ..positions.clone()
+    };
     // Mitsuba's name, directly behind ours.
     let with_alias = |array: ArrayParameter, name: String| {
         let alias = ArrayParameter {
@@ -151,7 +159,7 @@ fn of_shape(scene: &Scene, id: ShapeId) -> Vec<ArrayParameter> {
     if let ShadingNormals::Given(_) = shape.normals {
         arrays.extend(with_alias(normals, format!("{name}.vertex_normals")));
     }
-    arrays.push(to_world);
+    arrays.extend([to_world, translation]);
     arrays
 }
 

@@ -219,7 +219,7 @@ mod tests {
         let registry = Registry::new(&scene);
         let (scalars, arrays) = (registry.scalars(&scene), registry.arrays());
         assert_eq!(scalars.len(), 20_000 * (7 + 4) + 2 * 9);
-        assert_eq!(arrays.len(), 20_000 * 4 + 2 * 6);
+        assert_eq!(arrays.len(), 20_000 * 5 + 2 * 6);
         let sum = "shape19999.scale - 2*shape7.bsdf.reflectance.value.r + shape0.positions[2]";
         assert!(registry.tangent(&scene, sum).is_ok());
         let unknown = registry.tangent(&scene, "shape19999.bsdf.reflectence.value");

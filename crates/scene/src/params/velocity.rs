@@ -68,15 +68,6 @@ fn add_rigid(scene: &Scene, id: ShapeId, translation: Vec3, rotation: Vec3, tang
     tangent.add_to_shape(id, ShapeVectors { vertices, normals });
 }
 
-impl Tangent {
-    fn add_to_shape(&mut self, id: ShapeId, velocities: ShapeVectors) {
-        match &mut self.shapes[id.0 as usize] {
-            Some(own) => own.add(&velocities),
-            rest => *rest = Some(velocities),
-        }
-    }
-}
-
 /// The motion of a single shape whose vertices each have a velocity, world
 /// units. Normals given with the mesh stay, computed ones follow.
 ///

@@ -113,12 +113,15 @@ fn arrays_are_listed_in_the_order_of_parameters() {
         ("ball.normals", "(42, 3)"),
         ("ball.vertex_normals", "(42, 3)"),
         ("ball.to_world", "(4, 4)"),
+        ("ball.translate", "(3,)"),
         ("lamp.positions", "(4, 3)"),
         ("lamp.vertex_positions", "(4, 3)"),
         ("lamp.to_world", "(4, 4)"),
+        ("lamp.translate", "(3,)"),
         ("-a.b+2*c.positions", "(225, 3)"),
         ("-a.b+2*c.vertex_positions", "(225, 3)"),
         ("-a.b+2*c.to_world", "(4, 4)"),
+        ("-a.b+2*c.translate", "(3,)"),
         ("lamp.emitter.radiance.value", "(3,)"),
         ("sky.radiance.value", "(3,)"),
         ("red.reflectance.value", "(3,)"),
@@ -194,6 +197,50 @@ fn every_array_means_what_it_says() {
             moves |= by_set.length() > 0.1;
         }
         assert!(moves, "{} does nothing", array.name);
+    }
+}
+
+/// A translation moves a shape from where it is, and its matrix says so; its derivatives are
+/// those of its three numbers, and the sum over all vertices.
+#[test]
+fn translations_move_shapes_and_their_matrices() {
+    let scene = example();
+    for name in ["ball", "lamp", "-a.b+2*c"] {
+        let named = |array: &str| named(&scene, &format!("{name}.{array}"));
+        let (translate, to_world) = (named("translate"), named("to_world"));
+        assert_eq!(translate.get(&scene), [0.0; 3]);
+        let offset = [0.5, -0.25, 2.0];
+        let mut moved = scene.clone();
+        translate.set(&mut moved, &offset).expect("it moves");
+        assert_eq!(translate.get(&moved), [0.0; 3], "from where it is");
+        let [before, after] = [&scene, &moved].map(|scene| to_world.get(scene));
+        for i in 0..3 {
+            let shift = after[4 * i + 3] - before[4 * i + 3];
+            assert!((shift - offset[i]).abs() < 1e-14, "{name}: {shift}");
+        }
+        // Back by the other way.
+        to_world.set(&mut moved, &before).expect("it moves back");
+        let pairs = numbers(&scene).into_iter().zip(numbers(&moved));
+        for (there, back) in pairs {
+            assert!((there - back).length() < 1e-12, "{name}");
+        }
+
+        let mut gradient = Gradient::zero(&scene);
+        for (covectors, shape) in gradient.shapes.iter_mut().zip(&scene.shapes) {
+            *covectors = Some(ShapeVectors {
+                vertices: vectors(&random(3 * shape.mesh.positions.len(), 8)),
+                normals: None,
+            });
+        }
+        let by_vertices = named("positions").gradient(&scene, &gradient);
+        let read = translate.gradient(&scene, &gradient);
+        for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
+            let total: f64 = by_vertices.iter().skip(axis).step_by(3).sum();
+            assert!((read[axis] - total).abs() < 1e-12, "{name}.{letter}");
+            let one = tangent(&scene, &format!("{name}.translate.{letter}"));
+            let one = gradient.dot(&one.expect("a number"));
+            assert!((read[axis] - one).abs() < 1e-12, "{name}.{letter}");
+        }
     }
 }
 
@@ -308,6 +355,7 @@ fn requests_are_arrays_or_expressions() {
         "-a.b+2*c.positions",
         "red.reflectance.value",
         " eye.rotate ",
+        "ball.translate",
         "ball.vertex_positions",
     ] {
         assert!(is_array(text), "{text}");
