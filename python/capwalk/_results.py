@@ -152,6 +152,9 @@ class Check:
     """Pixels that are compared: those with noise, and those that differ amid noise."""
     worst: list[tuple[int, int, float]]
     """Column, row and z of the pixels that differ most."""
+    coplanar: list[tuple[str, str]]
+    """Shapes that have faces in one plane which overlap, and that move against each other: where
+    that is seen, the image has no derivative."""
     step: float
     """How far the parameter moved on each side."""
     sides: str

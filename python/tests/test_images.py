@@ -63,6 +63,16 @@ def test_velocities_are_a_direction(scene: cw.Scene) -> None:
     assert np.allclose(both.gradient, sum_.gradient, rtol=1e-9, atol=1e-9)
 
 
+def test_check_names_shapes_that_lie_on_each_other(scene: cw.Scene) -> None:
+    apart = cw.check(scene, "box.translate.y", spp=2)
+    assert apart.coplanar == [] and "note" not in str(apart)
+    cw.traverse(scene).update({"box.translate": [0.0, -0.7, 0.0]})
+    verdict = cw.check(scene, "box.translate.y", spp=2)
+    assert [sorted(pair) for pair in verdict.coplanar] == [["box", "floor"]]
+    assert str(verdict).startswith("note: ") and "faces in one plane" in str(verdict)
+    assert "note" not in repr(verdict)
+
+
 def test_forward_is_reverse(scene: cw.Scene) -> None:
     adjoint = np.random.default_rng(1).normal(size=(18, 24, 3))
     names = ["box.positions", "box.translate.x", "box.translate"]

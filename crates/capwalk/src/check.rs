@@ -19,6 +19,9 @@ const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
 
+/// Pairs of shapes that are named, at most.
+const SHOWN_PAIRS: usize = 5;
+
 /// How a gradient is checked.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CheckOptions {
@@ -108,12 +111,20 @@ pub struct Check {
     pub comparison: Comparison,
     /// How the reference was made.
     pub made: Reference,
+    /// Shapes that lie on each other and move against each other, see
+    /// [`Prepared::coplanar_shapes`](crate::Prepared::coplanar_shapes).
+    pub coplanar: Vec<[String; 2]>,
 }
 
 impl Check {
     /// Compares a gradient with differences that were made like this, both of the same size;
     /// where something is missing, those of the light that it does not concern.
-    pub fn new(gradient: GradientImage, differences: GradientImage, made: Reference) -> Self {
+    pub fn new(
+        gradient: GradientImage,
+        differences: GradientImage,
+        made: Reference,
+        coplanar: Vec<[String; 2]>,
+    ) -> Self {
         let mut reference = differences;
         reference.gradient = without_rounding(&reference, made.step);
         let mut comparison = compare(&gradient.gradient, &reference.gradient);
@@ -126,6 +137,7 @@ impl Check {
             gradient,
             reference,
             made,
+            coplanar,
         }
     }
 
@@ -200,6 +212,26 @@ pub fn missing_text(missing: &Missing) -> String {
     )
 }
 
+/// What is to be said about shapes that lie on each other and move against each other: a line,
+/// or nothing.
+pub fn coplanar_text(pairs: &[[String; 2]]) -> String {
+    let names = pairs.iter().take(SHOWN_PAIRS);
+    let names: Vec<String> = names.map(|[a, b]| format!("\"{a}\" and \"{b}\"")).collect();
+    let more = match pairs.len().saturating_sub(SHOWN_PAIRS) {
+        0 => String::new(),
+        n => format!(" and {n} more pairs"),
+    };
+    match pairs {
+        [] => String::new(),
+        _ => format!(
+            "note: {}{more} have faces in one plane that overlap, and move against each other: \
+             where that is seen the image has no derivative, and which of them is seen is up to \
+             rounding. Move them apart a little\n",
+            names.join(", ")
+        ),
+    }
+}
+
 /// The best factor from gradient to reference, or that none can be told.
 fn scale_factor(c: &Comparison) -> String {
     match c.knows_scale_factor() {
@@ -268,4 +300,26 @@ pub fn comparison_text(c: &Comparison) -> String {
         ));
     }
     list(&lines)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A few pairs are named, the others counted.
+    #[test]
+    fn shapes_that_lie_on_each_other_are_named() {
+        let pairs: Vec<[String; 2]> = (0..7)
+            .map(|i| ["floor".into(), format!("box{i}")])
+            .collect();
+        assert_eq!(coplanar_text(&[]), "");
+        let text = coplanar_text(&pairs[..1]);
+        assert!(
+            text.starts_with("note: \"floor\" and \"box0\" have faces"),
+            "{text}"
+        );
+        let text = coplanar_text(&pairs);
+        assert!(text.contains("box4\" and 2 more pairs"), "{text}");
+        assert!(!text.contains("box5") && text.ends_with('\n'), "{text}");
+    }
 }

@@ -102,7 +102,7 @@ pub use capwalk_scene as scene;
 pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
-pub use check::{Check, CheckOptions, Reference, comparison_text, missing_text};
+pub use check::{Check, CheckOptions, Reference, comparison_text, coplanar_text, missing_text};
 pub use direction::Direction;
 pub use error::{Error, UnusableImage};
 pub use folder_error::FolderError;

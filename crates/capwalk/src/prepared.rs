@@ -208,7 +208,8 @@ impl Prepared {
         let gradient = self.gradient(tangent, &chosen, watch)?;
         let gradient = self.comparable(gradient, tangent, &chosen, watch)?;
         let differences = self.reference(&gradient, tangent, &reference, chosen.method, watch)?;
-        Ok(Check::new(gradient, differences, reference))
+        let coplanar = self.coplanar_shapes(tangent);
+        Ok(Check::new(gradient, differences, reference, coplanar))
     }
 
     /// What of a gradient can be compared with differences: all of it; or, if something is

@@ -168,28 +168,6 @@ pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
     })
 }
 
-/// Pairs of shapes that a remark names, at most.
-const SHOWN_PAIRS: usize = 5;
-
-/// What is to be said about shapes that lie on each other and move against each other.
-pub fn coplanar(pairs: &[[String; 2]]) -> String {
-    let names = pairs.iter().take(SHOWN_PAIRS);
-    let names: Vec<String> = names.map(|[a, b]| format!("\"{a}\" and \"{b}\"")).collect();
-    let more = match pairs.len().saturating_sub(SHOWN_PAIRS) {
-        0 => String::new(),
-        n => format!(" and {n} more pairs"),
-    };
-    match pairs {
-        [] => String::new(),
-        _ => format!(
-            "note: {}{more} have faces in one plane that overlap, and move against each other: \
-             where that is seen the image has no derivative, and which of them is seen is up to \
-             rounding. Move them apart a little\n",
-            names.join(", ")
-        ),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

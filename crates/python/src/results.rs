@@ -4,7 +4,7 @@ use capwalk::{
     Check, CheckOptions, Error, Estimate, GradientImage, GradientOptions, Gradients, Rendering,
     Statistics, Verdict,
 };
-use capwalk::{comparison_text, missing_text};
+use capwalk::{comparison_text, coplanar_text, missing_text};
 use numpy::PyArray3;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -109,6 +109,8 @@ pub fn of_check<'py>(
     numbers.set_item("correlation", comparison.correlation)?;
     numbers.set_item("pixels", comparison.pixels)?;
     numbers.set_item("worst", comparison.worst.clone())?;
+    let pairs: Vec<(&String, &String)> = check.coplanar.iter().map(|[a, b]| (a, b)).collect();
+    numbers.set_item("coplanar", pairs)?;
     numbers.set_item("step", check.made.step)?;
     numbers.set_item("sides", check.made.sides.name())?;
     numbers.set_item("spp", asked.gradient.spp)?;
@@ -117,7 +119,8 @@ pub fn of_check<'py>(
         let name = name.replace('-', "_");
         value.map_or(name.clone(), |value| format!("{name}={value}"))
     };
-    let text = comparison_text(comparison) + &check.verdict(option);
+    let note = coplanar_text(&check.coplanar);
+    let text = note + &comparison_text(comparison) + &check.verdict(option);
     numbers.set_item("text", text)?;
     let statistics = [&check.gradient, &check.reference].map(|image| &image.statistics);
     for (name, statistics) in ["statistics", "reference_statistics"]

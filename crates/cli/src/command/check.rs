@@ -4,7 +4,7 @@ pub mod layers;
 pub mod timed;
 
 use anyhow::{Result, ensure};
-use capwalk::{Check, CheckOptions, Comparison, Verdict, comparison_text};
+use capwalk::{Check, CheckOptions, Comparison, Verdict, comparison_text, coplanar_text};
 use serde_json::{Value, json};
 
 use crate::args::{self, MethodName};
@@ -38,14 +38,14 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         reference,
         comparison,
         made,
+        coplanar,
     } = &checked.check;
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
     let parameter = direction::describe(&typed.tangent);
     let written = layers::write(&files, &typed.scene, &parameter, &checked)?;
     method::log(&checked.chosen);
-    let coplanar = prepared.coplanar_shapes(&tangent);
-    console::remark(&report::coplanar(&coplanar));
+    console::remark(&coplanar_text(coplanar));
     console::remark(&method::remark(&options.gradient));
     console::remark(&report::warnings("gradient", of_gradient));
     console::remark(&report::warnings("reference", of_reference));

@@ -155,6 +155,7 @@ mod tests {
                         spp: 8,
                         seed: 6,
                     },
+                    coplanar: Vec::new(),
                 },
                 chosen: Chosen {
                     options: GradientOptions {

@@ -54,7 +54,12 @@ pub fn check(
     let differences = prepared.reference(&gradient, tangent, &reference, method, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
     Ok(Checked {
-        check: Check::new(gradient, differences?, reference),
+        check: Check::new(
+            gradient,
+            differences?,
+            reference,
+            prepared.coplanar_shapes(tangent),
+        ),
         chosen,
         seconds: [gradient_seconds, reference_seconds],
     })
