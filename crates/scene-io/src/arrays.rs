@@ -192,13 +192,21 @@ mod tests {
         }
         let text = b"(2, 3, )";
         let place = bytes.windows(text.len()).position(|w| w == text);
-        let mut promising = bytes.clone();
         let place = place.expect("the shape of the first array");
-        promising[place..place + text.len()].copy_from_slice(b"(9, 9, )");
-        let error = decode(&promising).expect_err("too short");
-        // Before memory is taken for what is promised.
-        let expected = "the array \"a.positions\" ends before its shape";
-        assert!(error.contains(expected), "{error}");
+        let message = |shape: &[u8; 8]| {
+            let mut broken = bytes.clone();
+            broken[place..place + text.len()].copy_from_slice(shape);
+            decode(&broken).expect_err("broken")
+        };
+        // Before memory is taken for what is promised, and before the library reads the header.
+        for (shape, expected) in [
+            (b"(9, 9, )", "ends before its shape"),
+            (b"((2,),3)", "has a header that NumPy does not write"),
+        ] {
+            let error = message(shape);
+            let expected = format!("the array \"a.positions\" {expected}");
+            assert!(error.contains(&expected), "{error}");
+        }
     }
 
     #[test]
