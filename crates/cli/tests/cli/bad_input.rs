@@ -164,6 +164,9 @@ fn velocities_that_do_not_fit() {
     assert_has(&message, &["two.txt", "2 velocities", "3 vertices"]);
     let message = capwalk.error("gradient leaf --motion leaf=words.txt");
     assert_has(&message, &["words.txt", "line 2", "three numbers"]);
+    capwalk.write("endless.txt", "0 0 0\n1 inf 0\n0 0 0\n");
+    let message = capwalk.error("gradient leaf --motion leaf=endless.txt");
+    assert_has(&message, &["endless.txt", "vertex 1", "finite numbers"]);
     let message = capwalk.error("gradient leaf --motion leaf=missing.npy");
     assert_has(&message, &["missing.npy"]);
     let message = capwalk.error("gradient leaf --motion loaf=two.txt");

@@ -97,3 +97,26 @@ fn gradients_of_files_of_velocities() {
     assert_eq!(json["layer"], "gradient");
     assert_eq!(json["largest_difference"], 0.0);
 }
+
+/// Radiance beyond single precision is no number that a file can hold: it counts as zero, and
+/// the command does not end as if all were well.
+#[test]
+fn what_files_cannot_hold_is_counted() {
+    let capwalk = Capwalk::new("beyond_single");
+    let scene = |radiance: &str| {
+        format!(
+            r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<emitter type="constant"><rgb name="radiance" value="{radiance}"/></emitter></scene>"#
+        )
+    };
+    for (radiance, status, count) in [("1e38", 0, 0), ("1e39", 4, 64)] {
+        capwalk.write("sky.xml", &scene(radiance));
+        let finished = capwalk.run("render sky.xml --size 4x4 --spp 4 --json -o sky.npz");
+        assert_eq!(finished.status, status, "{}", finished.stderr);
+        let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+        assert_eq!(json["statistics"]["non_finite"], count);
+        let image = capwalk_scene_io::image::read(&capwalk.path("sky.npz")).expect("readable");
+        let value = image.layer("value").expect("a layer");
+        assert!(value.pixels.iter().all(|pixel| pixel.is_finite()));
+    }
+}

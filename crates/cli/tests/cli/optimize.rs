@@ -58,7 +58,7 @@ fn hidden_numbers_are_found() {
         job.ends_with(documented),
         "docs/optimize.md shows another job"
     );
-    let job = job.replace("size = [40, 30]", "size = [24, 18]");
+    let job = job.replace("size = [40, 30]", "size = [16, 12]");
     for seed in [3, 4, 5] {
         let job = job.replace("seed = 3", &format!("seed = {seed}"));
         capwalk.write("job.toml", &job);

@@ -76,3 +76,37 @@ fn nothing_changes() {
     );
     assert!(!finished.stdout.contains("NaN"), "{}", finished.stdout);
 }
+
+/// A card that slides on a floor, at a height above it.
+fn card(height: f64) -> String {
+    format!(
+        r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"><float name="fov" value="40"/>
+<transform name="to_world"><lookat origin="0.1, -3.4, 1.3" target="0, 0, 0" up="0, 0, 1"/></transform>
+<film type="hdrfilm"><integer name="width" value="8"/><integer name="height" value="6"/></film></sensor>
+<shape type="rectangle" id="floor"/>
+<shape type="rectangle" id="card"><transform name="to_world"><scale value="0.3"/><translate x="0.1" z="{height}"/></transform></shape>
+<emitter type="constant"/></scene>"#
+    )
+}
+
+/// Where shapes slide on each other an image has no derivative: a check names them.
+#[test]
+fn shapes_on_each_other_are_named() {
+    let capwalk = Capwalk::new("check_coplanar");
+    capwalk.write("on.xml", &card(0.0));
+    capwalk.write("above.xml", &card(1e-3));
+    let check = |scene: &str| {
+        let finished = capwalk.run(&format!(
+            "check {scene}.xml -p card.translate.x --spp 4 --json"
+        ));
+        let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+        (finished.stderr, json["coplanar"].clone())
+    };
+    let (remarks, pairs) = check("on");
+    let note = "\"floor\" and \"card\" have faces in one plane that overlap, and move against";
+    assert_has(&remarks, &[note, "the image has no derivative"]);
+    assert_eq!(pairs, serde_json::json!([["floor", "card"]]));
+    let (remarks, pairs) = check("above");
+    assert!(!remarks.contains("one plane"), "{remarks}");
+    assert_eq!(pairs, serde_json::json!([]));
+}
