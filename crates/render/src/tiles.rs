@@ -285,7 +285,12 @@ mod tests {
         scene.film.size = [8, 6];
         scene.film.crop_size = [8, 6];
         let options = RenderOptions::new(50, 3);
-        let bad = |stream: &Stream| stream.number(0) < 0.1;
+        let count = AtomicU64::new(0);
+        let bad = |stream: &Stream| {
+            let is_bad = stream.number(0) < 0.1;
+            count.fetch_add(is_bad.into(), Ordering::Relaxed);
+            is_bad
+        };
         let part = Part::whole(grid(&scene, &options));
         let partial = average(&scene, &options, None, &part, &Unwatched, |_, stream| {
             Sample {
@@ -303,10 +308,17 @@ mod tests {
         let share = statistics.non_finite as f64 / statistics.samples as f64;
         assert_eq!(statistics.samples, 8 * 6 * 50);
         assert!((share - 0.1).abs() < 0.03, "{share}");
+        assert_eq!(statistics.non_finite, count.into_inner());
         assert!(statistics.too_many_non_finite() && statistics.complete);
         let image = averages.estimate(&scene, 0).mean;
-        assert!(image.pixels.iter().all(|pixel| pixel.is_finite()));
-        let mean = image.pixels.iter().map(|pixel| pixel.r).sum::<f64>() / 48.0;
-        assert!((mean - (1.0 - share)).abs() < 1e-12, "{mean}");
+        for channel in 0..3 {
+            let mean = image
+                .pixels
+                .iter()
+                .map(|p| p.to_array()[channel])
+                .sum::<f64>()
+                / 48.0;
+            assert!((mean - (1.0 - share)).abs() < 1e-12, "{channel}: {mean}");
+        }
     }
 }
