@@ -104,6 +104,20 @@ fn what_is_no_file() {
         let message = capwalk.error(&command);
         assert_has(&message, &[name, "write its contents into a file"]);
     }
+    // Named by a scene file.
+    for object in [
+        r#"<include filename="pipe.npz"/>"#,
+        r#"<shape type="ply"><string name="filename" value="pipe.npz"/></shape>"#,
+        r#"<bsdf type="diffuse"><texture type="bitmap" name="reflectance"><string name="filename" value="pipe.npz"/></texture></bsdf>"#,
+    ] {
+        let scene = format!(
+            r#"<scene version="3.0.0"><integrator type="path"/><sensor type="perspective"/>{object}</scene>"#
+        );
+        capwalk.write("scene.xml", &scene);
+        let message = capwalk.error("info scene.xml");
+        let expected = ["scene.xml:1:", "pipe.npz", "write its contents into a file"];
+        assert_has(&message, &expected);
+    }
 }
 
 #[test]
