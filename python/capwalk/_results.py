@@ -128,7 +128,8 @@ class Check:
     rest: str | None
     """The verdict on that light, if it is partial."""
     reason: str | None
-    """In which respects they differ, if the gradient is wrong."""
+    """In which respects they differ, if the gradient is wrong; if that is inconclusive because the
+    differences are larger than noise explains, by how much."""
     samples_factor: float | None
     """How many times the samples would be enough, if that is inconclusive; infinite if there
     is nothing to see."""

@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             Verdict::Wrong { reason } => println!("wrong: {reason}"),
             Verdict::Partial { .. } => println!("partial: something is left out"),
             // Noise hides the answer: take as many samples as are estimated to be enough.
-            Verdict::Inconclusive { samples_factor } => {
+            Verdict::Inconclusive { samples_factor, .. } => {
                 println!("inconclusive: {samples_factor:.1} times the samples would be enough");
                 let enough = f64::from(options.gradient.spp) * samples_factor.min(8.0);
                 options.gradient.spp = enough.ceil() as u32;

@@ -186,10 +186,15 @@ impl Check {
             Verdict::Inconclusive { .. } if spp.min(reference_spp) < 2.0 => {
                 "inconclusive: standard errors need at least two samples per pixel".into()
             }
-            Verdict::Inconclusive { samples_factor } if samples_factor.is_finite() => {
+            Verdict::Inconclusive {
+                samples_factor,
+                doubt,
+            } if samples_factor.is_finite() => {
                 let enough = |spp: f64| Some((spp * samples_factor).ceil() as u64);
+                let doubt = doubt.iter().map(|doubt| format!("{doubt}; "));
                 format!(
-                    "inconclusive: about {} times the samples would be enough ({} {})",
+                    "inconclusive: {}about {} times the samples would be enough ({} {})",
+                    doubt.collect::<String>(),
                     significant(*samples_factor, 2),
                     option("spp", enough(spp)),
                     option("reference-spp", enough(reference_spp))

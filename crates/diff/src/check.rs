@@ -10,7 +10,9 @@
 //! * the regression of the reference on the gradient (`scale_factor`): a wrong factor;
 //!
 //! and the largest difference by itself. Each test raises a false alarm with a
-//! probability near [`FALSE_ALARM`], if noise is close to Gaussian.
+//! probability near [`FALSE_ALARM`], if noise is close to Gaussian. Squared
+//! differences that are too large, but not by that many of their own errors,
+//! are no proof of a wrong gradient, and none of a right one.
 
 mod pixel;
 mod rounding;
@@ -36,6 +38,15 @@ pub const FALSE_ALARM: f64 = 6.3e-5;
 /// The band of `mean_z_squared` that is never held against a gradient: wide
 /// enough for standard errors that are wrong by ten per cent.
 const Z_SQUARED_BAND: std::ops::RangeInclusive<f64> = 0.8..=1.25;
+/// Standard errors of `mean_z_squared` beyond which a gradient is not called right.
+const DOUBTFUL: f64 = 2.0;
+/// How many times the `relative_l1` of noise alone is not called right either, where
+/// `mean_z_squared` is outside its band: its error comes from the same differences, and
+/// differences that are large in few pixels widen it as they grow.
+const DOUBTFUL_L1: f64 = 1.5;
+/// Samples that settle a doubt, as a multiple of those taken: a difference twice as many
+/// standard errors away as now is one that no noise explains.
+const SETTLES_DOUBT: f64 = 4.0;
 /// The error of the scale factor that a verdict of "right" excludes.
 const EXCLUDED_ERROR: f64 = 0.1;
 /// How many standard errors away it is excluded.
@@ -123,7 +134,7 @@ impl fmt::Display for Comparison {
 /// What a check says.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Verdict {
-    /// They agree within their errors, and a common factor that is wrong by
+    /// They agree within their errors, pixel by pixel, and a common factor that is wrong by
     /// ten per cent is excluded (at two standard errors).
     Right,
     /// They differ by more than their errors allow.
@@ -137,11 +148,14 @@ pub enum Verdict {
         /// The verdict on the derivative of that light.
         rest: Box<Self>,
     },
-    /// The noise hides what is asked for.
+    /// The noise hides what is asked for, or explains the differences only in part.
     Inconclusive {
         /// Samples per pixel, as a multiple of those taken, that would be
         /// enough; infinite if there is nothing to see.
         samples_factor: f64,
+        /// Why the gradient may be wrong, where the differences are larger than noise
+        /// explains; `None` where noise hides them.
+        doubt: Option<String>,
     },
 }
 
@@ -207,7 +221,10 @@ pub fn compare(gradient: &Estimate, reference: &Estimate) -> Comparison {
             reason: reasons.join("; "),
         }
     } else {
-        visible(&pixels, &fitted)
+        match doubt(&comparison) {
+            Some(doubt) => doubtful(visible(&pixels, &fitted), doubt),
+            None => visible(&pixels, &fitted),
+        }
     };
     comparison
 }
@@ -265,6 +282,7 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
         // Two samples are the fewest that have a standard error.
         verdict: Verdict::Inconclusive {
             samples_factor: 2.0,
+            doubt: None,
         },
     }
 }
@@ -363,5 +381,36 @@ fn visible(pixels: &Pixels, fitted: &ScaleFactor) -> Verdict {
     // A right gradient comes out within two standard errors of 1, and two more
     // must fit between that and the error to be excluded.
     let samples_factor = fitted.samples_factor(EXCLUDED_ERROR / (2.0 * EXCLUDED_AT));
-    Verdict::Inconclusive { samples_factor }
+    Verdict::Inconclusive {
+        samples_factor,
+        doubt: None,
+    }
+}
+
+/// Why differences that are no proof of a wrong gradient are not those of a right one: they
+/// are clearly larger, in some of the pixels, than noise explains.
+fn doubt(c: &Comparison) -> Option<String> {
+    let beyond_errors = c.mean_z_squared - 1.0 > DOUBTFUL * c.mean_z_squared_error;
+    let beyond_noise = c.relative_l1 > DOUBTFUL_L1 * c.relative_l1_of_noise;
+    let is_doubtful = c.mean_z_squared > *Z_SQUARED_BAND.end() && (beyond_errors || beyond_noise);
+    is_doubtful.then(|| {
+        format!(
+            "the differences are larger than noise explains, though not by enough to call them \
+             wrong (mean z² is {:.3} ± {:.3} instead of 1, relative L1 {:.3} where noise alone \
+             gives {:.3})",
+            c.mean_z_squared, c.mean_z_squared_error, c.relative_l1, c.relative_l1_of_noise
+        )
+    })
+}
+
+/// The verdict where there is a doubt, instead of "right" or of noise that hides something.
+fn doubtful(verdict: Verdict, doubt: String) -> Verdict {
+    let samples_factor = match verdict {
+        Verdict::Inconclusive { samples_factor, .. } => samples_factor.max(SETTLES_DOUBT),
+        _ => SETTLES_DOUBT,
+    };
+    Verdict::Inconclusive {
+        samples_factor,
+        doubt: Some(doubt),
+    }
 }

@@ -92,7 +92,10 @@ pub fn of_check<'py>(
     let (name, reason, samples_factor) = match said {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+        Verdict::Inconclusive {
+            samples_factor,
+            doubt,
+        } => ("inconclusive", doubt.as_ref(), Some(samples_factor)),
         Verdict::Partial { .. } => unreachable!("parts have no parts"),
     };
     numbers.set_item("verdict", if is_partial { "partial" } else { name })?;

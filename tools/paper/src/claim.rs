@@ -218,12 +218,14 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
         check::Verdict::Right => Verdict::Holds,
         check::Verdict::Wrong { reason } => Verdict::DoesNotHold(reason.clone()),
         check::Verdict::Partial { .. } => Verdict::Inconclusive("something is left out".into()),
-        check::Verdict::Inconclusive { samples_factor } => {
-            Verdict::Inconclusive(match samples_factor.is_finite() {
-                true => format!("needs {} times the samples", digits(*samples_factor)),
-                false => "too few samples to say how many are needed".into(),
-            })
-        }
+        check::Verdict::Inconclusive {
+            samples_factor,
+            doubt,
+        } => Verdict::Inconclusive(match (doubt, samples_factor.is_finite()) {
+            (Some(doubt), _) => doubt.clone(),
+            (None, true) => format!("needs {} times the samples", digits(*samples_factor)),
+            (None, false) => "too few samples to say how many are needed".into(),
+        }),
     }
 }
 

@@ -117,7 +117,10 @@ pub fn comparison_json(c: &Comparison) -> Value {
     let (name, reason, samples_factor) = match said {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
-        Verdict::Inconclusive { samples_factor } => ("inconclusive", None, Some(samples_factor)),
+        Verdict::Inconclusive {
+            samples_factor,
+            doubt,
+        } => ("inconclusive", doubt.as_ref(), Some(samples_factor)),
         Verdict::Partial { .. } => unreachable!("parts have no parts"),
     };
     json!({

@@ -148,8 +148,15 @@ fn sentence(comparison: &Comparison) -> String {
         Verdict::Right => "equal within their errors".into(),
         Verdict::Wrong { reason } => format!("different: {reason}"),
         Verdict::Partial { .. } => "compared in part".into(),
-        Verdict::Inconclusive { samples_factor } => format!(
-            "inconclusive: about {} times the samples would be enough",
+        Verdict::Inconclusive {
+            samples_factor,
+            doubt,
+        } => format!(
+            "inconclusive: {}about {} times the samples would be enough",
+            doubt
+                .iter()
+                .map(|doubt| format!("{doubt}; "))
+                .collect::<String>(),
             report::significant(*samples_factor, 2)
         ),
     }
