@@ -77,6 +77,26 @@ impl Boundaries {
         }
     }
 
+    /// No boundaries, but all of their points that are no ends of crossings: what a derivative
+    /// by colours and texels sees, which moves nothing.
+    pub fn none(accel: &Accel) -> Self {
+        let mut mesh = accel.mesh.clone();
+        mesh.positions.extend(&accel.anchors);
+        Self {
+            tree: SilhouetteTree::build(&mesh, &[]),
+            image_tree: image_tree(&accel.view, &mesh.positions, &mesh.faces, &[]),
+            area_emitters: Vec::new(),
+            emitter_edges: Vec::new(),
+            coincident: Vec::new(),
+            edges: Vec::new(),
+            contrasts: Vec::new(),
+            positions: mesh.positions,
+            crossings: Vec::new(),
+            shadow_lines: 0,
+            edge_samplers: Default::default(),
+        }
+    }
+
     /// Follows a scene that changed. Unless `same_edges` says that nothing can have
     /// changed the list of edges, they are listed again, since any motion can bend
     /// coplanar neighbours or make faces cross elsewhere; where the list turns out the

@@ -98,6 +98,11 @@ impl Wanted {
         rays_move || self.shapes.contains(&true) || self.emitters.contains(&true)
     }
 
+    /// True if anything may move that a boundary is seen from, lies on, or is projected by.
+    pub fn moves(&self) -> bool {
+        self.geometry() || self.film || self.normals.contains(&true)
+    }
+
     /// For every point of the boundaries, whether it depends on a shape or a light that is
     /// wanted.
     pub(crate) fn points(&self, accel: &Accel, boundaries: &Boundaries) -> Vec<bool> {

@@ -7,7 +7,7 @@ use capwalk_boundary::refuse::{
     refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
     refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
-use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Stream};
+use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
 use capwalk_render::{
     GradientImage, Grid, LeavesOut, Missing, Part, PartError, Partial, PreparedScene,
@@ -172,7 +172,7 @@ impl<'a> GradientWork<'a> {
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
         let (prepared, scene) = (self.prepared, self.prepared.scene());
-        let field = Field::new(prepared.accel(), prepared.boundaries(), options.method);
+        let field = Field::new(prepared.accel(), self.boundaries(), options.method);
         let eval = Forward::new(field, &self.tangent);
         let eval = match options.blind {
             true => eval.blind(),
@@ -204,6 +204,11 @@ impl<'a> GradientWork<'a> {
         tiles::average(scene, sampling, work, part, watch, sample)
     }
 
+    fn boundaries(&self) -> &'a Boundaries {
+        let moves = Wanted::by(&self.tangent).moves();
+        self.prepared.boundaries_if(moves)
+    }
+
     /// Refuses what can be seen without a sample.
     fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
         let (prepared, tangent) = (self.prepared, &*self.tangent);
@@ -212,13 +217,13 @@ impl<'a> GradientWork<'a> {
         let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
         refuse_infinite_derivatives(scene, is_asked_for)?;
         #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(prepared.boundaries(), &options.method)?;
+        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(), &options.method)?;
         let moves = Wanted::by(tangent).geometry();
         let turns = tangent.shapes.iter().any(Option::is_some);
         refuse_cut_normals(scene, turns || moves, is_asked_for)?;
         if moves {
             refuse_motion(accel, &options.method)?;
-            refuse_many_shadows(prepared.boundaries())?;
+            refuse_many_shadows(self.boundaries())?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }

@@ -9,7 +9,7 @@ use capwalk_boundary::refuse::{
     refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
     refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
-use capwalk_boundary::{Counts, Draw, Field, Refusal, Sampler, pool};
+use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles;
@@ -179,8 +179,7 @@ impl<'a> BackwardWork<'a> {
 
     /// The gradient, from all of its parts. The bits are those of [`backward`].
     pub fn finish(&self, parts: Partial<BatchSums>) -> Result<Backward, PartError> {
-        let (accel, boundaries) = (self.prepared.accel(), self.prepared.boundaries());
-        let zero = Adjoint::zero(&accel.scene, boundaries, &self.wanted);
+        let zero = Adjoint::zero(self.prepared.scene(), self.boundaries(), &self.wanted);
         let right = |_, sums: &BatchSums| sums.mean.fits(&zero);
         let sums = parts.complete(self.fingerprint(), self.grid(), right)?;
         Ok(self.backward(sums)?)
@@ -217,7 +216,7 @@ impl<'a> BackwardWork<'a> {
     fn pass<'b>(&'b self, options: &GradientOptions, watch: &'b dyn Watch) -> Pass<'b> {
         let (prepared, wanted) = (self.prepared, &self.wanted);
         let (scene, accel) = (prepared.scene(), prepared.accel());
-        let field = Field::new(accel, prepared.boundaries(), options.method);
+        let field = Field::new(accel, self.boundaries(), options.method);
         Pass {
             scene,
             adjoint: self.adjoint,
@@ -232,6 +231,10 @@ impl<'a> BackwardWork<'a> {
             done: AtomicU64::new(0),
             total: 0,
         }
+    }
+
+    fn boundaries(&self) -> &'a Boundaries {
+        self.prepared.boundaries_if(self.wanted.moves())
     }
 
     /// Refuses what can be seen without a sample.
@@ -251,18 +254,18 @@ impl<'a> BackwardWork<'a> {
         refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
         if wanted.geometry() {
             refuse_motion(accel, &options.method)?;
-            refuse_many_shadows(prepared.boundaries())?;
+            refuse_many_shadows(self.boundaries())?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
         #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(prepared.boundaries(), &options.method)?;
+        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(), &options.method)?;
         Ok(())
     }
 
     fn backward(&self, batches: Vec<BatchSums>) -> Result<Backward, Refusal> {
         let (scene, accel) = (self.prepared.scene(), self.prepared.accel());
-        let boundaries = self.prepared.boundaries();
+        let boundaries = self.boundaries();
         let mut statistics = Statistics {
             samples_per_pixel: vec![0; scene.film.pixel_count()],
             ..Statistics::default()

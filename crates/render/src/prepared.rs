@@ -13,13 +13,15 @@ use crate::emitter_sampler::{EmitterSampler, brightness, textures};
 pub struct PreparedScene {
     accel: Accel,
     emitters: Vec<EmitterSampler>,
-    /// Built when the first derivative asks for them.
+    /// Built when the first derivative by a motion asks for them.
     boundaries: OnceLock<Boundaries>,
+    /// The boundaries of a derivative by what moves nothing: none.
+    no_boundaries: OnceLock<Boundaries>,
 }
 
 impl PreparedScene {
     /// Builds the ray tree of a scene that has passed [`Scene::check`]. The boundaries
-    /// and their tree follow with the first derivative.
+    /// and their tree follow with the first derivative by a motion.
     pub fn new(scene: impl Into<Arc<Scene>>) -> Self {
         let scene = scene.into();
         let accel = pool::install(|| Accel::new(scene));
@@ -27,6 +29,7 @@ impl PreparedScene {
             emitters: emitter_samplers(&accel.scene),
             accel,
             boundaries: OnceLock::new(),
+            no_boundaries: OnceLock::new(),
         }
     }
 
@@ -56,6 +59,14 @@ impl PreparedScene {
         self.boundaries.get_or_init(|| boundaries)
     }
 
+    /// The boundaries that a derivative asks for: none if nothing moves, which takes no time.
+    pub fn boundaries_if(&self, moves: bool) -> &Boundaries {
+        match moves {
+            true => self.boundaries(),
+            false => (self.no_boundaries).get_or_init(|| Boundaries::none(&self.accel)),
+        }
+    }
+
     /// Goes over to another scene, which must have passed [`Scene::check`] and should
     /// differ in few numbers: moved vertices refit the trees, other colours touch none,
     /// and only what these motions invalidate is built anew. Every later answer is that
@@ -68,6 +79,7 @@ impl PreparedScene {
             let same_sensor = old.sensor == scene.sensor && old.film == scene.film;
             let same_edges = same_edges(old, &scene);
             let change = self.accel.update(scene);
+            self.no_boundaries = OnceLock::new();
             if let Some(boundaries) = self.boundaries.get_mut() {
                 boundaries.update(&self.accel, change, same_edges, same_sensor);
             }

@@ -11,7 +11,8 @@ use capwalk_geometry::Mesh;
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::params::Registry;
 use capwalk_scene::{
-    Attribute, Emitter, Filter, Image, Pattern, Scene, ShadingNormals, ShapeId, Texture,
+    Attribute, Emitter, Filter, Image, Pattern, Scene, ShadingNormals, ShapeId, ShapeVectors,
+    Texture,
 };
 
 const SAMPLING: RenderOptions = RenderOptions::new(3, 7);
@@ -47,6 +48,54 @@ fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
         numbers.extend(vertices.chain(textures).map(f64::to_bits));
     }
     numbers
+}
+
+/// Where nothing moves no boundaries are listed: the derivative by a colour is that with them, to
+/// the bit. A motion by nothing of shading normals asks for them.
+#[test]
+fn colours_need_no_boundaries() {
+    let mut scene = under_a_sky(visible_ball(Filter::Tent { radius: 1.0 }));
+    (scene.film.size, scene.film.crop_size) = ([9, 8], [9, 8]);
+    add_lamp(&mut scene, v(0.3, -0.2, 3.0), 0.8, 0.2, 4.0);
+    let name = "floor.bsdf.reflectance.value";
+    let colour = Registry::new(&scene).tangent(&scene, name).expect("a name");
+    let mut turning = colour.clone();
+    for (motion, shape) in turning.shapes.iter_mut().zip(&scene.shapes) {
+        let zeros = |count: usize| vec![Vec3::zero(); count];
+        *motion = Some(ShapeVectors {
+            vertices: zeros(shape.mesh.positions.len()),
+            normals: shape.normals.per_vertex().map(|all| zeros(all.len())),
+        });
+    }
+    assert!(!Wanted::by(&colour).moves() && Wanted::by(&turning).moves());
+    let prepared = PreparedScene::new(scene);
+    let images = |tangent| {
+        [Method::Walk, Method::EDGES].map(|method| {
+            let options = GradientOptions {
+                method,
+                ..SAMPLING.into()
+            };
+            let image = gradient(&prepared, tangent, &options, &Unwatched).expect("covered");
+            bits(&image.gradient.mean)
+        })
+    };
+    let is_listed = || !format!("{prepared:?}").contains(" boundaries: OnceLock(<uninit>)");
+    let without = images(&colour);
+    assert!(without[0].iter().any(|&bits| f64::from_bits(bits) != 0.0));
+    let mut wanted = Wanted::by(&colour);
+    let mut adjoint = Image::new(9, 8);
+    adjoint.pixels.fill(Rgb::splat(1.0));
+    let reverse = |wanted: &Wanted| {
+        let options = SAMPLING.into();
+        let found = backward(&prepared, &adjoint, wanted, &options, &Unwatched).expect("covered");
+        found.gradient().textures.clone()
+    };
+    let reverse_without = reverse(&wanted);
+    assert!(!is_listed());
+    assert!(images(&turning) == without);
+    assert!(is_listed());
+    wanted.normals.fill(true);
+    assert!(reverse(&wanted) == reverse_without);
 }
 
 /// Changes one scene step by step, and compares after each.
