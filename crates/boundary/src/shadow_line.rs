@@ -76,6 +76,12 @@ impl Section {
         self.ends.map(|end| end.along)
     }
 
+    /// Its least and its largest depth.
+    fn depths(&self) -> [f64; 2] {
+        let [a, b] = self.ends.map(|end| end.depth);
+        [a.min(b), a.max(b)]
+    }
+
     /// The part of it that is behind the edge.
     fn behind(&self, depth: f64) -> Option<Self> {
         let mut behind = *self;
@@ -160,21 +166,16 @@ fn first_met(sections: &[Section], depth_of_edge: f64) -> Vec<Section> {
         .iter()
         .filter_map(|section| section.behind(depth_of_edge))
         .collect();
+    let places = Places::new(&behind);
     let mut met = Vec::new();
     for section in &behind {
+        let mut free = lit[within(&lit, section.range())].to_vec();
         let [from, to] = section.range();
-        let mut free: Vec<[f64; 2]> = lit
-            .iter()
-            .map(|&[low, high]| [low.max(from), high.min(to)])
-            .collect();
-        for other in &behind {
-            free.retain(|[low, high]| high - low > SHORTEST);
-            if free.is_empty() {
-                break;
-            }
-            take_hidden(&mut free, section, other);
+        for range in &mut free {
+            *range = [range[0].max(from), range[1].min(to)];
         }
-        free.retain(|[low, high]| high - low > SHORTEST);
+        free.retain(is_long);
+        places.take_hidden(&mut free, section);
         met.extend(free.into_iter().map(|range| Section {
             face: section.face,
             ends: range.map(|along| WedgePoint {
@@ -186,11 +187,75 @@ fn first_met(sections: &[Section], depth_of_edge: f64) -> Vec<Section> {
     met
 }
 
+/// Sections by where along the edge they are: in equal parts of it, as many as let a section
+/// lie in two of them on average, the nearest to the light first.
+struct Places {
+    parts: Vec<Vec<Section>>,
+}
+
+impl Places {
+    fn new(sections: &[Section]) -> Self {
+        let length = |section: &Section| section.range()[1] - section.range()[0];
+        let total: f64 = sections.iter().map(length).sum();
+        let count = sections.len() as f64;
+        let mut places = Self {
+            parts: vec![Vec::new(); (count / total.max(1.0)).max(1.0) as usize],
+        };
+        let mut order: Vec<&Section> = sections.iter().collect();
+        order.sort_by(|a, b| a.depths()[0].total_cmp(&b.depths()[0]));
+        for section in order {
+            for part in places.parts_of(section) {
+                places.parts[part].push(*section);
+            }
+        }
+        places
+    }
+
+    /// The parts of the edge that a section lies in.
+    fn parts_of(&self, section: &Section) -> std::ops::RangeInclusive<usize> {
+        let part = |along: f64| (along * self.parts.len() as f64) as usize;
+        let [from, to] = section
+            .range()
+            .map(|along| part(along).min(self.parts.len() - 1));
+        from..=to
+    }
+
+    /// Takes from the free ranges of a section those in which another one is before it.
+    fn take_hidden(&self, free: &mut Vec<[f64; 2]>, section: &Section) {
+        let [_, farthest] = section.depths();
+        for part in self.parts_of(section) {
+            let nearer = self.parts[part].iter();
+            for other in nearer.take_while(|other| other.depths()[0] < farthest) {
+                if free.is_empty() {
+                    return;
+                }
+                take_hidden(free, section, other);
+            }
+        }
+    }
+}
+
+/// True if a range of an edge is not just what rounding leaves.
+fn is_long([low, high]: &[f64; 2]) -> bool {
+    high - low > SHORTEST
+}
+
+/// Which of some ranges, in ascending order and apart, lie within another one somewhere.
+fn within(ranges: &[[f64; 2]], [from, to]: [f64; 2]) -> std::ops::Range<usize> {
+    let first = ranges.partition_point(|&[_, high]| high <= from);
+    let end = ranges.partition_point(|&[low, _]| low < to);
+    first..end.max(first)
+}
+
 /// Takes from the free ranges of a section that in which another one is before it.
 fn take_hidden(free: &mut Vec<[f64; 2]>, section: &Section, other: &Section) {
     let ([a, b], [c, d]) = (section.range(), other.range());
     let (from, to) = (a.max(c), b.min(d));
     if to - from <= SHORTEST {
+        return;
+    }
+    let cut = within(free, [from, to]);
+    if cut.is_empty() {
         return;
     }
     // How far the other one is before it.
@@ -200,20 +265,9 @@ fn take_hidden(free: &mut Vec<[f64; 2]>, section: &Section, other: &Section) {
     if before(from) < -same || before(to) < -same || before(0.5 * (from + to)) <= same {
         return;
     }
-    let mut left = Vec::with_capacity(free.len() + 1);
-    for &[low, high] in &*free {
-        if to <= low || high <= from {
-            left.push([low, high]);
-            continue;
-        }
-        if low < from {
-            left.push([low, from]);
-        }
-        if to < high {
-            left.push([to, high]);
-        }
-    }
-    *free = left;
+    // Of the ranges that it cuts there is left what the first begins and the last ends with.
+    let left = [[free[cut.start][0], from], [to, free[cut.end - 1][1]]];
+    free.splice(cut, left.into_iter().filter(is_long));
 }
 
 #[cfg(test)]
@@ -381,6 +435,92 @@ mod tests {
             changes as f64 > 0.8 * passed as f64,
             "{changes} of {passed}"
         );
+    }
+
+    /// [`first_met`] by comparing every section with every other one, one free range at a time.
+    fn first_met_of_all_pairs(sections: &[Section], depth_of_edge: f64) -> Vec<Section> {
+        let at = |depth: f64, range: [f64; 2]| Section {
+            face: u32::MAX,
+            ends: range.map(|along| WedgePoint { along, depth }),
+        };
+        let cut = |free: Vec<[f64; 2]>, section: &Section, other: &Section| {
+            let pieces = free.into_iter().flat_map(|range| {
+                let mut pieces = vec![range];
+                take_hidden(&mut pieces, section, other);
+                pieces
+            });
+            pieces.collect()
+        };
+        let whole = at(depth_of_edge, [0.0, 1.0]);
+        let all = |free, section: &Section, others: &[Section]| {
+            let others = others.iter();
+            others.fold(free, |free, other| cut(free, section, other))
+        };
+        let lit: Vec<[f64; 2]> = all(vec![[0.0, 1.0]], &whole, sections);
+        let behind = sections.iter().filter_map(|s| s.behind(depth_of_edge));
+        let behind: Vec<Section> = behind.collect();
+        let mut met = Vec::new();
+        for section in &behind {
+            let [from, to] = section.range();
+            let own = lit.iter().map(|&[low, high]| [low.max(from), high.min(to)]);
+            let free = all(own.filter(is_long).collect(), section, &behind);
+            met.extend(free.into_iter().map(|range| Section {
+                face: section.face,
+                ends: range.map(|along| WedgePoint {
+                    along,
+                    depth: section.depth(along),
+                }),
+            }));
+        }
+        met
+    }
+
+    /// What is looked at by place and depth is what hides something, to the bit: with short and
+    /// long sections, some of the same depth, some that cross, and some before the edge.
+    #[test]
+    fn hidden_sections_are_those_of_all_pairs() {
+        let numbers_of = |section: &Section| {
+            let [a, b] = section.ends;
+            (
+                section.face,
+                [a.along, a.depth, b.along, b.depth].map(f64::to_bits),
+            )
+        };
+        let mut numbers = Numbers(11);
+        let (mut parts, mut hidden) = (0, 0);
+        for trial in 0..300 {
+            let length = [0.02, 0.2, 1.5][trial % 3];
+            let sections = (0..60).map(|face| {
+                let from = numbers.next();
+                let long = if numbers.next() < 0.1 { 1.0 } else { length };
+                let to = (from + long * numbers.next()).min(1.0);
+                let from = if long == 1.0 { 0.1 * from } else { from };
+                let depth = (8.0 * numbers.next()).round() + 0.5;
+                let slope = if numbers.next() < 0.5 {
+                    0.0
+                } else {
+                    numbers.next()
+                };
+                Section {
+                    face,
+                    ends: [(from, depth), (to, depth + slope)]
+                        .map(|(along, depth)| WedgePoint { along, depth }),
+                }
+            });
+            let sections: Vec<Section> = sections.collect();
+            for depth_of_edge in [0.0, 1.7] {
+                let found = first_met(&sections, depth_of_edge);
+                let expected = first_met_of_all_pairs(&sections, depth_of_edge);
+                let [found, expected] =
+                    [found, expected].map(|all| all.iter().map(numbers_of).collect::<Vec<_>>());
+                assert_eq!(found, expected, "trial {trial}");
+                parts += found.len();
+                hidden += (0..60)
+                    .filter(|&f| found.iter().all(|part| part.0 != f))
+                    .count();
+            }
+        }
+        assert!(parts > 5000 && hidden > 5000, "{parts} {hidden}");
     }
 
     /// Lines move as those of scenes a little later, with everything in motion.
