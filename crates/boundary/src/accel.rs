@@ -273,7 +273,7 @@ impl Accel {
         self.mesh.positions.len() as u32 + self.first_anchor[emitter.0 as usize]
     }
 
-    /// How a point receives an emitter without extent, see [`Emitter::delta_light`].
+    /// How a point receives an emitter without extent, see [`capwalk_scene::Emitter::delta_light`].
     pub fn delta_light(&self, id: EmitterId, point: Vec3) -> Option<DeltaLight<f64>> {
         let first = self.first_anchor[id.0 as usize] as usize;
         let anchor = |i: usize| self.anchors[first + i];

@@ -116,7 +116,7 @@ impl Prepared {
     }
 
     /// The method that [`Prepared::gradient`] uses with these options, and what was tried to
-    /// find it: with [`Method::Auto`](crate::Method::Auto) a pilot chooses, in a small part of the time of a long
+    /// find it: with [`Method::Auto`] a pilot chooses, in a small part of the time of a long
     /// gradient. A gradient with the options that come back has the same bits.
     ///
     /// ```

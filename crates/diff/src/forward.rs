@@ -97,7 +97,7 @@ impl<'a> GradientWork<'a> {
         self.gradient_image(partial.into_sums())
     }
 
-    /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
+    /// The method that the work is done by, see [`Method::Auto`]; found
     /// by the first call. Refused like the work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
         let choose = || {
