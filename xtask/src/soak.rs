@@ -35,7 +35,7 @@ pub fn run(rest: &[String]) -> Result<()> {
         step(name, command)
     };
     run("damaged files", "capwalk-scene-io", "reading", "damaged")?;
-    run("random scenes", "capwalk-diff", "random_scenes", "random")
+    run("random scenes", "capwalk-diff", "gradients", "random_scenes")
 }
 
 /// The command with little memory, where a shell can say so.
