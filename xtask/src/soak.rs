@@ -35,7 +35,12 @@ pub fn run(rest: &[String]) -> Result<()> {
         step(name, command)
     };
     run("damaged files", "capwalk-scene-io", "reading", "damaged")?;
-    run("random scenes", "capwalk-diff", "gradients", "random_scenes")
+    run(
+        "random scenes",
+        "capwalk-diff",
+        "gradients",
+        "random_scenes",
+    )
 }
 
 /// The command with little memory, where a shell can say so.

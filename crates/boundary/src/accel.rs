@@ -8,6 +8,7 @@ use capwalk_scene::resolve::Resolver;
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{DeltaLight, EmitterId, Scene, ShapeId};
 
+use crate::flush_emitter::FlushEmitters;
 use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
@@ -41,6 +42,8 @@ pub struct Accel {
     flat_events: Vec<FlatEvents>,
     has_flat_events: bool,
     rays: RayTree,
+    /// Emitters in the planes of other surfaces.
+    flush: Option<FlushEmitters>,
     /// Distances below this (world units) around a ray's origin belong to the
     /// surface it starts on.
     self_distance: f64,
@@ -138,6 +141,7 @@ impl Accel {
             .iter()
             .map(|p| p.x.abs().max(p.y.abs()).max(p.z.abs()))
             .fold(scene.sensor.origin().length(), f64::max);
+        let flush = FlushEmitters::new(&scene, &mesh, &shape_of_face, &first_face);
         Self {
             shape_of_face,
             first_vertex,
@@ -150,6 +154,7 @@ impl Accel {
             resolver: Resolver::new(&scene),
             has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
             flat_events,
+            flush,
             rays,
             mesh,
             self_distance: SELF_INTERSECTION * size,
@@ -166,7 +171,7 @@ impl Accel {
     /// The first surface seen from a point on another one.
     #[inline]
     pub fn first_hit(&self, origin: Vec3, direction: Vec3) -> Option<Hit> {
-        self.rays.first_hit(&self.surface_ray(origin, direction))
+        self.first_hit_within(&self.surface_ray(origin, direction))
     }
 
     /// A ray from a point on a surface.
@@ -183,10 +188,16 @@ impl Accel {
         self.rays.across(&self.mesh, wedge, found);
     }
 
-    /// The first surface along a ray with bounds of its own.
+    /// The first surface along a ray with bounds of its own; of surfaces in one plane, an
+    /// emitter that shows its front.
     #[inline]
     pub fn first_hit_within(&self, ray: &Ray) -> Option<Hit> {
-        self.rays.first_hit(ray)
+        let hit = self.rays.first_hit(ray)?;
+        let emitter = self.flush.as_ref().and_then(|flush| {
+            let is_emitter = self.scene.shape(self.shape_of(&hit)).emitter.is_some();
+            (!is_emitter).then(|| flush.in_front(ray, &hit)).flatten()
+        });
+        Some(emitter.unwrap_or(hit))
     }
 
     /// True if nothing lies between two points on surfaces.

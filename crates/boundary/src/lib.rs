@@ -21,6 +21,7 @@ mod draw;
 mod edge_sampler;
 mod emitter_edge;
 mod field;
+mod flush_emitter;
 mod image_space;
 mod infinite_derivative;
 mod material;

@@ -81,14 +81,6 @@ impl AreaEmitter {
         Self { emitter, extent }
     }
 
-    /// A point of its plane and the unit normal, if it is flat.
-    pub fn plane(&self) -> Option<[Vec3; 2]> {
-        match &self.extent {
-            Extent::Flat { hull, normal } => Some([hull[0], *normal]),
-            Extent::Ball { .. } => None,
-        }
-    }
-
     /// What a viewpoint sees of it; `None` if only its back.
     pub fn window(&self, viewpoint: Vec3) -> Option<Window> {
         let mut in_front_of = None;

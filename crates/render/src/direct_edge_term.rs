@@ -1,7 +1,7 @@
 //! The boundary terms of light that comes from emitters (METHOD 8): sampled directions do not
 //! move, or turn with the normal, and points are sampled on the edges before an emitter instead.
 
-use capwalk_boundary::{AreaEmitter, Draw, EdgePoint, Field};
+use capwalk_boundary::{Draw, EdgePoint};
 use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
@@ -17,29 +17,6 @@ use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Tracer};
 /// How many random numbers the edges before area emitters use at each vertex: to choose an
 /// emitter, and points.
 const NUMBERS: u32 = 2;
-
-/// Distance from the plane of an emitter up to which points are in it, as a part of that from
-/// the shading point: shadow rays end that much before an emitter.
-const IN_PLANE: f64 = 1e-9;
-
-/// True if what is seen on both sides of an edge is in the plane of a flat emitter: no shadow
-/// ray is cut off there, as all of them end before it.
-fn hides_nothing(field: &Field, from: Vec3, point: &EdgePoint, emitter: &AreaEmitter) -> bool {
-    let Some([corner, normal]) = emitter.plane() else {
-        return false;
-    };
-    let margin = IN_PLANE * point.distance;
-    let is_in_plane = |p: &Vec3| normal.dot(*p - corner).abs() <= margin;
-    let is_covered = |side| {
-        let hit = field.accel.first_hit(from, side);
-        hit.is_some_and(|hit| {
-            let corners = field.accel.mesh.corners(hit.face as usize);
-            corners.iter().all(is_in_plane)
-        })
-    };
-    let ends = point.ends().map(|i| field.boundaries.position(i));
-    ends.iter().all(is_in_plane) && point.sides().into_iter().all(is_covered)
-}
 
 impl Tracer<'_> {
     /// An estimate of the boundary term of light from area emitters at the vertex of a path of
@@ -69,10 +46,7 @@ impl Tracer<'_> {
             return Rgb::zero();
         };
         // Sample points on edges in its window.
-        let jump = |point: &EdgePoint| match hides_nothing(field, vertex.position, point, chosen) {
-            true => Rgb::zero(),
-            false => discontinuity(field, vertex, point, chosen.emitter),
-        };
+        let jump = |point: &EdgePoint| discontinuity(field, vertex, point, chosen.emitter);
         draw.count_queries(1);
         let place = draw.stream.number(dimension + 1);
         let term = gathered_term(at, &window, self.gathers.points, jump, place);
