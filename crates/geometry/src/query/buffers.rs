@@ -31,7 +31,7 @@ use super::cone_node::{ConeNode, SIN_STEP};
 use super::oriented_box::{FIRST_SCALE, SECOND_SCALE};
 use super::ray_tree::RayTree;
 use super::silhouette_tree::SilhouetteTree;
-use crate::bvh::{Child, WIDTH};
+use crate::bvh::{Child, MAX_DEPTH, WIDTH};
 use crate::local_frame::LocalFrame;
 
 /// An empty slot of a node.
@@ -39,6 +39,8 @@ pub const NONE: u32 = u32::MAX;
 /// The bit of children that are leaves; the others hold the leaf's number.
 pub const LEAF: u32 = 1 << 31;
 
+/// Ways from the root to a leaf pass no more nodes than this.
+pub const LEVELS: usize = MAX_DEPTH;
 /// Words per node of [`RayBuffers::nodes`].
 pub const RAY_NODE: usize = 7 * WIDTH;
 /// Numbers per triangle.
