@@ -72,25 +72,19 @@ pub fn run<Q: Sync>(
     let mut buffers: Option<Buffers> = None;
     while !rest.is_empty() {
         let (now, later) = rest.split_at(size.min(rest.len()));
-        if buffers
-            .as_ref()
-            .is_none_or(|buffers| buffers.room < now.len())
-        {
-            // The old ones are given back first.
-            drop(buffers.take());
-            match Buffers::new(gpu, tree, sizes, now.len()) {
-                Ok(new) => buffers = Some(new),
-                Err(GpuError::OutOfMemory { .. }) if now.len() > GROUP => {
-                    most = now.len() / 2;
-                    size = most;
-                    continue;
-                }
-                Err(error) => return Err(error),
-            }
-        }
-        let Some(buffers) = &buffers else { continue };
         let started = Instant::now();
-        let (answers, values) = launch(gpu, shape, buffers, now, &prepare)?;
+        let outcome = room_for(gpu, tree, sizes, now.len(), &mut buffers)
+            .and_then(|buffers| launch(gpu, shape, buffers, now, &prepare));
+        let (answers, values) = match outcome {
+            Ok(results) => results,
+            Err(GpuError::OutOfMemory { .. }) if now.len() > GROUP => {
+                buffers = None;
+                most = now.len() / 2;
+                size = most;
+                continue;
+            }
+            Err(error) => return Err(error),
+        };
         let took = started.elapsed();
         finish(now, &answers, &values);
         rest = later;
@@ -101,6 +95,22 @@ pub fn run<Q: Sync>(
         }
     }
     Ok(())
+}
+
+/// The buffers, if they have room for so many queries, or else new ones.
+fn room_for<'a>(
+    gpu: &Gpu,
+    tree: &Resident,
+    sizes: [usize; 4],
+    room: usize,
+    buffers: &'a mut Option<Buffers>,
+) -> Result<&'a Buffers, GpuError> {
+    let kept = buffers.take().filter(|buffers| buffers.room >= room);
+    let kept = match kept {
+        Some(buffers) => buffers,
+        None => Buffers::new(gpu, tree, sizes, room)?,
+    };
+    Ok(buffers.insert(kept))
 }
 
 /// What one launch reads and writes.
