@@ -8,11 +8,15 @@
 //! | `bench` | the benchmarks |
 //! | `soak` | random scenes and damaged files, for a minute each |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
+//! | `kernels` | compiles the kernels of `capwalk-gpu`, which are checked in |
+//! | `gpu` | the queries on the GPU: how many per second, and whether they agree with the processor |
 //! | `peers` | measures capwalk and Mitsuba side by side: noise after a second of one thread |
 
 #[cfg(test)]
 mod code_map;
 mod deviation;
+mod gpu;
+mod kernels;
 mod layout;
 mod mitsuba;
 mod package;
@@ -23,6 +27,7 @@ mod shell;
 mod soak;
 mod test;
 mod virtual_environment;
+mod vulkan;
 
 use std::process::ExitCode;
 
@@ -46,6 +51,10 @@ tasks:
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
            with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)
+  kernels  compile the kernels of capwalk-gpu, which are checked in (needs python3 and
+           PyPI)
+  gpu      measure the queries on the GPU, or on software Vulkan, and compare them
+           with the processor's (further argument: part of the adapter's name)
   peers    measure how much noise capwalk and Mitsuba leave after a second on one
            thread, in derivatives and images; with --quick, only see that it works;
            with --tables, print again what was measured before
@@ -65,6 +74,8 @@ fn main() -> ExitCode {
         "package" => package::run(true),
         "soak" => soak::run(rest),
         "parity" => parity::run(rest),
+        "kernels" => kernels::run(),
+        "gpu" => gpu::run(rest),
         "peers" => peers::run(rest),
         "help" | "--help" | "-h" => {
             print!("{HELP}");

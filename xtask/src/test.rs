@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use anyhow::Result;
 
 use crate::shell::{EVERYTHING, cargo, start};
-use crate::{layout, package, python};
+use crate::{layout, package, python, vulkan};
 
 /// Runs the quick steps first, stops at the first that fails, and ends with
 /// the time that each took.
@@ -62,7 +62,7 @@ fn documentation() -> Result<()> {
 /// All tests, then those of the command line as it is by default.
 fn tests() -> Result<()> {
     let mut all = cargo(&["test", "--no-fail-fast"]);
-    all.args(EVERYTHING);
+    all.args(EVERYTHING).envs(vulkan::for_tests());
     start("tests", all)?;
     let default = ["test", "--workspace", "--test", "cli", "default_build"];
     start("tests of the default build", cargo(&default))

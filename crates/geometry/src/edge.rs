@@ -36,7 +36,7 @@ pub enum Sides {
 /// A face whose plane passes the viewpoint within this fraction of the coordinates'
 /// size is the face that the viewpoint lies on, whose orientation test would be 0/0
 /// (METHOD 1). Ray hits in double precision stay within some 1e-14 of it.
-pub(crate) const ON_PLANE: f64 = 1e-11;
+pub const ON_PLANE: f64 = 1e-11;
 
 /// 1 if the viewpoint sees the front of a face, -1 if its back, 0 if it lies in its
 /// plane. The face has the normal `cross`, of any length, and contains `point`.

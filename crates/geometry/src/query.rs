@@ -2,6 +2,7 @@
 
 mod across;
 mod best_first;
+pub mod buffers;
 mod closest;
 mod cone_kernel;
 mod cone_node;

@@ -48,7 +48,7 @@ pub struct Hit {
 /// axes are permuted so that the direction's largest component comes last, and
 /// the other two are sheared to zero (Woop, Benthin and Wald 2013).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct RayShear {
+pub struct RayShear {
     /// Which components of the direction become x, y and z.
     pub axes: [usize; 3],
     /// How much of z is taken off x and y.
@@ -83,7 +83,7 @@ impl RayShear {
 /// A triangle whose projected area is below this fraction of the products it
 /// is summed from is seen edge-on: the area is nothing but their rounding,
 /// some four errors of 2⁻⁵³ each.
-pub(crate) const EDGE_ON: f64 = 1.0 / (1_u64 << 50) as f64;
+pub const EDGE_ON: f64 = 1.0 / (1_u64 << 50) as f64;
 
 /// Where the ray meets the triangle, without its face; `None` if it misses, is
 /// parallel, or the triangle has no area. Two-sided, borders included.

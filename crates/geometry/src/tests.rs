@@ -1,5 +1,6 @@
 //! The trees against brute force.
 
+mod buffers;
 mod meshes;
 mod rays;
 mod silhouettes;

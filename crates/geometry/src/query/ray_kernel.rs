@@ -19,7 +19,7 @@ pub const LANES: usize = 4;
 pub struct RayNode {
     /// Low x, y, z, then high x, y, z, of each child. Empty slots have
     /// `low > high`.
-    planes: [[f32; WIDTH]; 6],
+    pub(super) planes: [[f32; WIDTH]; 6],
     /// In the order of the boxes.
     pub children: [Child; WIDTH],
 }
@@ -79,6 +79,12 @@ impl TriangleBlock {
             }
         }
         block
+    }
+
+    /// The corners of the triangle in a lane.
+    pub fn corners_of(&self, lane: usize) -> [Vec3; 3] {
+        self.corners
+            .map(|corner| Vec3::from(corner.map(|axis| axis[lane])))
     }
 
     /// Calls `found` for each triangle that the ray hits within the bounds, the

@@ -46,6 +46,16 @@ impl TreeEdge {
         }
     }
 
+    /// The normals of its two faces, towards the same side of the surface, as
+    /// [`separates`] compares them; zero if it is open.
+    pub(super) fn outward_crosses(&self) -> [Vec3; 2] {
+        let [first, second] = self.crosses;
+        match self.kind {
+            EdgeKind::Between { flipped: true } => [first, -second],
+            _ => [first, second],
+        }
+    }
+
     /// As [`Edge::is_silhouette`].
     #[inline(always)]
     fn is_silhouette(&self, viewpoint: Vec3) -> bool {

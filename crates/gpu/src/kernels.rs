@@ -1,0 +1,98 @@
+//! The kernels as `cargo xtask kernels` compiled them from `kernels/queries.slang`.
+
+use crate::precision::Precision;
+
+/// A kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kernel {
+    FirstHit,
+    Occluded,
+    Closest,
+    Gather,
+}
+
+/// How many there are.
+pub const KERNELS: usize = 4;
+
+/// How many threads work on one group.
+pub const GROUP: usize = 64;
+
+impl Kernel {
+    /// Its entry point.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::FirstHit => "first_hit",
+            Self::Occluded => "occluded",
+            Self::Closest => "closest",
+            Self::Gather => "gather",
+        }
+    }
+
+    /// Its source in WGSL.
+    pub fn source(self, precision: Precision) -> &'static str {
+        match (self, precision) {
+            (Self::FirstHit, Precision::Single) => include_str!("kernels/first_hit_single.wgsl"),
+            (Self::FirstHit, Precision::Double) => include_str!("kernels/first_hit_double.wgsl"),
+            (Self::Occluded, Precision::Single) => include_str!("kernels/occluded_single.wgsl"),
+            (Self::Occluded, Precision::Double) => include_str!("kernels/occluded_double.wgsl"),
+            (Self::Closest, Precision::Single) => include_str!("kernels/closest_single.wgsl"),
+            (Self::Closest, Precision::Double) => include_str!("kernels/closest_double.wgsl"),
+            (Self::Gather, Precision::Single) => include_str!("kernels/gather_single.wgsl"),
+            (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.wgsl"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use capwalk_geometry::buffers;
+
+    /// FNV-1a with 64 bits. The first lines of a compiled kernel end with those of its source
+    /// and of what follows.
+    fn checksum(text: &str) -> String {
+        let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+        format!("{hash:016x}")
+    }
+
+    /// Whoever changes the source must compile it again, and nobody edits the result.
+    #[test]
+    fn compiled_kernels_are_current() {
+        let source = checksum(include_str!("kernels/queries.slang"));
+        for kernel in [
+            Kernel::FirstHit,
+            Kernel::Occluded,
+            Kernel::Closest,
+            Kernel::Gather,
+        ] {
+            for precision in [Precision::Single, Precision::Double] {
+                let (head, body) = kernel.source(precision).split_once("\n\n").expect("a head");
+                let of = |what: &str| {
+                    let line = head.lines().find_map(|line| line.strip_prefix(what));
+                    line.unwrap_or_default().to_owned()
+                };
+                let name = kernel.name();
+                assert_eq!(
+                    of("// source: "),
+                    source,
+                    "{name} {precision:?} is old: run `cargo xtask kernels`"
+                );
+                assert_eq!(
+                    of("// result: "),
+                    checksum(body),
+                    "{name} {precision:?} was edited: run `cargo xtask kernels`"
+                );
+                assert!(!of("// compiler: ").is_empty());
+            }
+        }
+    }
+
+    /// Kernels have room for every way down a tree.
+    #[test]
+    fn trees_are_not_too_deep() {
+        let room = format!("static const uint LEVELS = {};", buffers::LEVELS);
+        assert!(include_str!("kernels/queries.slang").contains(&room));
+    }
+}

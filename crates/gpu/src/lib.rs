@@ -1,0 +1,46 @@
+//! Geometry queries in batches on a GPU: first hits, occlusion, closest silhouettes and
+//! all silhouettes in a cone, over the trees of `capwalk-geometry`.
+//!
+//! ```no_run
+//! use std::sync::Arc;
+//! use capwalk_geometry::{Mesh, Ray, RayTree};
+//! use capwalk_gpu::{DeviceRayTree, Gpu, GpuOptions};
+//!
+//! # fn example(mesh: &Mesh, rays: &[Ray]) -> Result<(), capwalk_gpu::GpuError> {
+//! let gpu = Arc::new(Gpu::new(&GpuOptions::default())?);
+//! let tree = DeviceRayTree::new(&gpu, &RayTree::build(mesh))?;
+//! let hits = tree.first_hits(rays)?;
+//! # Ok(()) }
+//! ```
+//!
+//! Kernels run through wgpu: on Vulkan, Metal and DX12, and on software Vulkan where there
+//! is no GPU ([`Gpu::is_software`]). Equal batches on one device give equal bits, however
+//! they were cut into launches.
+//!
+//! # Precision
+//!
+//! Bounds are tested in single precision with margins for all rounding, so nothing that
+//! counts is skipped. What is found is decided by tests of triangles and edges in double
+//! precision where the device has it ([`Precision::Double`]); there, answers are those of
+//! brute force up to the rounding of divisions and square roots, which devices need not do
+//! as exactly as processors. Elsewhere ([`Precision::Single`]) they are decided in the
+//! coordinates of the tree, and are those for primitives and viewpoints moved by no more
+//! than [`SINGLE_ERROR`] times the distance.
+
+mod device;
+mod error;
+mod kernels;
+mod launch;
+mod local_cone;
+mod local_ray;
+mod precision;
+mod ray_queries;
+mod resident;
+mod silhouette_queries;
+
+pub use device::{Gpu, GpuOptions};
+pub use error::GpuError;
+pub use local_cone::SINGLE_ERROR;
+pub use precision::Precision;
+pub use ray_queries::DeviceRayTree;
+pub use silhouette_queries::{DeviceSilhouetteTree, Gathered};

@@ -1,0 +1,111 @@
+//! A cone as the kernels read it: in the tree's coordinates for the bounds, in those of
+//! the test's precision for edges.
+
+use std::f64::consts::PI;
+
+use capwalk_geometry::edge::ON_PLANE;
+use capwalk_geometry::{ConeQuery, EdgeSelection, LocalFrame};
+use capwalk_math::Vec3;
+
+use crate::local_ray::round_up;
+use crate::precision::Precision;
+
+/// Numbers per cone, of which the last is not used.
+pub const CONE: usize = 16;
+
+/// Error of positions in local coordinates, and of what kernels compute from them, per
+/// local unit of distance from the apex: sums of some thirty terms of at most that size,
+/// each rounded by at most 2⁻²⁴, among them those of the bounds as they are stored.
+const POSITION_MARGIN: f64 = 1.0 / (1 << 18) as f64;
+
+/// By how much single precision moves what triangles and edges are tested with, per unit
+/// of distance between the viewpoint and the tree's farthest point: a silhouette found
+/// there is one of some viewpoint that is as near, and none is missed. Angles are off by
+/// this, times that distance over the one of the silhouette. About 1e-6: ten roundings of
+/// positions, and as much again for those of the test.
+pub const SINGLE_ERROR: f64 = 1.0 / (1 << 20) as f64;
+
+/// A pseudo-angle that no point has: those go up to 2.
+const NO_LIMIT: f64 = 3.0;
+
+/// Limits of pseudo-angles are larger than what is asked for by this fraction; whether
+/// an angle is below the limit is decided by the angle, afterwards.
+const LIMIT_GROW: f64 = 1.0 + 8.0 * f64::EPSILON;
+
+fn sum(v: Vec3) -> f64 {
+    v.x.abs() + v.y.abs() + v.z.abs()
+}
+
+/// Writes what the kernels read of a cone.
+pub fn write(
+    frame: &LocalFrame,
+    query: &ConeQuery,
+    precision: Precision,
+    view: &mut [u32],
+    numbers: &mut [f64],
+) {
+    let apex = frame.local_from_world(query.apex);
+    // Everything in the tree is nearer to the apex than this.
+    let range = sum(apex) + 3.0;
+    let margin = POSITION_MARGIN * range;
+    let on_plane = ON_PLANE * (sum(query.apex) + frame.reach) * frame.inverse_scale;
+    // What the test in single precision takes for the plane of a face.
+    let single = match precision {
+        Precision::Single => 2.0 * SINGLE_ERROR * range,
+        Precision::Double => 0.0,
+    };
+    let limit = pseudo_limit(query.max_angle);
+    let mut put = |at: usize, v: Vec3, last: f64| {
+        for (word, number) in view[at..].iter_mut().zip(v.to_array()) {
+            *word = (number as f32).to_bits();
+        }
+        view[at + 3] = round_up(last).to_bits();
+    };
+    put(0, apex, margin);
+    put(4, query.axis, margin + 2.0 * on_plane + single);
+    view[8] = round_up(limit).to_bits();
+    view[9] = u32::from(query.groups);
+    view[10] = u32::from(query.edges == EdgeSelection::All);
+
+    // A plane that hides nothing has no normal.
+    let plane = query.in_front_of.map(|plane| (plane.point, plane.normal));
+    let (point, normal) = plane.unwrap_or((query.apex, Vec3::zero()));
+    let (vectors, tail) = match precision {
+        Precision::Double => (
+            [query.apex, query.axis, point, normal],
+            [ON_PLANE, sum(query.apex), limit],
+        ),
+        Precision::Single => {
+            let unit = match normal == Vec3::zero() {
+                true => normal,
+                false => normal.normalized(),
+            };
+            let [apex, point] = [query.apex, point].map(|p| frame.local_from_world(p));
+            let size = sum(apex) + on_plane / SINGLE_ERROR;
+            ([apex, query.axis, point, unit], [SINGLE_ERROR, size, limit])
+        }
+    };
+    for (numbers, v) in numbers.chunks_exact_mut(3).zip(vectors) {
+        numbers.copy_from_slice(&v.to_array());
+    }
+    numbers[12..15].copy_from_slice(&tail);
+}
+
+/// The pseudo-angle that is the limit of a half-angle: `ρ / (ρ + z)` in front of the
+/// viewpoint, `1 + |z| / (ρ + |z|)` behind it. Negative if nothing lies within.
+fn pseudo_limit(max_angle: f64) -> f64 {
+    let is_open = max_angle > 0.0; // false for NaN
+    if !is_open {
+        return -1.0;
+    }
+    if max_angle >= PI {
+        return NO_LIMIT;
+    }
+    let (sin, cos) = max_angle.sin_cos();
+    let total = sin + cos.abs();
+    let pseudo = match cos >= 0.0 {
+        true => sin / total,
+        false => 1.0 - cos / total,
+    };
+    pseudo * LIMIT_GROW
+}

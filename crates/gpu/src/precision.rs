@@ -1,0 +1,10 @@
+//! In what triangles and edges are tested.
+
+/// The precision of the tests of triangles and edges, and their coordinates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Single precision, in the tree's coordinates.
+    Single,
+    /// Double precision, in the world's coordinates.
+    Double,
+}

@@ -1,0 +1,116 @@
+//! First hits and occlusion, in batches.
+
+use std::sync::Arc;
+
+use capwalk_geometry::buffers::NONE;
+use capwalk_geometry::{Hit, LocalFrame, Ray, RayTree};
+
+use crate::device::Gpu;
+use crate::error::GpuError;
+use crate::kernels::Kernel;
+use crate::launch::{self, Shape};
+use crate::local_ray::{LocalRay, RAY, write_miss};
+use crate::resident::{Arrays, Resident};
+
+/// A [`RayTree`] on the device.
+#[derive(Debug)]
+pub struct DeviceRayTree {
+    gpu: Arc<Gpu>,
+    frame: LocalFrame,
+    tree: Option<Resident>,
+}
+
+impl DeviceRayTree {
+    /// Uploads the tree.
+    pub fn new(gpu: &Arc<Gpu>, tree: &RayTree) -> Result<Self, GpuError> {
+        let buffers = tree.buffers();
+        let tree = Resident::new(
+            gpu,
+            &Arrays {
+                nodes: &buffers.nodes,
+                leaf_starts: &buffers.leaf_starts,
+                tags: &buffers.faces,
+                exact: &buffers.triangles,
+                local: &buffers.local_triangles(),
+            },
+        )?;
+        Ok(Self {
+            gpu: gpu.clone(),
+            frame: buffers.frame,
+            tree,
+        })
+    }
+
+    /// Follows a tree that was refitted: its arrays are uploaded anew.
+    pub fn refit(&mut self, tree: &RayTree) -> Result<(), GpuError> {
+        *self = Self::new(&self.gpu, tree)?;
+        Ok(())
+    }
+
+    /// The nearest intersection within each ray's bounds; of equally near ones that of the
+    /// lowest face.
+    pub fn first_hits(&self, rays: &[Ray]) -> Result<Vec<Option<Hit>>, GpuError> {
+        let shape = Shape {
+            kernel: Kernel::FirstHit,
+            numbers: RAY,
+            answers: 1,
+            values: 3,
+        };
+        let precision = self.gpu.precision();
+        let mut hits = Vec::with_capacity(rays.len());
+        self.run(shape, rays, |rays, faces, values| {
+            let values = values.as_chunks::<3>().0;
+            let answers = faces.iter().zip(values);
+            hits.extend(rays.iter().zip(answers).map(|(ray, (&face, &[t, v, w]))| {
+                let is_hit = face != NONE;
+                let local = is_hit.then(|| LocalRay::new(&self.frame, ray, precision));
+                local.flatten().map(|local| Hit {
+                    face,
+                    t: local.distance(t, precision),
+                    barycentric: [v, w],
+                })
+            }));
+        })?;
+        hits.resize(rays.len(), None);
+        Ok(hits)
+    }
+
+    /// Whether anything lies within each ray's bounds.
+    pub fn occluded(&self, rays: &[Ray]) -> Result<Vec<bool>, GpuError> {
+        let shape = Shape {
+            kernel: Kernel::Occluded,
+            numbers: RAY,
+            answers: 1,
+            values: 0,
+        };
+        let mut occluded = Vec::with_capacity(rays.len());
+        self.run(shape, rays, |_, faces, _| {
+            occluded.extend(faces.iter().map(|&face| face != NONE));
+        })?;
+        occluded.resize(rays.len(), false);
+        Ok(occluded)
+    }
+
+    /// Nothing comes back from a tree without triangles.
+    fn run(
+        &self,
+        shape: Shape,
+        rays: &[Ray],
+        finish: impl FnMut(&[Ray], &[u32], &[f64]),
+    ) -> Result<(), GpuError> {
+        self.gpu.check()?;
+        let Some(tree) = &self.tree else {
+            return Ok(());
+        };
+        let precision = self.gpu.precision();
+        let prepare = |ray: &Ray, view: &mut [u32], numbers: &mut [f64]| match LocalRay::new(
+            &self.frame,
+            ray,
+            precision,
+        ) {
+            Some(local) => local.write(ray, precision, view, numbers),
+            None => write_miss(view),
+        };
+        launch::run(&self.gpu, tree, shape, rays, prepare, finish)
+    }
+}
