@@ -19,6 +19,7 @@ pub mod real;
 pub mod rgb;
 pub mod special;
 pub mod sphere;
+pub mod spherical_rectangle;
 pub mod spherical_triangle;
 pub mod stats;
 pub mod tape;

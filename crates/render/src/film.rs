@@ -12,7 +12,7 @@
 use std::f64::consts::PI;
 
 use capwalk_boundary::{Draw, Viewpoint};
-use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_math::{Real, Rgb};
 use capwalk_scene::sensor::view::{View, ViewRay};
 
 use crate::camera::Camera;
@@ -52,45 +52,47 @@ impl Tracer<'_> {
     /// One sample of a pixel: filtered radiance, and its derivative if `R` has one.
     pub fn pixel<R: Real, W: SceneEval<R>>(&self, eval: &W, pixel: [u32; 2], draw: Draw) -> Rgb<R> {
         let support = self.supports.pixel(pixel);
-        let camera = self.camera(eval, draw);
-        if W::MOVES && self.gathers.camera && eval.moves() {
+        let moving = self.view(eval, draw);
+        if !W::MOVES {
+            return self.interior_of_fixed_points(eval, &moving, &support, draw);
+        }
+        let camera = Camera {
+            primal: moving.value(),
+            moving,
+        };
+        if self.gathers.camera && eval.moves() {
             // Film points stay, also those on the border: there is no pixel-border term.
-            return self.interior_of_fixed_points(eval, &camera, &support, draw)
+            return self.interior_of_fixed_points(eval, &camera.moving, &support, draw)
                 + self.pixel_silhouette_term(eval, &camera, pixel, &support, draw);
         }
         let light = self.interior(eval, &camera, &support, draw);
-        match W::MOVES && support.is_discontinuous() {
+        match support.is_discontinuous() {
             true => light + self.pixel_border_term(eval, &camera, &support, draw),
             false => light,
         }
     }
 
-    /// The camera as seen from a point sampled on its lens.
-    fn camera<R: Real, W: SceneEval<R>>(&self, eval: &W, draw: Draw) -> Camera<R> {
+    /// What the camera sees from a point sampled on its lens.
+    #[inline]
+    fn view<R: Real, W: SceneEval<R>>(&self, eval: &W, draw: Draw) -> View<R> {
         let has_lens = self.accel.scene.sensor.model.has_lens();
-        let moving = eval.view(has_lens.then(|| uniform_disk(draw.stream.pair(LENS))));
-        Camera {
-            primal: moving.value(),
-            moving,
-        }
+        eval.view(has_lens.then(|| uniform_disk(draw.stream.pair(LENS))))
     }
 
     /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, sampled as in
-    /// a primal rendering.
+    /// a primal rendering; all of a primal image.
     fn interior_of_fixed_points<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        camera: &Camera<R>,
+        view: &View<R>,
         support: &Support,
         draw: Draw,
     ) -> Rgb<R> {
         // Sample the film point by the filter.
-        let stream = draw.stream;
-        let s = support.sample(0.0, stream.number(FILM_CHOICE), stream.pair(FILM));
-        let view = &camera.moving;
+        let s = support.sample(0.0, 0.0, draw.stream.pair(FILM));
         let ray = view.ray(view.direction(s.map(R::constant)));
-        let weight = support.weight(s) / support.pdf(0.0, s);
-        self.weighted(eval, ray, R::constant(weight), draw)
+        let weight = R::constant(support.weight_over_pdf(s));
+        self.weighted(eval, ray, weight, draw)
     }
 
     /// A sample of the radiance along a camera ray, times its weight in the pixel.
@@ -118,12 +120,11 @@ impl Tracer<'_> {
         draw: Draw,
     ) -> Rgb<R> {
         let stream = draw.stream;
-        // Sample a film point by the filter, for derivatives half of the time uniformly.
-        let uniform = if W::MOVES { UNIFORM } else { 0.0 };
-        let s = support.sample(uniform, stream.number(FILM_CHOICE), stream.pair(FILM));
-        let density = support.pdf(uniform, s);
+        // Sample a film point, half of the time by the filter, half uniformly.
+        let s = support.sample(UNIFORM, stream.number(FILM_CHOICE), stream.pair(FILM));
+        let density = support.pdf(UNIFORM, s);
         let point = self.film_point(eval, camera, s, 0, draw);
-        if !W::MOVES || support.is_discontinuous() {
+        if support.is_discontinuous() {
             return self.share(eval, support, &point, density, draw);
         }
         // The filter's derivative has opposite signs on opposite sides of its centre: where
@@ -190,7 +191,7 @@ impl Tracer<'_> {
         light
     }
 
-    /// A film point in its place, and in derivatives warped by the field.
+    /// A film point, warped by the field.
     fn film_point<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -201,14 +202,6 @@ impl Tracer<'_> {
     ) -> FilmPoint<R> {
         let view = &camera.moving;
         let q = camera.primal.direction(s);
-        if !W::MOVES {
-            return FilmPoint {
-                ray: view.ray(Vec3::constant(q)),
-                film: s.map(R::constant),
-                jacobian: R::constant(1.0),
-                near_boundary: false,
-            };
-        }
         let (settings, numbers) = self.film_walk(walk, draw);
         let warped = eval.warp(&self.camera_viewpoint(view), q, settings, numbers);
         let area = view.film_area_per_solid_angle(warped.direction);

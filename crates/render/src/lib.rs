@@ -32,6 +32,7 @@ mod pixel_silhouettes;
 mod plan;
 mod prepared;
 mod radiance;
+mod rectangle_sampler;
 mod sampled_edge_term;
 mod sampled_edges;
 mod scene_eval;

@@ -234,11 +234,11 @@ fn sample_emitter(
             let direction = point.direction;
             // False for NaN, which the pixel counts.
             let behind = !vertex.transmits && direction.dot(vertex.frame.n) <= 0.0;
-            if behind || !accel.visible(position, point.position) {
+            if behind || !accel.surface_sees(position, direction, point.distance) {
                 return None;
             }
             let hit = Hit {
-                t: (point.position - position).length(),
+                t: point.distance,
                 face: accel.emitter_face(emitter, point.face),
                 barycentric: point.barycentric,
             };

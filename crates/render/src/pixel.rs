@@ -31,6 +31,8 @@ pub struct Side {
     bins: [f64; BINS],
     /// The sums of those before each.
     below: [f64; BINS],
+    /// True if the filter is the same everywhere between the bounds.
+    is_flat: bool,
 }
 
 /// Bins of the piecewise constant density that filters are drawn from.
@@ -134,6 +136,15 @@ impl Support<'_> {
         [draw(self.sides[0], u[0]), draw(self.sides[1], u[1])]
     }
 
+    /// Weight over density of a film point drawn from the filter's magnitude alone.
+    #[inline]
+    pub fn weight_over_pdf(&self, s: [f64; 2]) -> f64 {
+        match self.sides.iter().all(|side| side.is_flat) {
+            true => 1.0,
+            false => self.weight(s) / self.pdf(0.0, s),
+        }
+    }
+
     /// Density of [`Support::sample`], per pixel area.
     #[inline]
     pub fn pdf(&self, uniform: f64, s: [f64; 2]) -> f64 {
@@ -177,6 +188,7 @@ impl Side {
             integral: integrate_pieces(f, bounds, centre),
             bins,
             below,
+            is_flat: filter == Filter::Box,
         }
     }
 
@@ -193,7 +205,11 @@ impl Side {
     }
 
     /// Draws a point with a density close to the filter's magnitude.
+    #[inline]
     fn sample(&self, u: f64) -> f64 {
+        if self.is_flat {
+            return self.bounds[0] + u * self.width();
+        }
         // The number of bins is a power of two: halve what is left until it is one.
         let (mut bin, mut half) = (0, BINS / 2);
         while half > 0 {

@@ -31,7 +31,7 @@ use crate::emitter_edge_term::emitter_edge_term;
 use crate::light::{Continuation, emitter_towards, sample_lights};
 use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
-use crate::shading::vertex_at;
+use crate::shading::{add_lobes, black_vertex_at};
 use crate::surface::{emitted_at, irradiance_of, surface_at};
 use crate::tracer::{LeavesOut, Moving, Tracer};
 use crate::vertex::Vertex;
@@ -152,9 +152,10 @@ impl Tracer<'_> {
                 break;
             };
             let surface = surface_at(eval, accel, &found, origin, direction);
-            let Some(vertex) = vertex_at(eval, accel, &surface, direction) else {
+            let mut vertex = black_vertex_at(&surface, direction);
+            if !add_lobes(eval, accel, &surface, &mut vertex) {
                 break;
-            };
+            }
             chain.here = accel.flat_events(&found);
             // Light that comes from emitters, and a direction in which the path can go on.
             let Emitted {

@@ -17,33 +17,48 @@ pub fn vertex_at<R: Real, W: SceneEval<R>>(
     surface: &Surface<R>,
     direction: Vec3<R>,
 ) -> Option<Vertex<R>> {
-    let mut frame = match surface.tangents {
+    let mut vertex = black_vertex_at(surface, direction);
+    add_lobes(eval, accel, surface, &mut vertex).then_some(vertex)
+}
+
+/// The same vertex without its lobes.
+#[inline]
+pub fn black_vertex_at<R: Real>(surface: &Surface<R>, direction: Vec3<R>) -> Vertex<R> {
+    let frame = match surface.tangents {
         // As in Mitsuba: the first axis follows the first texture coordinate.
         Some([along_u, _]) => Frame::from_normal_and_tangent(surface.outward, along_u),
         None => Frame::from_normal(surface.outward),
     };
+    Vertex::black(surface.position, surface.face_normal, frame, -direction)
+}
+
+/// Adds them, in its place: they are large, and copying them takes as long as finding them.
+/// False if there are none.
+pub fn add_lobes<R: Real, W: SceneEval<R>>(
+    eval: &W,
+    accel: &Accel,
+    surface: &Surface<R>,
+    vertex: &mut Vertex<R>,
+) -> bool {
     let textures = &mut Textures {
         eval,
         surface,
-        frame,
+        frame: vertex.frame,
     };
-    let resolver = &accel.resolver;
-    let resolved = resolver.resolve(&accel.scene, surface.material, surface.side, textures);
-    resolved.bsdf.lobes().next()?;
-    if resolved.flipped {
-        frame.n = -frame.n;
+    let (resolver, scene) = (&accel.resolver, &accel.scene);
+    let bsdf = &mut vertex.bsdf;
+    let flipped = resolver.resolve_into(scene, surface.material, surface.side, textures, bsdf);
+    if bsdf.lobes().next().is_none() {
+        return false;
     }
-    let bsdf = match W::MOVES {
-        true => resolved.bsdf.explored(),
-        false => resolved.bsdf,
-    };
-    Some(Vertex::new(
-        surface.position,
-        surface.face_normal,
-        frame,
-        -direction,
-        bsdf,
-    ))
+    if W::MOVES {
+        bsdf.explore();
+    }
+    vertex.transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
+    if flipped {
+        vertex.turn_over();
+    }
+    true
 }
 
 /// The textures at an intersection.

@@ -1,11 +1,15 @@
 //! Sampling of directions towards a mesh, nearly in proportion to solid angle: a tree of its
 //! triangles is descended by how large its parts are seen, and a triangle is sampled
-//! uniformly by solid angle. The time grows with the logarithm of the triangles.
+//! uniformly by solid angle. The time grows with the logarithm of the triangles. What is a
+//! rectangle is sampled as one.
 
 use std::ops::Range;
 
 use capwalk_geometry::Mesh;
+use capwalk_math::spherical_rectangle::SphericalRectangle;
 use capwalk_math::{Vec3, spherical_triangle};
+
+use crate::rectangle_sampler::RectangleSampler;
 
 /// Triangles in a leaf: among so few, all solid angles are computed.
 const LEAF: usize = 4;
@@ -24,6 +28,8 @@ pub struct TriangleSampler {
     rank: Vec<u32>,
     /// The root is the first.
     nodes: Vec<Node>,
+    /// All of it, if it is a rectangle.
+    rectangle: Option<RectangleSampler>,
 }
 
 /// Neighbours in the order of triangles, and bounds of them.
@@ -50,8 +56,8 @@ struct Node {
 pub struct TrianglePoint {
     /// Unit direction to it.
     pub direction: Vec3,
-    /// World-space position.
-    pub position: Vec3,
+    /// Distance to it.
+    pub distance: f64,
     /// The triangle.
     pub face: u32,
     /// Weights of its second and third corner.
@@ -77,6 +83,7 @@ impl TriangleSampler {
             order,
             rank,
             nodes,
+            rectangle: RectangleSampler::new(mesh),
         }
     }
 
@@ -93,6 +100,20 @@ impl TriangleSampler {
     /// A point that is seen from the front, and its density. `None` if there is none where
     /// the random numbers lead.
     pub fn sample(&self, viewpoint: Vec3, [mut u, v]: [f64; 2]) -> Option<TrianglePoint> {
+        if let Some(rectangle) = &self.rectangle {
+            let seen = rectangle.seen_from(viewpoint)?;
+            if let Some(pdf) = rectangle_pdf(&seen) {
+                let point = rectangle.sample(&seen, [u, v]);
+                let distance = point.offset.length();
+                return Some(TrianglePoint {
+                    direction: point.offset / distance,
+                    distance,
+                    face: point.face,
+                    barycentric: point.barycentric,
+                    pdf,
+                });
+            }
+        }
         // Descend by how large the halves are seen, and use the random number again.
         let mut node = &self.nodes[0];
         let mut chosen = 1.0;
@@ -148,7 +169,7 @@ impl TriangleSampler {
             let direction = offset / distance;
             return TrianglePoint {
                 direction,
-                position: viewpoint + offset,
+                distance,
                 face,
                 barycentric: [wb, wc],
                 pdf: chosen * density(solid_angle, cross, distance, direction),
@@ -163,7 +184,7 @@ impl TriangleSampler {
         let wc = (ab.cross(inside).dot(cross) / squared).clamp(0.0, 1.0 - wb);
         TrianglePoint {
             direction,
-            position: viewpoint + direction * t,
+            distance: t,
             face,
             barycentric: [wb, wc],
             pdf: chosen * density(solid_angle, cross, t, direction),
@@ -173,6 +194,14 @@ impl TriangleSampler {
     /// Density per solid angle with which [`TriangleSampler::sample`] draws the direction to a
     /// point of the front of a triangle.
     pub fn pdf(&self, viewpoint: Vec3, face: u32, direction: Vec3, distance: f64) -> f64 {
+        if let Some(rectangle) = &self.rectangle {
+            let Some(seen) = rectangle.seen_from(viewpoint) else {
+                return 0.0;
+            };
+            if let Some(pdf) = rectangle_pdf(&seen) {
+                return pdf;
+            }
+        }
         let rank = self.rank[face as usize] as usize;
         let mut node = &self.nodes[0];
         let mut chosen = 1.0;
@@ -211,6 +240,13 @@ impl TriangleSampler {
         }
         found
     }
+}
+
+/// Density per solid angle with which a rectangle is sampled in one piece; `None` if it is seen
+/// so small that its triangles are sampled instead, by area.
+#[inline]
+fn rectangle_pdf(seen: &SphericalRectangle) -> Option<f64> {
+    (seen.solid_angle >= SMALL).then(|| 1.0 / seen.solid_angle)
 }
 
 /// How a triangle's point is sampled, as a density per solid angle times the solid angle
@@ -350,13 +386,15 @@ mod tests {
         ]
     }
 
-    /// Far, near, within the ball around some of them, and nearly in a plane of the cube.
-    const VIEWPOINTS: [[f64; 3]; 5] = [
+    /// Far, near, within the ball around some of them, nearly in a plane of the cube, and so far
+    /// that a rectangle is sampled by area.
+    const VIEWPOINTS: [[f64; 3]; 6] = [
         [40.0, 10.0, -35.0],
         [0.2, 0.1, 0.2],
         [0.9, -0.3, 0.75],
         [-0.6, 0.4, 1.6],
         [0.5, -0.2, 3.0],
+        [1800.0, 500.0, -1500.0],
     ];
 
     /// The `i`-th of points that fill the unit square evenly.
@@ -394,16 +432,13 @@ mod tests {
                     let Some(point) = sampler.sample(viewpoint, numbers(i)) else {
                         continue;
                     };
-                    let offset = point.position - viewpoint;
-                    let distance = offset.length();
-                    assert!((offset / distance - point.direction).length() < 1e-9);
+                    let distance = point.distance;
+                    assert!((point.direction.length() - 1.0).abs() < 1e-14);
+                    let position = viewpoint + point.direction * distance;
                     let [a, b, c] = mesh.corners(point.face as usize);
                     let [wb, wc] = point.barycentric;
                     let there = a + (b - a) * wb + (c - a) * wc;
-                    assert!(
-                        (there - point.position).length() < 1e-9 * distance,
-                        "{name}"
-                    );
+                    assert!((there - position).length() < 1e-9 * distance, "{name}");
                     let pdf = sampler.pdf(viewpoint, point.face, point.direction, distance);
                     assert!((pdf / point.pdf - 1.0).abs() < 1e-9, "{name}");
                     let weight = 1.0 / (point.pdf * f64::from(n));

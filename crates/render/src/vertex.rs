@@ -34,13 +34,29 @@ impl<R: Real> Vertex<R> {
     ) -> Self {
         let transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
         Self {
+            transmits,
+            bsdf,
+            ..Self::black(position, face_normal, frame, wi)
+        }
+    }
+
+    /// A vertex without lobes, seen from the unit direction `wi`.
+    #[inline]
+    pub fn black(position: Vec3<R>, face_normal: Vec3, frame: Frame<R>, wi: Vec3<R>) -> Self {
+        Self {
             position,
             face_normal,
             wi: frame.to_local(wi),
             frame,
-            transmits,
-            bsdf,
+            bsdf: LocalBsdf::default(),
+            transmits: false,
         }
+    }
+
+    /// Turns the normal of its frame over.
+    pub fn turn_over(&mut self) {
+        self.frame.n = -self.frame.n;
+        self.wi.z = -self.wi.z;
     }
 
     /// BSDF times cosine for the unit direction of incident light, per solid angle; zero for

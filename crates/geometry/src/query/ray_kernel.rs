@@ -191,33 +191,32 @@ impl<S: Simd> LocalRay<S> {
         let shear = RayShear::new(ray.direction)?;
         let speed = shear.inverse_z.abs();
         let direction = ray.direction * speed;
-        let local_per_world = frame.inverse_scale / speed;
+        let local_per_world = frame.inverse_scale * ray.direction[shear.axes[2]].abs();
         let origin = frame.local_from_world(ray.origin);
         let margin = PLANE_MARGIN + ORIGIN_MARGIN * origin.map(f64::abs).max_component();
+        let inverse = Vec3::new(
+            inverse_speed(direction.x),
+            inverse_speed(direction.y),
+            inverse_speed(direction.z),
+        );
 
         // The part of the ray within the tree: it lies between -1 and 1.
         let mut enter = ray.t_min * local_per_world;
         let mut exit = ray.t_max * local_per_world;
         for axis in 0..3 {
-            let (from, d) = (origin[axis], direction[axis]);
-            let reach = 1.0 + margin;
-            if d == 0.0 {
-                if from.abs() > reach {
-                    return None;
-                }
-            } else {
-                let side = reach.copysign(d);
-                enter = enter.max((-side - from) / d);
-                exit = exit.min((side - from) / d);
-            }
+            let (from, inverse) = (origin[axis], inverse[axis]);
+            let side = (1.0 + margin).copysign(inverse);
+            enter = enter.max((-side - from) * inverse);
+            exit = exit.min((side - from) * inverse);
         }
         let is_in_reach = enter <= exit; // false for NaN
         if !is_in_reach {
             return None;
         }
-        let x = Slab::new(simd, origin.x, direction.x, enter, margin);
-        let y = Slab::new(simd, origin.y, direction.y, enter, margin);
-        let z = Slab::new(simd, origin.z, direction.z, enter, margin);
+        let start = origin + direction * enter;
+        let x = Slab::new(simd, start.x, inverse.x, margin);
+        let y = Slab::new(simd, start.y, inverse.y, margin);
+        let z = Slab::new(simd, start.z, inverse.z, margin);
         let [i, j, k] = shear.axes;
         Some(Self {
             origin: [
@@ -270,6 +269,14 @@ impl<S: Simd> LocalRay<S> {
     }
 }
 
+/// One over a component of a ray's direction, finite.
+#[inline(always)]
+fn inverse_speed(direction: f64) -> f64 {
+    let is_slow = direction.abs() < SLOWEST;
+    let speed = if is_slow { SLOWEST } else { direction.abs() };
+    speed.recip().copysign(direction)
+}
+
 /// A ray's motion along one axis.
 struct Slab<S: Simd> {
     /// Distance per movement along the axis.
@@ -282,17 +289,9 @@ struct Slab<S: Simd> {
 }
 
 impl<S: Simd> Slab<S> {
-    /// For a ray that starts at the distance `enter` from the origin.
+    /// For a ray that starts in this place, with one over its speed.
     #[inline(always)]
-    fn new(simd: S, origin: f64, direction: f64, enter: f64, margin: f64) -> Self {
-        let start = origin + direction * enter;
-        let is_slow = direction.abs() < SLOWEST;
-        let direction = if is_slow {
-            SLOWEST.copysign(direction)
-        } else {
-            direction
-        };
-        let inverse = direction.recip();
+    fn new(simd: S, start: f64, inverse: f64, margin: f64) -> Self {
         let (offset, margin) = (start * inverse, margin * inverse.abs());
         Self {
             inverse: simd.splat(inverse as f32),

@@ -83,18 +83,33 @@ impl Resolver {
         side: Side,
         textures: &mut impl TexturesAt<R>,
     ) -> Resolved<R> {
+        let mut bsdf = lobe::LocalBsdf::default();
+        let flipped = self.resolve_into(scene, id, side, textures, &mut bsdf);
+        Resolved { bsdf, flipped }
+    }
+
+    /// The same with the lobes written to `bsdf`, which has none: they are large, and copying
+    /// them takes as long as finding them. Returns whether the frame is to be turned over.
+    #[inline]
+    pub fn resolve_into<R: Real>(
+        &self,
+        scene: &Scene,
+        id: BsdfId,
+        side: Side,
+        textures: &mut impl TexturesAt<R>,
+        bsdf: &mut lobe::LocalBsdf<R>,
+    ) -> bool {
         let mut parts = Parts {
-            bsdf: lobe::LocalBsdf::default(),
+            bsdf,
             flipped: false,
             is_opaque: self.two_sided[id.0 as usize],
             tilt: None,
         };
         self.add(scene, id, side, R::constant(1.0), textures, &mut parts);
         let side = if parts.flipped { Side::Front } else { side };
-        Resolved {
-            bsdf: parts.bsdf.seen_from(side),
-            flipped: parts.flipped,
-        }
+        let flipped = parts.flipped;
+        bsdf.see_from(side);
+        flipped
     }
 
     fn add<R: Real>(
@@ -104,7 +119,7 @@ impl Resolver {
         side: Side,
         weight: R,
         textures: &mut impl TexturesAt<R>,
-        parts: &mut Parts<R>,
+        parts: &mut Parts<'_, R>,
     ) {
         let one = R::constant(1.0);
         match &scene.material(id).bsdf {
@@ -183,8 +198,8 @@ impl Resolver {
 }
 
 /// What has been put together so far.
-struct Parts<R> {
-    bsdf: lobe::LocalBsdf<R>,
+struct Parts<'a, R> {
+    bsdf: &'a mut lobe::LocalBsdf<R>,
     flipped: bool,
     /// There is a two-sided material: nothing may transmit, whatever changes.
     is_opaque: bool,
@@ -192,7 +207,7 @@ struct Parts<R> {
     tilt: Option<Tilt<R>>,
 }
 
-impl<R: Real> Parts<R> {
+impl<R: Real> Parts<'_, R> {
     fn push(&mut self, weight: R, lobe: Lobe<R>) {
         // What passes goes straight on, whatever the normal.
         let passes = matches!(lobe, Lobe::Null(_));

@@ -41,6 +41,7 @@ pub struct BsdfSample {
 
 impl<R: Real> Default for LocalBsdf<R> {
     /// A black surface: no lobes, to be seen from both sides.
+    #[inline]
     fn default() -> Self {
         Self {
             lobes: [const { None }; 4],
@@ -78,6 +79,7 @@ impl<R: Real> LocalBsdf<R> {
     /// # Panics
     ///
     /// If there is no place; refuse such materials when reading them.
+    #[inline]
     pub fn push_tilted(&mut self, weight: R, lobe: Lobe<R>, tilt: Option<Tilt<R>>) {
         let place = self.lobes.iter().position(Option::is_none);
         let place = place.expect("materials of more lobes are refused when read");
@@ -116,8 +118,14 @@ impl<R: Real> LocalBsdf<R> {
     /// one-sided ones count as seen from the front.
     #[must_use]
     pub fn seen_from(mut self, side: Side) -> Self {
-        self.side = Some(side);
+        self.see_from(side);
         self
+    }
+
+    /// [`LocalBsdf::seen_from`] in place.
+    #[inline]
+    pub fn see_from(&mut self, side: Side) {
+        self.side = Some(side);
     }
 
     /// `wi` in a lobe's frame, on the side that is seen; `None` if the lobe shows
@@ -157,7 +165,29 @@ impl<R: Real> LocalBsdf<R> {
     }
 
     /// `f(wi, wo) |cos wo|` of everything but perfectly specular parts.
+    // Not inlined: among the rest of a path all lobes would be evaluated and one selected.
+    #[inline(never)]
     pub fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+        if let Some((weight, lobe)) = self.only_lobe() {
+            let wi = self.side.map_or(wi, |side| side.put(wi));
+            return lobe.eval(wi, wo) * *weight;
+        }
+        self.eval_all(wi, wo)
+    }
+
+    /// The lobe, if it is the only one, is about the shading normal, and shows something to the
+    /// side that is seen.
+    #[inline]
+    fn only_lobe(&self) -> Option<&(R, Lobe<R>)> {
+        let [first @ Some((_, lobe)), None, None, None] = &self.lobes else {
+            return None;
+        };
+        let is_level = self.tilts[0].is_none() && self.shows(lobe);
+        first.as_ref().filter(|_| is_level)
+    }
+
+    /// [`LocalBsdf::eval`] of any lobes.
+    fn eval_all(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
         let parts = self.lobes().zip(self.tilts());
         let parts = parts.filter(|((_, lobe), _)| self.shows(lobe));
         parts.fold(Rgb::zero(), |sum, ((weight, lobe), tilt)| {
@@ -220,8 +250,14 @@ impl<R: Real> LocalBsdf<R> {
     /// their weights may have derivatives.
     #[must_use]
     pub fn explored(mut self) -> Self {
-        self.is_explored = [true; 4];
+        self.explore();
         self
+    }
+
+    /// [`LocalBsdf::explored`] in place.
+    #[inline]
+    pub fn explore(&mut self) {
+        self.is_explored = [true; 4];
     }
 
     /// True if all lobes are diffuse.
@@ -247,7 +283,18 @@ impl LocalBsdf {
 
     /// Density per solid angle of the smooth directions that [`LocalBsdf::sample`]
     /// draws, including the probability that it draws one.
+    #[inline(never)]
     pub fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+        match self.only_lobe() {
+            Some((weight, lobe)) if *weight > 0.0 => {
+                lobe.pdf(self.side.map_or(wi, |side| side.put(wi)), wo)
+            }
+            _ => self.pdf_of_all(wi, wo),
+        }
+    }
+
+    /// [`LocalBsdf::pdf`] of any lobes.
+    fn pdf_of_all(&self, wi: Vec3, wo: Vec3) -> f64 {
         let total = self.total_chance();
         if total <= 0.0 {
             return 0.0;
