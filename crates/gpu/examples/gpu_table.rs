@@ -8,6 +8,7 @@
 
 use std::f64::consts::PI;
 use std::fmt::Debug;
+use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -26,7 +27,17 @@ const CAPACITY: usize = 64;
 /// Batches; the fastest counts.
 const ROUNDS: usize = 5;
 
-fn main() -> Result<(), GpuError> {
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), GpuError> {
     let mut options = GpuOptions::default();
     options.adapter = std::env::args().nth(1);
     let mesh = bumpy_sphere(SPLITS);

@@ -25,7 +25,7 @@
 //! brute force up to the rounding of divisions and square roots, which devices need not do
 //! as exactly as processors. Elsewhere ([`Precision::Single`]) they are decided in the
 //! coordinates of the tree, and are those for primitives and viewpoints moved by no more
-//! than [`SINGLE_ERROR`] times the distance.
+//! than [`SINGLE_ERROR`] times their distance, or so: its documentation says which.
 
 mod device;
 mod error;

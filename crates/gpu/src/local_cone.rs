@@ -18,11 +18,13 @@ pub const CONE: usize = 16;
 /// each rounded by at most 2⁻²⁴, among them those of the bounds as they are stored.
 const POSITION_MARGIN: f64 = 1.0 / (1 << 18) as f64;
 
-/// By how much single precision moves what triangles and edges are tested with, per unit
-/// of distance between the viewpoint and the tree's farthest point: a silhouette found
-/// there is one of some viewpoint that is as near, and none is missed. Angles are off by
-/// this, times that distance over the one of the silhouette. About 1e-6: ten roundings of
-/// positions, and as much again for those of the test.
+/// By how much single precision moves what edges are tested with, per unit of `|x| + |y| +
+/// |z| + 3`, where these are the viewpoint's coordinates in the tree's frame: about its
+/// distance from the tree's farthest point. A silhouette found there is one of some
+/// viewpoint as near as that, and none is missed. Angles are off by this error over the
+/// silhouette's distance. About 1e-6: ten roundings of positions, and as much again for
+/// those of the test. For triangles, rays start where they enter the frame, and the error
+/// is 4 of these.
 pub const SINGLE_ERROR: f64 = 1.0 / (1 << 20) as f64;
 
 /// A pseudo-angle that no point has: those go up to 2.

@@ -1,6 +1,6 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 81380961af6b0e7d
+// source: d5a1ca4ec11ac0e8
 // result: 1f9bd372d0ef83b5
 
 struct Batch_std140_0
