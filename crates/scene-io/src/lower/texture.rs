@@ -9,7 +9,7 @@ use super::lowering::Lowering;
 use super::spectrum_plugin::{SPECTRA, depends_on_use};
 use crate::bitmap::{self, BitmapFile};
 use crate::fields::Fields;
-use crate::node::{Kind, NodeId, PropertyValue, Spectrum};
+use crate::node::{Kind, NodeId, Property, PropertyValue, Spectrum};
 use crate::problem::Problem;
 use crate::texts::Span;
 
@@ -215,6 +215,7 @@ impl Lowering<'_> {
                 )
                 .help(format!("expected one colour, <rgb name=\"{slot}\" .../>")));
             }
+            let quantity = quantity_in_texture(fields.get(slot), quantity);
             let colour = self.colour(fields, slot, quantity, Rgb::splat(default))?;
             data.extend(colour.to_array());
         }
@@ -226,6 +227,18 @@ impl Lowering<'_> {
                 to_uv: uv_transform(fields)?,
             },
         })
+    }
+}
+
+/// What a colour is that stands in a texture for this quantity: spectra are reflectances, as in
+/// Mitsuba, also where the texture is light. Other colours of light may be above 1.
+fn quantity_in_texture(property: Option<&Property>, quantity: Quantity) -> Quantity {
+    match property.map(|property| &property.value) {
+        Some(PropertyValue::Spectrum(Spectrum::Sampled(_) | Spectrum::File(_))) => {
+            Quantity::Reflectance
+        }
+        _ if is_light(quantity) => Quantity::Factor,
+        _ => quantity,
     }
 }
 
