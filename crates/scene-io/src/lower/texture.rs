@@ -23,6 +23,9 @@ const REFUSED: [(&str, &str); 1] = [(
      <texture type=\"bitmap\">",
 )];
 
+/// How deep spectra and textures may stand in spectra.
+const MAX_DEPTH: usize = 8;
+
 /// A checkerboard that is used for a number is another one in Mitsuba.
 const SWAPPED: &str = "is a checkerboard of numbers, whose squares Mitsuba 3.9 exchanges: its image is \
                        that of \"color0\" and \"color1\" in each other's place";
@@ -123,10 +126,17 @@ impl Lowering<'_> {
             }
             return Ok(known);
         }
+        if self.texture_depth > MAX_DEPTH {
+            let message = "textures stand inside each other too deep";
+            return Err(Problem::unsupported(fields.node.span, message)
+                .help(format!("expected at most {MAX_DEPTH} inside each other")));
+        }
         let id = fields.node.id.clone().unwrap_or_else(|| otherwise.into());
         let (texture, span) = match fields.node.plugin.as_str() {
             plugin if SPECTRA.contains(&plugin) => {
+                self.texture_depth += 1;
                 let texture = self.spectrum_plugin(&fields, &id, quantity)?;
+                self.texture_depth -= 1;
                 fields.finish()?;
                 self.texture_of_node.insert(node, (texture, quantity));
                 return Ok(texture);

@@ -152,3 +152,28 @@ fn long_texts() {
         assert!(error.len() < 2000, "{} bytes", error.len());
     }
 }
+
+/// Spectra in spectra, each referring to the next.
+#[test]
+fn spectra_that_nest() {
+    let chain = |length| {
+        let spectra = many(length, |text, i| {
+            let next = i + 1;
+            write!(
+                text,
+                "<spectrum type=\"d65\" id=\"a{i}\"><ref id=\"a{next}\"/></spectrum>"
+            )
+            .expect("memory");
+        });
+        scene(&format!(
+            "{spectra}<spectrum type=\"d65\" id=\"a{length}\"/>"
+        ))
+    };
+    load(&chain(7));
+    let error = within("spectra", || message(&chain(10_000), &[]));
+    assert!(
+        error.contains("textures stand inside each other too deep")
+            && error.contains("expected at most 8 inside each other"),
+        "{error}"
+    );
+}
