@@ -177,3 +177,37 @@ fn spectra_that_nest() {
         "{error}"
     );
 }
+
+/// The parser looks at all declarations of the elements around each.
+#[test]
+fn namespaces() {
+    let declared = many(6000, |text, i| {
+        write!(text, "<bsdf xmlns:n{i}=\"u{i}\" type=\"diffuse\"/>").expect("memory");
+    });
+    let error = within("namespaces", || message(&scene(&declared), &[]));
+    assert_eq!(
+        error,
+        "scene.xml:5:9: scene files have no namespaces\n  remove \"xmlns...\" and prefixes of \
+         names"
+    );
+    let error = message(&scene("<bsdf\nxmlns = 'u' type=\"diffuse\"/>"), &[]);
+    assert!(error.starts_with("scene.xml:6:1: scene files"), "{error}");
+    // Where it is none.
+    load(&scene(
+        "<!-- xmlns:a=\"b\" --><bsdf type=\"diffuse\" id=\" xmlns=\"/>",
+    ));
+}
+
+/// Nothing is built of elements that are nested too deep, whether they are closed or not.
+#[test]
+fn depth_is_seen_before_parsing() {
+    let open = "<bsdf type=\"twosided\">\n".repeat(40);
+    let error = message(&format!("{HEAD}{open}"), &[]);
+    assert_eq!(
+        error,
+        "scene.xml:33:1: <bsdf> is nested 33 elements deep\n  at most 32 are read"
+    );
+    // Elements side by side are not.
+    let closed = "<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"></bsdf>".repeat(40);
+    load(&scene(&closed));
+}
