@@ -4,6 +4,7 @@
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
+use capwalk_scene_io::image::{self, Layer, LayeredImage, Preview, VALUE};
 use capwalk_scene_io::load_scene_str;
 
 use crate::common::*;
@@ -210,4 +211,51 @@ fn depth_is_seen_before_parsing() {
     // Elements side by side are not.
     let closed = "<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"></bsdf>".repeat(40);
     load(&scene(&closed));
+}
+
+/// The size that a header announces is compared with the length of the file.
+#[test]
+fn images_without_pixels() {
+    let folder = std::env::temp_dir().join(format!("capwalk-exr-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join("bomb.exr");
+    let image = capwalk_scene::Image {
+        width: 2,
+        height: 2,
+        pixels: vec![capwalk_math::Rgb::splat(0.5); 4],
+    };
+    let layers = vec![Layer {
+        name: VALUE.into(),
+        image,
+    }];
+    let layered = LayeredImage {
+        layers,
+        ..LayeredImage::default()
+    };
+    image::write(&path, &layered, &Preview::default()).expect("an image");
+    let mut bytes = std::fs::read(&path).expect("the image");
+    let find = |bytes: &[u8], part: &[u8]| {
+        let mut places = bytes.windows(part.len());
+        places.position(|w| w == part).expect("is in the header")
+    };
+    // Files of others do not say how many chunks they have.
+    let count = find(&bytes, b"chunkCount\0int\0\x04\0\0\0");
+    bytes.drain(count..count + 23);
+    let window = b"dataWindow\0box2i\0\x10\0\0\0";
+    let corner = find(&bytes, window) + window.len() + 8;
+    for side in [9_999_999_i32, 400_000, 60_000] {
+        for at in [corner, corner + 4] {
+            bytes[at..at + 4].copy_from_slice(&side.to_le_bytes());
+        }
+        std::fs::write(&path, &bytes).expect("a file");
+        let error = image::read(&path).expect_err("an image without pixels");
+        assert!(error.to_string().contains("bytes cannot hold"), "{error}");
+        let shown = path.display();
+        let texture = format!(
+            "<texture type=\"bitmap\"><string name=\"filename\" value=\"{shown}\"/></texture>"
+        );
+        let error = message(&scene(&texture), &[]);
+        assert!(error.contains("bytes cannot hold"), "{error}");
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder");
 }
