@@ -6,6 +6,7 @@ use std::time::{Duration, Instant};
 
 use capwalk_scene_io::image::{self, Layer, LayeredImage, Preview, VALUE};
 use capwalk_scene_io::load_scene_str;
+use capwalk_scene_io::mesh::read_ply;
 
 use crate::common::*;
 
@@ -258,4 +259,29 @@ fn images_without_pixels() {
         assert!(error.contains("bytes cannot hold"), "{error}");
     }
     std::fs::remove_dir_all(&folder).expect("the folder");
+}
+
+/// Names of properties and elements are compared with all others.
+#[test]
+fn long_headers_of_ply() {
+    let properties = many(200_000, |text, i| {
+        writeln!(text, "property float p{i}").expect("memory");
+    });
+    let elements = many(200_000, |text, i| {
+        writeln!(text, "element e{i} 0").expect("memory");
+    });
+    for (name, lines, line) in [
+        (
+            "properties",
+            format!("element vertex 0\n{properties}"),
+            1027,
+        ),
+        ("elements", elements, 1027),
+    ] {
+        let text = format!("ply\nformat ascii 1.0\n{lines}end_header\n");
+        let error = within(name, || read_ply(text.as_bytes(), true)).expect_err(name);
+        let expected =
+            format!("line {line}: the header has more than 1024 elements and properties");
+        assert!(error.to_string().contains(&expected), "{error}");
+    }
 }
