@@ -288,3 +288,15 @@ fn computed_normals_of_instances() {
         }
     }
 }
+
+/// An instance of nothing is nothing, and says so.
+#[test]
+fn instances_of_empty_groups_warn() {
+    let text =
+        "<shape type=\"shapegroup\" id=\"g\"/><shape type=\"instance\"><ref id=\"g\"/></shape>";
+    let (scene, warnings) = load_with_warnings(&scene(text));
+    assert!(scene.shapes.is_empty());
+    let expected =
+        "scene.xml:5:49: the group of this instance has no shapes: it is not in the image";
+    assert!(warnings.iter().any(|w| w == expected), "{warnings:?}");
+}
