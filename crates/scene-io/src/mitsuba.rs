@@ -192,7 +192,9 @@ impl Parser<'_> {
             };
             let is_free = !child.name.is_empty() && !self.ids.contains_key(&child.name);
             let object = &mut self.nodes[node.0];
-            if is_free && object.id.is_none() {
+            // The sensor's own name is refused as the id of a shape.
+            let is_sensors = child.name == "sensor" && object.kind == Kind::Shape;
+            if is_free && object.id.is_none() && !is_sensors {
                 object.id = Some(child.name.clone());
                 self.ids.insert(child.name.clone(), (node, child.name_span));
             }

@@ -12,6 +12,10 @@ const DEEPEST_NESTING: usize = 32;
 /// each with all others.
 const MOST_ATTRIBUTES: usize = 64;
 
+/// How declarations of namespaces begin. The parser looks at those of all elements around
+/// each.
+const NAMESPACE: &str = "xmlns";
+
 /// Elements, attributes and texts in one file, at most: far more than any scene
 /// written by hand or by an exporter, and a bound on memory.
 const MOST_NODES: u32 = 1 << 24;
@@ -79,7 +83,7 @@ impl Element {
 /// The root element of a text, and places of stray text, which has no effect.
 pub(crate) fn parse(texts: &Texts, file: FileId) -> Result<(Element, Vec<Span>), Problem> {
     let text = &texts.get(file).content;
-    refuse_many_attributes(text, file)?;
+    refuse_costly_tags(text, file)?;
     let options = ParsingOptions {
         nodes_limit: MOST_NODES,
         ..ParsingOptions::default()
@@ -87,14 +91,15 @@ pub(crate) fn parse(texts: &Texts, file: FileId) -> Result<(Element, Vec<Span>),
     let document =
         Document::parse_with_options(text, options).map_err(|error| syntax(text, file, &error))?;
     let mut stray = Vec::new();
-    let root = convert(document.root_element(), file, 1, &mut stray)?;
+    let root = convert(document.root_element(), file, &mut stray);
     Ok((root, stray))
 }
 
-/// Finds tags as the parser does, and counts what could be attributes in them.
-fn refuse_many_attributes(text: &str, file: FileId) -> Result<(), Problem> {
+/// Finds tags as the parser does, counts what could be attributes in them, and refuses what
+/// costs the parser, and what comes after it, more time or stack than the file is long.
+fn refuse_costly_tags(text: &str, file: FileId) -> Result<(), Problem> {
     let behind = |from: usize, end: &str| text[from..].find(end).map(|at| from + at + end.len());
-    let mut at = 0;
+    let (mut at, mut depth) = (0, 0_usize);
     while let Some(tag) = text[at..].find('<').map(|found| at + found) {
         let rest = &text[tag..];
         let skipped = [("<!--", "-->"), ("<![CDATA[", "]]>"), ("<?", "?>")];
@@ -106,19 +111,46 @@ fn refuse_many_attributes(text: &str, file: FileId) -> Result<(), Problem> {
             return Ok(()); // The parser says what is missing.
         };
         at = end;
+        match &text[tag..end] {
+            tag if tag.starts_with("</") => depth = depth.saturating_sub(1),
+            tag if tag.starts_with("<!") || tag.starts_with("<?") || tag.ends_with("/>") => {}
+            _ => depth += 1,
+        }
+        if depth > DEEPEST_NESTING {
+            return Err(too_deep(&text[tag..end], depth, file, tag));
+        }
     }
     Ok(())
+}
+
+/// The error for an element that begins with this tag, at `start`.
+fn too_deep(tag: &str, depth: usize, file: FileId, start: usize) -> Problem {
+    let name = &tag[1..];
+    let end = name.find(|c: char| c.is_whitespace() || c == '>');
+    let name = &name[..end.unwrap_or(name.len())];
+    let end = start + 1 + name.len();
+    let message = format!("<{name}> is nested {depth} elements deep");
+    Problem::unsupported(Span { file, start, end }, message)
+        .help(format!("at most {DEEPEST_NESTING} are read"))
 }
 
 /// The place behind a tag, if it ends.
 fn tag_end(text: &str, tag: usize, file: FileId) -> Result<Option<usize>, Problem> {
     let (mut quote, mut attributes) = (None, 0);
-    for (i, byte) in text.bytes().enumerate().skip(tag) {
+    let bytes = text.as_bytes();
+    let is_between = |byte: u8| byte.is_ascii_whitespace() || byte == b'\'' || byte == b'"';
+    for (i, &byte) in bytes.iter().enumerate().skip(tag) {
         match (quote, byte) {
             (None, b'>') => return Ok(Some(i + 1)),
             (None, b'\'' | b'"') => quote = Some(byte),
             (Some(open), _) if byte == open => quote = None,
             (None, b'=') => attributes += 1,
+            (None, b'x') if text[i..].starts_with(NAMESPACE) && is_between(bytes[i - 1]) => {
+                let (start, end) = (i, i + NAMESPACE.len());
+                let span = Span { file, start, end };
+                return Err(Problem::unsupported(span, "scene files have no namespaces")
+                    .help("remove \"xmlns...\" and prefixes of names"));
+            }
             _ => {}
         }
         if attributes > MOST_ATTRIBUTES {
@@ -135,23 +167,12 @@ fn tag_end(text: &str, tag: usize, file: FileId) -> Result<Option<usize>, Proble
     Ok(None)
 }
 
-fn convert(
-    node: roxmltree::Node<'_, '_>,
-    file: FileId,
-    depth: usize,
-    stray: &mut Vec<Span>,
-) -> Result<Element, Problem> {
+/// The element of a node, which is not nested deeper than [`refuse_costly_tags`] lets pass.
+fn convert(node: roxmltree::Node<'_, '_>, file: FileId, stray: &mut Vec<Span>) -> Element {
     let tag = node.tag_name().name().to_owned();
     let span = |start, end| Span { file, start, end };
     let start = node.range().start;
     let element_span = span(start, start + 1 + tag.len());
-    if depth > DEEPEST_NESTING {
-        return Err(Problem::unsupported(
-            element_span,
-            format!("<{tag}> is nested {depth} elements deep"),
-        )
-        .help(format!("at most {DEEPEST_NESTING} are read")));
-    }
     let attributes = node
         .attributes()
         .map(|a| {
@@ -167,18 +188,18 @@ fn convert(
     let mut children = Vec::new();
     for child in node.children() {
         if child.is_element() {
-            children.push(convert(child, file, depth + 1, stray)?);
+            children.push(convert(child, file, stray));
         } else if child.is_text() && !child.text().unwrap_or("").trim().is_empty() {
             let blank = child.text().map_or(0, |t| t.len() - t.trim_start().len());
             stray.push(span(child.range().start + blank, child.range().end));
         }
     }
-    Ok(Element {
+    Element {
         tag,
         span: element_span,
         attributes,
         children,
-    })
+    }
 }
 
 /// The parser's complaint at its place.

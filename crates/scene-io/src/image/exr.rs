@@ -6,6 +6,7 @@ use capwalk_math::Rgb;
 use capwalk_scene::Image;
 use exr::image::write::WritableImage;
 use exr::image::{Blocks, read::read};
+use exr::meta::MetaData;
 use exr::prelude::{
     AnyChannel, AnyChannels, AttributeValue, Compression, Encoding, FlatImage, FlatSamples,
     ImageAttributes, LayerAttributes, LineOrder, ReadChannels, ReadLayers, Text, Vec2,
@@ -18,6 +19,13 @@ const PREFIX: &str = "capwalk:";
 /// The channel of sample counts.
 const SAMPLES: &str = "samples";
 const COLOURS: [&str; 3] = ["R", "G", "B"];
+/// Bytes of pixels for each byte of a file, at most: more than any of the compressions reaches
+/// (deflate 1032, of three bytes in four).
+const MOST_COMPRESSION: usize = 2048;
+/// Bytes of a chunk of pixels, at least: its place in the table, its own place, its length.
+const LEAST_CHUNK: usize = 16;
+/// Channels of a file, at most; their names are compared with each other.
+const MOST_CHANNELS: usize = 16_384;
 
 /// The bytes of an EXR file: all channels in one part, losslessly compressed.
 pub(crate) fn encode(
@@ -97,8 +105,39 @@ fn sort_attributes(bytes: &mut [u8]) {
     bytes[START..at].copy_from_slice(&attributes.concat());
 }
 
+/// Compares what the header announces with the length of the file, before the library takes
+/// memory for it.
+fn check_size(bytes: &[u8]) -> Result<(), String> {
+    let meta = MetaData::read_from_buffered(Cursor::new(bytes), false);
+    let meta = meta.map_err(|error| error.to_string())?;
+    let (mut channels, mut chunks, mut pixel_bytes) = (0, 0_usize, 0_usize);
+    for part in &meta.headers {
+        let Vec2(width, height) = part.layer_size;
+        let of_pixel = part.channels.bytes_per_pixel;
+        let of_part = width.saturating_mul(height).saturating_mul(of_pixel);
+        pixel_bytes = pixel_bytes.saturating_add(of_part);
+        chunks = chunks.saturating_add(part.chunk_count);
+        channels += part.channels.list.len();
+    }
+    if channels > MOST_CHANNELS {
+        return Err(format!(
+            "it has {channels} channels; at most {MOST_CHANNELS} are read"
+        ));
+    }
+    let length = bytes.len();
+    let least = (pixel_bytes / MOST_COMPRESSION).max(chunks.saturating_mul(LEAST_CHUNK));
+    match least > length {
+        true => Err(format!(
+            "its header announces {pixel_bytes} bytes of pixels, which its {length} bytes cannot \
+             hold"
+        )),
+        false => Ok(()),
+    }
+}
+
 /// The layers in all parts of an EXR file.
 pub(crate) fn decode(bytes: &[u8]) -> Result<LayeredImage, String> {
+    check_size(bytes)?;
     let image: FlatImage = read()
         .no_deep_data()
         .largest_resolution_level()

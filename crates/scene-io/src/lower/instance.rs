@@ -80,6 +80,9 @@ impl Lowering<'_> {
         // The group's shapes are shared by its instances.
         let shapes = Rc::clone(&self.groups[&group.node]);
         self.count_triangles(&shapes, fields.node.span)?;
+        if shapes.is_empty() {
+            fields.warn("the group of this instance has no shapes: it is not in the image");
+        }
         let is_single = shapes.len() == 1;
         for (shape, span) in shapes.iter() {
             // The only shape of a group is called by its instance.

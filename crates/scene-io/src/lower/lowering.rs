@@ -32,6 +32,8 @@ pub(super) struct Lowering<'a> {
     pub attached: BTreeSet<NodeId>,
     /// How many materials the one being read stands in.
     pub bsdf_depth: usize,
+    /// How many textures the one being read stands in.
+    pub texture_depth: usize,
     /// Of shapes and sensors, whose parameters are called alike.
     pub shape_ids: Names,
     pub material_ids: Names,
@@ -85,6 +87,7 @@ impl<'a> Lowering<'a> {
             triangles_of_instances: 0,
             attached: BTreeSet::new(),
             bsdf_depth: 0,
+            texture_depth: 0,
             shape_ids: Names::default(),
             material_ids: Names::default(),
             emitter_ids: Names::default(),

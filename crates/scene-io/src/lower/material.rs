@@ -219,10 +219,7 @@ impl Lowering<'_> {
     }
 
     fn metal(&mut self, fields: &Fields, name: &str) -> Result<Metal, Problem> {
-        fields.refuse(
-            &["ext_eta"],
-            "around metals is air; divide eta and k by it, and remove it",
-        )?;
+        fields.refuse(&["ext_eta"], &instead_of_surroundings(fields)?)?;
         let (mut eta, mut k) = (Rgb::zero(), Rgb::splat(1.0));
         match fields.string("material")? {
             None | Some("none") => {}
@@ -427,6 +424,21 @@ impl Lowering<'_> {
             limits: normal_limits(fields)?,
         })
     }
+}
+
+/// What to do about what is around a metal and is not air.
+fn instead_of_surroundings(fields: &Fields) -> Result<String, Problem> {
+    let shown = |c: Rgb| format!("{:.5}, {:.5}, {:.5}", c.r, c.g, c.b);
+    Ok(match fields.string("material")?.and_then(metals::metal) {
+        None => "around metals is air; divide eta and k by it, and remove it".into(),
+        Some((eta, k)) => format!(
+            "around metals is air; remove it and the material, and write <rgb name=\"eta\" \
+             value=\"{}\"/> and <rgb name=\"k\" value=\"{}\"/>, with all six numbers divided \
+             by it",
+            shown(eta),
+            shown(k)
+        ),
+    })
 }
 
 fn distribution(fields: &Fields) -> Result<Distribution, Problem> {

@@ -55,6 +55,13 @@ pub(super) fn agree(mesh: &mut Mesh, uvs: &mut Option<FaceUvs>, normals: &[Vec3]
     }
 }
 
+/// True for maps that change no angle between directions, up to the rounding of digits in files.
+fn keeps_angles(map: &Affine) -> bool {
+    let size = map.determinant().abs().cbrt();
+    let unscaled = Affine::scale(Vec3::splat(1.0 / size)) * *map;
+    unscaled.is_rigid(1e-5)
+}
+
 /// A copy of a shape under a map, with another name. Its front stays on the side that it
 /// was on, also where the map mirrors.
 pub(super) fn copy(shape: &Shape, id: String, map: Affine) -> Shape {
@@ -71,8 +78,11 @@ pub(super) fn copy(shape: &Shape, id: String, map: Affine) -> Shape {
     }
     surface.normals = match &shape.normals {
         ShadingNormals::Face => ShadingNormals::Face,
-        ShadingNormals::Computed(_) => ShadingNormals::computed(&surface.mesh),
-        ShadingNormals::Given(normals) => {
+        ShadingNormals::Computed(_) if keeps_angles(&map) => {
+            ShadingNormals::computed(&surface.mesh)
+        }
+        // In Mitsuba normals are computed in the group.
+        ShadingNormals::Given(normals) | ShadingNormals::Computed(normals) => {
             let normals = normals.iter().map(|&n| direction(map.normal(n)));
             ShadingNormals::Given(normals.collect())
         }

@@ -9,7 +9,7 @@ use super::lowering::Lowering;
 use super::spectrum_plugin::{SPECTRA, depends_on_use};
 use crate::bitmap::{self, BitmapFile};
 use crate::fields::Fields;
-use crate::node::{Kind, NodeId, PropertyValue, Spectrum};
+use crate::node::{Kind, NodeId, Property, PropertyValue, Spectrum};
 use crate::problem::Problem;
 use crate::texts::Span;
 
@@ -22,6 +22,9 @@ const REFUSED: [(&str, &str); 1] = [(
     "colours are not looked up in space; write <texture type=\"mesh_attribute\"> or \
      <texture type=\"bitmap\">",
 )];
+
+/// How deep spectra and textures may stand in spectra.
+const MAX_DEPTH: usize = 8;
 
 /// A checkerboard that is used for a number is another one in Mitsuba.
 const SWAPPED: &str = "is a checkerboard of numbers, whose squares Mitsuba 3.9 exchanges: its image is \
@@ -123,10 +126,17 @@ impl Lowering<'_> {
             }
             return Ok(known);
         }
+        if self.texture_depth > MAX_DEPTH {
+            let message = "textures stand inside each other too deep";
+            return Err(Problem::unsupported(fields.node.span, message)
+                .help(format!("expected at most {MAX_DEPTH} inside each other")));
+        }
         let id = fields.node.id.clone().unwrap_or_else(|| otherwise.into());
         let (texture, span) = match fields.node.plugin.as_str() {
             plugin if SPECTRA.contains(&plugin) => {
+                self.texture_depth += 1;
                 let texture = self.spectrum_plugin(&fields, &id, quantity)?;
+                self.texture_depth -= 1;
                 fields.finish()?;
                 self.texture_of_node.insert(node, (texture, quantity));
                 return Ok(texture);
@@ -215,6 +225,7 @@ impl Lowering<'_> {
                 )
                 .help(format!("expected one colour, <rgb name=\"{slot}\" .../>")));
             }
+            let quantity = quantity_in_texture(fields.get(slot), quantity);
             let colour = self.colour(fields, slot, quantity, Rgb::splat(default))?;
             data.extend(colour.to_array());
         }
@@ -226,6 +237,18 @@ impl Lowering<'_> {
                 to_uv: uv_transform(fields)?,
             },
         })
+    }
+}
+
+/// What a colour is that stands in a texture for this quantity: spectra are reflectances, as in
+/// Mitsuba, also where the texture is light. Other colours of light may be above 1.
+fn quantity_in_texture(property: Option<&Property>, quantity: Quantity) -> Quantity {
+    match property.map(|property| &property.value) {
+        Some(PropertyValue::Spectrum(Spectrum::Sampled(_) | Spectrum::File(_))) => {
+            Quantity::Reflectance
+        }
+        _ if is_light(quantity) => Quantity::Factor,
+        _ => quantity,
     }
 }
 

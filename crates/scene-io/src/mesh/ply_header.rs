@@ -2,6 +2,10 @@
 
 use super::error::{MeshFileError, MeshPlace};
 
+/// Elements and properties of a file, at most: each is compared with all before. Clouds of
+/// Gaussians, which have many, have 62 properties.
+const MOST_NAMES: usize = 1024;
+
 /// How the body is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Encoding {
@@ -110,6 +114,7 @@ pub(super) struct PlyHeader {
 pub(super) fn parse(bytes: &[u8]) -> Result<PlyHeader, MeshFileError> {
     let mut format = None;
     let mut elements: Vec<PlyElement> = Vec::new();
+    let mut names = 0;
     let mut position = 0;
     for line in 1.. {
         let Some(length) = bytes[position..].iter().position(|&b| b == b'\n') else {
@@ -130,6 +135,16 @@ pub(super) fn parse(bytes: &[u8]) -> Result<PlyHeader, MeshFileError> {
                 help,
             )
         };
+        if let ["element" | "property", ..] = words[..] {
+            names += 1;
+        }
+        if names > MOST_NAMES {
+            return Err(MeshFileError::damaged(
+                MeshPlace::Line(line),
+                format!("the header has more than {MOST_NAMES} elements and properties"),
+                "remove those that are not used",
+            ));
+        }
         match (line, &words[..]) {
             (1, ["ply"]) => {}
             (1, _) => {

@@ -4,7 +4,9 @@
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
+use capwalk_scene_io::image::{self, Layer, LayeredImage, Preview, VALUE};
 use capwalk_scene_io::load_scene_str;
+use capwalk_scene_io::mesh::read_ply;
 
 use crate::common::*;
 
@@ -150,5 +152,136 @@ fn long_texts() {
         let error = within("a long text", || message(&scene(&object), &[]));
         assert!(error.starts_with("scene.xml:5:"), "{}", &error[..100]);
         assert!(error.len() < 2000, "{} bytes", error.len());
+    }
+}
+
+/// Spectra in spectra, each referring to the next.
+#[test]
+fn spectra_that_nest() {
+    let chain = |length| {
+        let spectra = many(length, |text, i| {
+            let next = i + 1;
+            write!(
+                text,
+                "<spectrum type=\"d65\" id=\"a{i}\"><ref id=\"a{next}\"/></spectrum>"
+            )
+            .expect("memory");
+        });
+        scene(&format!(
+            "{spectra}<spectrum type=\"d65\" id=\"a{length}\"/>"
+        ))
+    };
+    load(&chain(7));
+    let error = within("spectra", || message(&chain(10_000), &[]));
+    assert!(
+        error.contains("textures stand inside each other too deep")
+            && error.contains("expected at most 8 inside each other"),
+        "{error}"
+    );
+}
+
+/// The parser looks at all declarations of the elements around each.
+#[test]
+fn namespaces() {
+    let declared = many(6000, |text, i| {
+        write!(text, "<bsdf xmlns:n{i}=\"u{i}\" type=\"diffuse\"/>").expect("memory");
+    });
+    let error = within("namespaces", || message(&scene(&declared), &[]));
+    assert_eq!(
+        error,
+        "scene.xml:5:9: scene files have no namespaces\n  remove \"xmlns...\" and prefixes of \
+         names"
+    );
+    let error = message(&scene("<bsdf\nxmlns = 'u' type=\"diffuse\"/>"), &[]);
+    assert!(error.starts_with("scene.xml:6:1: scene files"), "{error}");
+    // Where it is none.
+    load(&scene(
+        "<!-- xmlns:a=\"b\" --><bsdf type=\"diffuse\" id=\" xmlns=\"/>",
+    ));
+}
+
+/// Nothing is built of elements that are nested too deep, whether they are closed or not.
+#[test]
+fn depth_is_seen_before_parsing() {
+    let open = "<bsdf type=\"twosided\">\n".repeat(40);
+    let error = message(&format!("{HEAD}{open}"), &[]);
+    assert_eq!(
+        error,
+        "scene.xml:33:1: <bsdf> is nested 33 elements deep\n  at most 32 are read"
+    );
+    // Elements side by side are not.
+    let closed = "<bsdf type=\"diffuse\"/><bsdf type=\"diffuse\"></bsdf>".repeat(40);
+    load(&scene(&closed));
+}
+
+/// The size that a header announces is compared with the length of the file.
+#[test]
+fn images_without_pixels() {
+    let folder = std::env::temp_dir().join(format!("capwalk-exr-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let path = folder.join("bomb.exr");
+    let image = capwalk_scene::Image {
+        width: 2,
+        height: 2,
+        pixels: vec![capwalk_math::Rgb::splat(0.5); 4],
+    };
+    let layers = vec![Layer {
+        name: VALUE.into(),
+        image,
+    }];
+    let layered = LayeredImage {
+        layers,
+        ..LayeredImage::default()
+    };
+    image::write(&path, &layered, &Preview::default()).expect("an image");
+    let mut bytes = std::fs::read(&path).expect("the image");
+    let find = |bytes: &[u8], part: &[u8]| {
+        let mut places = bytes.windows(part.len());
+        places.position(|w| w == part).expect("is in the header")
+    };
+    // Files of others do not say how many chunks they have.
+    let count = find(&bytes, b"chunkCount\0int\0\x04\0\0\0");
+    bytes.drain(count..count + 23);
+    let window = b"dataWindow\0box2i\0\x10\0\0\0";
+    let corner = find(&bytes, window) + window.len() + 8;
+    for side in [9_999_999_i32, 400_000, 60_000] {
+        for at in [corner, corner + 4] {
+            bytes[at..at + 4].copy_from_slice(&side.to_le_bytes());
+        }
+        std::fs::write(&path, &bytes).expect("a file");
+        let error = image::read(&path).expect_err("an image without pixels");
+        assert!(error.to_string().contains("bytes cannot hold"), "{error}");
+        let shown = path.display();
+        let texture = format!(
+            "<texture type=\"bitmap\"><string name=\"filename\" value=\"{shown}\"/></texture>"
+        );
+        let error = message(&scene(&texture), &[]);
+        assert!(error.contains("bytes cannot hold"), "{error}");
+    }
+    std::fs::remove_dir_all(&folder).expect("the folder");
+}
+
+/// Names of properties and elements are compared with all others.
+#[test]
+fn long_headers_of_ply() {
+    let properties = many(200_000, |text, i| {
+        writeln!(text, "property float p{i}").expect("memory");
+    });
+    let elements = many(200_000, |text, i| {
+        writeln!(text, "element e{i} 0").expect("memory");
+    });
+    for (name, lines, line) in [
+        (
+            "properties",
+            format!("element vertex 0\n{properties}"),
+            1027,
+        ),
+        ("elements", elements, 1027),
+    ] {
+        let text = format!("ply\nformat ascii 1.0\n{lines}end_header\n");
+        let error = within(name, || read_ply(text.as_bytes(), true)).expect_err(name);
+        let expected =
+            format!("line {line}: the header has more than 1024 elements and properties");
+        assert!(error.to_string().contains(&expected), "{error}");
     }
 }

@@ -1,7 +1,7 @@
 //! Curves, cylinders, groups and instances.
 
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::ShadingNormals;
+use capwalk_scene::{ShadingNormals, Shape};
 
 use crate::common::*;
 
@@ -243,4 +243,60 @@ fn groups_without_instances_warn() {
         .iter()
         .any(|w| w.contains("no instance shows this group"));
     assert!(warned, "{warnings:?}");
+}
+
+/// As in Mitsuba, computed normals are those of the group and go through the map; a map that
+/// keeps angles gives the same as computing them behind it.
+#[test]
+fn computed_normals_of_instances() {
+    let normals = |map: &str| {
+        let scene = load(&scene(&format!(
+            "<shape type=\"shapegroup\" id=\"g\"><shape type=\"obj\"><string name=\"filename\" \
+             value=\"roof.obj\"/></shape></shape><shape type=\"instance\"><ref id=\"g\"/>\
+             <transform name=\"to_world\">{map}</transform></shape>"
+        )));
+        (*scene.shapes[0]).clone()
+    };
+    let group = normals("");
+    let flat = normals("<scale x=\"2\" y=\"0.5\" z=\"3\"/>");
+    let mirrored = normals("<scale x=\"2\" y=\"-0.5\" z=\"3\"/>");
+    let turned = normals("<scale value=\"2\"/><rotate y=\"1\" angle=\"90\"/>");
+    assert!(matches!(group.normals, ShadingNormals::Computed(_)));
+    assert!(matches!(turned.normals, ShadingNormals::Computed(_)));
+    let of = |shape: &Shape| shape.normals.per_vertex().expect("smooth").to_vec();
+    let near = |a: Vec3, b: Vec3| assert!((a - b).length() < 1e-12, "{a:?} {b:?}");
+    for (i, n) in of(&group).into_iter().enumerate() {
+        assert!(n.x != 0.0 || n.z != 0.0 || i > 3, "{n:?}");
+        near(
+            of(&flat)[i],
+            Vec3::new(n.x / 2.0, n.y * 2.0, n.z / 3.0).normalized(),
+        );
+        near(
+            of(&mirrored)[i],
+            Vec3::new(n.x / 2.0, n.y * -2.0, n.z / 3.0).normalized(),
+        );
+        near(of(&turned)[i], Vec3::new(n.z, n.y, -n.x));
+    }
+    for shape in [&flat, &mirrored, &turned] {
+        for (face, corners) in shape.mesh.faces.iter().enumerate() {
+            let front = shape.mesh.face_cross(face);
+            assert!(
+                corners
+                    .iter()
+                    .all(|&i| front.dot(of(shape)[i as usize]) > 0.0)
+            );
+        }
+    }
+}
+
+/// An instance of nothing is nothing, and says so.
+#[test]
+fn instances_of_empty_groups_warn() {
+    let text =
+        "<shape type=\"shapegroup\" id=\"g\"/><shape type=\"instance\"><ref id=\"g\"/></shape>";
+    let (scene, warnings) = load_with_warnings(&scene(text));
+    assert!(scene.shapes.is_empty());
+    let expected =
+        "scene.xml:5:49: the group of this instance has no shapes: it is not in the image";
+    assert!(warnings.iter().any(|w| w == expected), "{warnings:?}");
 }

@@ -129,6 +129,58 @@ fn sheets_and_materials_for_polarized_light() {
     }
 }
 
+/// A polarizer has half of its texels. So they are its own: what others use has no derivative
+/// through a copy. A retarder lets all pass, and shares them.
+#[test]
+fn textures_of_polarizers_are_their_own() {
+    let bitmap = "<string name=\"filename\" value=\"texels.png\"/>\
+                  <boolean name=\"raw\" value=\"true\"/></texture>";
+    let inside = |plugin: &str, given: &str| {
+        with(&format!("<bsdf type=\"{plugin}\">{given}</bsdf>")).replace(
+            "<integrator",
+            &format!("<texture type=\"bitmap\" id=\"tex\">{bitmap}<integrator"),
+        )
+    };
+    let pane = |scene: &Scene| match bsdf(scene, "box.bsdf") {
+        Bsdf::ThinDielectric(pane) => pane.specular_transmittance,
+        other => panic!("{other:?}"),
+    };
+    let own = format!("<texture type=\"bitmap\" name=\"transmittance\">{bitmap}");
+    let scene = load(&inside("polarizer", &own));
+    let mut ids: Vec<&str> = scene.textures.iter().map(|t| &*t.id).collect();
+    ids.retain(|id| id.contains("transmittance"));
+    assert_eq!(ids, ["box.bsdf.specular_transmittance"]);
+    let whole = &scene
+        .textures
+        .iter()
+        .find(|t| t.id == "tex")
+        .expect("tex")
+        .data;
+    let half = &scene.texture(pane(&scene)).data;
+    assert!(
+        half.iter()
+            .zip(whole)
+            .all(|(half, whole)| 2.0 * half == *whole)
+    );
+
+    let shared = "<ref name=\"transmittance\" id=\"tex\"/>";
+    let scene = load(&inside("retarder", shared));
+    assert_eq!(scene.texture(pane(&scene)).id, "tex");
+    let refused = "is the texture \"tex\", which others may use\n  give it a texture of its own \
+                   without an id: 0.5 of the texels is what passes";
+    let with_id = own.replace("<texture", "<texture id=\"own\"");
+    let nested = "<spectrum type=\"d65\" name=\"transmittance\"><ref id=\"tex\"/></spectrum>";
+    for (given, name) in [(shared, "tex"), (&with_id, "own"), (nested, "tex")] {
+        for plugin in ["polarizer", "circular"] {
+            let found = message(&inside(plugin, given), &[]);
+            assert!(
+                found.contains(&refused.replace("tex\"", &format!("{name}\""))),
+                "{found}"
+            );
+        }
+    }
+}
+
 /// Metals do not change with the sign of their index.
 #[test]
 fn negative_indices_of_metals() {

@@ -51,6 +51,13 @@ fn names_directly_in_the_scene_are_ids() {
     assert_eq!((material_of(0), material_of(3)), ("grey", "crate.bsdf"));
 }
 
+/// The sensor is called so; a name is nothing that a shape must have.
+#[test]
+fn the_name_sensor_is_no_id_of_a_shape() {
+    let loaded = load(&scene("<shape type=\"cube\" name=\"sensor\"/>"));
+    assert_eq!(loaded.shapes[0].id, "cube");
+}
+
 /// Sensors and shapes, whose parameters are called alike, never share a name. None of several
 /// is called `sensor` unless the file says so: without one of that name it is whichever renders.
 #[test]

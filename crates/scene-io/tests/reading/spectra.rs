@@ -3,7 +3,7 @@
 //! otherwise.
 
 use capwalk_math::Rgb;
-use capwalk_scene::{Bsdf, Emitter};
+use capwalk_scene::{Bsdf, Emitter, Pattern};
 
 use crate::common::*;
 
@@ -230,4 +230,52 @@ fn one_spectrum_for_light_and_surfaces() {
             "  write it twice: its color under daylight is another",
         ],
     );
+}
+
+/// Colours of a checkerboard are reflectances, also where it is what an emitter emits; `<rgb>`
+/// may be bright there.
+#[test]
+fn checkerboards_hold_reflectances() {
+    let colours = "<spectrum name=\"color0\" value=\"400:0.1, 500:0.7, 700:0.4\"/>\
+                   <spectrum name=\"color1\" value=\"0.5\"/>";
+    let board =
+        |name: &str| format!("<texture name=\"{name}\" type=\"checkerboard\">{colours}</texture>");
+    let of_light = format!(
+        "<shape type=\"rectangle\"><emitter type=\"area\">{}</emitter></shape>",
+        board("radiance")
+    );
+    let of_daylight = format!(
+        "<shape type=\"rectangle\"><emitter type=\"area\"><spectrum name=\"radiance\" \
+         type=\"d65\">{}</spectrum></emitter></shape>",
+        board("nested")
+    );
+    let thrown = format!(
+        "<emitter type=\"projector\">{}</emitter>",
+        board("irradiance")
+    );
+    let shown = format!("<emitter type=\"spot\">{}</emitter>", board("texture"));
+    let reflected = format!(
+        "<shape type=\"rectangle\"><bsdf type=\"diffuse\">{}</bsdf></shape>",
+        board("reflectance")
+    );
+    let board_of = |text: &str| {
+        let scene = load(&scene(text));
+        let mut boards = scene.textures.iter();
+        let board = boards.find(|t| matches!(t.pattern, Pattern::Checkerboard { .. }));
+        let board = board.expect("a checkerboard");
+        [board.texel(0), board.texel(1)]
+    };
+    for text in [&of_light, &of_daylight, &thrown, &shown, &reflected] {
+        let [first, second] = board_of(text);
+        assert_near(first, [0.462849, 0.664294, 0.397962]);
+        assert_near(second, [0.5; 3]);
+    }
+    // Mitsuba clamps what is measured, and takes one number above 1.
+    let bright = of_light.replace("0.1, 500:0.7, 700:0.4", "5, 700:5");
+    assert_near(board_of(&bright)[0], [1.0; 3]);
+    let bright = of_light.replace(
+        "<spectrum name=\"color1\" value=\"0.5\"/>",
+        "<rgb name=\"color1\" value=\"5, 4, 3\"/>",
+    );
+    assert_near(board_of(&bright)[1], [5.0, 4.0, 3.0]);
 }

@@ -84,6 +84,27 @@ fn old_numbers_that_mean_something_else() {
     }
 }
 
+/// What to do instead follows from what is given.
+#[test]
+fn metals_in_other_surroundings() {
+    let with = |inside: &str| {
+        let metal =
+            "<bsdf type=\"conductor\" id=\"mirror\"><string name=\"extEta\" value=\"air\"/>";
+        let text = OLD.replace(
+            metal,
+            &metal
+                .replace("air", "water")
+                .replace("<string", &format!("{inside}<string")),
+        );
+        message(&text, &[])
+    };
+    let error = with("<rgb name=\"eta\" value=\"0.2, 0.9, 1.1\"/>");
+    assert!(error.contains("divide eta and k by it"), "{error}");
+    let error = with("<string name=\"material\" value=\"Au\"/>");
+    let expected = "remove it and the material, and write <rgb name=\"eta\" value=\"";
+    assert!(error.contains(expected), "{error}");
+}
+
 /// Only files for old versions may use old names.
 #[test]
 fn new_files_have_new_names() {
