@@ -1,7 +1,7 @@
 //! A gradient against finite differences.
 
 use capwalk_diff::GradientImage;
-use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
+use capwalk_diff::check::{Comparison, Verdict, compare_with_differences, without_rounding};
 use capwalk_diff::{GradientOptions, Missing, Stencil};
 use capwalk_scene::{Scene, Tangent};
 
@@ -74,6 +74,14 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// How far the parameter moves from one side to the other, in its own units.
+    pub fn span(&self) -> f64 {
+        match self.sides {
+            Stencil::Both => 2.0 * self.step,
+            Stencil::Above | Stencil::Below => self.step,
+        }
+    }
+
     /// Which differences these are, in words.
     pub fn describe(&self) -> String {
         let step = number(self.step);
@@ -127,7 +135,7 @@ impl Check {
     ) -> Self {
         let mut reference = differences;
         reference.gradient = without_rounding(&reference, made.step);
-        let mut comparison = compare(&gradient.gradient, &reference.gradient);
+        let mut comparison = compare_with_differences(&gradient, &reference, made.span());
         if gradient.missing.is_some() {
             let rest = Box::new(comparison.verdict);
             comparison.verdict = Verdict::Partial { rest };
