@@ -15,6 +15,7 @@ use serde_json::{Value, json};
 
 use crate::args::{Backward, LossName};
 use crate::diagnostics::Outcome;
+use crate::memory::{self, Need};
 use crate::progress::{self, Progress};
 use crate::{console, method, output, report, source};
 
@@ -25,6 +26,7 @@ const IMAGE_SHARE: u32 = 4;
 pub fn run(args: &Backward) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
+    memory::check(scene, Need::Loss)?;
     let names = match args.param.is_empty() {
         true => all_names(&prepared)?,
         false => args.param.clone(),
