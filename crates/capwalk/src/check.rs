@@ -238,8 +238,8 @@ pub fn coplanar_text(pairs: &[[String; 2]]) -> String {
         [] => String::new(),
         _ => format!(
             "note: {}{more} have faces in one plane that overlap, and move against each other: \
-             where that is seen the image has no derivative, and which of them is seen is up to \
-             rounding. Move them apart a little\n",
+             where that is seen the image has no derivative: one of them comes out of the plane of \
+             the other, or which of them is in front is up to rounding. Move them apart a little\n",
             names.join(", ")
         ),
     }
