@@ -48,12 +48,16 @@ fn too_few(gradient: &GradientImage, differences: &GradientImage, span: f64) -> 
         1 => "an event in one pixel only".into(),
         n => format!("events in {n} pixels only"),
     };
+    let about = match expected {
+        0.1.. => format!("about {expected:.1}"),
+        _ => "less than 0.1".into(),
+    };
     // Relative errors of counts fall with their root.
     let needed = (2.0 * EXCLUDED_AT / EXCLUDED_ERROR).powi(2);
     Some(Verdict::Inconclusive {
         samples_factor: (needed / expected).max(2.0),
         doubt: Some(format!(
-            "the differences saw {seen}, where a right gradient makes about {expected:.2}: that \
+            "the differences saw {seen}, where a right gradient makes {about}: that \
              is no evidence against it, and takes more samples of the reference or a larger step"
         )),
     })
