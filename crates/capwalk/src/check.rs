@@ -215,12 +215,13 @@ impl Check {
     }
 }
 
-/// What is left out of a gradient, and how much of the image that concerns.
+/// What is left out of a gradient, and how much of the image arrives by paths with such events.
 pub fn missing_text(missing: &Missing) -> String {
     let [share, error] = [missing.share, missing.standard_error].map(|x| 100.0 * x);
     format!(
         "how silhouettes move that are seen in curved mirrors, through refracting glass, or after \
-         many reflections is left out; paths with such events carry {} % of the radiance",
+         many reflections is left out; {} % of the radiance arrives by paths with such events, whether \
+         something moves there or not",
         plus_minus(share, error)
     )
 }

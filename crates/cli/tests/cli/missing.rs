@@ -96,7 +96,7 @@ fn backward_without_names_leaves_out_what_is_refused() {
     assert!(!message.contains("--method fd"), "{message}");
 }
 
-/// Everything says what is left out and how much that concerns.
+/// Everything says what is left out and how much light arrives by such paths.
 #[test]
 fn what_is_left_out_is_said() {
     let capwalk = with_room("missing_said");
@@ -106,7 +106,11 @@ fn what_is_left_out_is_said() {
     assert_eq!(finished.status, 0, "{}", finished.stderr);
     assert_has(
         &finished.stderr,
-        &["incomplete", "refracting glass", "% of the radiance"],
+        &[
+            "incomplete",
+            "refracting glass",
+            "% of the radiance arrives by paths with such events, whether",
+        ],
     );
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     let missing = &json["statistics"]["missing"];
