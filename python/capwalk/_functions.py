@@ -106,7 +106,8 @@ def gradient(
     :param antithetic: whether walks average opposite rim samples.
     :param allow_missing: ``("specular",)`` leaves out how silhouettes move that are seen in curved
         mirrors, through refracting glass, or after many reflections, instead of refusing the
-        derivative; ``statistics["missing"]`` is the share of the radiance that it concerns.
+        derivative; ``statistics["missing"]`` is the share of the radiance that
+        arrives by paths with such events, whether something moves there or not.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
     :raises ParameterError: a name means no parameter.

@@ -59,8 +59,8 @@ class Slope:
     """The method that was chosen."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``; and what is
-    left out (``allow_missing``): ``missing``, the share of the radiance that it concerns with
-    its standard error, or ``None``."""
+    left out (``allow_missing``): ``missing``, the share of the radiance that arrives by
+    paths with such events, moving or not, with its standard error, or ``None``."""
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)

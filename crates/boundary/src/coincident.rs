@@ -9,10 +9,18 @@ use crate::emitter_edge::SWEEP;
 /// same: more than rounding.
 const SAME_LINE: f64 = 1e-7;
 
-/// Weights of the numbers of a line in its key. Any will do that are in no simple ratio:
-/// fractional parts of multiples of the golden ratio.
+/// Weights of the numbers of a line in its key, in no simple ratio: the fractional parts of the
+/// square roots of the first nine primes.
 const KEY: [f64; 9] = [
-    0.618, 0.236, 0.854, 0.472, 0.090, 0.708, 0.326, 0.944, 0.562,
+    0.414213562373,
+    0.732050807569,
+    0.236067977500,
+    0.645751311065,
+    0.316624790355,
+    0.605551275464,
+    0.123105625618,
+    0.358898943541,
+    0.795831523313,
 ];
 
 /// An edge on its line.

@@ -1,7 +1,7 @@
 //! A gradient against finite differences.
 
 use capwalk_diff::GradientImage;
-use capwalk_diff::check::{Comparison, Verdict, compare, without_rounding};
+use capwalk_diff::check::{Comparison, Verdict, compare_with_differences, without_rounding};
 use capwalk_diff::{GradientOptions, Missing, Stencil};
 use capwalk_scene::{Scene, Tangent};
 
@@ -74,6 +74,14 @@ pub struct Reference {
 }
 
 impl Reference {
+    /// How far the parameter moves from one side to the other, in its own units.
+    pub fn span(&self) -> f64 {
+        match self.sides {
+            Stencil::Both => 2.0 * self.step,
+            Stencil::Above | Stencil::Below => self.step,
+        }
+    }
+
     /// Which differences these are, in words.
     pub fn describe(&self) -> String {
         let step = number(self.step);
@@ -127,7 +135,7 @@ impl Check {
     ) -> Self {
         let mut reference = differences;
         reference.gradient = without_rounding(&reference, made.step);
-        let mut comparison = compare(&gradient.gradient, &reference.gradient);
+        let mut comparison = compare_with_differences(&gradient, &reference, made.span());
         if gradient.missing.is_some() {
             let rest = Box::new(comparison.verdict);
             comparison.verdict = Verdict::Partial { rest };
@@ -207,12 +215,13 @@ impl Check {
     }
 }
 
-/// What is left out of a gradient, and how much of the image that concerns.
+/// What is left out of a gradient, and how much of the image arrives by paths with such events.
 pub fn missing_text(missing: &Missing) -> String {
     let [share, error] = [missing.share, missing.standard_error].map(|x| 100.0 * x);
     format!(
         "how silhouettes move that are seen in curved mirrors, through refracting glass, or after \
-         many reflections is left out; paths with such events carry {} % of the radiance",
+         many reflections is left out; {} % of the radiance arrives by paths with such events, whether \
+         something moves there or not",
         plus_minus(share, error)
     )
 }
@@ -230,8 +239,8 @@ pub fn coplanar_text(pairs: &[[String; 2]]) -> String {
         [] => String::new(),
         _ => format!(
             "note: {}{more} have faces in one plane that overlap, and move against each other: \
-             where that is seen the image has no derivative, and which of them is seen is up to \
-             rounding. Move them apart a little\n",
+             where that is seen the image has no derivative: one of them comes out of the plane of \
+             the other, or which of them is in front is up to rounding. Move them apart a little\n",
             names.join(", ")
         ),
     }

@@ -1,10 +1,11 @@
 //! Faces of different shapes that lie on each other and move against each other: there, an
-//! image has no derivative.
+//! image has no derivative. A flat emitter is in front of what lies in its plane, and may
+//! slide and grow within it.
 
 use std::collections::BTreeSet;
 
 use capwalk_math::Vec3;
-use capwalk_scene::{Scene, Tangent};
+use capwalk_scene::{Mesh, Scene, Tangent};
 
 /// Part of the scene's size up to which planes may be the same: more than rounding.
 const SAME_PLANE: f64 = 1e-9;
@@ -15,10 +16,18 @@ const OVERLAP: f64 = 1e-7;
 /// Pairs of faces that are looked at, at most: beyond that, pairs of shapes may be missed.
 const MOST_PAIRS: usize = 1_000_000;
 
-/// Weights of the numbers of a plane in its key. Any will do that are in no simple ratio:
-/// fractional parts of multiples of the golden ratio.
+/// Weights of the numbers of a plane in its key, in no simple ratio: the fractional parts of the
+/// square roots of the first nine primes.
 const KEY: [f64; 9] = [
-    0.618, 0.236, 0.854, 0.472, 0.090, 0.708, 0.326, 0.944, 0.562,
+    0.414213562373,
+    0.732050807569,
+    0.236067977500,
+    0.645751311065,
+    0.316624790355,
+    0.605551275464,
+    0.123105625618,
+    0.358898943541,
+    0.795831523313,
 ];
 
 /// A face in its plane.
@@ -26,6 +35,8 @@ struct Face {
     shape: usize,
     corners: [Vec3; 3],
     velocities: [Vec3; 3],
+    /// True for a face of a flat emitter.
+    is_flush: bool,
     /// Unit normal.
     normal: Vec3,
     /// Equal for faces in one plane, and for hardly any others.
@@ -35,7 +46,7 @@ struct Face {
 }
 
 /// Pairs of shapes, by their indices, that have faces in one plane which overlap there and
-/// move against each other.
+/// move against each other; within the plane, only if it is up to rounding which is in front.
 pub fn coplanar(scene: &Scene, tangent: &Tangent) -> BTreeSet<[usize; 2]> {
     let mut found = BTreeSet::new();
     // Without motion of shapes nothing moves against anything.
@@ -79,19 +90,36 @@ pub fn coplanar(scene: &Scene, tangent: &Tangent) -> BTreeSet<[usize; 2]> {
 }
 
 fn faces(scene: &Scene, tangent: &Tangent, scale: f64) -> Vec<Face> {
+    let mut emitters = vec![false; scene.shapes.len()];
+    for shape in scene.emitters.iter().filter_map(|emitter| emitter.shape()) {
+        emitters[shape.0 as usize] = true;
+    }
     let shapes = scene.shapes.iter().zip(&tangent.shapes).enumerate();
     let faces = shapes.flat_map(|(shape, (what, velocities))| {
         let mesh = &what.mesh;
+        let is_flush = emitters[shape] && is_flat(mesh, SAME_PLANE * scale);
         mesh.faces.iter().filter_map(move |face| {
             let corners = face.map(|i| mesh.positions[i as usize]);
             let velocities = face.map(|i| match velocities {
                 Some(vectors) => vectors.vertices[i as usize],
                 None => Vec3::zero(),
             });
-            Face::new(shape, corners, velocities, scale)
+            let face = Face::new(shape, corners, velocities, scale)?;
+            Some(Face { is_flush, ..face })
         })
     });
     faces.collect()
+}
+
+/// True if all vertices of a mesh are that close to the plane of its first face with area.
+fn is_flat(mesh: &Mesh, margin: f64) -> bool {
+    let crosses = (0..mesh.faces.len()).map(|face| (face, mesh.face_cross(face)));
+    let first = crosses.into_iter().find(|(_, n)| n.length() > 0.0);
+    first.is_some_and(|(face, cross)| {
+        let (corner, normal) = (mesh.corners(face)[0], cross.normalized());
+        let mut positions = mesh.positions.iter();
+        positions.all(|&p| normal.dot(p - corner).abs() <= margin)
+    })
 }
 
 impl Face {
@@ -122,6 +150,7 @@ impl Face {
             shape,
             corners,
             velocities,
+            is_flush: false,
             normal: n,
             key: numbers.iter().zip(KEY).map(|(x, w)| x * w).sum(),
             range: [
@@ -141,12 +170,21 @@ impl Face {
         sum.fold(Vec3::zero(), |sum, (&v, w)| sum + v * (w / whole))
     }
 
-    /// True if points of one are not at rest on the other.
+    /// True if points of one are not at rest on the other; if one of them is in front of the
+    /// other, if they leave its plane.
     fn moves_against(&self, other: &Self) -> bool {
         let speeds = self.velocities.iter().chain(&other.velocities);
         let fastest = speeds.map(|v| v.length()).fold(0.0, f64::max);
         let mut corners = self.corners.iter().zip(self.velocities);
-        corners.any(|(&p, v)| (other.velocity(p) - v).length() > 1e-6 * fastest)
+        let has_order = self.is_flush != other.is_flush;
+        corners.any(|(&p, v)| {
+            let against = other.velocity(p) - v;
+            let speed = match has_order {
+                true => self.normal.dot(against).abs(),
+                false => against.length(),
+            };
+            speed > 1e-6 * fastest
+        })
     }
 
     /// True if no line along an edge separates them, up to this distance.
@@ -181,12 +219,13 @@ mod tests {
 
     /// The built-in leaf, replaced by a rectangle over the floor that is moved and turned.
     fn found(place: Affine, expression: &str) -> usize {
+        found_beside("floor", place, expression)
+    }
+
+    /// The same over another shape.
+    fn found_beside(under: &str, place: Affine, expression: &str) -> usize {
         let mut scene = capwalk_scene::builtin::scene("leaf").unwrap();
-        let floor = scene
-            .shapes
-            .iter()
-            .find(|shape| shape.id == "floor")
-            .unwrap();
+        let floor = scene.shapes.iter().find(|shape| shape.id == under).unwrap();
         let [a, b, c] = floor.mesh.corners(0);
         let ((low, high), normal) = (floor.mesh.bounds(), (b - a).cross(c - a).normalized());
         assert!((high - low).length() < 2.0 * BESIDE - 1.0);
@@ -233,5 +272,22 @@ mod tests {
         let together = "leaf.translate.x + floor.translate.x";
         assert_eq!(found(turned, together), 0);
         assert_eq!(found(turned, "floor.bsdf.reflectance.value"), 0);
+    }
+
+    /// A flat emitter is in front of what lies in its plane as long as it stays there.
+    #[test]
+    fn emitters_may_slide_in_their_plane() {
+        let place = Affine::scale(Vec3::splat(0.1));
+        let pairs = |expression: &str| found_beside("lamp", place, expression);
+        for within in ["lamp.translate.x", "lamp.scale", "leaf.translate.x"] {
+            assert_eq!(pairs(within), 0, "{within}");
+        }
+        for out_of_it in [
+            "lamp.translate.y",
+            "lamp.rotate.x",
+            "leaf.translate.x + lamp.rotate.z",
+        ] {
+            assert_eq!(pairs(out_of_it), 1, "{out_of_it}");
+        }
     }
 }

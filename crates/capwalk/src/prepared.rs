@@ -173,7 +173,8 @@ impl Prepared {
 
     /// Pairs of shapes, by name, that have faces in one plane which overlap there and move
     /// against each other: which of them is seen is decided by rounding, and where they part,
-    /// the image has other derivatives to one side than to the other.
+    /// the image has other derivatives to one side than to the other. Flat emitters are in front
+    /// of what lies in their plane: with them, only pairs that leave the plane.
     pub fn coplanar_shapes(&self, tangent: &Tangent) -> Vec<[String; 2]> {
         let name = |i: usize| self.scene().shapes[i].id.clone();
         let pairs = coplanar(self.scene(), tangent).into_iter();

@@ -162,7 +162,7 @@ pub fn gradient_title(statistics: &Statistics) -> String {
     match &statistics.missing {
         None => "gradient".into(),
         Some(missing) => format!(
-            "gradient, partial: specular {}% left out",
+            "gradient, partial: {}% of the light is by specular paths",
             significant(100.0 * missing.share, 2)
         ),
     }

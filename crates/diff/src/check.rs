@@ -14,6 +14,7 @@
 //! differences that are too large, but not by that many of their own errors,
 //! are no proof of a wrong gradient, and none of a right one.
 
+mod events;
 mod pixel;
 mod rounding;
 mod scale_factor;
@@ -26,6 +27,7 @@ use capwalk_math::Rgb;
 use capwalk_math::stats::normal_upper_tail;
 
 use capwalk_render::Estimate;
+pub use events::compare_with_differences;
 pub use rounding::without_rounding;
 
 use pixel::{NoiseFree, Pixel, Pixels, REFERENCE_BIAS, channel};
@@ -154,7 +156,7 @@ pub enum Verdict {
         /// enough; infinite if there is nothing to see.
         samples_factor: f64,
         /// Why the gradient may be wrong, where the differences are larger than noise
-        /// explains; `None` where noise hides them.
+        /// explains, or why that is no evidence; `None` where noise hides them.
         doubt: Option<String>,
     },
 }

@@ -103,6 +103,22 @@ impl Job {
         })
     }
 
+    /// Pixels of the image of each view, without reading targets or rendering them.
+    pub fn sizes(&self) -> Result<Vec<[u32; 2]>, Error> {
+        let mut warnings = Vec::new();
+        let scene = self.load(&self.keys.scene, &[], None, &mut warnings)?;
+        let views = self.keys.views.iter().map(|keys| {
+            let view = TargetView {
+                sensor: self.sensor(&scene, keys, &mut warnings)?,
+                target: Image::new(0, 0),
+                mask: None,
+                weight: keys.weight,
+            };
+            Ok(view.scene(&scene).film.crop_size)
+        });
+        views.collect()
+    }
+
     /// A scene of the job, with these values of `$name` before those of the job, and the
     /// sensor that is asked for. New warnings are added to `warnings`.
     fn load(

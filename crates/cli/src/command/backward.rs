@@ -4,17 +4,18 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::{Result, bail, ensure};
+use anyhow::{Result, anyhow, bail, ensure};
 use capwalk::params::shape_text;
 use capwalk::scene_io::arrays::{self, Array, Arrays, METADATA};
 use capwalk::{
     Distance, Error, GradientOptions, Gradients, Image, ImageLoss, Loss, ParameterGradient,
-    Prepared, RenderOptions, Scene, read_layer,
+    Prepared, Refusal, RenderOptions, Scene, read_layer,
 };
 use serde_json::{Value, json};
 
 use crate::args::{Backward, LossName};
 use crate::diagnostics::Outcome;
+use crate::memory::{self, Need};
 use crate::progress::{self, Progress};
 use crate::{console, method, output, report, source};
 
@@ -25,6 +26,7 @@ const IMAGE_SHARE: u32 = 4;
 pub fn run(args: &Backward) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
+    memory::check(scene, Need::Loss)?;
     let names = match args.param.is_empty() {
         true => all_names(&prepared)?,
         false => args.param.clone(),
@@ -50,13 +52,34 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         limit.saturating_sub(used.unwrap_or_default())
     });
     let progress = Progress::new("gradient", rest);
-    let chosen = prepared.choose_backward(adjoint, &names, &options, &progress);
-    let gradients = chosen.and_then(|chosen| {
-        let gradients = prepared.backward(adjoint, &names, &chosen.options, &progress);
-        Ok((chosen, gradients?))
-    });
+    let differentiate = |names: &[String]| -> Result<_, Error> {
+        let chosen = prepared.choose_backward(adjoint, names, &options, &progress)?;
+        let gradients = prepared.backward(adjoint, names, &chosen.options, &progress)?;
+        Ok((chosen, gradients))
+    };
+    let mut result = differentiate(&names);
+    // That nobody asked for what is refused shows with the first samples only.
+    let mut left_out = None;
+    if args.param.is_empty()
+        && let Err(Error::Refused(refusal @ Refusal::SpecularMotion { .. })) = &result
+    {
+        let (moving, resting) = by_motion(&prepared, &names);
+        if !resting.is_empty() {
+            left_out = Some(left_out_text(&moving, refusal));
+            result = differentiate(&resting);
+        }
+    }
     let elapsed = progress.finish().as_secs_f64();
-    let (chosen, gradients) = gradients?;
+    if let Some(text) = left_out {
+        console::remark(&text);
+    }
+    let (chosen, gradients) = result.map_err(|error| match error {
+        Error::Refused(refusal @ Refusal::SpecularMotion { .. }) => anyhow!(
+            "{refusal}\n  help: --allow-missing specular leaves it out and says so; arrays of \
+             colours and texels (-p NAME) need neither"
+        ),
+        error => error.into(),
+    })?;
     let options = chosen.options;
     let statistics = &gradients.statistics;
     if statistics.samples == 0 {
@@ -125,6 +148,28 @@ fn all_names(prepared: &Prepared) -> Result<Vec<String>> {
         }
     }
     Ok(names.allowed)
+}
+
+/// Of these arrays, those that move edges, and those that do not.
+fn by_motion(prepared: &Prepared, names: &[String]) -> (Vec<String>, Vec<String>) {
+    let arrays = prepared.registry().arrays();
+    let moves = |name: &&String| {
+        let mut arrays = arrays.iter();
+        arrays.any(|array| array.name == **name && array.moves_discontinuities)
+    };
+    let (moving, resting): (Vec<&String>, Vec<&String>) = names.iter().partition(moves);
+    let cloned = |names: Vec<&String>| names.into_iter().cloned().collect();
+    (cloned(moving), cloned(resting))
+}
+
+/// What is to be said of arrays that are left out because of what moves in them.
+fn left_out_text(names: &[String], refusal: &Refusal) -> String {
+    let count = names.len();
+    format!(
+        "warning: {} are left out ({count} arrays): {refusal}\n  help: --allow-missing specular \
+         computes them, too, without these silhouettes, and says so\n",
+        names.join(", ")
+    )
 }
 
 /// The array of standard errors of an array.

@@ -8,13 +8,18 @@ use serde_json::json;
 use super::check as verdicts;
 use crate::args::Compare;
 use crate::diagnostics::Outcome;
+use crate::memory::{self, Need};
 use crate::output::{self, Files};
 use crate::{console, report};
 
 pub fn run(args: &Compare) -> Result<Outcome> {
-    let images = [&args.image, &args.reference].map(|path| image::read(path));
-    let [tested, reference] = images;
-    let (tested, reference) = (tested?, reference?);
+    let tested = image::read(&args.image)?;
+    if let Some(layer) = tested.layers.first() {
+        let size =
+            [layer.image.width, layer.image.height].map(|n| u32::try_from(n).unwrap_or(u32::MAX));
+        memory::check_size(size, Need::Comparison)?;
+    }
+    let reference = image::read(&args.reference)?;
     let layer = match &args.layer {
         Some(layer) => layer.as_str(),
         None if tested.layer(GRADIENT).is_some() && reference.layer(GRADIENT).is_some() => GRADIENT,

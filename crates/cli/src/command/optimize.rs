@@ -11,6 +11,7 @@ use serde_json::json;
 
 use crate::args::Optimize;
 use crate::diagnostics::Outcome;
+use crate::memory::{self, Need};
 use crate::progress::{self, Progress};
 use crate::{console, method, report};
 use live::{Clock, Live};
@@ -19,6 +20,7 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
     let job = Job::read(&args.job)?;
     let clock = Clock::new(args.time_limit.or(job.time_limit()));
     let output = args.output.as_deref().unwrap_or(job.output());
+    check_memory(&job)?;
     let targets = Progress::new("target", clock.remaining());
     let begun = Run::begin(&job, output, args.resume, &targets);
     targets.finish();
@@ -68,6 +70,15 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         .collect();
     report(args, &run, &stop, clock.has_rung(), &files)?;
     Ok(outcome(&stop))
+}
+
+/// An error if there is no memory for the images of the job.
+fn check_memory(job: &Job) -> Result<()> {
+    // What is wrong with the job itself is said where it begins.
+    for size in job.sizes().unwrap_or_default() {
+        memory::check_size(size, Need::Loss)?;
+    }
+    Ok(())
 }
 
 /// How it ends if it was stopped before the targets were there.

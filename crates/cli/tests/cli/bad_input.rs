@@ -64,6 +64,18 @@ fn images_beyond_memory() {
             &["x 2000 pixels need up to", "MiB are free", "crop windows"],
         );
     }
+    // Before the target is read, or rendered.
+    let backward = format!("backward leaf --loss l2 --target none.exr {size}");
+    let job = format!(
+        "scene = \"leaf\"\nsize = [{width}, 2000]\niterations = 2\nspp = 4\n[target]\nspp = 4\n\
+         [target.set]\n\"leaf.translate.x\" = 0.2\n[[parameter]]\nname = \"leaf.translate.x\"\n\
+         [optimizer]\nlr = 0.02\n"
+    );
+    capwalk.write("job.toml", &job);
+    for command in [&*backward, "optimize job.toml"] {
+        let message = capwalk.error(command);
+        assert_has(&message, &["x 2000 pixels need up to", "MiB are free"]);
+    }
 }
 
 /// Also under two names of one place.

@@ -66,7 +66,7 @@ fn mirrors_are_a_warning() {
     let words = [
         "baseline and biased",
         "specular events",
-        "is left out; paths with such events carry",
+        "% of the radiance arrives by paths with such events, whether",
     ];
     assert_has(&finished.stderr, &words);
 }

@@ -65,7 +65,38 @@ fn motion_seen_through_glass_is_refused() {
     assert_has(&message, &["refracting glass", ALLOW, "--method fd"]);
 }
 
-/// Everything says what is left out and how much that concerns.
+/// Without names, `backward` gives what is not refused, and says what it leaves out; with them,
+/// it says what to type, and not what it has not.
+#[test]
+fn backward_without_names_leaves_out_what_is_refused() {
+    let capwalk = with_room("missing_backward_all");
+    capwalk.run("render room.xml --spp 4 -o target.npz");
+    let backward = "backward room.xml --loss l2 --target target.npz --spp 8 -o b.npz";
+    let finished = capwalk.run(&format!("{backward} --json"));
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(
+        &finished.stderr,
+        &["left.positions", "are left out", "refracting glass", ALLOW],
+    );
+    assert!(
+        !finished.stderr.contains("--method fd"),
+        "{}",
+        finished.stderr
+    );
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    let names = json["parameters"].as_array().expect("a list");
+    let names: Vec<_> = names.iter().filter_map(|p| p["name"].as_str()).collect();
+    assert!(
+        names.iter().any(|name| name.contains("reflectance")),
+        "{names:?}"
+    );
+    assert!(!names.contains(&"left.positions"), "{names:?}");
+    let message = capwalk.error(&format!("{backward} -p left.vertex_positions"));
+    assert_has(&message, &[ALLOW, "-p NAME"]);
+    assert!(!message.contains("--method fd"), "{message}");
+}
+
+/// Everything says what is left out and how much light arrives by such paths.
 #[test]
 fn what_is_left_out_is_said() {
     let capwalk = with_room("missing_said");
@@ -75,7 +106,11 @@ fn what_is_left_out_is_said() {
     assert_eq!(finished.status, 0, "{}", finished.stderr);
     assert_has(
         &finished.stderr,
-        &["incomplete", "refracting glass", "% of the radiance"],
+        &[
+            "incomplete",
+            "refracting glass",
+            "% of the radiance arrives by paths with such events, whether",
+        ],
     );
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     let missing = &json["statistics"]["missing"];

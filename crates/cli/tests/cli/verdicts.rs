@@ -59,6 +59,30 @@ fn a_wrong_reference_is_found() {
     assert_has(&finished.stdout, &["wrong: ", "--step"]);
 }
 
+/// A far box hides little of the sky from a floor, and moves by little: no sample of the
+/// differences changes, while the gradient is precise. That is no evidence against it.
+#[test]
+fn differences_without_events_cannot_tell() {
+    let capwalk = Capwalk::new("check_no_events");
+    capwalk.write("far.xml", &card(0.5).replace("x=\"0.1\" z", "x=\"4\" z"));
+    let check = "check far.xml -p card.translate.x --spp 100 --reference-spp 50";
+    let finished = capwalk.run(check);
+    assert_eq!(finished.status, 2, "{}", finished.stdout);
+    assert_has(
+        &finished.stdout,
+        &[
+            "inconclusive: the differences saw no event",
+            "a larger step",
+            "--reference-spp",
+        ],
+    );
+    let finished = capwalk.run(&format!("{check} --json"));
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    assert_eq!(json["comparison"]["verdict"], "inconclusive");
+    let reason = json["comparison"]["reason"].as_str().expect("a reason");
+    assert!(reason.contains("no event"), "{reason}");
+}
+
 /// A lamp's own colour does nothing in direct light: no factor can be seen.
 #[test]
 fn nothing_changes() {

@@ -472,3 +472,83 @@ fn rounding_counts_as_zero() {
     let nothing = without_rounding(&image(estimate_of(|_, _| (1e-15, 1e-15))), step);
     assert_eq!(nothing, estimate_of(|_, _| (0.0, 0.0)));
 }
+
+/// A gradient image whose samples are all near 1, with so many of them in each pixel.
+fn with_samples(gradient: Estimate, samples: u32) -> crate::GradientImage {
+    crate::GradientImage {
+        missing: None,
+        value: estimate_of(|_, _| (1.0, 0.1 / f64::from(samples).sqrt())),
+        gradient,
+        statistics: crate::Statistics {
+            samples_per_pixel: vec![samples; SIZE * SIZE],
+            ..Default::default()
+        },
+    }
+}
+
+/// Differences of silhouettes see an event where one passes a sample, and each changes it by
+/// what it is worth. Where there is none, the reference is 0 ± 0 in all pixels, and few of
+/// them say no more.
+#[test]
+fn differences_without_events_are_no_evidence() {
+    let samples = 100;
+    let total: f64 = (0..SIZE * SIZE)
+        .map(|i| truth(i % SIZE, i / SIZE).abs())
+        .sum();
+    // How far to move for so many events in the whole image.
+    let span = |events: f64| events / (f64::from(samples) * total);
+    let against = |events: f64, really: f64| {
+        let span = span(events);
+        let mut doubts = 0;
+        let counts = count(200, |noise| {
+            let gradient = gaussian(noise, 0.01, 1.0, 0.0, 1.0);
+            let n = f64::from(samples);
+            let reference = estimate_of(|x, y| {
+                let met = noise.poisson(really * n * span * truth(x, y).abs());
+                let worth = truth(x, y).signum() / (n * span);
+                (met * worth, f64::sqrt(met) * worth.abs())
+            });
+            let images = [gradient, reference].map(|image| with_samples(image, samples));
+            let c = compare_with_differences(&images[0], &images[1], span);
+            let has_reason = |doubt: &str| doubt.contains("the differences saw");
+            if let Verdict::Inconclusive {
+                doubt: Some(doubt),
+                samples_factor,
+            } = &c.verdict
+            {
+                doubts += u32::from(has_reason(doubt));
+                assert!(*samples_factor > 10.0 && samples_factor.is_finite());
+            }
+            c
+        });
+        (counts, doubts)
+    };
+    // A right gradient: none of them wrong.
+    for events in [0.01, 0.3, 2.0, 5.0] {
+        let (counts, doubts) = against(events, 1.0);
+        assert_eq!(counts[..2], [0, 0], "{events} events: {counts:?}");
+        assert!(doubts > 20, "{events} events: {doubts} of {counts:?}");
+    }
+    // Nothing changes, and the gradient is not zero: wrong as soon as events are missed.
+    for (events, wrong) in [(0.1, 0), (5.0, 0), (12.0, 200), (1000.0, 200)] {
+        let (counts, _) = against(events, 0.0);
+        assert_eq!(counts, [0, wrong, 200 - wrong], "{events} events");
+    }
+    // A gradient that misses nearly all of what changes.
+    let (counts, _) = against(20.0, 100.0);
+    assert_eq!(counts, [0, 200, 0]);
+}
+
+/// Samples without noise, such as those of a visible emitter, all change by little: no rare
+/// events.
+#[test]
+fn samples_without_noise_are_evidence() {
+    let mut images =
+        [1.0, 0.0].map(|factor| with_samples(estimate_of(|x, y| (factor * truth(x, y), 0.0)), 16));
+    let verdict = compare_with_differences(&images[0], &images[1], 0.02).verdict;
+    assert!(matches!(verdict, Verdict::Wrong { .. }), "{verdict:?}");
+    // In a black image, nothing that is there could hide.
+    images[1].value = estimate_of(|_, _| (0.0, 0.0));
+    let verdict = compare_with_differences(&images[0], &images[1], 1e-9).verdict;
+    assert!(matches!(verdict, Verdict::Wrong { .. }), "{verdict:?}");
+}

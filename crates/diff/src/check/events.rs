@@ -1,0 +1,123 @@
+//! How many events the differences saw, and how many a right gradient makes.
+//!
+//! Where a silhouette moves, a sample of the reference differs between its two sides only if
+//! the silhouette passed it: an event, by which the sample changes by at most what samples
+//! differ by. If no sample met one, the reference is 0 ± 0 everywhere, which says that events
+//! are rare, not that nothing changes.
+
+use capwalk_math::Rgb;
+use capwalk_render::GradientImage;
+
+use super::pixel::channel;
+use super::{Comparison, EXCLUDED_AT, EXCLUDED_ERROR, FALSE_ALARM, Verdict, compare};
+
+/// So many pixels with an event are enough for the statistics of a comparison.
+const ENOUGH: usize = 10;
+
+/// Compares a gradient with differences of the same size, like [`compare`]. Where the
+/// differences saw so few events that a right gradient may make as few, they are no evidence
+/// against it: that is inconclusive.
+///
+/// `span` is how far the parameter moves from one side of the differences to the other.
+pub fn compare_with_differences(
+    gradient: &GradientImage,
+    differences: &GradientImage,
+    span: f64,
+) -> Comparison {
+    let mut comparison = compare(&gradient.gradient, &differences.gradient);
+    let is_held_against_it = matches!(
+        comparison.verdict,
+        Verdict::Wrong { .. } | Verdict::Inconclusive { doubt: Some(_), .. }
+    );
+    if is_held_against_it && let Some(verdict) = too_few(gradient, differences, span) {
+        comparison.verdict = verdict;
+    }
+    comparison
+}
+
+/// The verdict if a right gradient may make as few events as were seen, and they are too few
+/// for any other.
+fn too_few(gradient: &GradientImage, differences: &GradientImage, span: f64) -> Option<Verdict> {
+    let seen = seen(differences);
+    let expected = expected(gradient, differences, span);
+    if seen >= ENOUGH || expected <= 0.0 || at_most(seen, expected) < FALSE_ALARM {
+        return None;
+    }
+    let seen = match seen {
+        0 => "no event".into(),
+        1 => "an event in one pixel only".into(),
+        n => format!("events in {n} pixels only"),
+    };
+    let about = match expected {
+        0.1.. => format!("about {expected:.1}"),
+        _ => "less than 0.1".into(),
+    };
+    // Relative errors of counts fall with their root.
+    let needed = (2.0 * EXCLUDED_AT / EXCLUDED_ERROR).powi(2);
+    Some(Verdict::Inconclusive {
+        samples_factor: (needed / expected).max(2.0),
+        doubt: Some(format!(
+            "the differences saw {seen}, where a right gradient makes {about}: that \
+             is no evidence against it, and takes more samples of the reference or a larger step"
+        )),
+    })
+}
+
+/// Pixels in which any sample of the differences changed.
+fn seen(differences: &GradientImage) -> usize {
+    let estimate = &differences.gradient;
+    let pixels = estimate.mean.pixels.iter();
+    let pixels = pixels.zip(&estimate.standard_error.pixels);
+    pixels
+        .filter(|&(&mean, &error)| mean != Rgb::zero() || error != Rgb::zero())
+        .count()
+}
+
+/// Events that differences would see on average if the gradient were right, at least: with a
+/// derivative `g`, the samples of a pixel change by `span · g` on average, and each event
+/// changes one of them by about as much as they are large, there or in the rest of the image.
+fn expected(gradient: &GradientImage, differences: &GradientImage, span: f64) -> f64 {
+    let samples = &differences.statistics.samples_per_pixel;
+    // Mean square of the samples of a pixel.
+    let square = |i: usize, c: usize| {
+        let value = &differences.value;
+        let (mean, error) = (value.mean.pixels[i], value.standard_error.pixels[i]);
+        let square = channel(mean, c).powi(2) + channel(error, c).powi(2) * f64::from(samples[i]);
+        if square.is_finite() { square } else { 0.0 }
+    };
+    let pixels = || 0..samples.len();
+    let of_image = [0, 1, 2].map(|c| {
+        let sum: f64 = pixels().map(|i| square(i, c)).sum();
+        sum / samples.len() as f64
+    });
+    let of_pixel = |i: usize| {
+        let estimate = &gradient.gradient;
+        let (g, error) = (estimate.mean.pixels[i], estimate.standard_error.pixels[i]);
+        let of_channel = |c: usize| {
+            // What is certain of the derivative: its noise makes no events.
+            let change = (channel(g, c).abs() - channel(error, c)).max(0.0);
+            let size = square(i, c).max(of_image[c]).sqrt();
+            f64::from(samples[i]) * span * change / size
+        };
+        let channels = (0..3).map(of_channel);
+        // Not a number where nothing is seen and nothing changes, or too few samples were taken.
+        channels
+            .filter(|events| !events.is_nan())
+            .fold(0.0, f64::max)
+    };
+    pixels().map(of_pixel).sum()
+}
+
+/// Probability of at most so many events if so many happen on average.
+fn at_most(count: usize, mean: f64) -> f64 {
+    if mean.is_infinite() {
+        return 0.0;
+    }
+    let mut term = (-mean).exp();
+    let mut sum = term;
+    for k in 1..=count {
+        term *= mean / k as f64;
+        sum += term;
+    }
+    sum
+}
