@@ -99,6 +99,7 @@ phenomena! {
     smooth_sphere_under_constant_light
     sphere_emitter_grows
     spot_light_moves
+    sun_along_faces
     sun_turns
     surface_cut_by_the_near_plane
     texture_texel
