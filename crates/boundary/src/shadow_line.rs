@@ -6,6 +6,8 @@
 //! which two faces cross, for any viewpoint, and they move like them: their points stay in the
 //! plane of the face and in that through the light and the edge.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use capwalk_geometry::{Apex, Edge, Sides, Wedge, WedgePoint, is_edge_on};
 use capwalk_math::Vec3;
 use capwalk_scene::EmitterId;
@@ -24,10 +26,26 @@ const SAME_DEPTH: f64 = 1e-9;
 /// between two faces that meet.
 const SHORTEST: f64 = 1e-12;
 
-/// The segments of a scene's hard shadows, light by light and edge by edge. `edges` are those
-/// of the shapes, with vertices of the joined mesh. Beyond [`MOST_SHADOW_LINES`] the list ends, and
-/// no derivative by motion is taken.
-pub fn shadow_lines(accel: &Accel, edges: &[Edge]) -> Vec<Crossing> {
+/// A segment of the edge of a hard shadow.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ShadowLine {
+    /// The face that the shadow falls on.
+    pub face: u32,
+    /// The segment.
+    pub line: Crossing,
+}
+
+/// The segments of a scene's hard shadows, light by light and edge by edge; `None` if there are
+/// more than [`MOST_SHADOW_LINES`]. `edges` are those of the shapes, with vertices of the joined
+/// mesh.
+pub fn shadow_lines(accel: &Accel, edges: &[Edge]) -> Option<Vec<ShadowLine>> {
+    shadow_lines_up_to(accel, edges, MOST_SHADOW_LINES)
+}
+
+/// The same with another limit. Never more than that many segments are held, whatever the
+/// number of threads: each is counted before it is kept.
+fn shadow_lines_up_to(accel: &Accel, edges: &[Edge], most: usize) -> Option<Vec<ShadowLine>> {
+    let count = AtomicUsize::new(0);
     let mut lines = Vec::new();
     for (i, emitter) in accel.scene.emitters.iter().enumerate() {
         let Some(apex) = emitter.apex() else { continue };
@@ -35,21 +53,23 @@ pub fn shadow_lines(accel: &Accel, edges: &[Edge]) -> Vec<Crossing> {
             accel,
             apex,
             anchor: accel.anchor(EmitterId(i as u32)),
+            count: &count,
+            most,
         };
         for edges in edges.chunks(CHUNK) {
             let of_edge = |edge: &Edge| light.lines(edge);
-            let found: Vec<Crossing> = edges.par_iter().flat_map_iter(of_edge).collect();
-            lines.extend(found);
-            if lines.len() > MOST_SHADOW_LINES {
-                return lines;
+            let found: Vec<ShadowLine> = edges.par_iter().flat_map_iter(of_edge).collect();
+            if light.are_too_many() {
+                return None;
             }
+            lines.extend(found);
         }
     }
-    lines
+    Some(lines)
 }
 
-/// Edges between two looks at how many lines there are.
-const CHUNK: usize = 1 << 16;
+/// Edges whose segments are put together at once.
+const CHUNK: usize = 1 << 12;
 
 /// A light without extent.
 struct Light<'a> {
@@ -57,6 +77,9 @@ struct Light<'a> {
     apex: Apex,
     /// Its number among the points of the boundaries.
     anchor: u32,
+    /// Segments that were found, of all lights, and the most that there may be.
+    count: &'a AtomicUsize,
+    most: usize,
 }
 
 /// Where a face crosses the wedge of an edge, along a part of the edge.
@@ -104,9 +127,9 @@ impl Section {
 
 impl Light<'_> {
     /// The shadow of an edge: where the light past it first reaches a face.
-    fn lines(&self, edge: &Edge) -> Vec<Crossing> {
+    fn lines(&self, edge: &Edge) -> Vec<ShadowLine> {
         let mesh = &self.accel.mesh;
-        if !edge.is_silhouette_to(mesh, self.apex) {
+        if self.are_too_many() || !edge.is_silhouette_to(mesh, self.apex) {
             return Vec::new();
         }
         let ends = edge.vertices.map(|i| mesh.positions[i as usize]);
@@ -138,9 +161,18 @@ impl Light<'_> {
         let sections: Vec<Section> = sections.collect();
         let parts = first_met(&sections, wedge.depth_of_segment());
         let parts = parts.into_iter();
-        parts
-            .filter_map(|part| self.line(edge, &wedge, &part))
-            .collect()
+        let lines = parts.filter_map(|part| {
+            let line = self.line(edge, &wedge, &part)?;
+            let face = part.face;
+            Some(ShadowLine { face, line })
+        });
+        // Whether there are too many does not depend on who counts first.
+        let is_room = |_: &ShadowLine| self.count.fetch_add(1, Ordering::Relaxed) < self.most;
+        lines.take_while(is_room).collect()
+    }
+
+    fn are_too_many(&self) -> bool {
+        self.count.load(Ordering::Relaxed) > self.most
     }
 
     /// The corner of the two faces at an edge that is farthest from its wedge.
@@ -415,7 +447,7 @@ mod tests {
         scenes
     }
 
-    fn lines_of(accel: &Accel) -> Vec<Crossing> {
+    fn edges_of(accel: &Accel) -> Vec<Edge> {
         let mut edges = Vec::new();
         for (i, shape) in accel.scene.shapes.iter().enumerate() {
             let own = topology::edges_with(&shape.mesh, |_| false);
@@ -424,7 +456,12 @@ mod tests {
                 edge
             }));
         }
-        shadow_lines(accel, &edges)
+        edges
+    }
+
+    fn lines_of(accel: &Accel) -> Vec<Crossing> {
+        let lines = shadow_lines(accel, &edges_of(accel)).expect("few");
+        lines.into_iter().map(|line| line.line).collect()
     }
 
     fn is_lit(accel: &Accel, point: Vec3) -> bool {
@@ -517,6 +554,33 @@ mod tests {
     fn light_ends_where_lines_are_of_faces_along_it() {
         let [changes, _] = changes_at_lines(scenes_with_faces_along_the_light());
         assert!(changes > 150, "{changes}");
+    }
+
+    /// One line more than there may be, and there is none; never more than that are held.
+    #[test]
+    fn too_many_lines_are_none() {
+        for scene in scenes() {
+            let accel = Accel::new(scene);
+            let edges = edges_of(&accel);
+            let all = shadow_lines(&accel, &edges).expect("few");
+            // Inside of a closed mesh a light throws no shadow.
+            if all.is_empty() {
+                continue;
+            }
+            let up_to = |most: usize| shadow_lines_up_to(&accel, &edges, most);
+            assert_eq!(up_to(all.len()).as_ref(), Some(&all));
+            assert_eq!(up_to(all.len() - 1), None);
+            let count = AtomicUsize::new(0);
+            let light = Light {
+                accel: &accel,
+                apex: accel.scene.emitters[0].apex().expect("no extent"),
+                anchor: accel.anchor(EmitterId(0)),
+                count: &count,
+                most: 3,
+            };
+            let kept: usize = edges.iter().map(|edge| light.lines(edge).len()).sum();
+            assert_eq!(kept, all.len().min(3));
+        }
     }
 
     /// [`first_met`] by comparing every section with every other one, one free range at a time.

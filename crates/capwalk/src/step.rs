@@ -166,11 +166,8 @@ fn shadow_ends(prepared: &PreparedScene, tangent: &Tangent) -> impl Iterator<Ite
             }
         }
         velocities.extend(scene.anchor_velocities(tangent));
-        let boundaries = prepared.boundaries();
-        let first = boundaries.crossings.len() - boundaries.shadow_lines;
-        let ends = boundaries.crossings[first..]
-            .iter()
-            .flat_map(|line| &line.ends);
+        let lines = prepared.boundaries().shadow_lines();
+        let ends = lines.iter().flat_map(|line| &line.ends);
         let moving = ends.map(move |end| (end.position, end.velocity(&velocities)));
         moving.collect::<Vec<_>>()
     });
