@@ -147,6 +147,23 @@ impl Boundaries {
         &self.crossings[self.crossings.len() - self.shadowed_faces.len()..]
     }
 
+    /// For each face of the joined mesh, whether the edge of a hard shadow on it moves, given
+    /// which points of the boundaries do.
+    pub fn faces_with_moving_shadows(
+        &self,
+        accel: &Accel,
+        moves: impl Fn(u32) -> bool,
+    ) -> Vec<bool> {
+        let mut faces = vec![false; accel.mesh.faces.len()];
+        // The ends of crossings are the last points.
+        let first = self.point_count() - 2 * self.shadowed_faces.len();
+        for (line, &face) in self.shadowed_faces.iter().enumerate() {
+            let end = (first + 2 * line) as u32;
+            faces[face as usize] |= moves(end) || moves(end + 1);
+        }
+        faces
+    }
+
     /// The edges.
     pub fn edges(&self) -> &[Edge] {
         &self.edges
