@@ -101,69 +101,6 @@ fn a_lamp_that_moves_in_a_mirror() {
     assert!(!is_refused(&scene, "lamp.translate.x"));
 }
 
-/// A light moves, and its hard shadow on a floor at rest, which a smooth ball reflects.
-fn shadow_before_a_ball() -> Scene {
-    let mut scene = empty(v(0.5, -4.0, 1.5), v(0.0, 0.5, 0.5), 20.0, 12);
-    add_floor(&mut scene, 3.0);
-    let blade = placed(triangle(), Affine::translate(v(0.0, -0.4, 0.5)));
-    add(&mut scene, "thing", blade, ShadingNormals::Face, 0.5);
-    let place = Affine::translate(v(0.0, 0.7, 0.5)) * Affine::scale(Vec3::splat(0.4));
-    let ball = placed(icosphere(3), place);
-    let normals = ShadingNormals::computed(&ball);
-    add(&mut scene, "ball", ball, normals, 0.5);
-    let metal = mirror(&mut scene);
-    material(&mut scene, "ball.bsdf", metal);
-    let intensity = scene.add_texture(Texture::colour("bulb.intensity", Rgb::splat(5.0)));
-    scene.emitters.push(Emitter::Point {
-        id: "bulb".into(),
-        position: v(-0.3, -0.6, 3.0),
-        intensity,
-    });
-    scene.settings.integrator = Integrator::Path {
-        max_depth: Some(3),
-        rr_depth: 5,
-        hide_emitters: false,
-    };
-    scene
-}
-
-/// The floor that the ball reflects rests, and nothing moves that is seen there but shadows.
-#[test]
-fn a_hard_shadow_that_moves_in_a_curved_mirror() {
-    let mut scene = shadow_before_a_ball();
-    assert!(is_refused(&scene, "bulb.translate.x"));
-    assert!(!is_refused(&scene, "bulb.intensity.value"));
-    assert!(!is_refused(&scene, "thing.bsdf.reflectance.value"));
-    // Flat mirrors show how shadows move.
-    let ball = scene.shapes.iter().position(|shape| shape.id == "ball");
-    scene
-        .shape_mut(ShapeId(ball.expect("a ball") as u32))
-        .normals = ShadingNormals::Face;
-    assert!(!is_refused(&scene, "bulb.translate.x"));
-}
-
-/// Which shadows move follows a scene that changes.
-#[test]
-fn a_hard_shadow_that_comes_to_move_in_a_curved_mirror() {
-    let scene = shadow_before_a_ball();
-    // Below the floor the light throws no shadow that is seen.
-    let mut before = scene.clone();
-    let Some(Emitter::Point { position, .. }) = before.emitters.first_mut() else {
-        panic!("a point light");
-    };
-    *position = v(0.0, 0.0, -3.0);
-    let mut prepared = PreparedScene::new(before);
-    let motion = tangent(&scene, "bulb.translate.x");
-    let settings = GradientOptions::new(RenderOptions::new(4, 1));
-    let is_refused = |prepared: &PreparedScene| {
-        let result = gradient(prepared, &motion, &settings, &Unwatched);
-        result.is_err()
-    };
-    assert!(!is_refused(&prepared));
-    prepared.update(scene);
-    assert!(is_refused(&prepared));
-}
-
 /// Fields on triangles have no images, flat or not; who is told so is told what has.
 #[test]
 fn a_lamp_that_moves_in_a_flat_mirror() {
