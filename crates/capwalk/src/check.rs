@@ -211,8 +211,9 @@ impl Check {
 pub fn missing_text(missing: &Missing) -> String {
     let [share, error] = [missing.share, missing.standard_error].map(|x| 100.0 * x);
     format!(
-        "how silhouettes move that are seen in curved mirrors, through refracting glass, or after \
-         many reflections is left out; paths with such events carry {} % of the radiance",
+        "how silhouettes and hard shadows move that are seen in curved mirrors, through refracting \
+         glass, or after many reflections is left out; paths with such events carry {} % of the \
+         radiance",
         plus_minus(share, error)
     )
 }
