@@ -1,8 +1,8 @@
 //! Wedges: the parts of planes that light reaches past a segment, and where triangles cross
 //! them.
 //!
-//! The light of a point, or parallel light, that meets a segment fills a plane sector, or a
-//! strip. What it meets there, before the segment and behind it, decides where the segment's
+//! The light of a point, or parallel light, that reaches a segment fills a plane sector, or a
+//! strip. What it reaches there, before the segment and behind it, decides where the segment's
 //! hard shadow falls.
 
 use capwalk_math::Vec3;
