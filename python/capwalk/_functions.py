@@ -104,9 +104,9 @@ def gradient(
     :param steps: steps of a walk, for these two, at most 1000.
     :param max_angle: the walk's angular cutoff, degrees, above 0 and at most 180.
     :param antithetic: whether walks average opposite rim samples.
-    :param allow_missing: ``("specular",)`` leaves out how silhouettes move that are seen in curved
-        mirrors, through refracting glass, or after many reflections, instead of refusing the
-        derivative; ``statistics["missing"]`` is the share of the radiance that
+    :param allow_missing: ``("specular",)`` leaves out how silhouettes and hard shadows move that
+        are seen in curved mirrors, through refracting glass, or after many reflections, instead of
+        refusing the derivative; ``statistics["missing"]`` is the share of the radiance that
         arrives by paths with such events, whether something moves there or not.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.

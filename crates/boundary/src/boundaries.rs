@@ -15,7 +15,7 @@ use crate::edge_sampler::EdgeSampler;
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
 use crate::image_space::image_tree;
 use crate::shading::ShadingDiscontinuities;
-use crate::shadow_line::shadow_lines;
+use crate::shadow_line::{ShadowLine, shadow_lines};
 use crate::texture_line::texture_lines;
 use crate::viewpoint::{EMITTED, SEEN};
 use crate::window::AreaEmitter;
@@ -44,8 +44,10 @@ pub struct Boundaries {
     /// The segments where faces cross, where textures are discontinuous and where hard shadows
     /// end, in the order of the positions of their ends.
     pub crossings: Vec<Crossing>,
-    /// How many of them, the last, are edges of hard shadows.
-    pub shadow_lines: usize,
+    /// The faces that the last of them are on, those that are edges of hard shadows.
+    pub shadowed_faces: Vec<u32>,
+    /// True if there are too many edges of hard shadows, and none of them is listed.
+    pub has_too_many_shadow_lines: bool,
     /// The edges of area emitters with few edges.
     pub emitter_edges: Vec<EmitterEdge>,
     /// The area emitters, in front of which edges can be gathered.
@@ -72,7 +74,8 @@ impl Boundaries {
             contrasts: listed.contrasts,
             positions: listed.mesh.positions,
             crossings: listed.crossings,
-            shadow_lines: listed.shadow_lines,
+            shadowed_faces: listed.shadowed_faces,
+            has_too_many_shadow_lines: listed.has_too_many_shadow_lines,
             edge_samplers: Default::default(),
         }
     }
@@ -92,7 +95,8 @@ impl Boundaries {
             contrasts: Vec::new(),
             positions: mesh.positions,
             crossings: Vec::new(),
-            shadow_lines: 0,
+            shadowed_faces: Vec::new(),
+            has_too_many_shadow_lines: false,
             edge_samplers: Default::default(),
         }
     }
@@ -127,7 +131,8 @@ impl Boundaries {
             self.contrasts = listed.contrasts;
             self.positions = listed.mesh.positions;
             self.crossings = listed.crossings;
-            self.shadow_lines = listed.shadow_lines;
+            self.shadowed_faces = listed.shadowed_faces;
+            self.has_too_many_shadow_lines = listed.has_too_many_shadow_lines;
             self.edge_samplers = Default::default();
         }
         self.area_emitters = AreaEmitter::all(&accel.scene);
@@ -135,6 +140,28 @@ impl Boundaries {
             let faces = &accel.mesh.faces;
             self.image_tree = image_tree(&accel.view, &self.positions, faces, &self.edges);
         }
+    }
+
+    /// The segments that are edges of hard shadows.
+    pub fn shadow_lines(&self) -> &[Crossing] {
+        &self.crossings[self.crossings.len() - self.shadowed_faces.len()..]
+    }
+
+    /// For each face of the joined mesh, whether the edge of a hard shadow on it moves, given
+    /// which points of the boundaries do.
+    pub fn faces_with_moving_shadows(
+        &self,
+        accel: &Accel,
+        moves: impl Fn(u32) -> bool,
+    ) -> Vec<bool> {
+        let mut faces = vec![false; accel.mesh.faces.len()];
+        // The ends of crossings are the last points.
+        let first = self.point_count() - 2 * self.shadowed_faces.len();
+        for (line, &face) in self.shadowed_faces.iter().enumerate() {
+            let end = (first + 2 * line) as u32;
+            faces[face as usize] |= moves(end) || moves(end + 1);
+        }
+        faces
     }
 
     /// The edges.
@@ -257,8 +284,8 @@ struct Listed {
     edges: Vec<Edge>,
     contrasts: Vec<f32>,
     crossings: Vec<Crossing>,
-    /// How many of them are edges of hard shadows.
-    shadow_lines: usize,
+    shadowed_faces: Vec<u32>,
+    has_too_many_shadow_lines: bool,
     /// Ends of the edges whose term is added explicitly.
     on_emitters: Vec<[u32; 2]>,
 }
@@ -304,8 +331,12 @@ impl Listed {
         let mut crossings = crossings(accel);
         crossings.extend(texture_lines(accel));
         let shadow_lines = shadow_lines(accel, &edges);
-        let shadow_line_count = shadow_lines.len();
-        crossings.extend(shadow_lines);
+        let has_too_many_shadow_lines = shadow_lines.is_none();
+        let mut shadowed_faces = Vec::new();
+        for ShadowLine { face, line } in shadow_lines.into_iter().flatten() {
+            shadowed_faces.push(face);
+            crossings.push(line);
+        }
         for crossing in &crossings {
             let first = mesh.positions.len() as u32;
             mesh.positions.extend(crossing.ends.map(|end| end.position));
@@ -322,7 +353,8 @@ impl Listed {
             edges,
             contrasts,
             crossings,
-            shadow_lines: shadow_line_count,
+            shadowed_faces,
+            has_too_many_shadow_lines,
             on_emitters,
         }
     }

@@ -35,6 +35,11 @@ impl Motion {
         }
     }
 
+    /// True if it is certainly none.
+    pub fn is_still(&self) -> bool {
+        *self == Self::STILL
+    }
+
     /// The mean of several with these weights, above 0.
     pub(crate) fn mean(motions: impl Iterator<Item = (f64, Self)> + Clone) -> Self {
         let total: f64 = motions.clone().map(|(weight, _)| weight).sum();

@@ -393,11 +393,12 @@ fn specular_motion(share: f64, cause: SpecularCause) -> (String, Option<String>)
     };
     (
         format!(
-            "objects move that are seen {mirrors}, through refracting glass, or after more than \
-             {most} reflections (about {per_cent:.2} specular events in 100 samples), and the \
-             silhouettes seen there are not covered. Covered are those seen {covered} (without \
-             vertex normals) and through panes (`thindielectric`), and all shadows seen in mirrors \
-             that do not move"
+            "objects or hard shadows move that are seen {mirrors}, through refracting glass, or \
+             after more than {most} reflections (about {per_cent:.2} specular events in 100 \
+             samples), and the silhouettes and edges of hard shadows seen there are not covered. \
+             Covered are those seen {covered} (without vertex normals) and through panes \
+             (`thindielectric`), and the shadows of area emitters and environments seen in any \
+             mirror that does not move"
         ),
         Some(
             "Use one of these, a rough material (alpha of 0.01 or more), or finite differences; or \

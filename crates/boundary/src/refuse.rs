@@ -44,11 +44,11 @@ fn refuse_hard_shadows(scene: &Scene, method: &Method) -> Result<(), Refusal> {
 
 /// A refusal if the edges of hard shadows consist of too many segments.
 pub fn refuse_many_shadows(boundaries: &Boundaries) -> Result<(), Refusal> {
-    match boundaries.shadow_lines {
-        count if count > MOST_SHADOW_LINES => Err(Refusal::ManyShadowLines {
+    match boundaries.has_too_many_shadow_lines {
+        true => Err(Refusal::ManyShadowLines {
             most: MOST_SHADOW_LINES,
         }),
-        _ => Ok(()),
+        false => Ok(()),
     }
 }
 

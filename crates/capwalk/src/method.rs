@@ -74,8 +74,8 @@ pub enum MethodName {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MissingName {
-    /// `specular`: how silhouettes move that are seen in curved mirrors, through refracting
-    /// glass, or after many reflections.
+    /// `specular`: how silhouettes and hard shadows move that are seen in curved mirrors, through
+    /// refracting glass, or after many reflections.
     Specular,
 }
 

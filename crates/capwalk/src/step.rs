@@ -1,6 +1,6 @@
 //! By how much a finite difference moves its parameter.
 
-use capwalk_diff::{PreparedScene, may_be_specular};
+use capwalk_diff::{PreparedScene, Wanted, may_be_specular};
 use capwalk_math::{Dual, Vec3};
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Emitter, Film, Filter, Scene, Shape, ShapeVectors, Tangent, TextureId};
@@ -153,8 +153,8 @@ fn film_speed(prepared: &PreparedScene, tangent: &Tangent) -> f64 {
 fn shadow_ends(prepared: &PreparedScene, tangent: &Tangent) -> impl Iterator<Item = (Vec3, Vec3)> {
     let scene = &**prepared.scene();
     let has_shadows = scene.emitters.iter().any(Emitter::is_delta);
-    // Listing the boundaries takes time.
-    let lines = has_shadows.then(|| {
+    // Listing the boundaries takes time, and where nothing moves they rest.
+    let lines = (has_shadows && Wanted::by(tangent).geometry()).then(|| {
         let shapes = scene.shapes.iter().zip(&tangent.shapes);
         let mut velocities = Vec::new();
         for (shape, tangent) in shapes {
@@ -166,11 +166,8 @@ fn shadow_ends(prepared: &PreparedScene, tangent: &Tangent) -> impl Iterator<Ite
             }
         }
         velocities.extend(scene.anchor_velocities(tangent));
-        let boundaries = prepared.boundaries();
-        let first = boundaries.crossings.len() - boundaries.shadow_lines;
-        let ends = boundaries.crossings[first..]
-            .iter()
-            .flat_map(|line| &line.ends);
+        let lines = prepared.boundaries().shadow_lines();
+        let ends = lines.iter().flat_map(|line| &line.ends);
         let moving = ends.map(move |end| (end.position, end.velocity(&velocities)));
         moving.collect::<Vec<_>>()
     });
@@ -249,7 +246,8 @@ mod tests {
     use capwalk_scene::params::Registry;
 
     use super::*;
-    use capwalk_scene::{Bsdf, Optic, SensorModel};
+    use capwalk_math::Rgb;
+    use capwalk_scene::{Bsdf, Optic, SensorModel, Texture};
 
     fn difference_step(scene: &Scene, tangent: &Tangent) -> f64 {
         super::difference_step(&PreparedScene::new(scene.clone()), tangent)
@@ -354,5 +352,26 @@ mod tests {
         let both = step("leaf.translate.x + 100*floor.bsdf.reflectance.value");
         assert!((both / (COLOUR_STEP / 100.0) - 1.0).abs() < 1e-12);
         assert!(step("sensor.translate.x") > step("leaf.translate.x"));
+    }
+
+    /// Boundaries are listed for the step of what moves hard shadows, and of nothing else.
+    #[test]
+    fn the_step_of_a_colour_lists_no_boundaries() {
+        let mut scene = capwalk_scene::builtin::scene("leaf").unwrap();
+        let intensity = scene.add_texture(Texture::colour("intensity", Rgb::splat(1.0)));
+        scene.emitters.push(Emitter::Point {
+            id: "bulb".into(),
+            position: Vec3::new(0.2, 0.1, 3.0),
+            intensity,
+        });
+        let prepared = PreparedScene::new(scene);
+        let has_listed = |parameter: &str| {
+            let scene = prepared.scene();
+            let tangent = Registry::new(scene).tangent(scene, parameter).unwrap();
+            super::difference_step(&prepared, &tangent);
+            prepared.has_boundaries()
+        };
+        assert!(!has_listed("floor.bsdf.reflectance.value"));
+        assert!(has_listed("bulb.translate.x"));
     }
 }

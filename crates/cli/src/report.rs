@@ -87,8 +87,7 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
     }
     if let Some(missing) = &statistics.missing {
         text += &format!(
-            "warning: the {what} is incomplete: {}. Silhouettes that move were met there in {} \
-             specular events\n",
+            "warning: the {what} is incomplete: {}. Something moves there in {} specular events\n",
             missing_text(missing),
             count(statistics.uncovered)
         );

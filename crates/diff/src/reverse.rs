@@ -312,6 +312,9 @@ impl<'a> BackwardWork<'a> {
 /// The share of the radiance that is missing, from what each batch has of it and in all.
 fn missing(batches: &[[f64; 2]]) -> Missing {
     let sum = |of: usize| batches.iter().map(|batch| batch[of]).sum::<f64>();
+    if sum(1) == 0.0 {
+        return Missing::NOTHING;
+    }
     let share = sum(0) / sum(1);
     // What is off a common share in each of them.
     let squares = batches

@@ -48,6 +48,26 @@ fn side_seen(cross: Vec3, point: Vec3, viewpoint: Vec3) -> i32 {
     i32::from(height > tolerance) - i32::from(height < -tolerance)
 }
 
+/// 1 if parallel light lights the front of a face, -1 if its back, 0 if it passes along it. The
+/// face has the normal `cross`, of any length, and so has the light its direction.
+fn side_lit(cross: Vec3, direction: Vec3) -> i32 {
+    let height = cross.dot(direction);
+    let tolerance = ON_PLANE * cross.length() * direction.length();
+    i32::from(height < -tolerance) - i32::from(height > tolerance)
+}
+
+/// True if light from there passes along a face, up to rounding: it takes no light from what is
+/// behind it, and receives none. The tolerance is that of [`Edge::is_silhouette_to`].
+pub fn is_edge_on(mesh: &Mesh, face: u32, light: Apex) -> bool {
+    let cross = mesh.face_cross(face as usize);
+    let [corner, ..] = mesh.corners(face as usize);
+    let side = match light {
+        Apex::Point(origin) => side_seen(cross, corner, origin),
+        Apex::Direction(direction) => side_lit(cross, direction),
+    };
+    side == 0
+}
+
 /// True if an edge through `point` between faces with these normals may bound
 /// what the viewpoint sees: one face is seen from the front and the other from
 /// behind, or one has the viewpoint in its plane. The latter is the viewpoint's own face;
@@ -70,12 +90,8 @@ impl Edge {
             (Sides::Open, _) => true,
             (Sides::Between { .. }, Apex::Point(origin)) => self.is_silhouette(mesh, origin),
             (Sides::Between { faces, flipped }, Apex::Direction(direction)) => {
-                let [first, second] = faces.map(|face| {
-                    let cross = mesh.face_cross(face as usize);
-                    let (height, size) = (cross.dot(direction), cross.length());
-                    let tolerance = ON_PLANE * size * direction.length();
-                    i32::from(height < -tolerance) - i32::from(height > tolerance)
-                });
+                let sides = faces.map(|face| side_lit(mesh.face_cross(face as usize), direction));
+                let [first, second] = sides;
                 first * if flipped { -second } else { second } <= 0
             }
         }

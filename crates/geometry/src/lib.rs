@@ -26,7 +26,7 @@ pub mod topology;
 mod wedge;
 
 pub use cone::NormalCone;
-pub use edge::{Edge, Sides};
+pub use edge::{Edge, Sides, is_edge_on};
 pub use effort::{add_effort, effort, uncounted};
 pub use local_frame::LocalFrame;
 pub use mesh::{Mesh, MeshError};

@@ -1,8 +1,8 @@
 //! Wedges: the parts of planes that light reaches past a segment, and where triangles cross
 //! them.
 //!
-//! The light of a point, or parallel light, that meets a segment fills a plane sector, or a
-//! strip. What it meets there, before the segment and behind it, decides where the segment's
+//! The light of a point, or parallel light, that reaches a segment fills a plane sector, or a
+//! strip. What it reaches there, before the segment and behind it, decides where the segment's
 //! hard shadow falls.
 
 use capwalk_math::Vec3;
@@ -25,10 +25,21 @@ pub struct Wedge {
     ends: [Vec3; 2],
     /// The plane's normal, of any length.
     cross: Vec3,
+    /// 1, or -1 if what touches the plane on the side of the normal crosses it, and not what
+    /// touches it on the other side.
+    side: f64,
     /// `α` and `β` of a point of the plane are the products of these with its offsets from
     /// `b` and from `a`.
     sides: [Vec3; 2],
 }
+
+/// Sine of the angle to the light below which a segment is a point as the light sees it: far
+/// above rounding, which would decide about the plane of its wedge.
+const END_ON: f64 = 1e-11;
+
+/// Distances from the plane of a wedge up to which points lie in it: as parts of their distance
+/// from the segment, and of all coordinates.
+const IN_PLANE: [f64; 2] = [1e-11, 1e-15];
 
 /// So many times nearer than the segment is at the apex, up to rounding.
 const AT_APEX: f64 = 1e9;
@@ -51,9 +62,11 @@ impl Wedge {
             Apex::Point(origin) => p - origin,
             Apex::Direction(direction) => direction,
         };
-        let cross = light(a).cross(b - a);
+        let (first, along) = (light(a), b - a);
+        let cross = first.cross(along);
         let square = cross.length_squared();
-        if square == 0.0 || !square.is_finite() {
+        let least = END_ON * END_ON * first.length_squared() * along.length_squared();
+        if square <= least || !square.is_finite() {
             return None;
         }
         // Each vanishes along the light through one end, and is 1 at the other.
@@ -62,8 +75,25 @@ impl Wedge {
             apex,
             ends: [a, b],
             cross,
+            side: 1.0,
             sides,
         })
+    }
+
+    /// The same wedge, crossed by nothing that touches its plane on the side of a point: as if
+    /// it were hardly any farther on the other side.
+    pub fn beside(self, point: Vec3) -> Self {
+        let [a, _] = self.ends;
+        let side = self.cross.dot(point - a).signum();
+        Self { side, ..self }
+    }
+
+    /// The same wedge, crossed by what does not cross this one although it touches its plane.
+    pub fn turned(self) -> Self {
+        Self {
+            side: -self.side,
+            ..self
+        }
     }
 
     /// The normal of its plane, of any length.
@@ -120,7 +150,17 @@ impl Wedge {
     /// not. Triangles with a common edge cross it where the other does.
     pub fn section(&self, corners: [Vec3; 3]) -> Option<[WedgePoint; 2]> {
         let [a, _] = self.ends;
-        let heights = corners.map(|p| self.cross.dot(p - a));
+        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+        let unit = self.cross.length();
+        // Corners in the plane are above it, whatever rounding makes of them.
+        let heights = corners.map(|p| {
+            let height = self.side * self.cross.dot(p - a);
+            let tolerance = IN_PLANE[0] * sum(p - a) + IN_PLANE[1] * (sum(p) + sum(a));
+            match height.abs() <= tolerance * unit {
+                true => 0.0,
+                false => height,
+            }
+        });
         let is_below = heights.map(|height| height < 0.0);
         let mut crossed = (0..3).filter_map(|i| {
             let k = (i + 1) % 3;
@@ -255,6 +295,37 @@ mod tests {
         }
     }
 
+    /// What touches the plane crosses it from one side, and not from the other, whatever
+    /// rounding says; what lies in it crosses it from none.
+    #[test]
+    fn what_touches_crosses_from_one_side() {
+        for apex in APEXES {
+            let wedge = wedge(apex);
+            let normal = wedge.normal().normalized();
+            let [from, to] = [(0.2, 2.5), (0.7, 1.8)].map(|(along, far)| {
+                let depth = match apex {
+                    Apex::Point(_) => -1.0 / far,
+                    Apex::Direction(_) => far,
+                };
+                wedge.point(WedgePoint { along, depth }).1
+            });
+            let tip = (from + to) * 0.5 + normal;
+            for off in [0.0, 3e-16, -3e-16] {
+                let corners = [from + normal * off, to - normal * off, tip];
+                assert!(wedge.beside(tip).section(corners).is_none());
+                let other_side = [wedge.beside(tip).turned(), wedge.beside(from - normal)];
+                for wedge in other_side {
+                    let [first, last] = wedge.section(corners).expect("touches");
+                    assert!((first.along - 0.2).abs() < 1e-9);
+                    assert!((last.along - 0.7).abs() < 1e-9);
+                }
+                let flat = [corners[0], corners[1], tip - normal * (1.0 + off)];
+                let sides = [wedge, wedge.turned()];
+                assert!(sides.iter().all(|wedge| wedge.section(flat).is_none()));
+            }
+        }
+    }
+
     /// A segment that points to the light has no wedge.
     #[test]
     fn segments_seen_end_on_have_none() {
@@ -262,5 +333,9 @@ mod tests {
         assert!(Wedge::new(Apex::Point(a + (b - a) * 2.0), ENDS).is_none());
         assert!(Wedge::new(Apex::Direction(a - b), [a, b]).is_none());
         assert!(Wedge::new(Apex::Direction(a), [b, b]).is_none());
+        // Rounding leaves something of a plane.
+        let off = Vec3::new(0.0, 1e-16, 2e-16);
+        assert!(Wedge::new(Apex::Direction(a - b + off), [a, b]).is_none());
+        assert!(Wedge::new(Apex::Direction(a - b + off * 1e6), [a, b]).is_some());
     }
 }

@@ -59,6 +59,11 @@ impl PreparedScene {
         self.boundaries.get_or_init(|| boundaries)
     }
 
+    /// True once [`Self::boundaries`] are built.
+    pub fn has_boundaries(&self) -> bool {
+        self.boundaries.get().is_some()
+    }
+
     /// The boundaries that a derivative asks for: none if nothing moves, which takes no time.
     pub fn boundaries_if(&self, moves: bool) -> &Boundaries {
         match moves {

@@ -237,8 +237,8 @@ impl Tracer<'_> {
         chain.after(event.event).is_none() || self.misses_mirrors()
     }
 
-    /// Counts a ray after a specular event that bends light if silhouettes seen there
-    /// can move against it: they bound no field.
+    /// Counts a ray after a specular event that bends light if silhouettes or edges of hard
+    /// shadows seen there can move against it: they bound no field.
     fn count_uncovered<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -253,7 +253,9 @@ impl Tracer<'_> {
             let mut corners = corners.into_iter().flatten();
             corners.any(|i| !eval.vertex(i).is_constant())
         };
-        if ray_moves || surface_moves() {
+        // A shadow moves with its light and with what throws it, also on a face that rests.
+        let shadow_moves = || hit.is_some_and(|hit| self.shadow_moves(eval, hit.face));
+        if ray_moves || surface_moves() || shadow_moves() {
             let uncovered = &draw.counts.uncovered;
             uncovered.set(uncovered.get() + 1);
         }

@@ -75,6 +75,9 @@ pub struct Tracer<'a> {
     /// The motions of the nodes of both edge samplers; computed by the first samples that need
     /// them.
     pub edge_motions: [OnceLock<Vec<Motion>>; 2],
+    /// For each face, whether the edge of a hard shadow on it moves; found by the first samples
+    /// that ask.
+    pub moving_shadows: OnceLock<Vec<bool>>,
 }
 
 impl<'a> Tracer<'a> {
@@ -91,6 +94,7 @@ impl<'a> Tracer<'a> {
             leaves_out: LeavesOut::Nothing,
             silhouettes: PixelSilhouettes::default(),
             edge_motions: Default::default(),
+            moving_shadows: OnceLock::new(),
         }
     }
 
@@ -174,6 +178,20 @@ impl<'a> Tracer<'a> {
             sampler,
             self.edge_motions[selection as usize].get_or_init(motions),
         )
+    }
+
+    /// True if the edge of a hard shadow on a face moves.
+    pub(crate) fn shadow_moves<R: Real, W: SceneEval<R>>(&self, eval: &W, face: u32) -> bool {
+        let Some(Moving { field, .. }) = &self.moving else {
+            return false;
+        };
+        let boundaries = field.boundaries;
+        if boundaries.shadowed_faces.is_empty() {
+            return false;
+        }
+        let moves = |point| !eval.motion_of_point(point).is_still();
+        let faces = || boundaries.faces_with_moving_shadows(self.accel, moves);
+        self.moving_shadows.get_or_init(faces)[face as usize]
     }
 
     fn has_environment(&self) -> bool {

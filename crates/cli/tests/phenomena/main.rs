@@ -49,6 +49,7 @@ phenomena! {
     glossy_floor_reflects_a_moving_ball
     hard_shadow
     hard_shadow_in_a_mirror
+    hard_shadow_in_a_mirror_before_orthographic_sensor
     hard_shadow_of_a_point_light
     hard_shadow_on_a_moving_receiver
     index_of_refraction
@@ -61,6 +62,7 @@ phenomena! {
     lamp_of_many_edges_moves
     lamp_seen_by_reflection_moves
     lamps_that_touch
+    light_moves_before_a_curved_mirror
     mask_of_texels
     mask_silhouette
     mask_textured_leaf
@@ -99,6 +101,7 @@ phenomena! {
     smooth_sphere_under_constant_light
     sphere_emitter_grows
     spot_light_moves
+    sun_along_faces
     sun_turns
     surface_cut_by_the_near_plane
     texture_texel

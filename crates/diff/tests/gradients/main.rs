@@ -9,6 +9,7 @@ mod baselines;
 mod closed_forms;
 mod common;
 mod furnaces;
+mod hard_shadow_refusals;
 mod nearly_touching;
 mod parts;
 mod phenomena_aovs;
