@@ -20,7 +20,7 @@ const OF_THE_PAPER: [&str; 7] = [
 #[test]
 fn every_method_runs() {
     let capwalk = Capwalk::new("optimize_methods");
-    let job = SMALL.replace("iterations = 40", "iterations = 2");
+    let job = SMALL.replace("iterations = 40", "iterations = 3");
     let run = |method: &str| {
         capwalk.write("job.toml", &format!("{job}\n{method}"));
         let _ = std::fs::remove_dir_all(capwalk.path("out"));
