@@ -41,6 +41,11 @@ const END_ON: f64 = 1e-11;
 /// from the segment, and of all coordinates.
 const IN_PLANE: [f64; 2] = [1e-11, 1e-15];
 
+/// The sum of the sizes of the coordinates: no less than the length.
+fn sum(v: Vec3) -> f64 {
+    v.x.abs() + v.y.abs() + v.z.abs()
+}
+
 /// So many times nearer than the segment is at the apex, up to rounding.
 const AT_APEX: f64 = 1e9;
 
@@ -150,13 +155,10 @@ impl Wedge {
     /// not. Triangles with a common edge cross it where the other does.
     pub fn section(&self, corners: [Vec3; 3]) -> Option<[WedgePoint; 2]> {
         let [a, _] = self.ends;
-        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
-        let unit = self.cross.length();
         // Corners in the plane are above it, whatever rounding makes of them.
         let heights = corners.map(|p| {
             let height = self.side * self.cross.dot(p - a);
-            let tolerance = IN_PLANE[0] * sum(p - a) + IN_PLANE[1] * (sum(p) + sum(a));
-            match height.abs() <= tolerance * unit {
+            match height.abs() <= self.tolerance(p, Vec3::zero()) {
                 true => 0.0,
                 false => height,
             }
@@ -206,18 +208,28 @@ impl Wedge {
         (is_off_apex && section[0].along < section[1].along).then_some(section)
     }
 
+    /// How far from its plane points lie in it, as a product of their distance and the
+    /// length of the normal: points this far from a middle, at most.
+    fn tolerance(&self, middle: Vec3, half: Vec3) -> f64 {
+        let [a, _] = self.ends;
+        let [from_segment, from_origin] = [middle - a, middle].map(|p| sum(p) + sum(half));
+        let distance = IN_PLANE[0] * from_segment + IN_PLANE[1] * (from_origin + sum(a));
+        distance * self.cross.length()
+    }
+
     /// False if no triangle in a box can cross it: the box with this middle, and half of
     /// its extents. `margin` is how far the box may be off, world units.
     pub fn meets_box(&self, middle: Vec3, half: Vec3, margin: f64) -> bool {
         let reach = |normal: Vec3| {
-            let sum = |v: Vec3| v.x.abs() + v.y.abs() + v.z.abs();
             normal.x.abs() * half.x
                 + normal.y.abs() * half.y
                 + normal.z.abs() * half.z
                 + margin * sum(normal)
         };
         let [a, b] = self.ends;
-        self.cross.dot(middle - a).abs() <= reach(self.cross)
+        let half_and_margin = half + Vec3::splat(margin);
+        let in_plane = self.tolerance(middle, half_and_margin);
+        self.cross.dot(middle - a).abs() <= reach(self.cross) + in_plane
             && self.sides[0].dot(middle - b) >= -reach(self.sides[0])
             && self.sides[1].dot(middle - a) >= -reach(self.sides[1])
     }

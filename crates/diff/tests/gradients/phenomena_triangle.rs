@@ -80,6 +80,8 @@ fn everything_moves_under_one_triangle() {
 #[test]
 fn outlines_cross_borders() {
     let case = Case {
+        gradient_spp: 5000,
+        reference_spp: 5000,
         patience: 20.0,
         ..few_pixels()
     };
