@@ -109,12 +109,6 @@ fn triangle_against_its_area() {
     }
 }
 
-fn agree_before(name: &str, scene: Scene, expression: &str, step: f64) {
-    let tangent = tangent(&scene, expression);
-    let case = Case { step, ..primary() };
-    agree(name, with_parallel_rays(scene, 0.85), &tangent, case);
-}
-
 /// Every edge of the image moves at a velocity of its own: black things under a sky,
 /// so that nothing but silhouettes has a derivative.
 #[test]
