@@ -11,8 +11,8 @@ use capwalk_scene::{Scene, ShapeId};
 /// the emitter's size or of the distance from which it is seen. Shadow rays end that much before an
 /// emitter.
 const IN_PLANE: f64 = 1e-9;
-/// Products of emitters and vertices that are looked at, at most; of more emitters all count
-/// as flush, which changes no hit but takes time.
+/// The most emitters times vertices for which the planes of emitters are searched for other
+/// surfaces. Beyond it all flat emitters count as flush, which costs rays time.
 const MOST_LOOKS: usize = 1 << 26;
 
 /// The faces of these emitters, and the tree for their rays.
