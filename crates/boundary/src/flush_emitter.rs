@@ -111,3 +111,51 @@ impl Plane {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::accel::Accel;
+
+    /// From in front, rays find a lamp in its ceiling wherever brute force finds the lamp alone,
+    /// and the ceiling around it, whichever of the two comes first in the scene.
+    #[test]
+    fn lamps_are_in_front_of_their_ceilings() {
+        let lit = capwalk_scene::builtin::scene("leaf").expect("built in");
+        let lamp = lit.emitters[0].shape().expect("a lamp");
+        for others in 0..2 {
+            // The ceiling takes the place of another shape, before the lamp or behind it.
+            let mut scene = lit.clone();
+            let places = (0..scene.shapes.len()).filter(|&i| i != lamp.0 as usize);
+            let place = places.clone().nth(others).expect("two other shapes");
+            let own = scene.shape(lamp).mesh.clone();
+            let (low, high) = own.bounds();
+            let middle = (low + high) * 0.5;
+            let ceiling = &mut Arc::make_mut(&mut scene.shapes[place]).mesh;
+            *ceiling = own.clone();
+            let corners = ceiling.positions.iter_mut();
+            corners.for_each(|p| *p = middle + (*p - middle) * 3.0);
+            let accel = Accel::new(scene);
+            let normal = own.face_cross(0).normalized();
+            let origin = middle + normal * 1.3 + (high - middle) * 0.37;
+            let mut found = [0; 2];
+            for i in 0..1000 {
+                let share = |i: usize, step: f64| 3.2 * ((i as f64 * step).fract() - 0.5);
+                let [a, b, c] = own.corners(0);
+                let sides = (b - a) * share(i, 0.618034) + (c - a) * share(i, 0.754878);
+                let ray = Ray::new(origin, (middle + sides - origin).normalized());
+                let expected = capwalk_geometry::oracle::first_hit(&own, &ray);
+                let Some(hit) = accel.first_hit_within(&ray) else {
+                    assert_eq!(expected, None);
+                    continue;
+                };
+                let is_lamp = accel.shape_of(&hit) == lamp;
+                assert_eq!(is_lamp, expected.is_some(), "{ray:?}");
+                found[usize::from(is_lamp)] += 1;
+            }
+            assert!(found.into_iter().all(|count| count > 20), "{found:?}");
+        }
+    }
+}
