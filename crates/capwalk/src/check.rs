@@ -9,7 +9,7 @@ use crate::error::Error;
 use crate::options::{DifferenceOptions, check_spp, check_step};
 use crate::text::{count, list, number, plus_minus, significant};
 
-/// Samples of the reference for each one of the gradient, if nothing is said:
+/// Samples of the reference for each one of the gradient, before the noise of both is known:
 /// differences are cheaper, and noisier.
 const REFERENCE_FACTOR: u32 = 4;
 
@@ -27,8 +27,8 @@ const SHOWN_PAIRS: usize = 5;
 pub struct CheckOptions {
     /// How the gradient is estimated.
     pub gradient: GradientOptions,
-    /// Samples per pixel of the reference on each side of the difference; `None` takes
-    /// four times those of the gradient.
+    /// Samples per pixel of the reference on each side of the difference; `None` takes as many
+    /// as bring the most for the time: more, the noisier differences are beside the gradient.
     pub reference_spp: Option<u32>,
     /// How far the parameter moves on each side, in its own units; `None` chooses
     /// [`Prepared::difference_step`](crate::Prepared::difference_step).
@@ -44,7 +44,12 @@ impl CheckOptions {
         tangent: &Tangent,
         step: impl FnOnce() -> f64,
     ) -> Result<Reference, Error> {
-        let GradientOptions { spp, seed, .. } = self.gradient;
+        let GradientOptions {
+            spp,
+            seed,
+            adaptive,
+            ..
+        } = self.gradient;
         let step = self.step.unwrap_or_else(step);
         let spp = self
             .reference_spp
@@ -53,6 +58,8 @@ impl CheckOptions {
         check_step(step)?;
         Ok(Reference {
             spp,
+            fits_noise: self.reference_spp.is_none(),
+            adaptive,
             seed: seed ^ REFERENCE_SEED,
             step,
             sides: Stencil::of(scene, tangent, step)?,
@@ -65,6 +72,10 @@ impl CheckOptions {
 pub struct Reference {
     /// Samples per pixel on each side.
     pub spp: u32,
+    /// Whether so many are taken instead as fit the noise.
+    pub(crate) fits_noise: bool,
+    /// Whether pixels get more or fewer of them by how noisy they are.
+    pub adaptive: bool,
     /// Seed of its random numbers.
     pub seed: u64,
     /// How far the parameter moves on each side, in its own units.
@@ -102,6 +113,7 @@ impl Reference {
     pub fn options(&self) -> DifferenceOptions {
         DifferenceOptions {
             spp: self.spp,
+            adaptive: self.adaptive,
             seed: self.seed,
             step: Some(self.step),
         }
@@ -125,15 +137,13 @@ pub struct Check {
 }
 
 impl Check {
-    /// Compares a gradient with differences that were made like this, both of the same size;
-    /// where something is missing, those of the light that it does not concern.
+    /// Compares a gradient with differences of the same size, and how they were made; where
+    /// something is missing, those of the light that it does not concern.
     pub fn new(
         gradient: GradientImage,
-        differences: GradientImage,
-        made: Reference,
+        (made, mut reference): (Reference, GradientImage),
         coplanar: Vec<[String; 2]>,
     ) -> Self {
-        let mut reference = differences;
         reference.gradient = without_rounding(&reference, made.step);
         let mut comparison = compare_with_differences(&gradient, &reference, made.span());
         if gradient.missing.is_some() {

@@ -4,8 +4,8 @@ use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    BackwardWork, GradientImage, GradientOptions, GradientWork, Method, PreparedScene, Refusal,
-    RenderOptions, RenderWork, Rendering, Wanted, Watch,
+    BackwardWork, Differences, GradientImage, GradientOptions, GradientWork, PreparedScene,
+    Refusal, RenderOptions, RenderWork, Rendering, Wanted, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, Tangent};
@@ -71,26 +71,8 @@ impl Engine {
         capwalk_diff::gradient_of_rest(&self.prepared, tangent, options, watch)
     }
 
-    pub fn finite_difference(
-        &self,
-        tangent: &Tangent,
-        step: f64,
-        options: &RenderOptions,
-        watch: &dyn Watch,
-    ) -> Result<GradientImage, Refusal> {
-        capwalk_diff::finite_difference(self.scene(), tangent, step, options, watch)
-    }
-
-    pub fn finite_difference_of_rest(
-        &self,
-        tangent: &Tangent,
-        step: f64,
-        options: &RenderOptions,
-        method: Method,
-        watch: &dyn Watch,
-    ) -> Result<GradientImage, Refusal> {
-        let scene = self.scene();
-        capwalk_diff::finite_difference_of_rest(scene, tangent, step, options, method, watch)
+    pub fn differences(&self, tangent: &Tangent, step: f64) -> Result<Differences<'_>, Refusal> {
+        Differences::new(self.scene(), tangent, step)
     }
 
     pub fn backward_work<'a>(

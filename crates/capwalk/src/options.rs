@@ -9,6 +9,8 @@ use crate::method::OptionError;
 pub struct DifferenceOptions {
     /// Samples per pixel on each side, at least 1; at least 2 for standard errors.
     pub spp: u32,
+    /// Whether pixels get more or fewer samples by how noisy they are, `spp` on average.
+    pub adaptive: bool,
     /// Seed of all random numbers, the same on both sides.
     pub seed: u64,
     /// How far the parameter moves on each side, above 0, in its own units; `None`
@@ -19,11 +21,22 @@ pub struct DifferenceOptions {
 impl Default for DifferenceOptions {
     /// 64 samples per pixel, the seed 0, and the step that fits the scene.
     fn default() -> Self {
-        let RenderOptions { spp, seed, .. } = RenderOptions::default();
+        let sampling = RenderOptions::default();
         Self {
-            spp,
-            seed,
+            spp: sampling.spp,
+            adaptive: sampling.adaptive,
+            seed: sampling.seed,
             step: None,
+        }
+    }
+}
+
+impl DifferenceOptions {
+    /// How the images are sampled.
+    pub(crate) fn sampling(&self) -> RenderOptions {
+        RenderOptions {
+            adaptive: self.adaptive,
+            ..RenderOptions::new(self.spp, self.seed)
         }
     }
 }

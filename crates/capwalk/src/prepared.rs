@@ -155,14 +155,10 @@ impl Prepared {
         let step = options
             .step
             .unwrap_or_else(|| self.difference_step(&tangent));
-        let DifferenceOptions { spp, seed, .. } = *options;
-        check_spp("spp", spp)?;
+        check_spp("spp", options.spp)?;
         check_step(step)?;
-        let options = RenderOptions::new(spp, seed);
-        let result = self
-            .engine
-            .finite_difference(&tangent, step, &options, watch);
-        Ok(result?)
+        let differences = self.engine.differences(&tangent, step)?;
+        Ok(differences.image(&options.sampling(), watch))
     }
 
     /// The step that central differences along this motion take by default, in units of
@@ -208,9 +204,9 @@ impl Prepared {
         let chosen = self.choose(tangent, &options.gradient, watch)?.options;
         let gradient = self.gradient(tangent, &chosen, watch)?;
         let gradient = self.comparable(gradient, tangent, &chosen, watch)?;
-        let differences = self.reference(&gradient, tangent, &reference, chosen.method, watch)?;
+        let made = self.reference(&gradient, tangent, reference, chosen.method, watch)?;
         let coplanar = self.coplanar_shapes(tangent);
-        Ok(Check::new(gradient, differences, reference, coplanar))
+        Ok(Check::new(gradient, made, coplanar))
     }
 
     /// What of a gradient can be compared with differences: all of it; or, if something is
@@ -231,23 +227,29 @@ impl Prepared {
         Ok(rest)
     }
 
-    /// The reference for what is comparable of a gradient that was estimated by this method.
+    /// The reference for what is comparable of a gradient that was estimated by this method, and
+    /// how it was made: with as many samples as fit the noise of both, unless so many are asked
+    /// for.
     pub fn reference(
         &self,
         comparable: &GradientImage,
         tangent: &Tangent,
-        made: &Reference,
+        made: Reference,
         method: Method,
         watch: &dyn Watch,
-    ) -> Result<GradientImage, Error> {
-        if comparable.missing.is_none() {
-            return self.finite_difference(tangent, &made.options(), watch);
+    ) -> Result<(Reference, GradientImage), Error> {
+        let mut differences = self.engine.differences(tangent, made.step)?;
+        if comparable.missing.is_some() {
+            differences = differences.of_rest(method);
         }
-        let options = RenderOptions::new(made.spp, made.seed);
-        let differences = self
-            .engine
-            .finite_difference_of_rest(tangent, made.step, &options, method, watch);
-        Ok(differences?)
+        let sampling = made.options().sampling();
+        let spp = match made.fits_noise {
+            true => differences.spp_beside(comparable, &sampling, watch),
+            false => made.spp,
+        };
+        let made = Reference { spp, ..made };
+        let image = differences.image(&made.options().sampling(), watch);
+        Ok((made, image))
     }
 
     /// The gradient of `Σ adjoint · image` with respect to everything that is named, in one

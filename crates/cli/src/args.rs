@@ -287,6 +287,9 @@ pub struct Render {
     pub scene: SceneArgs,
     #[command(flatten)]
     pub sampling: SamplingArgs,
+    /// Give pixels more or fewer samples by how noisy they are, --spp on average
+    #[arg(long)]
+    pub adaptive: bool,
     #[command(flatten)]
     pub output: OutputArgs,
 }
@@ -306,6 +309,9 @@ pub struct Gradient {
     pub step: Option<f64>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
+    /// Give pixels more or fewer samples by how noisy they are, --spp on average
+    #[arg(long)]
+    pub adaptive: bool,
     #[command(flatten)]
     pub output: OutputArgs,
 }

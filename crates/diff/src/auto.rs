@@ -13,6 +13,7 @@ use capwalk_boundary::refuse::is_specular_somewhere;
 use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Refusal, Sampler, pool};
 use capwalk_geometry::effort;
 use capwalk_math::{Moments, Rgb, Vec3};
+use capwalk_render::tiles::EFFORT_OF_SAMPLE;
 use capwalk_render::{PreparedScene, Tracer, Watch};
 use capwalk_scene::{BsdfId, Image, Optic, Scene, ShapeVectors, Tangent};
 use rayon::prelude::*;
@@ -95,9 +96,6 @@ const PER_PIXEL: u32 = 4;
 
 /// One pixel of so many is taken for an accident, that of the largest variance.
 const WORST: usize = 100;
-
-/// Effort of a sample besides its queries: shading, sampling and their derivatives.
-const EFFORT_OF_SAMPLE: u64 = 100;
 
 /// So many emitters say how wide they are.
 const MOST_EMITTERS: usize = 16;

@@ -2,11 +2,12 @@
 //! gradients are checked against, METHOD 9. They are central, or one-sided where a
 //! parameter is at the end of what it can be.
 
-use capwalk_boundary::{Counts, Draw, Method, Refusal};
+use capwalk_boundary::{Counts, Draw, Method, Refusal, Stream};
 use capwalk_math::Rgb;
-use capwalk_render::tiles::{self, Averages, Sample};
+use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
-    GradientImage, LeavesOut, Part, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch,
+    Estimate, GradientImage, LeavesOut, Part, Partial, Plan, PreparedScene, Primal, RenderOptions,
+    Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Scene, Tangent};
 
@@ -90,63 +91,135 @@ pub fn finite_difference(
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    difference(scene, tangent, step, options, LeavesOut::Nothing, watch)
+    Ok(Differences::new(scene, tangent, step)?.image(options, watch))
 }
 
-/// The same of the image that [`gradient_of_rest`](crate::gradient_of_rest) differentiates by
-/// this method.
-pub fn finite_difference_of_rest(
-    scene: &Scene,
-    tangent: &Tangent,
+/// The scenes that a difference is taken between, ready to be rendered, see
+/// [`finite_difference`].
+pub struct Differences<'a> {
+    scene: &'a Scene,
     step: f64,
-    options: &RenderOptions,
-    method: Method,
-    watch: &dyn Watch,
-) -> Result<GradientImage, Refusal> {
-    difference(scene, tangent, step, options, left_out(method), watch)
-}
-
-fn difference(
-    scene: &Scene,
-    tangent: &Tangent,
-    step: f64,
-    options: &RenderOptions,
+    places: Vec<Place>,
+    /// As many as places.
+    scenes: Vec<PreparedScene>,
     leaves_out: LeavesOut,
-    watch: &dyn Watch,
-) -> Result<GradientImage, Refusal> {
-    let places = Stencil::of(scene, tangent, step)?.places();
-    let moved = |place: &Place| PreparedScene::new(scene.moved(tangent, place.at * step));
-    let scenes: Vec<_> = places.iter().map(moved).collect();
-    let plan = Plan::new(scene).for_differences();
-    let tracer = |scene| {
-        let tracer = Tracer::primal(scene).with_plan(plan);
-        tracer.leaving_out(leaves_out)
-    };
-    let tracers: Vec<_> = scenes.iter().map(tracer).collect();
-    let part = Part::whole(tiles::grid(scene, options));
-    let sums = tiles::average(scene, options, None, &part, watch, |pixel, stream| {
-        let draw = Draw {
-            stream,
-            counts: &Counts::default(),
+}
+
+impl<'a> Differences<'a> {
+    /// Moves the scene.
+    pub fn new(scene: &'a Scene, tangent: &Tangent, step: f64) -> Result<Self, Refusal> {
+        let places = Stencil::of(scene, tangent, step)?.places();
+        let moved = |place: &Place| PreparedScene::new(scene.moved(tangent, place.at * step));
+        Ok(Self {
+            scene,
+            step,
+            scenes: places.iter().map(moved).collect(),
+            places,
+            leaves_out: LeavesOut::Nothing,
+        })
+    }
+
+    /// The same of the image that [`gradient_of_rest`](crate::gradient_of_rest) differentiates
+    /// by this method.
+    #[must_use]
+    pub fn of_rest(self, method: Method) -> Self {
+        Self {
+            leaves_out: left_out(method),
+            ..self
+        }
+    }
+
+    /// The image and its derivative.
+    pub fn image(&self, options: &RenderOptions, watch: &dyn Watch) -> GradientImage {
+        let scene = self.scene;
+        let counts = adaptive::sample_counts(scene, options, watch, DERIVATIVE, |pilot, watch| {
+            self.average(pilot, &SampleCounts::Even, watch)
+        });
+        let averages = Averages::new(self.average(options, &counts, watch).into_sums());
+        GradientImage {
+            value: averages.estimate(scene, 0),
+            gradient: averages.estimate(scene, DERIVATIVE),
+            missing: None,
+            statistics: averages.statistics,
+        }
+    }
+
+    /// With how many samples per pixel the difference of an image of differences and a gradient
+    /// has the least variance for the time of both, if samples go where they are needed
+    /// ([`adaptive`]): time in proportion to the root of variance × time of each of them. Those
+    /// of the options, if nothing has any noise.
+    pub fn spp_beside(
+        &self,
+        gradient: &GradientImage,
+        options: &RenderOptions,
+        watch: &dyn Watch,
+    ) -> u32 {
+        let noise = adaptive::noise(self.scene, options, watch, DERIVATIVE, |pilot, watch| {
+            self.average(pilot, &SampleCounts::Even, watch)
+        });
+        let effort = gradient.statistics.effort as f64;
+        let root = (mean_variance(&gradient.gradient) * effort).sqrt();
+        match noise {
+            Some(noise) if noise.root > 0.0 && root > 0.0 => {
+                let times = (noise.root / root).clamp(1.0 / MOST_TIMES, MOST_TIMES);
+                let spp = times * effort / noise.effort_of_spp;
+                (spp.round() as u32).max(FEWEST.min(options.spp))
+            }
+            _ => options.spp,
+        }
+    }
+
+    fn average(
+        &self,
+        options: &RenderOptions,
+        counts: &SampleCounts,
+        watch: &dyn Watch,
+    ) -> Partial<PixelSums> {
+        let plan = Plan::new(self.scene).for_differences();
+        let tracer = |scene| {
+            let tracer = Tracer::primal(scene).with_plan(plan);
+            tracer.leaving_out(self.leaves_out)
         };
-        let (mut value, mut difference) = (Rgb::zero(), Rgb::zero());
-        for (tracer, place) in tracers.iter().zip(&places) {
-            let light: Rgb = tracer.pixel(&Primal(tracer.accel), pixel, draw);
-            value += light * place.value;
-            difference += light * place.slope;
-        }
-        let [[a, b, c], [d, e, f]] = [value, difference / step].map(|rgb| rgb.to_array());
-        Sample {
-            numbers: [a, b, c, d, e, f],
-            cone_queries: 0,
-            uncovered: 0,
-        }
+        let tracers: Vec<_> = self.scenes.iter().map(tracer).collect();
+        let sample = |pixel: [u32; 2], stream: &Stream| {
+            let draw = Draw {
+                stream,
+                counts: &Counts::default(),
+            };
+            let (mut value, mut difference) = (Rgb::zero(), Rgb::zero());
+            for (tracer, place) in tracers.iter().zip(&self.places) {
+                let light: Rgb = tracer.pixel(&Primal(tracer.accel), pixel, draw);
+                value += light * place.value;
+                difference += light * place.slope;
+            }
+            let [[a, b, c], [d, e, f]] = [value, difference / self.step].map(|rgb| rgb.to_array());
+            Sample {
+                numbers: [a, b, c, d, e, f],
+                cone_queries: 0,
+                uncovered: 0,
+            }
+        };
+        let part = Part::whole(tiles::grid(self.scene, options));
+        tiles::average(self.scene, options, counts, None, &part, watch, sample)
+    }
+}
+
+/// Which of a sample's numbers is the first of the derivative.
+const DERIVATIVE: usize = 3;
+
+/// The time of differences beside a gradient, as a multiple of that of the gradient or a part of
+/// it, at most.
+const MOST_TIMES: f64 = 8.0;
+
+/// The fewest samples per pixel of differences beside a gradient, unless fewer are asked for.
+const FEWEST: u32 = 16;
+
+/// The mean over the pixels of the variance, summed over the channels.
+fn mean_variance(estimate: &Estimate) -> f64 {
+    let errors = estimate.standard_error.pixels.iter();
+    let squares = errors.filter(|e| e.is_finite()).map(|&e| {
+        let [r, g, b] = (e * e).to_array();
+        r + g + b
     });
-    let averages = Averages::new(sums.into_sums(), options);
-    Ok(GradientImage {
-        value: averages.estimate(scene, 0),
-        gradient: averages.estimate(scene, 3),
-        missing: None,
-        statistics: averages.statistics,
-    })
+    squares.sum::<f64>() / estimate.standard_error.pixels.len() as f64
 }

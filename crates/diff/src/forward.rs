@@ -8,10 +8,10 @@ use capwalk_boundary::refuse::{
     refuse_settings, refuse_turned_without_uvs, refuse_uncovered,
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
-use capwalk_render::tiles::{self, Averages, PixelSums, Sample};
+use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
     GradientImage, Grid, LeavesOut, Missing, Part, PartError, Partial, PreparedScene,
-    RenderOptions, Tracer, Watch,
+    RenderOptions, Silent, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -132,8 +132,15 @@ impl<'a> GradientWork<'a> {
             ..options.sampling()
         };
         let whole = Part::whole(tiles::grid(self.prepared.scene(), &pilot));
-        let found = self.average(options, &pilot, None, &whole, &Silent(watch));
-        Averages::new(found.into_sums(), &pilot)
+        let found = self.average(
+            options,
+            &pilot,
+            &SampleCounts::Even,
+            None,
+            &whole,
+            &Silent(watch),
+        );
+        Averages::new(found.into_sums())
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -159,14 +166,21 @@ impl<'a> GradientWork<'a> {
         watch: &dyn Watch,
     ) -> Result<Partial<PixelSums>, Refusal> {
         let options = self.chosen(watch)?.options;
-        Ok(self.average(&options, &options.sampling(), work, part, watch))
+        let (scene, sampling) = (self.prepared.scene(), options.sampling());
+        let counts =
+            adaptive::sample_counts(scene, &sampling, watch, DERIVATIVE, |pilot, watch| {
+                let part = Part::whole(tiles::grid(scene, pilot));
+                self.average(&options, pilot, &SampleCounts::Even, None, &part, watch)
+            });
+        Ok(self.average(&options, &sampling, &counts, work, part, watch))
     }
 
-    /// Averages samples of this method, taken so.
+    /// Averages samples of this method, taken so, so many of each pixel.
     fn average(
         &self,
         options: &GradientOptions,
         sampling: &RenderOptions,
+        counts: &SampleCounts,
         work: Option<u64>,
         part: &Part,
         watch: &dyn Watch,
@@ -201,7 +215,7 @@ impl<'a> GradientWork<'a> {
                 uncovered: counts.uncovered.get(),
             }
         };
-        tiles::average(scene, sampling, work, part, watch, sample)
+        tiles::average(scene, sampling, counts, work, part, watch, sample)
     }
 
     fn boundaries(&self) -> &'a Boundaries {
@@ -232,7 +246,7 @@ impl<'a> GradientWork<'a> {
 
     fn gradient_image(&self, sums: Vec<PixelSums>) -> Result<GradientImage, Refusal> {
         let scene = self.prepared.scene();
-        let averages = Averages::new(sums, &self.options.sampling());
+        let averages = Averages::new(sums);
         self.refuse_uncovered(&averages)?;
         let value = averages.estimate(scene, 0);
         let mut statistics = averages.statistics.clone();
@@ -241,7 +255,7 @@ impl<'a> GradientWork<'a> {
         statistics.missing = missing.as_ref().map(|missing| Missing::of(missing, &value));
         Ok(GradientImage {
             value,
-            gradient: averages.estimate(scene, 3),
+            gradient: averages.estimate(scene, DERIVATIVE),
             missing,
             statistics,
         })
@@ -265,18 +279,10 @@ impl<'a> GradientWork<'a> {
 /// Numbers of a sample: value, derivative, and what of the value arrives where something is
 /// missing.
 const NUMBERS: usize = 7;
+/// The first of the derivative.
+const DERIVATIVE: usize = 3;
 /// The last of them.
 const MISSING: usize = 6;
-
-/// Stops when another watch does, and says nothing.
-struct Silent<'a>(&'a dyn Watch);
-
-impl Watch for Silent<'_> {
-    fn progress(&self, _done: u64, _total: u64) {}
-    fn should_stop(&self) -> bool {
-        self.0.should_stop()
-    }
-}
 
 /// Samples per pixel to find what cannot be covered.
 const PILOT_SPP: u32 = 2;

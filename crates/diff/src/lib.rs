@@ -36,7 +36,7 @@ pub use capwalk_walk::{Estimator, WalkSettings};
 
 pub use adjoint::Wanted;
 pub use auto::{Chosen, Trial};
-pub use finite::{Stencil, finite_difference, finite_difference_of_rest};
+pub use finite::{Differences, Stencil, finite_difference};
 pub use forward::{GradientWork, gradient, gradient_of_rest};
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;

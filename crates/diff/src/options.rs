@@ -11,6 +11,9 @@ use serde::{Deserialize, Serialize};
 pub struct GradientOptions {
     /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,
+    /// Whether pixels of a derivative image get more or fewer samples by how noisy they are,
+    /// `spp` on average, see [`adaptive`](capwalk_render::adaptive). Not in reverse mode.
+    pub adaptive: bool,
     /// Seed of all random numbers.
     pub seed: u64,
     /// How the discontinuities of the integrand are accounted for.
@@ -45,9 +48,16 @@ impl Default for GradientOptions {
 
 impl From<RenderOptions> for GradientOptions {
     /// The default method, sampled like this.
-    fn from(RenderOptions { spp, seed, grid }: RenderOptions) -> Self {
+    fn from(sampling: RenderOptions) -> Self {
+        let RenderOptions {
+            spp,
+            adaptive,
+            seed,
+            grid,
+        } = sampling;
         Self {
             spp,
+            adaptive,
             seed,
             grid,
             blind: false,
@@ -73,6 +83,7 @@ impl GradientOptions {
     pub fn sampling(&self) -> RenderOptions {
         RenderOptions {
             spp: self.spp,
+            adaptive: self.adaptive,
             seed: self.seed,
             grid: self.grid,
         }

@@ -50,8 +50,13 @@ impl Grid {
 
     /// The samples of a batch, of `spp` in groups that belong together.
     pub fn samples(&self, batch: u32, spp: u32, group: u32) -> Range<u32> {
-        let Range { start, end } = split(spp.div_ceil(group), self.batches, batch);
-        start * group..end.saturating_mul(group).min(spp)
+        Self::part(spp, group, self.batches, batch)
+    }
+
+    /// The `i`-th of `parts` nearly equal ranges of samples, which does not cut groups.
+    pub(crate) fn part(samples: u32, group: u32, parts: u32, i: u32) -> Range<u32> {
+        let Range { start, end } = split(samples.div_ceil(group), parts, i);
+        start * group..end.saturating_mul(group).min(samples)
     }
 
     /// All cells, batch by batch.

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use capwalk_boundary::{Counts, Draw};
 use capwalk_scene::fingerprint;
 
+use crate::adaptive;
 use crate::estimate::Rendering;
 use crate::grid::{Grid, Part};
 use crate::options::{RenderOptions, Watch};
@@ -12,7 +13,7 @@ use crate::part_error::PartError;
 use crate::partial::Partial;
 use crate::prepared::PreparedScene;
 use crate::scene_eval::Primal;
-use crate::tiles::{self, Averages, PixelSums, Sample};
+use crate::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use crate::tracer::Tracer;
 
 /// The image of a scene, with its standard error.
@@ -61,6 +62,23 @@ impl<'a> RenderWork<'a> {
     }
 
     fn sums(&self, work: Option<u64>, part: &Part, watch: &dyn Watch) -> Partial<PixelSums> {
+        let (scene, options) = (self.prepared.scene(), &self.options);
+        let counts = adaptive::sample_counts(scene, options, watch, 0, |pilot, watch| {
+            let part = Part::whole(tiles::grid(scene, pilot));
+            self.average(pilot, &SampleCounts::Even, None, &part, watch)
+        });
+        self.average(options, &counts, work, part, watch)
+    }
+
+    /// Averages samples that are taken so.
+    fn average(
+        &self,
+        options: &RenderOptions,
+        counts: &SampleCounts,
+        work: Option<u64>,
+        part: &Part,
+        watch: &dyn Watch,
+    ) -> Partial<PixelSums> {
         let prepared = self.prepared;
         let (tracer, eval) = (Tracer::primal(prepared), Primal(prepared.accel()));
         let sample = |pixel: [u32; 2], stream: &_| {
@@ -74,11 +92,11 @@ impl<'a> RenderWork<'a> {
                 uncovered: 0,
             }
         };
-        tiles::average(prepared.scene(), &self.options, work, part, watch, sample)
+        tiles::average(prepared.scene(), options, counts, work, part, watch, sample)
     }
 
     fn rendering(&self, sums: Vec<PixelSums>) -> Rendering {
-        let averages = Averages::new(sums, &self.options);
+        let averages = Averages::new(sums);
         Rendering {
             value: averages.estimate(self.prepared.scene(), 0),
             statistics: averages.statistics,

@@ -8,6 +8,7 @@
 //!
 //! Nothing here opens a file, prints, or reads the clock.
 
+pub mod adaptive;
 mod aov;
 mod camera;
 mod direct_edge_term;
@@ -38,6 +39,7 @@ mod sampled_edges;
 mod scene_eval;
 mod shading;
 mod surface;
+mod surroundings;
 pub mod tiles;
 mod tracer;
 mod triangle_sampler;
@@ -47,7 +49,7 @@ pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Estimate, GradientImage, Missing, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
 pub use image::{RenderWork, render};
-pub use options::{RenderOptions, Unwatched, Watch};
+pub use options::{RenderOptions, Silent, Unwatched, Watch};
 pub use ordered_sum::{Accumulate, CannotMerge, OrderedSum};
 pub use part_error::PartError;
 pub use partial::{Along, Partial};
@@ -55,6 +57,7 @@ pub use plan::{FIRST_VERTEX, LightSampling, Plan};
 pub use prepared::PreparedScene;
 pub use radiance::{Emitted, SpecularChain};
 pub use scene_eval::{Primal, SceneEval, Warped, vertex_normal};
+pub use surroundings::Surroundings;
 pub use tiles::PixelSums;
 pub use tracer::{LeavesOut, Moving, Tracer, Walks};
 pub use vertex::Vertex;

@@ -11,6 +11,9 @@ use crate::grid::Grid;
 pub struct RenderOptions {
     /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,
+    /// Whether pixels get more or fewer samples by how noisy they are, `spp` on average, see
+    /// [`adaptive`](crate::adaptive).
+    pub adaptive: bool,
     /// Seed of all random numbers: the same scene and seed give the same bits.
     pub seed: u64,
     /// The cells that the samples are cut into, for work in parts. Another grid rounds
@@ -30,6 +33,7 @@ impl RenderOptions {
     pub const fn new(spp: u32, seed: u64) -> Self {
         Self {
             spp,
+            adaptive: false,
             seed,
             grid: Grid::DEFAULT,
         }
@@ -68,5 +72,15 @@ impl Watch for Unwatched {
     fn progress(&self, _done: u64, _total: u64) {}
     fn should_stop(&self) -> bool {
         false
+    }
+}
+
+/// Stops when another watch does, and says nothing.
+pub struct Silent<'a>(pub &'a dyn Watch);
+
+impl Watch for Silent<'_> {
+    fn progress(&self, _done: u64, _total: u64) {}
+    fn should_stop(&self) -> bool {
+        self.0.should_stop()
     }
 }

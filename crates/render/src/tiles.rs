@@ -1,9 +1,9 @@
 //! The parallel loop over pixels and samples.
 
-use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_boundary::{Sampler, Stream, pool};
+use capwalk_geometry::effort;
 use capwalk_math::Moments;
 use capwalk_scene::{Image, Scene};
 use rayon::prelude::*;
@@ -39,17 +39,28 @@ pub struct PixelSums {
 /// What was done in a pixel.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 struct Tally {
+    /// Samples that are to be taken.
+    wanted: u32,
+    /// Samples that were taken.
     samples: u32,
     non_finite: u32,
     cone_queries: u64,
     uncovered: u64,
+    /// Effort of its samples.
+    effort: u64,
 }
 
 impl PixelSums {
-    fn zero(pixels: usize, channels: usize) -> Self {
+    /// Nothing taken yet, of so many samples that are wanted of each pixel.
+    fn new(wanted: impl Iterator<Item = u32>, channels: usize) -> Self {
+        let tally = |wanted| Tally {
+            wanted,
+            ..Tally::default()
+        };
+        let tallies: Vec<Tally> = wanted.map(tally).collect();
         Self {
-            moments: vec![Moments::default(); pixels * channels],
-            tallies: vec![Tally::default(); pixels],
+            moments: vec![Moments::default(); tallies.len() * channels],
+            tallies,
         }
     }
 }
@@ -64,10 +75,12 @@ impl Accumulate for PixelSums {
             own.merge(other);
         }
         for (own, other) in self.tallies.iter_mut().zip(&next.tallies) {
+            own.wanted += other.wanted;
             own.samples += other.samples;
             own.non_finite += other.non_finite;
             own.cone_queries += other.cone_queries;
             own.uncovered += other.uncovered;
+            own.effort += other.effort;
         }
     }
 }
@@ -75,6 +88,9 @@ impl Accumulate for PixelSums {
 /// The largest number of a sample that counts as finite: images are kept in single
 /// precision, and the sums of squares of larger ones overflow.
 const LARGEST_NUMBER: f64 = f32::MAX as f64;
+
+/// Effort of a sample besides its queries: shading, sampling and their derivatives.
+pub const EFFORT_OF_SAMPLE: u64 = 100;
 
 /// Pixels that a worker takes at a time.
 const CHUNK: usize = 16;
@@ -92,15 +108,43 @@ pub fn grid(scene: &Scene, options: &RenderOptions) -> Grid {
     options.grid.filled(groups, scene.film.crop_size[1])
 }
 
-/// Averages the samples of the cells of a part. `sample(pixel, stream)` gets the pixel's
-/// column and row. The same to the bit for every number of threads and every way to cut
-/// the work: each pixel adds the samples of a batch in order, and then the batches.
+/// How many samples each pixel gets.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SampleCounts {
+    /// As many as the options ask for.
+    Even,
+    /// These, row by row, see [`adaptive`](crate::adaptive).
+    Each(Vec<u32>),
+}
+
+impl SampleCounts {
+    /// Those of a pixel.
+    fn of(&self, pixel: u32, options: &RenderOptions) -> u32 {
+        match self {
+            Self::Even => options.spp,
+            Self::Each(counts) => counts[pixel as usize],
+        }
+    }
+
+    /// The most that a pixel gets.
+    fn most(&self, options: &RenderOptions) -> u32 {
+        match self {
+            Self::Even => options.spp,
+            Self::Each(counts) => counts.iter().copied().max().unwrap_or_default(),
+        }
+    }
+}
+
+/// Averages the samples of the cells of a part, so many of each pixel. `sample(pixel, stream)`
+/// gets the pixel's column and row. The same to the bit for every number of threads and every
+/// way to cut the work: each pixel adds the samples of a batch in order, and then the batches.
 ///
 /// `work` is the fingerprint of a work that is cut: then only cells that were finished
 /// before the watch stopped are there. Without, all are, with the samples that they have.
 pub fn average<const C: usize>(
     scene: &Scene,
     options: &RenderOptions,
+    counts: &SampleCounts,
     work: Option<u64>,
     part: &Part,
     watch: &dyn Watch,
@@ -110,33 +154,44 @@ pub fn average<const C: usize>(
     let group = sampler.group();
     let [width, height] = scene.film.crop_size;
     let grid = part.grid();
+    // A batch is cut into passes over its pixels, the same part of each pixel's samples in each.
     let per_pass = options.spp.div_ceil(PASSES).min(MOST_PER_PASS);
-    let per_pass = per_pass.next_multiple_of(group);
+    let longest = counts.most(options).div_ceil(grid.batches);
+    let passes = longest.div_ceil(per_pass.next_multiple_of(group)).max(1);
     let pixels_of = |band: u32| {
         let rows = grid.rows(band, height);
         rows.start * width..rows.end * width
     };
-    let samples_of = |batch: u32| grid.samples(batch, options.spp, group);
+    let samples_of = |batch: u32, pixel: u32| grid.samples(batch, counts.of(pixel, options), group);
     let total = grid.cells().filter(|&cell| part.contains(cell));
     let total = total
-        .map(|cell| pixels_of(cell.band).len() as u64 * samples_of(cell.batch).len() as u64)
+        .map(|cell| {
+            let pixels = pixels_of(cell.band);
+            let samples = pixels.map(|pixel| samples_of(cell.batch, pixel).len() as u64);
+            samples.sum::<u64>()
+        })
         .sum();
     let done = AtomicU64::new(0);
 
-    // Some samples of some pixels, which are consecutive.
+    // A pass over some pixels, which are consecutive.
     let take =
-        |first: u32, samples: &Range<u32>, moments: &mut [Moments], tallies: &mut [Tally]| {
+        |first: u32, [batch, pass]: [u32; 2], moments: &mut [Moments], tallies: &mut [Tally]| {
             if watch.should_stop() {
                 return;
             }
-            let work = tallies.len() as u64 * samples.len() as u64;
+            let mut work = 0;
             let pixels = moments.chunks_exact_mut(C).zip(tallies);
             for (pixel, (moments, tally)) in (first..).zip(pixels) {
                 let position = [pixel % width, pixel / width];
-                let mut start = samples.start;
-                while start < samples.end {
+                let of_batch = samples_of(batch, pixel);
+                let of_pass = Grid::part(of_batch.len() as u32, group, passes, pass);
+                let effort_before = effort();
+                let mut start = of_batch.start + of_pass.start;
+                let stop = of_batch.start + of_pass.end;
+                work += u64::from(stop - start);
+                while start < stop {
                     // Samples that depend on each other count as one number: their mean.
-                    let end = samples.end.min(start + group);
+                    let end = stop.min(start + group);
                     let mut sum = [0.0; C];
                     for number in start..end {
                         let stream = sampler.stream(u64::from(pixel), number);
@@ -157,6 +212,9 @@ pub fn average<const C: usize>(
                     tally.samples += end - start;
                     start = end;
                 }
+                let queries = effort().wrapping_sub(effort_before);
+                tally.effort +=
+                    queries + EFFORT_OF_SAMPLE * u64::from(stop - of_batch.start - of_pass.start);
             }
             let before = done.fetch_add(work, Ordering::Relaxed);
             watch.progress(before + work, total);
@@ -165,28 +223,29 @@ pub fn average<const C: usize>(
     let mut sums = vec![OrderedSum::default(); grid.bands as usize];
     pool::install(|| {
         for batch in 0..grid.batches {
-            let mut bands: Vec<(u32, PixelSums)> = part
-                .bands_of(batch)
-                .into_iter()
-                .map(|band| (band, PixelSums::zero(pixels_of(band).len(), C)))
-                .collect();
-            let Range { mut start, end } = samples_of(batch);
-            while start < end && !watch.should_stop() {
-                let samples = start..end.min(start.saturating_add(per_pass));
+            let empty = |band: u32| {
+                let wanted = pixels_of(band).map(|pixel| samples_of(batch, pixel).len() as u32);
+                (band, PixelSums::new(wanted, C))
+            };
+            let mut bands: Vec<(u32, PixelSums)> =
+                part.bands_of(batch).into_iter().map(empty).collect();
+            for pass in 0..passes {
+                if watch.should_stop() {
+                    break;
+                }
                 bands.par_iter_mut().for_each(|(band, sums)| {
                     let first = pixels_of(*band).start;
                     let moments = sums.moments.par_chunks_mut(C * CHUNK);
                     let chunks = moments.zip(sums.tallies.par_chunks_mut(CHUNK));
                     chunks.enumerate().for_each(|(chunk, (moments, tallies))| {
                         let first = first + (chunk * CHUNK) as u32;
-                        take(first, &samples, moments, tallies);
+                        take(first, [batch, pass], moments, tallies);
                     });
                 });
-                start = samples.end;
             }
-            let wanted = samples_of(batch).len() as u32;
             for (band, term) in bands {
-                let is_finished = term.tallies.iter().all(|pixel| pixel.samples == wanted);
+                let mut tallies = term.tallies.iter();
+                let is_finished = tallies.all(|pixel| pixel.samples == pixel.wanted);
                 if work.is_none() || is_finished {
                     sums[band as usize].insert(batch, term);
                 }
@@ -215,16 +274,17 @@ pub struct Averages {
 
 impl Averages {
     /// Those of a complete work, from its bands.
-    pub fn new(bands: Vec<PixelSums>, options: &RenderOptions) -> Self {
+    pub fn new(bands: Vec<PixelSums>) -> Self {
         let tallies = || bands.iter().flat_map(|band| &band.tallies);
         let sum = |of: fn(&Tally) -> u64| tallies().map(of).sum();
         let statistics = Statistics {
             samples_per_pixel: tallies().map(|pixel| pixel.samples).collect(),
-            complete: tallies().all(|pixel| pixel.samples == options.spp),
+            complete: tallies().all(|pixel| pixel.samples == pixel.wanted),
             samples: sum(|pixel| u64::from(pixel.samples)),
             non_finite: sum(|pixel| u64::from(pixel.non_finite)),
             cone_queries: sum(|pixel| pixel.cone_queries),
             uncovered: sum(|pixel| pixel.uncovered),
+            effort: sum(|pixel| pixel.effort),
             missing: None,
         };
         let numbers: usize = bands.iter().map(|band| band.moments.len()).sum();
@@ -233,6 +293,12 @@ impl Averages {
             bands,
             statistics,
         }
+    }
+
+    /// The mean effort of a sample of each pixel, in about twenty nanoseconds.
+    pub fn efforts(&self) -> impl Iterator<Item = f64> {
+        let tallies = self.bands.iter().flat_map(|band| &band.tallies);
+        tallies.map(|pixel| pixel.effort as f64 / f64::from(pixel.samples.max(1)))
     }
 
     /// Three consecutive numbers as an image with errors.
@@ -292,18 +358,24 @@ mod tests {
             is_bad
         };
         let part = Part::whole(grid(&scene, &options));
-        let partial = average(&scene, &options, None, &part, &Unwatched, |_, stream| {
-            Sample {
+        let partial = average(
+            &scene,
+            &options,
+            &SampleCounts::Even,
+            None,
+            &part,
+            &Unwatched,
+            |_, stream| Sample {
                 numbers: match bad(stream) {
                     true => BAD[(10.0 * stream.number(1)) as usize % BAD.len()],
                     false => [1.0; 3],
                 },
                 cone_queries: 0,
                 uncovered: 0,
-            }
-        });
+            },
+        );
         let sums = partial.into_sums();
-        let averages = Averages::new(sums, &options);
+        let averages = Averages::new(sums);
         let statistics = &averages.statistics;
         let share = statistics.non_finite as f64 / statistics.samples as f64;
         assert_eq!(statistics.samples, 8 * 6 * 50);

@@ -4,7 +4,9 @@ pub mod layers;
 pub mod timed;
 
 use anyhow::{Result, ensure};
-use capwalk::{Check, CheckOptions, Comparison, Verdict, comparison_text, coplanar_text};
+use capwalk::{
+    Check, CheckOptions, Comparison, RenderOptions, Verdict, comparison_text, coplanar_text,
+};
 use serde_json::{Value, json};
 
 use crate::args::{self, MethodName};
@@ -19,7 +21,11 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let scene = prepared.scene();
     memory::check(scene, Need::Check)?;
     let tangent = direction::tangent(&prepared, &typed.tangent)?;
-    let sampling = source::options(&typed.sampling, scene);
+    // What decides are the noisiest pixels.
+    let sampling = RenderOptions {
+        adaptive: true,
+        ..source::options(&typed.sampling, scene)
+    };
     let stem = format!("{}-check", source::stem(&typed.scene));
     let files = Files::new(&typed.output.output, &stem, &["png"])?;
     ensure!(

@@ -16,7 +16,10 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
     let tangent = direction::tangent(&prepared, &args.tangent)?;
-    let options = source::options(&args.sampling, scene);
+    let options = RenderOptions {
+        adaptive: args.adaptive,
+        ..source::options(&args.sampling, scene)
+    };
     memory::check(scene, Need::Gradient)?;
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
@@ -33,6 +36,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
         Way::Differences { step } => {
             let options = DifferenceOptions {
                 spp: options.spp,
+                adaptive: options.adaptive,
                 seed: options.seed,
                 step: Some(*step),
             };

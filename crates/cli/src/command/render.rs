@@ -1,6 +1,7 @@
 //! `capwalk render`: an image.
 
 use anyhow::Result;
+use capwalk::RenderOptions;
 use serde_json::json;
 
 use crate::args::Render;
@@ -13,7 +14,10 @@ use crate::{console, report, source};
 pub fn run(args: &Render) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
-    let options = source::options(&args.sampling, scene);
+    let options = RenderOptions {
+        adaptive: args.adaptive,
+        ..source::options(&args.sampling, scene)
+    };
     memory::check(scene, Need::Image)?;
     let stem = source::stem(&args.scene);
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;

@@ -2,7 +2,7 @@
 
 use capwalk_math::Rgb;
 
-use capwalk_render::Estimate;
+use capwalk_render::{Estimate, Surroundings};
 
 /// What one pixel contributes to the comparison.
 #[derive(Clone, Copy, Debug)]
@@ -41,11 +41,6 @@ impl Pixel {
         1.0 / self.local_variance
     }
 }
-
-/// Squares over which variances are averaged, as radius in pixels and share in
-/// the average. The nearest 24 neighbours say most; the wider ones and the
-/// whole image only keep weights finite where all of them are without noise.
-const NEIGHBOURHOODS: [(usize, f64); 3] = [(2, 0.9), (8, 0.09), (usize::MAX, 0.01)];
 
 /// Relative differences below this are not held against a gradient: central
 /// differences have a bias of order `step²` themselves.
@@ -90,8 +85,8 @@ pub(super) struct Pixels {
 /// looks at every channel, and prefers none because its noise is large.
 pub(super) fn split(gradient: &Estimate, reference: &Estimate) -> Pixels {
     let (width, height) = (gradient.mean.width, gradient.mean.height);
-    let gradient_around = Surroundings::new(gradient);
-    let reference_around = Surroundings::new(reference);
+    let gradient_around = Surroundings::new(&gradient.standard_error);
+    let reference_around = Surroundings::new(&reference.standard_error);
     let mut pixels = Pixels {
         noisy: Vec::new(),
         noise_free: Vec::new(),
@@ -164,68 +159,4 @@ fn guarded_variance(own: [f64; 2], around: [f64; 2]) -> f64 {
 /// One channel of a colour.
 pub(super) fn channel(colour: Rgb, c: usize) -> f64 {
     colour[c]
-}
-
-/// Sums of variances over rectangles of an image.
-struct Surroundings {
-    width: usize,
-    height: usize,
-    variances: Vec<Rgb>,
-    /// Sum over all pixels above and to the left, one column and row more than
-    /// the image (Crow 1984).
-    sums: Vec<Rgb>,
-}
-
-impl Surroundings {
-    fn new(estimate: &Estimate) -> Self {
-        let error = &estimate.standard_error;
-        let (width, height) = (error.width, error.height);
-        let variances: Vec<Rgb> = error
-            .pixels
-            .iter()
-            .map(|e| match e.is_finite() {
-                true => *e * *e,
-                false => Rgb::zero(), // left out
-            })
-            .collect();
-        let stride = width + 1;
-        let mut sums = vec![Rgb::zero(); stride * (height + 1)];
-        for y in 0..height {
-            let mut row = Rgb::zero();
-            for x in 0..width {
-                row += variances[y * width + x];
-                sums[(y + 1) * stride + x + 1] = sums[y * stride + x + 1] + row;
-            }
-        }
-        Self {
-            width,
-            height,
-            variances,
-            sums,
-        }
-    }
-
-    /// Mean variance of a channel around a pixel, without the pixel itself.
-    fn variance(&self, x: usize, y: usize, c: usize) -> f64 {
-        let own = channel(self.variances[y * self.width + x], c);
-        let mean_within = |radius: usize| {
-            let from = [x, y].map(|at| at.saturating_sub(radius));
-            let to = [
-                x.saturating_add(radius).saturating_add(1).min(self.width),
-                y.saturating_add(radius).saturating_add(1).min(self.height),
-            ];
-            let others = (to[0] - from[0]) * (to[1] - from[1]) - 1;
-            // Differences of running sums leave rounding noise where all is zero.
-            (self.sum(from, to, c) - own).max(0.0) / others.max(1) as f64
-        };
-        let shares = NEIGHBOURHOODS.iter();
-        shares
-            .map(|&(radius, share)| share * mean_within(radius))
-            .sum()
-    }
-
-    fn sum(&self, from: [usize; 2], to: [usize; 2], c: usize) -> f64 {
-        let at = |x: usize, y: usize| channel(self.sums[y * (self.width + 1) + x], c);
-        at(to[0], to[1]) - at(from[0], to[1]) - at(to[0], from[1]) + at(from[0], from[1])
-    }
 }

@@ -125,6 +125,7 @@ mod tests {
                 non_finite,
                 cone_queries: 0,
                 uncovered: 0,
+                effort: 0,
                 missing: None,
             },
         }
