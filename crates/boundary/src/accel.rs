@@ -1,15 +1,17 @@
 //! A scene prepared for queries: one mesh, its ray tree, its emitters.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use capwalk_geometry::{HalfSpace, Hit, Mesh, Ray, RayTree, Wedge, WedgePoint};
 use capwalk_math::Vec3;
+use capwalk_scene::lobe::Event;
 use capwalk_scene::resolve::Resolver;
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{DeltaLight, EmitterId, Scene, ShapeId};
 
 use crate::flush_emitter::FlushEmitters;
 use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
+use crate::mirror_image::MirrorPlanes;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
 /// face indices of a shape follow those of the shapes before it.
@@ -41,6 +43,8 @@ pub struct Accel {
     /// What specular events at each shape keep images in shape.
     flat_events: Vec<FlatEvents>,
     has_flat_events: bool,
+    /// The planes of flat mirrors; found when they are first asked for.
+    mirror_planes: OnceLock<Option<MirrorPlanes>>,
     rays: RayTree,
     /// Emitters in the planes of other surfaces.
     flush: Option<FlushEmitters>,
@@ -54,7 +58,7 @@ pub struct Accel {
 /// the scene's size.
 const SELF_INTERSECTION: f64 = 1e-10;
 /// Fraction by which a shadow ray stops short of the point it is sent to.
-const SHORT_OF_TARGET: f64 = 1e-9;
+pub(crate) const SHORT_OF_TARGET: f64 = 1e-9;
 
 /// A refitted tree whose surface-area cost is this many times that of when it was built
 /// is built anew: rays take about 2.7 times as long there.
@@ -154,6 +158,7 @@ impl Accel {
             resolver: Resolver::new(&scene),
             has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
             flat_events,
+            mirror_planes: OnceLock::new(),
             flush,
             rays,
             mesh,
@@ -264,6 +269,16 @@ impl Accel {
     #[inline]
     pub fn flat_events(&self, hit: &Hit) -> FlatEvents {
         self.flat_events[self.shape_of(hit).0 as usize]
+    }
+
+    /// The planes of all flat mirrors; `None` if there are too many to make images by each.
+    pub fn mirror_planes(&self) -> Option<&MirrorPlanes> {
+        let find = || {
+            let events = |face: u32| self.flat_events[self.shape_of_face[face as usize].0 as usize];
+            let reflects = |face: u32| events(face).contains(Event::Reflect);
+            MirrorPlanes::new(&self.mesh, reflects, self.self_distance / SELF_INTERSECTION)
+        };
+        self.mirror_planes.get_or_init(find).as_ref()
     }
 
     /// The shape that a vertex of the joined mesh belongs to.

@@ -27,6 +27,7 @@ mod infinite_derivative;
 mod material;
 mod method;
 mod mirror;
+mod mirror_image;
 mod motion;
 #[cfg(feature = "paper")]
 mod paper;
@@ -61,7 +62,8 @@ pub use material::{
 pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]
 pub use method::{WasBoundary, WasSettings};
-pub use mirror::MAX_EVENTS;
+pub use mirror::{MAX_EVENTS, Mirrors};
+pub use mirror_image::{MirrorImage, moving_image};
 pub use motion::Motion;
 pub use random::{Sampler, Stream};
 pub use refusal::{Refusal, SpecularCause};

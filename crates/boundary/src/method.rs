@@ -21,7 +21,7 @@ pub enum Method {
     FittedWalk,
     /// Boundary terms along some segments of paths, with points sampled on the edges there,
     /// and directions that do not move; elsewhere as [`Method::Walk`], also for a camera that
-    /// sees flat mirrors or panes or has parallel rays. Unbiased.
+    /// has parallel rays or may see hundreds of flat mirrors. Unbiased.
     Edges(Gathers),
     /// The same walk on the triangle that each direction hits, where the field is
     /// relative to the material: the paper to the letter. Borders of triangles

@@ -10,6 +10,7 @@ use capwalk_scene::EmitterId;
 
 use crate::accel::Accel;
 use crate::boundaries::Boundaries;
+use crate::mirror_image::MirrorImage;
 
 /// Angle between an edge and the rays that are traced beside it, radians: a million times
 /// the rounding of directions, and far less than the distance between edges that differ
@@ -27,6 +28,8 @@ pub fn beside(q: Vec3, normal: Vec3) -> [Vec3; 2] {
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     edge: u32,
+    /// Of which of the images.
+    image: u32,
     /// Its ends on the edge, from 0 at the first vertex to 1 at the second.
     range: [f64; 2],
     /// Sum of the weights up to and including this one.
@@ -40,6 +43,9 @@ pub struct SilhouettePieces {
     total: f64,
     /// True if the viewpoint is a fixed one, which may lie in the plane of two edges.
     from_one_place: bool,
+    /// The images in mirrors of which there are pieces; the scene as it is comes first. Without
+    /// any, all pieces are of that.
+    images: Vec<MirrorImage>,
 }
 
 /// A sampled point of an edge, as seen from the viewpoint.
@@ -47,6 +53,8 @@ pub struct SilhouettePieces {
 pub struct EdgePoint {
     /// Which edge.
     edge: u32,
+    /// In which image.
+    image: u32,
     /// The ends of the edge, points of the boundaries.
     points: [u32; 2],
     /// Position between them.
@@ -102,9 +110,12 @@ pub fn place([from, to]: [f64; 2], [near, far]: [f64; 2], part: f64) -> f64 {
 impl SilhouettePieces {
     /// None yet, for the camera: its viewpoint is no random one, and may lie in the plane of
     /// two edges, which then coincide there.
-    pub fn of_camera() -> Self {
+    ///
+    /// It sees these images.
+    pub fn of_camera(images: Vec<MirrorImage>) -> Self {
         Self {
             from_one_place: true,
+            images,
             ..Self::default()
         }
     }
@@ -117,11 +128,17 @@ impl SilhouettePieces {
 
     /// Adds a piece of an edge. One whose weight is not above 0 is never sampled.
     pub fn push(&mut self, edge: u32, range: [f64; 2], weight: f64) {
+        self.push_in(0, edge, range, weight);
+    }
+
+    /// Adds a piece of an edge in one of the images.
+    pub fn push_in(&mut self, image: u32, edge: u32, range: [f64; 2], weight: f64) {
         // False for NaN.
         if weight > 0.0 {
             self.total += weight;
             self.pieces.push(Piece {
                 edge,
+                image,
                 range,
                 cumulative: self.total,
             });
@@ -133,6 +150,7 @@ impl SilhouettePieces {
     pub fn push_companion(&mut self, edge: u32) {
         self.pieces.push(Piece {
             edge,
+            image: 0,
             range: [0.0, 1.0],
             cumulative: self.total,
         });
@@ -155,15 +173,23 @@ impl SilhouettePieces {
 
     /// A point on an edge by the random number `u` in `[0, 1)`; `None` where there is no
     /// piece, or with the probability of [`SilhouettePieces::push_nothing`].
-    pub fn draw(&self, boundaries: &Boundaries, viewpoint: Vec3, u: f64) -> Option<EdgePoint> {
+    ///
+    /// `is_seen` says of an image whether the viewpoint sees a point of it, in a direction and at
+    /// a distance.
+    pub fn draw(
+        &self,
+        boundaries: &Boundaries,
+        viewpoint: Vec3,
+        u: f64,
+        is_seen: impl Fn(&MirrorImage, Vec3, f64) -> bool,
+    ) -> Option<EdgePoint> {
         let target = u * self.total;
         let i = self.pieces.partition_point(|p| p.cumulative <= target);
         let piece = self.pieces.get(i)?;
         let before = i.checked_sub(1).map_or(0.0, |i| self.pieces[i].cumulative);
         let own = piece.cumulative - before;
         // The arc of this piece, from its ends as seen from the viewpoint.
-        let ends = boundaries.ends(piece.edge);
-        let [a, b] = ends.map(|p| p - viewpoint);
+        let [a, b] = self.ends(boundaries, piece).map(|p| p - viewpoint);
         let along = b - a;
         let normal = a.cross(along).normalized();
         let [from, to] = piece.range.map(|t| (a + along * t).normalized());
@@ -178,20 +204,44 @@ impl SilhouettePieces {
         let distance = offset.length();
         Some(EdgePoint {
             edge: piece.edge,
+            image: piece.image,
             points: boundaries.edge(piece.edge).vertices,
             t,
             direction: offset / distance,
             distance,
             normal,
             weight: angle * self.total
-                / (own * self.multiplicity(boundaries, viewpoint, piece.edge, q)),
+                / (own * self.multiplicity(boundaries, viewpoint, piece, q, is_seen)),
         })
+    }
+
+    /// The image of which a point is.
+    pub fn image(&self, point: &EdgePoint) -> &MirrorImage {
+        &self.images[point.image as usize]
+    }
+
+    /// Where the ends of a piece's edge are seen.
+    fn ends(&self, boundaries: &Boundaries, piece: &Piece) -> [Vec3; 2] {
+        let ends = boundaries.ends(piece.edge);
+        match self.images.get(piece.image as usize) {
+            None => ends,
+            Some(image) => ends.map(|p| image.point(p)),
+        }
     }
 
     /// How many edges coincide where an edge is seen in the direction `q`, itself included:
     /// each of them adds its share of the discontinuity.
-    fn multiplicity(&self, boundaries: &Boundaries, viewpoint: Vec3, edge: u32, q: Vec3) -> f64 {
-        let [a, b] = boundaries.ends(edge).map(|p| p - viewpoint);
+    /// Of a direct view all count, hidden or not; else those that are seen.
+    fn multiplicity(
+        &self,
+        boundaries: &Boundaries,
+        viewpoint: Vec3,
+        own: &Piece,
+        q: Vec3,
+        is_seen: impl Fn(&MirrorImage, Vec3, f64) -> bool,
+    ) -> f64 {
+        let edge = own.edge;
+        let [a, b] = self.ends(boundaries, own).map(|p| p - viewpoint);
         let normal = a.cross(b).normalized();
         let along = normal.cross(q);
         // Seen from all places but a few, edges coincide only where they do in space.
@@ -199,18 +249,23 @@ impl SilhouettePieces {
             return 1.0;
         }
         let is_there = |other: &&Piece| {
-            if other.edge == edge {
+            if (other.edge, other.image) == (edge, own.image) {
                 return false;
             }
-            let [a, b] = boundaries.ends(other.edge).map(|p| p - viewpoint);
+            let [a, b] = self.ends(boundaries, other).map(|p| p - viewpoint);
             let direction = b - a;
             // Intersect it with the plane through the viewpoint, perpendicular to the first edge.
             let place = -a.dot(along) / direction.dot(along);
             let point = a + direction * place;
+            let is_direct = own.image == 0 && other.image == 0;
             (other.range[0]..=other.range[1]).contains(&place)
                 && point.dot(q) > 0.0
                 && normal.dot(point).abs() <= BESIDE * point.length()
                 && normal.dot(a.cross(direction).normalized()).abs() > 1.0 - PARALLEL
+                && (is_direct || {
+                    let (image, distance) = (&self.images[other.image as usize], point.length());
+                    is_seen(image, point / distance, distance)
+                })
         };
         1.0 + self.pieces.iter().filter(is_there).count() as f64
     }

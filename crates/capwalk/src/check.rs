@@ -16,6 +16,11 @@ const REFERENCE_FACTOR: u32 = 4;
 /// Makes the reference's random numbers independent of the gradient's.
 const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
+/// How many times smaller the step is by which a verdict of "wrong" is confirmed, and makes the
+/// random numbers of that independent of the others.
+const SMALLER: u32 = 4;
+const SECOND_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
+
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
 
@@ -50,6 +55,7 @@ impl CheckOptions {
             adaptive,
             ..
         } = self.gradient;
+        let fits_scene = self.step.is_none();
         let step = self.step.unwrap_or_else(step);
         let spp = self
             .reference_spp
@@ -62,6 +68,7 @@ impl CheckOptions {
             adaptive,
             seed: seed ^ REFERENCE_SEED,
             step,
+            fits_scene,
             sides: Stencil::of(scene, tangent, step)?,
         })
     }
@@ -73,13 +80,15 @@ pub struct Reference {
     /// Samples per pixel on each side.
     pub spp: u32,
     /// Whether so many are taken instead as fit the noise.
-    pub(crate) fits_noise: bool,
+    pub fits_noise: bool,
     /// Whether pixels get more or fewer of them by how noisy they are.
     pub adaptive: bool,
     /// Seed of its random numbers.
     pub seed: u64,
     /// How far the parameter moves on each side, in its own units.
     pub step: f64,
+    /// Whether that is not asked for, but what fits the scene.
+    pub fits_scene: bool,
     /// Whether it moves to both sides.
     pub sides: Stencil,
 }
@@ -156,6 +165,60 @@ impl Check {
             reference,
             made,
             coplanar,
+        }
+    }
+
+    /// How to make a reference with a smaller step, if the one that fits the scene contradicts the
+    /// gradient: its variance grows as the step becomes smaller, and so does the number of its
+    /// samples.
+    pub(crate) fn doubts_step(&self) -> Option<Reference> {
+        let is_wrong = matches!(self.rest(), Verdict::Wrong { .. });
+        (is_wrong && self.made.fits_scene && self.reference.statistics.complete).then(|| {
+            let Reference { spp, step, .. } = self.made;
+            Reference {
+                spp: spp.saturating_mul(SMALLER),
+                fits_noise: false,
+                seed: self.made.seed ^ SECOND_SEED,
+                step: step / f64::from(SMALLER),
+                ..self.made
+            }
+        })
+    }
+
+    /// The verdict of a smaller step, if there was time for it: right or wrong. If that cannot
+    /// tell, what the larger one says is a doubt.
+    pub(crate) fn with_smaller_step(self, made: (Reference, GradientImage)) -> Self {
+        if !made.1.statistics.complete {
+            return self;
+        }
+        let Verdict::Wrong { reason } = self.rest().clone() else {
+            return self;
+        };
+        let larger = self.made.step;
+        let mut check = Self::new(self.gradient, made, self.coplanar);
+        let verdict = match &mut check.comparison.verdict {
+            Verdict::Partial { rest } => &mut **rest,
+            whole => whole,
+        };
+        if let Verdict::Inconclusive { doubt, .. } = verdict {
+            let text = format!(
+                "over ± {} they differ ({reason}), which a smaller step does not confirm so far",
+                number(larger)
+            );
+            *doubt = Some(
+                doubt
+                    .take()
+                    .map_or(text.clone(), |own| format!("{own}; {text}")),
+            );
+        }
+        check
+    }
+
+    /// The verdict on what is compared.
+    fn rest(&self) -> &Verdict {
+        match &self.comparison.verdict {
+            Verdict::Partial { rest } => rest,
+            whole => whole,
         }
     }
 

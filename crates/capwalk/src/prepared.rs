@@ -204,9 +204,7 @@ impl Prepared {
         let chosen = self.choose(tangent, &options.gradient, watch)?.options;
         let gradient = self.gradient(tangent, &chosen, watch)?;
         let gradient = self.comparable(gradient, tangent, &chosen, watch)?;
-        let made = self.reference(&gradient, tangent, reference, chosen.method, watch)?;
-        let coplanar = self.coplanar_shapes(tangent);
-        Ok(Check::new(gradient, made, coplanar))
+        self.checked(gradient, tangent, reference, chosen.method, watch)
     }
 
     /// What of a gradient can be compared with differences: all of it; or, if something is
@@ -227,10 +225,32 @@ impl Prepared {
         Ok(rest)
     }
 
-    /// The reference for what is comparable of a gradient that was estimated by this method, and
-    /// how it was made: with as many samples as fit the noise of both, unless so many are asked
-    /// for.
-    pub fn reference(
+    /// What is comparable of a gradient that was estimated by this method, with a reference and a
+    /// verdict.
+    ///
+    /// Differences have a bias that grows with their step. Where they contradict the gradient,
+    /// those over a part of the step decide, with as many more samples: unless the step is one
+    /// that was asked for.
+    pub fn checked(
+        &self,
+        comparable: GradientImage,
+        tangent: &Tangent,
+        reference: Reference,
+        method: Method,
+        watch: &dyn Watch,
+    ) -> Result<Check, Error> {
+        let made = self.reference(&comparable, tangent, reference, method, watch)?;
+        let check = Check::new(comparable, made, self.coplanar_shapes(tangent));
+        let Some(smaller) = check.doubts_step() else {
+            return Ok(check);
+        };
+        let made = self.reference(&check.gradient, tangent, smaller, method, watch)?;
+        Ok(check.with_smaller_step(made))
+    }
+
+    /// A reference, and how it was made: with as many samples as fit the noise of both, unless so
+    /// many are asked for.
+    fn reference(
         &self,
         comparable: &GradientImage,
         tangent: &Tangent,
@@ -497,6 +517,7 @@ mod tests {
         };
         let differences = |spp, step| DifferenceOptions {
             spp,
+            adaptive: false,
             seed: 0,
             step: Some(step),
         };

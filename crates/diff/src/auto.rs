@@ -360,7 +360,8 @@ impl Pilot<'_> {
 fn is_glossy(scene: &Scene, id: BsdfId) -> bool {
     let material = &scene.material(id).bsdf;
     let mut parts = material.parts().into_iter();
-    material.traits().is_glossy || parts.any(|part| is_glossy(scene, part))
+    let traits = material.traits();
+    (traits.is_glossy && !traits.is_specular) || parts.any(|part| is_glossy(scene, part))
 }
 
 /// The fraction of the golden ratio.

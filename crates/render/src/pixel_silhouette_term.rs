@@ -5,11 +5,12 @@
 //! Σ ∫ W [L(behind) - L(before)] ṡ·n dl
 //! ```
 //!
-//! over all visible edges in the support of the filter, with `W` the filter, `L` the
+//! over all edges in the support of the filter that are visible, as they are, through panes or
+//! in flat mirrors, with `W` the filter, `L` the
 //! radiance on either side of an edge, `ṡ` the velocity of its projection on the film,
 //! and `n` the normal of the projection, from behind to before.
 
-use capwalk_boundary::Draw;
+use capwalk_boundary::{Draw, MirrorImage, moving_image};
 use capwalk_math::{Real, Rgb};
 
 use crate::camera::Camera;
@@ -34,29 +35,36 @@ impl Tracer<'_> {
         // Gather the edges in the pixel, or take the list that another sample has gathered:
         // the count of queries is the same.
         draw.count_queries(1);
-        let make = || silhouettes(field, eval, camera, support);
-        // Sample a point on one of them.
+        let (accel, events) = (self.accel, self.events_behind(0));
+        let make = || silhouettes(field, eval, camera, support, events);
+        let sees = |image: &MirrorImage, direction, distance| {
+            accel.sees_image(image, view.origin, direction, distance, events)
+        };
+        // Sample a point on one of them, as it is or in a mirror.
         let u = draw.stream.number(EDGE_NUMBERS);
-        let point = self.silhouettes.with(pixel, make, |silhouettes| {
-            silhouettes.draw(field.boundaries, view.origin, u)
+        let found = self.silhouettes.with(pixel, make, |silhouettes| {
+            let is_seen = |image: &_, q, distance| sees(image, q, distance).is_some();
+            let point = silhouettes.draw(field.boundaries, view.origin, u, is_seen)?;
+            // Hidden edges contribute nothing.
+            let image = silhouettes.image(&point);
+            let mirrors = sees(image, point.direction, point.distance)?;
+            Some((point, mirrors))
         });
-        let Some(point) = point else {
+        let Some((point, mirrors)) = found else {
             return Rgb::zero();
         };
         // Evaluate ṡ·n over the density: the motion of the edge against the ray of a fixed
         // film point, which moves with the camera.
         let s = view.film(point.direction);
         let film = camera.moving.direction(s.map(R::constant));
-        let ends = point.ends().map(|i| eval.boundary_point(i));
+        let ends = point.ends().map(|i| {
+            let end = eval.boundary_point(i);
+            moving_image(&accel.mesh, &mirrors, end, |vertex| eval.vertex(vertex))
+        });
         let flow = point.flow(ends, camera.moving.origin, film);
         // Stop where nothing moves. A camera on the edge itself gives a NaN, which is not
         // constant and is counted with the sample.
         if flow.is_constant() {
-            return Rgb::zero();
-        }
-        // Hidden edges contribute nothing.
-        let accel = self.accel;
-        if !accel.camera_sees(view.origin, point.direction, point.distance) {
             return Rgb::zero();
         }
         let weight = support.weight(s) * view.film_area_per_solid_angle(point.direction);

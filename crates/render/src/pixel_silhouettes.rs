@@ -3,8 +3,8 @@
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use capwalk_boundary::{Field, Motion, SEEN, SilhouettePieces, clip, place};
-use capwalk_geometry::{ConeQuery, EdgeSelection, uncounted};
+use capwalk_boundary::{Field, MirrorImage, Motion, SEEN, SilhouettePieces, clip, place};
+use capwalk_geometry::{ConeQuery, EdgeSelection, Mesh, uncounted};
 use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::Scene;
 
@@ -83,12 +83,14 @@ impl PixelSilhouettes {
 
 /// The edges in the support of a pixel's filter, cut into pieces whose sampling weight is
 /// what they contribute (METHOD 8): their length on the film, times the filter, times their
-/// angular speed, times a guess of how large the discontinuity is there.
+/// angular speed, times a guess of how large the discontinuity is there. Edges count behind at
+/// most `events` flat mirrors and panes.
 pub fn silhouettes<R: Real, W: SceneEval<R>>(
     field: &Field,
     eval: &W,
     camera: &Camera<R>,
     support: &Support,
+    events: u32,
 ) -> SilhouettePieces {
     let view = &camera.primal;
     // Gather what is in a cone around the support, which is a pyramid of four planes.
@@ -100,67 +102,113 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         let normal = corners[i].cross(corners[(i + 1) % 4]).normalized();
         normal * normal.dot(axis).signum()
     });
-    let query = ConeQuery {
-        apex: view.origin,
-        axis,
-        max_angle: widest.fold(0.0, f64::max) + MARGIN,
-        edges: EdgeSelection::All,
-        groups: SEEN,
-        in_front_of: field.accel.behind_near_plane(),
-    };
     let area = support.sides[0].width() * support.sides[1].width();
-    let (boundaries, mesh) = (field.boundaries, &field.accel.mesh);
+    let (boundaries, accel) = (field.boundaries, field.accel);
+    let mesh = &accel.mesh;
     let camera_rests = camera.moving.is_constant();
-    // How fast an edge crosses the rays through film points that stay, radians. What neither
-    // moves nor is seen from a camera that may has no share of the discontinuities where it
-    // lies on other edges.
-    let speed = |points: [u32; 2], t: f64, offset: Vec3, normal: Vec3| {
+    // How fast what is seen at an offset moves across the ray through a film point that stays,
+    // radians. What neither moves nor is seen from a camera that may has no share of the
+    // discontinuities where it lies on other edges.
+    let against = |offset: Vec3| {
         let (distance, s) = (offset.length(), view.film(offset));
         let ray = camera.moving.direction(s.map(R::constant));
-        let against = eval.motion_of(camera.moving.origin + ray * R::constant(distance));
-        let mut motions = points.iter().map(|&point| eval.motion_of_point(point));
-        match camera_rests && motions.all(|motion| motion == Motion::STILL) {
-            true => 0.0,
-            false => eval.speed(points, t, against.velocity, normal) / distance,
-        }
+        let motion = eval.motion_of(camera.moving.origin + ray * R::constant(distance));
+        (motion, distance)
     };
-    let mut weighed: Vec<(u32, [f64; 2], f64, f64)> = Vec::new();
+    let speed = |points: [u32; 2], t: f64, offset: Vec3, normal: Vec3| {
+        let mut motions = points.iter().map(|&point| eval.motion_of_point(point));
+        if camera_rests && motions.all(|motion| motion == Motion::STILL) {
+            return 0.0;
+        }
+        let (against, distance) = against(offset);
+        eval.speed(points, t, against.velocity, normal) / distance
+    };
+    let image_speed = |image: &MirrorImage, points, t: f64, offset: Vec3, normal: Vec3| {
+        let (against, distance) = against(offset);
+        let motion = image_motion(eval, image, mesh, points, t, offset + view.origin);
+        let speed = (motion.velocity - against.velocity).dot(normal).abs();
+        (speed + motion.spread + against.spread) / distance
+    };
+    let images = accel.images(view.origin, planes, events);
+    let mut weighed: Vec<(u32, u32, [f64; 2], f64, f64)> = Vec::new();
     let mut gathered = Vec::new();
-    boundaries.gather(&query, &mut gathered);
-    for (edge, ends) in gathered {
-        let [a, b] = ends.map(|p| p - view.origin);
-        // Clip each edge to the pyramid.
-        let Some([from, to]) = clip(&planes, 0.0, [a, b]) else {
-            continue;
+    for (number, image) in (0..).zip(&images) {
+        let query = ConeQuery {
+            apex: image.apex,
+            axis: image.direction_in_scene(axis),
+            max_angle: widest.clone().fold(0.0, f64::max) + MARGIN,
+            edges: EdgeSelection::All,
+            groups: SEEN,
+            in_front_of: image.in_front_of().or_else(|| accel.behind_near_plane()),
         };
-        let [first, last] = [from, to].map(|t| a + (b - a) * t);
-        let [start, end] = [first, last].map(|p| view.film(p));
-        let length = (end[0] - start[0]).hypot(end[1] - start[1]);
-        let contrast = boundaries.contrast(edge, mesh, view.origin);
-        // Cut it at equal steps on the film, where perspective shortens the far part.
-        let [near, far] = [first, last].map(|p| view.depth(view.origin + p));
-        let place = |part| place([from, to], [near, far], part);
-        let count = (length / PIECE).ceil().clamp(1.0, 1e3);
-        let (points, normal) = (boundaries.edge(edge).vertices, a.cross(b).normalized());
-        for i in 0..count as u32 {
-            let part = |k: f64| (f64::from(i) + k) / count;
-            let middle = [0, 1].map(|k| start[k] + (end[k] - start[k]) * part(0.5));
-            let filter = support.weight(middle).abs() + LEAST_FILTER / area;
-            let range = [place(part(0.0)), place(part(1.0))];
-            // Linear along the edge: zero at both ends, it is zero between them.
-            let [first, last] = range.map(|t| speed(points, t, a + (b - a) * t, normal));
-            let weight = contrast * filter * length / count;
-            weighed.push((edge, range, weight, first + last));
+        boundaries.gather(&query, &mut gathered);
+        for &(edge, ends) in &gathered {
+            // What lies in a mirror is its own image.
+            if image.is_in_mirror(ends, accel.horizon_distance()) {
+                continue;
+            }
+            let [a, b] = ends.map(|p| image.point(p) - view.origin);
+            // Clip each edge to the pyramid.
+            let Some([from, to]) = clip(&planes, 0.0, [a, b]) else {
+                continue;
+            };
+            let [first, last] = [from, to].map(|t| a + (b - a) * t);
+            let [start, end] = [first, last].map(|p| view.film(p));
+            let length = (end[0] - start[0]).hypot(end[1] - start[1]);
+            let contrast = boundaries.contrast(edge, mesh, image.apex);
+            // Cut it at equal steps on the film, where perspective shortens the far part.
+            let [near, far] = [first, last].map(|p| view.depth(view.origin + p));
+            let place = |part| place([from, to], [near, far], part);
+            let count = (length / PIECE).ceil().clamp(1.0, 1e3);
+            let (points, normal) = (boundaries.edge(edge).vertices, a.cross(b).normalized());
+            for i in 0..count as u32 {
+                let part = |k: f64| (f64::from(i) + k) / count;
+                let middle = [0, 1].map(|k| start[k] + (end[k] - start[k]) * part(0.5));
+                let filter = support.weight(middle).abs() + LEAST_FILTER / area;
+                let range = [place(part(0.0)), place(part(1.0))];
+                // Linear along the edge: zero at both ends, it is zero between them.
+                let [first, last] = range.map(|t| {
+                    let offset = a + (b - a) * t;
+                    match image.is_direct() {
+                        true => speed(points, t, offset, normal),
+                        false => image_speed(image, points, t, offset, normal),
+                    }
+                });
+                let weight = contrast * filter * length / count;
+                weighed.push((number, edge, range, weight, first + last));
+            }
         }
     }
     // Relative to the fastest one; those that stay contribute nothing.
-    let fastest = weighed.iter().map(|piece| piece.3).fold(0.0, f64::max);
-    let mut pieces = SilhouettePieces::of_camera();
-    for (edge, range, weight, speed) in weighed {
+    let fastest = weighed.iter().map(|piece| piece.4).fold(0.0, f64::max);
+    let mut pieces = SilhouettePieces::of_camera(images);
+    for (image, edge, range, weight, speed) in weighed {
         if speed != 0.0 {
-            pieces.push(edge, range, weight * (speed / fastest).max(LEAST_SPEED));
+            pieces.push_in(
+                image,
+                edge,
+                range,
+                weight * (speed / fastest).max(LEAST_SPEED),
+            );
         }
     }
     pieces.push_nothing(NOTHING / area.sqrt());
     pieces
+}
+
+/// How the image of a point of an edge moves, as far as sampling weights know.
+fn image_motion<R: Real, W: SceneEval<R>>(
+    eval: &W,
+    image: &MirrorImage,
+    mesh: &Mesh,
+    points: [u32; 2],
+    t: f64,
+    point: Vec3,
+) -> Motion {
+    let [a, b] = points.map(|point| eval.motion_of_point(point));
+    let along = Motion {
+        velocity: a.velocity + (b.velocity - a.velocity) * t,
+        spread: a.spread.max(b.spread),
+    };
+    image.motion(mesh, point, along, |vertex| eval.motion_of_point(vertex))
 }

@@ -246,7 +246,10 @@ impl SampledEdges {
             // Sample a point on one of the edges.
             let u = (f64::from(i) + u) / f64::from(points);
             let boundaries = at.field.boundaries;
-            let Some(point) = self.pieces.draw(boundaries, at.vertex.position, u) else {
+            let Some(point) = self
+                .pieces
+                .draw(boundaries, at.vertex.position, u, |_, _, _| true)
+            else {
                 continue;
             };
             // Evaluate (u_edge - u)·n over the density.

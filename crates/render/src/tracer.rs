@@ -146,8 +146,9 @@ impl<'a> Tracer<'a> {
     /// The segments along which edges could be gathered in this scene.
     pub fn can_gather(&self) -> Gathers {
         Gathers {
-            // With perspective rays, and no boundary seen through specular surfaces.
-            camera: !self.accel.view.is_parallel() && self.events_behind(0) == 0,
+            // With perspective rays, and no more flat mirrors than images can be made by.
+            camera: !self.accel.view.is_parallel()
+                && (self.events_behind(0) == 0 || self.accel.mirror_planes().is_some()),
             emitters: self.plan.lights_surfaces() && self.has_area_emitters(),
             environment: self.plan.lights_surfaces() && self.has_environment(),
             // With no boundary seen through specular surfaces.

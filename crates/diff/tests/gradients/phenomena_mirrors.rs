@@ -6,7 +6,7 @@ use crate::common::agree::*;
 use crate::common::materials::*;
 use crate::common::stages::*;
 use crate::common::*;
-use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
+use capwalk_diff::{GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, rectangle};
@@ -62,9 +62,17 @@ fn case(spp: u32) -> Case {
     }
 }
 
+/// By walks, and by gathered edges, as the camera sees them in mirrors.
 fn moves(name: &str, scene: Scene, expression: &str, case: Case) {
     let tangent = tangent(&scene, expression);
-    agree(&format!("{name}, {expression}"), scene, &tangent, case);
+    both(&format!("{name}, {expression}"), &scene, &tangent, case);
+}
+
+fn both(name: &str, scene: &Scene, tangent: &Tangent, case: Case) {
+    for method in [Method::Walk, Method::EDGES] {
+        let name = format!("{name}, {method:?}");
+        agree(&name, scene.clone(), tangent, Case { method, ..case });
+    }
 }
 
 /// A block moves, seen directly and in a flat mirror.
@@ -94,7 +102,7 @@ fn corner_of_a_mirror() {
     let mut corners = vec![v(0.0, 0.0, 0.0); 4];
     corners[1] = v(0.1, 1.0, 0.2);
     let tangent = params::vertex_tangent(&scene, "mirror", corners).expect("a mirror");
-    agree("mirror, a corner", scene, &tangent, case(1200));
+    both("mirror, a corner", &scene, &tangent, case(1200));
 }
 
 /// The camera moves before a mirror.
@@ -194,7 +202,11 @@ fn halves_of_a_mirror_are_one() {
         paths(&mut scene, 2);
         scene.check().expect("a valid scene");
         let tangent = tangent(&scene, "block.translate.x");
-        let settings = GradientOptions::new(RenderOptions::new(32, 1));
+        // Edges would be chosen from two lists instead of one.
+        let settings = GradientOptions {
+            method: Method::Walk,
+            ..GradientOptions::new(RenderOptions::new(32, 1))
+        };
         let result = gradient(
             &PreparedScene::new(scene.clone()),
             &tangent,

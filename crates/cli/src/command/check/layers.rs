@@ -153,7 +153,10 @@ mod tests {
                     made: Reference {
                         sides: capwalk::Stencil::Both,
                         step: 0.5,
+                        fits_scene: false,
                         spp: 8,
+                        fits_noise: false,
+                        adaptive: false,
                         seed: 6,
                     },
                     coplanar: Vec::new(),

@@ -51,10 +51,10 @@ pub fn check(
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
     let method = chosen.options.method;
-    let differences = prepared.reference(&gradient, tangent, reference, method, &progress);
+    let check = prepared.checked(gradient, tangent, reference, method, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
     Ok(Checked {
-        check: Check::new(gradient, differences?, prepared.coplanar_shapes(tangent)),
+        check: check?,
         chosen,
         seconds: [gradient_seconds, reference_seconds],
     })

@@ -8,6 +8,7 @@ use capwalk_diff::{
 use capwalk_scene::*;
 
 /// Sizes and seeds of a case.
+#[derive(Clone, Copy)]
 pub struct Case {
     pub size: u32,
     pub gradient_spp: u32,
