@@ -352,3 +352,81 @@ pub fn moving_image<R: Real>(
         point - normal * (normal.dot(point - a) * R::constant(2.0))
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::Rgb;
+    use capwalk_scene::bsdf::{Bsdf, Metal};
+    use capwalk_scene::{Scene, Texture};
+
+    use super::*;
+
+    /// A room, and a box in it, of mirrors.
+    fn mirrors() -> Accel {
+        let mut scene: Scene = capwalk_scene::builtin::scene("box-room").expect("built in");
+        let grey = |id: &str, x: f64| Texture::colour(id, Rgb::splat(x));
+        let metal = Metal {
+            eta: scene.add_texture(grey("eta", 0.0)),
+            k: scene.add_texture(grey("k", 1.0)),
+            specular_reflectance: scene.add_texture(grey("r", 0.9)),
+        };
+        let places: Vec<usize> = scene.shapes.iter().map(|s| s.bsdf.0 as usize).collect();
+        for place in places {
+            scene.materials[place].bsdf = Bsdf::Conductor(metal);
+        }
+        Accel::new(scene)
+    }
+
+    /// A path that is traced by reflection arrives where the image says, the image is among those
+    /// of a narrow pyramid around its first direction, and is seen by the mirrors of the path.
+    #[test]
+    fn images_are_where_paths_lead() {
+        let accel = mirrors();
+        let origin = accel.view.origin;
+        let mut arrived = [0; 4];
+        for i in 0..400 {
+            let share = |step: f64| 0.9 * (f64::from(i) * step).fract() + 0.05;
+            let [width, height] = accel.scene.film.size.map(f64::from);
+            let s = [share(0.618_034) * width, share(0.754_878) * height];
+            let direction = accel.view.direction(s);
+            let (mut ray, mut distance) = (accel.camera_ray(origin, direction), 0.0);
+            let mut faces = Vec::new();
+            while let Some(hit) = accel.first_hit_within(&ray).filter(|_| faces.len() < 4) {
+                // A place before the next surface.
+                let place = ray.at(0.7 * hit.t);
+                let pyramid = pyramid(&accel, s);
+                let images = accel.images(origin, pyramid, faces.len() as u32);
+                let seen = images.iter().find_map(|image| {
+                    let offset = image.point(place) - origin;
+                    let found = offset.length();
+                    let there = (offset / found - direction).length() < 1e-9;
+                    let is_it = there && (found / (distance + 0.7 * hit.t) - 1.0).abs() < 1e-9;
+                    let sees = || accel.sees_image(image, origin, offset / found, found, 6);
+                    is_it.then(sees).flatten()
+                });
+                let mirrors = seen.expect("an image shows it");
+                assert_eq!(mirrors.faces(), faces);
+                arrived[faces.len()] += 1;
+                if !accel.flat_events(&hit).contains(Event::Reflect) {
+                    break;
+                }
+                faces.push(hit.face);
+                distance += hit.t;
+                let mirror = Mirror::new(&accel.mesh, hit.face);
+                ray = accel.surface_ray(ray.at(hit.t), mirror.direction(ray.direction));
+            }
+        }
+        assert!(arrived.iter().all(|&n| n > 50), "{arrived:?}");
+    }
+
+    /// The planes of a small square on the film.
+    fn pyramid(accel: &Accel, [x, y]: [f64; 2]) -> [Vec3; 4] {
+        let axis = accel.view.direction([x, y]);
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+        let corners = corners.map(|[i, k]| accel.view.direction([x + 0.1 * i, y + 0.1 * k]));
+        [0, 1, 2, 3].map(|i| {
+            let normal = corners[i].cross(corners[(i + 1) % 4]).normalized();
+            normal * normal.dot(axis).signum()
+        })
+    }
+}

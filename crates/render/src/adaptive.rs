@@ -112,3 +112,95 @@ pub fn sample_counts(
 fn group(scene: &Scene, options: &RenderOptions) -> u32 {
     Sampler::new(&scene.settings, options.seed, options.spp).group()
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use capwalk_boundary::Stream;
+    use capwalk_scene::SamplerKind;
+
+    use super::*;
+    use crate::grid::Part;
+    use crate::options::Unwatched;
+    use crate::tiles::{self, Sample};
+
+    /// Samples of rare events, rarer from pixel to pixel: their mean is 1.
+    fn event(pixel: [u32; 2], stream: &Stream) -> Sample<3> {
+        let probability = 0.5 / f64::from(1 + pixel[0]);
+        let number = match stream.number(0) < probability {
+            true => 1.0 / probability,
+            false => 0.0,
+        };
+        Sample {
+            numbers: [number; 3],
+            cone_queries: 0,
+            uncovered: 0,
+        }
+    }
+
+    /// The scene with 8 × 6 pixels.
+    fn scene(sampler: SamplerKind) -> Scene {
+        let mut scene = capwalk_scene::builtin::scene("leaf").expect("built in");
+        (scene.film.size, scene.film.crop_size) = ([8, 6], [8, 6]);
+        scene.settings.sampler = sampler;
+        scene
+    }
+
+    fn averages(scene: &Scene, options: &RenderOptions) -> (SampleCounts, Averages) {
+        let average = |options: &RenderOptions, counts: &SampleCounts| {
+            let part = Part::whole(tiles::grid(scene, options));
+            tiles::average(scene, options, counts, None, &part, &Unwatched, event)
+        };
+        let counts = sample_counts(scene, options, &Unwatched, 0, |pilot, _| {
+            average(pilot, &SampleCounts::Even)
+        });
+        let sums = average(options, &counts).into_sums();
+        (counts, Averages::new(sums))
+    }
+
+    /// Over many images, the mean is right within its error, as few samples as there are: numbers
+    /// of samples that knew the samples would make it too small.
+    #[test]
+    fn means_are_unbiased() {
+        for sampler in [SamplerKind::Independent, SamplerKind::Sobol] {
+            let scene = Arc::new(scene(sampler));
+            let mut moments = capwalk_math::Moments::default();
+            for seed in 0..4000 {
+                let options = RenderOptions {
+                    adaptive: true,
+                    ..RenderOptions::new(24, seed)
+                };
+                let (counts, averages) = averages(&scene, &options);
+                assert!(matches!(counts, SampleCounts::Each(_)));
+                let pixels = averages.estimate(&scene, 0).mean.pixels;
+                moments.add(pixels.iter().map(|p| p.r).sum::<f64>() / pixels.len() as f64);
+            }
+            let z = (moments.mean - 1.0) / moments.standard_error();
+            assert!(z.abs() < 4.0, "{sampler:?}: {} is off by {z}", moments.mean);
+        }
+    }
+
+    /// Noisy pixels get more samples than others, all of them some, and all together what was
+    /// asked for. Few samples are spread evenly.
+    #[test]
+    fn counts_follow_the_noise() {
+        let scene = scene(SamplerKind::Independent);
+        let with = |spp| RenderOptions {
+            adaptive: true,
+            ..RenderOptions::new(spp, 3)
+        };
+        let (counts, averages) = averages(&scene, &with(256));
+        let SampleCounts::Each(counts) = counts else {
+            panic!("nothing was adapted");
+        };
+        let row = |x: usize| (0..6).map(|y| counts[8 * y + x]).sum::<u32>() / 6;
+        assert!(row(7) > row(0) * 3 / 2, "{counts:?}");
+        assert!(counts.iter().all(|&n| f64::from(n) >= EVEN * 256.0));
+        let mean = f64::from(counts.iter().sum::<u32>()) / 48.0;
+        assert!((mean / 256.0 - 1.0).abs() < 0.01, "{mean}");
+        assert_eq!(averages.statistics.samples_per_pixel, counts);
+        assert!(averages.statistics.complete);
+        assert_eq!(self::averages(&scene, &with(8)).0, SampleCounts::Even);
+    }
+}

@@ -2,6 +2,7 @@
 //! what the calls that compute them promise. One program: its tests share two
 //! cores to the end, and generic code is compiled once.
 
+mod adaptive;
 mod auto;
 #[cfg(feature = "paper")]
 mod baselines;

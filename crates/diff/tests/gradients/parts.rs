@@ -83,6 +83,10 @@ fn all_options() -> Vec<GradientOptions> {
             ..GradientOptions::new(RenderOptions::new(50, 4))
         });
     }
+    all.push(GradientOptions {
+        adaptive: true,
+        ..all[1]
+    });
     all
 }
 
@@ -92,8 +96,17 @@ fn images() {
         let mut scene = scene();
         scene.settings.sampler = sampler;
         let prepared = PreparedScene::new(scene);
-        for spp in [1, 40, 100] {
-            let options = RenderOptions::new(spp, 9);
+        for (spp, adaptive) in [
+            (1, false),
+            (40, false),
+            (100, false),
+            (40, true),
+            (100, true),
+        ] {
+            let options = RenderOptions {
+                adaptive,
+                ..RenderOptions::new(spp, 9)
+            };
             let whole = render(&prepared, &options, &Unwatched);
             let expected = bits([&whole.value.mean, &whole.value.standard_error]);
             let work = RenderWork::new(&prepared, options);
