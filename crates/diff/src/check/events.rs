@@ -5,14 +5,16 @@
 //! differ by. If no sample met one, the reference is 0 ± 0 everywhere, which says that events
 //! are rare, not that nothing changes.
 
-use capwalk_math::Rgb;
-use capwalk_render::GradientImage;
+use capwalk_render::{Estimate, GradientImage};
 
 use super::pixel::channel;
 use super::{Comparison, EXCLUDED_AT, EXCLUDED_ERROR, FALSE_ALARM, Verdict, compare};
 
 /// So many pixels with an event are enough for the statistics of a comparison.
 const ENOUGH: usize = 10;
+
+/// The least change of a pixel's samples, in events, that counts as one.
+const PART_OF_EVENT: f64 = 0.1;
 
 /// Compares a gradient with differences of the same size, like [`compare`]. Where the
 /// differences saw so few events that a right gradient may make as few, they are no evidence
@@ -38,7 +40,7 @@ pub fn compare_with_differences(
 /// The verdict if a right gradient may make as few events as were seen, and they are too few
 /// for any other.
 fn too_few(gradient: &GradientImage, differences: &GradientImage, span: f64) -> Option<Verdict> {
-    let seen = seen(differences);
+    let seen = seen(differences, span);
     let expected = expected(gradient, differences, span);
     if seen >= ENOUGH || expected <= 0.0 || at_most(seen, expected) < FALSE_ALARM {
         return None;
@@ -63,20 +65,9 @@ fn too_few(gradient: &GradientImage, differences: &GradientImage, span: f64) -> 
     })
 }
 
-/// Pixels in which any sample of the differences changed.
-fn seen(differences: &GradientImage) -> usize {
-    let estimate = &differences.gradient;
-    let pixels = estimate.mean.pixels.iter();
-    let pixels = pixels.zip(&estimate.standard_error.pixels);
-    pixels
-        .filter(|&(&mean, &error)| mean != Rgb::zero() || error != Rgb::zero())
-        .count()
-}
-
-/// Events that differences would see on average if the gradient were right, at least: with a
-/// derivative `g`, the samples of a pixel change by `span · g` on average, and each event
-/// changes one of them by about as much as they are large, there or in the rest of the image.
-fn expected(gradient: &GradientImage, differences: &GradientImage, span: f64) -> f64 {
+/// How large the samples of each pixel are: the root of their mean square there or in the rest
+/// of the image, whichever is larger. An event changes one of them by about as much.
+fn sizes(differences: &GradientImage) -> Vec<[f64; 3]> {
     let samples = &differences.statistics.samples_per_pixel;
     // Mean square of the samples of a pixel.
     let square = |i: usize, c: usize| {
@@ -90,22 +81,54 @@ fn expected(gradient: &GradientImage, differences: &GradientImage, span: f64) ->
         let sum: f64 = pixels().map(|i| square(i, c)).sum();
         sum / samples.len() as f64
     });
-    let of_pixel = |i: usize| {
-        let estimate = &gradient.gradient;
-        let (g, error) = (estimate.mean.pixels[i], estimate.standard_error.pixels[i]);
-        let of_channel = |c: usize| {
-            // What is certain of the derivative: its noise makes no events.
-            let change = (channel(g, c).abs() - channel(error, c)).max(0.0);
-            let size = square(i, c).max(of_image[c]).sqrt();
-            f64::from(samples[i]) * span * change / size
-        };
-        let channels = (0..3).map(of_channel);
+    let size = |i| [0, 1, 2].map(|c| square(i, c).max(of_image[c]).sqrt());
+    pixels().map(size).collect()
+}
+
+/// What a derivative of each pixel is in events of the differences: with a derivative `g`, the
+/// samples of a pixel change by `span · g` on average.
+fn in_events(
+    derivative: impl Fn(usize, usize) -> f64,
+    differences: &GradientImage,
+    span: f64,
+) -> impl Iterator<Item = f64> {
+    let samples = differences.statistics.samples_per_pixel.iter();
+    let pixels = samples.zip(sizes(differences)).enumerate();
+    pixels.map(move |(i, (&samples, size))| {
+        let channels = [0, 1, 2].map(|c| f64::from(samples) * span * derivative(i, c) / size[c]);
         // Not a number where nothing is seen and nothing changes, or too few samples were taken.
-        channels
-            .filter(|events| !events.is_nan())
-            .fold(0.0, f64::max)
+        let events = channels.into_iter().filter(|events| !events.is_nan());
+        events.fold(0.0, f64::max)
+    })
+}
+
+/// Pixels in which samples of the differences changed by as much as an event does, or a clear
+/// part of it: what is not discontinuous changes a little in all of them.
+fn seen(differences: &GradientImage, span: f64) -> usize {
+    let Estimate {
+        mean,
+        standard_error,
+    } = &differences.gradient;
+    let change = |i: usize, c: usize| {
+        let (mean, error) = (mean.pixels[i], standard_error.pixels[i]);
+        channel(mean, c).abs().max(channel(error, c))
     };
-    pixels().map(of_pixel).sum()
+    let events = in_events(change, differences, span);
+    events.filter(|&events| events > PART_OF_EVENT).count()
+}
+
+/// Events that differences would see on average if the gradient were right, at least.
+fn expected(gradient: &GradientImage, differences: &GradientImage, span: f64) -> f64 {
+    let Estimate {
+        mean,
+        standard_error,
+    } = &gradient.gradient;
+    // What is certain of the derivative: its noise makes no events.
+    let change = |i: usize, c: usize| {
+        let (mean, error) = (mean.pixels[i], standard_error.pixels[i]);
+        (channel(mean, c).abs() - channel(error, c)).max(0.0)
+    };
+    in_events(change, differences, span).sum()
 }
 
 /// Probability of at most so many events if so many happen on average.

@@ -69,10 +69,13 @@ fn moves(name: &str, scene: Scene, expression: &str, case: Case) {
 }
 
 fn both(name: &str, scene: &Scene, tangent: &Tangent, case: Case) {
-    for method in [Method::Walk, Method::EDGES] {
-        let name = format!("{name}, {method:?}");
-        agree(&name, scene.clone(), tangent, Case { method, ..case });
-    }
+    agree_by(
+        &[Method::Walk, Method::EDGES],
+        name,
+        scene.clone(),
+        tangent,
+        case,
+    );
 }
 
 /// A block moves, seen directly and in a flat mirror.

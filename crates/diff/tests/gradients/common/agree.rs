@@ -55,23 +55,16 @@ pub fn primary() -> Case {
 }
 
 /// Runs both and demands agreement.
-pub fn agree(name: &str, mut scene: Scene, tangent: &Tangent, case: Case) {
+pub fn agree(name: &str, scene: Scene, tangent: &Tangent, case: Case) {
+    agree_by(&[case.method], name, scene, tangent, case);
+}
+
+/// Runs several methods, and demands agreement with one reference.
+pub fn agree_by(methods: &[Method], name: &str, mut scene: Scene, tangent: &Tangent, case: Case) {
     scene.film.size = [case.size; 2];
     scene.film.crop_size = [case.size; 2];
     scene.check().expect("a valid scene");
     let options = |spp: u32, seed: u64| RenderOptions::new(spp, seed);
-    let settings = GradientOptions {
-        method: case.method,
-        walk: case.walk,
-        ..GradientOptions::new(options(case.gradient_spp, 1))
-    };
-    let ours = gradient(
-        &PreparedScene::new(scene.clone()),
-        tangent,
-        &settings,
-        &Unwatched,
-    )
-    .expect("covered");
     let middle = match case.one_sided {
         true => scene.moved(tangent, case.step),
         false => scene.clone(),
@@ -84,30 +77,48 @@ pub fn agree(name: &str, mut scene: Scene, tangent: &Tangent, case: Case) {
         &Unwatched,
     )
     .expect("covered");
-    assert_eq!(
-        ours.statistics.non_finite + reference.statistics.non_finite,
-        0,
-        "{name}"
-    );
+    for &method in methods {
+        let settings = GradientOptions {
+            method,
+            walk: case.walk,
+            ..GradientOptions::new(options(case.gradient_spp, 1))
+        };
+        let ours = gradient(
+            &PreparedScene::new(scene.clone()),
+            tangent,
+            &settings,
+            &Unwatched,
+        )
+        .expect("covered");
+        assert_eq!(
+            ours.statistics.non_finite + reference.statistics.non_finite,
+            0,
+            "{name}"
+        );
 
-    let result = compare(&ours.gradient, &reference.gradient);
-    println!("{name}: {result}, worst {:?}", result.worst[0]);
-    match result.verdict {
-        Verdict::Inconclusive { samples_factor, .. } if samples_factor <= case.patience => {}
-        verdict => assert_eq!(verdict, Verdict::Right, "{name}"),
+        let result = compare(&ours.gradient, &reference.gradient);
+        println!(
+            "{name}, {}: {result}, worst {:?}",
+            method.name(),
+            result.worst[0]
+        );
+        match result.verdict {
+            Verdict::Inconclusive { samples_factor, .. } if samples_factor <= case.patience => {}
+            verdict => assert_eq!(verdict, Verdict::Right, "{name}"),
+        }
+        assert!(
+            result.pixels >= case.min_pixels,
+            "{name}: only {} pixels have noise",
+            result.pixels
+        );
+        let z2 = result.mean_z_squared;
+        assert!((0.8..=1.25).contains(&z2), "{name}: mean z² {z2}");
+        assert!(
+            result.sign.abs() < 4.0,
+            "{name}: systematic sign {}",
+            result.sign
+        );
     }
-    assert!(
-        result.pixels >= case.min_pixels,
-        "{name}: only {} pixels have noise",
-        result.pixels
-    );
-    let z2 = result.mean_z_squared;
-    assert!((0.8..=1.25).contains(&z2), "{name}: mean z² {z2}");
-    assert!(
-        result.sign.abs() < 4.0,
-        "{name}: systematic sign {}",
-        result.sign
-    );
 }
 
 pub fn tangent(scene: &Scene, expression: &str) -> Tangent {
