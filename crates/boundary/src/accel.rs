@@ -276,7 +276,7 @@ impl Accel {
         let find = || {
             let events = |face: u32| self.flat_events[self.shape_of_face[face as usize].0 as usize];
             let reflects = |face: u32| events(face).contains(Event::Reflect);
-            MirrorPlanes::new(&self.mesh, reflects, self.self_distance / SELF_INTERSECTION)
+            MirrorPlanes::new(&self.mesh, reflects)
         };
         self.mirror_planes.get_or_init(find).as_ref()
     }

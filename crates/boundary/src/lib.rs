@@ -63,7 +63,7 @@ pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]
 pub use method::{WasBoundary, WasSettings};
 pub use mirror::{MAX_EVENTS, Mirrors};
-pub use mirror_image::{MirrorImage, moving_image};
+pub use mirror_image::{MirrorImage, MirrorPlanes, moving_image};
 pub use motion::Motion;
 pub use random::{Sampler, Stream};
 pub use refusal::{Refusal, SpecularCause};

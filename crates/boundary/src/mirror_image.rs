@@ -20,9 +20,14 @@ use crate::motion::Motion;
 /// The most planes of mirrors of which images are made: all of them are looked at in each pixel.
 const MOST_PLANES: usize = 256;
 
-/// Faces whose normals differ by less, and whose planes by as much of the scene's size, are one
-/// mirror: less than rays beside an edge are apart, and more than rounding.
-const SAME_PLANE: f64 = 1e-11;
+/// The most images of which edges are gathered in a pixel.
+const MOST_IMAGES: usize = 64;
+
+/// Faces whose normals differ by less are one mirror, if their heights differ by less of their
+/// coordinates than [`SAME_HEIGHT`]: more than rounding, and far less than rays beside an edge are
+/// apart. Those that are not, make images by each.
+const SAME_PLANE: f64 = 1e-12;
+const SAME_HEIGHT: f64 = 1e-13;
 
 /// No plane.
 const NONE: u32 = u32::MAX;
@@ -73,10 +78,9 @@ impl Plane {
 
 impl MirrorPlanes {
     /// The planes of the faces that reflect; `None` if there are very many.
-    pub(crate) fn new(mesh: &Mesh, reflects: impl Fn(u32) -> bool, size: f64) -> Option<Self> {
+    pub(crate) fn new(mesh: &Mesh, reflects: impl Fn(u32) -> bool) -> Option<Self> {
         let mut planes: Vec<Plane> = Vec::new();
         let mut plane_of_face = vec![NONE; mesh.faces.len()];
-        let distance = SAME_PLANE * size;
         // Most faces lie in a plane of those before them: look in the cell of the first normal.
         let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
         for face in 0..mesh.faces.len() as u32 {
@@ -100,7 +104,8 @@ impl MirrorPlanes {
             let is_same = |&&plane: &&u32| {
                 let plane = &planes[plane as usize];
                 let turned = (plane.normal - normal).length() < SAME_PLANE;
-                turned && corners.iter().all(|&p| plane.height_of(p).abs() < distance)
+                let is_near = |&p: &Vec3| plane.height_of(p).abs() <= SAME_HEIGHT * p.length();
+                turned && corners.iter().all(is_near)
             };
             let known = cells.get(&key).and_then(|known| known.iter().find(is_same));
             let plane = match known {
@@ -129,7 +134,49 @@ impl MirrorPlanes {
             plane_of_face,
         })
     }
+
+    /// How fast, at most, vertices of each plane leave the plane against how the one of its faces
+    /// moves that stands for it, as far as sampling weights know: faces of one plane may move
+    /// apart, and be of several shapes.
+    pub fn spreads(&self, mesh: &Mesh, vertex: impl Fn(u32) -> Motion) -> Vec<f64> {
+        let mut spreads = vec![0.0_f64; self.planes.len()];
+        for (face, &number) in self.plane_of_face.iter().enumerate() {
+            let Some(plane) = self.planes.get(number as usize) else {
+                continue;
+            };
+            // The velocity of the face that stands for the plane along its normal is linear.
+            let own = mesh.faces[plane.face as usize].map(&vertex);
+            let height = |p: Vec3| {
+                let [a, b, c] = mesh.corners(plane.face as usize);
+                let cross = (b - a).cross(c - a);
+                let area = cross.length_squared();
+                let weight_b = (p - a).cross(c - a).dot(cross) / area;
+                let weight_c = (b - a).cross(p - a).dot(cross) / area;
+                let weights = [1.0 - weight_b - weight_c, weight_b, weight_c];
+                let speeds = own.iter().zip(weights);
+                speeds
+                    .map(|(motion, w)| w * motion.velocity.dot(plane.normal))
+                    .sum::<f64>()
+            };
+            let spread = &mut spreads[number as usize];
+            for (i, p) in mesh.faces[face].into_iter().zip(mesh.corners(face)) {
+                let motion = vertex(i);
+                let apart = (motion.velocity.dot(plane.normal) - height(p)).abs();
+                // Rounding is no motion.
+                let is_apart = apart > ROUNDING * motion.velocity.length();
+                let apart = if is_apart { apart } else { 0.0 };
+                *spread = spread.max(apart + motion.spread);
+            }
+            *spread = own
+                .iter()
+                .fold(*spread, |spread, motion| spread.max(motion.spread));
+        }
+        spreads
+    }
 }
+
+/// Speeds that differ by less of themselves are equal.
+const ROUNDING: f64 = 1e-9;
 
 /// Cells of normals per unit: two normals of one plane may be in different ones, and make a
 /// plane twice.
@@ -180,13 +227,14 @@ impl MirrorImage {
     }
 
     /// How the image moves of which this is a point, given how what it is the image of moves, and
-    /// the vertices of mirrors.
+    /// the vertices and [`MirrorPlanes::spreads`] of mirrors.
     pub fn motion(
         &self,
         mesh: &Mesh,
         point: Vec3,
         motion: Motion,
         vertex: impl Fn(u32) -> Motion,
+        spreads: &[f64],
     ) -> Motion {
         let mut mirrors = Mirrors::default();
         self.chain
@@ -196,13 +244,8 @@ impl MirrorImage {
         let point = planes.fold(point, |point, (_, plane)| plane.point(point));
         let corner = |i| vertex(i).velocity;
         let velocity = mirrors.velocity(mesh, point, motion.velocity, corner);
-        let corners = mirrors
-            .faces()
-            .iter()
-            .flat_map(|&face| mesh.faces[face as usize]);
-        let spread = corners
-            .map(|corner| vertex(corner).spread)
-            .fold(0.0, f64::max);
+        let numbers = self.chain.iter().map(|&(number, _)| number);
+        let spread: f64 = numbers.map(|number| 2.0 * spreads[number as usize]).sum();
         Motion {
             velocity,
             spread: motion.spread + spread,
@@ -228,22 +271,27 @@ impl MirrorImage {
 impl Accel {
     /// The images of the scene by at most `events` flat mirrors that may be seen from a viewpoint
     /// in the pyramid of these planes, given by their inner normals; the scene as it is comes
-    /// first.
-    pub fn images(&self, viewpoint: Vec3, pyramid: [Vec3; 4], events: u32) -> Vec<MirrorImage> {
+    /// first. `None` if there are very many.
+    pub fn images(
+        &self,
+        viewpoint: Vec3,
+        pyramid: [Vec3; 4],
+        events: u32,
+    ) -> Option<Vec<MirrorImage>> {
         let mut images = vec![MirrorImage::direct(viewpoint)];
-        if let Some(mirrors) = self.mirror_planes() {
-            let mut chain = Vec::new();
+        if events > 0 {
+            let (planes, mut chain) = (&self.mirror_planes()?.planes, Vec::new());
             add_images(
-                mirrors,
+                planes,
                 viewpoint,
                 pyramid,
                 None,
                 events,
                 &mut chain,
                 &mut images,
-            );
+            )?;
         }
-        images
+        Some(images)
     }
 
     /// The mirrors by which a viewpoint of the camera sees what is in a direction at a distance
@@ -300,20 +348,20 @@ impl Accel {
 }
 
 /// Adds the images by mirrors that the pyramid around an apex may reach, which is behind the last
-/// mirror of the chain.
+/// mirror of the chain; `None` if there are too many.
 fn add_images(
-    mirrors: &MirrorPlanes,
+    planes: &[Plane],
     apex: Vec3,
     pyramid: [Vec3; 4],
     before: Option<HalfSpace>,
     events: u32,
     chain: &mut Vec<(u32, Plane)>,
     images: &mut Vec<MirrorImage>,
-) {
+) -> Option<()> {
     if events == 0 {
-        return;
+        return Some(());
     }
-    for (number, plane) in (0..).zip(&mirrors.planes) {
+    for (number, plane) in (0..).zip(planes) {
         let last = chain.last().map(|&(last, _)| last);
         let height = plane.height_of(apex);
         let is_out = |normal: &Vec3| plane.is_outside(apex, *normal);
@@ -325,6 +373,9 @@ fn add_images(
         {
             continue;
         }
+        if images.len() == MOST_IMAGES {
+            return None;
+        }
         chain.push((number, *plane));
         let image = MirrorImage {
             apex: plane.point(apex),
@@ -333,9 +384,10 @@ fn add_images(
         let (apex, before) = (image.apex, image.in_front_of());
         images.push(image);
         let pyramid = pyramid.map(|normal| plane.direction(normal));
-        add_images(mirrors, apex, pyramid, before, events - 1, chain, images);
+        add_images(planes, apex, pyramid, before, events - 1, chain, images)?;
         chain.pop();
     }
+    Some(())
 }
 
 /// The image of a point in mirrors that may move with it.
@@ -396,6 +448,7 @@ mod tests {
                 let place = ray.at(0.7 * hit.t);
                 let pyramid = pyramid(&accel, s);
                 let images = accel.images(origin, pyramid, faces.len() as u32);
+                let images = images.expect("few of them");
                 let seen = images.iter().find_map(|image| {
                     let offset = image.point(place) - origin;
                     let found = offset.length();

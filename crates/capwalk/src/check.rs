@@ -186,32 +186,32 @@ impl Check {
     }
 
     /// The verdict of a smaller step, if there was time for it: right or wrong. If that cannot
-    /// tell, what the larger one says is a doubt.
+    /// tell but has a doubt of its own, both speak against the gradient, and it stays wrong; if it
+    /// has none, what the larger step said is a doubt.
     pub(crate) fn with_smaller_step(self, made: (Reference, GradientImage)) -> Self {
-        if !made.1.statistics.complete {
-            return self;
-        }
         let Verdict::Wrong { reason } = self.rest().clone() else {
             return self;
         };
-        let larger = self.made.step;
-        let mut check = Self::new(self.gradient, made, self.coplanar);
-        let verdict = match &mut check.comparison.verdict {
-            Verdict::Partial { rest } => &mut **rest,
-            whole => whole,
-        };
-        if let Verdict::Inconclusive { doubt, .. } = verdict {
-            let text = format!(
-                "over ± {} they differ ({reason}), which a smaller step does not confirm so far",
-                number(larger)
-            );
-            *doubt = Some(
-                doubt
-                    .take()
-                    .map_or(text.clone(), |own| format!("{own}; {text}")),
-            );
+        let larger = number(self.made.step);
+        let mut check = Self::new(self.gradient.clone(), made, self.coplanar.clone());
+        match check.rest() {
+            Verdict::Inconclusive { doubt: Some(_), .. } => return self,
+            _ if !check.reference.statistics.complete => return self,
+            _ => {}
+        }
+        if let Verdict::Inconclusive { doubt, .. } = check.rest_mut() {
+            *doubt = Some(format!(
+                "over ± {larger} they differ ({reason}), which a smaller step does not confirm"
+            ));
         }
         check
+    }
+
+    fn rest_mut(&mut self) -> &mut Verdict {
+        match &mut self.comparison.verdict {
+            Verdict::Partial { rest } => rest,
+            whole => whole,
+        }
     }
 
     /// The verdict on what is compared.

@@ -190,6 +190,12 @@ pub enum OptionError {
         /// The option: `spp`.
         option: &'static str,
     },
+    /// Reverse mode has no image whose pixels could be noisy.
+    #[error(
+        "`adaptive` is for images and their derivatives in forward mode; in reverse mode all pixels \
+         get the same number of samples"
+    )]
+    AdaptiveBackward,
     /// Differences need a distance to divide by.
     #[error("`step` is {step}; expected a finite number above 0")]
     NoStep {

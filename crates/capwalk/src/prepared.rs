@@ -365,6 +365,9 @@ impl Prepared {
         options: &GradientOptions,
     ) -> Result<GradientsWork<'a>, Error> {
         check_spp("spp", options.spp)?;
+        if options.adaptive {
+            return Err(OptionError::AdaptiveBackward.into());
+        }
         GradientsWork::new(&self.engine, adjoint, names, options)
     }
 

@@ -287,7 +287,8 @@ pub struct Render {
     pub scene: SceneArgs,
     #[command(flatten)]
     pub sampling: SamplingArgs,
-    /// Give pixels more or fewer samples by how noisy they are, --spp on average
+    /// Give pixels more or fewer samples by how noisy they are, in the time that --spp of each
+    /// take (from 16 on)
     #[arg(long)]
     pub adaptive: bool,
     #[command(flatten)]
@@ -309,7 +310,8 @@ pub struct Gradient {
     pub step: Option<f64>,
     #[command(flatten)]
     pub sampling: SamplingArgs,
-    /// Give pixels more or fewer samples by how noisy they are, --spp on average
+    /// Give pixels more or fewer samples by how noisy they are, in the time that --spp of each
+    /// take (from 16 on)
     #[arg(long)]
     pub adaptive: bool,
     #[command(flatten)]

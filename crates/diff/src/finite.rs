@@ -2,6 +2,8 @@
 //! gradients are checked against, METHOD 9. They are central, or one-sided where a
 //! parameter is at the end of what it can be.
 
+use std::sync::OnceLock;
+
 use capwalk_boundary::{Counts, Draw, Method, Refusal, Stream};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
@@ -132,9 +134,11 @@ impl<'a> Differences<'a> {
     /// The image and its derivative.
     pub fn image(&self, options: &RenderOptions, watch: &dyn Watch) -> GradientImage {
         let scene = self.scene;
-        let counts = adaptive::sample_counts(scene, options, watch, DERIVATIVE, |pilot, watch| {
-            self.average(pilot, &SampleCounts::Even, watch)
-        });
+        let (known, first) = (OnceLock::new(), DERIVATIVE);
+        let counts =
+            adaptive::sample_counts(&known, scene, options, watch, first, |pilot, watch| {
+                self.average(pilot, &SampleCounts::Even, watch)
+            });
         let averages = Averages::new(self.average(options, &counts, watch).into_sums());
         GradientImage {
             value: averages.estimate(scene, 0),

@@ -65,6 +65,8 @@ pub struct GradientWork<'a> {
     /// True if light of which the derivative is incomplete is left out of the image, too.
     is_of_rest: bool,
     chosen: OnceLock<Chosen>,
+    /// How many samples each pixel gets; found by the first call that samples.
+    counts: OnceLock<SampleCounts>,
     fingerprint: OnceLock<u64>,
 }
 
@@ -81,6 +83,7 @@ impl<'a> GradientWork<'a> {
             options,
             is_of_rest: false,
             chosen: OnceLock::new(),
+            counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
     }
@@ -167,8 +170,9 @@ impl<'a> GradientWork<'a> {
     ) -> Result<Partial<PixelSums>, Refusal> {
         let options = self.chosen(watch)?.options;
         let (scene, sampling) = (self.prepared.scene(), options.sampling());
+        let (known, first) = (&self.counts, DERIVATIVE);
         let counts =
-            adaptive::sample_counts(scene, &sampling, watch, DERIVATIVE, |pilot, watch| {
+            adaptive::sample_counts(known, scene, &sampling, watch, first, |pilot, watch| {
                 let part = Part::whole(tiles::grid(scene, pilot));
                 self.average(&options, pilot, &SampleCounts::Even, None, &part, watch)
             });

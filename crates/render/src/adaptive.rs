@@ -10,6 +10,8 @@
 //! The pilot's random numbers are independent of those of the image. So the numbers of samples
 //! know nothing of the samples, and the means stay unbiased.
 
+use std::sync::OnceLock;
+
 use capwalk_boundary::Sampler;
 use capwalk_scene::Scene;
 
@@ -20,6 +22,9 @@ use crate::tiles::{Averages, PixelSums, SampleCounts};
 
 /// The part of the samples that is spread evenly.
 const EVEN: f64 = 0.25;
+
+/// More samples of a pixel than anyone waits for.
+const MOST_COUNTED: f64 = 4e9;
 
 /// The part of an image's samples that a pilot takes, and the most of each pixel.
 const SHARE: u32 = 8;
@@ -81,8 +86,27 @@ pub fn noise(
 }
 
 /// The samples of each pixel of an image like that of [`noise`]: they take about as much effort
-/// as `options.spp` of each pixel would. Those, where nothing is adaptive.
+/// as `options.spp` of each pixel would. Those, where nothing is adaptive. `known` keeps what is
+/// found, unless the watch stopped the pilot: then it says nothing.
 pub fn sample_counts(
+    known: &OnceLock<SampleCounts>,
+    scene: &Scene,
+    options: &RenderOptions,
+    watch: &dyn Watch,
+    first: usize,
+    average: impl FnOnce(&RenderOptions, &dyn Watch) -> Partial<PixelSums>,
+) -> SampleCounts {
+    if let Some(known) = known.get() {
+        return known.clone();
+    }
+    let found = counts(scene, options, watch, first, average);
+    match watch.should_stop() {
+        true => found,
+        false => known.get_or_init(|| found).clone(),
+    }
+}
+
+fn counts(
     scene: &Scene,
     options: &RenderOptions,
     watch: &dyn Watch,
@@ -100,9 +124,12 @@ pub fn sample_counts(
     // Whole groups of samples that belong together, and two of them for a standard error.
     let group = group(scene, options);
     let fewest = options.spp.min(2 * group);
+    let rate = |wanted: &f64| EVEN + (1.0 - EVEN) * scale * wanted;
+    // Nobody gets so many samples that they cannot be counted.
+    let highest = noise.wanted.iter().map(rate).fold(0.0, f64::max);
+    let spp = f64::from(options.spp).min(MOST_COUNTED / highest);
     let count = |wanted: &f64| {
-        let rate = EVEN + (1.0 - EVEN) * scale * wanted;
-        let groups = (rate * f64::from(options.spp) / f64::from(group)).round() as u32;
+        let groups = (rate(wanted) * spp / f64::from(group)).round() as u32;
         groups.saturating_mul(group).max(fewest)
     };
     SampleCounts::Each(noise.wanted.iter().map(count).collect())
@@ -152,7 +179,7 @@ mod tests {
             let part = Part::whole(tiles::grid(scene, options));
             tiles::average(scene, options, counts, None, &part, &Unwatched, event)
         };
-        let counts = sample_counts(scene, options, &Unwatched, 0, |pilot, _| {
+        let counts = counts(scene, options, &Unwatched, 0, |pilot, _| {
             average(pilot, &SampleCounts::Even)
         });
         let sums = average(options, &counts).into_sums();

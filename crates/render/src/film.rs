@@ -60,10 +60,12 @@ impl Tracer<'_> {
             primal: moving.value(),
             moving,
         };
-        if self.gathers.camera && eval.moves() {
+        if self.gathers.camera
+            && eval.moves()
+            && let Some(term) = self.pixel_silhouette_term(eval, &camera, pixel, &support, draw)
+        {
             // Film points stay, also those on the border: there is no pixel-border term.
-            return self.interior_of_fixed_points(eval, &camera.moving, &support, draw)
-                + self.pixel_silhouette_term(eval, &camera, pixel, &support, draw);
+            return self.interior_of_fixed_points(eval, &camera.moving, &support, draw) + term;
         }
         let light = self.interior(eval, &camera, &support, draw);
         match support.is_discontinuous() {

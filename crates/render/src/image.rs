@@ -28,6 +28,8 @@ pub fn render(prepared: &PreparedScene, options: &RenderOptions, watch: &dyn Wat
 pub struct RenderWork<'a> {
     prepared: &'a PreparedScene,
     options: RenderOptions,
+    /// How many samples each pixel gets; found by the first call that samples.
+    counts: OnceLock<SampleCounts>,
     fingerprint: OnceLock<u64>,
 }
 
@@ -37,6 +39,7 @@ impl<'a> RenderWork<'a> {
         Self {
             prepared,
             options,
+            counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
     }
@@ -63,7 +66,8 @@ impl<'a> RenderWork<'a> {
 
     fn sums(&self, work: Option<u64>, part: &Part, watch: &dyn Watch) -> Partial<PixelSums> {
         let (scene, options) = (self.prepared.scene(), &self.options);
-        let counts = adaptive::sample_counts(scene, options, watch, 0, |pilot, watch| {
+        let counts = &self.counts;
+        let counts = adaptive::sample_counts(counts, scene, options, watch, 0, |pilot, watch| {
             let part = Part::whole(tiles::grid(scene, pilot));
             self.average(pilot, &SampleCounts::Even, None, &part, watch)
         });

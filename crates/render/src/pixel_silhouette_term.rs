@@ -20,7 +20,8 @@ use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::{EDGE_NUMBERS, Tracer};
 
 impl Tracer<'_> {
-    /// A sample of this term for one pixel: a number of value zero, with a derivative.
+    /// A sample of this term for one pixel: a number of value zero, with a derivative. `None` if
+    /// there are too many images in mirrors to gather edges of all of them.
     pub(super) fn pixel_silhouette_term<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -28,7 +29,7 @@ impl Tracer<'_> {
         pixel: [u32; 2],
         support: &Support,
         draw: Draw,
-    ) -> Rgb<R> {
+    ) -> Option<Rgb<R>> {
         let moving = self.moving.as_ref();
         let field = &moving.expect("only scenes that move have this term").field;
         let view = &camera.primal;
@@ -36,22 +37,29 @@ impl Tracer<'_> {
         // the count of queries is the same.
         draw.count_queries(1);
         let (accel, events) = (self.accel, self.events_behind(0));
-        let make = || silhouettes(field, eval, camera, support, events);
+        let spreads = match events {
+            0 => &[],
+            _ => self.mirror_spreads(eval),
+        };
+        let make = || silhouettes(field, eval, camera, support, events, spreads);
         let sees = |image: &MirrorImage, direction, distance| {
             accel.sees_image(image, view.origin, direction, distance, events)
         };
         // Sample a point on one of them, as it is or in a mirror.
         let u = draw.stream.number(EDGE_NUMBERS);
         let found = self.silhouettes.with(pixel, make, |silhouettes| {
+            let silhouettes = silhouettes?;
             let is_seen = |image: &_, q, distance| sees(image, q, distance).is_some();
-            let point = silhouettes.draw(field.boundaries, view.origin, u, is_seen)?;
-            // Hidden edges contribute nothing.
-            let image = silhouettes.image(&point);
-            let mirrors = sees(image, point.direction, point.distance)?;
-            Some((point, mirrors))
+            let point = silhouettes.draw(field.boundaries, view.origin, u, is_seen);
+            Some(point.and_then(|point| {
+                // Hidden edges contribute nothing.
+                let image = silhouettes.image(&point);
+                let mirrors = sees(image, point.direction, point.distance)?;
+                Some((point, mirrors))
+            }))
         });
-        let Some((point, mirrors)) = found else {
-            return Rgb::zero();
+        let Some((point, mirrors)) = found? else {
+            return Some(Rgb::zero());
         };
         // Evaluate ṡ·n over the density: the motion of the edge against the ray of a fixed
         // film point, which moves with the camera.
@@ -65,13 +73,13 @@ impl Tracer<'_> {
         // Stop where nothing moves. A camera on the edge itself gives a NaN, which is not
         // constant and is counted with the sample.
         if flow.is_constant() {
-            return Rgb::zero();
+            return Some(Rgb::zero());
         }
         let weight = support.weight(s) * view.film_area_per_solid_angle(point.direction);
         // Trace both sides with the same random numbers, so that their noise cancels.
         let [behind, before] = point
             .sides()
             .map(|direction| self.radiance(&Primal(accel), view.ray(direction), draw));
-        Rgb::constant((behind - before) * weight) * flow
+        Some(Rgb::constant((behind - before) * weight) * flow)
     }
 }

@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use capwalk_boundary::{Field, MirrorImage, Motion, SEEN, SilhouettePieces, clip, place};
-use capwalk_geometry::{ConeQuery, EdgeSelection, Mesh, uncounted};
+use capwalk_geometry::{ConeQuery, EdgeSelection, uncounted};
 use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::Scene;
 
@@ -15,7 +15,8 @@ use crate::scene_eval::SceneEval;
 /// A cache of the edges gathered in each pixel. What it keeps changes no result.
 #[derive(Default)]
 pub struct PixelSilhouettes {
-    pixels: Vec<OnceLock<SilhouettePieces>>,
+    /// Nothing for a pixel with too many images in mirrors.
+    pixels: Vec<OnceLock<Option<SilhouettePieces>>>,
     width: usize,
     /// How many pieces of edges it keeps in all pixels together.
     kept: AtomicUsize,
@@ -57,13 +58,13 @@ impl PixelSilhouettes {
     pub fn with<T>(
         &self,
         [x, y]: [u32; 2],
-        make: impl Fn() -> SilhouettePieces,
-        then: impl FnOnce(&SilhouettePieces) -> T,
+        make: impl Fn() -> Option<SilhouettePieces>,
+        then: impl FnOnce(Option<&SilhouettePieces>) -> T,
     ) -> T {
         let index = y as usize * self.width + x as usize;
         let cell = self.pixels.get(index);
         if let Some(pieces) = cell.and_then(OnceLock::get) {
-            return then(pieces);
+            return then(pieces.as_ref());
         }
         // Kept for all samples, they are no effort of this one.
         let pieces = match cell {
@@ -71,27 +72,30 @@ impl PixelSilhouettes {
             None => make(),
         };
         if let Some(cell) = cell {
-            let kept = self.kept.fetch_add(pieces.count(), Ordering::Relaxed);
-            if kept + pieces.count() <= MOST_KEPT {
-                return then(cell.get_or_init(|| pieces));
+            let count = pieces.as_ref().map_or(0, SilhouettePieces::count);
+            let kept = self.kept.fetch_add(count, Ordering::Relaxed);
+            if kept + count <= MOST_KEPT {
+                return then(cell.get_or_init(|| pieces).as_ref());
             }
-            self.kept.fetch_sub(pieces.count(), Ordering::Relaxed);
+            self.kept.fetch_sub(count, Ordering::Relaxed);
         }
-        then(&pieces)
+        then(pieces.as_ref())
     }
 }
 
 /// The edges in the support of a pixel's filter, cut into pieces whose sampling weight is
 /// what they contribute (METHOD 8): their length on the film, times the filter, times their
 /// angular speed, times a guess of how large the discontinuity is there. Edges count behind at
-/// most `events` flat mirrors and panes.
+/// most `events` flat mirrors and panes; `spreads` are those of the mirrors' planes. `None` if there
+/// are very many images in mirrors.
 pub fn silhouettes<R: Real, W: SceneEval<R>>(
     field: &Field,
     eval: &W,
     camera: &Camera<R>,
     support: &Support,
     events: u32,
-) -> SilhouettePieces {
+    spreads: &[f64],
+) -> Option<SilhouettePieces> {
     let view = &camera.primal;
     // Gather what is in a cone around the support, which is a pyramid of four planes.
     let [x, y] = support.sides.map(|side| side.bounds);
@@ -125,11 +129,18 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     };
     let image_speed = |image: &MirrorImage, points, t: f64, offset: Vec3, normal: Vec3| {
         let (against, distance) = against(offset);
-        let motion = image_motion(eval, image, mesh, points, t, offset + view.origin);
+        let [a, b]: [u32; 2] = points;
+        let [a, b] = [a, b].map(|point| eval.motion_of_point(point));
+        let along = Motion {
+            velocity: a.velocity + (b.velocity - a.velocity) * t,
+            spread: a.spread.max(b.spread),
+        };
+        let (vertex, place) = (|vertex| eval.motion_of_point(vertex), offset + view.origin);
+        let motion = image.motion(mesh, place, along, vertex, spreads);
         let speed = (motion.velocity - against.velocity).dot(normal).abs();
         (speed + motion.spread + against.spread) / distance
     };
-    let images = accel.images(view.origin, planes, events);
+    let images = accel.images(view.origin, planes, events)?;
     let mut weighed: Vec<(u32, u32, [f64; 2], f64, f64)> = Vec::new();
     let mut gathered = Vec::new();
     for (number, image) in (0..).zip(&images) {
@@ -193,22 +204,5 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         }
     }
     pieces.push_nothing(NOTHING / area.sqrt());
-    pieces
-}
-
-/// How the image of a point of an edge moves, as far as sampling weights know.
-fn image_motion<R: Real, W: SceneEval<R>>(
-    eval: &W,
-    image: &MirrorImage,
-    mesh: &Mesh,
-    points: [u32; 2],
-    t: f64,
-    point: Vec3,
-) -> Motion {
-    let [a, b] = points.map(|point| eval.motion_of_point(point));
-    let along = Motion {
-        velocity: a.velocity + (b.velocity - a.velocity) * t,
-        spread: a.spread.max(b.spread),
-    };
-    image.motion(mesh, point, along, |vertex| eval.motion_of_point(vertex))
+    Some(pieces)
 }

@@ -116,6 +116,35 @@ fn camera_before_a_mirror() {
     moves("mirror", scene, expression, case(600));
 }
 
+/// Two panels lie in one plane, and the second of them moves: the plane has no one motion.
+#[test]
+fn panels_of_one_plane() {
+    let mut scene = block_before_a_mirror();
+    let whole = scene.shapes.pop().expect("the mirror");
+    for (name, side) in [("mirror", -1.0), ("panel", 1.0)] {
+        let mut mesh = whole.mesh.clone();
+        let [a, b] = [mesh.positions[0], mesh.positions[1]];
+        let across = (b - a).normalized();
+        let middle = (a + b) * 0.5;
+        for p in &mut mesh.positions {
+            let x = across.dot(*p - middle) / (b - a).length();
+            *p += across * ((0.5 * x + 0.255 * side - x) * (b - a).length());
+        }
+        add(&mut scene, name, mesh, ShadingNormals::Face, 0.5);
+        make(&mut scene, name, |n| Bsdf::Conductor(n.mirror()));
+    }
+    let case = Case {
+        min_pixels: 100,
+        ..case(300)
+    };
+    moves(
+        "panels",
+        scene,
+        "panel.rotate.z + 0.3*panel.translate.y",
+        case,
+    );
+}
+
 /// A second mirror stands across: the block is seen in each and in both, one
 /// after the other.
 #[test]
