@@ -103,10 +103,15 @@ pub fn crossings(accel: &Accel) -> Vec<Crossing> {
     }
     pairs
         .into_iter()
-        .filter_map(|(faces, points)| match points[..] {
-            [a, b] => crossing(accel, faces, [a, b]),
-            // Any other number of points is contact.
-            _ => None,
+        .filter_map(|(faces, points)| {
+            let common = common_segment(&accel.mesh, faces)?;
+            let ends = match points[..] {
+                [a, b] => [a, b],
+                // An end at which borders of both meet: rounding says whether an edge passes
+                // there, once, twice or not at all.
+                _ => common,
+            };
+            crossing(accel, faces, ends)
         })
         .collect()
 }
@@ -133,6 +138,50 @@ fn piercings(accel: &Accel, face: u32) -> Vec<(u32, u32, Vec3)> {
         }
     }
     found
+}
+
+/// The segment that two faces have in common, each of which has corners on both sides of the
+/// other; `None` if they are in contact, or apart.
+fn common_segment(mesh: &Mesh, faces: [u32; 2]) -> Option<[Vec3; 2]> {
+    let normals = faces.map(|face| mesh.face_cross(face as usize).normalized());
+    let corners = faces.map(|face| mesh.corners(face as usize));
+    let along = normals[0].cross(normals[1]);
+    // Where the sides of each face pass through the plane of the other.
+    let mut ranges = [[Vec3::zero(); 2]; 2];
+    for (i, range) in ranges.iter_mut().enumerate() {
+        let heights = corners[i].map(|p| normals[1 - i].dot(p - corners[1 - i][0]));
+        let reach = heights.iter().fold(0.0_f64, |reach, h| reach.max(h.abs()));
+        let sides = heights.map(|h| {
+            let is_off = h.abs() > TOUCHING * reach;
+            if is_off { h.signum() } else { 0.0 }
+        });
+        if !(sides.contains(&1.0) && sides.contains(&-1.0)) {
+            return None;
+        }
+        let mut passed = (0..3).filter_map(|a| {
+            let b = (a + 1) % 3;
+            let [p, q] = [corners[i][a], corners[i][b]];
+            match sides[a] * sides[b] {
+                -1.0 => Some(p + (q - p) * (heights[a] / (heights[a] - heights[b]))),
+                _ => (sides[a] == 0.0).then_some(p),
+            }
+        });
+        *range = [passed.next()?, passed.next()?];
+        range.sort_by(|a, b| along.dot(*a).total_cmp(&along.dot(*b)));
+    }
+    // Both lie on one line: what they share of it.
+    let later = |a: Vec3, b: Vec3| if along.dot(a) > along.dot(b) { a } else { b };
+    let earlier = |a: Vec3, b: Vec3| if along.dot(a) > along.dot(b) { b } else { a };
+    let [from, to] = [
+        later(ranges[0][0], ranges[1][0]),
+        earlier(ranges[0][1], ranges[1][1]),
+    ];
+    let longest = ranges
+        .map(|[a, b]| (b - a).length())
+        .into_iter()
+        .fold(0.0, f64::max);
+    let is_long = along.dot(to - from) > TOUCHING * longest * along.length();
+    is_long.then_some([from, to])
 }
 
 /// The crossing of two faces between two points; `None` if the faces are coplanar.
@@ -206,4 +255,53 @@ fn weights_on_face(mesh: &Mesh, face: u32, x: Vec3) -> [f64; 3] {
     let wb = (x - a).cross(c - a).dot(cross) / square;
     let wc = (b - a).cross(x - a).dot(cross) / square;
     [1.0 - wb - wc, wb, wc]
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_scene::Scene;
+
+    use super::*;
+
+    /// A wall through a floor of the same width: their borders meet at both ends of the line, of
+    /// which nothing is missing. Not where it stands on the floor.
+    #[test]
+    fn crossings_reach_common_borders() {
+        let floor: Scene = capwalk_scene::builtin::scene("leaf").expect("built in");
+        let across = |half_width: f64, foot: f64| {
+            let mut scene = floor.clone();
+            let shapes = &mut scene.shapes;
+            let place = |x: f64, y: f64, z: f64| Vec3::new(0.3 + x, -0.2 + y, 0.7 + z);
+            let quad = |corners: [Vec3; 4]| Mesh {
+                positions: corners.to_vec(),
+                faces: vec![[0, 1, 2], [0, 2, 3]],
+            };
+            let lying = [(-3.0, -2.0), (3.0, -2.0), (3.0, 4.0), (-3.0, 4.0)];
+            let w = half_width;
+            let standing = [(-w, foot), (w, foot), (w, 5.0), (-w, 5.0)];
+            let meshes = [
+                quad(lying.map(|(x, y)| place(x, y, 0.0))),
+                quad(standing.map(|(x, z)| place(x, 0.31, z))),
+            ];
+            for (shape, mesh) in shapes.iter_mut().zip(meshes) {
+                std::sync::Arc::make_mut(shape).mesh = mesh;
+            }
+            // All others are elsewhere.
+            for shape in &mut shapes[2..] {
+                let positions = &mut std::sync::Arc::make_mut(shape).mesh.positions;
+                positions.iter_mut().for_each(|p| p.z += 100.0);
+            }
+            let found = crossings(&Accel::new(scene));
+            let ends = found.iter().map(|c| c.ends.map(|end| end.position));
+            ends.map(|[a, b]| (b - a).length()).sum::<f64>()
+        };
+        for half_width in [2.5, 2.999, 3.0] {
+            let length = across(half_width, -1.0);
+            assert!(
+                (length - 2.0 * half_width).abs() < 1e-9,
+                "{half_width}: {length}"
+            );
+            assert_eq!(across(half_width, 0.0), 0.0, "{half_width}");
+        }
+    }
 }
