@@ -209,10 +209,12 @@ def check(
 ) -> Check:
     """A gradient against finite differences of the image, with a verdict.
 
-    :param reference_spp: samples per pixel of the differences, on each side; by default four
-        times ``spp``.
+    Pixels get more or fewer samples by how noisy they are, in the time of ``spp`` of each.
+
+    :param reference_spp: samples per pixel of the differences, on each side; by default as many
+        as suit the noise of both.
     :param step: how far the parameter moves on each side, in its own units; by default what
-        fits the scene.
+        fits the scene, and a quarter of it to confirm that a gradient is wrong.
 
     The other parameters, and what is raised, are those of :func:`gradient`.
     """

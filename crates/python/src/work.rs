@@ -228,7 +228,11 @@ pub fn check<'py>(
     step: Option<f64>,
 ) -> PyResult<OfCheck<'py>> {
     let asked = CheckOptions {
-        gradient: options.gradient(py)?,
+        // What decides are the noisiest pixels.
+        gradient: GradientOptions {
+            adaptive: true,
+            ..options.gradient(py)?
+        },
         reference_spp,
         step,
     };

@@ -28,7 +28,7 @@ const MOST_COUNTED: f64 = 4e9;
 
 /// The part of an image's samples that a pilot takes, and the most of each pixel.
 const SHARE: u32 = 8;
-const MOST: u32 = 32;
+const MOST: u32 = 256;
 
 /// Makes the random numbers of a pilot independent of those of the image; π.
 const PILOT_SEED: u64 = 0x243f_6a88_85a3_08d3;
