@@ -11,7 +11,7 @@ use capwalk_scene::{DeltaLight, EmitterId, Scene, ShapeId};
 
 use crate::flush_emitter::FlushEmitters;
 use crate::material::{FlatEvents, flat_events, needs_place, needs_tangent};
-use crate::mirror_image::MirrorPlanes;
+use crate::mirror_planes::MirrorPlanes;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
 /// face indices of a shape follow those of the shapes before it.

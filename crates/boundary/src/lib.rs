@@ -28,6 +28,7 @@ mod material;
 mod method;
 mod mirror;
 mod mirror_image;
+mod mirror_planes;
 mod motion;
 #[cfg(feature = "paper")]
 mod paper;
@@ -63,7 +64,8 @@ pub use method::{Gathers, Method, MethodTraits};
 #[cfg(feature = "paper")]
 pub use method::{WasBoundary, WasSettings};
 pub use mirror::{MAX_EVENTS, Mirrors};
-pub use mirror_image::{MirrorImage, MirrorPlanes, moving_image};
+pub use mirror_image::{MirrorImage, moving_image};
+pub use mirror_planes::MirrorPlanes;
 pub use motion::Motion;
 pub use random::{Sampler, Stream};
 pub use refusal::{Refusal, SpecularCause};

@@ -7,180 +7,17 @@
 //! found by its pyramid, reflected at each mirror in turn that it may reach. Panes leave images
 //! where they are.
 
-use std::collections::HashMap;
-
 use capwalk_geometry::{HalfSpace, Mesh, Ray};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::Event;
 
 use crate::accel::{Accel, SHORT_OF_TARGET};
 use crate::mirror::{MAX_EVENTS, Mirror, Mirrors};
+use crate::mirror_planes::Plane;
 use crate::motion::Motion;
-
-/// The most planes of mirrors of which images are made: all of them are looked at in each pixel.
-const MOST_PLANES: usize = 256;
 
 /// The most images of which edges are gathered in a pixel.
 const MOST_IMAGES: usize = 64;
-
-/// Faces whose normals differ by less are one mirror, if their heights differ by less of their
-/// coordinates than [`SAME_HEIGHT`]: more than rounding, and far less than rays beside an edge are
-/// apart. Those that are not, make images by each.
-const SAME_PLANE: f64 = 1e-12;
-const SAME_HEIGHT: f64 = 1e-13;
-
-/// No plane.
-const NONE: u32 = u32::MAX;
-
-/// The planes of all flat mirrors of a scene.
-#[derive(Debug)]
-pub struct MirrorPlanes {
-    planes: Vec<Plane>,
-    /// The plane of each face, or [`NONE`].
-    plane_of_face: Vec<u32>,
-}
-
-/// The plane of some flat mirrors.
-#[derive(Clone, Copy, Debug)]
-struct Plane {
-    /// One of its faces.
-    face: u32,
-    /// Unit vector.
-    normal: Vec3,
-    /// `normal · p` of its points.
-    height: f64,
-    /// The box around its mirrors.
-    bounds: [Vec3; 2],
-}
-
-impl Plane {
-    fn height_of(&self, point: Vec3) -> f64 {
-        self.normal.dot(point) - self.height
-    }
-
-    fn point(&self, point: Vec3) -> Vec3 {
-        point - self.normal * (2.0 * self.height_of(point))
-    }
-
-    fn direction(&self, direction: Vec3) -> Vec3 {
-        direction - self.normal * (2.0 * self.normal.dot(direction))
-    }
-
-    /// True if no part of the box is on the inner side of the plane through a point.
-    fn is_outside(&self, point: Vec3, inner: Vec3) -> bool {
-        let [low, high] = self.bounds;
-        let (centre, half) = ((low + high) * 0.5, (high - low) * 0.5);
-        let reach = half.x * inner.x.abs() + half.y * inner.y.abs() + half.z * inner.z.abs();
-        let margin = SAME_PLANE * (centre - point).length();
-        inner.dot(centre - point) + reach < -margin
-    }
-}
-
-impl MirrorPlanes {
-    /// The planes of the faces that reflect; `None` if there are very many.
-    pub(crate) fn new(mesh: &Mesh, reflects: impl Fn(u32) -> bool) -> Option<Self> {
-        let mut planes: Vec<Plane> = Vec::new();
-        let mut plane_of_face = vec![NONE; mesh.faces.len()];
-        // Most faces lie in a plane of those before them: look in the cell of the first normal.
-        let mut cells: HashMap<[i64; 3], Vec<u32>> = HashMap::new();
-        for face in 0..mesh.faces.len() as u32 {
-            let cross = mesh.face_cross(face as usize);
-            if !reflects(face) || cross == Vec3::zero() {
-                continue;
-            }
-            // Both sides of a mirror are one plane.
-            let mut normal = cross.normalized();
-            let first = [normal.x, normal.y, normal.z].into_iter();
-            if first
-                .into_iter()
-                .find(|x| x.abs() > 1e-3)
-                .is_some_and(|x| x < 0.0)
-            {
-                normal = -normal;
-            }
-            let corners = mesh.corners(face as usize);
-            let height = normal.dot(corners[0]);
-            let key = [normal.x, normal.y, normal.z].map(|x| (x * CELLS).round() as i64);
-            let is_same = |&&plane: &&u32| {
-                let plane = &planes[plane as usize];
-                let turned = (plane.normal - normal).length() < SAME_PLANE;
-                let is_near = |&p: &Vec3| plane.height_of(p).abs() <= SAME_HEIGHT * p.length();
-                turned && corners.iter().all(is_near)
-            };
-            let known = cells.get(&key).and_then(|known| known.iter().find(is_same));
-            let plane = match known {
-                Some(&plane) => plane,
-                None if planes.len() == MOST_PLANES => return None,
-                None => {
-                    let plane = planes.len() as u32;
-                    planes.push(Plane {
-                        face,
-                        normal,
-                        height,
-                        bounds: [corners[0]; 2],
-                    });
-                    cells.entry(key).or_default().push(plane);
-                    plane
-                }
-            };
-            plane_of_face[face as usize] = plane;
-            let bounds = &mut planes[plane as usize].bounds;
-            for corner in corners {
-                *bounds = [bounds[0].min(corner), bounds[1].max(corner)];
-            }
-        }
-        Some(Self {
-            planes,
-            plane_of_face,
-        })
-    }
-
-    /// How fast, at most, vertices of each plane leave the plane against how the one of its faces
-    /// moves that stands for it, as far as sampling weights know: faces of one plane may move
-    /// apart, and be of several shapes.
-    pub fn spreads(&self, mesh: &Mesh, vertex: impl Fn(u32) -> Motion) -> Vec<f64> {
-        let mut spreads = vec![0.0_f64; self.planes.len()];
-        for (face, &number) in self.plane_of_face.iter().enumerate() {
-            let Some(plane) = self.planes.get(number as usize) else {
-                continue;
-            };
-            // The velocity of the face that stands for the plane along its normal is linear.
-            let own = mesh.faces[plane.face as usize].map(&vertex);
-            let height = |p: Vec3| {
-                let [a, b, c] = mesh.corners(plane.face as usize);
-                let cross = (b - a).cross(c - a);
-                let area = cross.length_squared();
-                let weight_b = (p - a).cross(c - a).dot(cross) / area;
-                let weight_c = (b - a).cross(p - a).dot(cross) / area;
-                let weights = [1.0 - weight_b - weight_c, weight_b, weight_c];
-                let speeds = own.iter().zip(weights);
-                speeds
-                    .map(|(motion, w)| w * motion.velocity.dot(plane.normal))
-                    .sum::<f64>()
-            };
-            let spread = &mut spreads[number as usize];
-            for (i, p) in mesh.faces[face].into_iter().zip(mesh.corners(face)) {
-                let motion = vertex(i);
-                let apart = (motion.velocity.dot(plane.normal) - height(p)).abs();
-                // Rounding is no motion.
-                let is_apart = apart > ROUNDING * motion.velocity.length();
-                let apart = if is_apart { apart } else { 0.0 };
-                *spread = spread.max(apart + motion.spread);
-            }
-            *spread = own
-                .iter()
-                .fold(*spread, |spread, motion| spread.max(motion.spread));
-        }
-        spreads
-    }
-}
-
-/// Speeds that differ by less of themselves are equal.
-const ROUNDING: f64 = 1e-9;
-
-/// Cells of normals per unit: two normals of one plane may be in different ones, and make a
-/// plane twice.
-const CELLS: f64 = 1e3;
 
 /// A chain of flat mirrors, and where it makes a viewpoint and the scene appear. Without any,
 /// the scene as it is.
@@ -227,7 +64,7 @@ impl MirrorImage {
     }
 
     /// How the image moves of which this is a point, given how what it is the image of moves, and
-    /// the vertices and [`MirrorPlanes::spreads`] of mirrors.
+    /// the vertices and [`MirrorPlanes::spreads`](crate::MirrorPlanes::spreads) of mirrors.
     pub fn motion(
         &self,
         mesh: &Mesh,
@@ -330,7 +167,7 @@ impl Accel {
             let events = self.flat_events(&hit);
             let is_next = |&&(plane, _): &&(u32, Plane)| {
                 let planes = self.mirror_planes();
-                planes.is_some_and(|planes| planes.plane_of_face[hit.face as usize] == plane)
+                planes.is_some_and(|planes| planes.has(plane, hit.face))
             };
             let mut direction = ray.direction;
             if chain.clone().next().filter(is_next).is_some() {

@@ -213,7 +213,7 @@ const DERIVATIVE: usize = 3;
 
 /// The time of differences beside a gradient, as a multiple of that of the gradient or a part of
 /// it, at most.
-const MOST_TIMES: f64 = 8.0;
+const MOST_TIMES: f64 = 4.0;
 
 /// The fewest samples per pixel of differences beside a gradient, unless fewer are asked for.
 const FEWEST: u32 = 16;
