@@ -5,7 +5,7 @@
 //! (Neyman 1934). These are known only from samples, and rare events are seen by few. So a pilot
 //! takes some of each pixel, and looks at the surroundings of a pixel as well as at itself; and
 //! a part of the samples is spread evenly: what the pilot did not see has at most
-//! 1 / [`EVEN`] times the variance that it would have.
+//! four times the variance that it would have.
 //!
 //! The pilot's random numbers are independent of those of the image. So the numbers of samples
 //! know nothing of the samples, and the means stay unbiased.
