@@ -266,7 +266,7 @@ fn crossing() {
     );
 }
 
-/// The mirror's own edges are walked to, shadows in it are not.
+/// What moves before a mirror is seen in it, too, and before the lamp that it shows.
 #[test]
 fn mirror() {
     let mut scene = visible_cube();
@@ -278,8 +278,10 @@ fn mirror() {
     crate::common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
     let case = Case {
         step: 2e-3,
-        gradient_spp: 100,
+        gradient_spp: 800,
+        reference_spp: 1600,
         min_pixels: 300,
+        patience: 2.5,
         ..primary()
     };
     camera_case("mirror", scene, "thing.translate.x", case);
