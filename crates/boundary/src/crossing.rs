@@ -248,7 +248,7 @@ pub(crate) fn crossing_of_planes(
 }
 
 /// Barycentric weights of a point on a face.
-fn weights_on_face(mesh: &Mesh, face: u32, x: Vec3) -> [f64; 3] {
+pub(crate) fn weights_on_face(mesh: &Mesh, face: u32, x: Vec3) -> [f64; 3] {
     let [a, b, c] = mesh.corners(face as usize);
     let cross = (b - a).cross(c - a);
     let square = cross.length_squared();

@@ -8,9 +8,11 @@ use capwalk_math::Vec3;
 pub const MAX_EVENTS: u32 = 6;
 
 /// The plane of a face, which may move, as a mirror.
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Mirror {
     corners: [Vec3; 3],
-    normal: Vec3,
+    /// Unit vector.
+    pub(crate) normal: Vec3,
 }
 
 impl Mirror {
@@ -21,7 +23,8 @@ impl Mirror {
         }
     }
 
-    fn height(&self, point: Vec3) -> f64 {
+    /// The distance of a point from the plane, along the normal.
+    pub(crate) fn height(&self, point: Vec3) -> f64 {
         self.normal.dot(point - self.corners[0])
     }
 

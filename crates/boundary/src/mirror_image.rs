@@ -46,21 +46,15 @@ impl MirrorImage {
     /// The image of a point of the scene.
     pub fn point(&self, point: Vec3) -> Vec3 {
         let planes = self.chain.iter().rev();
-        planes.fold(point, |point, (_, plane)| plane.point(point))
-    }
-
-    /// The image of a direction of the scene.
-    pub fn direction(&self, direction: Vec3) -> Vec3 {
-        let planes = self.chain.iter().rev();
-        planes.fold(direction, |direction, (_, plane)| {
-            plane.direction(direction)
-        })
+        planes.fold(point, |point, (_, plane)| plane.mirror.point(point))
     }
 
     /// The direction in the scene of which this is the image.
     pub fn direction_in_scene(&self, image: Vec3) -> Vec3 {
         let planes = self.chain.iter();
-        planes.fold(image, |direction, (_, plane)| plane.direction(direction))
+        planes.fold(image, |direction, (_, plane)| {
+            plane.mirror.direction(direction)
+        })
     }
 
     /// How the image moves of which this is a point, given how what it is the image of moves, and
@@ -78,7 +72,7 @@ impl MirrorImage {
             .iter()
             .for_each(|(_, plane)| mirrors.push(plane.face));
         let planes = self.chain.iter();
-        let point = planes.fold(point, |point, (_, plane)| plane.point(point));
+        let point = planes.fold(point, |point, (_, plane)| plane.mirror.point(point));
         let corner = |i| vertex(i).velocity;
         let velocity = mirrors.velocity(mesh, point, motion.velocity, corner);
         let numbers = self.chain.iter().map(|&(number, _)| number);
@@ -92,16 +86,20 @@ impl MirrorImage {
     /// What the last mirror can show: what is before it.
     pub fn in_front_of(&self) -> Option<HalfSpace> {
         self.chain.last().map(|(_, plane)| HalfSpace {
-            point: plane.bounds[0] - plane.normal * plane.height_of(plane.bounds[0]),
+            point: plane.bounds[0] - plane.mirror.normal * plane.mirror.height(plane.bounds[0]),
             // The apex is behind the last mirror.
-            normal: plane.normal * -plane.height_of(self.apex).signum(),
+            normal: plane.mirror.normal * -plane.mirror.height(self.apex).signum(),
         })
     }
 
     /// True if points lie in the plane of the last mirror, where they are their own images.
     pub fn is_in_mirror(&self, points: [Vec3; 2], distance: f64) -> bool {
         let last = self.chain.last();
-        last.is_some_and(|(_, plane)| points.iter().all(|&p| plane.height_of(p).abs() <= distance))
+        last.is_some_and(|(_, plane)| {
+            points
+                .iter()
+                .all(|&p| plane.mirror.height(p).abs() <= distance)
+        })
     }
 }
 
@@ -200,7 +198,7 @@ fn add_images(
     }
     for (number, plane) in (0..).zip(planes) {
         let last = chain.last().map(|&(last, _)| last);
-        let height = plane.height_of(apex);
+        let height = plane.mirror.height(apex);
         let is_out = |normal: &Vec3| plane.is_outside(apex, *normal);
         let is_behind = |half: HalfSpace| plane.is_outside(half.point, half.normal);
         if last == Some(number)
@@ -215,12 +213,12 @@ fn add_images(
         }
         chain.push((number, *plane));
         let image = MirrorImage {
-            apex: plane.point(apex),
+            apex: plane.mirror.point(apex),
             chain: chain.clone(),
         };
         let (apex, before) = (image.apex, image.in_front_of());
         images.push(image);
-        let pyramid = pyramid.map(|normal| plane.direction(normal));
+        let pyramid = pyramid.map(|normal| plane.mirror.direction(normal));
         add_images(planes, apex, pyramid, before, events - 1, chain, images)?;
         chain.pop();
     }

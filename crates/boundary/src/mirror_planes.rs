@@ -5,6 +5,8 @@ use std::collections::HashMap;
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
+use crate::crossing::weights_on_face;
+use crate::mirror::Mirror;
 use crate::motion::Motion;
 
 /// The most planes of mirrors of which images are made: all of them are looked at in each pixel.
@@ -32,27 +34,13 @@ pub struct MirrorPlanes {
 pub(crate) struct Plane {
     /// One of its faces.
     pub(crate) face: u32,
-    /// Unit vector.
-    pub(crate) normal: Vec3,
-    /// `normal · p` of its points.
-    height: f64,
+    /// That face as a mirror.
+    pub(crate) mirror: Mirror,
     /// The box around its mirrors.
     pub(crate) bounds: [Vec3; 2],
 }
 
 impl Plane {
-    pub(crate) fn height_of(&self, point: Vec3) -> f64 {
-        self.normal.dot(point) - self.height
-    }
-
-    pub(crate) fn point(&self, point: Vec3) -> Vec3 {
-        point - self.normal * (2.0 * self.height_of(point))
-    }
-
-    pub(crate) fn direction(&self, direction: Vec3) -> Vec3 {
-        direction - self.normal * (2.0 * self.normal.dot(direction))
-    }
-
     /// True if no part of the box is on the inner side of the plane through a point.
     pub(crate) fn is_outside(&self, point: Vec3, inner: Vec3) -> bool {
         let [low, high] = self.bounds;
@@ -80,23 +68,18 @@ impl MirrorPlanes {
             if !reflects(face) || cross == Vec3::zero() {
                 continue;
             }
-            // Both sides of a mirror are one plane.
-            let mut normal = cross.normalized();
-            let first = [normal.x, normal.y, normal.z].into_iter();
-            if first
-                .into_iter()
-                .find(|x| x.abs() > 1e-3)
-                .is_some_and(|x| x < 0.0)
-            {
-                normal = -normal;
-            }
+            let mirror = Mirror::new(mesh, face);
             let corners = mesh.corners(face as usize);
-            let height = normal.dot(corners[0]);
-            let key = [normal.x, normal.y, normal.z].map(|x| (x * CELLS).round() as i64);
+            // Both sides of a mirror are one plane: of both normals, that one is looked up of which
+            // the first coordinate that is not small is positive.
+            let coordinates = [mirror.normal.x, mirror.normal.y, mirror.normal.z];
+            let first = coordinates.into_iter().find(|x| x.abs() > 1e-3);
+            let side = first.unwrap_or_default().signum();
+            let key = coordinates.map(|x| (side * x * CELLS).round() as i64);
             let is_same = |&&plane: &&u32| {
-                let plane = &planes[plane as usize];
-                let turned = (plane.normal - normal).length() < SAME_PLANE;
-                let is_near = |&p: &Vec3| plane.height_of(p).abs() <= SAME_HEIGHT * p.length();
+                let plane = &planes[plane as usize].mirror;
+                let turned = plane.normal.cross(mirror.normal).length() < SAME_PLANE;
+                let is_near = |&p: &Vec3| plane.height(p).abs() <= SAME_HEIGHT * p.length();
                 turned && corners.iter().all(is_near)
             };
             let known = cells.get(&key).and_then(|known| known.iter().find(is_same));
@@ -107,8 +90,7 @@ impl MirrorPlanes {
                     let plane = planes.len() as u32;
                     planes.push(Plane {
                         face,
-                        normal,
-                        height,
+                        mirror,
                         bounds: [corners[0]; 2],
                     });
                     cells.entry(key).or_default().push(plane);
@@ -137,31 +119,21 @@ impl MirrorPlanes {
                 continue;
             };
             // The velocity of the face that stands for the plane along its normal is linear.
-            let own = mesh.faces[plane.face as usize].map(&vertex);
+            let (own, normal) = (mesh.faces[plane.face as usize], plane.mirror.normal);
             let height = |p: Vec3| {
-                let [a, b, c] = mesh.corners(plane.face as usize);
-                let cross = (b - a).cross(c - a);
-                let area = cross.length_squared();
-                let weight_b = (p - a).cross(c - a).dot(cross) / area;
-                let weight_c = (b - a).cross(p - a).dot(cross) / area;
-                let weights = [1.0 - weight_b - weight_c, weight_b, weight_c];
-                let speeds = own.iter().zip(weights);
-                speeds
-                    .map(|(motion, w)| w * motion.velocity.dot(plane.normal))
-                    .sum::<f64>()
+                let weights = own.iter().zip(weights_on_face(mesh, plane.face, p));
+                let speeds = weights.map(|(&i, weight)| weight * vertex(i).velocity.dot(normal));
+                speeds.sum::<f64>()
             };
             let spread = &mut spreads[number as usize];
             for (i, p) in mesh.faces[face].into_iter().zip(mesh.corners(face)) {
                 let motion = vertex(i);
-                let apart = (motion.velocity.dot(plane.normal) - height(p)).abs();
+                let apart = (motion.velocity.dot(normal) - height(p)).abs();
                 // Rounding is no motion.
                 let is_apart = apart > ROUNDING * motion.velocity.length();
                 let apart = if is_apart { apart } else { 0.0 };
                 *spread = spread.max(apart + motion.spread);
             }
-            *spread = own
-                .iter()
-                .fold(*spread, |spread, motion| spread.max(motion.spread));
         }
         spreads
     }

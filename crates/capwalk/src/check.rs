@@ -79,7 +79,7 @@ impl CheckOptions {
 pub struct Reference {
     /// Samples per pixel on each side.
     pub spp: u32,
-    /// Whether so many are taken instead as fit the noise.
+    /// Whether as many are taken instead as suit the noise.
     pub fits_noise: bool,
     /// Whether pixels get more or fewer of them by how noisy they are.
     pub adaptive: bool,
@@ -87,7 +87,7 @@ pub struct Reference {
     pub seed: u64,
     /// How far the parameter moves on each side, in its own units.
     pub step: f64,
-    /// Whether that is not asked for, but what fits the scene.
+    /// Whether no step was asked for, and this is the one that fits the scene.
     pub fits_scene: bool,
     /// Whether it moves to both sides.
     pub sides: Stencil,

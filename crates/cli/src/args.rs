@@ -288,7 +288,7 @@ pub struct Render {
     #[command(flatten)]
     pub sampling: SamplingArgs,
     /// Give pixels more or fewer samples by how noisy they are, in the time that --spp of each
-    /// take (from 16 on)
+    /// take, from 16 on
     #[arg(long)]
     pub adaptive: bool,
     #[command(flatten)]
@@ -311,7 +311,7 @@ pub struct Gradient {
     #[command(flatten)]
     pub sampling: SamplingArgs,
     /// Give pixels more or fewer samples by how noisy they are, in the time that --spp of each
-    /// take (from 16 on)
+    /// take, from 16 on (`check` always does)
     #[arg(long)]
     pub adaptive: bool,
     #[command(flatten)]

@@ -11,8 +11,9 @@ use serde::{Deserialize, Serialize};
 pub struct GradientOptions {
     /// Samples per pixel, at least 1; at least 2 for standard errors.
     pub spp: u32,
-    /// Whether pixels of a derivative image get more or fewer samples by how noisy they are,
-    /// in the time of `spp` of each, see [`adaptive`](capwalk_render::adaptive). Not in reverse mode.
+    /// Whether pixels of a derivative image get more or fewer samples by how noisy they are, in
+    /// the time of `spp` of each, see [`adaptive`](capwalk_render::adaptive). Not in reverse
+    /// mode.
     pub adaptive: bool,
     /// Seed of all random numbers.
     pub seed: u64,

@@ -43,6 +43,26 @@ pub struct Noise {
     wanted: Vec<f64>,
 }
 
+impl Noise {
+    /// The samples of each pixel that take as much effort as `options.spp` of each would.
+    fn counts(&self, scene: &Scene, options: &RenderOptions) -> SampleCounts {
+        let products = self.root * (self.wanted.len() as f64).sqrt();
+        let scale = self.effort_of_spp / products;
+        // Whole groups of samples that belong together, and two of them for a standard error.
+        let group = group(scene, options);
+        let fewest = options.spp.min(2 * group);
+        let rate = |wanted: &f64| EVEN + (1.0 - EVEN) * scale * wanted;
+        // Nobody gets so many samples that they cannot be counted.
+        let highest = self.wanted.iter().map(rate).fold(0.0, f64::max);
+        let spp = f64::from(options.spp).min(MOST_COUNTED / highest);
+        let count = |wanted: &f64| {
+            let groups = (rate(wanted) * spp / f64::from(group)).round() as u32;
+            groups.saturating_mul(group).max(fewest)
+        };
+        SampleCounts::Each(self.wanted.iter().map(count).collect())
+    }
+}
+
 /// The noise of an image whose samples give three numbers from `first` on. The pilot's are
 /// averaged by `average`, as many of each pixel. `None` if the samples that the options ask for
 /// are too few for a pilot.
@@ -99,40 +119,16 @@ pub fn sample_counts(
     if let Some(known) = known.get() {
         return known.clone();
     }
-    let found = counts(scene, options, watch, first, average);
+    let noise = match options.adaptive {
+        true => noise(scene, options, watch, first, average),
+        false => None,
+    };
+    let noise = noise.filter(|noise| noise.root > 0.0);
+    let found = noise.map_or(SampleCounts::Even, |noise| noise.counts(scene, options));
     match watch.should_stop() {
         true => found,
         false => known.get_or_init(|| found).clone(),
     }
-}
-
-fn counts(
-    scene: &Scene,
-    options: &RenderOptions,
-    watch: &dyn Watch,
-    first: usize,
-    average: impl FnOnce(&RenderOptions, &dyn Watch) -> Partial<PixelSums>,
-) -> SampleCounts {
-    let noise = options
-        .adaptive
-        .then(|| noise(scene, options, watch, first, average));
-    let Some(noise) = noise.flatten().filter(|noise| noise.root > 0.0) else {
-        return SampleCounts::Even;
-    };
-    let products = noise.root * (noise.wanted.len() as f64).sqrt();
-    let scale = noise.effort_of_spp / products;
-    // Whole groups of samples that belong together, and two of them for a standard error.
-    let group = group(scene, options);
-    let fewest = options.spp.min(2 * group);
-    let rate = |wanted: &f64| EVEN + (1.0 - EVEN) * scale * wanted;
-    // Nobody gets so many samples that they cannot be counted.
-    let highest = noise.wanted.iter().map(rate).fold(0.0, f64::max);
-    let spp = f64::from(options.spp).min(MOST_COUNTED / highest);
-    let count = |wanted: &f64| {
-        let groups = (rate(wanted) * spp / f64::from(group)).round() as u32;
-        groups.saturating_mul(group).max(fewest)
-    };
-    SampleCounts::Each(noise.wanted.iter().map(count).collect())
 }
 
 /// How many samples of a pixel belong together.
@@ -179,7 +175,8 @@ mod tests {
             let part = Part::whole(tiles::grid(scene, options));
             tiles::average(scene, options, counts, None, &part, &Unwatched, event)
         };
-        let counts = counts(scene, options, &Unwatched, 0, |pilot, _| {
+        let known = OnceLock::new();
+        let counts = sample_counts(&known, scene, options, &Unwatched, 0, |pilot, _| {
             average(pilot, &SampleCounts::Even)
         });
         let sums = average(options, &counts).into_sums();

@@ -85,17 +85,25 @@ fn sizes(differences: &GradientImage) -> Vec<[f64; 3]> {
     pixels().map(size).collect()
 }
 
-/// What a derivative of each pixel is in events of the differences: with a derivative `g`, the
-/// samples of a pixel change by `span · g` on average.
+/// What a derivative of each pixel is in events of the differences, given its size by its mean and
+/// error: with a derivative `g`, the samples of a pixel change by `span · g` on average.
 fn in_events(
-    derivative: impl Fn(usize, usize) -> f64,
+    derivative: &Estimate,
+    size_of: impl Fn(f64, f64) -> f64,
     differences: &GradientImage,
     span: f64,
 ) -> impl Iterator<Item = f64> {
     let samples = differences.statistics.samples_per_pixel.iter();
     let pixels = samples.zip(sizes(differences)).enumerate();
     pixels.map(move |(i, (&samples, size))| {
-        let channels = [0, 1, 2].map(|c| f64::from(samples) * span * derivative(i, c) / size[c]);
+        let (mean, error) = (
+            derivative.mean.pixels[i],
+            derivative.standard_error.pixels[i],
+        );
+        let channels = [0, 1, 2].map(|c| {
+            let g = size_of(channel(mean, c).abs(), channel(error, c));
+            f64::from(samples) * span * g / size[c]
+        });
         // Not a number where nothing is seen and nothing changes, or too few samples were taken.
         let events = channels.into_iter().filter(|events| !events.is_nan());
         events.fold(0.0, f64::max)
@@ -105,30 +113,15 @@ fn in_events(
 /// Pixels in which samples of the differences changed by as much as an event does, or a clear
 /// part of it: what is not discontinuous changes a little in all of them.
 fn seen(differences: &GradientImage, span: f64) -> usize {
-    let Estimate {
-        mean,
-        standard_error,
-    } = &differences.gradient;
-    let change = |i: usize, c: usize| {
-        let (mean, error) = (mean.pixels[i], standard_error.pixels[i]);
-        channel(mean, c).abs().max(channel(error, c))
-    };
-    let events = in_events(change, differences, span);
+    let events = in_events(&differences.gradient, f64::max, differences, span);
     events.filter(|&events| events > PART_OF_EVENT).count()
 }
 
 /// Events that differences would see on average if the gradient were right, at least.
 fn expected(gradient: &GradientImage, differences: &GradientImage, span: f64) -> f64 {
-    let Estimate {
-        mean,
-        standard_error,
-    } = &gradient.gradient;
     // What is certain of the derivative: its noise makes no events.
-    let change = |i: usize, c: usize| {
-        let (mean, error) = (mean.pixels[i], standard_error.pixels[i]);
-        (channel(mean, c).abs() - channel(error, c)).max(0.0)
-    };
-    in_events(change, differences, span).sum()
+    let certain = |mean: f64, error: f64| (mean - error).max(0.0);
+    in_events(&gradient.gradient, certain, differences, span).sum()
 }
 
 /// Probability of at most so many events if so many happen on average.

@@ -266,7 +266,29 @@ fn crossing() {
     );
 }
 
-/// What moves before a mirror is seen in it, too, and before the lamp that it shows.
+/// A wall stands through a floor of the same width: the borders of both meet at the ends of the
+/// curve where they cross.
+#[test]
+fn crossing_of_surfaces_of_one_width() {
+    let mut scene = empty(v(0.2, -3.0, 1.2), v(0.0, 0.3, 0.2), 40.0, 36);
+    add_lamp(&mut scene, v(0.3, -1.2, 3.0), 1.0, 0.3, 6.0);
+    let (floor, normals) = rectangle(Affine::scale(v(0.8, 0.8, 1.0)));
+    add(&mut scene, "floor", floor, normals, 0.2);
+    let upright = Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2);
+    let stand = Affine::translate(v(0.0, 0.31, 0.37)) * upright;
+    let (wall, normals) = rectangle(stand * Affine::scale(v(0.8, 0.8, 1.0)));
+    add(&mut scene, "wall", wall, normals, 0.9);
+    scene.film.filter = Filter::Gaussian { stddev: 0.5 };
+    let case = Case {
+        min_pixels: 300,
+        ..primary()
+    };
+    let tangent = tangent(&scene, "floor.translate.z");
+    let methods = [Method::Walk, Method::EDGES];
+    agree_by(&methods, "one width", scene, &tangent, case);
+}
+
+/// What moves before a mirror is seen in it, too, and before the emitter that it shows.
 #[test]
 fn mirror() {
     let mut scene = visible_cube();
@@ -281,7 +303,6 @@ fn mirror() {
         gradient_spp: 800,
         reference_spp: 1600,
         min_pixels: 300,
-        patience: 2.5,
         ..primary()
     };
     camera_case("mirror", scene, "thing.translate.x", case);

@@ -65,18 +65,16 @@ fn case(spp: u32) -> Case {
 /// By walks, and by gathered edges, as the camera sees them in mirrors.
 fn moves(name: &str, scene: Scene, expression: &str, case: Case) {
     let tangent = tangent(&scene, expression);
-    both(&format!("{name}, {expression}"), &scene, &tangent, case);
-}
-
-fn both(name: &str, scene: &Scene, tangent: &Tangent, case: Case) {
     agree_by(
-        &[Method::Walk, Method::EDGES],
-        name,
-        scene.clone(),
-        tangent,
+        &BOTH,
+        &format!("{name}, {expression}"),
+        scene,
+        &tangent,
         case,
     );
 }
+
+const BOTH: [Method; 2] = [Method::Walk, Method::EDGES];
 
 /// A block moves, seen directly and in a flat mirror.
 #[test]
@@ -105,7 +103,7 @@ fn corner_of_a_mirror() {
     let mut corners = vec![v(0.0, 0.0, 0.0); 4];
     corners[1] = v(0.1, 1.0, 0.2);
     let tangent = params::vertex_tangent(&scene, "mirror", corners).expect("a mirror");
-    both("mirror, a corner", &scene, &tangent, case(1200));
+    agree_by(&BOTH, "mirror, a corner", scene, &tangent, case(1200));
 }
 
 /// The camera moves before a mirror.
@@ -121,7 +119,7 @@ fn camera_before_a_mirror() {
 fn panels_of_one_plane() {
     let mut scene = block_before_a_mirror();
     let whole = scene.shapes.pop().expect("the mirror");
-    for (name, side) in [("mirror", -1.0), ("panel", 1.0)] {
+    for (name, side) in [("resting", 1.0), ("panel", -1.0)] {
         let mut mesh = whole.mesh.clone();
         let [a, b] = [mesh.positions[0], mesh.positions[1]];
         let across = (b - a).normalized();
