@@ -210,7 +210,7 @@ impl CrossingPlane {
     pub(crate) fn of_face(mesh: &Mesh, face: u32, places: [Vec3; 2]) -> Self {
         Self {
             vertices: mesh.faces[face as usize],
-            weights: places.map(|x| weights_on_face(mesh, face, x)),
+            weights: places.map(|x| mesh.weights_on_face(face as usize, x)),
             normal: mesh.face_cross(face as usize).normalized(),
         }
     }
@@ -245,16 +245,6 @@ pub(crate) fn crossing_of_planes(
         ends: [end(0), end(1)],
         emits,
     })
-}
-
-/// Barycentric weights of a point on a face.
-pub(crate) fn weights_on_face(mesh: &Mesh, face: u32, x: Vec3) -> [f64; 3] {
-    let [a, b, c] = mesh.corners(face as usize);
-    let cross = (b - a).cross(c - a);
-    let square = cross.length_squared();
-    let wb = (x - a).cross(c - a).dot(cross) / square;
-    let wc = (b - a).cross(x - a).dot(cross) / square;
-    [1.0 - wb - wc, wb, wc]
 }
 
 #[cfg(test)]

@@ -5,7 +5,6 @@ use std::collections::HashMap;
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 
-use crate::crossing::weights_on_face;
 use crate::mirror::Mirror;
 use crate::motion::Motion;
 
@@ -121,7 +120,7 @@ impl MirrorPlanes {
             // The velocity of the face that stands for the plane along its normal is linear.
             let (own, normal) = (mesh.faces[plane.face as usize], plane.mirror.normal);
             let height = |p: Vec3| {
-                let weights = own.iter().zip(weights_on_face(mesh, plane.face, p));
+                let weights = own.iter().zip(mesh.weights_on_face(plane.face as usize, p));
                 let speeds = weights.map(|(&i, weight)| weight * vertex(i).velocity.dot(normal));
                 speeds.sum::<f64>()
             };

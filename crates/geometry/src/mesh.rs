@@ -100,6 +100,18 @@ impl Mesh {
         (b - a).cross(c - a)
     }
 
+    /// Barycentric weights of a point in the plane of a face, in the order of its corners; of a
+    /// point beside the plane, those of its foot. Not finite if the face is degenerate.
+    #[inline]
+    pub fn weights_on_face(&self, face: usize, p: Vec3) -> [f64; 3] {
+        let [a, b, c] = self.corners(face);
+        let cross = self.face_cross(face);
+        let square = cross.length_squared();
+        let wb = (p - a).cross(c - a).dot(cross) / square;
+        let wc = (b - a).cross(p - a).dot(cross) / square;
+        [1.0 - wb - wc, wb, wc]
+    }
+
     /// Total area of the faces, square world units; one-sided.
     pub fn area(&self) -> f64 {
         (0..self.faces.len())
