@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use capwalk_geometry::{
-    ConeQuery, Edge, EdgeSelection, Mesh, Sides, SilhouetteTree, topology, uncounted,
+    ConeQuery, Edge, EdgeSelection, EdgeSubset, Mesh, Sides, SilhouetteTree, topology, uncounted,
 };
 use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
@@ -212,12 +212,22 @@ impl Boundaries {
     }
 
     /// The edges in a cone with their ends, by their numbers: the order must not tell how
-    /// the tree came about. `found` is memory.
-    pub fn gather(&self, query: &ConeQuery, found: &mut Vec<(u32, [Vec3; 2])>) {
+    /// the tree came about. Only those in a subset, if one is given. `found` is memory.
+    pub fn gather(
+        &self,
+        query: &ConeQuery,
+        among: Option<&EdgeSubset>,
+        found: &mut Vec<(u32, [Vec3; 2])>,
+    ) {
         found.clear();
-        self.tree
-            .gather(query, |edge, ends| found.push((edge, ends)));
+        let visit = |edge, ends| found.push((edge, ends));
+        self.tree.gather(query, among, visit);
         found.sort_unstable_by_key(|&(edge, _)| edge);
+    }
+
+    /// Of all edges, those for whose numbers `contains` holds.
+    pub fn subset(&self, contains: impl Fn(u32) -> bool) -> EdgeSubset {
+        self.tree.subset(contains)
     }
 
     /// A sampler of the silhouettes of meshes, or of all edges; built by the first call.

@@ -21,5 +21,5 @@ pub use buckets::Buckets;
 pub use build::build;
 pub use cost::SurfaceCost;
 pub use hierarchy::{Child, ChildKind, Hierarchy, MAX_DEPTH, WIDTH};
-pub use refit::{child_bounds, child_leaves};
+pub use refit::{any_below, child_bounds, child_leaves};
 pub use stack::{Stack, for_each_sorted};

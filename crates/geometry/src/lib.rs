@@ -31,6 +31,8 @@ pub use effort::{add_effort, effort, uncounted};
 pub use local_frame::LocalFrame;
 pub use mesh::{Mesh, MeshError};
 pub use query::buffers;
-pub use query::{ConeQuery, EdgeSelection, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree};
+pub use query::{
+    ConeQuery, EdgeSelection, EdgeSubset, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree,
+};
 pub use ray::{Hit, Ray};
 pub use wedge::{Apex, Wedge, WedgePoint};

@@ -9,6 +9,7 @@ mod cone_node;
 mod cone_query;
 mod edge_block;
 mod edge_kernel;
+mod edge_subset;
 mod gather;
 mod lanes;
 mod local_cone;
@@ -22,5 +23,6 @@ mod tree_edge;
 mod validate;
 
 pub use cone_query::{ConeQuery, EdgeSelection, HalfSpace, SilhouettePoint};
+pub use edge_subset::EdgeSubset;
 pub use ray_tree::RayTree;
 pub use silhouette_tree::SilhouetteTree;

@@ -131,7 +131,7 @@ fn measure(gpu: &Arc<Gpu>, mesh: &Mesh, trees: &(RayTree, SilhouetteTree)) -> Re
     let (own, expected) = once(|| {
         let gather = |cone: &ConeQuery| {
             let mut edges = Vec::new();
-            silhouette_tree.gather(cone, |edge, _| edges.push(edge));
+            silhouette_tree.gather(cone, None, |edge, _| edges.push(edge));
             edges
         };
         narrow.iter().map(gather).collect::<Vec<_>>()

@@ -49,7 +49,8 @@ impl Tracer<'_> {
         let jump = |point: &EdgePoint| discontinuity(field, vertex, point, chosen.emitter);
         draw.count_queries(1);
         let place = draw.stream.number(dimension + 1);
-        let term = gathered_term(at, &window, self.gathers.points, jump, place);
+        let moving = self.moving_edges(field.boundaries, at.eval);
+        let term = gathered_term(at, &window, moving, self.gathers.points, jump, place);
         // Divide by the probability of the emitter.
         term * R::constant(1.0 / probability)
     }

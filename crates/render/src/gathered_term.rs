@@ -3,6 +3,7 @@
 use std::cell::RefCell;
 
 use capwalk_boundary::{EdgePoint, Window};
+use capwalk_geometry::EdgeSubset;
 use capwalk_math::{Real, Rgb, Vec3};
 
 use crate::sampled_edges::{ListedEdge, SampledEdges, ShadingPoint};
@@ -15,15 +16,19 @@ const ROOTS: [f64; 2] = [2.0, 32.0];
 /// An estimate of the boundary term, see [`SampledEdges::term`], over all edges in the window
 /// of an emitter and its own, from `points` times the root of the number of their pieces. The
 /// random number `u` chooses the points. `jump` is the discontinuity of reflected radiance.
+/// `moving` is a subset with all edges that move: seen in directions that rest, no others
+/// contribute.
 pub fn gathered_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
     window: &Window,
+    moving: &EdgeSubset,
     points: u32,
     jump: impl FnMut(&EdgePoint) -> Rgb,
     u: f64,
 ) -> Rgb<R> {
     MEMORY.with_borrow_mut(|Memory { gathered, edges }| {
-        at.field.boundaries.gather(&window.cone, gathered);
+        let among = at.motion().is_still().then_some(moving);
+        at.field.boundaries.gather(&window.cone, among, gathered);
         let listed = gathered.iter().map(|&(edge, ends)| ListedEdge {
             edge,
             ends,

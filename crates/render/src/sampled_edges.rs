@@ -4,7 +4,9 @@
 
 use std::borrow::Cow;
 
-use capwalk_boundary::{EdgePoint, Field, Motion, SilhouettePieces, Viewpoint, clip, place};
+use capwalk_boundary::{
+    Boundaries, EdgePoint, Field, Motion, SilhouettePieces, Viewpoint, clip, place,
+};
 use capwalk_geometry::add_effort;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
@@ -73,7 +75,7 @@ impl Turning {
     }
 
     /// True if they certainly do not move.
-    fn is_still(&self) -> bool {
+    pub fn is_still(&self) -> bool {
         self.motion == Motion::STILL && self.speed() == 0.0
     }
 }
@@ -97,10 +99,14 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
 
     /// True if an edge certainly rests, seen in directions that rest.
     pub fn rests(&self, turning: &Turning, edge: u32) -> bool {
-        let points = self.field.boundaries.edge(edge).vertices.into_iter();
-        let mut motions = points.map(|point| self.eval.motion_of_point(point));
-        turning.is_still() && motions.all(|motion| motion == Motion::STILL)
+        turning.is_still() && !moves(self.eval, self.field.boundaries, edge)
     }
+}
+
+/// False if an edge certainly rests.
+pub fn moves<R: Real, W: SceneEval<R>>(eval: &W, boundaries: &Boundaries, edge: u32) -> bool {
+    let mut points = boundaries.edge(edge).vertices.into_iter();
+    points.any(|point| !eval.motion_of_point(point).is_still())
 }
 
 /// An edge listed for sampling.

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use capwalk_boundary::{Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, Numbers};
-use capwalk_geometry::EdgeSelection;
+use capwalk_geometry::{EdgeSelection, EdgeSubset, uncounted};
 use capwalk_math::Real;
 use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
@@ -13,6 +13,7 @@ use crate::pixel::Supports;
 use crate::pixel_silhouettes::PixelSilhouettes;
 use crate::plan::Plan;
 use crate::prepared::PreparedScene;
+use crate::sampled_edges::moves;
 use crate::scene_eval::SceneEval;
 
 /// The numbers of gathered edges start here, behind all others: those of the
@@ -75,6 +76,8 @@ pub struct Tracer<'a> {
     /// The motions of the nodes of both edge samplers; computed by the first samples that need
     /// them.
     pub edge_motions: [OnceLock<Vec<Motion>>; 2],
+    /// The edges that may move; found by the first samples that ask.
+    pub moving_edges: OnceLock<EdgeSubset>,
     /// How much the motion differs within the planes of flat mirrors; found by the first samples
     /// that ask.
     pub mirror_spreads: OnceLock<Vec<f64>>,
@@ -97,6 +100,7 @@ impl<'a> Tracer<'a> {
             leaves_out: LeavesOut::Nothing,
             silhouettes: PixelSilhouettes::default(),
             edge_motions: Default::default(),
+            moving_edges: OnceLock::new(),
             mirror_spreads: OnceLock::new(),
             moving_shadows: OnceLock::new(),
         }
@@ -183,6 +187,16 @@ impl<'a> Tracer<'a> {
             sampler,
             self.edge_motions[selection as usize].get_or_init(motions),
         )
+    }
+
+    /// All edges but those that certainly rest.
+    pub(crate) fn moving_edges<R: Real, W: SceneEval<R>>(
+        &self,
+        boundaries: &Boundaries,
+        eval: &W,
+    ) -> &EdgeSubset {
+        let subset = || boundaries.subset(|edge| moves(eval, boundaries, edge));
+        self.moving_edges.get_or_init(|| uncounted(subset))
     }
 
     /// How much the motion differs within each plane of flat mirrors.

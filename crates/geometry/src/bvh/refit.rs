@@ -27,6 +27,11 @@ pub fn child_leaves(hierarchy: &Hierarchy) -> Vec<[Range<u32>; WIDTH]> {
     })
 }
 
+/// For each child of each node, whether `holds` for any of the leaves below it.
+pub fn any_below(hierarchy: &Hierarchy, holds: impl Fn(usize) -> bool) -> Vec<[bool; WIDTH]> {
+    fold_up(hierarchy, false, holds, |&a, &b| a || b)
+}
+
 /// What `merge` makes of everything below each child.
 fn fold_up<T: Clone>(
     hierarchy: &Hierarchy,

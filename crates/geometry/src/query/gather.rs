@@ -7,6 +7,7 @@ use capwalk_math::Vec3;
 
 use super::cone_query::ConeQuery;
 use super::edge_block::LANES;
+use super::edge_subset::EdgeSubset;
 use super::local_cone::LocalCone;
 use super::pseudo_angle::Limit;
 use super::silhouette_tree::SilhouetteTree;
@@ -16,13 +17,20 @@ use crate::simd::{Job, Simd};
 
 impl SilhouetteTree {
     /// Calls `visit` with every boundary edge that meets the cone and its ends, in
-    /// an order that depends on the tree alone (METHOD 8).
+    /// an order that depends on the tree alone (METHOD 8); only with those in a subset, if one
+    /// is given.
     #[inline]
-    pub fn gather(&self, query: &ConeQuery, visit: impl FnMut(u32, [Vec3; 2])) {
+    pub fn gather(
+        &self,
+        query: &ConeQuery,
+        among: Option<&EdgeSubset>,
+        visit: impl FnMut(u32, [Vec3; 2]),
+    ) {
         add_effort_of(CLOSEST, self.edges.len());
         self.instructions.run(Gather {
             tree: self,
             query,
+            among,
             visit,
         });
     }
@@ -32,6 +40,8 @@ impl SilhouetteTree {
 struct Gather<'a, F> {
     tree: &'a SilhouetteTree,
     query: &'a ConeQuery,
+    /// Where it searches, if not everywhere.
+    among: Option<&'a EdgeSubset>,
     /// Gets each edge and its ends.
     visit: F,
 }
@@ -48,7 +58,9 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) {
-        let Self { tree, query, .. } = self;
+        let Self {
+            tree, query, among, ..
+        } = self;
         // A cone of no angle, or of an angle that is not a number, contains nothing.
         let is_open = query.max_angle > 0.0;
         if tree.nodes.is_empty() || !is_open {
@@ -62,9 +74,12 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
         while len > 0 {
             len -= 1;
             match stack[len].kind() {
-                Some(ChildKind::Node(node)) => {
-                    let node = &tree.nodes[node];
-                    let (mask, _) = cone.children(simd, node, &limit);
+                Some(ChildKind::Node(index)) => {
+                    let node = &tree.nodes[index];
+                    let (mut mask, _) = cone.children(simd, node, &limit);
+                    if let Some(among) = among {
+                        mask &= u32::from(among.children[index]);
+                    }
                     // Pushed in reverse, children are visited in their order.
                     for i in (0..WIDTH).rev().filter(|i| mask >> i & 1 != 0) {
                         stack[len] = node.children[i];
@@ -75,6 +90,9 @@ impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
                     let block = &tree.leaves[leaf];
                     let bounds = cone.edges(simd, block, limit.pseudo);
                     let mut mask = bounds.mask;
+                    if let Some(among) = among {
+                        mask &= u32::from(among.edges[leaf]);
+                    }
                     while mask != 0 {
                         let lane = mask.trailing_zeros() as usize % LANES;
                         mask &= mask - 1;

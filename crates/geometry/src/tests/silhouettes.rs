@@ -75,14 +75,14 @@ impl View {
 /// What the tree gathers, in its order.
 fn gathered(tree: &SilhouetteTree, query: &ConeQuery) -> Vec<u32> {
     let mut found = Vec::new();
-    tree.gather(query, |edge, _| found.push(edge));
+    tree.gather(query, None, |edge, _| found.push(edge));
     found
 }
 
 /// True if each edge that is gathered comes with its own ends.
 fn ends_are_right(tree: &SilhouetteTree, mesh: &Mesh, edges: &[Edge], query: &ConeQuery) -> bool {
     let mut right = true;
-    tree.gather(query, |edge, ends| {
+    tree.gather(query, None, |edge, ends| {
         let vertices = edges[edge as usize].vertices;
         right &= ends == vertices.map(|i| mesh.positions[i as usize]);
     });
@@ -150,7 +150,13 @@ fn check(
         let found = gathered(tree, query);
         prop_assert_eq!(&gathered(&scalar, query), &found, "scalar, {:?}", query);
         let any = found.len().checked_sub(1).map(|last| found[i % (last + 1)]);
-        prop_assert_eq!(sorted(found), expected, "{:?}", query);
+        prop_assert_eq!(sorted(found.clone()), expected, "{:?}", query);
+        let is_odd = |edge: &u32| edge % 2 == 1;
+        let mut odd = Vec::new();
+        let subset = tree.subset(|edge| is_odd(&edge));
+        tree.gather(query, Some(&subset), |edge, _| odd.push(edge));
+        let expected: Vec<u32> = found.iter().copied().filter(is_odd).collect();
+        prop_assert_eq!(odd, expected, "{:?}", query);
         prop_assert!(ends_are_right(tree, mesh, edges, query), "{:?}", query);
         for close in any.map_or_else(Vec::new, |any| close_calls(mesh, edges, query, any)) {
             let expected = oracle::gather(mesh, edges, &close);
