@@ -105,9 +105,9 @@ const PER_PIXEL: u32 = 4;
 /// One pixel of so many is taken for an accident, that of the largest variance.
 const WORST: usize = 100;
 
-/// What leaves the camera's rays at rest where gloss moves is better by this factor, with the worst
-/// pixels and without: it has rare and large values, of which a pilot sees a few at best. In random
-/// scenes of this kind it has up to eight times the variance, and down to a thousandth.
+/// What leaves the camera's rays at rest where gloss moves must be better by this factor, with the
+/// worst pixels and without: it can have rare and large values, of which a pilot sees a few at best.
+/// In scenes of this kind it has from a thousandth of the variance to 250 times.
 const SURELY: f64 = 0.2;
 
 /// So many emitters say how wide they are.
@@ -176,8 +176,8 @@ impl Pilot<'_> {
         Chosen { options, trials }
     }
 
-    /// Tries to gather edges along all segments, then without each kind of them in turn, then
-    /// with more and fewer points.
+    /// Tries to gather edges along all segments, if gloss moves also with walks for the camera and
+    /// indirect light, then without each kind of segment in turn, then with more and fewer points.
     fn best(&self, trials: &mut Vec<Trial>) -> Option<Trial> {
         if !Wanted::by(self.tangent).geometry() {
             return None;
@@ -194,12 +194,12 @@ impl Pilot<'_> {
             self.with_cutoffs(gathers, fitting, trials)
         };
         let mut best = with_cutoffs(everywhere);
-        if self.moves_gloss(&tracer) {
-            let cautious = Gathers {
-                camera: false,
-                indirect: false,
-                ..everywhere
-            };
+        let cautious = Gathers {
+            camera: false,
+            indirect: false,
+            ..everywhere
+        };
+        if cautious != everywhere && self.moves_gloss(&tracer) {
             let walking = with_cutoffs(cautious);
             if !best.beats_with_all(&walking, SURELY) {
                 (best, everywhere) = (walking, cautious);
@@ -233,8 +233,8 @@ impl Pilot<'_> {
     }
 
     /// True if something with interpolated normals moves against the camera that is glossy,
-    /// or lit by something glossy. Where it is seen nearly edge-on, rays that stay have derivatives
-    /// so rare and so large that a pilot may not see them; the rays of a walk move along.
+    /// or lit by something glossy. Rays that stay can have derivatives there so rare and so large
+    /// that a pilot does not see them; the rays of a walk move along.
     fn moves_gloss(&self, tracer: &Tracer) -> bool {
         let scene = self.prepared.scene();
         let camera_moves = self.tangent.sensor.moves_rays();

@@ -49,8 +49,10 @@ impl Tracer<'_> {
         let jump = |point: &EdgePoint| discontinuity(field, vertex, point, chosen.emitter);
         draw.count_queries(1);
         let place = draw.stream.number(dimension + 1);
-        let moving = self.moving_edges(field.boundaries, at.eval);
-        let term = gathered_term(at, &window, moving, self.gathers.points, jump, place);
+        // Seen in directions that rest, only edges that move contribute.
+        let rests = at.motion().is_still();
+        let among = rests.then(|| self.moving_edges(field.boundaries, at.eval));
+        let term = gathered_term(at, &window, among, self.gathers.points, jump, place);
         // Divide by the probability of the emitter.
         term * R::constant(1.0 / probability)
     }

@@ -16,18 +16,16 @@ const ROOTS: [f64; 2] = [2.0, 32.0];
 /// An estimate of the boundary term, see [`SampledEdges::term`], over all edges in the window
 /// of an emitter and its own, from `points` times the root of the number of their pieces. The
 /// random number `u` chooses the points. `jump` is the discontinuity of reflected radiance.
-/// `moving` is a subset with all edges that move: seen in directions that rest, no others
-/// contribute.
+/// `among` are all edges that contribute, if some do not.
 pub fn gathered_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
     window: &Window,
-    moving: &EdgeSubset,
+    among: Option<&EdgeSubset>,
     points: u32,
     jump: impl FnMut(&EdgePoint) -> Rgb,
     u: f64,
 ) -> Rgb<R> {
     MEMORY.with_borrow_mut(|Memory { gathered, edges }| {
-        let among = at.motion().is_still().then_some(moving);
         at.field.boundaries.gather(&window.cone, among, gathered);
         let listed = gathered.iter().map(|&(edge, ends)| ListedEdge {
             edge,

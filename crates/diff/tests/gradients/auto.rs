@@ -56,7 +56,7 @@ fn the_best_is_chosen() {
         let chosen = chosen(&scene, &tangent, options(32));
         let prepared = PreparedScene::new(scene);
         let cost = |trial: &capwalk_diff::Trial| {
-            let mut options = options(32);
+            let mut options = options(16);
             options.method = trial.method;
             options.walk.max_radius = trial.max_radius;
             let result = gradient(&prepared, &tangent, &options, &Unwatched).expect("covered");

@@ -115,7 +115,7 @@ fn numbers_of_principled() {
         let case = Case {
             step,
             gradient_spp,
-            reference_spp: 6 * gradient_spp,
+            reference_spp: 3 * gradient_spp,
             min_pixels: 900,
             ..Case::default()
         };

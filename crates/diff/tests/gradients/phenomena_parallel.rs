@@ -150,8 +150,8 @@ fn cube_behind_a_pane() {
     let few = primary();
     let case = Case {
         step: 3e-3,
-        gradient_spp: 4 * few.gradient_spp,
-        reference_spp: 4 * few.reference_spp,
+        gradient_spp: 2 * few.gradient_spp,
+        reference_spp: 2 * few.reference_spp,
         ..few
     };
     agree(

@@ -151,12 +151,15 @@ fn check(
         prop_assert_eq!(&gathered(&scalar, query), &found, "scalar, {:?}", query);
         let any = found.len().checked_sub(1).map(|last| found[i % (last + 1)]);
         prop_assert_eq!(sorted(found.clone()), expected, "{:?}", query);
-        let is_odd = |edge: &u32| edge % 2 == 1;
-        let mut odd = Vec::new();
-        let subset = tree.subset(|edge| is_odd(&edge));
-        tree.gather(query, Some(&subset), |edge, _| odd.push(edge));
-        let expected: Vec<u32> = found.iter().copied().filter(is_odd).collect();
-        prop_assert_eq!(odd, expected, "{:?}", query);
+        // Everywhere, in a part of the mesh, and none.
+        let of_part = |edge: u32| edge as usize * 8 < edges.len();
+        for contains in [&|edge| edge % 2 == 1, &of_part, &|_| false] as [&dyn Fn(u32) -> bool; 3] {
+            let subset = tree.subset(contains);
+            let mut among = Vec::new();
+            tree.gather(query, Some(&subset), |edge, _| among.push(edge));
+            let expected: Vec<u32> = found.iter().copied().filter(|&e| contains(e)).collect();
+            prop_assert_eq!(among, expected, "{:?}", query);
+        }
         prop_assert!(ends_are_right(tree, mesh, edges, query), "{:?}", query);
         for close in any.map_or_else(Vec::new, |any| close_calls(mesh, edges, query, any)) {
             let expected = oracle::gather(mesh, edges, &close);
