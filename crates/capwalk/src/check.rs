@@ -16,7 +16,7 @@ const REFERENCE_FACTOR: u32 = 4;
 /// Makes the reference's random numbers independent of the gradient's.
 const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// How many times smaller the step is by which a verdict of "wrong" is confirmed, and makes the
+/// How many times smaller the step is by which a contradiction is confirmed, and what makes the
 /// random numbers of that independent of the others.
 const SMALLER: u32 = 4;
 const SECOND_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
@@ -168,31 +168,40 @@ impl Check {
         }
     }
 
-    /// How to make a reference with a smaller step, if the one that fits the scene contradicts the
-    /// gradient: its variance grows as the step becomes smaller, and so does the number of its
-    /// samples.
-    pub(crate) fn doubts_step(&self) -> Option<Reference> {
-        let is_wrong = matches!(self.rest(), Verdict::Wrong { .. });
-        (is_wrong && self.made.fits_scene && self.reference.statistics.complete).then(|| {
+    /// How to make another reference, if this one contradicts the gradient or leaves a doubt of
+    /// it: with other random numbers, and with a smaller step if it is up to us. The variance of
+    /// differences grows as the step becomes smaller, and so does the number of their samples.
+    pub(crate) fn second_look(&self) -> Option<Reference> {
+        let contradicts = self.contradiction().is_some();
+        (contradicts && self.reference.statistics.complete).then(|| {
             let Reference { spp, step, .. } = self.made;
             Reference {
                 spp: spp.saturating_mul(SMALLER),
                 fits_noise: false,
                 seed: self.made.seed ^ SECOND_SEED,
-                step: step / f64::from(SMALLER),
+                step: match self.made.fits_scene {
+                    true => step / f64::from(SMALLER),
+                    false => step,
+                },
                 ..self.made
             }
         })
     }
 
-    /// The verdict of a smaller step, if there was time for it: right or wrong. If that cannot
-    /// tell but has a doubt of its own, both speak against the gradient, and it stays wrong; if it
-    /// has none, what the larger step said is a doubt.
-    pub(crate) fn with_smaller_step(self, made: (Reference, GradientImage)) -> Self {
-        let Verdict::Wrong { reason } = self.rest().clone() else {
+    /// The verdict of a second look, if there was time for it: right or wrong. If that cannot
+    /// tell but has a doubt of its own, both speak against the gradient, and the first stays; if
+    /// it has none, what the first said is a doubt.
+    pub(crate) fn after_second_look(self, made: (Reference, GradientImage)) -> Self {
+        let Some(contradiction) = self.contradiction() else {
             return self;
         };
-        let larger = number(self.made.step);
+        let step = number(self.made.step);
+        let unconfirmed = match self.made.fits_scene {
+            true => "a smaller step does",
+            false => "more samples do",
+        };
+        let doubt_of_first =
+            format!("over ± {step} they differ ({contradiction}), which {unconfirmed} not confirm");
         let mut check = Self::new(self.gradient.clone(), made, self.coplanar.clone());
         match check.rest() {
             Verdict::Inconclusive { doubt: Some(_), .. } => return self,
@@ -200,11 +209,18 @@ impl Check {
             _ => {}
         }
         if let Verdict::Inconclusive { doubt, .. } = check.rest_mut() {
-            *doubt = Some(format!(
-                "over ± {larger} they differ ({reason}), which a smaller step does not confirm"
-            ));
+            *doubt = Some(doubt_of_first);
         }
         check
+    }
+
+    /// What speaks against the gradient.
+    fn contradiction(&self) -> Option<&str> {
+        match self.rest() {
+            Verdict::Wrong { reason } => Some(reason),
+            Verdict::Inconclusive { doubt, .. } => doubt.as_deref(),
+            Verdict::Right | Verdict::Partial { .. } => None,
+        }
     }
 
     fn rest_mut(&mut self) -> &mut Verdict {

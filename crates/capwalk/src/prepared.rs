@@ -228,9 +228,9 @@ impl Prepared {
     /// What is comparable of a gradient that was estimated by this method, with a reference and a
     /// verdict.
     ///
-    /// Differences have a bias that grows with their step. Where they contradict the gradient,
-    /// those over a part of the step decide, with as many more samples: unless the step is one
-    /// that was asked for.
+    /// Differences have a bias that grows with their step, and errors that are too small where
+    /// few rare events were met. Where they contradict the gradient or leave a doubt of it, others
+    /// decide, with more samples, and over a part of the step unless one was asked for.
     pub fn checked(
         &self,
         comparable: GradientImage,
@@ -241,11 +241,11 @@ impl Prepared {
     ) -> Result<Check, Error> {
         let made = self.reference(&comparable, tangent, reference, method, watch)?;
         let check = Check::new(comparable, made, self.coplanar_shapes(tangent));
-        let Some(smaller) = check.doubts_step() else {
+        let Some(second) = check.second_look() else {
             return Ok(check);
         };
-        let made = self.reference(&check.gradient, tangent, smaller, method, watch)?;
-        Ok(check.with_smaller_step(made))
+        let made = self.reference(&check.gradient, tangent, second, method, watch)?;
+        Ok(check.after_second_look(made))
     }
 
     /// A reference, and how it was made: with as many samples as fit the noise of both, unless so
