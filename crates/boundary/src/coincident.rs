@@ -2,26 +2,13 @@
 
 use capwalk_geometry::Edge;
 use capwalk_math::Vec3;
+use capwalk_math::near_key::near_key;
 
 use crate::emitter_edge::SWEEP;
 
 /// Difference of lines, as a fraction of the scene's size, up to which they may be the
 /// same: more than rounding.
 const SAME_LINE: f64 = 1e-7;
-
-/// Weights of the numbers of a line in its key, in no simple ratio: the fractional parts of the
-/// square roots of the first nine primes.
-const KEY: [f64; 9] = [
-    0.414213562373,
-    0.732050807569,
-    0.236067977500,
-    0.645751311065,
-    0.316624790355,
-    0.605551275464,
-    0.123105625618,
-    0.358898943541,
-    0.795831523313,
-];
 
 /// An edge on its line.
 struct OnLine {
@@ -94,7 +81,7 @@ fn on_line(edge: usize, [a, b]: [Vec3; 2], scale: f64) -> Option<OnLine> {
         foot.y,
         foot.z,
     ];
-    let key = numbers.iter().zip(KEY).map(|(x, w)| x * w).sum();
+    let key = near_key(&numbers);
     let [s, t] = [a, b].map(|p| p.dot(d));
     Some(OnLine {
         edge,

@@ -137,6 +137,11 @@ pub enum Refusal {
         /// Its channels.
         value: [f64; 3],
     },
+    /// A finite difference changes no number of the scene: rounding swallows its step.
+    StepTooSmall {
+        /// The step to either side, in units of the parameter.
+        step: f64,
+    },
     /// A finite difference leaves the scenes that can be rendered, whichever side is taken.
     InvalidStep {
         /// The step to either side, in units of the parameter.
@@ -349,6 +354,13 @@ impl Refusal {
                      upper left; expected finite numbers"
                 ),
                 None,
+            ),
+            Self::StepTooSmall { step } => (
+                format!(
+                    "a finite difference over {step:e} changes nothing: rounding swallows so small a \
+                     step"
+                ),
+                instead("Choose a larger step, or leave it out"),
             ),
             Self::InvalidStep { step, reason } => (
                 format!(

@@ -5,6 +5,7 @@
 use std::collections::BTreeSet;
 
 use capwalk_math::Vec3;
+use capwalk_math::near_key::near_key;
 use capwalk_scene::{Mesh, Scene, Tangent};
 
 /// Part of the scene's size up to which planes may be the same: more than rounding.
@@ -13,22 +14,11 @@ const SAME_PLANE: f64 = 1e-9;
 /// Part of the scene's size by which faces overlap that do not only touch.
 const OVERLAP: f64 = 1e-7;
 
+/// The axis of the sweep, along no edge that is likely.
+const SWEEP: Vec3 = Vec3::new(0.414213562373, 0.732050807569, 0.236067977500);
+
 /// Pairs of faces that are looked at, at most: beyond that, pairs of shapes may be missed.
 const MOST_PAIRS: usize = 1_000_000;
-
-/// Weights of the numbers of a plane in its key, in no simple ratio: the fractional parts of the
-/// square roots of the first nine primes.
-const KEY: [f64; 9] = [
-    0.414213562373,
-    0.732050807569,
-    0.236067977500,
-    0.645751311065,
-    0.316624790355,
-    0.605551275464,
-    0.123105625618,
-    0.358898943541,
-    0.795831523313,
-];
 
 /// A face in its plane.
 struct Face {
@@ -145,14 +135,14 @@ impl Face {
             foot.y,
             foot.z,
         ];
-        let along = corners.map(|p| p.dot(Vec3::new(KEY[0], KEY[1], KEY[2])));
+        let along = corners.map(|p| p.dot(SWEEP));
         Some(Self {
             shape,
             corners,
             velocities,
             is_flush: false,
             normal: n,
-            key: numbers.iter().zip(KEY).map(|(x, w)| x * w).sum(),
+            key: near_key(&numbers),
             range: [
                 along.into_iter().fold(f64::INFINITY, f64::min),
                 along.into_iter().fold(f64::NEG_INFINITY, f64::max),

@@ -263,13 +263,11 @@ impl Prepared {
             differences = differences.of_rest(method);
         }
         let sampling = made.options().sampling();
-        let spp = match made.fits_noise {
-            true => differences.spp_beside(comparable, &sampling, watch),
-            false => made.spp,
+        let (spp, image) = match made.fits_noise {
+            true => differences.image_beside(comparable, &sampling, watch),
+            false => (made.spp, differences.image(&sampling, watch)),
         };
-        let made = Reference { spp, ..made };
-        let image = differences.image(&made.options().sampling(), watch);
-        Ok((made, image))
+        Ok((Reference { spp, ..made }, image))
     }
 
     /// The gradient of `Σ adjoint · image` with respect to everything that is named, in one

@@ -88,8 +88,8 @@ fn hint(error: &Error) -> Option<&'static str> {
             ..
         } => Some("; --layer chooses one"),
         Error::Refused(Refusal::SpecularMotion { .. }) => Some(
-            "\n  help: --allow-missing specular leaves it out and says so; --method fd takes finite \
-             differences",
+            "\n  help: --allow-missing specular leaves it out and says so; `capwalk gradient --method fd` \
+             takes finite differences",
         ),
         _ => None,
     }

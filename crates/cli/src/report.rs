@@ -1,7 +1,7 @@
 //! What was done, for people: aligned columns, times, warnings.
 
 pub use capwalk::text::{count, list, number, plus_minus, significant};
-use capwalk::{Estimate, Image, Rgb, Statistics, missing_text};
+use capwalk::{Estimate, Image, Missing, Rgb, Statistics, missing_text};
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
@@ -157,13 +157,18 @@ pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
         "most_samples_per_pixel": taken.iter().max(),
         "non_finite": statistics.non_finite,
         "uncovered": statistics.uncovered,
-        "missing": statistics.missing.as_ref().map(|missing| json!({
-            "what": "specular",
-            "share": missing.share,
-            "standard_error": missing.standard_error,
-        })),
+        "missing": statistics.missing.as_ref().map(missing_json),
         "cone_queries": statistics.cone_queries,
         "seconds": elapsed,
+    })
+}
+
+/// What a derivative leaves out.
+pub fn missing_json(missing: &Missing) -> Value {
+    json!({
+        "what": "specular",
+        "share": missing.share,
+        "standard_error": missing.standard_error,
     })
 }
 

@@ -48,10 +48,14 @@ impl Stencil {
     }
 
     /// Those on which the scene stays valid, both if it can: black does not become
-    /// darker. Refuses a step that leaves the valid scenes on either side.
+    /// darker. Refuses a step that leaves the valid scenes on either side, and one so small that
+    /// both sides are the same, unless they are at every step.
     pub fn of(scene: &Scene, tangent: &Tangent, step: f64) -> Result<Self, Refusal> {
-        let side = |step| scene.moved(tangent, step).check();
-        match (side(step), side(-step)) {
+        let [above, below] = [step, -step].map(|step| scene.moved(tangent, step));
+        if above == below && scene.moved(tangent, 1.0) != *scene {
+            return Err(Refusal::StepTooSmall { step });
+        }
+        match (above.check(), below.check()) {
             (Ok(()), Ok(())) => Ok(Self::Both),
             (Ok(()), Err(_)) => Ok(Self::Above),
             (Err(_), Ok(())) => Ok(Self::Below),
@@ -133,43 +137,61 @@ impl<'a> Differences<'a> {
 
     /// The image and its derivative.
     pub fn image(&self, options: &RenderOptions, watch: &dyn Watch) -> GradientImage {
-        let scene = self.scene;
         let (known, first) = (OnceLock::new(), DERIVATIVE);
         let counts =
-            adaptive::sample_counts(&known, scene, options, watch, first, |pilot, watch| {
+            adaptive::sample_counts(&known, self.scene, options, watch, first, |pilot, watch| {
                 self.average(pilot, &SampleCounts::Even, watch)
             });
-        let averages = Averages::new(self.average(options, &counts, watch).into_sums());
-        GradientImage {
-            value: averages.estimate(scene, 0),
-            gradient: averages.estimate(scene, DERIVATIVE),
-            missing: None,
-            statistics: averages.statistics,
-        }
+        self.image_of(&counts, options, watch)
     }
 
-    /// With how many samples per pixel the difference of an image of differences and a gradient
-    /// has the least variance for the time of both, if samples go where they are needed
-    /// ([`adaptive`]): time in proportion to the root of variance × time of each of them. Those
-    /// of the options, if nothing has any noise.
-    pub fn spp_beside(
+    /// The same with as many samples per pixel, which are returned too, as bring the most beside
+    /// a gradient: their difference has the least variance for the time of both if each takes
+    /// time in proportion to the root of its variance × time. Those of the options, if nothing
+    /// has any noise. One pilot tells how noisy the whole is, and each pixel.
+    pub fn image_beside(
         &self,
         gradient: &GradientImage,
         options: &RenderOptions,
         watch: &dyn Watch,
-    ) -> u32 {
+    ) -> (u32, GradientImage) {
         let noise = adaptive::noise(self.scene, options, watch, DERIVATIVE, |pilot, watch| {
             self.average(pilot, &SampleCounts::Even, watch)
         });
         let effort = gradient.statistics.effort as f64;
         let root = (mean_variance(&gradient.gradient) * effort).sqrt();
-        match noise {
-            Some(noise) if noise.root > 0.0 && root > 0.0 => {
+        let Some(noise) = noise.filter(|noise| noise.root > 0.0) else {
+            let image = self.image_of(&SampleCounts::Even, options, watch);
+            return (options.spp, image);
+        };
+        let spp = match root > 0.0 {
+            true => {
                 let times = (noise.root / root).clamp(1.0 / MOST_TIMES, MOST_TIMES);
                 let spp = times * effort / noise.effort_of_spp;
                 (spp.round() as u32).max(FEWEST.min(options.spp))
             }
-            _ => options.spp,
+            false => options.spp,
+        };
+        let options = RenderOptions { spp, ..*options };
+        let counts = match options.adaptive {
+            true => noise.counts(self.scene, &options),
+            false => SampleCounts::Even,
+        };
+        (spp, self.image_of(&counts, &options, watch))
+    }
+
+    fn image_of(
+        &self,
+        counts: &SampleCounts,
+        options: &RenderOptions,
+        watch: &dyn Watch,
+    ) -> GradientImage {
+        let averages = Averages::new(self.average(options, counts, watch).into_sums());
+        GradientImage {
+            value: averages.estimate(self.scene, 0),
+            gradient: averages.estimate(self.scene, DERIVATIVE),
+            missing: None,
+            statistics: averages.statistics,
         }
     }
 

@@ -1,5 +1,7 @@
 //! What is written down of every iteration: a row of a table (CSV).
 
+use capwalk_diff::{AllowMissing, Missing};
+
 use crate::problem::Problem;
 use crate::variable::Variables;
 
@@ -37,6 +39,8 @@ pub struct Step {
     pub length: f64,
     /// The learning rate, after the schedule.
     pub lr: f64,
+    /// What the gradient leaves out, in the view that has the largest share of it.
+    pub missing: Option<Missing>,
 }
 
 /// The first line of the table, with its end.
@@ -53,6 +57,9 @@ pub fn header(problem: &Problem) -> String {
     ]
     .map(String::from)
     .to_vec();
+    if may_be_missing(problem) {
+        names.push("missing_share".into());
+    }
     if problem.views.len() > 1 {
         names.extend((1..=problem.views.len()).map(|view| format!("loss of view {view}")));
     }
@@ -81,6 +88,10 @@ impl Row {
             step(|step| step.length),
             step(|step| step.lr),
         ];
+        if may_be_missing(problem) {
+            let share = |step: &Step| step.missing.map_or(0.0, |missing| missing.share);
+            cells.push(maybe(self.step.as_ref().map(share)));
+        }
         if problem.views.len() > 1 {
             cells.extend(self.by_view.iter().map(|&loss| number(loss)));
         }
@@ -88,6 +99,12 @@ impl Row {
         cells.extend(columns.map(|(_, place)| number(self.values[place])));
         line(cells)
     }
+}
+
+/// Whether gradients may leave something out: then the table has a column for its share of the
+/// radiance.
+fn may_be_missing(problem: &Problem) -> bool {
+    problem.allow_missing != AllowMissing::default()
 }
 
 /// Values that have columns: their names and where they are.

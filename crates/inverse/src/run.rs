@@ -3,8 +3,8 @@
 use std::fmt;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, PreparedScene, Refusal, RenderOptions, Statistics,
-    Unwatched, Watch, backward, render,
+    BackwardWork, Chosen, GradientOptions, Missing, PreparedScene, Refusal, RenderOptions,
+    Statistics, Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -109,6 +109,8 @@ struct Gradient {
     numbers: Vec<f64>,
     /// Standard error of each, for the images as they were.
     errors: Vec<f64>,
+    /// What is left out, in the view that has the largest share of it.
+    missing: Option<Missing>,
 }
 
 impl Problem {
@@ -296,6 +298,7 @@ impl Problem {
             gradient_noise: norm(gradient.errors.into_iter()),
             length: norm(differences.map(|(a, b)| a - b)),
             lr: factor * self.lr,
+            missing: gradient.missing,
         });
         // The step counts only if the scene can be rendered and its meshes are whole.
         let after = self.scene(&next).map_err(Stop::Outside)?;
@@ -319,6 +322,7 @@ impl Problem {
         let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
         let wanted = self.variables.wanted(&self.scene);
         let shares = self.shares();
+        let mut missing: Option<Missing> = None;
         for (i, prepared) in views.iter().enumerate() {
             // The adjoint image of the view: s_v ∂loss/∂I_v.
             let adjoint = &seen.measured[i].adjoint;
@@ -334,6 +338,11 @@ impl Problem {
             let result =
                 backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
             refuse_unusable("gradient", row.iteration, &result.statistics)?;
+            let of_view = result.statistics.missing;
+            missing = match (missing, of_view) {
+                (Some(most), Some(other)) if most.share >= other.share => Some(most),
+                (most, other) => other.or(most),
+            };
             // From the scene to its values to the unknowns: two transposed linear maps.
             let pull = |gradient: &_| {
                 let variables = &self.variables;
@@ -351,6 +360,7 @@ impl Problem {
         Ok(Gradient {
             numbers: sums,
             errors: squares.into_iter().map(f64::sqrt).collect(),
+            missing,
         })
     }
 
@@ -396,6 +406,7 @@ impl Problem {
         GradientOptions {
             method: self.method,
             walk: self.walk,
+            allow_missing: self.allow_missing,
             ..options.into()
         }
     }

@@ -1,5 +1,6 @@
 //! Affine transforms, named by their spaces: `world_from_object`.
 
+use std::fmt;
 use std::ops::Mul;
 
 use serde::{Deserialize, Serialize};
@@ -13,6 +14,16 @@ pub struct Affine {
     pub rows: [Vec3; 3],
     /// Image of the origin.
     pub translation: Vec3,
+}
+
+/// The upper three rows of the matrix.
+impl fmt::Display for Affine {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Vec3 { x, y, z } = self.translation;
+        let row = |row: Vec3, end: f64| format!("[{:?}, {:?}, {:?}, {end:?}]", row.x, row.y, row.z);
+        let [a, b, c] = self.rows;
+        write!(f, "[{}, {}, {}]", row(a, x), row(b, y), row(c, z))
+    }
 }
 
 impl Affine {

@@ -14,6 +14,7 @@
 pub mod affine;
 pub mod dual;
 pub mod frame;
+pub mod near_key;
 pub mod quadrature;
 pub mod real;
 pub mod rgb;

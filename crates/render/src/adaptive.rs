@@ -45,7 +45,7 @@ pub struct Noise {
 
 impl Noise {
     /// The samples of each pixel that take as much effort as `options.spp` of each would.
-    fn counts(&self, scene: &Scene, options: &RenderOptions) -> SampleCounts {
+    pub fn counts(&self, scene: &Scene, options: &RenderOptions) -> SampleCounts {
         let products = self.root * (self.wanted.len() as f64).sqrt();
         let scale = self.effort_of_spp / products;
         // Whole groups of samples that belong together, and two of them for a standard error.

@@ -60,7 +60,7 @@ impl Scene {
             if shape.world_from_object.inverse().is_none() {
                 return Err(SceneError::BadNumber {
                     name: format!("{}.to_world", shape.id),
-                    value: format!("{:?}", shape.world_from_object),
+                    value: shape.world_from_object.to_string(),
                     expected: "a matrix of finite numbers that can be inverted",
                 });
             }

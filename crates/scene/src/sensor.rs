@@ -157,7 +157,7 @@ impl Sensor {
         if self.world_from_camera.inverse().is_none() || !self.origin().is_finite() {
             return bad(
                 "to_world",
-                format!("{:?}", self.world_from_camera),
+                self.world_from_camera.to_string(),
                 "a matrix of finite numbers that can be inverted",
             );
         }

@@ -20,6 +20,7 @@ use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::{Document, Place, Table, Value};
 
 use super::duration::parse_duration;
+pub(super) use method_keys::MethodKeys;
 use table::{MOST, integer};
 pub(super) use view::{Define, Located, TargetKeys, ViewKeys};
 
@@ -69,7 +70,7 @@ pub(super) struct Keys {
     pub loss: Loss,
     pub guards: Guards,
     pub limits: Limits,
-    pub method: (Method, WalkSettings),
+    pub method: MethodKeys,
     pub views: Vec<ViewKeys>,
     pub parameters: Vec<(VariableSpec, Place)>,
 }
@@ -115,7 +116,7 @@ impl Job {
 
     /// How gradients are estimated.
     pub fn method(&self) -> (Method, WalkSettings) {
-        self.keys.method
+        (self.keys.method.method, self.keys.method.walk)
     }
 
     /// Every file that the job reads: itself, scenes, targets and masks.

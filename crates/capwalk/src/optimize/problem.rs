@@ -9,7 +9,7 @@ use capwalk_scene::{Film, Image, Scene, Sensor, builtin};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Place;
 
-use super::job::{Define, Job, Located, TargetKeys, ViewKeys};
+use super::job::{Define, Job, Located, MethodKeys, TargetKeys, ViewKeys};
 use crate::engine::Engine;
 use crate::error::Error;
 use crate::images::{read_layer, read_mask};
@@ -73,7 +73,11 @@ impl Job {
             views.push(view);
             pending.extend(target);
         }
-        let (method, walk) = keys.method;
+        let MethodKeys {
+            method,
+            walk,
+            allow_missing,
+        } = keys.method;
         let mut problem = Problem {
             variables,
             views,
@@ -88,6 +92,7 @@ impl Job {
             spp_grad: keys.spp_grad.unwrap_or(spp),
             method,
             walk,
+            allow_missing,
             scene,
         };
         self.check_start(&problem)?;

@@ -134,6 +134,50 @@ fn what_is_left_out_is_said() {
     assert!(colour["statistics"]["missing"].is_null());
 }
 
+/// An optimisation is refused without, too; with it, it says what its gradients leave out.
+#[test]
+fn optimisations_leave_out_what_is_allowed() {
+    let capwalk = with_room("missing_optimize");
+    let job = r#"scene = "room.xml"
+iterations = 2
+spp = 16
+target = { set = { "right.translate.x" = 0.1 } }
+parameter = [{ name = "right.translate.x" }]
+optimizer = { lr = 0.01 }
+"#;
+    capwalk.write("refused.toml", job);
+    let refused = capwalk.run("optimize refused.toml");
+    assert_eq!(refused.status, 1);
+    assert_has(
+        &refused.stderr,
+        &["is refused", "`allow_missing`", "refused.toml"],
+    );
+
+    let method = |allowed: &str| format!("{job}[method]\nallow_missing = {allowed}\n");
+    capwalk.write("partial.toml", &method(r#"["specular"]"#));
+    let finished = capwalk.run("optimize partial.toml --json");
+    assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert_has(
+        &finished.stderr,
+        &["the gradients are incomplete", "refracting glass"],
+    );
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    let share = json["missing"]["share"].as_f64().expect("a number");
+    // What arrives through the pane, as above, and its error.
+    assert!((share - 0.34).abs() < 0.05, "{share}");
+    let record = std::fs::read_to_string(capwalk.path("partial.out/record.csv")).expect("written");
+    let mut rows = record
+        .lines()
+        .map(|row| row.split(',').nth(8).expect("nine columns"));
+    assert_eq!(rows.next(), Some("missing_share"));
+    let shares: Vec<f64> = rows.filter_map(|cell| cell.parse().ok()).collect();
+    assert_eq!((shares.len(), shares[1]), (2, share));
+
+    capwalk.write("unknown.toml", &method(r#"["glass"]"#));
+    let unknown = capwalk.run("optimize unknown.toml");
+    assert_has(&unknown.stderr, &["unknown.toml:8", "specular"]);
+}
+
 /// The rest of the gradient is right: where no glass is seen, it is that of differences, and
 /// through glass it has what is no silhouette.
 #[test]

@@ -21,14 +21,14 @@ pub enum VariableError {
         /// The option.
         option: &'static str,
     },
-    /// It would start where it cannot be.
-    #[error("\"{name}\" starts at {value}; expected {expected}")]
+    /// It would be, or start, where it cannot.
+    #[error("\"{name}\" cannot be {value}; expected {expected}")]
     Start {
         /// What was asked for.
         name: String,
-        /// A number that it would start at.
+        /// A number that it would have.
         value: f64,
-        /// What would be possible, and what to change.
+        /// What would be possible.
         expected: String,
     },
     /// There are more or fewer numbers to start at than it has.

@@ -78,7 +78,7 @@ pub fn variable(
         return Err(VariableError::Start {
             name: name(),
             value,
-            expected: format!("{expected}; change `start`, or the bounds"),
+            expected: format!("{expected}; or change the bounds"),
         });
     }
     if let Map::Pose { parts, .. } = &map
@@ -87,7 +87,7 @@ pub fn variable(
         return Err(VariableError::Start {
             name: name(),
             value,
-            expected: "a scale above 0; change `start`".into(),
+            expected: "a scale above 0".into(),
         });
     }
     Ok(Variable {

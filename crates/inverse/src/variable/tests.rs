@@ -486,7 +486,7 @@ fn what_does_not_fit_is_refused() {
         &[with(&|w| w.bounds = Some([1.0, 0.0]))],
         "the lower one first",
     );
-    refused(&[with(&|w| w.bounds = Some([0.5, 1.0]))], "starts at 0");
+    refused(&[with(&|w| w.bounds = Some([0.5, 1.0]))], "cannot be 0");
     refused(&[with(&|w| w.curve = Some(Curve::Log))], "above 0");
     refused(&[with(&|w| w.start = Some(vec![1.0, 2.0]))], "2 numbers");
     let positions = |selection| VariableSpec {

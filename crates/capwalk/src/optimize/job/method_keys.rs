@@ -1,6 +1,6 @@
 //! The `[method]` of a job: how gradients are estimated.
 
-use capwalk_diff::{Method, WalkSettings};
+use capwalk_diff::{AllowMissing, Method, WalkSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
 
@@ -9,12 +9,22 @@ use super::table::positive;
 use super::table::{integer, number, truth};
 #[cfg(feature = "paper")]
 use crate::method::WasChoice;
-use crate::method::{Choice, MethodChoice, MethodName, WalkChoice};
+use crate::method::{Choice, MethodChoice, MethodName, MissingName, WalkChoice};
 
-/// The method and its walk; the default ones without the table.
-pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
+/// What `[method]` says.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct MethodKeys {
+    pub method: Method,
+    /// The walk of a method that walks.
+    pub walk: WalkSettings,
+    /// What gradients may leave out.
+    pub allow_missing: AllowMissing,
+}
+
+/// The method and its walk, and what may be left out; the default ones without the table.
+pub fn read(root: &Table) -> Result<MethodKeys, LoadError> {
     let Some(value) = root.get("method") else {
-        return Ok((Method::default(), WalkSettings::default()));
+        return Ok(MethodKeys::default());
     };
     let table = value.table("[method]")?;
     // Keys of walks ask for one.
@@ -31,6 +41,10 @@ pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
     // Of the keys, only those of the method mean something.
     let table = value.table(&format!("[method] of type \"{}\"", method.name()))?;
     table.get("type");
+    let allowed = table.get("allow_missing").map(|value| value.items());
+    let allowed = allowed.unwrap_or_default();
+    let allowed = allowed.iter().map(|name| name.choice(MissingName::NAMES));
+    let allow_missing = MissingName::allow(&allowed.collect::<Result<Vec<_>, _>>()?);
     match method {
         MethodName::Auto => {}
         MethodName::Walk | MethodName::Edges => {
@@ -43,9 +57,14 @@ pub fn read(root: &Table) -> Result<(Method, WalkSettings), LoadError> {
         MethodName::Was | MethodName::PsdrWas => chosen.was = was(&table)?,
     }
     table.finish()?;
-    chosen
+    let (method, walk) = chosen
         .resolve()
-        .map_err(|error| value.error(error.to_string()))
+        .map_err(|error| value.error(error.to_string()))?;
+    Ok(MethodKeys {
+        method,
+        walk,
+        allow_missing,
+    })
 }
 
 /// The walk of a method that walks, if not everywhere.
