@@ -146,12 +146,8 @@ parameter = [{ name = "right.translate.x" }]
 optimizer = { lr = 0.01 }
 "#;
     capwalk.write("refused.toml", job);
-    let refused = capwalk.run("optimize refused.toml");
-    assert_eq!(refused.status, 1);
-    assert_has(
-        &refused.stderr,
-        &["is refused", "`allow_missing`", "refused.toml"],
-    );
+    let refused = capwalk.error("optimize refused.toml");
+    assert_has(&refused, &["is refused", "`allow_missing`", "refused.toml"]);
 
     let method = |allowed: &str| format!("{job}[method]\nallow_missing = {allowed}\n");
     capwalk.write("partial.toml", &method(r#"["specular"]"#));
@@ -174,8 +170,8 @@ optimizer = { lr = 0.01 }
     assert_eq!((shares.len(), shares[1]), (2, share));
 
     capwalk.write("unknown.toml", &method(r#"["glass"]"#));
-    let unknown = capwalk.run("optimize unknown.toml");
-    assert_has(&unknown.stderr, &["unknown.toml:8", "specular"]);
+    let unknown = capwalk.error("optimize unknown.toml");
+    assert_has(&unknown, &["unknown.toml:8", "specular"]);
 }
 
 /// The rest of the gradient is right: where no glass is seen, it is that of differences, and

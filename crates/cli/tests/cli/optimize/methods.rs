@@ -102,7 +102,7 @@ fn keys_of_other_methods_are_errors() {
         &[
             "job.toml:32:1",
             "unknown key `domain` in [method] of type \"edges\"",
-            "one of: antithetic, estimator, max_angle, steps, type",
+            "one of: allow_missing, antithetic, estimator, max_angle, steps, type",
         ],
     );
     bad(
@@ -113,7 +113,7 @@ fn keys_of_other_methods_are_errors() {
         "steps = 2\nkappa = 10",
         &[
             "unknown key `kappa` in [method] of type \"walk\"",
-            "one of: antithetic, domain, estimator, max_angle, steps, type",
+            "one of: allow_missing, antithetic, domain, estimator, max_angle, steps, type",
         ],
     );
 }
@@ -129,7 +129,7 @@ fn baselines_have_keys_of_their_own() {
         "type = \"psdr-was\"\nsteps = 2",
         &[
             "unknown key `steps` in [method] of type \"psdr-was\"",
-            "one of: antithetic, boundary, debias, kappa, rays, type",
+            "one of: allow_missing, antithetic, boundary, debias, kappa, rays, type",
         ],
     );
     bad("type = \"psdr-was\"\nrays = 0", &["from 1 to 65536"]);
