@@ -408,6 +408,159 @@ pub fn comparison_text(c: &Comparison) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use capwalk_diff::{Estimate, Statistics};
+    use capwalk_math::Rgb;
+    use capwalk_scene::Image;
+
+    const SIDE: usize = 24;
+
+    /// Numbers that look random, of mean 0 and variance 1: sums of twelve uniform ones.
+    struct Noise(u64);
+
+    impl Noise {
+        fn next(&mut self) -> f64 {
+            let uniform = |_| {
+                self.0 = self.0.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(1);
+                (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+            };
+            (0..12).map(uniform).sum::<f64>() - 6.0
+        }
+    }
+
+    /// An image of 1, whose derivative is waves times `factor`, and `spikes` in a few pixels, with
+    /// noise of this size.
+    fn waves(seed: u64, factor: f64, spikes: f64, noise: f64) -> GradientImage {
+        let mut random = Noise(seed);
+        let flat = |value: f64| {
+            let mut image = Image::new(SIDE, SIDE);
+            image.pixels.fill(Rgb::splat(value));
+            image
+        };
+        let mut mean = Image::new(SIDE, SIDE);
+        for (i, pixel) in mean.pixels.iter_mut().enumerate() {
+            let spike = match i % 97 {
+                13 => spikes,
+                _ => 0.0,
+            };
+            let wave = factor * (0.7 * i as f64).sin();
+            *pixel = Rgb::splat(wave + spike + noise * random.next());
+        }
+        GradientImage {
+            value: Estimate {
+                mean: flat(1.0),
+                standard_error: flat(0.01),
+            },
+            gradient: Estimate {
+                mean,
+                standard_error: flat(noise),
+            },
+            missing: None,
+            statistics: Statistics {
+                samples_per_pixel: vec![1000; SIDE * SIDE],
+                complete: true,
+                samples: 1000 * (SIDE * SIDE) as u64,
+                non_finite: 0,
+                cone_queries: 0,
+                uncovered: 0,
+                effort: 0,
+                missing: None,
+            },
+        }
+    }
+
+    const MADE: Reference = Reference {
+        spp: 1000,
+        fits_noise: true,
+        adaptive: true,
+        seed: 5,
+        step: 0.01,
+        fits_scene: true,
+        sides: Stencil::Both,
+    };
+
+    /// A check of the waves against a reference, and a second look.
+    fn looked_at(made: Reference, first: &GradientImage, second: &GradientImage) -> Check {
+        let gradient = waves(1, 1.0, 0.0, 0.1);
+        let check = Check::new(gradient, (made, first.clone()), Vec::new());
+        let again = check.second_look().expect("there is a contradiction");
+        check.after_second_look((again, second.clone()))
+    }
+
+    /// What contradicts a gradient, or leaves a doubt of it, is looked at again: over a smaller
+    /// step, unless one was asked for, with more samples and other random numbers.
+    #[test]
+    fn a_contradiction_gets_a_second_look() {
+        let (right, wrong) = (waves(2, 1.0, 0.0, 0.1), waves(3, 1.3, 0.0, 0.1));
+        let check = |made, reference: &GradientImage| {
+            Check::new(
+                waves(1, 1.0, 0.0, 0.1),
+                (made, reference.clone()),
+                Vec::new(),
+            )
+        };
+        assert_eq!(check(MADE, &right).comparison.verdict, Verdict::Right);
+        assert_eq!(check(MADE, &right).second_look(), None);
+        let again = check(MADE, &wrong).second_look().expect("a contradiction");
+        assert_eq!((again.step, again.spp), (0.0025, 4000));
+        assert!(again.seed != MADE.seed && !again.fits_noise);
+        let own = Reference {
+            fits_scene: false,
+            ..MADE
+        };
+        let again = check(own, &wrong).second_look().expect("a contradiction");
+        assert_eq!((again.step, again.spp), (0.01, 4000));
+        assert_ne!(again.seed, own.seed);
+        // What was cut short is no reason to begin anew.
+        let mut cut = wrong.clone();
+        cut.statistics.complete = false;
+        assert_eq!(check(MADE, &cut).second_look(), None);
+    }
+
+    /// The second look decides if it can.
+    #[test]
+    fn the_second_look_decides() {
+        let (right, wrong) = (waves(2, 1.0, 0.0, 0.1), waves(3, 1.3, 0.0, 0.1));
+        let noisy = waves(4, 1.0, 0.0, 3.0);
+        assert_eq!(
+            looked_at(MADE, &wrong, &right).comparison.verdict,
+            Verdict::Right
+        );
+        let both = looked_at(MADE, &wrong, &waves(5, 1.3, 0.0, 0.1));
+        assert!(matches!(both.comparison.verdict, Verdict::Wrong { .. }));
+        // What cannot tell leaves a doubt.
+        for (fits_scene, words) in [(true, "smaller step does"), (false, "more samples do")] {
+            let made = Reference { fits_scene, ..MADE };
+            match looked_at(made, &wrong, &noisy).comparison.verdict {
+                Verdict::Inconclusive { doubt, .. } => {
+                    let doubt = doubt.expect("what was said first");
+                    assert!(doubt.contains(words) && doubt.contains("0.0100"), "{doubt}");
+                }
+                verdict => panic!("{verdict:?}"),
+            }
+        }
+        // Where time ran out, the first stays.
+        let mut cut = right.clone();
+        cut.statistics.complete = false;
+        let stays = looked_at(MADE, &wrong, &cut);
+        assert!(matches!(stays.comparison.verdict, Verdict::Wrong { .. }));
+        assert_eq!(stays.made.step, MADE.step);
+        // A doubt that the second look does not share is none.
+        let doubtful = waves(6, 1.0, 0.8, 0.1);
+        let first = Check::new(
+            waves(1, 1.0, 0.0, 0.1),
+            (MADE, doubtful.clone()),
+            Vec::new(),
+        );
+        let verdict = &first.comparison.verdict;
+        assert!(
+            matches!(verdict, Verdict::Inconclusive { doubt: Some(_), .. }),
+            "{verdict:?}"
+        );
+        assert_eq!(
+            looked_at(MADE, &doubtful, &right).comparison.verdict,
+            Verdict::Right
+        );
+    }
 
     /// A few pairs are named, the others counted.
     #[test]
