@@ -25,6 +25,10 @@ from typing import Any
 
 FIRST_SPP, SECOND_SPP = 16, 48
 """Samples with which the time is measured."""
+MOST_TIMES = 8
+"""How many times the samples of the run before the next one has at most."""
+ENOUGH = 0.9
+"""The part of the seconds that a run must take."""
 WIDTH, HEIGHT = 40, 30
 
 
@@ -210,13 +214,14 @@ def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[st
         result, error, taken = run([*command, str(FIRST_SPP), *options])
     if result is not None:
         first, second = taken, run([*command, str(SECOND_SPP), *options])[2]
-        each = max(second - first, 1e-3) / (SECOND_SPP - FIRST_SPP)
-        spp = int(seconds / each)
+        each = (second - first) / (SECOND_SPP - FIRST_SPP)
+        # A pilot, or a second look, may have taken most of either.
+        spp = int(min(seconds / each, MOST_TIMES * SECOND_SPP)) if each > 0 else SECOND_SPP
         if spp > FIRST_SPP:
             result, error, taken = run([*command, str(spp), *options])
-        # The pilots of both short runs may have taken most of the difference.
-        if result is not None and taken < seconds:
-            spp = int(max(spp, FIRST_SPP) * seconds / taken)
+        spp = max(spp, FIRST_SPP)
+        while result is not None and taken < ENOUGH * seconds:
+            spp = int(spp * min(MOST_TIMES, seconds / taken))
             result, error, taken = run([*command, str(spp), *options])
     if result is None:
         return "refused", error.splitlines()[0]
