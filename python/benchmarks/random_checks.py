@@ -26,7 +26,7 @@ from typing import Any
 FIRST_SPP, SECOND_SPP = 16, 48
 """Samples with which the time is measured."""
 MOST_TIMES = 8
-"""How many times the samples of the run before the next one has at most."""
+"""The samples of a run, at most, as a multiple of those of the run before."""
 ENOUGH = 0.9
 """The part of the seconds that a run must take."""
 WIDTH, HEIGHT = 40, 30
@@ -215,7 +215,7 @@ def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[st
     if result is not None:
         first, second = taken, run([*command, str(SECOND_SPP), *options])[2]
         each = (second - first) / (SECOND_SPP - FIRST_SPP)
-        # A pilot, or a second look, may have taken most of either.
+        # A pilot, or a second reference, may have taken most of either.
         spp = int(min(seconds / each, MOST_TIMES * SECOND_SPP)) if each > 0 else SECOND_SPP
         if spp > FIRST_SPP:
             result, error, taken = run([*command, str(spp), *options])

@@ -214,7 +214,8 @@ def check(
     :param reference_spp: samples per pixel of the differences, on each side; by default as many
         as suit the noise of both.
     :param step: how far the parameter moves on each side, in its own units; by default what
-        fits the scene, and a quarter of it to confirm that a gradient is wrong.
+        fits the scene, and a quarter of it in a second reference, with four times the samples,
+        where the first contradicts the gradient or leaves a doubt of it.
 
     The other parameters, and what is raised, are those of :func:`gradient`.
     """

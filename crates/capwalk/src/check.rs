@@ -16,9 +16,11 @@ const REFERENCE_FACTOR: u32 = 4;
 /// Makes the reference's random numbers independent of the gradient's.
 const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// How many times smaller the step is by which a contradiction is confirmed, and what makes the
-/// random numbers of that independent of the others.
+/// How many times the samples of the first reference a second one has, and how many times smaller
+/// its step is where none was asked for.
 const SMALLER: u32 = 4;
+
+/// Makes the second reference's random numbers independent of the others.
 const SECOND_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
 
 /// How many of the worst pixels are shown.
@@ -171,7 +173,7 @@ impl Check {
     /// How to make another reference, if this one contradicts the gradient or leaves a doubt of
     /// it: with other random numbers, and with a smaller step if it is up to us. The variance of
     /// differences grows as the step becomes smaller, and so does the number of their samples.
-    pub(crate) fn second_look(&self) -> Option<Reference> {
+    pub(crate) fn second_reference(&self) -> Option<Reference> {
         let contradicts = self.contradiction().is_some();
         (contradicts && self.reference.statistics.complete).then(|| {
             let Reference { spp, step, .. } = self.made;
@@ -188,10 +190,10 @@ impl Check {
         })
     }
 
-    /// The verdict of a second look, if there was time for it: right or wrong. If that cannot
-    /// tell but has a doubt of its own, both speak against the gradient, and the first stays; if
-    /// it has none, what the first said is a doubt.
-    pub(crate) fn after_second_look(self, made: (Reference, GradientImage)) -> Self {
+    /// The verdict of a second reference, if there was time for it: right or wrong. If that is
+    /// inconclusive and leaves a doubt, both speak against the gradient, and the first stays; if
+    /// it leaves none, what the first said is a doubt.
+    pub(crate) fn with_second_reference(self, made: (Reference, GradientImage)) -> Self {
         let Some(contradiction) = self.contradiction() else {
             return self;
         };
@@ -478,59 +480,57 @@ mod tests {
         sides: Stencil::Both,
     };
 
-    /// A check of the waves against a reference, and a second look.
-    fn looked_at(made: Reference, first: &GradientImage, second: &GradientImage) -> Check {
+    /// A check of the waves against a reference.
+    fn checked(made: Reference, reference: &GradientImage) -> Check {
         let gradient = waves(1, 1.0, 0.0, 0.1);
-        let check = Check::new(gradient, (made, first.clone()), Vec::new());
-        let again = check.second_look().expect("there is a contradiction");
-        check.after_second_look((again, second.clone()))
+        Check::new(gradient, (made, reference.clone()), Vec::new())
     }
 
-    /// What contradicts a gradient, or leaves a doubt of it, is looked at again: over a smaller
-    /// step, unless one was asked for, with more samples and other random numbers.
+    /// The same against a second reference after the first.
+    fn checked_twice(made: Reference, first: &GradientImage, second: &GradientImage) -> Check {
+        let check = checked(made, first);
+        let again = check.second_reference().expect("there is a contradiction");
+        check.with_second_reference((again, second.clone()))
+    }
+
+    /// What contradicts a gradient, or leaves a doubt of it, gets a second reference: over a
+    /// smaller step, unless one was asked for, with more samples and other random numbers.
     #[test]
-    fn a_contradiction_gets_a_second_look() {
+    fn a_contradiction_gets_a_second_reference() {
         let (right, wrong) = (waves(2, 1.0, 0.0, 0.1), waves(3, 1.3, 0.0, 0.1));
-        let check = |made, reference: &GradientImage| {
-            Check::new(
-                waves(1, 1.0, 0.0, 0.1),
-                (made, reference.clone()),
-                Vec::new(),
-            )
+        assert_eq!(checked(MADE, &right).comparison.verdict, Verdict::Right);
+        assert_eq!(checked(MADE, &right).second_reference(), None);
+        let second = |made| {
+            let second = checked(made, &wrong).second_reference();
+            second.expect("there is a contradiction")
         };
-        assert_eq!(check(MADE, &right).comparison.verdict, Verdict::Right);
-        assert_eq!(check(MADE, &right).second_look(), None);
-        let again = check(MADE, &wrong).second_look().expect("a contradiction");
-        assert_eq!((again.step, again.spp), (0.0025, 4000));
-        assert!(again.seed != MADE.seed && !again.fits_noise);
+        assert_eq!((second(MADE).step, second(MADE).spp), (0.0025, 4000));
+        assert!(second(MADE).seed != MADE.seed && !second(MADE).fits_noise);
         let own = Reference {
             fits_scene: false,
             ..MADE
         };
-        let again = check(own, &wrong).second_look().expect("a contradiction");
-        assert_eq!((again.step, again.spp), (0.01, 4000));
-        assert_ne!(again.seed, own.seed);
+        assert_eq!((second(own).step, second(own).spp), (0.01, 4000));
+        assert_ne!(second(own).seed, own.seed);
         // What was cut short is no reason to begin anew.
         let mut cut = wrong.clone();
         cut.statistics.complete = false;
-        assert_eq!(check(MADE, &cut).second_look(), None);
+        assert_eq!(checked(MADE, &cut).second_reference(), None);
     }
 
-    /// The second look decides if it can.
+    /// The second reference decides if it can.
     #[test]
-    fn the_second_look_decides() {
+    fn the_second_reference_decides() {
         let (right, wrong) = (waves(2, 1.0, 0.0, 0.1), waves(3, 1.3, 0.0, 0.1));
         let noisy = waves(4, 1.0, 0.0, 3.0);
-        assert_eq!(
-            looked_at(MADE, &wrong, &right).comparison.verdict,
-            Verdict::Right
-        );
-        let both = looked_at(MADE, &wrong, &waves(5, 1.3, 0.0, 0.1));
-        assert!(matches!(both.comparison.verdict, Verdict::Wrong { .. }));
-        // What cannot tell leaves a doubt.
+        let verdict = |first: &_, second: &_| checked_twice(MADE, first, second).comparison.verdict;
+        assert_eq!(verdict(&wrong, &right), Verdict::Right);
+        let both = verdict(&wrong, &waves(5, 1.3, 0.0, 0.1));
+        assert!(matches!(both, Verdict::Wrong { .. }));
+        // What is inconclusive leaves a doubt.
         for (fits_scene, words) in [(true, "smaller step does"), (false, "more samples do")] {
             let made = Reference { fits_scene, ..MADE };
-            match looked_at(made, &wrong, &noisy).comparison.verdict {
+            match checked_twice(made, &wrong, &noisy).comparison.verdict {
                 Verdict::Inconclusive { doubt, .. } => {
                     let doubt = doubt.expect("what was said first");
                     assert!(doubt.contains(words) && doubt.contains("0.0100"), "{doubt}");
@@ -541,25 +541,17 @@ mod tests {
         // Where time ran out, the first stays.
         let mut cut = right.clone();
         cut.statistics.complete = false;
-        let stays = looked_at(MADE, &wrong, &cut);
+        let stays = checked_twice(MADE, &wrong, &cut);
         assert!(matches!(stays.comparison.verdict, Verdict::Wrong { .. }));
         assert_eq!(stays.made.step, MADE.step);
-        // A doubt that the second look does not share is none.
+        // A doubt that the second reference does not share is none.
         let doubtful = waves(6, 1.0, 0.8, 0.1);
-        let first = Check::new(
-            waves(1, 1.0, 0.0, 0.1),
-            (MADE, doubtful.clone()),
-            Vec::new(),
-        );
-        let verdict = &first.comparison.verdict;
+        let first = checked(MADE, &doubtful).comparison.verdict;
         assert!(
-            matches!(verdict, Verdict::Inconclusive { doubt: Some(_), .. }),
-            "{verdict:?}"
+            matches!(first, Verdict::Inconclusive { doubt: Some(_), .. }),
+            "{first:?}"
         );
-        assert_eq!(
-            looked_at(MADE, &doubtful, &right).comparison.verdict,
-            Verdict::Right
-        );
+        assert_eq!(verdict(&doubtful, &right), Verdict::Right);
     }
 
     /// A few pairs are named, the others counted.

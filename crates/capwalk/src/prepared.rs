@@ -241,11 +241,11 @@ impl Prepared {
     ) -> Result<Check, Error> {
         let made = self.reference(&comparable, tangent, reference, method, watch)?;
         let check = Check::new(comparable, made, self.coplanar_shapes(tangent));
-        let Some(second) = check.second_look() else {
+        let Some(second) = check.second_reference() else {
             return Ok(check);
         };
         let made = self.reference(&check.gradient, tangent, second, method, watch)?;
-        Ok(check.after_second_look(made))
+        Ok(check.with_second_reference(made))
     }
 
     /// A reference, and how it was made: with as many samples as fit the noise of both, unless so

@@ -73,15 +73,12 @@ fn light_step(scene: &Scene, tangent: &Tangent, size: f64) -> f64 {
     steps.fold(f64::INFINITY, f64::min)
 }
 
-/// The same with a box filter, pixels.
-const BOX_STEP: f64 = 0.1;
-
 /// How far, in pixels, what is in the image moves on each side of a finite
 /// difference. Where a silhouette passes a place at which the filter is discontinuous
 /// (box) or has a kink within the step, the difference smears it.
 fn film_step(scene: &Scene) -> f64 {
     match scene.film.filter {
-        Filter::Box => BOX_STEP,
+        Filter::Box => 0.1,
         Filter::Tent { .. }
         | Filter::Gaussian { .. }
         | Filter::Mitchell { .. }
@@ -269,7 +266,7 @@ mod tests {
         let focal = 0.5 * f64::from(scene.film.size[0]) / (0.5 * fov_x).tan();
         let turn = step(&scene, "sensor.rotate.y");
         assert!(
-            turn < BOX_STEP / focal * 1.2 && turn > BOX_STEP / focal * 0.6,
+            turn < 0.1 / focal * 1.2 && turn > 0.1 / focal * 0.6,
             "{turn}"
         );
         // With another field of view, the corners move farthest.
@@ -279,7 +276,7 @@ mod tests {
         let zoomed = scene.moved(&fov, difference_step(&scene, &fov)).sensor;
         let corner = scene.sensor.view(&scene.film).direction([0.0, 0.0]);
         let [x, y] = zoomed.view(&scene.film).film(corner);
-        assert!((x.hypot(y) / BOX_STEP - 1.0).abs() < 0.01, "{x} {y}");
+        assert!((x.hypot(y) / 0.1 - 1.0).abs() < 0.01, "{x} {y}");
         let coarse = step(&scene, "ball.translate.x");
         scene.film.size = scene.film.size.map(|n| 2 * n);
         scene.film.crop_size = scene.film.size;
@@ -306,7 +303,7 @@ mod tests {
         let seen = places(&scene.film).filter_map(|place| seen_at(&prepared, &view, place));
         let farthest = seen.map(|point| view.depth(point)).fold(0.0, f64::max);
         assert!(farthest > 1.0 && farthest < 100.0, "{farthest}");
-        let one_pixel = BOX_STEP * view.pixel_size() / farthest;
+        let one_pixel = 0.1 * view.pixel_size() / farthest;
         assert!(step > 0.2 * one_pixel, "{step} against {one_pixel}");
     }
 
@@ -334,7 +331,7 @@ mod tests {
         let floor = scene.shapes.iter().find(|s| s.id == "floor").unwrap();
         scene.materials[floor.bsdf.0 as usize].bsdf = Bsdf::Null; // specular, as mirrors are
         let view = scene.sensor.view(&scene.film);
-        let turn = 2.0 * BOX_STEP * view.pixel_size();
+        let turn = 2.0 * 0.1 * view.pixel_size();
         assert!(dull > turn && step(&scene) < 0.5 * turn, "{dull} {turn}");
     }
 
@@ -349,7 +346,7 @@ mod tests {
         };
         let leaf = scene.shapes.iter().find(|s| s.id == "leaf").unwrap();
         let (low, high) = leaf.mesh.bounds();
-        let expected = (high - low).length() * STEP_FRACTION;
+        let expected = (high - low).length() / 200.0;
         assert!((step("leaf.translate.x") / expected - 1.0).abs() < 1e-12);
         assert!((step("10*leaf.translate.x") / expected - 0.1).abs() < 1e-12);
         let both = step("leaf.translate.x + 100*floor.bsdf.reflectance.value");

@@ -338,11 +338,8 @@ impl Problem {
             let result =
                 backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::Refused)?;
             refuse_unusable("gradient", row.iteration, &result.statistics)?;
-            let of_view = result.statistics.missing;
-            missing = match (missing, of_view) {
-                (Some(most), Some(other)) if most.share >= other.share => Some(most),
-                (most, other) => other.or(most),
-            };
+            let either = [missing, result.statistics.missing].into_iter().flatten();
+            missing = either.max_by(|a, b| a.share.total_cmp(&b.share));
             // From the scene to its values to the unknowns: two transposed linear maps.
             let pull = |gradient: &_| {
                 let variables = &self.variables;

@@ -38,6 +38,17 @@ fn image_size() {
     assert_has(&capwalk.error("render leaf --size 12"), &["640x480"]);
 }
 
+/// A step that rounding swallows is no reference.
+#[test]
+fn a_step_that_changes_nothing_is_refused() {
+    let capwalk = Capwalk::new("no_step");
+    let message = capwalk.error("check leaf -p leaf.translate.x --step 1e-300 --spp 2 -o a.npz");
+    assert_has(
+        &message,
+        &["1e-300 changes nothing", "Choose a larger step"],
+    );
+}
+
 /// Refused before its memory is taken, where the system says how much there is.
 #[test]
 #[cfg(target_os = "linux")]

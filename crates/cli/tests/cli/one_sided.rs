@@ -19,17 +19,6 @@ fn sheet(opacity: &str, reflectance: &str) -> String {
     )
 }
 
-/// A step that rounding swallows is no reference.
-#[test]
-fn a_step_that_changes_nothing_is_refused() {
-    let capwalk = Capwalk::new("no_step");
-    let message = capwalk.error("check leaf -p leaf.translate.x --step 1e-300 --spp 2 -o a.npz");
-    assert_has(
-        &message,
-        &["1e-300 changes nothing", "Choose a larger step"],
-    );
-}
-
 /// Black becomes no darker, and what is opaque no more so: one side is taken there, and said.
 #[test]
 fn at_the_end_one_side_is_taken() {
