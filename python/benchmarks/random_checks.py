@@ -6,7 +6,7 @@
 CAPWALK is the program. Each scene has a floor, sometimes walls, one to four shapes with materials of
 all kinds, one or two emitters of all kinds, and a camera; something in it moves or changes colour.
 `capwalk check` compares the derivative of its image with central differences, with as many samples
-as S seconds of the processor allow, besides what does not grow with samples. A derivative that is refused for what
+as S seconds of the processor allow, and at least 16. A derivative that is refused for what
 is seen in curved mirrors or through glass is checked again without that (`--allow-missing specular`).
 What is printed is a line for each scene that is not right, and a table of the verdicts. Scenes whose
 check says "wrong" are kept in FOLDER, all with `--keep-all`."""
@@ -21,6 +21,7 @@ import subprocess
 import tempfile
 from collections import Counter
 from pathlib import Path
+from statistics import median
 from typing import Any
 
 FIRST_SPP, SECOND_SPP = 16, 48
@@ -29,6 +30,8 @@ MOST_TIMES = 8
 """The samples of a run, at most, as a multiple of those of the run before."""
 ENOUGH = 0.9
 """The part of the seconds that a run must take."""
+TOO_MUCH = 1.25
+"""The part of the seconds that a run may take, unless it has the fewest samples."""
 WIDTH, HEIGHT = 40, 30
 
 
@@ -203,8 +206,8 @@ def run(command: list[str]) -> tuple[dict[str, Any] | None, str, float]:
     return None, done.stderr[max(start, 0) :].removeprefix("error: ").strip(), seconds
 
 
-def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[str, str]:
-    """The verdict, and the rest of the line."""
+def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[str, str, float]:
+    """The verdict, the rest of the line, and the seconds that the check took."""
     command = [capwalk, "check", file, "-p", parameter, "--json", "--threads", "1", "-o"]
     command += [file.replace(".xml", ".npz"), "--spp"]
     options: list[str] = []
@@ -217,20 +220,24 @@ def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[st
         each = (second - first) / (SECOND_SPP - FIRST_SPP)
         # A pilot, or a second reference, may have taken most of either.
         spp = int(min(seconds / each, MOST_TIMES * SECOND_SPP)) if each > 0 else SECOND_SPP
+        spp = max(spp, FIRST_SPP)
         if spp > FIRST_SPP:
             result, error, taken = run([*command, str(spp), *options])
-        spp = max(spp, FIRST_SPP)
         while result is not None and taken < ENOUGH * seconds:
             spp = int(spp * min(MOST_TIMES, seconds / taken))
             result, error, taken = run([*command, str(spp), *options])
+        # Too many, perhaps with a second reference: fewer, as long as that helps.
+        while result is not None and taken > TOO_MUCH * seconds and spp > FIRST_SPP:
+            spp = max(FIRST_SPP, int(spp * seconds / taken))
+            result, error, taken = run([*command, str(spp), *options])
     if result is None:
-        return "refused", error.splitlines()[0]
+        return "refused", error.splitlines()[0], taken
     found = result["comparison"]
     verdict = found["verdict"]
     if verdict == "partial":
         verdict = f"partial, the rest {found['verdict_of_rest']}"
     factor, error_of_it = found["scale_factor"], found["scale_factor_error"]
-    return verdict, f"{factor} ± {error_of_it}, {result['spp']} spp, {taken:.2f} s"
+    return verdict, f"{factor} ± {error_of_it}, {result['spp']} spp, {taken:.2f} s", taken
 
 
 def main() -> None:
@@ -243,12 +250,16 @@ def main() -> None:
     parser.add_argument("--keep-all", action="store_true")
     chosen = parser.parse_args()
     counts: Counter[str] = Counter()
+    times: list[float] = []
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(chosen.first, chosen.first + chosen.scenes):
             scene = Scene(seed)
             file = Path(folder, f"{seed}.xml")
             file.write_text(scene.text)
-            verdict, rest = checked(chosen.capwalk, str(file), scene.parameter, chosen.seconds)
+            verdict, rest, taken = checked(
+                chosen.capwalk, str(file), scene.parameter, chosen.seconds
+            )
+            times.append(taken)
             counts[verdict] += 1
             if verdict != "right":
                 print(f"{seed} {scene.parameter}: {verdict}: {rest}", flush=True)
@@ -258,6 +269,8 @@ def main() -> None:
     print("\n| verdict | scenes |\n|---|---|")
     for verdict, count in counts.most_common():
         print(f"| {verdict} | {count} |")
+    above = [taken for taken in times if taken > TOO_MUCH * chosen.seconds]
+    print(f"\nMedian {median(times):.2f} s; above {TOO_MUCH * chosen.seconds} s: {len(above)}")
 
 
 if __name__ == "__main__":

@@ -211,11 +211,13 @@ def check(
 
     Pixels get more or fewer samples by how noisy they are, in the time of ``spp`` of each.
 
-    :param reference_spp: samples per pixel of the differences, on each side; by default as many
-        as suit the noise of both.
+    Where the differences contradict the gradient or leave a doubt of it, a second reference with
+    four times their samples decides.
+
+    :param reference_spp: samples per pixel of the first differences, on each side; by default as
+        many as suit the noise of both.
     :param step: how far the parameter moves on each side, in its own units; by default what
-        fits the scene, and a quarter of it in a second reference, with four times the samples,
-        where the first contradicts the gradient or leaves a doubt of it.
+        fits the scene, and a quarter of it in a second reference.
 
     The other parameters, and what is raised, are those of :func:`gradient`.
     """

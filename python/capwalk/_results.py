@@ -165,6 +165,9 @@ class Check:
     """Samples per pixel of the gradient."""
     reference_spp: int
     """Samples per pixel of the reference, on each side."""
+    references: int
+    """How many references were made: 2 if the first contradicted the gradient or left a doubt of
+    it. The one that decided is here."""
     text: str
     """All of this in words, as the command line prints it."""
     statistics: Mapping[str, Any]

@@ -18,7 +18,7 @@ const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// How many times the samples of the first reference a second one has, and how many times smaller
 /// its step is where none was asked for.
-const SMALLER: u32 = 4;
+pub(crate) const SECOND_FACTOR: u32 = 4;
 
 /// Makes the second reference's random numbers independent of the others.
 const SECOND_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
@@ -34,8 +34,9 @@ const SHOWN_PAIRS: usize = 5;
 pub struct CheckOptions {
     /// How the gradient is estimated.
     pub gradient: GradientOptions,
-    /// Samples per pixel of the reference on each side of the difference; `None` takes as many
-    /// as bring the most for the time: more, the noisier differences are beside the gradient.
+    /// Samples per pixel of the first reference on each side of the difference, and a quarter of
+    /// those of a second one, which decides where the first contradicts the gradient or leaves a
+    /// doubt of it; `None` takes as many as bring the most for the time: more, the noisier differences are beside the gradient.
     pub reference_spp: Option<u32>,
     /// How far the parameter moves on each side, in its own units; `None` chooses
     /// [`Prepared::difference_step`](crate::Prepared::difference_step).
@@ -106,18 +107,23 @@ impl Reference {
 
     /// Which differences these are, in words.
     pub fn describe(&self) -> String {
-        let step = number(self.step);
-        let one_sided = |sign: char| {
-            format!(
-                "one-sided differences over {sign} {step}: on the other side the scene would not \
-                 be valid"
-            )
-        };
+        let over = self.over();
         match self.sides {
-            Stencil::Both => format!("central differences over ± {step}"),
-            Stencil::Above => one_sided('+'),
-            Stencil::Below => one_sided('-'),
+            Stencil::Both => format!("central differences over {over}"),
+            Stencil::Above | Stencil::Below => format!(
+                "one-sided differences over {over}: on the other side the scene would not be valid"
+            ),
         }
+    }
+
+    /// The step with the sides that it is taken to.
+    fn over(&self) -> String {
+        let sign = match self.sides {
+            Stencil::Both => '±',
+            Stencil::Above => '+',
+            Stencil::Below => '-',
+        };
+        format!("{sign} {}", number(self.step))
     }
 
     /// As options of finite differences.
@@ -142,6 +148,11 @@ pub struct Check {
     pub comparison: Comparison,
     /// How the reference was made.
     pub made: Reference,
+    /// How many references were made: 2 if the first contradicted the gradient or left a doubt of
+    /// it. This is the one that decided.
+    pub references: u32,
+    /// Samples of all of them.
+    pub reference_samples: u64,
     /// Shapes that lie on each other and move against each other, see
     /// [`Prepared::coplanar_shapes`](crate::Prepared::coplanar_shapes).
     pub coplanar: Vec<[String; 2]>,
@@ -164,6 +175,8 @@ impl Check {
         Self {
             comparison,
             gradient,
+            references: 1,
+            reference_samples: reference.statistics.samples,
             reference,
             made,
             coplanar,
@@ -178,11 +191,11 @@ impl Check {
         (contradicts && self.reference.statistics.complete).then(|| {
             let Reference { spp, step, .. } = self.made;
             Reference {
-                spp: spp.saturating_mul(SMALLER),
+                spp: spp.saturating_mul(SECOND_FACTOR),
                 fits_noise: false,
                 seed: self.made.seed ^ SECOND_SEED,
                 step: match self.made.fits_scene {
-                    true => step / f64::from(SMALLER),
+                    true => step / f64::from(SECOND_FACTOR),
                     false => step,
                 },
                 ..self.made
@@ -190,35 +203,68 @@ impl Check {
         })
     }
 
-    /// The verdict of a second reference, if there was time for it: right or wrong. If that is
-    /// inconclusive and leaves a doubt, both speak against the gradient, and the first stays; if
-    /// it leaves none, what the first said is a doubt.
-    pub(crate) fn with_second_reference(self, made: (Reference, GradientImage)) -> Self {
+    /// The verdict of a second reference: right or wrong. If that is inconclusive and leaves a
+    /// doubt, both speak against the gradient, and the first stays; if it leaves none, what the
+    /// first said is a doubt. A contradiction that there was no time to confirm is one, too.
+    pub(crate) fn with_second_reference(self, (made, image): (Reference, GradientImage)) -> Self {
         let Some(contradiction) = self.contradiction() else {
             return self;
         };
-        let step = number(self.made.step);
+        let samples = self.reference_samples + image.statistics.samples;
+        let settled = |check: Self| Self {
+            references: 2,
+            reference_samples: samples,
+            ..check
+        };
+        if !image.statistics.complete {
+            return settled(self.unconfirmed());
+        }
         let unconfirmed = match self.made.fits_scene {
             true => "a smaller step does",
             false => "more samples do",
         };
+        let over = self.made.over();
         let doubt_of_first =
-            format!("over ± {step} they differ ({contradiction}), which {unconfirmed} not confirm");
-        let mut check = Self::new(self.gradient.clone(), made, self.coplanar.clone());
-        match check.rest() {
-            Verdict::Inconclusive { doubt: Some(_), .. } => return self,
-            _ if !check.reference.statistics.complete => return self,
-            _ => {}
+            format!("over {over} they differ ({contradiction}), which {unconfirmed} not confirm");
+        let mut check = Self::new(self.gradient.clone(), (made, image), self.coplanar.clone());
+        let says_nothing = check.comparison.few_events;
+        match check.rest_mut() {
+            Verdict::Inconclusive { doubt: Some(_), .. } if !says_nothing => {
+                let mut first = self;
+                if let Verdict::Inconclusive { samples_factor, .. } = first.rest_mut() {
+                    // So many samples were just taken.
+                    *samples_factor *= f64::from(SECOND_FACTOR);
+                }
+                settled(first)
+            }
+            Verdict::Inconclusive { doubt, .. } => {
+                *doubt = Some(doubt_of_first);
+                settled(check)
+            }
+            _ => settled(check),
         }
-        if let Verdict::Inconclusive { doubt, .. } = check.rest_mut() {
-            *doubt = Some(doubt_of_first);
+    }
+
+    /// What a contradiction is without a second reference: the first may be at fault.
+    pub(crate) fn unconfirmed(mut self) -> Self {
+        let over = self.made.over();
+        let verdict = self.rest_mut();
+        if let Verdict::Wrong { reason } = verdict {
+            *verdict = Verdict::Inconclusive {
+                samples_factor: f64::from(SECOND_FACTOR),
+                doubt: Some(format!(
+                    "over {over} they differ ({reason}), and there was no time for a second \
+                     reference, which could confirm it"
+                )),
+            };
         }
-        check
+        self
     }
 
     /// What speaks against the gradient.
     fn contradiction(&self) -> Option<&str> {
         match self.rest() {
+            _ if self.comparison.few_events => None,
             Verdict::Wrong { reason } => Some(reason),
             Verdict::Inconclusive { doubt, .. } => doubt.as_deref(),
             Verdict::Right | Verdict::Partial { .. } => None,
@@ -299,8 +345,10 @@ impl Check {
                     option("reference-spp", enough(reference_spp))
                 )
             }
-            Verdict::Inconclusive { .. } => {
-                "inconclusive: there is no derivative to be seen, only noise".into()
+            Verdict::Inconclusive { doubt, .. } => {
+                let doubt = doubt.iter().map(|doubt| format!("{doubt}; "));
+                let doubt: String = doubt.collect();
+                format!("inconclusive: {doubt}the gradient shows no derivative, only noise")
             }
         }
     }
@@ -538,12 +586,32 @@ mod tests {
                 verdict => panic!("{verdict:?}"),
             }
         }
-        // Where time ran out, the first stays.
+        // Where time ran out, the first stays, but nobody is called wrong by it alone.
         let mut cut = right.clone();
         cut.statistics.complete = false;
-        let stays = checked_twice(MADE, &wrong, &cut);
-        assert!(matches!(stays.comparison.verdict, Verdict::Wrong { .. }));
-        assert_eq!(stays.made.step, MADE.step);
+        for check in [
+            checked_twice(MADE, &wrong, &cut),
+            checked(MADE, &wrong).unconfirmed(),
+        ] {
+            assert!(check.verdict(|_, _| String::new()).contains("no time"));
+            assert_eq!(check.made.step, MADE.step);
+        }
+        // Both are counted.
+        let twice = checked_twice(MADE, &wrong, &right);
+        assert_eq!((twice.references, twice.made.step), (2, 0.0025));
+        assert_eq!(twice.reference_samples, 2 * right.statistics.samples);
+        // Two doubts take more samples than the second reference had.
+        let doubtful = [6, 7].map(|seed| waves(seed, 1.0, 0.8, 0.1));
+        let factor = |check: Check| match check.comparison.verdict {
+            Verdict::Inconclusive {
+                samples_factor,
+                doubt: Some(_),
+            } => samples_factor,
+            verdict => panic!("{verdict:?}"),
+        };
+        let once = factor(checked(MADE, &doubtful[0]));
+        let both = checked_twice(MADE, &doubtful[0], &doubtful[1]);
+        assert_eq!(factor(both), 4.0 * once);
         // A doubt that the second reference does not share is none.
         let doubtful = waves(6, 1.0, 0.8, 0.1);
         let first = checked(MADE, &doubtful).comparison.verdict;
@@ -552,6 +620,39 @@ mod tests {
             "{first:?}"
         );
         assert_eq!(verdict(&doubtful, &right), Verdict::Right);
+    }
+
+    /// A reference that saw too few events is no evidence, neither as the first nor as the second.
+    #[test]
+    fn too_few_events_are_no_evidence() {
+        let (wrong, mut blind) = (waves(3, 1.3, 0.0, 0.1), waves(4, 0.0, 0.0, 0.0));
+        let statistics = &mut blind.statistics;
+        statistics.samples_per_pixel.fill(2);
+        statistics.samples = 2 * (SIDE * SIDE) as u64;
+        let short = Reference { step: 1e-5, ..MADE };
+        let check = checked(short, &blind);
+        assert!(check.comparison.few_events && check.second_reference().is_none());
+        let first = checked(MADE, &wrong);
+        match first
+            .with_second_reference((short, blind))
+            .comparison
+            .verdict
+        {
+            Verdict::Inconclusive { doubt, .. } => {
+                let doubt = doubt.expect("what was said first");
+                assert!(doubt.contains("does not confirm"), "{doubt}");
+            }
+            verdict => panic!("{verdict:?}"),
+        }
+    }
+
+    /// The sides of a step are named.
+    #[test]
+    fn one_sided_differences_are_described() {
+        let sides = |sides| Reference { sides, ..MADE }.describe();
+        assert!(sides(Stencil::Below).contains("over - 0.0100: on the other side"));
+        assert!(sides(Stencil::Above).contains("over + 0.0100"));
+        assert_eq!(sides(Stencil::Both), "central differences over ± 0.0100");
     }
 
     /// A few pairs are named, the others counted.

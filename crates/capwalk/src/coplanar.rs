@@ -15,7 +15,7 @@ const SAME_PLANE: f64 = 1e-9;
 const OVERLAP: f64 = 1e-7;
 
 /// The axis of the sweep, along no edge that is likely.
-const SWEEP: Vec3 = Vec3::new(0.414213562373, 0.732050807569, 0.236067977500);
+const DIRECTION: Vec3 = Vec3::new(0.414213562373, 0.732050807569, 0.236067977500);
 
 /// Pairs of faces that are looked at, at most: beyond that, pairs of shapes may be missed.
 const MOST_PAIRS: usize = 1_000_000;
@@ -135,7 +135,7 @@ impl Face {
             foot.y,
             foot.z,
         ];
-        let along = corners.map(|p| p.dot(SWEEP));
+        let along = corners.map(|p| p.dot(DIRECTION));
         Some(Self {
             shape,
             corners,

@@ -14,7 +14,7 @@ pub struct DifferenceOptions {
     /// Seed of all random numbers, the same on both sides.
     pub seed: u64,
     /// How far the parameter moves on each side, above 0, in its own units; `None`
-    /// chooses [`Prepared::difference_step`](crate::Prepared::difference_step).
+    /// chooses [`Prepared::fine_difference_step`](crate::Prepared::fine_difference_step).
     pub step: Option<f64>,
 }
 

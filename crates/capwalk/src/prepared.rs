@@ -10,7 +10,7 @@ use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, SceneError, Tangent};
 
 use crate::backward::{self, GradientNames, Gradients, GradientsWork};
-use crate::check::{Check, CheckOptions, Reference};
+use crate::check::{Check, CheckOptions, Reference, SECOND_FACTOR};
 use crate::coplanar::coplanar;
 use crate::direction::Direction;
 use crate::engine::Engine;
@@ -154,17 +154,24 @@ impl Prepared {
         let tangent = direction.tangent(self.scene(), self.registry())?;
         let step = options
             .step
-            .unwrap_or_else(|| self.difference_step(&tangent));
+            .unwrap_or_else(|| self.fine_difference_step(&tangent));
         check_spp("spp", options.spp)?;
         check_step(step)?;
         let differences = self.engine.differences(&tangent, step)?;
         Ok(differences.image(&options.sampling(), watch))
     }
 
-    /// The step that central differences along this motion take by default, in units of
+    /// The step that the differences of a check along this motion take by default, in units of
     /// the parameter.
     pub fn difference_step(&self, tangent: &Tangent) -> f64 {
         difference_step(self.engine.prepared(), tangent)
+    }
+
+    /// The step that [`Prepared::finite_difference`] takes by default: a quarter of
+    /// [`Prepared::difference_step`], like the second reference of a check. Nobody is told of the
+    /// bias of differences that stand by themselves.
+    pub fn fine_difference_step(&self, tangent: &Tangent) -> f64 {
+        self.difference_step(tangent) / f64::from(SECOND_FACTOR)
     }
 
     /// Pairs of shapes, by name, that have faces in one plane which overlap there and move
@@ -242,7 +249,7 @@ impl Prepared {
         let made = self.reference(&comparable, tangent, reference, method, watch)?;
         let check = Check::new(comparable, made, self.coplanar_shapes(tangent));
         let Some(second) = check.second_reference() else {
-            return Ok(check);
+            return Ok(check.unconfirmed());
         };
         let made = self.reference(&check.gradient, tangent, second, method, watch)?;
         Ok(check.with_second_reference(made))
@@ -267,7 +274,9 @@ impl Prepared {
             true => differences.image_beside(comparable, &sampling, watch),
             false => (made.spp, differences.image(&sampling, watch)),
         };
-        Ok((Reference { spp, ..made }, image))
+        // A smaller step may be valid on both sides.
+        let sides = differences.stencil();
+        Ok((Reference { spp, sides, ..made }, image))
     }
 
     /// The gradient of `Σ adjoint · image` with respect to everything that is named, in one

@@ -103,6 +103,9 @@ pub struct Comparison {
     pub worst: Vec<(usize, usize, f64)>,
     /// `z` of each pixel, row by row; 0 for those that did not enter it.
     pub z: Vec<f64>,
+    /// True if the reference saw so few events that it says nothing, see
+    /// [`compare_with_differences`].
+    pub few_events: bool,
     /// What follows from it.
     pub verdict: Verdict,
 }
@@ -282,6 +285,7 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
         worst: Vec::new(),
         z: vec![0.0; gradient.mean.pixels.len()],
         // Two samples are the fewest that have a standard error.
+        few_events: false,
         verdict: Verdict::Inconclusive {
             samples_factor: 2.0,
             doubt: None,

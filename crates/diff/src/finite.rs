@@ -105,6 +105,7 @@ pub fn finite_difference(
 pub struct Differences<'a> {
     scene: &'a Scene,
     step: f64,
+    stencil: Stencil,
     places: Vec<Place>,
     /// As many as places.
     scenes: Vec<PreparedScene>,
@@ -114,11 +115,13 @@ pub struct Differences<'a> {
 impl<'a> Differences<'a> {
     /// Moves the scene.
     pub fn new(scene: &'a Scene, tangent: &Tangent, step: f64) -> Result<Self, Refusal> {
-        let places = Stencil::of(scene, tangent, step)?.places();
+        let stencil = Stencil::of(scene, tangent, step)?;
+        let places = stencil.places();
         let moved = |place: &Place| PreparedScene::new(scene.moved(tangent, place.at * step));
         Ok(Self {
             scene,
             step,
+            stencil,
             scenes: places.iter().map(moved).collect(),
             places,
             leaves_out: LeavesOut::Nothing,
@@ -133,6 +136,11 @@ impl<'a> Differences<'a> {
             leaves_out: left_out(method),
             ..self
         }
+    }
+
+    /// To which sides the parameter moves.
+    pub fn stencil(&self) -> Stencil {
+        self.stencil
     }
 
     /// The image and its derivative.

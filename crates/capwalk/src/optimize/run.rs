@@ -153,8 +153,11 @@ impl<'j> Run<'j> {
             }
             // Go on from the next state, unless somebody has seen enough.
             let flow = seen(&iteration);
-            if let Some(step) = &iteration.row.step {
-                self.missing = step.missing;
+            // The worst of all steps.
+            let missing = iteration.row.step.as_ref().and_then(|step| step.missing);
+            let share = |missing: Option<Missing>| missing.map_or(-1.0, |missing| missing.share);
+            if share(missing) > share(self.missing) {
+                self.missing = missing;
             }
             self.last = Some(iteration.row);
             match iteration.next {

@@ -5,7 +5,8 @@ pub mod timed;
 
 use anyhow::{Result, ensure};
 use capwalk::{
-    Check, CheckOptions, Comparison, RenderOptions, Verdict, comparison_text, coplanar_text,
+    Check, CheckOptions, Comparison, RenderOptions, Statistics, Verdict, comparison_text,
+    coplanar_text,
 };
 use serde_json::{Value, json};
 
@@ -44,6 +45,8 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         reference,
         comparison,
         made,
+        references,
+        reference_samples,
         coplanar,
     } = &checked.check;
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
@@ -68,6 +71,8 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "reference_spp": made.spp,
             "step": made.step,
             "sides": made.sides.name(),
+            "references": references,
+            "reference_samples": reference_samples,
             "comparison": comparison_json(comparison),
             "coplanar": coplanar,
             "gradient": report::statistics_json(of_gradient, checked.seconds[0]),
@@ -76,11 +81,15 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         });
         console::print_json(&document)?;
     } else {
+        let of_all = Statistics {
+            samples: *reference_samples,
+            ..of_reference.clone()
+        };
         console::print(&format!(
             "{}{}reference: {}\n\n{}{}\n{}",
             report::work("gradient", of_gradient, checked.seconds[0]),
-            report::work("reference", of_reference, checked.seconds[1]),
-            made.describe(),
+            report::work("reference", &of_all, checked.seconds[1]),
+            reference_text(&checked.check),
             comparison_text(comparison),
             verdict(&checked.check),
             report::written(&written)
@@ -90,6 +99,15 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         Outcome::Done => outcome(comparison),
         trouble => trouble,
     })
+}
+
+/// Which differences decided, in words.
+fn reference_text(check: &Check) -> String {
+    let of = match check.references {
+        1 => "",
+        _ => " (one of two references)",
+    };
+    format!("{}{of}", check.made.describe())
 }
 
 /// What follows, in a sentence that names options of the command line.

@@ -24,7 +24,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
-    let mut way = Way::new(args, options, || prepared.difference_step(&tangent))?;
+    let mut way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
     let result = match &mut way {
         Way::Samples(chosen) => prepared

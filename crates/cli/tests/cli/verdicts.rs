@@ -56,7 +56,25 @@ fn a_wrong_reference_is_found() {
     let large = "--spp 256 --reference-spp 256 --step 0.7";
     let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {large}"));
     assert_eq!(finished.status, 1, "{}", finished.stdout);
-    assert_has(&finished.stdout, &["wrong: ", "--step"]);
+    assert_has(
+        &finished.stdout,
+        &["wrong: ", "--step", "one of two references"],
+    );
+    // A second one with four times the samples has confirmed it, over the step that was asked for.
+    let finished = capwalk.run(&format!(
+        "check leaf -p leaf.translate.x {SIZE} {large} --json"
+    ));
+    let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
+    assert_eq!(
+        (&json["references"], &json["reference_spp"]),
+        (&2.into(), &1024.into())
+    );
+    let samples = |value: &serde_json::Value| value.as_f64().expect("a number");
+    let of_second = samples(&json["reference"]["samples"]);
+    assert!(
+        samples(&json["reference_samples"]) > 1.2 * of_second,
+        "{json}"
+    );
 }
 
 /// A far box hides little of the sky from a floor, and moves by little: no sample of the

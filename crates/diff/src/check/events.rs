@@ -33,6 +33,7 @@ pub fn compare_with_differences(
     );
     if is_held_against_it && let Some(verdict) = too_few(gradient, differences, span) {
         comparison.verdict = verdict;
+        comparison.few_events = true;
     }
     comparison
 }

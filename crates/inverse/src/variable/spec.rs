@@ -78,7 +78,7 @@ pub fn variable(
         return Err(VariableError::Start {
             name: name(),
             value,
-            expected: format!("{expected}; or change the bounds"),
+            expected,
         });
     }
     if let Map::Pose { parts, .. } = &map
