@@ -226,10 +226,14 @@ def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[st
         while result is not None and taken < ENOUGH * seconds:
             spp = int(spp * min(MOST_TIMES, seconds / taken))
             result, error, taken = run([*command, str(spp), *options])
-        # Too many, perhaps with a second reference: fewer, as long as that helps.
+        # Too many, perhaps with a second reference: fewer, and some in between if that is without.
         while result is not None and taken > TOO_MUCH * seconds and spp > FIRST_SPP:
-            spp = max(FIRST_SPP, int(spp * seconds / taken))
+            many, spp = spp, max(FIRST_SPP, int(spp * seconds / taken))
             result, error, taken = run([*command, str(spp), *options])
+            if taken < ENOUGH * seconds:
+                tried = run([*command, str(int((spp * many) ** 0.5)), *options])
+                if tried[2] <= TOO_MUCH * seconds:
+                    result, error, taken = tried
     if result is None:
         return "refused", error.splitlines()[0], taken
     found = result["comparison"]

@@ -23,6 +23,9 @@ pub(crate) const SECOND_FACTOR: u32 = 4;
 /// Makes the second reference's random numbers independent of the others.
 const SECOND_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
 
+/// Makes those of the second gradient independent of all these.
+const SECOND_GRADIENT_SEED: u64 = 0x6a09_e667_f3bc_c908;
+
 /// How many of the worst pixels are shown.
 const SHOWN_PIXELS: usize = 4;
 
@@ -245,7 +248,47 @@ impl Check {
         }
     }
 
-    /// What a contradiction is without a second reference: the first may be at fault.
+    /// How to estimate the gradient again, if two references contradict it: with other random
+    /// numbers and more samples. Where it met few rare events, its errors are too small.
+    pub(crate) fn second_gradient(&self, options: &GradientOptions) -> Option<GradientOptions> {
+        let is_wrong = matches!(self.rest(), Verdict::Wrong { .. });
+        (is_wrong && self.references == 2).then(|| GradientOptions {
+            spp: options.spp.saturating_mul(SECOND_FACTOR),
+            seed: options.seed ^ SECOND_GRADIENT_SEED,
+            ..*options
+        })
+    }
+
+    /// What remains of a contradiction beside a second gradient: if that is not contradicted, and
+    /// no doubt of it is left, the first is not called wrong.
+    pub(crate) fn with_second_gradient(mut self, gradient: GradientImage) -> Self {
+        if !gradient.statistics.complete {
+            return self.unconfirmed();
+        }
+        let made = (self.made, self.reference.clone());
+        let again = Self::new(gradient, made, Vec::new());
+        if again.contradiction().is_some() {
+            return self;
+        }
+        let needed = match again.rest() {
+            Verdict::Inconclusive { samples_factor, .. } => samples_factor.max(1.0),
+            _ => 1.0,
+        };
+        let verdict = self.rest_mut();
+        if let Verdict::Wrong { reason } = verdict {
+            *verdict = Verdict::Inconclusive {
+                samples_factor: needed * f64::from(SECOND_FACTOR),
+                doubt: Some(format!(
+                    "{reason}, which a second gradient with more samples does not confirm: where \
+                     few rare events were met, errors are too small"
+                )),
+            };
+        }
+        self
+    }
+
+    /// What a contradiction is without a confirmation: the reference may be at fault, or the errors of
+    /// either too small.
     pub(crate) fn unconfirmed(mut self) -> Self {
         let over = self.made.over();
         let verdict = self.rest_mut();
@@ -253,8 +296,8 @@ impl Check {
             *verdict = Verdict::Inconclusive {
                 samples_factor: f64::from(SECOND_FACTOR),
                 doubt: Some(format!(
-                    "over {over} they differ ({reason}), and there was no time for a second \
-                     reference, which could confirm it"
+                    "over {over} they differ ({reason}), and there was no time to confirm it with \
+                     other random numbers"
                 )),
             };
         }
@@ -541,6 +584,11 @@ mod tests {
         check.with_second_reference((again, second.clone()))
     }
 
+    /// A check whose second reference agrees with the gradient.
+    fn twice_right() -> Check {
+        checked_twice(MADE, &waves(3, 1.3, 0.0, 0.1), &waves(2, 1.0, 0.0, 0.1))
+    }
+
     /// What contradicts a gradient, or leaves a doubt of it, gets a second reference: over a
     /// smaller step, unless one was asked for, with more samples and other random numbers.
     #[test]
@@ -595,6 +643,22 @@ mod tests {
         ] {
             assert!(check.verdict(|_, _| String::new()).contains("no time"));
             assert_eq!(check.made.step, MADE.step);
+        }
+        // A second gradient with which both references agree shows that the first had too small errors.
+        let both = || checked_twice(MADE, &wrong, &waves(5, 1.3, 0.0, 0.1));
+        let options = GradientOptions::default();
+        let again = both().second_gradient(&options).expect("it is wrong");
+        assert_eq!(again.spp, 4 * options.spp);
+        assert_ne!(again.seed, options.seed);
+        assert!(twice_right().second_gradient(&options).is_none());
+        let of = |gradient| both().with_second_gradient(gradient).comparison.verdict;
+        assert!(matches!(of(waves(8, 1.0, 0.0, 0.1)), Verdict::Wrong { .. }));
+        match of(waves(8, 1.3, 0.0, 0.1)) {
+            Verdict::Inconclusive { doubt, .. } => {
+                let doubt = doubt.expect("what was said first");
+                assert!(doubt.contains("second gradient"), "{doubt}");
+            }
+            verdict => panic!("{verdict:?}"),
         }
         // Both are counted.
         let twice = checked_twice(MADE, &wrong, &right);

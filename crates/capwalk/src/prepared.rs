@@ -211,7 +211,7 @@ impl Prepared {
         let chosen = self.choose(tangent, &options.gradient, watch)?.options;
         let gradient = self.gradient(tangent, &chosen, watch)?;
         let gradient = self.comparable(gradient, tangent, &chosen, watch)?;
-        self.checked(gradient, tangent, reference, chosen.method, watch)
+        self.checked(gradient, tangent, reference, &chosen, watch)
     }
 
     /// What of a gradient can be compared with differences: all of it; or, if something is
@@ -232,27 +232,36 @@ impl Prepared {
         Ok(rest)
     }
 
-    /// What is comparable of a gradient that was estimated by this method, with a reference and a
-    /// verdict.
+    /// What is comparable of a gradient that was estimated with these options, with a reference
+    /// and a verdict.
     ///
     /// Differences have a bias that grows with their step, and errors that are too small where
     /// few rare events were met. Where they contradict the gradient or leave a doubt of it, others
-    /// decide, with more samples, and over a part of the step unless one was asked for.
+    /// decide, with more samples, and over a part of the step unless one was asked for. The gradient's
+    /// errors may be too small, too: it is called wrong only if another estimate of it, with more
+    /// samples, is contradicted as well.
     pub fn checked(
         &self,
         comparable: GradientImage,
         tangent: &Tangent,
         reference: Reference,
-        method: Method,
+        options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
+        let method = options.method;
         let made = self.reference(&comparable, tangent, reference, method, watch)?;
         let check = Check::new(comparable, made, self.coplanar_shapes(tangent));
         let Some(second) = check.second_reference() else {
             return Ok(check.unconfirmed());
         };
         let made = self.reference(&check.gradient, tangent, second, method, watch)?;
-        Ok(check.with_second_reference(made))
+        let check = check.with_second_reference(made);
+        let Some(again) = check.second_gradient(options) else {
+            return Ok(check);
+        };
+        let gradient = self.gradient(tangent, &again, watch)?;
+        let gradient = self.comparable(gradient, tangent, &again, watch)?;
+        Ok(check.with_second_gradient(gradient))
     }
 
     /// A reference, and how it was made: with as many samples as fit the noise of both, unless so

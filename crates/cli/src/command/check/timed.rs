@@ -50,8 +50,7 @@ pub fn check(
 
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
-    let method = chosen.options.method;
-    let check = prepared.checked(gradient, tangent, reference, method, &progress);
+    let check = prepared.checked(gradient, tangent, reference, &chosen.options, &progress);
     let reference_seconds = progress.finish().as_secs_f64();
     Ok(Checked {
         check: check?,
