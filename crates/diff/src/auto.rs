@@ -78,9 +78,39 @@ pub struct Trial {
 }
 
 impl Trial {
+    /// What was found of some pixels by a method: the variance of the samples of each, and their
+    /// effort in all.
+    fn new(method: Method, max_radius: f64, found: &[(f64, u64)]) -> Self {
+        let count = found.len() as f64;
+        // The worst pixels count like the next one: an event that few pilots see would decide
+        // alone. They all count where hardly any others have a variance at all.
+        let mut variances: Vec<f64> = found.iter().map(|&(variance, _)| variance).collect();
+        variances.sort_by(|a, b| b.total_cmp(a));
+        let whole_variance: f64 = variances.iter().sum();
+        let worst = variances.len().div_ceil(WORST);
+        if let Some(&next) = variances.get(worst).filter(|&&next| next > 0.0) {
+            variances[..worst].fill(next);
+        }
+        let variance: f64 = variances.iter().sum();
+        let spent: u64 = found.iter().map(|(_, spent)| spent).sum();
+        Self {
+            method,
+            max_radius,
+            variance: variance / count,
+            whole_variance: whole_variance / count,
+            effort: EFFORT_OF_SAMPLE as f64 + spent as f64 / (count * f64::from(PER_PIXEL)),
+        }
+    }
+
     /// Variance × time: what is to be small.
     pub fn cost(&self) -> f64 {
         self.variance * self.effort
+    }
+
+    /// So much worse than one of these that more samples would not change it.
+    fn is_hopeless(&self, trials: &[Self]) -> bool {
+        let least = trials.iter().map(Self::cost).fold(f64::INFINITY, f64::min);
+        self.cost() > HOPELESS * least
     }
 
     /// Better than another one by so much that so few samples can tell.
@@ -101,6 +131,12 @@ const SHARE: u64 = 128;
 const SAMPLES: [u64; 2] = [2048, 1 << 14];
 /// Samples of each pixel in a trial: variances are those within pixels.
 const PER_PIXEL: u32 = 4;
+
+/// A trial that costs so many times as much as another one in the first part of its samples takes
+/// no more, and none with another cutoff follows: a fitting one has cost a seventh at best.
+const HOPELESS: f64 = 10.0;
+/// One over that part.
+const FIRST_PART: usize = 4;
 
 /// One pixel of so many is taken for an accident, that of the largest variance.
 const WORST: usize = 100;
@@ -255,7 +291,8 @@ impl Pilot<'_> {
             false => Method::Edges(gathers),
         };
         let asked = self.trial(method, self.options.walk.max_radius, trials);
-        let Some(angle) = other.filter(|&angle| angle < asked.max_radius) else {
+        let is_hopeless = asked.is_hopeless(trials);
+        let Some(angle) = other.filter(|&angle| angle < asked.max_radius && !is_hopeless) else {
             return asked;
         };
         let narrow = self.trial(method, angle, trials);
@@ -314,8 +351,29 @@ impl Pilot<'_> {
     }
 
     /// Variance and effort of some samples by a method. All trials take the same pixels and
-    /// random numbers.
+    /// random numbers, but for those which are hopeless after the first of them.
     fn trial(&self, method: Method, max_radius: f64, trials: &mut Vec<Trial>) -> Trial {
+        let is_this = |trial: &&Trial| (trial.method, trial.max_radius) == (method, max_radius);
+        if let Some(known) = trials.iter().find(is_this) {
+            return *known;
+        }
+        let pixels = self.pixels();
+        let first = &pixels[..pixels.len().div_ceil(FIRST_PART)];
+        let mut found = self.samples(method, max_radius, first);
+        let short = Trial::new(method, max_radius, &found);
+        let trial = match short.is_hopeless(trials) {
+            true => short,
+            false => {
+                found.extend(self.samples(method, max_radius, &pixels[first.len()..]));
+                Trial::new(method, max_radius, &found)
+            }
+        };
+        trials.push(trial);
+        trial
+    }
+
+    /// Variance of the samples of each of these pixels by a method, and their effort in all.
+    fn samples(&self, method: Method, max_radius: f64, pixels: &[[u32; 2]]) -> Vec<(f64, u64)> {
         let scene = self.prepared.scene();
         let mut walk = self.options.walk;
         walk.max_radius = max_radius;
@@ -352,29 +410,7 @@ impl Pilot<'_> {
             let variance: f64 = moments.iter().map(|m| m.variance()).sum();
             (variance, effort().wrapping_sub(before))
         };
-        let pixels = self.pixels();
-        let found: Vec<(f64, u64)> = pool::install(|| pixels.par_iter().map(look).collect());
-        let count = pixels.len();
-        // The worst pixels count like the next one: an event that few pilots see would decide
-        // alone. They all count where hardly any others have a variance at all.
-        let mut variances: Vec<f64> = found.iter().map(|&(variance, _)| variance).collect();
-        variances.sort_by(|a, b| b.total_cmp(a));
-        let whole_variance: f64 = variances.iter().sum();
-        let worst = variances.len().div_ceil(WORST);
-        if let Some(&next) = variances.get(worst).filter(|&&next| next > 0.0) {
-            variances[..worst].fill(next);
-        }
-        let variance: f64 = variances.iter().sum();
-        let spent: u64 = found.iter().map(|(_, spent)| spent).sum();
-        let trial = Trial {
-            method,
-            max_radius,
-            variance: variance / count as f64,
-            whole_variance: whole_variance / count as f64,
-            effort: EFFORT_OF_SAMPLE as f64 + spent as f64 / (count as f64 * f64::from(PER_PIXEL)),
-        };
-        trials.push(trial);
-        trial
+        pool::install(|| pixels.par_iter().map(look).collect())
     }
 }
 
