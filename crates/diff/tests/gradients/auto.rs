@@ -8,7 +8,9 @@ use capwalk_diff::{
     Unwatched, Wanted, Watch, gradient, with_threads,
 };
 use capwalk_math::Rgb;
-use capwalk_scene::{Filter, Image, Scene, Tangent, builtin};
+use capwalk_scene::bsdf::{Facets, Metal};
+use capwalk_scene::lobe::Distribution;
+use capwalk_scene::{Bsdf, Filter, Image, Scene, Tangent, Texture, builtin};
 
 use crate::common::agree::*;
 use crate::common::stages::*;
@@ -79,6 +81,60 @@ fn the_best_is_chosen() {
             assert!(other > 0.5 * own, "{name}: {trial:?} is better");
         }
     }
+}
+
+/// A rough metal floor.
+fn with_glossy_floor(mut scene: Scene) -> Scene {
+    let [eta, k, one, alpha] = [("eta", 0.2), ("k", 3.0), ("one", 1.0), ("alpha", 0.2)]
+        .map(|(name, number)| scene.add_texture(Texture::number(name, number)));
+    let metal = Metal {
+        eta,
+        k,
+        specular_reflectance: one,
+    };
+    let facets = Facets {
+        distribution: Distribution::Ggx,
+        alpha: [alpha; 2],
+    };
+    let floor = scene.shapes.iter().find(|shape| shape.id == "floor");
+    let id = floor.expect("there is a floor").bsdf;
+    scene.materials[id.0 as usize].bsdf = Bsdf::RoughConductor(metal, facets);
+    scene
+}
+
+/// Nothing is tried twice, and what costs ten times as much as something else after a quarter of its
+/// samples takes no more.
+#[test]
+fn hopeless_trials_are_short() {
+    let (ball, _) = built_in("ball");
+    let parameter = builtin::default_parameter("ball").expect("built in");
+    let mut short = 0;
+    for scene in [with_glossy_floor(ball.clone()), ball] {
+        let moving = tangent(&scene, parameter);
+        let prepared = PreparedScene::new(scene);
+        let work = GradientWork::new(&prepared, Cow::Borrowed(&moving), options(16));
+        // Each sample asks whether to stop.
+        let watch = StopsAfter(0.into(), u64::MAX);
+        let chosen = work.chosen(&watch).expect("covered");
+        let trials = &chosen.trials;
+        let (mut samples, mut least) = (0, f64::INFINITY);
+        for (i, trial) in trials.iter().enumerate() {
+            let is_new = |other: &capwalk_diff::Trial| {
+                (other.method, other.max_radius) != (trial.method, trial.max_radius)
+            };
+            assert!(trials[..i].iter().all(is_new), "{trial:?}");
+            let is_hopeless = trial.cost() > 10.0 * least;
+            short += usize::from(is_hopeless);
+            samples += if is_hopeless { 512 } else { 2048 };
+            least = least.min(trial.cost());
+        }
+        let asked = watch.0.into_inner();
+        assert!(
+            asked.abs_diff(samples) < 10,
+            "{asked} of {samples}: {trials:?}"
+        );
+    }
+    assert!(short > 0);
 }
 
 /// Nothing is tried where no curve in the image moves.
