@@ -14,8 +14,9 @@ pub enum Need {
     Image = 500,
     /// A derivative image and the image that comes with it.
     Gradient = 900,
-    /// The same twice, of which one is sums.
-    Check = 1000,
+    /// The same twice, of which one is sums; and a first reference while a second one is made,
+    /// four images and what was compared.
+    Check = 1000 + 4 * 24 + 8,
     /// The image that a loss is of, its target and its adjoint, and the sums of a gradient.
     Loss = 900 + 3 * 24,
     /// Images to be compared, with everything that their statistics need.

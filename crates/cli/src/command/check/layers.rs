@@ -147,6 +147,8 @@ mod tests {
             };
             let checked = Checked {
                 check: Check {
+                    references: 1,
+                    reference_samples: 0,
                     comparison: compare(&gradient.gradient, &reference.gradient),
                     gradient,
                     reference,
