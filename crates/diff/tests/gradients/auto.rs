@@ -83,8 +83,8 @@ fn the_best_is_chosen() {
     }
 }
 
-/// A rough metal floor.
-fn with_glossy_floor(mut scene: Scene) -> Scene {
+/// The scene with one of its shapes of rough metal.
+fn of_metal(mut scene: Scene, id: &str) -> Scene {
     let [eta, k, one, alpha] = [("eta", 0.2), ("k", 3.0), ("one", 1.0), ("alpha", 0.2)]
         .map(|(name, number)| scene.add_texture(Texture::number(name, number)));
     let metal = Metal {
@@ -96,8 +96,8 @@ fn with_glossy_floor(mut scene: Scene) -> Scene {
         distribution: Distribution::Ggx,
         alpha: [alpha; 2],
     };
-    let floor = scene.shapes.iter().find(|shape| shape.id == "floor");
-    let id = floor.expect("there is a floor").bsdf;
+    let shape = scene.shapes.iter().find(|shape| shape.id == id);
+    let id = shape.expect("it is there").bsdf;
     scene.materials[id.0 as usize].bsdf = Bsdf::RoughConductor(metal, facets);
     scene
 }
@@ -109,7 +109,7 @@ fn hopeless_trials_are_short() {
     let (ball, _) = built_in("ball");
     let parameter = builtin::default_parameter("ball").expect("built in");
     let mut short = 0;
-    for scene in [with_glossy_floor(ball.clone()), ball] {
+    for scene in [of_metal(ball.clone(), "ball"), ball] {
         let moving = tangent(&scene, parameter);
         let prepared = PreparedScene::new(scene);
         let work = GradientWork::new(&prepared, Cow::Borrowed(&moving), options(16));
