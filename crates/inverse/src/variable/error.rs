@@ -22,7 +22,7 @@ pub enum VariableError {
         option: &'static str,
     },
     /// It would be, or start, where it cannot.
-    #[error("\"{name}\" cannot be {value}, where it starts; expected {expected}")]
+    #[error("\"{name}\" cannot be {value}; expected {expected}")]
     Start {
         /// What was asked for.
         name: String,
