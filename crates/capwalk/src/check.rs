@@ -37,9 +37,10 @@ const SHOWN_PAIRS: usize = 5;
 pub struct CheckOptions {
     /// How the gradient is estimated.
     pub gradient: GradientOptions,
-    /// Samples per pixel of the first reference on each side of the difference, and a quarter of
-    /// those of a second one, which decides where the first contradicts the gradient or leaves a
-    /// doubt of it; `None` takes as many as bring the most for the time: more, the noisier differences are beside the gradient.
+    /// Samples per pixel of the first reference on each side of the difference; `None` takes as
+    /// many as bring the most for the time: more, the noisier differences are beside the gradient.
+    /// A second reference, where the first contradicts the gradient or leaves a doubt of it, has
+    /// four times as many.
     pub reference_spp: Option<u32>,
     /// How far the parameter moves on each side, in its own units; `None` chooses
     /// [`Prepared::difference_step`](crate::Prepared::difference_step).
@@ -261,7 +262,7 @@ impl Check {
 
     /// What remains of a contradiction beside a second gradient: if that is not contradicted, and
     /// no doubt of it is left, the first is not called wrong.
-    pub(crate) fn with_second_gradient(mut self, gradient: GradientImage) -> Self {
+    pub(crate) fn with_second_gradient(self, gradient: GradientImage) -> Self {
         if !gradient.statistics.complete {
             return self.unconfirmed();
         }
@@ -274,31 +275,34 @@ impl Check {
             Verdict::Inconclusive { samples_factor, .. } => samples_factor.max(1.0),
             _ => 1.0,
         };
+        self.not_called_wrong(needed, |reason| {
+            format!(
+                "{reason}, which a second gradient with more samples does not confirm: where few \
+                 rare events were met, errors are too small"
+            )
+        })
+    }
+
+    /// What a contradiction is without a confirmation: the reference may be at fault, or the errors
+    /// of either too small.
+    pub(crate) fn unconfirmed(self) -> Self {
+        let over = self.made.over();
+        self.not_called_wrong(1.0, |reason| {
+            format!(
+                "over {over} they differ ({reason}), and there was no time to confirm it with \
+                 other random numbers"
+            )
+        })
+    }
+
+    /// The same with a doubt in the place of "wrong", given the reason for that; `needed` is how
+    /// many times the samples of a confirmation would be enough.
+    fn not_called_wrong(mut self, needed: f64, doubt: impl FnOnce(&str) -> String) -> Self {
         let verdict = self.rest_mut();
         if let Verdict::Wrong { reason } = verdict {
             *verdict = Verdict::Inconclusive {
                 samples_factor: needed * f64::from(SECOND_FACTOR),
-                doubt: Some(format!(
-                    "{reason}, which a second gradient with more samples does not confirm: where \
-                     few rare events were met, errors are too small"
-                )),
-            };
-        }
-        self
-    }
-
-    /// What a contradiction is without a confirmation: the reference may be at fault, or the errors of
-    /// either too small.
-    pub(crate) fn unconfirmed(mut self) -> Self {
-        let over = self.made.over();
-        let verdict = self.rest_mut();
-        if let Verdict::Wrong { reason } = verdict {
-            *verdict = Verdict::Inconclusive {
-                samples_factor: f64::from(SECOND_FACTOR),
-                doubt: Some(format!(
-                    "over {over} they differ ({reason}), and there was no time to confirm it with \
-                     other random numbers"
-                )),
+                doubt: Some(doubt(reason)),
             };
         }
         self
@@ -377,21 +381,21 @@ impl Check {
             Verdict::Inconclusive {
                 samples_factor,
                 doubt,
-            } if samples_factor.is_finite() => {
+            } => {
                 let enough = |spp: f64| Some((spp * samples_factor).ceil() as u64);
                 let doubt = doubt.iter().map(|doubt| format!("{doubt}; "));
-                format!(
-                    "inconclusive: {}about {} times the samples would be enough ({} {})",
-                    doubt.collect::<String>(),
-                    significant(*samples_factor, 2),
-                    option("spp", enough(spp)),
-                    option("reference-spp", enough(reference_spp))
-                )
-            }
-            Verdict::Inconclusive { doubt, .. } => {
-                let doubt = doubt.iter().map(|doubt| format!("{doubt}; "));
                 let doubt: String = doubt.collect();
-                format!("inconclusive: {doubt}the gradient shows no derivative, only noise")
+                match samples_factor.is_finite() {
+                    true => format!(
+                        "inconclusive: {doubt}about {} times the samples would be enough ({} {})",
+                        significant(*samples_factor, 2),
+                        option("spp", enough(spp)),
+                        option("reference-spp", enough(reference_spp))
+                    ),
+                    false => {
+                        format!("inconclusive: {doubt}the gradient shows no derivative, only noise")
+                    }
+                }
             }
         }
     }

@@ -284,8 +284,8 @@ fn without_errors(gradient: &Estimate, reference: &Estimate) -> Comparison {
         scale_factor_error: f64::INFINITY,
         worst: Vec::new(),
         z: vec![0.0; gradient.mean.pixels.len()],
-        // Two samples are the fewest that have a standard error.
         few_events: false,
+        // Two samples are the fewest that have a standard error.
         verdict: Verdict::Inconclusive {
             samples_factor: 2.0,
             doubt: None,

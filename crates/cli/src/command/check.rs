@@ -83,7 +83,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     } else {
         let of_all = Statistics {
             samples: *reference_samples,
-            ..of_reference.clone()
+            ..Statistics::default()
         };
         console::print(&format!(
             "{}{}reference: {}\n\n{}{}\n{}",
