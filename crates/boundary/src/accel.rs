@@ -15,7 +15,7 @@ use crate::mirror_planes::MirrorPlanes;
 
 /// All shapes of a scene in one mesh, with the tree for its rays. Vertex and
 /// face indices of a shape follow those of the shapes before it.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Accel {
     /// The scene.
     pub scene: Arc<Scene>,
@@ -81,7 +81,8 @@ impl Accel {
         let scene = scene.into();
         let joined = Joined::new(&scene);
         let rays = RayTree::build(&joined.mesh);
-        Self::assemble(scene, joined, rays)
+        let resolver = Resolver::new(&scene);
+        Self::assemble(scene, joined, rays, resolver)
     }
 
     /// Goes over to another checked scene: refits the tree if its faces are the same.
@@ -112,7 +113,9 @@ impl Accel {
         if change == MeshChange::Rebuilt || rays.degradation() > WORN_OUT {
             rays = RayTree::build(&joined.mesh);
         }
-        *self = Self::assemble(scene, joined, rays);
+        let mut resolver = std::mem::take(&mut self.resolver);
+        resolver.update(&scene);
+        *self = Self::assemble(scene, joined, rays, resolver);
         change
     }
 
@@ -126,7 +129,7 @@ impl Accel {
         }
     }
 
-    fn assemble(scene: Arc<Scene>, joined: Joined, rays: RayTree) -> Self {
+    fn assemble(scene: Arc<Scene>, joined: Joined, rays: RayTree, resolver: Resolver) -> Self {
         let Joined {
             mesh,
             shape_of_face,
@@ -155,7 +158,7 @@ impl Accel {
             needs_tangent: shapes().map(|s| needs_tangent(&scene, s.bsdf)).collect(),
             view: scene.sensor.view(&scene.film),
             needs_place: shapes().map(|s| needs_place(&scene, s)).collect(),
-            resolver: Resolver::new(&scene),
+            resolver,
             has_flat_events: flat_events.iter().any(|events| !events.is_empty()),
             flat_events,
             mirror_planes: OnceLock::new(),

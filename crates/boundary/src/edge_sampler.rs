@@ -11,7 +11,7 @@ use crate::accel::Accel;
 use crate::coincident::visit_overlaps;
 use crate::motion::Motion;
 use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
-use crate::sights::{LearnedVisibility, Sights};
+use crate::sights::{LearnedVisibility, Seen, Sights};
 
 /// The most edges in a leaf, which are listed one by one: more where few of them count.
 fn leaf_size(selection: EdgeSelection) -> usize {
@@ -139,22 +139,39 @@ impl EdgeSampler {
         sampler
     }
 
-    /// Adds the node of these places and all below it, and returns its number. `sights` are
-    /// those of edges by their numbers, if they are known.
-    fn add_node(&mut self, places: Range<usize>, depth: u32, sights: Option<&[Sights]>) -> usize {
+    /// Adds the node of these places and all below it, and returns its number and what is seen
+    /// of its edges. `sights` are those of edges by their numbers, if they are known.
+    fn add_node(
+        &mut self,
+        places: Range<usize>,
+        depth: u32,
+        sights: Option<&[Sights]>,
+    ) -> (usize, Seen) {
         let (number, leaf) = (self.nodes.len(), leaf_size(self.selection));
         self.nodes.push(Node {
             places: places.clone(),
             halves: None,
-            bounds: EdgeBounds::new(&self.edges[places.clone()], leaf, sights),
+            bounds: EdgeBounds::new(&self.edges[places.clone()], leaf),
         });
+        let mut seen = Seen::default();
         if places.len() > leaf {
             let middle = places.start + divide(&mut self.edges[places.clone()], depth);
-            let first = self.add_node(places.start..middle, depth + 1, sights);
-            let second = self.add_node(middle..places.end, depth + 1, sights);
-            self.nodes[number].halves = Some([first, second]);
+            let halves = [places.start..middle, middle..places.end];
+            let halves = halves.map(|places| {
+                let (half, seen_of_half) = self.add_node(places, depth + 1, sights);
+                seen.add(&seen_of_half);
+                half
+            });
+            self.nodes[number].halves = Some(halves);
+        } else if let Some(sights) = sights {
+            for edge in &self.edges[places] {
+                seen.add_edge(edge.weight(), &sights[edge.edge as usize]);
+            }
         }
-        number
+        if sights.is_some() {
+            self.nodes[number].bounds.visibility = LearnedVisibility::of(&seen);
+        }
+        (number, seen)
     }
 
     /// The motion of each node's edges, from that of points of the boundaries.
@@ -168,7 +185,7 @@ impl EdgeSampler {
                     (weight, motions[half])
                 })),
                 None => Motion::mean(self.edges[node.places.clone()].iter().flat_map(|edge| {
-                    let weight = edge.length() * edge.share;
+                    let weight = edge.weight();
                     edge.points.map(|point| (weight, of_point(point)))
                 })),
             };
@@ -254,22 +271,17 @@ impl EdgeSampler {
 }
 
 impl EdgeBounds {
-    /// Bounds of edges in a tree with leaves of so many.
-    fn new(edges: &[SampledEdge], leaf: usize, sights: Option<&[Sights]>) -> Self {
+    /// Bounds of edges in a tree with leaves of so many; of what is seen of them, nothing is known.
+    fn new(edges: &[SampledEdge], leaf: usize) -> Self {
         let has_creases = edges.iter().any(|edge| edge.crease > 0.0);
         let mut all = Bin::EMPTY;
         edges.iter().for_each(|edge| all.add(&Bin::of(edge)));
         let centre = (all.low + all.high) * 0.5;
         let offsets = edges.iter().flat_map(|edge| edge.ends);
-        let distances = offsets.map(|p| (p - centre).length());
-        let radius = distances.fold(0.0, f64::max);
-        let visibility = |sights: &[Sights]| {
-            let edges = edges.iter();
-            let edges = edges.map(|edge| (edge.length() * edge.share, sights[edge.edge as usize]));
-            LearnedVisibility::of(edges)
-        };
+        let squares = offsets.map(|p| (p - centre).length_squared());
+        let radius = squares.fold(0.0, f64::max).sqrt();
         let height = |edge: &SampledEdge| {
-            let normals = edge.normals().into_iter().flatten();
+            let normals = edge.normals.into_iter().flatten();
             let heights = normals.map(|normal| normal.dot(edge.ends[0] - centre).abs());
             heights.fold(0.0, f64::max)
         };
@@ -281,10 +293,10 @@ impl EdgeBounds {
             normals: match has_creases {
                 // The plane through a viewpoint and a crease need not be between its faces.
                 true => NormalCone::ALL,
-                false => NormalCone::around(|| edges.iter().flat_map(SampledEdge::normals)),
+                false => NormalCone::around(|| edges.iter().flat_map(|edge| edge.normals)),
             },
             length: all.weight,
-            visibility: sights.map_or(LearnedVisibility::ALL, visibility),
+            visibility: LearnedVisibility::ALL,
             height: edges.iter().map(height).fold(0.0, f64::max),
         }
     }

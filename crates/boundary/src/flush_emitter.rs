@@ -16,7 +16,7 @@ const IN_PLANE: f64 = 1e-9;
 const MOST_LOOKS: usize = 1 << 26;
 
 /// The faces of these emitters, and the tree for their rays.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct FlushEmitters {
     tree: RayTree,
     mesh: Mesh,

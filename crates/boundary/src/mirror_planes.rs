@@ -21,7 +21,7 @@ const SAME_HEIGHT: f64 = 1e-13;
 const NONE: u32 = u32::MAX;
 
 /// The planes of all flat mirrors of a scene.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct MirrorPlanes {
     pub(crate) planes: Vec<Plane>,
     /// The plane of each face, or [`NONE`].

@@ -39,6 +39,10 @@ pub struct SampledEdge {
     crosses: Option<[Vec3; 2]>,
     /// Whether the second one counts reversed.
     flipped: bool,
+    /// Unit normals of its faces, as if both were wound alike.
+    pub normals: [Option<Vec3>; 2],
+    /// Its length.
+    pub length: f64,
     /// Share of all viewpoints from which it is a silhouette, and not hidden by its own
     /// surface, roughly. Creases have a share by their contrast.
     pub share: f64,
@@ -80,19 +84,27 @@ pub fn divide(edges: &mut [SampledEdge], depth: u32) -> usize {
         middles.fold(none, |(low, high), p| (low.min(p), high.max(p)))
     };
     let (low, high) = boxes(edges);
-    let (low, size) = (low.to_array(), (high - low).to_array());
-    let bin = |edge: &SampledEdge, axis: usize| {
-        let place = (edge.middle().to_array()[axis] - low[axis]) / size[axis];
-        ((place * BINS as f64) as usize).min(BINS - 1)
+    let size = high - low;
+    let bins_of = |edge: &SampledEdge| {
+        let offset = (edge.middle() - low).to_array();
+        // Not a number along axes without extent, which is bin 0.
+        [0, 1, 2].map(|axis| {
+            let place = offset[axis] / size[axis] * BINS as f64;
+            (place as usize).min(BINS - 1)
+        })
     };
+    let mut bins = [[Bin::EMPTY; BINS]; 3];
+    for edge in &*edges {
+        let own = Bin::of(edge);
+        for (bins, bin) in bins.iter_mut().zip(bins_of(edge)) {
+            bins[bin].add(&own);
+        }
+    }
     let mut best = (f64::INFINITY, 0, 0);
     for axis in (0..3).filter(|&axis| size[axis] > 0.0 && depth < DEEP) {
-        let mut bins = [Bin::EMPTY; BINS];
-        for edge in &*edges {
-            bins[bin(edge, axis)].add(&Bin::of(edge));
-        }
+        let bins = &bins[axis];
         // What is behind each border, from the last to the first.
-        let mut behind = bins;
+        let mut behind = *bins;
         for i in (1..BINS - 1).rev() {
             let next = behind[i + 1];
             behind[i].add(&next);
@@ -109,10 +121,12 @@ pub fn divide(edges: &mut [SampledEdge], depth: u32) -> usize {
     let (cost, axis, border) = best;
     if cost < f64::INFINITY {
         // In the order in which they were.
-        edges.sort_by_key(|edge| bin(edge, axis) >= border);
-        let first = edges.partition_point(|edge| bin(edge, axis) < border);
-        if first > 0 && first < edges.len() {
-            return first;
+        let is_before = |edge: &SampledEdge| bins_of(edge)[axis] < border;
+        let (first, second): (Vec<_>, Vec<_>) = edges.iter().partition(|edge| is_before(edge));
+        if !first.is_empty() && !second.is_empty() {
+            edges[..first.len()].copy_from_slice(&first);
+            edges[first.len()..].copy_from_slice(&second);
+            return first.len();
         }
     }
     edges.len() / 2
@@ -139,7 +153,7 @@ impl Bin {
         Self {
             low: a.min(b),
             high: a.max(b),
-            weight: edge.length() * edge.share,
+            weight: edge.weight(),
         }
     }
 
@@ -175,6 +189,8 @@ impl SampledEdge {
             ends,
             crosses: None,
             flipped: false,
+            normals: [None; 2],
+            length: (ends[1] - ends[0]).length(),
             share: 1.0,
             exposure: 1.0,
             crease,
@@ -183,8 +199,10 @@ impl SampledEdge {
             let crosses = faces.map(|face| mesh.face_cross(face as usize));
             sampled.crosses = Some(crosses);
             sampled.flipped = flipped;
+            let [first, second] = crosses.map(Vec3::normalized);
+            let second = if flipped { -second } else { second };
+            sampled.normals = [Some(first), Some(second)];
             // The faces turn by this angle, and between their planes are the viewpoints.
-            let [first, second] = sampled.normals().map(|normal| normal.expect("of a face"));
             let turn = first.cross(second).length().atan2(first.dot(second));
             let third = mesh.faces[faces[1] as usize].into_iter();
             let third = third.map(|i| first.dot(mesh.positions[i as usize] - ends[0]));
@@ -200,17 +218,6 @@ impl SampledEdge {
         sampled
     }
 
-    /// Normals of its faces, as if both were wound alike.
-    pub fn normals(&self) -> [Option<Vec3>; 2] {
-        match self.crosses {
-            None => [None; 2],
-            Some([first, second]) => {
-                let second = if self.flipped { -second } else { second };
-                [Some(first.normalized()), Some(second.normalized())]
-            }
-        }
-    }
-
     /// What [`Edge::is_silhouette`] says.
     #[inline]
     pub fn is_silhouette(&self, viewpoint: Vec3) -> bool {
@@ -218,11 +225,12 @@ impl SampledEdge {
         self.crosses.is_none_or(is_between)
     }
 
-    fn middle(&self) -> Vec3 {
-        (self.ends[0] + self.ends[1]) * 0.5
+    /// Its length times its share of viewpoints.
+    pub fn weight(&self) -> f64 {
+        self.length * self.share
     }
 
-    pub fn length(&self) -> f64 {
-        (self.ends[1] - self.ends[0]).length()
+    fn middle(&self) -> Vec3 {
+        (self.ends[0] + self.ends[1]) * 0.5
     }
 }

@@ -12,6 +12,9 @@ use crate::sampled_edge::SampledEdge;
 /// Rays from each edge.
 const RAYS: usize = 8;
 
+/// About so many edges of a shape, if none of their rays meets it, say that it hides none.
+const PROBES: usize = 256;
+
 /// Surfaces within this distance hide an edge, as a fraction of its shape's size; closer
 /// viewpoints see it.
 const REACH: f64 = 0.25;
@@ -49,30 +52,36 @@ pub struct Sights {
 impl Sights {
     /// Of all edges of meshes, by their numbers.
     pub fn all(edges: &[SampledEdge], accel: &Accel) -> Vec<Self> {
-        // How far edges of each shape can be hidden by their own surface, world units.
-        let shapes = accel.scene.shapes.iter();
-        let reach = |(low, high): (Vec3, Vec3)| REACH * (high - low).length();
-        let reaches: Vec<f64> = shapes.map(|shape| reach(shape.mesh.bounds())).collect();
-        let sights = edges.iter().map(|edge| {
-            let shape = accel.shape_of_vertex(edge.points[0]);
-            let reach = reaches[shape.0 as usize];
-            match edge.exposure == 1.0 {
-                true => Self::of(edge, shape, reach, accel),
+        let shape_of = |edge: &SampledEdge| accel.shape_of_vertex(edge.points[0]);
+        let of_shapes = edges.chunk_by(|a, b| shape_of(a) == shape_of(b));
+        let sights = of_shapes.flat_map(|edges| {
+            let shape = shape_of(&edges[0]);
+            let (low, high) = accel.scene.shape(shape).mesh.bounds();
+            let reach = REACH * (high - low).length();
+            let look = move |edge: &SampledEdge| match edge.exposure == 1.0 {
+                true => Self::of(edge, reach, |ray| hides(shape, ray, accel)),
                 // It is seen from nowhere.
                 false => Self {
                     rays: [None; RAYS],
                     reach,
                 },
-            }
+            };
+            // Of convex shapes, and all those of which some edges say so, nothing is hidden.
+            let mut probes = edges.iter().step_by(edges.len().div_ceil(PROBES));
+            let is_hidden_somewhere = edges.iter().any(|edge| edge.exposure != 1.0)
+                || probes.any(|edge| look(edge).rays.contains(&None));
+            edges.iter().map(move |edge| match is_hidden_somewhere {
+                true => look(edge),
+                false => Self::of(edge, reach, |_| false),
+            })
         });
         sights.collect()
     }
 
-    /// Looks from points on an edge of a shape in directions from which it is a silhouette,
-    /// all about equally likely. Surfaces of other shapes may be what a viewpoint is on, and
-    /// hide nothing.
-    pub fn of(edge: &SampledEdge, shape: ShapeId, reach: f64, accel: &Accel) -> Self {
-        let ([from, to], normals) = (edge.ends, edge.normals());
+    /// Looks from points on an edge in directions from which it is a silhouette, all about
+    /// equally likely, as far as `reach`, and asks whether something hides it there.
+    fn of(edge: &SampledEdge, reach: f64, hides: impl Fn(&Ray) -> bool) -> Self {
+        let ([from, to], normals) = (edge.ends, edge.normals);
         let along = to - from;
         let axis = along.normalized();
         let look = |ray: usize| {
@@ -91,12 +100,11 @@ impl Sights {
             // On the sphere, heights along an axis are uniform (Archimedes).
             let cos = 2.0 * height - 1.0;
             let direction = axis * cos + across * (1.0 - cos * cos).sqrt();
-            let hit = accel.first_hit_within(&Ray {
+            let is_hidden = hides(&Ray {
                 t_min: BEYOND_ROUNDING * (from.length() + to.length()),
                 t_max: reach,
                 ..Ray::new(from + along * place, direction)
             });
-            let is_hidden = hit.is_some_and(|hit| accel.shape_of(&hit) == shape);
             (!is_hidden).then(|| number(direction))
         };
         Self {
@@ -104,6 +112,13 @@ impl Sights {
             reach,
         }
     }
+}
+
+/// True if a shape itself is what a ray from one of its edges meets. Surfaces of others may be
+/// what a viewpoint is on, and hide nothing.
+fn hides(shape: ShapeId, ray: &Ray, accel: &Accel) -> bool {
+    let hit = accel.first_hit_within(ray);
+    hit.is_some_and(|hit| accel.shape_of(&hit) == shape)
 }
 
 /// The quarter of a cube's side through which a direction passes.
@@ -125,6 +140,40 @@ pub struct LearnedVisibility {
     reach: f64,
 }
 
+/// What rays saw of some edges.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen {
+    /// The lengths of silhouettes of those that nothing hid, by direction.
+    lengths: [f64; DIRECTIONS],
+    /// Those of all rays.
+    all: f64,
+    /// How many rays that is.
+    count: usize,
+    /// How far their own surfaces can hide edges, world units.
+    reach: f64,
+}
+
+impl Seen {
+    /// Counts an edge, given how long a silhouette it is, and from where it is visible.
+    pub fn add_edge(&mut self, length: f64, sights: &Sights) {
+        for &direction in sights.rays.iter().flatten() {
+            self.lengths[usize::from(direction)] += length;
+        }
+        self.all += length * RAYS as f64;
+        self.count += RAYS;
+        self.reach = self.reach.max(sights.reach);
+    }
+
+    /// Counts other edges.
+    pub fn add(&mut self, other: &Self) {
+        let lengths = self.lengths.iter_mut().zip(other.lengths);
+        lengths.for_each(|(length, others)| *length += others);
+        self.all += other.all;
+        self.count += other.count;
+        self.reach = self.reach.max(other.reach);
+    }
+}
+
 impl LearnedVisibility {
     /// Where nothing is known, everything is visible.
     pub const ALL: Self = Self {
@@ -132,24 +181,17 @@ impl LearnedVisibility {
         reach: 0.0,
     };
 
-    /// Of edges, given how long silhouettes they are, and from where they are visible.
-    pub fn of(edges: impl Iterator<Item = (f64, Sights)>) -> Self {
-        let mut seen = [0.0; DIRECTIONS];
-        let (mut all, mut count, mut reach) = (f64::MIN_POSITIVE, 0, 0.0_f64);
-        for (length, sights) in edges {
-            for &direction in sights.rays.iter().flatten() {
-                seen[usize::from(direction)] += length;
-            }
-            all += length * RAYS as f64;
-            count += RAYS;
-            reach = reach.max(sights.reach);
-        }
+    /// Of edges, at least one of which was looked at.
+    pub fn of(edges: &Seen) -> Self {
+        let all = edges.all.max(f64::MIN_POSITIVE);
         // Where rays are few, what those in all directions say counts as well.
-        let (few, mean) = (FEW * all / count as f64, seen.iter().sum::<f64>() / all);
+        let mean = edges.lengths.iter().sum::<f64>() / all;
+        let few = FEW * all / edges.count as f64;
         let share = |seen: f64| (seen + few * mean) / (all / DIRECTIONS as f64 + few);
+        let share = |seen: f64| (LEAST + (1.0 - LEAST) * share(seen)) as f32;
         Self {
-            shares: seen.map(|seen| (LEAST + (1.0 - LEAST) * share(seen)) as f32),
-            reach,
+            shares: edges.lengths.map(share),
+            reach: edges.reach,
         }
     }
 
@@ -164,8 +206,6 @@ impl LearnedVisibility {
 
 #[cfg(test)]
 mod tests {
-    use std::iter::repeat_n;
-
     use capwalk_math::Affine;
     use capwalk_scene::primitive::cube;
     use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};
@@ -192,9 +232,11 @@ mod tests {
             .map(|(edge, i)| SampledEdge::new(i, edge, boundaries.ends(i), &accel.mesh, None, 0.0));
         let is_it = |edge: &SampledEdge| edge.ends.iter().all(|p| p.x == 1.0 && p.y == 1.0);
         let edge = sampled.find(is_it).expect("an edge of the cube");
-        let sights = Sights::of(&edge, ShapeId(0), 10.0, &accel);
+        let sights = Sights::of(&edge, 10.0, |ray| hides(ShapeId(0), ray, &accel));
         // So many like it that their rays are not few.
-        LearnedVisibility::of(repeat_n((edge.length(), sights), 100))
+        let mut seen = Seen::default();
+        (0..100).for_each(|_| seen.add_edge(edge.length, &sights));
+        LearnedVisibility::of(&seen)
     }
 
     /// An edge of a cube is visible from wherever it is a silhouette, and there are no

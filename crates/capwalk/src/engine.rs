@@ -72,7 +72,7 @@ impl Engine {
     }
 
     pub fn differences(&self, tangent: &Tangent, step: f64) -> Result<Differences<'_>, Refusal> {
-        Differences::new(self.scene(), tangent, step)
+        Differences::new(&self.prepared, tangent, step)
     }
 
     pub fn backward_work<'a>(

@@ -107,7 +107,8 @@ fn measure(folder: &Folder) {
     let (weights, _) = run(Method::Walk, 1);
     let (walk, cost) = run(Method::Walk, 2);
     let spread = options(SPP * REFERENCE_FACTOR, 3);
-    let differences = finite_difference(&scene, &tangent, step, &spread, &Unwatched);
+    let prepared = PreparedScene::new(scene.clone());
+    let differences = finite_difference(&prepared, &tangent, step, &spread, &Unwatched);
     let (reference, reference_error) = size(&differences.expect("covered"), &weights);
     let row = |name: &str, image: &GradientImage, ratio: f64| {
         let (size, error) = size(image, &weights);

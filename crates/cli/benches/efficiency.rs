@@ -160,7 +160,7 @@ impl Way {
             }
             Self::Differences(step) => {
                 let options = RenderOptions::new(spp, seed);
-                finite_difference(prepared.scene(), tangent, step, &options, &Unwatched)
+                finite_difference(prepared, tangent, step, &options, &Unwatched)
             }
         };
         (started.seconds(), image.expect("covered"))

@@ -91,13 +91,13 @@ impl Stencil {
 /// `1 / step`. Works for everything that can be rendered; refuses a step that
 /// makes the scene invalid on both sides.
 pub fn finite_difference(
-    scene: &Scene,
+    prepared: &PreparedScene,
     tangent: &Tangent,
     step: f64,
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<GradientImage, Refusal> {
-    Ok(Differences::new(scene, tangent, step)?.image(options, watch))
+    Ok(Differences::new(prepared, tangent, step)?.image(options, watch))
 }
 
 /// The scenes that a difference is taken between, ready to be rendered, see
@@ -113,11 +113,12 @@ pub struct Differences<'a> {
 }
 
 impl<'a> Differences<'a> {
-    /// Moves the scene.
-    pub fn new(scene: &'a Scene, tangent: &Tangent, step: f64) -> Result<Self, Refusal> {
+    /// Moves the scene; what stays is not prepared again.
+    pub fn new(prepared: &'a PreparedScene, tangent: &Tangent, step: f64) -> Result<Self, Refusal> {
+        let scene = &**prepared.scene();
         let stencil = Stencil::of(scene, tangent, step)?;
         let places = stencil.places();
-        let moved = |place: &Place| PreparedScene::new(scene.moved(tangent, place.at * step));
+        let moved = |place: &Place| prepared.updated(scene.moved(tangent, place.at * step));
         Ok(Self {
             scene,
             step,

@@ -91,6 +91,19 @@ impl PreparedScene {
         });
     }
 
+    /// Another scene made ready, like [`PreparedScene::update`] of a copy.
+    #[must_use]
+    pub fn updated(&self, scene: impl Into<Arc<Scene>>) -> Self {
+        let mut other = Self {
+            accel: self.accel.clone(),
+            emitters: self.emitters.clone(),
+            boundaries: OnceLock::new(),
+            no_boundaries: OnceLock::new(),
+        };
+        other.update(scene);
+        other
+    }
+
     /// Keeps the samplers of emitters whose light and shape are the same.
     fn update_emitters(&mut self, scene: &Scene) {
         let old = Arc::clone(self.scene());

@@ -51,6 +51,31 @@ struct Node {
     sin_spread: f64,
 }
 
+/// What of a triangle the tree is made by.
+#[derive(Clone, Copy)]
+struct Triangle {
+    face: u32,
+    corners: [Vec3; 3],
+    /// Three times its centre.
+    centre: [f64; 3],
+    vector_area: Vec3,
+    area: f64,
+}
+
+impl Triangle {
+    fn new((&corners, face): (&[Vec3; 3], u32)) -> Self {
+        let [a, b, c] = corners;
+        let vector_area = (b - a).cross(c - a) * 0.5;
+        Self {
+            face,
+            corners,
+            centre: (a + b + c).to_array(),
+            vector_area,
+            area: vector_area.length(),
+        }
+    }
+}
+
 /// A point sampled on a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct TrianglePoint {
@@ -71,9 +96,11 @@ impl TriangleSampler {
     pub fn new(mesh: &Mesh) -> Self {
         let count = mesh.faces.len();
         let corners: Vec<[Vec3; 3]> = (0..count).map(|face| mesh.corners(face)).collect();
-        let mut order: Vec<u32> = (0..count as u32).collect();
+        let triangles = corners.iter().zip(0..);
+        let mut triangles: Vec<Triangle> = triangles.map(Triangle::new).collect();
         let mut nodes = Vec::new();
-        add_node(&corners, &mut order, 0..count, &mut nodes);
+        add_node(&mut triangles, 0..count, &mut nodes);
+        let order: Vec<u32> = triangles.iter().map(|triangle| triangle.face).collect();
         let mut rank = vec![0; count];
         for (place, &face) in order.iter().enumerate() {
             rank[face as usize] = place as u32;
@@ -261,23 +288,24 @@ fn density(solid_angle: f64, cross: Vec3, distance: f64, direction: Vec3) -> f64
 }
 
 impl Node {
-    /// Bounds of the triangles at these places of the order.
-    fn new(corners: &[[Vec3; 3]], order: &[u32], places: Range<usize>) -> Self {
-        let faces = || order[places.clone()].iter().map(|&i| corners[i as usize]);
-        let points = || faces().flatten();
+    /// Bounds of the triangles at these places.
+    fn new(triangles: &[Triangle], places: Range<usize>) -> Self {
+        let triangles = &triangles[places.clone()];
+        let points = || triangles.iter().flat_map(|triangle| triangle.corners);
         let low = points().fold(Vec3::splat(f64::INFINITY), Vec3::min);
         let high = points().fold(Vec3::splat(f64::NEG_INFINITY), Vec3::max);
         let centre = (low + high) * 0.5;
-        let radius = points().map(|p| (p - centre).length()).fold(0.0, f64::max);
-        let vectors = || faces().map(|[a, b, c]| (b - a).cross(c - a) * 0.5);
-        let vector_area = vectors().fold(Vec3::zero(), |sum, v| sum + v);
-        let area = vectors().map(Vec3::length).sum();
+        let squares = points().map(|p| (p - centre).length_squared());
+        let radius = squares.fold(0.0, f64::max).sqrt();
+        let vectors = triangles.iter().map(|triangle| triangle.vector_area);
+        let vector_area = vectors.fold(Vec3::zero(), |sum, v| sum + v);
+        let area = triangles.iter().map(|triangle| triangle.area).sum();
         // Any axis will do where directions cancel: the cone is all of them then.
         let axis = Some(vector_area.normalized()).filter(|axis| axis.is_finite());
         let axis = axis.unwrap_or(Vec3::new(0.0, 0.0, 1.0));
         // Triangles without area are never seen.
-        let seen = vectors().filter(|v| v.length() > 0.0);
-        let cos = seen.map(|v| axis.dot(v.normalized()));
+        let seen = triangles.iter().filter(|triangle| triangle.area > 0.0);
+        let cos = seen.map(|triangle| axis.dot(triangle.vector_area) / triangle.area);
         let cos_spread = cos.fold(1.0, f64::min).max(-1.0);
         Self {
             places,
@@ -330,35 +358,29 @@ impl Node {
 
 /// Adds the node of these places and all below it, and returns its number. Each node is
 /// halved along the longest side of the box around its triangles' centres.
-fn add_node(
-    corners: &[[Vec3; 3]],
-    order: &mut [u32],
-    places: Range<usize>,
-    nodes: &mut Vec<Node>,
-) -> usize {
+fn add_node(triangles: &mut [Triangle], places: Range<usize>, nodes: &mut Vec<Node>) -> usize {
     let number = nodes.len();
-    nodes.push(Node::new(corners, order, places.clone()));
+    nodes.push(Node::new(triangles, places.clone()));
     if places.len() > LEAF {
-        let centre = |i: u32| {
-            let [a, b, c] = corners[i as usize];
-            (a + b + c).to_array()
-        };
+        let own = &mut triangles[places.clone()];
         let extent = |axis: usize| {
-            let along = order[places.clone()].iter().map(|&i| centre(i)[axis]);
+            let along = own.iter().map(|triangle| triangle.centre[axis]);
             let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
                 (low.min(x), high.max(x))
             });
             high - low
         };
-        let axis = (0..3).max_by(|&a, &b| extent(a).total_cmp(&extent(b)));
+        let extents = [0, 1, 2].map(extent);
+        let axis = (0..3).max_by(|&a, &b| extents[a].total_cmp(&extents[b]));
         let axis = axis.expect("three axes");
         let middle = places.len() / 2;
-        order[places.clone()].select_nth_unstable_by(middle, |&a, &b| {
-            centre(a)[axis].total_cmp(&centre(b)[axis]).then(a.cmp(&b))
+        own.select_nth_unstable_by(middle, |a, b| {
+            let along = a.centre[axis].total_cmp(&b.centre[axis]);
+            along.then(a.face.cmp(&b.face))
         });
         let middle = places.start + middle;
-        let first = add_node(corners, order, places.start..middle, nodes);
-        let second = add_node(corners, order, middle..places.end, nodes);
+        let first = add_node(triangles, places.start..middle, nodes);
+        let second = add_node(triangles, middle..places.end, nodes);
         nodes[number].halves = Some([first, second]);
     }
     number

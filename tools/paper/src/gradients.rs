@@ -85,7 +85,8 @@ impl Subject {
         let watch = (settings.stages)("differences");
         let options = settings.options(spp, set);
         let started = Instant::now();
-        let image = finite_difference(&self.scene, &self.tangent, self.step, &options, &*watch)?;
+        let prepared = PreparedScene::new(self.scene.clone());
+        let image = finite_difference(&prepared, &self.tangent, self.step, &options, &*watch)?;
         complete(&image.statistics)?;
         Ok(Run {
             image,

@@ -69,12 +69,13 @@ fn differences() {
         let mut scene = scene();
         scene.settings.sampler = sampler;
         let tangent = tangent(&scene, "thing.translate.x");
+        let prepared = PreparedScene::new(scene);
         let of = |adaptive, seed| {
             let options = RenderOptions {
                 adaptive,
                 ..RenderOptions::new(1024, seed)
             };
-            let image = finite_difference(&scene, &tangent, 4e-3, &options, &Unwatched);
+            let image = finite_difference(&prepared, &tangent, 4e-3, &options, &Unwatched);
             image.expect("valid on both sides")
         };
         is_better(&of(true, 1), &of(false, 2), 0.5, 1024);

@@ -115,7 +115,8 @@ fn more_rays_less_bias() {
 fn verdict(what: &str, exact: f64, was: WasSettings, spp: u32) -> (Verdict, f64) {
     let scene = card();
     let change = tangent(&scene, what);
-    let reference = finite_difference(&scene, &change, 0.01, &options(60_000, 2), &Unwatched);
+    let prepared = PreparedScene::new(scene.clone());
+    let reference = finite_difference(&prepared, &change, 0.01, &options(60_000, 2), &Unwatched);
     let reference = reference.expect("covered").gradient;
     let (ours, (size, error)) = relative_change(&scene, what, exact, Method::Was(was), spp);
     let result = compare(&ours, &reference);
@@ -176,7 +177,8 @@ fn shadows_and_lamps() {
     scene.film.crop_size = [12; 2];
     let everything = "thing.translate.x + 0.3*lamp.translate.y - 0.4*floor.translate.x";
     let tangent = tangent(&scene, everything);
-    let reference = finite_difference(&scene, &tangent, 0.03, &options(8000, 2), &Unwatched);
+    let prepared = PreparedScene::new(scene.clone());
+    let reference = finite_difference(&prepared, &tangent, 0.03, &options(8000, 2), &Unwatched);
     let reference = reference.expect("covered").gradient;
     let by = |method, spp, seed| {
         let settings = GradientOptions {

@@ -8,7 +8,7 @@ use crate::common::stages::*;
 use crate::common::*;
 use crate::phenomena_edges::by;
 use capwalk_diff::check::compare;
-use capwalk_diff::{Estimate, Method, RenderOptions, Unwatched, finite_difference};
+use capwalk_diff::{Estimate, Method, PreparedScene, RenderOptions, Unwatched, finite_difference};
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::icosphere;
@@ -92,7 +92,8 @@ fn turning_smooth_ball() {
     };
     let (ours, error) = sum(&by(Method::EDGES, &scene, &tangent, 2000).gradient);
     let options = RenderOptions::new(80_000, 2);
-    let differences = finite_difference(&scene, &tangent, 1e-2, &options, &Unwatched);
+    let prepared = PreparedScene::new(scene);
+    let differences = finite_difference(&prepared, &tangent, 1e-2, &options, &Unwatched);
     let (expected, noise) = sum(&differences.expect("covered").gradient);
     println!("{ours} ± {error}, differences {expected} ± {noise}");
     assert!((ours - expected).abs() < 4.0 * error.hypot(noise));

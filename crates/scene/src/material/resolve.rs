@@ -5,7 +5,7 @@ use std::sync::Arc;
 use capwalk_math::{Real, Rgb, Vec3};
 
 use super::bsdf::{Bsdf, Coat, Facets, Glass, PrincipledIndex, PrincipledTextures, ThinTextures};
-use super::lobe::{self, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
+use super::lobe::{self, Distribution, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
 use super::traits::Composition;
 use crate::ids::{BsdfId, TextureId};
 use crate::scene::Scene;
@@ -44,6 +44,21 @@ pub struct Resolved<R> {
 impl Resolver {
     /// The tables for a checked scene.
     pub fn new(scene: &Scene) -> Self {
+        let mut resolver = Self::default();
+        resolver.update(scene);
+        resolver
+    }
+
+    /// Goes over to another checked scene. Tables for the same numbers stay: they take long to
+    /// make.
+    pub fn update(&mut self, scene: &Scene) {
+        let known = std::mem::take(&mut self.coats);
+        let table = |distribution: Distribution, alpha: f64, eta: f64| {
+            let mut known = known.iter().flatten();
+            let same = known.find(|table| table.is_for(distribution, alpha, eta));
+            let new = || Arc::new(RoughTransmittance::new(distribution, alpha, eta));
+            same.cloned().unwrap_or_else(new)
+        };
         let number = |id: TextureId| scene.texture(id).texel(0).r;
         let coats = scene
             .materials
@@ -58,8 +73,7 @@ impl Resolver {
                     return None;
                 };
                 let eta = number(coat.int_ior) / number(coat.ext_ior);
-                let table = RoughTransmittance::new(*distribution, number(*alpha), eta);
-                Some(Arc::new(table))
+                Some(table(*distribution, number(*alpha), eta))
             })
             .collect();
         let is_two_sided = |id| {
@@ -70,8 +84,8 @@ impl Resolver {
             })
         };
         let ids = (0..scene.materials.len() as u32).map(BsdfId);
-        let two_sided = ids.map(is_two_sided).collect();
-        Self { coats, two_sided }
+        self.two_sided = ids.map(is_two_sided).collect();
+        self.coats = coats;
     }
 
     /// What a material does to light at a point, to a viewer on the given side of

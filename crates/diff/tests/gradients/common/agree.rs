@@ -70,7 +70,7 @@ pub fn agree_by(methods: &[Method], name: &str, mut scene: Scene, tangent: &Tang
         false => scene.clone(),
     };
     let reference = finite_difference(
-        &middle,
+        &PreparedScene::new(middle),
         tangent,
         case.step,
         &options(case.reference_spp, 2),

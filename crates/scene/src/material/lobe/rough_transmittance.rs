@@ -74,6 +74,11 @@ impl RoughTransmittance {
         }
     }
 
+    /// True if it was made for these numbers.
+    pub fn is_for(&self, distribution: Distribution, alpha: f64, eta: f64) -> bool {
+        (self.distribution, self.alpha, self.eta) == (distribution, alpha, eta)
+    }
+
     /// The shape of the distribution that it was made for.
     pub fn distribution(&self) -> Distribution {
         self.distribution
