@@ -36,10 +36,44 @@ struct Piece {
     cumulative: f64,
 }
 
+/// A ball around the directions in which a piece is seen.
+#[derive(Clone, Copy, Debug)]
+struct Ball {
+    centre: [f32; 3],
+    squared_radius: f32,
+}
+
+impl Ball {
+    /// Part of the radius, and distance, by which it is larger than need be: more than rounding
+    /// and [`BESIDE`].
+    const MARGIN: [f64; 2] = [1e-4, 1e-6];
+
+    /// Around the shorter arc between two directions.
+    fn around([first, last]: [Vec3; 2]) -> Self {
+        let [part, least] = Self::MARGIN;
+        let radius = 0.5 * (last - first).length() * (1.0 + part) + least;
+        Self {
+            centre: ((first + last) * 0.5).to_array().map(|x| x as f32),
+            squared_radius: (radius * radius) as f32,
+        }
+    }
+
+    /// True for what is not a number.
+    #[inline]
+    fn may_contain(&self, [x, y, z]: [f32; 3]) -> bool {
+        let [a, b, c] = self.centre;
+        let square = (x - a) * (x - a) + (y - b) * (y - b) + (z - c) * (z - c);
+        let is_outside = square > self.squared_radius;
+        !is_outside
+    }
+}
+
 /// Pieces of edges with sampling weights.
 #[derive(Clone, Debug, Default)]
 pub struct SilhouettePieces {
     pieces: Vec<Piece>,
+    /// Where each piece is seen, if the viewpoint is a fixed one.
+    balls: Vec<Ball>,
     total: f64,
     /// True if the viewpoint is a fixed one, which may lie in the plane of two edges.
     from_one_place: bool,
@@ -123,18 +157,33 @@ impl SilhouettePieces {
     /// Takes all pieces away.
     pub fn clear(&mut self) {
         self.pieces.clear();
+        self.balls.clear();
         self.total = 0.0;
     }
 
     /// Adds a piece of an edge. One whose weight is not above 0 is never sampled.
     pub fn push(&mut self, edge: u32, range: [f64; 2], weight: f64) {
-        self.push_in(0, edge, range, weight);
+        self.add((edge, 0), range, weight);
     }
 
-    /// Adds a piece of an edge in one of the images.
-    pub fn push_in(&mut self, image: u32, edge: u32, range: [f64; 2], weight: f64) {
-        // False for NaN.
-        if weight > 0.0 {
+    /// Adds a piece of an edge in one of the images of the camera, which sees its ends in these
+    /// directions.
+    pub fn push_seen(
+        &mut self,
+        edge_and_image: (u32, u32),
+        range: [f64; 2],
+        directions: [Vec3; 2],
+        weight: f64,
+    ) {
+        if self.add(edge_and_image, range, weight) {
+            self.balls.push(Ball::around(directions));
+        }
+    }
+
+    /// Adds a piece if its weight is above 0, and says so.
+    fn add(&mut self, (edge, image): (u32, u32), range: [f64; 2], weight: f64) -> bool {
+        let is_sampled = weight > 0.0; // false for NaN
+        if is_sampled {
             self.total += weight;
             self.pieces.push(Piece {
                 edge,
@@ -143,6 +192,7 @@ impl SilhouettePieces {
                 cumulative: self.total,
             });
         }
+        is_sampled
     }
 
     /// Adds an edge that is not sampled, but shares the discontinuity where it lies on
@@ -248,8 +298,12 @@ impl SilhouettePieces {
         if !self.from_one_place && !boundaries.may_coincide(edge) {
             return 1.0;
         }
-        let is_there = |other: &&Piece| {
-            if (other.edge, other.image) == (edge, own.image) {
+        let seen = q.to_array().map(|x| x as f32);
+        let is_there = |(i, other): &(usize, &Piece)| {
+            let is_elsewhere = |ball: &Ball| !ball.may_contain(seen);
+            if self.balls.get(*i).is_some_and(is_elsewhere)
+                || (other.edge, other.image) == (edge, own.image)
+            {
                 return false;
             }
             let [a, b] = self.ends(boundaries, other).map(|p| p - viewpoint);
@@ -267,7 +321,7 @@ impl SilhouettePieces {
                     is_seen(image, point / distance, distance)
                 })
         };
-        1.0 + self.pieces.iter().filter(is_there).count() as f64
+        1.0 + self.pieces.iter().enumerate().filter(is_there).count() as f64
     }
 }
 

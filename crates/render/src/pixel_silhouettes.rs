@@ -83,6 +83,19 @@ impl PixelSilhouettes {
     }
 }
 
+/// A piece of an edge that is seen in a pixel, directly or in an image by mirrors.
+struct Weighed {
+    edge_and_image: (u32, u32),
+    /// Its ends on the edge.
+    range: [f64; 2],
+    /// The unit directions in which they are seen.
+    directions: [Vec3; 2],
+    /// But for the speed.
+    weight: f64,
+    /// How fast both ends move, together.
+    speed: f64,
+}
+
 /// The edges in the support of a pixel's filter, cut into pieces whose sampling weight is
 /// what they contribute (METHOD 8): their length on the film, times the filter, times their
 /// angular speed, times a guess of how large the discontinuity is there. Edges count behind at
@@ -141,7 +154,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         (speed + motion.spread + against.spread) / distance
     };
     let images = accel.images(view.origin, planes, events)?;
-    let mut weighed: Vec<(u32, u32, [f64; 2], f64, f64)> = Vec::new();
+    let mut weighed: Vec<Weighed> = Vec::new();
     let mut gathered = Vec::new();
     for (number, image) in (0..).zip(&images) {
         let query = ConeQuery {
@@ -178,30 +191,31 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
                 let filter = support.weight(middle).abs() + LEAST_FILTER / area;
                 let range = [place(part(0.0)), place(part(1.0))];
                 // Linear along the edge: zero at both ends, it is zero between them.
-                let [first, last] = range.map(|t| {
-                    let offset = a + (b - a) * t;
-                    match image.is_direct() {
-                        true => speed(points, t, offset, normal),
-                        false => image_speed(image, points, t, offset, normal),
-                    }
+                let offsets = range.map(|t| a + (b - a) * t);
+                let [first, last] = [0, 1].map(|k| match image.is_direct() {
+                    true => speed(points, range[k], offsets[k], normal),
+                    false => image_speed(image, points, range[k], offsets[k], normal),
                 });
-                let weight = contrast * filter * length / count;
-                weighed.push((number, edge, range, weight, first + last));
+                weighed.push(Weighed {
+                    edge_and_image: (edge, number),
+                    range,
+                    directions: offsets.map(Vec3::normalized),
+                    weight: contrast * filter * length / count,
+                    speed: first + last,
+                });
             }
         }
     }
     // Relative to the fastest one; those that stay contribute nothing.
-    let fastest = weighed.iter().map(|piece| piece.4).fold(0.0, f64::max);
+    let fastest = weighed.iter().map(|piece| piece.speed).fold(0.0, f64::max);
     let mut pieces = SilhouettePieces::of_camera(images);
-    for (image, edge, range, weight, speed) in weighed {
-        if speed != 0.0 {
-            pieces.push_in(
-                image,
-                edge,
-                range,
-                weight * (speed / fastest).max(LEAST_SPEED),
-            );
-        }
+    for piece in weighed.iter().filter(|piece| piece.speed != 0.0) {
+        pieces.push_seen(
+            piece.edge_and_image,
+            piece.range,
+            piece.directions,
+            piece.weight * (piece.speed / fastest).max(LEAST_SPEED),
+        );
     }
     pieces.push_nothing(NOTHING / area.sqrt());
     Some(pieces)
