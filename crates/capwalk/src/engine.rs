@@ -62,15 +62,6 @@ impl Engine {
         capwalk_diff::gradient(&self.prepared, tangent, options, watch)
     }
 
-    pub fn gradient_of_rest(
-        &self,
-        tangent: &Tangent,
-        options: &GradientOptions,
-        watch: &dyn Watch,
-    ) -> Result<GradientImage, Refusal> {
-        capwalk_diff::gradient_of_rest(&self.prepared, tangent, options, watch)
-    }
-
     pub fn differences(&self, tangent: &Tangent, step: f64) -> Result<Differences<'_>, Refusal> {
         Differences::new(&self.prepared, tangent, step)
     }

@@ -116,7 +116,7 @@ pub use method::{
     caveat,
 };
 pub use options::DifferenceOptions;
-pub use prepared::{Prepared, Values};
+pub use prepared::{Prepared, Values, comparable};
 pub use setting::{NotASetting, Setting};
 pub use step::bounds;
 pub use views::{ViewId, Views};

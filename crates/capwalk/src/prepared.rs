@@ -38,6 +38,22 @@ pub struct Prepared {
     engine: Engine,
 }
 
+/// What of a gradient, which this work gave, can be compared with differences: all of it; or, if
+/// something is missing, the derivative of the light that this does not concern.
+pub fn comparable(
+    gradient: GradientImage,
+    work: &GradientWork,
+    watch: &dyn Watch,
+) -> Result<GradientImage, Error> {
+    if gradient.missing.is_none() {
+        return Ok(gradient);
+    }
+    let mut rest = work.of_rest().whole(watch)?;
+    rest.missing = gradient.missing;
+    rest.statistics.missing = gradient.statistics.missing;
+    Ok(rest)
+}
+
 /// Numbers of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
@@ -208,31 +224,13 @@ impl Prepared {
         // Before the gradient is estimated.
         let reference =
             options.reference(self.scene(), tangent, || self.difference_step(tangent))?;
-        let chosen = self.choose(tangent, &options.gradient, watch)?.options;
-        let gradient = self.gradient(tangent, &chosen, watch)?;
-        let gradient = self.comparable(gradient, tangent, &chosen, watch)?;
+        let work = self.gradient_work(tangent, &options.gradient)?;
+        let chosen = work.chosen(watch)?.options;
+        let gradient = comparable(work.whole(watch)?, &work, watch)?;
         self.checked(gradient, tangent, reference, &chosen, watch)
     }
 
-    /// What of a gradient can be compared with differences: all of it; or, if something is
-    /// missing, the derivative of the light that this does not concern.
-    pub fn comparable(
-        &self,
-        gradient: GradientImage,
-        tangent: &Tangent,
-        options: &GradientOptions,
-        watch: &dyn Watch,
-    ) -> Result<GradientImage, Error> {
-        if gradient.missing.is_none() {
-            return Ok(gradient);
-        }
-        let mut rest = self.engine.gradient_of_rest(tangent, options, watch)?;
-        rest.missing = gradient.missing;
-        rest.statistics.missing = gradient.statistics.missing;
-        Ok(rest)
-    }
-
-    /// What is comparable of a gradient that was estimated with these options, with a reference
+    /// What is [`comparable`] of a gradient that was estimated with these options, with a reference
     /// and a verdict.
     ///
     /// Differences have a bias that grows with their step, and errors that are too small where
@@ -242,15 +240,15 @@ impl Prepared {
     /// samples, is contradicted as well.
     pub fn checked(
         &self,
-        comparable: GradientImage,
+        gradient: GradientImage,
         tangent: &Tangent,
         reference: Reference,
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
         let method = options.method;
-        let made = self.reference(&comparable, tangent, reference, method, watch)?;
-        let check = Check::new(comparable, made, self.coplanar_shapes(tangent));
+        let made = self.reference(&gradient, tangent, reference, method, watch)?;
+        let check = Check::new(gradient, made, self.coplanar_shapes(tangent));
         let Some(second) = check.second_reference() else {
             return Ok(check.unconfirmed());
         };
@@ -259,8 +257,8 @@ impl Prepared {
         let Some(again) = check.second_gradient(options) else {
             return Ok(check);
         };
-        let gradient = self.gradient(tangent, &again, watch)?;
-        let gradient = self.comparable(gradient, tangent, &again, watch)?;
+        let work = self.gradient_work(tangent, &again)?;
+        let gradient = comparable(work.whole(watch)?, &work, watch)?;
         Ok(check.with_second_gradient(gradient))
     }
 

@@ -7,15 +7,16 @@
 //! number of threads, and independent of the samples that follow.
 
 use std::f64::consts::FRAC_1_SQRT_2;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::is_specular_somewhere;
 use capwalk_boundary::{Counts, Draw, Field, Gathers, Method, Refusal, Sampler, pool};
 use capwalk_geometry::effort;
 use capwalk_math::{Moments, Rgb, Vec3};
 use capwalk_render::tiles::EFFORT_OF_SAMPLE;
-use capwalk_render::{PreparedScene, Tracer, Watch};
+use capwalk_render::{MotionFacts, PreparedScene, Tracer, Watch};
 use capwalk_scene::{BsdfId, Image, Optic, Scene, ShapeVectors, Tangent};
+use capwalk_walk::WalkSettings;
 use rayon::prelude::*;
 
 use crate::adjoint::Wanted;
@@ -167,6 +168,8 @@ const PILOT_SEED: u64 = 0xadf8_5458_a2bb_4a9a;
 pub struct Pilot<'a> {
     pub prepared: &'a PreparedScene,
     pub tangent: &'a Tangent,
+    /// What is known of that motion.
+    pub facts: &'a Arc<MotionFacts>,
     /// The factor of each pixel's derivative in what is asked for; without, the derivative
     /// image is.
     pub adjoint: Option<&'a Image>,
@@ -218,7 +221,7 @@ impl Pilot<'_> {
         if !Wanted::by(self.tangent).geometry() {
             return None;
         }
-        let tracer = Tracer::moving(self.prepared, self.field(Method::Walk), self.options.walk);
+        let tracer = self.tracer(self.field(Method::Walk), self.options.walk);
         let mut everywhere = match self.options.method {
             Method::FittedWalk => Gathers::NONE,
             _ => tracer.can_gather(),
@@ -346,6 +349,10 @@ impl Pilot<'_> {
         pixels.map(|pixel| [pixel % width, pixel / width]).collect()
     }
 
+    fn tracer<'b>(&'b self, field: Field<'b>, walk: WalkSettings) -> Tracer<'b> {
+        Tracer::moving(self.prepared, field, walk, self.facts)
+    }
+
     fn field(&self, method: Method) -> Field<'_> {
         Field::new(self.prepared.accel(), self.prepared.boundaries(), method)
     }
@@ -382,7 +389,7 @@ impl Pilot<'_> {
         // Reverse mode samples without knowing velocities.
         let is_blind = self.adjoint.is_some() || self.options.blind;
         let eval = if is_blind { eval.blind() } else { eval };
-        let tracer = Tracer::moving(self.prepared, field, walk);
+        let tracer = self.tracer(field, walk);
         let sampler = Sampler::new(&scene.settings, self.options.seed ^ PILOT_SEED, 1);
         let width = scene.film.crop_size[0];
         let look = |&[x, y]: &[u32; 2]| {

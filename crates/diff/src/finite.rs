@@ -129,8 +129,8 @@ impl<'a> Differences<'a> {
         })
     }
 
-    /// The same of the image that [`gradient_of_rest`](crate::gradient_of_rest) differentiates
-    /// by this method.
+    /// The same of the image that [`GradientWork::of_rest`](crate::GradientWork::of_rest)
+    /// differentiates by this method.
     #[must_use]
     pub fn of_rest(self, method: Method) -> Self {
         Self {

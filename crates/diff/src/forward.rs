@@ -1,7 +1,7 @@
 //! The derivative image in forward mode.
 
 use std::borrow::Cow;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
     refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
@@ -10,7 +10,7 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
-    GradientImage, Grid, LeavesOut, Missing, Part, PartError, Partial, PreparedScene,
+    GradientImage, Grid, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PreparedScene,
     RenderOptions, Silent, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
@@ -32,22 +32,6 @@ pub fn gradient(
     GradientWork::new(prepared, Cow::Borrowed(tangent), *options).whole(watch)
 }
 
-/// The image without the light of which [`gradient`] leaves something out (see
-/// [`AllowMissing`](crate::AllowMissing)), and its derivative, which is complete.
-pub fn gradient_of_rest(
-    prepared: &PreparedScene,
-    tangent: &Tangent,
-    options: &GradientOptions,
-    watch: &dyn Watch,
-) -> Result<GradientImage, Refusal> {
-    let work = GradientWork::new(prepared, Cow::Borrowed(tangent), *options);
-    GradientWork {
-        is_of_rest: true,
-        ..work
-    }
-    .whole(watch)
-}
-
 /// What is left out by a method where only the rest of the light is asked for.
 pub(crate) fn left_out(method: Method) -> LeavesOut {
     match method.traits().is_spherical {
@@ -65,6 +49,7 @@ pub struct GradientWork<'a> {
     /// True if light of which the derivative is incomplete is left out of the image, too.
     is_of_rest: bool,
     chosen: OnceLock<Chosen>,
+    facts: Arc<MotionFacts>,
     /// How many samples each pixel gets; found by the first call that samples.
     counts: OnceLock<SampleCounts>,
     fingerprint: OnceLock<u64>,
@@ -83,8 +68,24 @@ impl<'a> GradientWork<'a> {
             options,
             is_of_rest: false,
             chosen: OnceLock::new(),
+            facts: Arc::new(MotionFacts::of(prepared.scene())),
             counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
+        }
+    }
+
+    /// The same of the image without the light of which the derivative leaves something out (see
+    /// [`AllowMissing`](crate::AllowMissing)): that is complete.
+    #[must_use]
+    pub fn of_rest(&self) -> Self {
+        Self {
+            tangent: self.tangent.clone(),
+            is_of_rest: true,
+            chosen: self.chosen.clone(),
+            facts: Arc::clone(&self.facts),
+            counts: OnceLock::new(),
+            fingerprint: OnceLock::new(),
+            ..*self
         }
     }
 
@@ -107,6 +108,7 @@ impl<'a> GradientWork<'a> {
             let pilot = Pilot {
                 prepared: self.prepared,
                 tangent: &self.tangent,
+                facts: &self.facts,
                 adjoint: None,
                 options: &self.options,
                 watch,
@@ -198,7 +200,7 @@ impl<'a> GradientWork<'a> {
         };
         // A sample is one of the image, over numbers that carry their derivative along
         // the tangent.
-        let tracer = Tracer::moving(prepared, field, options.walk);
+        let tracer = Tracer::moving(prepared, field, options.walk, &self.facts);
         let tracer = match self.is_of_rest {
             true => tracer.leaving_out(left_out(options.method)),
             false => tracer,

@@ -37,7 +37,7 @@ pub use capwalk_walk::{Estimator, WalkSettings};
 pub use adjoint::Wanted;
 pub use auto::{Chosen, Trial};
 pub use finite::{Differences, Stencil, finite_difference};
-pub use forward::{GradientWork, gradient, gradient_of_rest};
+pub use forward::{GradientWork, gradient};
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;
 pub use reverse::{Backward, BackwardWork, BatchSums, backward};

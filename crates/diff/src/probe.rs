@@ -2,6 +2,7 @@
 //! reference set-up is made of, without a camera.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use capwalk_boundary::refuse::refuse_walk;
 use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Sampler};
@@ -68,7 +69,7 @@ pub fn irradiance(
     let prepared = PreparedScene::new(scene.clone());
     let field = Field::new(prepared.accel(), prepared.boundaries(), Method::Walk);
     let eval = Forward::new(field, tangent);
-    let tracer = Tracer::moving(&prepared, field, walk).with_plan(EMITTERS_ALONE);
+    let tracer = Tracer::moving(&prepared, field, walk, &Arc::default()).with_plan(EMITTERS_ALONE);
     let sampler = Sampler::new(&scene.settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
         let vertex = diffuse_vertex(position, normal);

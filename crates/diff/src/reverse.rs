@@ -2,8 +2,8 @@
 //! covectors on all parameters, in one pass.
 
 use std::ops::Range;
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
     refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows, refuse_motion,
@@ -14,8 +14,8 @@ use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles;
 use capwalk_render::{
-    Accumulate, Along, Grid, Missing, OrderedSum, Part, PartError, Partial, PreparedScene,
-    Statistics, Tracer, Watch,
+    Accumulate, Along, Grid, Missing, MotionFacts, OrderedSum, Part, PartError, Partial,
+    PreparedScene, Statistics, Tracer, Watch,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint};
 use rayon::prelude::*;
@@ -107,6 +107,7 @@ pub struct BackwardWork<'a> {
     wanted: Wanted,
     options: GradientOptions,
     chosen: OnceLock<Chosen>,
+    facts: Arc<MotionFacts>,
     fingerprint: OnceLock<u64>,
 }
 
@@ -124,6 +125,7 @@ impl<'a> BackwardWork<'a> {
             wanted,
             options,
             chosen: OnceLock::new(),
+            facts: Arc::new(MotionFacts::of(prepared.scene())),
             fingerprint: OnceLock::new(),
         }
     }
@@ -147,6 +149,7 @@ impl<'a> BackwardWork<'a> {
             let pilot = Pilot {
                 prepared: self.prepared,
                 tangent: &motion(self.prepared.scene(), &self.wanted),
+                facts: &Arc::new(MotionFacts::of(self.prepared.scene())),
                 adjoint: Some(self.adjoint),
                 options: &self.options,
                 watch,
@@ -222,7 +225,7 @@ impl<'a> BackwardWork<'a> {
             adjoint: self.adjoint,
             wanted,
             points: wanted.points(accel, field.boundaries),
-            tracer: Tracer::moving(prepared, field, options.walk),
+            tracer: Tracer::moving(prepared, field, options.walk, &self.facts),
             field,
             sampler: Sampler::new(&scene.settings, options.seed, options.spp),
             spp: options.spp,

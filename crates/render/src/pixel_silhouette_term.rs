@@ -47,7 +47,7 @@ impl Tracer<'_> {
         };
         // Sample a point on one of them, as it is or in a mirror.
         let u = draw.stream.number(EDGE_NUMBERS);
-        let found = self.silhouettes.with(pixel, make, |silhouettes| {
+        let found = self.facts.silhouettes.with(pixel, make, |silhouettes| {
             let silhouettes = silhouettes?;
             let is_seen = |image: &_, q, distance| sees(image, q, distance).is_some();
             let point = silhouettes.draw(field.boundaries, view.origin, u, is_seen);

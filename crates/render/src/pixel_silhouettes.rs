@@ -13,10 +13,10 @@ use crate::pixel::Support;
 use crate::scene_eval::SceneEval;
 
 /// A cache of the edges gathered in each pixel. What it keeps changes no result.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub struct PixelSilhouettes {
     /// Nothing for a pixel with too many images in mirrors.
-    pixels: Vec<OnceLock<Option<SilhouettePieces>>>,
+    pixels: Vec<OnceLock<Option<Box<SilhouettePieces>>>>,
     width: usize,
     /// How many pieces of edges it keeps in all pixels together.
     kept: AtomicUsize,
@@ -64,7 +64,7 @@ impl PixelSilhouettes {
         let index = y as usize * self.width + x as usize;
         let cell = self.pixels.get(index);
         if let Some(pieces) = cell.and_then(OnceLock::get) {
-            return then(pieces.as_ref());
+            return then(pieces.as_deref());
         }
         // Kept for all samples, they are no effort of this one.
         let pieces = match cell {
@@ -75,7 +75,7 @@ impl PixelSilhouettes {
             let count = pieces.as_ref().map_or(0, SilhouettePieces::count);
             let kept = self.kept.fetch_add(count, Ordering::Relaxed);
             if kept + count <= MOST_KEPT {
-                return then(cell.get_or_init(|| pieces).as_ref());
+                return then(cell.get_or_init(|| pieces.map(Box::new)).as_deref());
             }
             self.kept.fetch_sub(count, Ordering::Relaxed);
         }

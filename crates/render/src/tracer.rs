@@ -1,6 +1,6 @@
 //! What a tracer of pixels holds, and which random numbers it takes for what.
 
-use std::sync::OnceLock;
+use std::sync::Arc;
 
 use capwalk_boundary::{Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, Numbers};
 use capwalk_geometry::{EdgeSelection, EdgeSubset, uncounted};
@@ -9,8 +9,8 @@ use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
 use crate::emitter_sampler::EmitterSampler;
+use crate::motion_facts::MotionFacts;
 use crate::pixel::Supports;
-use crate::pixel_silhouettes::PixelSilhouettes;
 use crate::plan::Plan;
 use crate::prepared::PreparedScene;
 use crate::sampled_edges::moves;
@@ -71,19 +71,8 @@ pub struct Tracer<'a> {
     pub moving: Option<Moving<'a>>,
     /// Which light is left out, also of the image.
     pub leaves_out: LeavesOut,
-    /// The silhouettes in each pixel, where the camera's rays all start from one point.
-    pub silhouettes: PixelSilhouettes,
-    /// The motions of the nodes of both edge samplers; computed by the first samples that need
-    /// them.
-    pub edge_motions: [OnceLock<Vec<Motion>>; 2],
-    /// The edges that may move; found by the first samples that ask.
-    pub moving_edges: OnceLock<EdgeSubset>,
-    /// How much the motion differs within the planes of flat mirrors; found by the first samples
-    /// that ask.
-    pub mirror_spreads: OnceLock<Vec<f64>>,
-    /// For each face, whether the edge of a hard shadow on it moves; found by the first samples
-    /// that ask.
-    pub moving_shadows: OnceLock<Vec<bool>>,
+    /// What is known of the motion.
+    pub facts: Arc<MotionFacts>,
 }
 
 impl<'a> Tracer<'a> {
@@ -98,16 +87,18 @@ impl<'a> Tracer<'a> {
             gathers: Gathers::NONE,
             moving: None,
             leaves_out: LeavesOut::Nothing,
-            silhouettes: PixelSilhouettes::default(),
-            edge_motions: Default::default(),
-            moving_edges: OnceLock::new(),
-            mirror_spreads: OnceLock::new(),
-            moving_shadows: OnceLock::new(),
+            facts: Arc::default(),
         }
     }
 
-    /// A tracer of derivatives, too, with the given walk around surfaces.
-    pub fn moving(prepared: &'a PreparedScene, field: Field<'a>, surface: WalkSettings) -> Self {
+    /// A tracer of derivatives, too, with the given walk around surfaces. The facts are of the
+    /// motion by which it is asked for derivatives.
+    pub fn moving(
+        prepared: &'a PreparedScene,
+        field: Field<'a>,
+        surface: WalkSettings,
+        facts: &Arc<MotionFacts>,
+    ) -> Self {
         let camera = WalkSettings {
             max_radius: surface.max_radius.min(camera_angle(prepared.accel())),
             ..surface
@@ -115,7 +106,7 @@ impl<'a> Tracer<'a> {
         let walks = Walks { camera, surface };
         let tracer = Self {
             moving: Some(Moving { field, walks }),
-            silhouettes: PixelSilhouettes::of(prepared.scene()),
+            facts: Arc::clone(facts),
             ..Self::primal(prepared)
         };
         Self {
@@ -185,7 +176,7 @@ impl<'a> Tracer<'a> {
         let motions = || sampler.motions(|point| eval.motion_of_point(point));
         (
             sampler,
-            self.edge_motions[selection as usize].get_or_init(motions),
+            self.facts.edge_motions[selection as usize].get_or_init(motions),
         )
     }
 
@@ -196,12 +187,13 @@ impl<'a> Tracer<'a> {
         eval: &W,
     ) -> &EdgeSubset {
         let subset = || boundaries.subset(|edge| moves(eval, boundaries, edge));
-        self.moving_edges.get_or_init(|| uncounted(subset))
+        let known = &self.facts.moving_edges;
+        known.get_or_init(|| uncounted(subset))
     }
 
     /// How much the motion differs within each plane of flat mirrors.
     pub(crate) fn mirror_spreads<R: Real, W: SceneEval<R>>(&self, eval: &W) -> &[f64] {
-        self.mirror_spreads.get_or_init(|| {
+        self.facts.mirror_spreads.get_or_init(|| {
             let motion = |vertex| eval.motion_of_point(vertex);
             let planes = self.accel.mirror_planes();
             planes.map_or(Vec::new(), |planes| {
@@ -221,7 +213,7 @@ impl<'a> Tracer<'a> {
         }
         let moves = |point| !eval.motion_of_point(point).is_still();
         let faces = || boundaries.faces_with_moving_shadows(self.accel, moves);
-        self.moving_shadows.get_or_init(faces)[face as usize]
+        self.facts.moving_shadows.get_or_init(faces)[face as usize]
     }
 
     fn has_environment(&self) -> bool {
@@ -346,7 +338,7 @@ mod tests {
             }
             let prepared = PreparedScene::new(scene);
             let field = Field::new(prepared.accel(), prepared.boundaries(), Method::EDGES);
-            let tracer = Tracer::moving(&prepared, field, NO_WALK);
+            let tracer = Tracer::moving(&prepared, field, NO_WALK, &Arc::default());
             let expected = !has_mirror && max_depth > 2;
             assert_eq!(tracer.gathers.indirect, expected);
             assert!(tracer.gathers.camera);

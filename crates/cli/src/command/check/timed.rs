@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk::{AllowMissing, Check, CheckOptions, Chosen, Prepared, Tangent};
+use capwalk::{AllowMissing, Check, CheckOptions, Chosen, Prepared, Tangent, comparable};
 
 use crate::progress::Progress;
 
@@ -34,16 +34,14 @@ pub fn check(
     };
     let part = limit.map(|limit| limit / parts);
     let progress = Progress::new("gradient", part);
-    let chosen = prepared.choose(tangent, &options.gradient, &progress);
-    let gradient = chosen.and_then(|chosen| {
-        let gradient = prepared.gradient(tangent, &chosen.options, &progress);
-        Ok((chosen, gradient?))
-    });
+    let work = prepared.gradient_work(tangent, &options.gradient)?;
+    let gradient = work.chosen(&progress);
+    let gradient = gradient.and_then(|chosen| Ok((chosen, work.whole(&progress)?)));
     let mut gradient_seconds = progress.finish().as_secs_f64();
     let (chosen, mut gradient) = gradient?;
     if gradient.missing.is_some() {
         let progress = Progress::new("gradient of the rest", part);
-        let rest = prepared.comparable(gradient, tangent, &chosen.options, &progress);
+        let rest = comparable(gradient, &work, &progress);
         gradient_seconds += progress.finish().as_secs_f64();
         gradient = rest?;
     }

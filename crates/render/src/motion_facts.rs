@@ -1,0 +1,35 @@
+//! What follows from a motion, whichever samples ask for it first.
+
+use std::sync::OnceLock;
+
+use capwalk_boundary::Motion;
+use capwalk_geometry::EdgeSubset;
+use capwalk_scene::Scene;
+
+use crate::pixel_silhouettes::PixelSilhouettes;
+
+/// What tracers find out about one motion of a prepared scene; kept, it changes no result. Tracers
+/// of the same motion that look at the same paths can share it, whatever their methods.
+#[derive(Debug, Default)]
+pub struct MotionFacts {
+    /// The silhouettes in each pixel, where the camera's rays all start from one point.
+    pub(crate) silhouettes: PixelSilhouettes,
+    /// The motions of the nodes of both edge samplers.
+    pub(crate) edge_motions: [OnceLock<Vec<Motion>>; 2],
+    /// The edges that may move.
+    pub(crate) moving_edges: OnceLock<EdgeSubset>,
+    /// How much the motion differs within the planes of flat mirrors.
+    pub(crate) mirror_spreads: OnceLock<Vec<f64>>,
+    /// For each face, whether the edge of a hard shadow on it moves.
+    pub(crate) moving_shadows: OnceLock<Vec<bool>>,
+}
+
+impl MotionFacts {
+    /// None yet, of a motion of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            silhouettes: PixelSilhouettes::of(scene),
+            ..Self::default()
+        }
+    }
+}
