@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk::{AllowMissing, Check, CheckOptions, Chosen, Prepared, Tangent, comparable};
+use capwalk::{AllowMissing, Check, CheckOptions, Chosen, Error, Prepared, Tangent, comparable};
 
 use crate::progress::Progress;
 
@@ -38,7 +38,7 @@ pub fn check(
     let gradient = work.chosen(&progress);
     let gradient = gradient.and_then(|chosen| Ok((chosen, work.whole(&progress)?)));
     let mut gradient_seconds = progress.finish().as_secs_f64();
-    let (chosen, mut gradient) = gradient?;
+    let (chosen, mut gradient) = gradient.map_err(Error::from)?;
     if gradient.missing.is_some() {
         let progress = Progress::new("gradient of the rest", part);
         let rest = comparable(gradient, &work, &progress);
