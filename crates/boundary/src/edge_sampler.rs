@@ -11,7 +11,7 @@ use crate::accel::Accel;
 use crate::coincident::visit_overlaps;
 use crate::motion::Motion;
 use crate::sampled_edge::{Bin, SampledEdge, divide, outward};
-use crate::sights::{LearnedVisibility, Seen, Sights};
+use crate::sights::{LearnedVisibility, Sights, SightsOfMany};
 
 /// The most edges in a leaf, which are listed one by one: more where few of them count.
 fn leaf_size(selection: EdgeSelection) -> usize {
@@ -49,6 +49,14 @@ struct Node {
     /// The nodes of both halves; none in a leaf.
     halves: Option<[usize; 2]>,
     bounds: EdgeBounds,
+}
+
+/// What is known of edges while a tree is built, by their numbers.
+struct Known<'a> {
+    /// See [`SampledEdge::normals`].
+    normals: &'a [[Option<Vec3>; 2]],
+    /// From where they are visible; not asked of creases.
+    sights: Option<&'a [Sights]>,
 }
 
 /// Bounds of some edges.
@@ -115,12 +123,17 @@ impl EdgeSampler {
             SampledEdge::new(number, edge, ends, &accel.mesh, outward, crease)
         });
         let sampled: Vec<SampledEdge> = sampled.collect();
+        let normals: Vec<_> = sampled.iter().map(SampledEdge::normals).collect();
         // Creases are seen from wherever one of their faces is.
         let sights = match selection {
             EdgeSelection::Silhouettes => Some(Sights::all(&sampled, accel)),
             EdgeSelection::All => None,
         };
-        let (count, sights) = (sampled.len(), sights.as_deref());
+        let count = sampled.len();
+        let known = Known {
+            normals: &normals,
+            sights: sights.as_deref(),
+        };
         let mut sampler = Self {
             selection,
             edges: sampled,
@@ -128,7 +141,7 @@ impl EdgeSampler {
             overlaps: Vec::new(),
         };
         if count > 0 {
-            sampler.add_node(0..count, 0, sights);
+            sampler.add_node(0..count, 0, &known);
         }
         visit_overlaps(edges, positions, |[a, b]| {
             let [a, b] = [a as u32, b as u32];
@@ -140,35 +153,35 @@ impl EdgeSampler {
     }
 
     /// Adds the node of these places and all below it, and returns its number and what is seen
-    /// of its edges. `sights` are those of edges by their numbers, if they are known.
+    /// of its edges.
     fn add_node(
         &mut self,
         places: Range<usize>,
         depth: u32,
-        sights: Option<&[Sights]>,
-    ) -> (usize, Seen) {
+        known: &Known,
+    ) -> (usize, SightsOfMany) {
         let (number, leaf) = (self.nodes.len(), leaf_size(self.selection));
         self.nodes.push(Node {
             places: places.clone(),
             halves: None,
-            bounds: EdgeBounds::new(&self.edges[places.clone()], leaf),
+            bounds: EdgeBounds::new(&self.edges[places.clone()], leaf, known),
         });
-        let mut seen = Seen::default();
+        let mut seen = SightsOfMany::default();
         if places.len() > leaf {
             let middle = places.start + divide(&mut self.edges[places.clone()], depth);
             let halves = [places.start..middle, middle..places.end];
             let halves = halves.map(|places| {
-                let (half, seen_of_half) = self.add_node(places, depth + 1, sights);
+                let (half, seen_of_half) = self.add_node(places, depth + 1, known);
                 seen.add(&seen_of_half);
                 half
             });
             self.nodes[number].halves = Some(halves);
-        } else if let Some(sights) = sights {
+        } else if let Some(sights) = known.sights {
             for edge in &self.edges[places] {
-                seen.add_edge(edge.weight(), &sights[edge.edge as usize]);
+                seen.add_edge(edge.weight, &sights[edge.edge as usize]);
             }
         }
-        if sights.is_some() {
+        if known.sights.is_some() {
             self.nodes[number].bounds.visibility = LearnedVisibility::of(&seen);
         }
         (number, seen)
@@ -185,7 +198,7 @@ impl EdgeSampler {
                     (weight, motions[half])
                 })),
                 None => Motion::mean(self.edges[node.places.clone()].iter().flat_map(|edge| {
-                    let weight = edge.weight();
+                    let weight = edge.weight;
                     edge.points.map(|point| (weight, of_point(point)))
                 })),
             };
@@ -272,7 +285,7 @@ impl EdgeSampler {
 
 impl EdgeBounds {
     /// Bounds of edges in a tree with leaves of so many; of what is seen of them, nothing is known.
-    fn new(edges: &[SampledEdge], leaf: usize) -> Self {
+    fn new(edges: &[SampledEdge], leaf: usize, known: &Known) -> Self {
         let has_creases = edges.iter().any(|edge| edge.crease > 0.0);
         let mut all = Bin::EMPTY;
         edges.iter().for_each(|edge| all.add(&Bin::of(edge)));
@@ -280,8 +293,9 @@ impl EdgeBounds {
         let offsets = edges.iter().flat_map(|edge| edge.ends);
         let squares = offsets.map(|p| (p - centre).length_squared());
         let radius = squares.fold(0.0, f64::max).sqrt();
+        let normals_of = |edge: &SampledEdge| known.normals[edge.edge as usize];
         let height = |edge: &SampledEdge| {
-            let normals = edge.normals.into_iter().flatten();
+            let normals = normals_of(edge).into_iter().flatten();
             let heights = normals.map(|normal| normal.dot(edge.ends[0] - centre).abs());
             heights.fold(0.0, f64::max)
         };
@@ -293,7 +307,7 @@ impl EdgeBounds {
             normals: match has_creases {
                 // The plane through a viewpoint and a crease need not be between its faces.
                 true => NormalCone::ALL,
-                false => NormalCone::around(|| edges.iter().flat_map(|edge| edge.normals)),
+                false => NormalCone::around(|| edges.iter().flat_map(normals_of)),
             },
             length: all.weight,
             visibility: LearnedVisibility::ALL,

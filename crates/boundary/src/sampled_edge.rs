@@ -39,13 +39,9 @@ pub struct SampledEdge {
     crosses: Option<[Vec3; 2]>,
     /// Whether the second one counts reversed.
     flipped: bool,
-    /// Unit normals of its faces, as if both were wound alike.
-    pub normals: [Option<Vec3>; 2],
-    /// Its length.
-    pub length: f64,
-    /// Share of all viewpoints from which it is a silhouette, and not hidden by its own
-    /// surface, roughly. Creases have a share by their contrast.
-    pub share: f64,
+    /// Its length times the share of all viewpoints from which it is a silhouette, and not hidden
+    /// by its own surface, roughly. Creases have a share by their contrast.
+    pub weight: f64,
     /// What that is of those from which it is a silhouette.
     pub exposure: f64,
     /// How large the discontinuity is where it is no silhouette, at most 1, roughly; 0 if it
@@ -122,11 +118,18 @@ pub fn divide(edges: &mut [SampledEdge], depth: u32) -> usize {
     if cost < f64::INFINITY {
         // In the order in which they were.
         let is_before = |edge: &SampledEdge| bins_of(edge)[axis] < border;
-        let (first, second): (Vec<_>, Vec<_>) = edges.iter().partition(|edge| is_before(edge));
-        if !first.is_empty() && !second.is_empty() {
-            edges[..first.len()].copy_from_slice(&first);
-            edges[first.len()..].copy_from_slice(&second);
-            return first.len();
+        let (mut first, mut others) = (0, Vec::new());
+        for i in 0..edges.len() {
+            if is_before(&edges[i]) {
+                edges[first] = edges[i];
+                first += 1;
+            } else {
+                others.push(edges[i]);
+            }
+        }
+        edges[first..].copy_from_slice(&others);
+        if first > 0 && first < edges.len() {
+            return first;
         }
     }
     edges.len() / 2
@@ -153,7 +156,7 @@ impl Bin {
         Self {
             low: a.min(b),
             high: a.max(b),
-            weight: edge.weight(),
+            weight: edge.weight,
         }
     }
 
@@ -189,9 +192,7 @@ impl SampledEdge {
             ends,
             crosses: None,
             flipped: false,
-            normals: [None; 2],
-            length: (ends[1] - ends[0]).length(),
-            share: 1.0,
+            weight: (ends[1] - ends[0]).length(),
             exposure: 1.0,
             crease,
         };
@@ -199,9 +200,7 @@ impl SampledEdge {
             let crosses = faces.map(|face| mesh.face_cross(face as usize));
             sampled.crosses = Some(crosses);
             sampled.flipped = flipped;
-            let [first, second] = crosses.map(Vec3::normalized);
-            let second = if flipped { -second } else { second };
-            sampled.normals = [Some(first), Some(second)];
+            let [first, second] = sampled.normals().map(|normal| normal.expect("of a face"));
             // The faces turn by this angle, and between their planes are the viewpoints.
             let turn = first.cross(second).length().atan2(first.dot(second));
             let third = mesh.faces[faces[1] as usize].into_iter();
@@ -213,9 +212,18 @@ impl SampledEdge {
             let is_hidden = outward.is_some_and(|outward| (height > 0.0) == outward);
             sampled.exposure = if is_hidden { CONCAVE } else { 1.0 };
             let share = sampled.exposure * turn / PI;
-            sampled.share = share.max(CREASE_SHARE * crease).max(LEAST_SHARE);
+            sampled.weight *= share.max(CREASE_SHARE * crease).max(LEAST_SHARE);
         }
         sampled
+    }
+
+    /// Unit normals of its faces, as if both were wound alike.
+    pub fn normals(&self) -> [Option<Vec3>; 2] {
+        let normals = self.crosses.map(|[first, second]| {
+            let second = if self.flipped { -second } else { second };
+            [first.normalized(), second.normalized()]
+        });
+        normals.map_or([None; 2], |normals| normals.map(Some))
     }
 
     /// What [`Edge::is_silhouette`] says.
@@ -223,11 +231,6 @@ impl SampledEdge {
     pub fn is_silhouette(&self, viewpoint: Vec3) -> bool {
         let is_between = |crosses| separates(crosses, self.ends[0], self.flipped, viewpoint);
         self.crosses.is_none_or(is_between)
-    }
-
-    /// Its length times its share of viewpoints.
-    pub fn weight(&self) -> f64 {
-        self.length * self.share
     }
 
     fn middle(&self) -> Vec3 {

@@ -9,11 +9,14 @@ use capwalk_scene::ShapeId;
 use crate::accel::Accel;
 use crate::sampled_edge::SampledEdge;
 
-/// Rays from each edge.
+/// Directions from each edge, in which rays go if something may hide it.
 const RAYS: usize = 8;
 
-/// About so many edges of a shape, if none of their rays meets it, say that it hides none.
+/// So many edges of a shape, if none of their rays meets it, say that it hides none.
 const PROBES: usize = 256;
+
+/// The fraction of the golden ratio: its multiples spread evenly, whatever the order of the edges.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Surfaces within this distance hide an edge, as a fraction of its shape's size; closer
 /// viewpoints see it.
@@ -66,8 +69,11 @@ impl Sights {
                     reach,
                 },
             };
-            // Of convex shapes, and all those of which some edges say so, nothing is hidden.
-            let mut probes = edges.iter().step_by(edges.len().div_ceil(PROBES));
+            // Of convex shapes, and of others of which some edges say so, nothing is hidden.
+            let mut probes = (0..PROBES).map(|i| {
+                let place = (i as f64 * GOLDEN).fract() * edges.len() as f64;
+                &edges[place as usize]
+            });
             let is_hidden_somewhere = edges.iter().any(|edge| edge.exposure != 1.0)
                 || probes.any(|edge| look(edge).rays.contains(&None));
             edges.iter().map(move |edge| match is_hidden_somewhere {
@@ -81,7 +87,7 @@ impl Sights {
     /// Looks from points on an edge in directions from which it is a silhouette, all about
     /// equally likely, as far as `reach`, and asks whether something hides it there.
     fn of(edge: &SampledEdge, reach: f64, hides: impl Fn(&Ray) -> bool) -> Self {
-        let ([from, to], normals) = (edge.ends, edge.normals);
+        let ([from, to], normals) = (edge.ends, edge.normals());
         let along = to - from;
         let axis = along.normalized();
         let look = |ray: usize| {
@@ -140,20 +146,21 @@ pub struct LearnedVisibility {
     reach: f64,
 }
 
-/// What rays saw of some edges.
+/// From where some edges are visible, all together.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Seen {
-    /// The lengths of silhouettes of those that nothing hid, by direction.
+pub struct SightsOfMany {
+    /// For each direction, the sum over the rays there that nothing hides of how long silhouettes
+    /// their edges are.
     lengths: [f64; DIRECTIONS],
-    /// Those of all rays.
+    /// The same sum over all rays, hidden or not.
     all: f64,
-    /// How many rays that is.
+    /// How many rays there are.
     count: usize,
     /// How far their own surfaces can hide edges, world units.
     reach: f64,
 }
 
-impl Seen {
+impl SightsOfMany {
     /// Counts an edge, given how long a silhouette it is, and from where it is visible.
     pub fn add_edge(&mut self, length: f64, sights: &Sights) {
         for &direction in sights.rays.iter().flatten() {
@@ -181,8 +188,8 @@ impl LearnedVisibility {
         reach: 0.0,
     };
 
-    /// Of edges, at least one of which was looked at.
-    pub fn of(edges: &Seen) -> Self {
+    /// Of edges, at least one.
+    pub fn of(edges: &SightsOfMany) -> Self {
         let all = edges.all.max(f64::MIN_POSITIVE);
         // Where rays are few, what those in all directions say counts as well.
         let mean = edges.lengths.iter().sum::<f64>() / all;
@@ -207,11 +214,12 @@ impl LearnedVisibility {
 #[cfg(test)]
 mod tests {
     use capwalk_math::Affine;
-    use capwalk_scene::primitive::cube;
+    use capwalk_scene::primitive::{cube, icosphere};
     use capwalk_scene::{BsdfId, Scene, ShadingNormals, Shape, builtin};
 
     use super::*;
     use crate::boundaries::Boundaries;
+    use crate::sampled_edge::outward;
 
     /// The visibility of the edge along z at x = y = 1 of the cube from -1 to 1. `beside`:
     /// with another cube in the same mesh, where x is larger and y smaller.
@@ -234,8 +242,8 @@ mod tests {
         let edge = sampled.find(is_it).expect("an edge of the cube");
         let sights = Sights::of(&edge, 10.0, |ray| hides(ShapeId(0), ray, &accel));
         // So many like it that their rays are not few.
-        let mut seen = Seen::default();
-        (0..100).for_each(|_| seen.add_edge(edge.length, &sights));
+        let mut seen = SightsOfMany::default();
+        (0..100).for_each(|_| seen.add_edge(edge.weight, &sights));
         LearnedVisibility::of(&seen)
     }
 
@@ -261,5 +269,56 @@ mod tests {
         let sum = |x: f64, y: f64| far(x, y).map(|side| beside.from(side)).sum::<f64>();
         let (hidden, open) = (sum(1.0, -1.0), sum(-1.0, 1.0));
         assert!(hidden < 0.8 * open, "{hidden}, {open}");
+    }
+
+    /// What is known is the same as if all edges had been asked, of shapes that hide nothing of
+    /// themselves and of those that do, with and without concave edges.
+    #[test]
+    fn a_few_edges_say_that_nothing_is_hidden() {
+        let mut scene: Scene = builtin::scene("leaf").expect("built in");
+        scene.shapes.clear();
+        scene.emitters.clear();
+        let mut waves = icosphere(16);
+        for p in &mut waves.positions {
+            *p = *p * (1.0 + 0.2 * (7.0 * p.x).sin() * (6.0 * p.y).cos() * (5.0 * p.z).sin());
+        }
+        // These have no concave edges: two cubes side by side, and half of a ball.
+        let (mut cubes, _) = cube(Affine::IDENTITY);
+        cubes.append(&cube(Affine::translate(Vec3::new(2.2, 0.0, 0.0))).0);
+        let mut bowl = icosphere(16);
+        let is_low = |face: &[u32; 3]| face.iter().all(|&i| bowl.positions[i as usize].z < 0.3);
+        bowl.faces = bowl.faces.iter().copied().filter(is_low).collect();
+        let meshes = [icosphere(16), waves, cubes, bowl];
+        for (i, mut ball) in meshes.into_iter().enumerate() {
+            let away = Vec3::new(0.0, 10.0 * i as f64, 0.0);
+            ball.positions.iter_mut().for_each(|p| *p += away);
+            let name = format!("{i}");
+            scene.add_shape(Shape::new(name, ball, ShadingNormals::Face, BsdfId(0)));
+        }
+        let accel = Accel::new(scene);
+        let boundaries = Boundaries::new(&accel);
+        let edges = boundaries.edges();
+        let outward = outward(edges, &accel);
+        let sampled = edges.iter().zip(0..).map(|(edge, i)| {
+            let outward = outward[accel.shape_of_vertex(edge.vertices[0]).0 as usize];
+            SampledEdge::new(i, edge, boundaries.ends(i), &accel.mesh, outward, 0.0)
+        });
+        let sampled: Vec<SampledEdge> = sampled.collect();
+        let mut hidden = [0; 4];
+        for (edge, found) in sampled.iter().zip(Sights::all(&sampled, &accel)) {
+            let shape = accel.shape_of_vertex(edge.points[0]);
+            if edge.exposure != 1.0 {
+                continue;
+            }
+            let expected = Sights::of(edge, found.reach, |ray| hides(shape, ray, &accel));
+            assert_eq!(found.rays, expected.rays);
+            let rays = found.rays.iter();
+            hidden[shape.0 as usize] += rays.filter(|ray| ray.is_none()).count();
+        }
+        assert_eq!(hidden[0], 0);
+        assert!(
+            hidden[1] > 100 && hidden[2] > 4 && hidden[3] > 20,
+            "{hidden:?}"
+        );
     }
 }

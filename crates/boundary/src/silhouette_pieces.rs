@@ -72,7 +72,7 @@ impl Ball {
 #[derive(Clone, Debug, Default)]
 pub struct SilhouettePieces {
     pieces: Vec<Piece>,
-    /// Where each piece is seen, if the viewpoint is a fixed one.
+    /// Where each piece is seen, by the numbers of the pieces, if the viewpoint is a fixed one.
     balls: Vec<Ball>,
     total: f64,
     /// True if the viewpoint is a fixed one, which may lie in the plane of two edges.
@@ -163,25 +163,26 @@ impl SilhouettePieces {
 
     /// Adds a piece of an edge. One whose weight is not above 0 is never sampled.
     pub fn push(&mut self, edge: u32, range: [f64; 2], weight: f64) {
-        self.add((edge, 0), range, weight);
+        self.add(edge, 0, range, weight);
     }
 
     /// Adds a piece of an edge in one of the images of the camera, which sees its ends in these
     /// directions.
     pub fn push_seen(
         &mut self,
-        edge_and_image: (u32, u32),
+        edge: u32,
+        image: u32,
         range: [f64; 2],
         directions: [Vec3; 2],
         weight: f64,
     ) {
-        if self.add(edge_and_image, range, weight) {
+        if self.add(edge, image, range, weight) {
             self.balls.push(Ball::around(directions));
         }
     }
 
     /// Adds a piece if its weight is above 0, and says so.
-    fn add(&mut self, (edge, image): (u32, u32), range: [f64; 2], weight: f64) -> bool {
+    fn add(&mut self, edge: u32, image: u32, range: [f64; 2], weight: f64) -> bool {
         let is_sampled = weight > 0.0; // false for NaN
         if is_sampled {
             self.total += weight;
@@ -233,6 +234,7 @@ impl SilhouettePieces {
         u: f64,
         is_seen: impl Fn(&MirrorImage, Vec3, f64) -> bool,
     ) -> Option<EdgePoint> {
+        debug_assert!(!self.from_one_place || self.balls.len() == self.pieces.len());
         let target = u * self.total;
         let i = self.pieces.partition_point(|p| p.cumulative <= target);
         let piece = self.pieces.get(i)?;
@@ -381,5 +383,98 @@ impl EdgePoint {
         let edge = (a + (b - a) * R::constant(self.t) - origin).normalized();
         let flow = (edge - warped).dot(Vec3::constant(self.normal * self.weight));
         flow - R::constant(flow.value())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::Affine;
+    use capwalk_scene::primitive::cube;
+    use capwalk_scene::{BsdfId, Scene, Shape, builtin};
+
+    use super::*;
+
+    /// Edges of two cubes that touch along one, and others that lie behind them as seen from a
+    /// point: as many coincide where only pieces are asked that may lie there as if all were.
+    #[test]
+    fn balls_leave_out_nothing_that_coincides() {
+        let mut scene: Scene = builtin::scene("leaf").expect("built in");
+        scene.shapes.clear();
+        scene.emitters.clear();
+        for (i, place) in [[0.0, 0.0, 0.0], [2.0, 2.0, 0.0], [-4.0, 0.0, 0.0]]
+            .into_iter()
+            .enumerate()
+        {
+            let (mesh, normals) = cube(Affine::translate(place.into()));
+            scene.add_shape(Shape::new(format!("{i}"), mesh, normals, BsdfId(0)));
+        }
+        let accel = Accel::new(scene);
+        let boundaries = Boundaries::new(&accel);
+        // In the plane of sides of the first and the third cube.
+        let viewpoint = Vec3::new(7.0, 0.3, 1.0);
+        let images = accel.images(viewpoint, [Vec3::zero(); 4], 0).expect("one");
+        let mut pieces = SilhouettePieces::of_camera(images);
+        for edge in 0..boundaries.edges().len() as u32 {
+            let ends = boundaries.ends(edge).map(|p| p - viewpoint);
+            for i in 0..4 {
+                let range = [0, 1].map(|k| f64::from(i + k) / 4.0);
+                let seen = range.map(|t| (ends[0] + (ends[1] - ends[0]) * t).normalized());
+                pieces.push_seen(edge, 0, range, seen, 1.0);
+            }
+        }
+        let mut asked = pieces.clone();
+        asked.balls.fill(Ball {
+            centre: [0.0; 3],
+            squared_radius: f32::INFINITY,
+        });
+        let mut coincide = 0;
+        for i in 0..2000 {
+            let u = (f64::from(i) + 0.5) / 2000.0;
+            let [found, expected] = [&pieces, &asked].map(|pieces| {
+                let point = pieces.draw(&boundaries, viewpoint, u, |_, _, _| true);
+                point.expect("a piece").weight
+            });
+            assert_eq!(found, expected);
+            let single = SilhouettePieces {
+                from_one_place: false,
+                ..pieces.clone()
+            };
+            let alone = single.draw(&boundaries, viewpoint, u, |_, _, _| true);
+            coincide += u32::from(alone.expect("a piece").weight > found);
+        }
+        assert!(coincide > 20, "{coincide}");
+    }
+
+    /// The ball of a piece contains all directions to it, also those beside it, however long it is
+    /// and however it lies to the axes; and few others.
+    #[test]
+    fn balls_contain_their_pieces() {
+        let spread = |i: i32, k: f64| 2.0 * (f64::from(i) * k).fract() - 1.0;
+        let direction = |i: i32| {
+            let [x, y, z] = [0.819_172_5, 0.671_043_6, 0.549_700_5].map(|k| spread(i, k));
+            Vec3::new(x, y, z).normalized()
+        };
+        let single = |q: Vec3| q.to_array().map(|x| x as f32);
+        for i in 1..400 {
+            let (first, other) = (direction(i), direction(7 * i + 3));
+            let normal = first.cross(other).normalized();
+            // From a hundred millionth of a turn to nearly half of one.
+            for angle in [1e-8, 1e-4, 0.01, 0.3, 2.0, 3.1] {
+                let across = normal.cross(first);
+                let at = |part: f64| sphere::walk_along(first, across, angle * part);
+                let ball = Ball::around([first, at(1.0)]);
+                for part in [0.0, 0.1, 0.5, 0.9, 1.0] {
+                    for q in beside(at(part), normal) {
+                        assert!(ball.may_contain(single(q)), "{i}: {part} of {angle}");
+                    }
+                }
+                let far = [at(-1.0), sphere::walk_along(first, normal, angle)];
+                let is_clear = (1e-4..2.0).contains(&angle);
+                let others = far.into_iter().filter(|&q| ball.may_contain(single(q)));
+                assert!(!is_clear || others.count() == 0, "{i}: {angle}");
+            }
+            let nowhere = Ball::around([first, Vec3::splat(f64::NAN)]);
+            assert!(nowhere.may_contain(single(first)));
+        }
     }
 }

@@ -227,6 +227,7 @@ impl Prepared {
         let work = self.gradient_work(tangent, &options.gradient)?;
         let chosen = work.chosen(watch)?.options;
         let gradient = comparable(work.whole(watch)?, &work, watch)?;
+        drop(work); // what it knows of the motion can be large
         self.checked(gradient, tangent, reference, &chosen, watch)
     }
 

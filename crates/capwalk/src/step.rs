@@ -8,7 +8,7 @@ use capwalk_scene::{Emitter, Film, Filter, Scene, Shape, ShapeVectors, Tangent, 
 /// Part of the size of the fastest shape that it moves by on each side of a
 /// finite difference. The bias of the difference grows with its square, the
 /// variance with its inverse.
-const STEP_FRACTION: f64 = 1.0 / 200.0;
+const STEP_FRACTION: f64 = 1.0 / 100.0;
 
 /// Change of a colour, or of a unit normal, on each side of a finite difference.
 /// Images are linear in radiance and nearly so in reflectance: the bias stays

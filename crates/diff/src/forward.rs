@@ -75,7 +75,8 @@ impl<'a> GradientWork<'a> {
     }
 
     /// The same of the image without the light of which the derivative leaves something out (see
-    /// [`AllowMissing`](crate::AllowMissing)): that is complete.
+    /// [`AllowMissing`](crate::AllowMissing)): that is complete. By the method that was chosen for
+    /// the whole, if it was. What either finds out about the motion, both know.
     #[must_use]
     pub fn of_rest(&self) -> Self {
         Self {
@@ -94,7 +95,7 @@ impl<'a> GradientWork<'a> {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
     }
 
-    /// All of it at once, see [`gradient`].
+    /// All of it at once, see [`gradient`]; or of the rest of the light, see [`Self::of_rest`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
         self.check_coverage(watch)?;
         let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
@@ -277,7 +278,11 @@ impl<'a> GradientWork<'a> {
 
     fn fingerprint(&self) -> u64 {
         let scene = self.prepared.scene();
-        let inputs = ("gradient", scene, &self.tangent, &self.options);
+        let what = match self.is_of_rest {
+            true => "gradient of the rest",
+            false => "gradient",
+        };
+        let inputs = (what, scene, &self.tangent, &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
 }

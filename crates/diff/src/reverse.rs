@@ -149,6 +149,7 @@ impl<'a> BackwardWork<'a> {
             let pilot = Pilot {
                 prepared: self.prepared,
                 tangent: &motion(self.prepared.scene(), &self.wanted),
+                // The motion of the pilot is not what the passes know.
                 facts: &Arc::new(MotionFacts::of(self.prepared.scene())),
                 adjoint: Some(self.adjoint),
                 options: &self.options,

@@ -9,7 +9,9 @@ use capwalk_scene::Scene;
 use crate::pixel_silhouettes::PixelSilhouettes;
 
 /// What tracers find out about one motion of a prepared scene; kept, it changes no result. Tracers
-/// of the same motion that look at the same paths can share it, whatever their methods.
+/// of the same motion, as far as sampling knows it, can share it, whatever their methods: with the
+/// same boundaries and plan, and either all in forward mode or all blind to velocities. A pass that
+/// does not know how fast something moves must not know what does not move.
 #[derive(Debug, Default)]
 pub struct MotionFacts {
     /// The silhouettes in each pixel, where the camera's rays all start from one point.

@@ -15,12 +15,18 @@ use crate::scene_eval::SceneEval;
 /// A cache of the edges gathered in each pixel. What it keeps changes no result.
 #[derive(Debug, Default)]
 pub struct PixelSilhouettes {
-    /// Nothing for a pixel with too many images in mirrors.
-    pixels: Vec<OnceLock<Option<Box<SilhouettePieces>>>>,
+    /// Made when the first of them is asked for.
+    pixels: OnceLock<Vec<OfPixel>>,
+    /// How many there are.
+    count: usize,
     width: usize,
     /// How many pieces of edges it keeps in all pixels together.
     kept: AtomicUsize,
 }
+
+/// Those of a pixel; nothing if there are too many images in mirrors. In a box: most pixels of large
+/// images have none.
+type OfPixel = OnceLock<Option<Box<SilhouettePieces>>>;
 
 /// The most pieces that it keeps: some hundred megabytes.
 const MOST_KEPT: usize = 1 << 22;
@@ -48,7 +54,8 @@ impl PixelSilhouettes {
             false => width * height,
         };
         Self {
-            pixels: (0..count).map(|_| OnceLock::new()).collect(),
+            pixels: OnceLock::new(),
+            count,
             width,
             kept: AtomicUsize::new(0),
         }
@@ -62,7 +69,8 @@ impl PixelSilhouettes {
         then: impl FnOnce(Option<&SilhouettePieces>) -> T,
     ) -> T {
         let index = y as usize * self.width + x as usize;
-        let cell = self.pixels.get(index);
+        let empty = || (0..self.count).map(|_| OnceLock::new()).collect();
+        let cell = self.pixels.get_or_init(empty).get(index);
         if let Some(pieces) = cell.and_then(OnceLock::get) {
             return then(pieces.as_deref());
         }
@@ -74,10 +82,16 @@ impl PixelSilhouettes {
         if let Some(cell) = cell {
             let count = pieces.as_ref().map_or(0, SilhouettePieces::count);
             let kept = self.kept.fetch_add(count, Ordering::Relaxed);
-            if kept + count <= MOST_KEPT {
-                return then(cell.get_or_init(|| pieces.map(Box::new)).as_deref());
+            let pieces = pieces.map(Box::new);
+            if kept + count > MOST_KEPT {
+                self.kept.fetch_sub(count, Ordering::Relaxed);
+                return then(pieces.as_deref());
             }
-            self.kept.fetch_sub(count, Ordering::Relaxed);
+            // Another sample of the pixel may have been first.
+            if cell.set(pieces).is_err() {
+                self.kept.fetch_sub(count, Ordering::Relaxed);
+            }
+            return then(cell.get().and_then(Option::as_deref));
         }
         then(pieces.as_ref())
     }
@@ -85,12 +99,13 @@ impl PixelSilhouettes {
 
 /// A piece of an edge that is seen in a pixel, directly or in an image by mirrors.
 struct Weighed {
-    edge_and_image: (u32, u32),
+    edge: u32,
+    image: u32,
     /// Its ends on the edge.
     range: [f64; 2],
     /// The unit directions in which they are seen.
     directions: [Vec3; 2],
-    /// But for the speed.
+    /// Its sampling weight, but for how fast it moves.
     weight: f64,
     /// How fast both ends move, together.
     speed: f64,
@@ -197,7 +212,8 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
                     false => image_speed(image, points, range[k], offsets[k], normal),
                 });
                 weighed.push(Weighed {
-                    edge_and_image: (edge, number),
+                    edge,
+                    image: number,
                     range,
                     directions: offsets.map(Vec3::normalized),
                     weight: contrast * filter * length / count,
@@ -211,7 +227,8 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     let mut pieces = SilhouettePieces::of_camera(images);
     for piece in weighed.iter().filter(|piece| piece.speed != 0.0) {
         pieces.push_seen(
-            piece.edge_and_image,
+            piece.edge,
+            piece.image,
             piece.range,
             piece.directions,
             piece.weight * (piece.speed / fastest).max(LEAST_SPEED),

@@ -91,7 +91,9 @@ impl PreparedScene {
         });
     }
 
-    /// Another scene made ready, like [`PreparedScene::update`] of a copy.
+    /// Another scene made ready, which must have passed [`Scene::check`]: what
+    /// [`PreparedScene::update`] makes of a copy. Its boundaries are not copied, but built when they
+    /// are asked for.
     #[must_use]
     pub fn updated(&self, scene: impl Into<Arc<Scene>>) -> Self {
         let mut other = Self {

@@ -6,7 +6,7 @@ use std::time::Instant;
 
 use capwalk_diff::{
     Estimate, GradientImage, GradientOptions, GradientWork, Method, PreparedScene, WalkSettings,
-    finite_difference, gradient,
+    finite_difference,
 };
 use capwalk_math::{Moments, Rgb};
 use capwalk_scene::{Film, Filter, Scene, Tangent, builtin, params};
@@ -67,10 +67,9 @@ impl Subject {
         let started = Instant::now();
         let prepared = PreparedScene::new(self.scene.clone());
         let tangent = Cow::Borrowed(&self.tangent);
-        let options = GradientWork::new(&prepared, tangent, wanted)
-            .chosen(&*watch)?
-            .options;
-        let image = gradient(&prepared, &self.tangent, &options, &*watch)?;
+        let work = GradientWork::new(&prepared, tangent, wanted);
+        let options = work.chosen(&*watch)?.options;
+        let image = work.whole(&*watch)?;
         complete(&image.statistics)?;
         Ok(Run {
             image,

@@ -2,7 +2,7 @@
 
 use anyhow::{Result, ensure};
 use capwalk::scene_io::image::LayeredImage;
-use capwalk::{Chosen, DifferenceOptions, GradientImage, RenderOptions};
+use capwalk::{Chosen, DifferenceOptions, Error, GradientImage, RenderOptions};
 use serde_json::json;
 
 use crate::args::{Gradient, MethodName, SceneArgs};
@@ -27,12 +27,14 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     let mut way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
     let result = match &mut way {
-        Way::Samples(chosen) => prepared
-            .choose(&tangent, &chosen.options, &progress)
-            .and_then(|found| {
+        Way::Samples(chosen) => {
+            let work = prepared.gradient_work(&tangent, &chosen.options)?;
+            let image = work.chosen(&progress).and_then(|found| {
                 *chosen = found;
-                prepared.gradient(&tangent, &chosen.options, &progress)
-            }),
+                work.whole(&progress)
+            });
+            image.map_err(Error::from)
+        }
         Way::Differences { step } => {
             let options = DifferenceOptions {
                 spp: options.spp,

@@ -1,6 +1,8 @@
 //! A prepared scene that was changed answers like one that was made of the result, to the
 //! bit: whatever was refitted, kept or built anew.
 
+use std::sync::Arc;
+
 use crate::common::stages::{under_a_sky, visible_ball, visible_cube, with_parallel_rays};
 use crate::common::{add, add_lamp, v};
 use capwalk_diff::{
@@ -106,15 +108,20 @@ fn agree(mut start: Scene, along: &str, steps: &[(&str, f64)]) {
     // What is made on demand is there before the first change.
     answers(&prepared, along);
     for &(name, step) in steps {
-        let scene = prepared.scene();
-        let tangent = Registry::new(scene).tangent(scene, name).expect("a name");
-        let next = scene.moved(&tangent, step);
+        let before = Arc::clone(prepared.scene());
+        let tangent = Registry::new(&before).tangent(&before, name);
+        let tangent = tangent.expect("a name");
+        let next = before.moved(&tangent, step);
         next.check().expect("a valid scene");
+        // A copy that goes over to it, and does not change the scene that is there.
+        let copied = prepared.updated(next.clone());
+        let is_unchanged = prepared.scene() == &before;
         prepared.update(next.clone());
-        let fresh = PreparedScene::new(next);
+        let fresh = answers(&PreparedScene::new(next), along);
+        assert!(answers(&prepared, along) == fresh, "{name}");
         assert!(
-            answers(&prepared, along) == answers(&fresh, along),
-            "{name}"
+            is_unchanged && answers(&copied, along) == fresh,
+            "a copy, {name}"
         );
     }
 }

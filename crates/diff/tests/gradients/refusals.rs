@@ -2,13 +2,15 @@
 //! refused, however short the paths are; in flat mirrors it is not. So is what
 //! has no derivative.
 
+use std::borrow::Cow;
+
 use crate::common::agree::tangent;
 use crate::common::materials::*;
 use crate::common::stages::*;
 use crate::common::*;
 use capwalk_diff::{
-    GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, WasSettings,
-    backward, gradient,
+    AllowMissing, GradientOptions, GradientWork, Method, Part, PreparedScene, RenderOptions,
+    Unwatched, Wanted, WasSettings, backward, gradient,
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
@@ -158,8 +160,7 @@ fn a_blocker_that_moves_in_a_mirror() {
 }
 
 /// A thing behind the surface of a body of glass, lit through it.
-#[test]
-fn a_blocker_that_moves_in_glass() {
+fn blocker_in_glass(max_depth: u32) -> Scene {
     let mut scene = empty(v(0.0, -4.0, 0.5), v(0.0, 0.0, 0.0), 30.0, 12);
     add_floor(&mut scene, 3.0);
     add_lamp(&mut scene, v(0.0, 0.0, 3.0), 1.5, 0.3, 10.0);
@@ -177,14 +178,48 @@ fn a_blocker_that_moves_in_glass() {
     scene.materials[shown.0 as usize].bsdf = glass;
     let thing = placed(triangle(), Affine::translate(Vec3::new(0.0, 0.0, 0.6)));
     add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
+    scene.settings.integrator = Integrator::Path {
+        max_depth: Some(max_depth),
+        rr_depth: 5,
+        hide_emitters: false,
+    };
+    scene
+}
+
+#[test]
+fn a_blocker_that_moves_in_glass() {
     for depth in [3, 4] {
-        scene.settings.integrator = Integrator::Path {
-            max_depth: Some(depth),
-            rr_depth: 5,
-            hide_emitters: false,
-        };
+        let scene = blocker_in_glass(depth);
         assert!(is_refused(&scene, "thing.translate.x"), "depth {depth}");
     }
+}
+
+/// The derivative of the light of which nothing is missing is the same whether its tracers know what
+/// the whole has found out about the motion, or find it out themselves. Parts of it are no parts of
+/// the whole.
+#[test]
+fn the_rest_is_a_work_of_its_own() {
+    let prepared = PreparedScene::new(blocker_in_glass(4));
+    let tangent = tangent(
+        prepared.scene(),
+        "thing.translate.x + 0.1*sensor.translate.x",
+    );
+    let options = GradientOptions {
+        allow_missing: AllowMissing { specular: true },
+        ..RenderOptions::new(8, 3).into()
+    };
+    let work = |options| GradientWork::new(&prepared, Cow::Borrowed(&tangent), options);
+    let whole = work(options);
+    let image = whole.whole(&Unwatched).expect("covered in part");
+    assert!(image.missing.is_some());
+    let chosen = whole.chosen(&Unwatched).expect("a method").options;
+    let rest = whole.of_rest().whole(&Unwatched).expect("covered");
+    let fresh = work(chosen).of_rest().whole(&Unwatched).expect("covered");
+    assert_eq!(rest.gradient, fresh.gradient);
+    assert_ne!(rest.value, image.value);
+    let part = Part::whole(whole.grid());
+    let part = whole.of_rest().part(&part, &Unwatched).expect("a part");
+    assert!(whole.finish(part).is_err());
 }
 
 /// What moves in a mirror, seen under parallel rays, is refused; what moves beside the

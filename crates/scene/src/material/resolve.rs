@@ -52,12 +52,16 @@ impl Resolver {
     /// Goes over to another checked scene. Tables for the same numbers stay: they take long to
     /// make.
     pub fn update(&mut self, scene: &Scene) {
-        let known = std::mem::take(&mut self.coats);
-        let table = |distribution: Distribution, alpha: f64, eta: f64| {
-            let mut known = known.iter().flatten();
-            let same = known.find(|table| table.is_for(distribution, alpha, eta));
-            let new = || Arc::new(RoughTransmittance::new(distribution, alpha, eta));
-            same.cloned().unwrap_or_else(new)
+        let known = std::mem::take(&mut self.coats).into_iter().flatten();
+        let mut known: Vec<Arc<RoughTransmittance>> = known.collect();
+        let mut table = |distribution: Distribution, alpha: f64, eta: f64| {
+            let mut tables = known.iter();
+            if let Some(same) = tables.find(|table| table.is_for(distribution, alpha, eta)) {
+                return Arc::clone(same);
+            }
+            let new = Arc::new(RoughTransmittance::new(distribution, alpha, eta));
+            known.push(Arc::clone(&new));
+            new
         };
         let number = |id: TextureId| scene.texture(id).texel(0).r;
         let coats = scene

@@ -33,8 +33,8 @@ pub fn check(
         false => 4,
     };
     let part = limit.map(|limit| limit / parts);
-    let progress = Progress::new("gradient", part);
     let work = prepared.gradient_work(tangent, &options.gradient)?;
+    let progress = Progress::new("gradient", part);
     let gradient = work.chosen(&progress);
     let gradient = gradient.and_then(|chosen| Ok((chosen, work.whole(&progress)?)));
     let mut gradient_seconds = progress.finish().as_secs_f64();
@@ -46,6 +46,7 @@ pub fn check(
         gradient = rest?;
     }
 
+    drop(work); // what it knows of the motion can be large
     let rest = limit.map(|limit| limit.saturating_sub(started.elapsed()));
     let progress = Progress::new("reference", rest);
     let check = prepared.checked(gradient, tangent, reference, &chosen.options, &progress);

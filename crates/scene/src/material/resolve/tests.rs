@@ -325,6 +325,18 @@ fn rough_coats_have_their_table() {
     assert_eq!((lobe.alpha, lobe.eta), (0.3, 1.5));
     let expected = RoughTransmittance::new(distribution, 0.3, 1.5);
     assert_eq!(*lobe.transmittance, expected);
+    // Tables are kept as long as their numbers are the same.
+    let mut resolver = Resolver::new(&materials.0);
+    let table =
+        |resolver: &Resolver| Arc::clone(resolver.coats.iter().flatten().next().expect("one"));
+    let first = table(&resolver);
+    materials.0.texture_mut(coat.diffuse_reflectance).data[0] = 0.5;
+    resolver.update(&materials.0);
+    assert!(Arc::ptr_eq(&first, &table(&resolver)));
+    materials.0.texture_mut(alpha).data[0] = 0.2;
+    resolver.update(&materials.0);
+    let expected = RoughTransmittance::new(distribution, 0.2, 1.5);
+    assert_eq!(*table(&resolver), expected);
     // Its tables cannot be made where the coat is no surface, or smooth.
     materials.0.texture_mut(coat.int_ior).data[0] = 1.0;
     assert!(materials.problem().contains("index of its outside"));
