@@ -170,6 +170,17 @@ impl Accel {
         }
     }
 
+    /// The tree for rays.
+    pub fn rays(&self) -> &RayTree {
+        &self.rays
+    }
+
+    /// True if some emitter lies in the plane of another surface: rays that meet both meet the
+    /// emitter.
+    pub fn has_flush_emitters(&self) -> bool {
+        self.flush.is_some()
+    }
+
     /// Points this close (world units) to a plane lie in it, as far as ray hits
     /// are precise.
     pub fn horizon_distance(&self) -> f64 {

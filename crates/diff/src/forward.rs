@@ -220,9 +220,11 @@ impl<'a> GradientWork<'a> {
                 numbers: [a, b, c, d, e, f, missing],
                 cone_queries: counts.queries.get(),
                 uncovered: counts.uncovered.get(),
+                ..Sample::default()
             }
         };
-        tiles::average(scene, sampling, counts, work, part, watch, sample)
+        let take = tiles::one_by_one(sample);
+        tiles::average(scene, sampling, counts, work, part, watch, take)
     }
 
     fn boundaries(&self) -> &'a Boundaries {

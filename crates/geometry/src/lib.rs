@@ -19,7 +19,7 @@ mod mesh;
 pub mod oracle;
 mod query;
 pub mod ray;
-mod simd;
+pub mod simd;
 #[cfg(test)]
 mod tests;
 pub mod topology;
@@ -32,7 +32,8 @@ pub use local_frame::LocalFrame;
 pub use mesh::{Mesh, MeshError};
 pub use query::buffers;
 pub use query::{
-    ConeQuery, EdgeSelection, EdgeSubset, HalfSpace, RayTree, SilhouettePoint, SilhouetteTree,
+    ConeQuery, EdgeSelection, EdgeSubset, HalfSpace, Packet, PacketTree, RayTree, SilhouettePoint,
+    SilhouetteTree,
 };
 pub use ray::{Hit, Ray};
 pub use wedge::{Apex, Wedge, WedgePoint};

@@ -14,6 +14,7 @@ mod gather;
 mod lanes;
 mod local_cone;
 mod oriented_box;
+pub mod packet_tree;
 mod pseudo_angle;
 mod ray_kernel;
 mod ray_tree;
@@ -24,5 +25,6 @@ mod validate;
 
 pub use cone_query::{ConeQuery, EdgeSelection, HalfSpace, SilhouettePoint};
 pub use edge_subset::EdgeSubset;
+pub use packet_tree::{Packet, PacketTree};
 pub use ray_tree::RayTree;
 pub use silhouette_tree::SilhouetteTree;

@@ -16,4 +16,4 @@ mod scalar;
 mod vectors;
 
 pub use instructions::Instructions;
-pub use vectors::{ESTIMATE_ERROR, F32x8, F64x4, Job, Lanes, Simd};
+pub use vectors::{Computation, ESTIMATE_ERROR, F32x8, F64x4, Lanes, Simd};

@@ -2,6 +2,7 @@
 
 mod buffers;
 mod meshes;
+mod packets;
 mod rays;
 mod silhouettes;
 mod wedges;

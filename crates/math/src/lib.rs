@@ -13,6 +13,7 @@
 
 pub mod affine;
 pub mod dual;
+pub mod elementary;
 pub mod frame;
 pub mod near_key;
 pub mod quadrature;

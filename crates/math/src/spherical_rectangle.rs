@@ -8,6 +8,8 @@
 
 use std::f64::consts::TAU;
 
+use crate::elementary::{angle_of, sin_cos};
+
 /// A rectangle whose plane is closer to the viewpoint than this fraction of its distance
 /// cannot be told from one that is seen from within its plane: more than rounding.
 const IN_ITS_PLANE: f64 = 1e-12;
@@ -30,7 +32,7 @@ pub struct SphericalRectangle {
 }
 
 /// The product of two complex numbers.
-#[inline]
+#[inline(always)]
 fn times([a, b]: [f64; 2], [c, d]: [f64; 2]) -> [f64; 2] {
     [a * c - b * d, a * d + b * c]
 }
@@ -40,6 +42,13 @@ impl SphericalRectangle {
     /// positive, or so small that the viewpoint is in the plane.
     #[inline]
     pub fn new(x: [f64; 2], y: [f64; 2], z: f64) -> Option<Self> {
+        let (seen, is_in_front) = Self::seen(x, y, z);
+        is_in_front.then_some(seen)
+    }
+
+    /// The same without a branch, and whether there is one; if not, its solid angle is zero.
+    #[inline(always)]
+    pub fn seen(x: [f64; 2], y: [f64; 2], z: f64) -> (Self, bool) {
         let ([x0, x1], [y0, y1], z2) = (x, y, z * z);
         let [xx0, xx1, yy0, yy1] = [x0 * x0, x1 * x1, y0 * y0, y1 * y1];
         // Distances of the corners.
@@ -48,9 +57,6 @@ impl SphericalRectangle {
         let [r10, r11] = [corner(xx1, yy0), corner(xx1, yy1)];
         // False for NaN.
         let is_in_front = z > IN_ITS_PLANE * r00.max(r01).max(r10).max(r11);
-        if !is_in_front {
-            return None;
-        }
         // The angles of the rectangle on the sphere, at the ends of `y = y0` and `y = y1`:
         // where planes meet whose normals are (0, z, -y) and (-z, 0, x).
         let at_first = times([x0 * y1, z * r01], [-x0 * y0, z * r00]);
@@ -58,34 +64,32 @@ impl SphericalRectangle {
         // The solid angle is their sum, less a whole turn. More than a half turn it is only near
         // by and in front of the rectangle; elsewhere rounding made it negative.
         let [cos, sin] = times(at_first, at_last);
-        let angle = sin.atan2(cos);
+        let angle = angle_of([cos, sin]);
         let is_near = x0 < 0.0 && x1 > 0.0 && y0 < 0.0 && y1 > 0.0 && z2 < (x1 - x0) * (y1 - y0);
-        let solid_angle = match angle < 0.0 {
-            true if is_near => angle + TAU,
-            true => 0.0,
-            false => angle,
-        };
+        let if_negative = if is_near { angle + TAU } else { 0.0 };
+        let solid_angle = if angle < 0.0 { if_negative } else { angle };
         let [cos, sin] = at_first;
         let length = (cos * cos + sin * sin).sqrt();
-        Some(Self {
+        let seen = Self {
             x,
             y,
             z,
-            solid_angle,
+            solid_angle: if is_in_front { solid_angle } else { 0.0 },
             start: [cos / length, -sin / length],
             to_line: [(yy0 + z2).sqrt(), (yy1 + z2).sqrt()],
-        })
+        };
+        (seen, is_in_front)
     }
 
     /// Maps the unit square uniformly onto the rectangle on the sphere: where on the sides the
     /// direction meets the plane.
-    #[inline]
+    #[inline(always)]
     pub fn sample(&self, u: [f64; 2]) -> [f64; 2] {
         let Self { z, .. } = *self;
         let ([x0, x1], [y0, y1]) = (self.x, self.y);
         // The part of the area with smaller x: Ureña's fu = n / d, and with it
         // x = z / √(fu² + b0² - 1), of the sign of fu.
-        let (sin, cos) = (u[0] * self.solid_angle).sin_cos();
+        let (sin, cos) = sin_cos(u[0] * self.solid_angle);
         let [cos, sin] = times(self.start, [cos, sin]);
         let [to_first, to_last] = self.to_line;
         let b0 = -y0 / to_first;

@@ -157,8 +157,7 @@ mod tests {
         };
         Sample {
             numbers: [number; 3],
-            cone_queries: 0,
-            uncovered: 0,
+            ..Sample::default()
         }
     }
 
@@ -173,7 +172,8 @@ mod tests {
     fn averages(scene: &Scene, options: &RenderOptions) -> (SampleCounts, Averages) {
         let average = |options: &RenderOptions, counts: &SampleCounts| {
             let part = Part::whole(tiles::grid(scene, options));
-            tiles::average(scene, options, counts, None, &part, &Unwatched, event)
+            let take = tiles::one_by_one(event);
+            tiles::average(scene, options, counts, None, &part, &Unwatched, take)
         };
         let known = OnceLock::new();
         let counts = sample_counts(&known, scene, options, &Unwatched, 0, |pilot, _| {

@@ -22,7 +22,7 @@ use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::Tracer;
 
 /// First of the two random numbers that choose the place on the film.
-const FILM: u32 = 0;
+pub const FILM: u32 = 0;
 /// The random number that chooses between the two densities of film points.
 const FILM_CHOICE: u32 = 2;
 /// Share of film points drawn uniformly over the support: the derivative of a

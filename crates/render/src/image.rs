@@ -2,7 +2,6 @@
 
 use std::sync::OnceLock;
 
-use capwalk_boundary::{Counts, Draw};
 use capwalk_scene::fingerprint;
 
 use crate::adaptive;
@@ -12,8 +11,8 @@ use crate::options::{RenderOptions, Watch};
 use crate::part_error::PartError;
 use crate::partial::Partial;
 use crate::prepared::PreparedScene;
-use crate::scene_eval::Primal;
-use crate::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
+use crate::primal_tracer::PrimalTracer;
+use crate::tiles::{self, Averages, PixelSums, SampleCounts, SamplePlace};
 use crate::tracer::Tracer;
 
 /// The image of a scene, with its standard error.
@@ -83,20 +82,10 @@ impl<'a> RenderWork<'a> {
         part: &Part,
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
-        let prepared = self.prepared;
-        let (tracer, eval) = (Tracer::primal(prepared), Primal(prepared.accel()));
-        let sample = |pixel: [u32; 2], stream: &_| {
-            let draw = Draw {
-                stream,
-                counts: &Counts::default(),
-            };
-            Sample {
-                numbers: tracer.pixel(&eval, pixel, draw).to_array(),
-                cone_queries: 0,
-                uncovered: 0,
-            }
-        };
-        tiles::average(prepared.scene(), options, counts, work, part, watch, sample)
+        let (prepared, scene) = (self.prepared, self.prepared.scene());
+        let tracer = PrimalTracer::new(Tracer::primal(prepared), prepared);
+        let take = |places: &[SamplePlace], taken: &mut Vec<_>| tracer.take(places, taken);
+        tiles::average(scene, options, counts, work, part, watch, take)
     }
 
     fn rendering(&self, sums: Vec<PixelSums>) -> Rendering {

@@ -157,7 +157,7 @@ pub fn sample_lights(
 
 /// Largest solid angle of an emitter, steradians, of which points alone are sampled at diffuse
 /// surfaces: in a wider one cosines differ much.
-const NARROW: f64 = 1.0;
+pub const NARROW: f64 = 1.0;
 
 /// True if directions from the material would add more time than they take noise away:
 /// where light comes from one area emitter, which is not wide, to a surface that scatters it
@@ -180,7 +180,7 @@ fn is_sampled_well(
 
 /// Weight of a sample of density `own` that the density `other` could have
 /// drawn too (Veach 1997, power heuristic with exponent 2).
-#[inline]
+#[inline(always)]
 pub fn power_heuristic(own: f64, other: f64) -> f64 {
     own * own / (own * own + other * other)
 }

@@ -37,7 +37,7 @@ use crate::tracer::{LeavesOut, Moving, Tracer};
 use crate::vertex::Vertex;
 
 /// Largest probability that a path survives roulette.
-const RR_MAX: f64 = 0.95;
+pub const RR_MAX: f64 = 0.95;
 /// Smallest one for derivatives: a path that carries no light may carry a
 /// derivative, such as that of a black material's reflectance.
 const RR_MIN: f64 = 0.05;

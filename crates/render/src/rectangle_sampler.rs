@@ -86,11 +86,30 @@ impl RectangleSampler {
     /// The rectangle as it is seen from a point; `None` if that is not in front of it.
     #[inline]
     pub fn seen_from(&self, viewpoint: Vec3) -> Option<SphericalRectangle> {
+        let (seen, is_in_front) = self.seen(viewpoint);
+        is_in_front.then_some(seen)
+    }
+
+    /// The same without a branch, and whether the point is in front of it; if not, its solid angle
+    /// is zero.
+    #[inline(always)]
+    pub fn seen(&self, viewpoint: Vec3) -> (SphericalRectangle, bool) {
         let offset = self.corner - viewpoint;
         let [x, y] = self.sides.map(|side| side.dot(offset));
         let [width, height] = self.lengths;
         let bounds = [[x, x + width], [y, y + height]];
-        SphericalRectangle::new(bounds[0], bounds[1], -self.normal.dot(offset))
+        SphericalRectangle::seen(bounds[0], bounds[1], -self.normal.dot(offset))
+    }
+
+    /// A point of it, uniform by solid angle, from the viewpoint.
+    #[inline(always)]
+    pub fn offset(&self, seen: &SphericalRectangle, u: [f64; 2]) -> Vec3 {
+        self.at(seen, seen.sample(u))
+    }
+
+    #[inline(always)]
+    fn at(&self, seen: &SphericalRectangle, [x, y]: [f64; 2]) -> Vec3 {
+        self.sides[0] * x + self.sides[1] * y - self.normal * seen.z
     }
 
     /// A point of it, uniform by solid angle.
@@ -107,7 +126,7 @@ impl RectangleSampler {
         let [wb, wc] = weights[face];
         let wb = wb.clamp(0.0, 1.0);
         RectanglePoint {
-            offset: self.sides[0] * x + self.sides[1] * y - self.normal * seen.z,
+            offset: self.at(seen, [x, y]),
             face: face as u32,
             barycentric: [wb, wc.clamp(0.0, 1.0 - wb)],
         }

@@ -1,5 +1,6 @@
 //! The parallel loop over pixels and samples.
 
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use capwalk_boundary::{Sampler, Stream, pool};
@@ -25,6 +26,44 @@ pub struct Sample<const C: usize> {
     pub cone_queries: u64,
     /// Specular events behind which outlines can move.
     pub uncovered: u64,
+    /// Its effort, in about twenty nanoseconds.
+    pub effort: u64,
+}
+
+impl<const C: usize> Default for Sample<C> {
+    fn default() -> Self {
+        Self {
+            numbers: [0.0; C],
+            cone_queries: 0,
+            uncovered: 0,
+            effort: 0,
+        }
+    }
+}
+
+/// A sample that is to be taken.
+#[derive(Clone, Copy, Debug)]
+pub struct SamplePlace {
+    /// The column and row of its pixel.
+    pub pixel: [u32; 2],
+    /// Its random numbers.
+    pub stream: Stream,
+}
+
+/// Takes samples one after the other, and counts their effort.
+pub fn one_by_one<const C: usize>(
+    sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,
+) -> impl Fn(&[SamplePlace], &mut Vec<Sample<C>>) + Sync {
+    move |places, taken| {
+        taken.extend(places.iter().map(|place| {
+            let before = effort();
+            let sample = sample(place.pixel, &place.stream);
+            Sample {
+                effort: EFFORT_OF_SAMPLE + effort().wrapping_sub(before),
+                ..sample
+            }
+        }));
+    }
 }
 
 /// Running averages of the pixels of a band, row by row.
@@ -94,6 +133,8 @@ pub const EFFORT_OF_SAMPLE: u64 = 100;
 
 /// Pixels that a worker takes at a time.
 const CHUNK: usize = 16;
+/// Samples that are taken together.
+const TOGETHER: usize = 64;
 /// The work is done in at least this many passes over the image, so that it
 /// can be stopped with all pixels nearly equally far.
 const PASSES: u32 = 32;
@@ -135,8 +176,8 @@ impl SampleCounts {
     }
 }
 
-/// Averages the samples of the cells of a part, so many of each pixel. `sample(pixel, stream)`
-/// gets the pixel's column and row. The same to the bit for every number of threads and every
+/// Averages the samples of the cells of a part, so many of each pixel. `take_some` appends the samples
+/// of some places, in their order, each of which must not depend on the others. The same to the bit for every number of threads and every
 /// way to cut the work: each pixel adds the samples of a batch in order, and then the batches.
 ///
 /// `work` is the fingerprint of a work that is cut: then only cells that were finished
@@ -148,7 +189,7 @@ pub fn average<const C: usize>(
     work: Option<u64>,
     part: &Part,
     watch: &dyn Watch,
-    sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,
+    take_some: impl Fn(&[SamplePlace], &mut Vec<Sample<C>>) + Sync,
 ) -> Partial<PixelSums> {
     let sampler = Sampler::new(&scene.settings, options.seed, options.spp);
     let group = sampler.group();
@@ -179,42 +220,60 @@ pub fn average<const C: usize>(
             if watch.should_stop() {
                 return;
             }
-            let mut work = 0;
-            let pixels = moments.chunks_exact_mut(C).zip(tallies);
-            for (pixel, (moments, tally)) in (first..).zip(pixels) {
-                let position = [pixel % width, pixel / width];
-                let of_batch = samples_of(batch, pixel);
-                let of_pass = Grid::part(of_batch.len() as u32, group, passes, pass);
-                let effort_before = effort();
-                let mut start = of_batch.start + of_pass.start;
-                let stop = of_batch.start + of_pass.end;
-                work += u64::from(stop - start);
-                while start < stop {
-                    // Samples that depend on each other count as one number: their mean.
-                    let end = stop.min(start + group);
-                    let mut sum = [0.0; C];
-                    for number in start..end {
-                        let stream = sampler.stream(u64::from(pixel), number);
-                        let sample = sample(position, &stream);
-                        tally.cone_queries += sample.cone_queries;
-                        tally.uncovered += sample.uncovered;
-                        if sample.numbers.iter().all(|x| x.abs() <= LARGEST_NUMBER) {
-                            sum.iter_mut()
-                                .zip(sample.numbers)
-                                .for_each(|(s, x)| *s += x);
-                        } else {
-                            tally.non_finite += 1;
-                        }
-                    }
-                    for (moments, sum) in moments.iter_mut().zip(sum) {
-                        moments.add(sum / f64::from(end - start));
-                    }
-                    tally.samples += end - start;
-                    start = end;
+            // Which samples of each pixel.
+            let numbers: Vec<Range<u32>> = (first..)
+                .zip(&*tallies)
+                .map(|(pixel, _)| {
+                    let of_batch = samples_of(batch, pixel);
+                    let of_pass = Grid::part(of_batch.len() as u32, group, passes, pass);
+                    of_batch.start + of_pass.start..of_batch.start + of_pass.end
+                })
+                .collect();
+            let work = numbers.iter().map(|range| range.len() as u64).sum();
+            let mut wanted = numbers
+                .iter()
+                .enumerate()
+                .flat_map(|(i, range)| range.clone().map(move |number| (i, number)));
+            let (mut of, mut places, mut taken) = (Vec::new(), Vec::new(), Vec::new());
+            // Samples that depend on each other count as one number: their mean.
+            let (mut sum, mut count) = ([0.0; C], 0);
+            loop {
+                of.clear();
+                of.extend(wanted.by_ref().take(TOGETHER));
+                if of.is_empty() {
+                    break;
                 }
-                let queries = effort().wrapping_sub(effort_before);
-                tally.effort +=
-                    queries + EFFORT_OF_SAMPLE * u64::from(stop - of_batch.start - of_pass.start);
+                places.clear();
+                places.extend(of.iter().map(|&(i, number)| {
+                    let pixel = first + i as u32;
+                    SamplePlace {
+                        pixel: [pixel % width, pixel / width],
+                        stream: sampler.stream(u64::from(pixel), number),
+                    }
+                }));
+                taken.clear();
+                take_some(&places, &mut taken);
+                for (&(i, number), sample) in of.iter().zip(&taken) {
+                    let tally = &mut tallies[i];
+                    tally.cone_queries += sample.cone_queries;
+                    tally.uncovered += sample.uncovered;
+                    tally.effort += sample.effort;
+                    if sample.numbers.iter().all(|x| x.abs() <= LARGEST_NUMBER) {
+                        let sums = sum.iter_mut().zip(sample.numbers);
+                        sums.for_each(|(s, x)| *s += x);
+                    } else {
+                        tally.non_finite += 1;
+                    }
+                    count += 1;
+                    if count == group || number + 1 == numbers[i].end {
+                        let moments = &mut moments[i * C..(i + 1) * C];
+                        for (moments, sum) in moments.iter_mut().zip(sum) {
+                            moments.add(sum / f64::from(count));
+                        }
+                        tally.samples += count;
+                        (sum, count) = ([0.0; C], 0);
+                    }
+                }
             }
             let before = done.fetch_add(work, Ordering::Relaxed);
             watch.progress(before + work, total);
@@ -365,14 +424,13 @@ mod tests {
             None,
             &part,
             &Unwatched,
-            |_, stream| Sample {
+            one_by_one(|_, stream| Sample {
                 numbers: match bad(stream) {
                     true => BAD[(10.0 * stream.number(1)) as usize % BAD.len()],
                     false => [1.0; 3],
                 },
-                cone_queries: 0,
-                uncovered: 0,
-            },
+                ..Sample::default()
+            }),
         );
         let sums = partial.into_sums();
         let averages = Averages::new(sums);

@@ -114,6 +114,11 @@ impl TriangleSampler {
         }
     }
 
+    /// All of it, if it is a rectangle.
+    pub fn rectangle(&self) -> Option<&RectangleSampler> {
+        self.rectangle.as_ref()
+    }
+
     /// Centre and radius of a ball around the mesh.
     pub fn ball(&self) -> (Vec3, f64) {
         (self.nodes[0].centre, self.nodes[0].radius)

@@ -17,7 +17,7 @@ use super::pseudo_angle::{Limit, pseudo_angle};
 use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Child, ChildKind, WIDTH};
 use crate::effort::{CLOSEST, add_effort_of};
-use crate::simd::{Job, Simd};
+use crate::simd::{Computation, Simd};
 
 impl SilhouetteTree {
     /// As [`closest`](Self::closest), among the edges whose closest point `counts`
@@ -98,7 +98,7 @@ impl Ord for Tested {
     }
 }
 
-impl<F: Fn(&SilhouettePoint) -> bool> Job for ClosestWhere<'_, F> {
+impl<F: Fn(&SilhouettePoint) -> bool> Computation for ClosestWhere<'_, F> {
     type Output = Option<SilhouettePoint>;
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Option<SilhouettePoint> {

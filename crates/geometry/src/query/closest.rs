@@ -17,7 +17,7 @@ use super::pseudo_angle::{Limit, pseudo_angle};
 use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Buckets, ChildKind, WIDTH, for_each_sorted};
 use crate::effort::{CLOSEST, add_effort_of};
-use crate::simd::{Job, Simd};
+use crate::simd::{Computation, Simd};
 
 impl SilhouetteTree {
     /// The boundary point under the smallest angle to the axis, Algorithm 5; of
@@ -155,7 +155,7 @@ impl Search<'_> {
     }
 }
 
-impl Job for Closest<'_> {
+impl Computation for Closest<'_> {
     type Output = Option<SilhouettePoint>;
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Option<SilhouettePoint> {

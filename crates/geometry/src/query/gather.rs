@@ -13,7 +13,7 @@ use super::pseudo_angle::Limit;
 use super::silhouette_tree::SilhouetteTree;
 use crate::bvh::{Child, ChildKind, MAX_DEPTH, WIDTH};
 use crate::effort::{CLOSEST, FOUND, add_effort, add_effort_of};
-use crate::simd::{Job, Simd};
+use crate::simd::{Computation, Simd};
 
 impl SilhouetteTree {
     /// Calls `visit` with every boundary edge that meets the cone and its ends, in
@@ -54,7 +54,7 @@ const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + WIDTH;
 /// taken without the exact test: more than the rounding of the limit itself.
 const CERTAINLY_WITHIN: f32 = 1.0 - 8.0 * f32::EPSILON;
 
-impl<F: FnMut(u32, [Vec3; 2])> Job for Gather<'_, F> {
+impl<F: FnMut(u32, [Vec3; 2])> Computation for Gather<'_, F> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) {

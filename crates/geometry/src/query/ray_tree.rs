@@ -13,7 +13,7 @@ use crate::effort::{RAY, add_effort_of};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::ray::{Hit, Ray};
-use crate::simd::{Instructions, Job, Simd};
+use crate::simd::{Computation, Instructions, Simd};
 
 /// Triangles per leaf: as many as are tested at a time.
 pub(super) const LEAF_SIZE: usize = ray_kernel::LANES;
@@ -136,7 +136,7 @@ struct FirstHit<'a> {
     ray: &'a Ray,
 }
 
-impl Job for FirstHit<'_> {
+impl Computation for FirstHit<'_> {
     type Output = Option<Hit>;
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Option<Hit> {
@@ -186,7 +186,7 @@ struct Occluded<'a> {
     ray: &'a Ray,
 }
 
-impl Job for Occluded<'_> {
+impl Computation for Occluded<'_> {
     type Output = bool;
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> bool {

@@ -8,7 +8,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::vectors::{F32x8, F64x4, Job, Lanes, Simd};
+use super::vectors::{Computation, F32x8, F64x4, Lanes, Simd};
 
 /// Proof that the processor has AVX2 and fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,9 +22,9 @@ impl Avx2 {
 
     /// Runs the job compiled for AVX2.
     #[inline]
-    pub fn run<J: Job>(self, job: J) -> J::Output {
+    pub fn run<J: Computation>(self, job: J) -> J::Output {
         #[target_feature(enable = "avx2,fma")]
-        fn compiled<J: Job>(avx2: Avx2, job: J) -> J::Output {
+        fn compiled<J: Computation>(avx2: Avx2, job: J) -> J::Output {
             job.run(avx2)
         }
         // SAFETY: `self` proves that the processor has the features.
@@ -168,6 +168,16 @@ impl F32x8 for F32x8Avx2 {
     fn rsqrt_estimate(self) -> Self {
         // SAFETY: as above.
         Self(unsafe { _mm256_rsqrt_ps(self.0) })
+    }
+    #[inline(always)]
+    fn replaced(self, mask: u32, other: Self) -> Self {
+        // SAFETY: as above.
+        unsafe {
+            let bits = _mm256_setr_epi32(1, 2, 4, 8, 16, 32, 64, 128);
+            let own = _mm256_and_si256(_mm256_set1_epi32(mask as i32), bits);
+            let is_set = _mm256_castsi256_ps(_mm256_cmpeq_epi32(own, bits));
+            Self(_mm256_blendv_ps(self.0, other.0, is_set))
+        }
     }
     #[inline(always)]
     fn select_by_sign(self, negative: Self, other: Self) -> Self {

@@ -3,7 +3,7 @@
 #[cfg(target_arch = "x86_64")]
 use super::avx2::Avx2;
 use super::scalar::Scalar;
-use super::vectors::Job;
+use super::vectors::Computation;
 
 /// An instruction set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,7 +27,7 @@ impl Instructions {
 
     /// Runs the job compiled for these instructions.
     #[inline]
-    pub fn run<J: Job>(self, job: J) -> J::Output {
+    pub fn run<J: Computation>(self, job: J) -> J::Output {
         match self {
             Self::Scalar => job.run(Scalar),
             #[cfg(target_arch = "x86_64")]

@@ -150,6 +150,14 @@ impl F32x8 for Array<f32, 8> {
         Self(self.0.map(|v| v.sqrt().recip()))
     }
     #[inline(always)]
+    fn replaced(self, mask: u32, other: Self) -> Self {
+        let lane = |i: usize| match mask >> i & 1 {
+            0 => self.0[i],
+            _ => other.0[i],
+        };
+        Self(std::array::from_fn(lane))
+    }
+    #[inline(always)]
     fn select_by_sign(self, negative: Self, other: Self) -> Self {
         Self(std::array::from_fn(|i| {
             if self.0[i].is_sign_negative() {

@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Sub};
 /// A computation that is compiled for each instruction set. Implementations
 /// of `run`, and what they call, must be `#[inline(always)]`: only then are
 /// they compiled with the instructions.
-pub trait Job {
+pub trait Computation {
     /// What it computes.
     type Output;
     /// Computes it.
@@ -63,6 +63,8 @@ pub trait F32x8: Lanes {
     fn recip_estimate(self) -> Self;
     /// About one over the square root of each number, as precise.
     fn rsqrt_estimate(self) -> Self;
+    /// The lanes of `other` where the mask has a bit, else of `self`.
+    fn replaced(self, mask: u32, other: Self) -> Self;
     /// Lanes of `negative` where `self` has its sign bit set, else of `other`.
     fn select_by_sign(self, negative: Self, other: Self) -> Self;
     /// The numbers.

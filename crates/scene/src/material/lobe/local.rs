@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
+use capwalk_math::elementary::sin_cos;
 use capwalk_math::{Real, Rgb, Vec3};
 
 /// The direction on the side of `+z`: mirrored at the surface if below it.
@@ -41,9 +42,9 @@ pub fn turned_outside<R: Real>(wi: Vec3<R>, wo: Vec3<R>, eta: R) -> (Vec3<R>, Ve
 
 /// Draws a direction with density `cos / π`: a uniform point of the unit disk
 /// lifted to the hemisphere (Malley).
-#[inline]
+#[inline(always)]
 pub fn sample_cosine(u: [f64; 2]) -> Vec3 {
-    let (sin_phi, cos_phi) = (2.0 * PI * u[1]).sin_cos();
+    let (sin_phi, cos_phi) = sin_cos(2.0 * PI * u[1]);
     let radius = u[0].sqrt();
     Vec3::new(radius * cos_phi, radius * sin_phi, (1.0 - u[0]).sqrt())
 }

@@ -1,0 +1,138 @@
+//! Packets of rays against brute force.
+
+use capwalk_math::Vec3;
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+use super::meshes;
+use crate::query::packet_tree::RAYS;
+use crate::{Mesh, Packet, PacketTree, Ray, RayTree, oracle};
+
+/// Numbers that are spread evenly between 0 and 1, by a number of their own.
+fn spread(i: u64) -> f64 {
+    (i as f64 * 0.618_033_988_749_894_9).fract()
+}
+
+/// Rays between points in and around a mesh, some of which start on it, and some of which end.
+fn packets(mesh: &Mesh, seed: u64) -> Vec<Packet> {
+    let (low, high) = mesh.bounds();
+    let size = high - low;
+    let point = |i: u64| {
+        let at = [3, 5, 7].map(|k| 1.6 * spread(k * (i + 17 * seed)) - 0.3);
+        low + Vec3::new(size.x * at[0], size.y * at[1], size.z * at[2])
+    };
+    let on_face = |i: u64| {
+        let face = (spread(11 * (i + seed)) * mesh.faces.len() as f64) as usize;
+        let [a, b, c] = mesh.corners(face);
+        let [u, v] = [
+            0.1 + 0.4 * spread(13 * i + seed),
+            0.1 + 0.4 * spread(19 * i + seed),
+        ];
+        a + (b - a) * u + (c - a) * v
+    };
+    let packet = |number: u64| {
+        let mut packet = Packet::EMPTY;
+        for ray in 0..RAYS {
+            let i = 8 * number + ray as u64;
+            let from = if i.is_multiple_of(3) {
+                on_face(i)
+            } else {
+                point(2 * i)
+            };
+            let to = if i.is_multiple_of(5) {
+                on_face(i + 1)
+            } else {
+                point(2 * i + 1)
+            };
+            let offset = to - from;
+            let distance = offset.length();
+            // Some lanes are not asked for.
+            if !i.is_multiple_of(7) && distance > 0.0 {
+                let most = if i.is_multiple_of(2) {
+                    distance
+                } else {
+                    f64::INFINITY
+                };
+                packet.set(ray, from, offset / distance, [0.0, most]);
+            }
+        }
+        packet
+    };
+    (0..24).map(packet).collect()
+}
+
+/// Two balls above a floor.
+fn balls() -> Mesh {
+    let mut mesh = meshes::sheet(2, |_, _| 0.0);
+    for (x, radius) in [(-0.4, 0.3), (0.5, 0.2)] {
+        let mut ball = meshes::ball(6, |_| radius);
+        let place = |p: &mut Vec3| *p += Vec3::new(x, 0.2 * x, 0.45);
+        ball.positions.iter_mut().for_each(place);
+        mesh.append(&ball);
+    }
+    mesh
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 96,
+        rng_seed: RngSeed::Fixed(7),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    /// The tree finds what asking each triangle finds, whatever the other rays of a packet and the
+    /// instructions.
+    #[test]
+    fn packets_are_those_of_brute_force((mesh, _) in meshes::mesh(), seed in 0..1000_u64) {
+        let tree = PacketTree::new(&RayTree::build(&mesh), &mesh);
+        let others = [tree.clone().without_simd(), tree.clone().flat()];
+        for packet in packets(&mesh, seed) {
+            let (faces, hidden) = (tree.first_hits(&packet), tree.occluded(&packet));
+            for other in &others {
+                prop_assert_eq!(faces, other.first_hits(&packet));
+                prop_assert_eq!(hidden, other.occluded(&packet));
+            }
+            for (ray, &face) in faces.iter().enumerate() {
+                let bit = 1 << ray;
+                let alone = Packet { mask: packet.mask & bit, ..packet };
+                prop_assert_eq!(tree.first_hits(&alone)[ray], face);
+                prop_assert_eq!(tree.occluded(&alone), hidden & bit);
+            }
+        }
+    }
+}
+
+/// In a scene of shapes that are not small, packets find what single rays do, but for rays that pass
+/// an edge, start or end so near that single precision does not resolve it.
+#[test]
+fn packets_find_what_rays_do() {
+    let mesh = balls();
+    let tree = PacketTree::new(&RayTree::build(&mesh), &mesh);
+    let (mut asked, mut differ) = (0, 0);
+    for seed in 0..400 {
+        for packet in packets(&mesh, seed) {
+            let (faces, hidden) = (tree.first_hits(&packet), tree.occluded(&packet));
+            for lane in (0..RAYS).filter(|&lane| packet.mask >> lane & 1 == 1) {
+                let of =
+                    |vectors: &[[f64; RAYS]; 3]| Vec3::from([0, 1, 2].map(|k| vectors[k][lane]));
+                let ray = Ray {
+                    t_min: 10.0 * tree.in_plane(),
+                    t_max: packet.range[1][lane] - 10.0 * tree.in_plane(),
+                    ..Ray::new(of(&packet.origin), of(&packet.direction))
+                };
+                let expected = oracle::first_hit(&mesh, &ray).map(|hit| hit.face);
+                asked += 1;
+                let found = Some(faces[lane]).filter(|&face| face != u32::MAX);
+                // The packet's ray goes on beyond its end by what lies in a plane.
+                let same = found == expected || (expected.is_none() && hidden >> lane & 1 == 0);
+                differ += usize::from(!same || (hidden >> lane & 1 == 1) != expected.is_some());
+            }
+        }
+    }
+    println!("{differ} of {asked} differ");
+    assert!(
+        asked > 50_000 && differ * 2000 < asked,
+        "{differ} of {asked}"
+    );
+}

@@ -1,0 +1,319 @@
+//! Eight samples of the primal image at a time, where scenes allow it: all surfaces are diffuse,
+//! and all light comes from one rectangle.
+//!
+//! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
+//! compares them one by one. But rays come in packets, whose arithmetic is in single precision
+//! ([`PacketTree`]), and everything else in loops over the lanes without a branch, of which the
+//! compiler makes vectors. A ray that passes an edge within a millionth of the scene may find
+//! another face than it does there: that moves edges by far less than any noise shows.
+
+mod scene;
+mod step;
+#[cfg(test)]
+mod tests;
+mod vectors;
+
+use capwalk_boundary::{Accel, Stream};
+use capwalk_geometry::{Packet, PacketTree};
+
+use crate::film::FILM;
+use crate::pixel::Supports;
+use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, Plan};
+use crate::prepared::PreparedScene;
+use crate::radiance::RR_MAX;
+use crate::tiles::{Sample, SamplePlace};
+use crate::tracer::{LeavesOut, Tracer};
+use scene::{LaneScene, NOTHING};
+use step::{Brdf, Lit, Vertices};
+use vectors::{LANES, Vectors};
+
+/// In scenes of more triangles, rays that were reflected at random have little in common: each is
+/// traced by itself.
+const MOST_IN_PACKETS: usize = 4096;
+
+/// The effort of a sample besides its rays, and of how many levels of the tree a ray has an effort of
+/// one: measured on a room of 36 triangles.
+const EFFORT_OF_LANE: u64 = 10;
+const LEVELS_PER_EFFORT: u64 = 3;
+
+/// Takes samples of the pixels of a scene, eight at a time.
+pub struct LaneTracer<'a> {
+    accel: &'a Accel,
+    supports: Supports,
+    plan: Plan,
+    scene: LaneScene<'a>,
+    packets: PacketTree,
+    levels: u64,
+}
+
+/// Eight paths.
+struct Paths {
+    streams: [Stream; LANES],
+    light: Vectors,
+    throughput: Vectors,
+    vertices: Vertices,
+    /// What they hit, or [`NOTHING`].
+    faces: [u32; LANES],
+    /// How many rays each has taken.
+    rays: [u64; LANES],
+}
+
+/// The numbers of the lanes with a bit in the mask.
+fn lanes_of(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = mask.trailing_zeros() as usize;
+        mask &= mask.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    })
+}
+
+impl<'a> LaneTracer<'a> {
+    /// A tracer that does the same as another one; `None` if the scene does not allow it.
+    pub fn like(tracer: &Tracer<'a>, prepared: &'a PreparedScene) -> Option<Self> {
+        let (accel, plan) = (tracer.accel, tracer.plan);
+        let sampling = plan.sampling;
+        let is_plain = plan.aov.is_none()
+            && tracer.leaves_out == LeavesOut::Nothing
+            && tracer.moving.is_none()
+            && (sampling.emitter_samples, sampling.bsdf_samples) == (1, 1)
+            && !accel.scene.sensor.model.has_lens()
+            && !accel.has_flush_emitters();
+        let scene = is_plain.then(|| LaneScene::of(prepared))??;
+        let faces = accel.mesh.faces.len();
+        Some(Self {
+            accel,
+            supports: Supports::new(&accel.scene.film),
+            plan,
+            scene,
+            packets: PacketTree::new(accel.rays(), &accel.mesh),
+            levels: u64::from(faces.max(1).ilog2() + 2),
+        })
+    }
+
+    /// Appends the samples of some places.
+    pub fn take(&self, places: &[SamplePlace], taken: &mut Vec<Sample<3>>) {
+        for places in places.chunks(LANES) {
+            self.take_packet(places, taken);
+        }
+    }
+
+    fn take_packet(&self, places: &[SamplePlace], taken: &mut Vec<Sample<3>>) {
+        // Samples of the film, and the camera's rays through them.
+        let mut packet = Packet::EMPTY;
+        let mut weights = [0.0; LANES];
+        let view = &self.accel.view;
+        for (lane, place) in places.iter().enumerate() {
+            let support = self.supports.pixel(place.pixel);
+            let s = support.sample(0.0, 0.0, place.stream.pair(FILM));
+            weights[lane] = support.weight_over_pdf(s);
+            let ray = view.ray(view.direction(s));
+            packet.set(lane, ray.origin, ray.direction, ray.range);
+        }
+        let mut paths = Paths {
+            streams: std::array::from_fn(|i| places[i.min(places.len() - 1)].stream),
+            light: Vectors::splat([0.0; 3]),
+            throughput: Vectors::splat([1.0; 3]),
+            vertices: Vertices::new(&packet),
+            faces: self.packets.first_hits(&packet),
+            rays: [1; LANES],
+        };
+        self.add_seen(&mut paths, packet.mask);
+        self.reflect(&mut paths, packet.mask);
+        taken.extend((0..places.len()).map(|lane| Sample {
+            numbers: (paths.light.colour(lane) * weights[lane]).to_array(),
+            effort: EFFORT_OF_LANE + paths.rays[lane] * self.levels / LEVELS_PER_EFFORT,
+            ..Sample::default()
+        }));
+    }
+
+    /// Adds what the camera sees of the emitter.
+    fn add_seen(&self, paths: &mut Paths, mask: u32) {
+        if !self.plan.reaches(1) || self.plan.hide_emitters {
+            return;
+        }
+        for lane in lanes_of(mask) {
+            let direction = paths.vertices.direction.get(lane);
+            if self.scene.emits(paths.faces[lane], direction) {
+                paths.light.set_colour(lane, self.scene.radiance);
+            }
+        }
+    }
+
+    /// Adds what arrives by reflections.
+    fn reflect(&self, paths: &mut Paths, mask: u32) {
+        let plan = &self.plan;
+        let mut active = mask;
+        for depth in 0.. {
+            // The path goes on from a surface that is hit, if paths so long are sampled.
+            if !plan.reaches(depth + 2) {
+                return;
+            }
+            active = self.find_surfaces(paths, active);
+            if active == 0 {
+                return;
+            }
+            let goes_on = plan.reaches(depth + 3);
+            let first = plan.vertex_numbers(depth);
+            self.packets
+                .instructions()
+                .run(step::Surfaces(&mut paths.vertices));
+            self.add_light(paths, active, first, goes_on);
+            let of_brdf = match goes_on {
+                true => active,
+                false => active & !paths.vertices.is_sampled_well,
+            };
+            if of_brdf == 0 {
+                return;
+            }
+            self.draw_brdf(paths, of_brdf, first + EMITTER_NUMBERS);
+            if !goes_on {
+                return;
+            }
+            active = self.roulette(paths, active, depth);
+        }
+    }
+
+    /// Looks up the surfaces that were hit; one bit for each that reflects something.
+    fn find_surfaces(&self, paths: &mut Paths, active: u32) -> u32 {
+        let mut found = 0;
+        for lane in lanes_of(active) {
+            let face = paths.faces[lane];
+            if face != NOTHING && self.scene.look_up(face, lane, &mut paths.vertices) {
+                found |= 1 << lane;
+            }
+        }
+        found
+    }
+
+    /// Adds light from a point sampled on the emitter.
+    fn add_light(&self, paths: &mut Paths, active: u32, first: u32, goes_on: bool) {
+        let mut u = [[0.0; LANES]; 2];
+        for lane in lanes_of(active) {
+            // The first number would choose among several emitters.
+            let pair = paths.streams[lane].pair(first + 1);
+            (u[0][lane], u[1][lane]) = (pair[0], pair[1]);
+        }
+        let mut lit = Lit::default();
+        self.packets.instructions().run(step::Light {
+            vertices: &mut paths.vertices,
+            rectangle: self.scene.rectangle,
+            u: &u,
+            goes_on,
+            lit: &mut lit,
+        });
+        let wanted = active & lit.mask;
+        if wanted == 0 {
+            return;
+        }
+        let packet = Packet {
+            origin: paths.vertices.position.0,
+            direction: lit.direction.0,
+            range: [[0.0; LANES], lit.distance],
+            mask: wanted,
+        };
+        for lane in lanes_of(wanted) {
+            paths.rays[lane] += 1;
+        }
+        let hidden = match self.is_in_packets() {
+            true => self.packets.occluded(&packet),
+            false => {
+                let sees = |lane: &usize| {
+                    let position = paths.vertices.position.get(*lane);
+                    let (direction, distance) = (lit.direction.get(*lane), lit.distance[*lane]);
+                    !self.accel.surface_sees(position, direction, distance)
+                };
+                lanes_of(wanted)
+                    .filter(sees)
+                    .fold(0, |mask, lane| mask | 1 << lane)
+            }
+        };
+        for lane in lanes_of(wanted & !hidden) {
+            let albedo = paths.vertices.albedo.colour(lane);
+            let reflected = albedo * self.scene.radiance * lit.weight[lane];
+            let light = paths.light.colour(lane) + paths.throughput.colour(lane) * reflected;
+            paths.light.set_colour(lane, light);
+        }
+    }
+
+    /// Draws directions from the surfaces, adds what the emitter sends from there, and goes on
+    /// along them.
+    fn draw_brdf(&self, paths: &mut Paths, active: u32, first: u32) {
+        let mut u = [[0.0; LANES]; 2];
+        for lane in lanes_of(active) {
+            // The first number would choose among several lobes.
+            let pair = paths.streams[lane].pair(first + 1);
+            (u[0][lane], u[1][lane]) = (pair[0], pair[1]);
+            paths.rays[lane] += 1;
+        }
+        let mut drawn = Brdf::default();
+        self.packets.instructions().run(step::Draw {
+            vertices: &paths.vertices,
+            u: &u,
+            drawn: &mut drawn,
+        });
+        let vertices = &mut paths.vertices;
+        vertices.direction = drawn.direction;
+        vertices.origin = vertices.position;
+        paths.faces = match self.is_in_packets() {
+            true => self.packets.first_hits(&Packet {
+                origin: vertices.origin.0,
+                direction: vertices.direction.0,
+                mask: active,
+                ..Packet::EMPTY
+            }),
+            false => {
+                let mut faces = [NOTHING; LANES];
+                for lane in lanes_of(active) {
+                    let (origin, direction) =
+                        (vertices.origin.get(lane), drawn.direction.get(lane));
+                    let hit = self.accel.first_hit(origin, direction);
+                    faces[lane] = hit.map_or(NOTHING, |hit| hit.face);
+                }
+                faces
+            }
+        };
+        for lane in lanes_of(active) {
+            let next = paths.throughput.colour(lane) * vertices.albedo.colour(lane);
+            if self
+                .scene
+                .emits(paths.faces[lane], drawn.direction.get(lane))
+            {
+                let seen = next * self.scene.radiance * drawn.weight[lane];
+                let light = paths.light.colour(lane) + seen;
+                paths.light.set_colour(lane, light);
+            }
+            paths.throughput.set_colour(lane, next);
+        }
+    }
+
+    /// Ends paths that carry nothing, and long ones at random; one bit for each that goes on.
+    fn roulette(&self, paths: &mut Paths, active: u32, depth: u32) -> u32 {
+        let is_long = depth + 1 >= self.plan.rr_depth;
+        let last = self.plan.vertex_numbers(depth + 1) - 1;
+        let mut alive = 0;
+        for lane in lanes_of(active) {
+            let throughput = paths.throughput.colour(lane);
+            let most = throughput.max_component();
+            if most == 0.0 {
+                continue;
+            }
+            if is_long {
+                let survival = most.clamp(0.0, RR_MAX);
+                if paths.streams[lane].number(last) >= survival {
+                    continue;
+                }
+                paths
+                    .throughput
+                    .set_colour(lane, throughput * (1.0 / survival));
+            }
+            alive |= 1 << lane;
+        }
+        alive
+    }
+
+    fn is_in_packets(&self) -> bool {
+        self.accel.mesh.faces.len() <= MOST_IN_PACKETS
+    }
+}
+
+const _: () = assert!(BSDF_NUMBERS == 3 && EMITTER_NUMBERS == 3);

@@ -1,0 +1,211 @@
+//! The steps of eight paths: loops over the lanes without a branch, compiled for the processor's
+//! vectors.
+
+use std::f64::consts::FRAC_1_PI;
+
+use capwalk_geometry::Packet;
+use capwalk_geometry::simd::{Computation, Simd};
+use capwalk_math::{Frame, Vec3};
+use capwalk_scene::lobe::sample_cosine;
+
+use crate::lanes::vectors::{LANES, Numbers, Vectors};
+use crate::light::{NARROW, power_heuristic};
+use crate::rectangle_sampler::RectangleSampler;
+
+/// Where eight paths hit surfaces.
+#[derive(Clone, Copy, Debug)]
+pub struct Vertices {
+    /// The rays that led there.
+    pub origin: Vectors,
+    pub direction: Vectors,
+    /// A corner of the face, and its unit normal by its winding.
+    pub corner: Vectors,
+    pub face_normal: Vectors,
+    /// The unit shading normal on the outside, and 1 or -1 for the side of it that reflects.
+    pub outward: Vectors,
+    pub side: Numbers,
+    /// Fractions of light that are reflected.
+    pub albedo: Vectors,
+    /// Where they are; known after [`Surfaces`].
+    pub position: Vectors,
+    /// The solid angle under which the emitter is seen; known after [`Light`].
+    pub solid_angle: Numbers,
+    /// One bit for each at which points on the emitter are enough, see
+    /// [`sample_lights`](crate::light::sample_lights).
+    pub is_sampled_well: u32,
+}
+
+impl Vertices {
+    /// None yet, along the rays of a packet.
+    pub fn new(packet: &Packet) -> Self {
+        let up = Vectors::splat([0.0, 0.0, 1.0]);
+        let zero = Vectors::splat([0.0; 3]);
+        Self {
+            origin: Vectors(packet.origin),
+            direction: Vectors(packet.direction),
+            corner: zero,
+            face_normal: up,
+            outward: up,
+            side: [1.0; LANES],
+            albedo: zero,
+            position: zero,
+            solid_angle: [0.0; LANES],
+            is_sampled_well: 0,
+        }
+    }
+
+    /// The normal on the side that reflects.
+    #[inline(always)]
+    fn normal(&self, lane: usize) -> Vec3 {
+        self.outward.get(lane) * self.side[lane]
+    }
+}
+
+/// Intersects the rays with the planes of the faces.
+pub struct Surfaces<'a>(pub &'a mut Vertices);
+
+impl Computation for Surfaces<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let vertices = *self.0;
+        let mut position = vertices.position;
+        for lane in 0..LANES {
+            let (origin, direction) = (vertices.origin.get(lane), vertices.direction.get(lane));
+            let normal = vertices.face_normal.get(lane);
+            let t = (vertices.corner.get(lane) - origin).dot(normal) / direction.dot(normal);
+            position.set(lane, origin + direction * t);
+        }
+        self.0.position = position;
+    }
+}
+
+/// Points sampled on the emitter.
+#[derive(Clone, Copy, Debug)]
+pub struct Lit {
+    /// Unit directions to them, and their distances.
+    pub direction: Vectors,
+    pub distance: Numbers,
+    /// The cosine over π, times the weight, over the density.
+    pub weight: Numbers,
+    /// One bit for each that may be seen.
+    pub mask: u32,
+}
+
+impl Default for Lit {
+    fn default() -> Self {
+        Self {
+            direction: Vectors::splat([0.0, 0.0, 1.0]),
+            distance: [0.0; LANES],
+            weight: [0.0; LANES],
+            mask: 0,
+        }
+    }
+}
+
+/// Samples points on the emitter.
+pub struct Light<'a> {
+    pub vertices: &'a mut Vertices,
+    pub rectangle: &'a RectangleSampler,
+    pub u: &'a [Numbers; 2],
+    /// Whether the path goes on, and directions are drawn from all surfaces.
+    pub goes_on: bool,
+    pub lit: &'a mut Lit,
+}
+
+impl Computation for Light<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let Self {
+            vertices,
+            rectangle,
+            u,
+            goes_on,
+            lit,
+        } = self;
+        // Copies, which nothing else refers to.
+        let (known, u, rectangle) = (*vertices, *u, rectangle.clone());
+        let (mut directions, mut distances) = (lit.direction, [0.0; LANES]);
+        let (mut weights, mut solid_angles) = ([0.0; LANES], [0.0; LANES]);
+        let mut cosines = [0.0; LANES];
+        for lane in 0..LANES {
+            let (seen, _) = rectangle.seen(known.position.get(lane));
+            let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
+            let distance = offset.length();
+            let direction = offset * (1.0 / distance);
+            let cos = direction.dot(known.normal(lane));
+            solid_angles[lane] = seen.solid_angle;
+            directions.set(lane, direction);
+            distances[lane] = distance;
+            let own = 1.0 / seen.solid_angle;
+            let has_other = goes_on || seen.solid_angle >= NARROW;
+            let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
+            weights[lane] = cos * FRAC_1_PI * (power_heuristic(own, other) / own);
+            cosines[lane] = cos;
+        }
+        let (mut mask, mut is_sampled_well) = (0, 0);
+        for lane in 0..LANES {
+            mask |= u32::from(solid_angles[lane] > 0.0 && cosines[lane] > 0.0) << lane;
+            is_sampled_well |= u32::from(solid_angles[lane] < NARROW) << lane;
+        }
+        (vertices.solid_angle, vertices.is_sampled_well) = (solid_angles, is_sampled_well);
+        *lit = Lit {
+            direction: directions,
+            distance: distances,
+            weight: weights,
+            mask,
+        };
+    }
+}
+
+/// Directions drawn from surfaces.
+#[derive(Clone, Copy, Debug)]
+pub struct Brdf {
+    pub direction: Vectors,
+    /// That of light from the emitter, if it is seen there.
+    pub weight: Numbers,
+}
+
+impl Default for Brdf {
+    fn default() -> Self {
+        Self {
+            direction: Vectors::splat([0.0, 0.0, 1.0]),
+            weight: [0.0; LANES],
+        }
+    }
+}
+
+/// Draws directions by the cosine.
+pub struct Draw<'a> {
+    pub vertices: &'a Vertices,
+    pub u: &'a [Numbers; 2],
+    pub drawn: &'a mut Brdf,
+}
+
+impl Computation for Draw<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let Self { vertices, u, drawn } = self;
+        let (known, u) = (*vertices, *u);
+        let (mut directions, mut weights) = (drawn.direction, [0.0; LANES]);
+        for lane in 0..LANES {
+            let frame = Frame::from_normal(known.outward.get(lane));
+            let wo = sample_cosine([u[0][lane], u[1][lane]]);
+            let up = frame.n * (known.side[lane] * wo.z);
+            let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
+            directions.set(lane, direction);
+            let own = wo.z * FRAC_1_PI;
+            // Where the emitter is not seen from the front, none of it is hit.
+            let solid_angle = known.solid_angle[lane];
+            let other = if solid_angle > 0.0 {
+                1.0 / solid_angle
+            } else {
+                0.0
+            };
+            weights[lane] = power_heuristic(own, other);
+        }
+        (drawn.direction, drawn.weight) = (directions, weights);
+    }
+}
