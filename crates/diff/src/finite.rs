@@ -4,11 +4,12 @@
 
 use std::sync::OnceLock;
 
-use capwalk_boundary::{Method, Refusal};
-use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
+use capwalk_boundary::{Counts, Draw, Method, Refusal, Stream};
+use capwalk_math::Rgb;
+use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
-    Estimate, GradientImage, LeavesOut, Part, Partial, Plan, PreparedScene, PrimalTracer,
-    RenderOptions, Tracer, Watch, adaptive,
+    Estimate, GradientImage, LeavesOut, Part, Partial, Plan, PreparedScene, Primal, RenderOptions,
+    Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Scene, Tangent};
 
@@ -212,32 +213,30 @@ impl<'a> Differences<'a> {
         let plan = Plan::new(self.scene).for_differences();
         let tracer = |scene| {
             let tracer = Tracer::primal(scene).with_plan(plan);
-            PrimalTracer::new(tracer.leaving_out(self.leaves_out), scene)
+            tracer.leaving_out(self.leaves_out)
         };
         let tracers: Vec<_> = self.scenes.iter().map(tracer).collect();
-        let take = |places: &[SamplePlace], taken: &mut Vec<Sample<6>>| {
-            let first = taken.len();
-            taken.resize(first + places.len(), Sample::default());
-            let mut images = Vec::with_capacity(places.len());
+        // Each sample by itself, in double precision: what packets do not resolve would move between
+        // the two sides.
+        let sample = |pixel: [u32; 2], stream: &Stream| {
+            let draw = Draw {
+                stream,
+                counts: &Counts::default(),
+            };
+            let (mut value, mut difference) = (Rgb::zero(), Rgb::zero());
             for (tracer, place) in tracers.iter().zip(&self.places) {
-                images.clear();
-                tracer.take(places, &mut images);
-                for (sum, image) in taken[first..].iter_mut().zip(&images) {
-                    for (channel, light) in image.numbers.into_iter().enumerate() {
-                        sum.numbers[channel] += light * place.value;
-                        sum.numbers[DERIVATIVE + channel] += light * place.slope;
-                    }
-                    sum.effort += image.effort;
-                }
+                let light: Rgb = tracer.pixel(&Primal(tracer.accel), pixel, draw);
+                value += light * place.value;
+                difference += light * place.slope;
             }
-            // At last: equal images have no difference at all.
-            for sample in &mut taken[first..] {
-                sample.numbers[DERIVATIVE..]
-                    .iter_mut()
-                    .for_each(|x| *x /= self.step);
+            let [[a, b, c], [d, e, f]] = [value, difference / self.step].map(|rgb| rgb.to_array());
+            Sample {
+                numbers: [a, b, c, d, e, f],
+                ..Sample::default()
             }
         };
         let part = Part::whole(tiles::grid(self.scene, options));
+        let take = tiles::one_by_one(sample);
         tiles::average(self.scene, options, counts, None, &part, watch, take)
     }
 }

@@ -14,7 +14,7 @@ const TO_INTEGER: f64 = 6_755_399_441_055_744.0;
 const QUARTER_TURN: [f64; 3] = [
     1.570_796_251_296_997,
     7.549_789_415_861_596e-8,
-    5.390_302_529_957_765e-15,
+    5.390_302_858_158_119e-15,
 ];
 
 /// Sine and cosine of an angle of at most some thousand turns, radians.
@@ -91,7 +91,12 @@ pub fn angle_of([x, y]: [f64; 2]) -> f64 {
     } else {
         FRAC_PI_2 - to_axis
     };
-    let from_x = if less + more > 0.0 { from_x } else { 0.0 };
+    // Zero without a direction, and NaN for NaN.
+    let from_x = if less + more > 0.0 {
+        from_x
+    } else {
+        less + more
+    };
     let from_x = if x < 0.0 { PI - from_x } else { from_x };
     if y < 0.0 { -from_x } else { from_x }
 }
@@ -122,6 +127,14 @@ mod tests {
             let expected = angle.sin_cos();
             let error = (sin - expected.0).abs().max((cos - expected.1).abs());
             assert!(error < 4e-16, "{angle}: {error:e}");
+            // Also relative to what is nearly zero.
+            for (found, expected) in [(sin, expected.0), (cos, expected.1)] {
+                let error = (found - expected).abs();
+                assert!(
+                    error <= 1e-14 * expected.abs(),
+                    "{angle}: {found:e} {expected:e}"
+                );
+            }
             for length in [1e-9, 1.0, 3e7] {
                 let found = angle_of([cos * length, sin * length]);
                 let expected = (sin * length).atan2(cos * length);
@@ -142,6 +155,7 @@ mod tests {
         ] {
             assert_eq!(angle_of([x, y]), y.atan2(x));
         }
+        assert!(angle_of([f64::NAN, 1.0]).is_nan() && angle_of([1.0, f64::NAN]).is_nan());
         // Small angles keep their digits.
         let small = angle_of([1.0, 1e-200]);
         assert!((small / 1e-200 - 1.0).abs() < 1e-15);

@@ -2,17 +2,19 @@
 
 use std::sync::OnceLock;
 
+use capwalk_boundary::{Counts, Draw};
 use capwalk_scene::fingerprint;
 
 use crate::adaptive;
 use crate::estimate::Rendering;
 use crate::grid::{Grid, Part};
+use crate::lanes::LaneTracer;
 use crate::options::{RenderOptions, Watch};
 use crate::part_error::PartError;
 use crate::partial::Partial;
 use crate::prepared::PreparedScene;
-use crate::primal_tracer::PrimalTracer;
-use crate::tiles::{self, Averages, PixelSums, SampleCounts, SamplePlace};
+use crate::scene_eval::Primal;
+use crate::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
 use crate::tracer::Tracer;
 
 /// The image of a scene, with its standard error.
@@ -83,8 +85,22 @@ impl<'a> RenderWork<'a> {
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
         let (prepared, scene) = (self.prepared, self.prepared.scene());
-        let tracer = PrimalTracer::new(Tracer::primal(prepared), prepared);
-        let take = |places: &[SamplePlace], taken: &mut Vec<_>| tracer.take(places, taken);
+        let tracer = Tracer::primal(prepared);
+        if let Some(lanes) = LaneTracer::like(&tracer, prepared) {
+            let take = |places: &[SamplePlace], taken: &mut Vec<_>| lanes.take(places, taken);
+            return tiles::average(scene, options, counts, work, part, watch, take);
+        }
+        let eval = Primal(prepared.accel());
+        let take = tiles::one_by_one(|pixel, stream| {
+            let draw = Draw {
+                stream,
+                counts: &Counts::default(),
+            };
+            Sample {
+                numbers: tracer.pixel(&eval, pixel, draw).to_array(),
+                ..Sample::default()
+            }
+        });
         tiles::average(scene, options, counts, work, part, watch, take)
     }
 

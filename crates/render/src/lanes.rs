@@ -2,10 +2,13 @@
 //! and all light comes from one rectangle.
 //!
 //! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
-//! compares them one by one. But rays come in packets, whose arithmetic is in single precision
-//! ([`PacketTree`]), and everything else in loops over the lanes without a branch, of which the
-//! compiler makes vectors. A ray that passes an edge within a millionth of the scene may find
-//! another face than it does there: that moves edges by far less than any noise shows.
+//! compares them one by one. (But the rectangle is always sampled by solid angle, also where it is
+//! seen under less than a millionth of a steradian.) Rays come in packets, whose arithmetic is in single
+//! precision ([`PacketTree`]), and everything else in loops over the lanes without a branch, of which
+//! the compiler makes vectors. A ray that passes an edge within a millionth of the scene may find
+//! another face than it does there. Scenes in which that could be seen are left to the tracer: with
+//! thin faces, surfaces close to each other, or a camera so near that it is more than two
+//! thousandths of a pixel ([`PacketTree::resolves`], [`NEAREST`]).
 
 mod scene;
 mod step;
@@ -27,11 +30,13 @@ use scene::{LaneScene, NOTHING};
 use step::{Brdf, Lit, Vertices};
 use vectors::{LANES, Vectors};
 
-/// In scenes of more triangles, rays that were reflected at random have little in common: each is
-/// traced by itself.
-const MOST_IN_PACKETS: usize = 4096;
+/// In scenes of more triangles, rays that were reflected at random have little in common.
+const MOST_FACES: usize = 1024;
 
-/// The effort of a sample besides its rays, and of how many levels of the tree a ray has an effort of
+/// What lies in a plane is at most this part of a pixel where the nearest surface may be.
+const NEAREST: f64 = 2e-3;
+
+/// The effort of a sample besides its rays, and how many levels of the tree take a ray an effort of
 /// one: measured on a room of 36 triangles.
 const EFFORT_OF_LANE: u64 = 10;
 const LEVELS_PER_EFFORT: u64 = 3;
@@ -77,15 +82,20 @@ impl<'a> LaneTracer<'a> {
             && tracer.moving.is_none()
             && (sampling.emitter_samples, sampling.bsdf_samples) == (1, 1)
             && !accel.scene.sensor.model.has_lens()
-            && !accel.has_flush_emitters();
+            && !accel.view.is_parallel()
+            && !accel.has_flush_emitters()
+            && accel.mesh.faces.len() <= MOST_FACES;
         let scene = is_plain.then(|| LaneScene::of(prepared))??;
+        let packets = PacketTree::new(accel.rays(), &accel.mesh);
+        let pixel = NEAREST * accel.view.pixel_size() * scene.distance(accel.view.origin);
+        let is_resolved = packets.in_plane() <= pixel && packets.resolves(&accel.mesh);
         let faces = accel.mesh.faces.len();
-        Some(Self {
+        is_resolved.then(|| Self {
             accel,
             supports: Supports::new(&accel.scene.film),
             plan,
             scene,
-            packets: PacketTree::new(accel.rays(), &accel.mesh),
+            packets,
             levels: u64::from(faces.max(1).ilog2() + 2),
         })
     }
@@ -157,11 +167,16 @@ impl<'a> LaneTracer<'a> {
             self.packets
                 .instructions()
                 .run(step::Surfaces(&mut paths.vertices));
-            self.add_light(paths, active, first, goes_on);
+            // Where directions are drawn from the surface: see `sample_lights`.
+            let vertices = &paths.vertices;
+            let is_wide = |lane: &usize| !self.scene.is_narrow(vertices.position.get(*lane));
             let of_brdf = match goes_on {
                 true => active,
-                false => active & !paths.vertices.is_sampled_well,
+                false => lanes_of(active)
+                    .filter(is_wide)
+                    .fold(0, |mask, lane| mask | 1 << lane),
             };
+            self.add_light(paths, active, first, of_brdf);
             if of_brdf == 0 {
                 return;
             }
@@ -186,7 +201,7 @@ impl<'a> LaneTracer<'a> {
     }
 
     /// Adds light from a point sampled on the emitter.
-    fn add_light(&self, paths: &mut Paths, active: u32, first: u32, goes_on: bool) {
+    fn add_light(&self, paths: &mut Paths, active: u32, first: u32, of_brdf: u32) {
         let mut u = [[0.0; LANES]; 2];
         for lane in lanes_of(active) {
             // The first number would choose among several emitters.
@@ -198,7 +213,7 @@ impl<'a> LaneTracer<'a> {
             vertices: &mut paths.vertices,
             rectangle: self.scene.rectangle,
             u: &u,
-            goes_on,
+            of_brdf,
             lit: &mut lit,
         });
         let wanted = active & lit.mask;
@@ -214,19 +229,7 @@ impl<'a> LaneTracer<'a> {
         for lane in lanes_of(wanted) {
             paths.rays[lane] += 1;
         }
-        let hidden = match self.is_in_packets() {
-            true => self.packets.occluded(&packet),
-            false => {
-                let sees = |lane: &usize| {
-                    let position = paths.vertices.position.get(*lane);
-                    let (direction, distance) = (lit.direction.get(*lane), lit.distance[*lane]);
-                    !self.accel.surface_sees(position, direction, distance)
-                };
-                lanes_of(wanted)
-                    .filter(sees)
-                    .fold(0, |mask, lane| mask | 1 << lane)
-            }
-        };
+        let hidden = self.packets.occluded(&packet);
         for lane in lanes_of(wanted & !hidden) {
             let albedo = paths.vertices.albedo.colour(lane);
             let reflected = albedo * self.scene.radiance * lit.weight[lane];
@@ -254,24 +257,12 @@ impl<'a> LaneTracer<'a> {
         let vertices = &mut paths.vertices;
         vertices.direction = drawn.direction;
         vertices.origin = vertices.position;
-        paths.faces = match self.is_in_packets() {
-            true => self.packets.first_hits(&Packet {
-                origin: vertices.origin.0,
-                direction: vertices.direction.0,
-                mask: active,
-                ..Packet::EMPTY
-            }),
-            false => {
-                let mut faces = [NOTHING; LANES];
-                for lane in lanes_of(active) {
-                    let (origin, direction) =
-                        (vertices.origin.get(lane), drawn.direction.get(lane));
-                    let hit = self.accel.first_hit(origin, direction);
-                    faces[lane] = hit.map_or(NOTHING, |hit| hit.face);
-                }
-                faces
-            }
-        };
+        paths.faces = self.packets.first_hits(&Packet {
+            origin: vertices.origin.0,
+            direction: vertices.direction.0,
+            mask: active,
+            ..Packet::EMPTY
+        });
         for lane in lanes_of(active) {
             let next = paths.throughput.colour(lane) * vertices.albedo.colour(lane);
             if self
@@ -309,10 +300,6 @@ impl<'a> LaneTracer<'a> {
             alive |= 1 << lane;
         }
         alive
-    }
-
-    fn is_in_packets(&self) -> bool {
-        self.accel.mesh.faces.len() <= MOST_IN_PACKETS
     }
 }
 

@@ -176,8 +176,9 @@ impl SampleCounts {
     }
 }
 
-/// Averages the samples of the cells of a part, so many of each pixel. `take_some` appends the samples
-/// of some places, in their order, each of which must not depend on the others. The same to the bit for every number of threads and every
+/// Averages the samples of the cells of a part, so many of each pixel. `take_some` appends the
+/// samples of some places, in their order, each of which must not depend on the others. The same to
+/// the bit for every number of threads and every
 /// way to cut the work: each pixel adds the samples of a batch in order, and then the batches.
 ///
 /// `work` is the fingerprint of a work that is cut: then only cells that were finished
@@ -253,6 +254,7 @@ pub fn average<const C: usize>(
                 }));
                 taken.clear();
                 take_some(&places, &mut taken);
+                debug_assert_eq!(taken.len(), places.len());
                 for (&(i, number), sample) in of.iter().zip(&taken) {
                     let tally = &mut tallies[i];
                     tally.cone_queries += sample.cone_queries;

@@ -7,7 +7,8 @@
 //!
 //! What single precision cannot resolve is decided once: points within [`IN_PLANE`] of a plane lie
 //! in it. Rays do not meet the planes in which they start, nor segments those in which they end,
-//! and triangles are larger by as much, so that nothing shines through between neighbours.
+//! and triangles are larger by as much, so that nothing shines through between neighbours. That is for
+//! scenes in which so much is nothing: [`PacketTree::resolves`].
 
 use std::array;
 
@@ -23,13 +24,24 @@ use crate::simd::{Computation, F32x8, Instructions, Lanes, Simd};
 /// Rays in a packet.
 pub const RAYS: usize = 8;
 
-/// Distance from a plane, in units of the tree's half size, up to which a point lies in it: three
-/// times what the heights of points are off by.
+/// Distance from a plane, in units of the tree's half size, up to which a point lies in it: several
+/// times what heights of points are typically off by.
 pub const IN_PLANE: f32 = 1.0 / (1 << 20) as f32;
 
 /// By how much boxes are larger: corners of triangles that are larger by [`IN_PLANE`] at their
 /// sides are farther out, the sharper they are.
 const BOX_MARGIN: f32 = 64.0 * IN_PLANE;
+
+/// How many times [`IN_PLANE`] the altitudes of triangles must be.
+const LEAST_ALTITUDE: f64 = 1000.0;
+
+/// Surfaces that are nearly parallel must be so many times [`IN_PLANE`] apart, or in one plane, which
+/// is a part of it.
+const APART: f64 = 16.0;
+const IN_ONE_PLANE: f64 = 1e-3;
+
+/// Sine of the angle between planes that are nearly parallel.
+const NEARLY_PARALLEL: f64 = 0.01;
 
 /// How far corners are moved out at most, over [`IN_PLANE`]: triangles with sharper ones are larger
 /// by less.
@@ -126,6 +138,52 @@ impl PacketTree {
             leaf_starts,
             instructions: Instructions::detect(),
         }
+    }
+
+    /// True if single precision resolves this mesh, from which the tree was made: no triangle is thin
+    /// beside [`IN_PLANE`] or has a very sharp corner, and no two that are nearly parallel are nearly,
+    /// but not quite, in one plane where their boxes meet. Takes time in proportion to the square of
+    /// their number.
+    pub fn resolves(&self, mesh: &Mesh) -> bool {
+        let corners: Vec<[Vec3; 3]> = (0..mesh.faces.len()).map(|i| mesh.corners(i)).collect();
+        let normals: Vec<Vec3> = (0..mesh.faces.len())
+            .map(|i| mesh.face_cross(i).normalized())
+            .collect();
+        let in_plane = self.in_plane();
+        let is_thick = |&[a, b, c]: &[Vec3; 3]| {
+            let sides = [b - a, c - b, a - c];
+            let longest = sides.map(Vec3::length).into_iter().fold(0.0, f64::max);
+            let area = sides[0].cross(sides[2]).length();
+            let units = sides.map(Vec3::normalized);
+            let sines = [0, 1, 2].map(|i| 0.5 * (units[i] + units[(i + 2) % 3]).length());
+            let sharpest = sines.into_iter().fold(1.0, f64::min);
+            // False for NaN.
+            area > LEAST_ALTITUDE * in_plane * longest && MOST_OUT * sharpest >= 1.0
+        };
+        let boxes: Vec<[Vec3; 2]> = corners
+            .iter()
+            .map(|&[a, b, c]| [a.min(b).min(c), a.max(b).max(c)])
+            .collect();
+        let margin = Vec3::splat(APART * in_plane);
+        let are_apart = |i: usize, k: usize| {
+            let low = boxes[i][0].max(boxes[k][0]) - margin;
+            let high = boxes[i][1].min(boxes[k][1]) + margin;
+            let meet = low.x <= high.x && low.y <= high.y && low.z <= high.z;
+            if !meet || normals[i].cross(normals[k]).length() > NEARLY_PARALLEL {
+                return true;
+            }
+            let heights = corners[k].map(|p| (p - corners[i][0]).dot(normals[i]).abs());
+            let [least, most] = [
+                heights.into_iter().fold(f64::INFINITY, f64::min),
+                heights.into_iter().fold(0.0, f64::max),
+            ];
+            // Neighbours that fold only a little share two corners.
+            let is_in_plane = |h: &&f64| **h < IN_ONE_PLANE * in_plane;
+            let shared = heights.iter().filter(is_in_plane).count();
+            most < IN_ONE_PLANE * in_plane || least > APART * in_plane || shared == 2
+        };
+        corners.iter().all(is_thick)
+            && (0..corners.len()).all(|i| (0..i).all(|k| are_apart(i, k) && are_apart(k, i)))
     }
 
     /// Which instructions it runs on.
@@ -275,7 +333,8 @@ impl<S: Simd> LocalPacket<S> {
                 let low = simd.splat(node.planes[axis][slot]) - self.high_origin[axis];
                 let high = simd.splat(node.planes[axis + 3][slot]) - self.low_origin[axis];
                 let (first, last) = (low * self.inverse[axis], high * self.inverse[axis]);
-                near = near.max(first.min(last));
+                // Zero stays zero, without a sign.
+                near = first.min(last).max(near);
                 far = far.min(first.max(last));
             }
             let mask = near.le(far);

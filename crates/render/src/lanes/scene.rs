@@ -6,15 +6,13 @@ use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, ShapeId, SurfacePoint, Texture
 
 use crate::emitter_sampler::DirectionSampler;
 use crate::lanes::step::Vertices;
+use crate::light::NARROW;
 use crate::prepared::PreparedScene;
 use crate::rectangle_sampler::RectangleSampler;
+use crate::triangle_sampler::TriangleSampler;
 
 /// No face.
 pub const NOTHING: u32 = u32::MAX;
-
-/// The smallest size of a shape, as a part of the scene's, that packets resolve: a ten thousandth
-/// of it is more than what counts as in one plane.
-const SMALLEST_SHAPE: f64 = 1.0 / 64.0;
 
 /// A scene of diffuse surfaces, and one rectangle that emits.
 pub struct LaneScene<'a> {
@@ -23,6 +21,7 @@ pub struct LaneScene<'a> {
     shapes: Vec<ShapeOfLanes>,
     /// The rectangle, its shape, and its radiance.
     pub rectangle: &'a RectangleSampler,
+    triangles: &'a TriangleSampler,
     emitter: ShapeId,
     pub radiance: Rgb,
 }
@@ -82,14 +81,34 @@ impl<'a> LaneScene<'a> {
             normal: accel.mesh.face_cross(face).normalized(),
             shape: accel.shape_of_face[face],
         });
-        resolves(scene).then_some(Self {
+        let mut ids = (0..).map(ShapeId).zip(&scene.shapes);
+        let is_only_one = ids.all(|(id, other)| other.emitter.is_some() == (id == *shape));
+        let shapes = shapes.filter(|_| is_only_one)?;
+        Some(Self {
             accel,
-            shapes: shapes?,
+            shapes,
             faces: faces.collect(),
             rectangle,
+            triangles,
             emitter: *shape,
             radiance: texture.texel(0),
         })
+    }
+
+    /// True if the emitter is so narrow, seen from a point, that points on it are enough.
+    pub fn is_narrow(&self, position: Vec3) -> bool {
+        self.triangles.solid_angle(position) < NARROW
+    }
+
+    /// How far the box around the nearest face is from a point, at least.
+    pub fn distance(&self, point: Vec3) -> f64 {
+        let faces = 0..self.faces.len();
+        let distances = faces.map(|face| {
+            let [a, b, c] = self.accel.mesh.corners(face);
+            let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+            (point - point.max(low).min(high)).length()
+        });
+        distances.fold(f64::INFINITY, f64::min)
     }
 
     /// True if a ray that hits a face sees it emit.
@@ -197,20 +216,4 @@ fn albedos(scene: &Scene, id: BsdfId) -> Option<[Option<Albedo>; 2]> {
         Bsdf::TwoSided { front, back } => Some([Some(front_of(*front)?), Some(front_of(*back)?)]),
         _ => Some([Some(front_of(id)?), None]),
     }
-}
-
-/// True if packets resolve all shapes of a scene.
-fn resolves(scene: &Scene) -> bool {
-    let sizes = scene.shapes.iter().map(|shape| {
-        let (low, high) = shape.mesh.bounds();
-        (low, high)
-    });
-    let start = (Vec3::splat(f64::INFINITY), Vec3::splat(f64::NEG_INFINITY));
-    let (low, high) = sizes
-        .clone()
-        .fold(start, |(a, b), (low, high)| (a.min(low), b.max(high)));
-    let least = SMALLEST_SHAPE * (high - low).length();
-    sizes
-        .map(|(low, high)| (high - low).length())
-        .all(|size| size >= least)
 }

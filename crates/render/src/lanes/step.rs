@@ -9,7 +9,7 @@ use capwalk_math::{Frame, Vec3};
 use capwalk_scene::lobe::sample_cosine;
 
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
-use crate::light::{NARROW, power_heuristic};
+use crate::light::power_heuristic;
 use crate::rectangle_sampler::RectangleSampler;
 
 /// Where eight paths hit surfaces.
@@ -30,9 +30,6 @@ pub struct Vertices {
     pub position: Vectors,
     /// The solid angle under which the emitter is seen; known after [`Light`].
     pub solid_angle: Numbers,
-    /// One bit for each at which points on the emitter are enough, see
-    /// [`sample_lights`](crate::light::sample_lights).
-    pub is_sampled_well: u32,
 }
 
 impl Vertices {
@@ -50,7 +47,6 @@ impl Vertices {
             albedo: zero,
             position: zero,
             solid_angle: [0.0; LANES],
-            is_sampled_well: 0,
         }
     }
 
@@ -108,8 +104,8 @@ pub struct Light<'a> {
     pub vertices: &'a mut Vertices,
     pub rectangle: &'a RectangleSampler,
     pub u: &'a [Numbers; 2],
-    /// Whether the path goes on, and directions are drawn from all surfaces.
-    pub goes_on: bool,
+    /// One bit for each where directions are drawn from the surface, too.
+    pub of_brdf: u32,
     pub lit: &'a mut Lit,
 }
 
@@ -121,7 +117,7 @@ impl Computation for Light<'_> {
             vertices,
             rectangle,
             u,
-            goes_on,
+            of_brdf,
             lit,
         } = self;
         // Copies, which nothing else refers to.
@@ -139,17 +135,18 @@ impl Computation for Light<'_> {
             directions.set(lane, direction);
             distances[lane] = distance;
             let own = 1.0 / seen.solid_angle;
-            let has_other = goes_on || seen.solid_angle >= NARROW;
+            let has_other = of_brdf >> lane & 1 == 1;
             let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
             weights[lane] = cos * FRAC_1_PI * (power_heuristic(own, other) / own);
             cosines[lane] = cos;
         }
-        let (mut mask, mut is_sampled_well) = (0, 0);
+        let mut mask = 0;
         for lane in 0..LANES {
-            mask |= u32::from(solid_angles[lane] > 0.0 && cosines[lane] > 0.0) << lane;
-            is_sampled_well |= u32::from(solid_angles[lane] < NARROW) << lane;
+            // What is not a number is not dark: the pixel counts it.
+            let is_dark = solid_angles[lane] <= 0.0 || cosines[lane] <= 0.0;
+            mask |= u32::from(!is_dark) << lane;
         }
-        (vertices.solid_angle, vertices.is_sampled_well) = (solid_angles, is_sampled_well);
+        vertices.solid_angle = solid_angles;
         *lit = Lit {
             direction: directions,
             distance: distances,

@@ -1,9 +1,14 @@
 //! Samples of lanes against those of [`Tracer`], and which scenes they are for.
 
 use capwalk_boundary::{Counts, Draw, Sampler};
-use capwalk_math::Rgb;
+use capwalk_geometry::Mesh;
+use capwalk_math::{Rgb, Vec3};
+use capwalk_scene::primitive::icosphere;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
-use capwalk_scene::{Bsdf, Filter, Integrator, Pattern, SamplerKind, Scene, builtin};
+use capwalk_scene::{
+    Bsdf, BsdfId, Filter, Integrator, Material, Pattern, SamplerKind, Scene, SensorModel,
+    ShadingNormals, Shape, builtin,
+};
 
 use super::*;
 use crate::scene_eval::Primal;
@@ -119,8 +124,6 @@ fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
 fn lanes_sample_what_the_tracer_does() {
     for (name, integrator) in [
         ("leaf", direct(false)),
-        // So many triangles that reflected rays are traced one by one.
-        ("ball", path(Some(4))),
         ("box-room", direct(true)),
         ("box-room", path(Some(3))),
         ("box-room", path(None)),
@@ -129,19 +132,54 @@ fn lanes_sample_what_the_tracer_does() {
     }
 }
 
-/// With a picture on all surfaces, with normals at vertices and points that are not independent,
-/// and filters with weights.
+/// A ball of few faces with normals at vertices, in the room.
+fn with_ball(mut scene: Scene) -> Scene {
+    let mut ball = icosphere(3);
+    let normals = ShadingNormals::Given(ball.positions.clone());
+    let place = |p: &mut Vec3| *p = *p * 0.4 + Vec3::new(-0.9, 0.5, 0.8);
+    ball.positions.iter_mut().for_each(place);
+    let bsdf = scene.shapes[0].bsdf;
+    scene.add_shape(Shape::new("ball", ball, normals, bsdf));
+    scene
+}
+
+/// Materials of which each side has a colour of its own: the floor's, and that of the first wall.
+fn two_sided(mut scene: Scene) -> Scene {
+    let [front, back] = [scene.shapes[0].bsdf, scene.shapes[3].bsdf];
+    scene.materials.push(Material {
+        id: "both".into(),
+        bsdf: Bsdf::TwoSided { front, back },
+    });
+    let both = BsdfId(scene.materials.len() as u32 - 1);
+    for shape in &mut scene.shapes {
+        std::sync::Arc::make_mut(shape).bsdf = both;
+    }
+    // Some faces show their back.
+    let boxes = scene.shapes.iter_mut().find(|shape| shape.id == "box");
+    let mesh = &mut std::sync::Arc::make_mut(boxes.expect("a box")).mesh;
+    mesh.faces.iter_mut().for_each(|face| face.swap(1, 2));
+    scene.check().expect("a valid scene");
+    scene
+}
+
+/// With a picture on all surfaces, both sides of them, normals at vertices, points that are not
+/// independent, filters with weights, and a lamp that is wide where it is near.
 #[test]
-fn lanes_sample_pictures() {
-    let mut scene = scene("ball", path(Some(4)));
-    scene.settings.sampler = SamplerKind::Sobol;
-    scene.film.filter = Filter::Gaussian { stddev: 0.5 };
-    let has_normals = |scene: &Scene| {
-        let mut shapes = scene.shapes.iter();
-        shapes.any(|shape| shape.normals.per_vertex().is_some())
-    };
-    assert!(has_normals(&scene));
-    samples_are_those_of_the_tracer("painted ball", painted(scene));
+fn lanes_sample_other_surfaces() {
+    let room = || scene("box-room", path(Some(4)));
+    samples_are_those_of_the_tracer("both sides", two_sided(room()));
+    let mut pictures = painted(with_ball(room()));
+    pictures.settings.sampler = SamplerKind::Sobol;
+    pictures.film.filter = Filter::Gaussian { stddev: 0.5 };
+    samples_are_those_of_the_tracer("pictures", pictures);
+    let mut wide = scene("box-room", direct(false));
+    let lamp = wide.shapes.iter_mut().find(|shape| shape.emitter.is_some());
+    let mesh = &mut std::sync::Arc::make_mut(lamp.expect("a lamp")).mesh;
+    let (low, high) = mesh.bounds();
+    let centre = (low + high) * 0.5;
+    let wider = |p: &mut Vec3| *p = centre + (*p - centre) * 3.0;
+    mesh.positions.iter_mut().for_each(wider);
+    samples_are_those_of_the_tracer("wide", wide);
 }
 
 /// Whatever is taken along with it, a sample is the same to the bit.
@@ -173,23 +211,62 @@ fn other_scenes_are_not_for_lanes() {
     };
     let room = || scene("box-room", path(None));
     assert!(is_for_lanes(room()));
-    // No emitter, two of them, more samples, and a shape that packets do not resolve.
-    let mut dark = room();
-    dark.emitters.clear();
-    dark.shapes
-        .iter_mut()
-        .for_each(|shape| std::sync::Arc::make_mut(shape).emitter = None);
-    assert!(!is_for_lanes(dark));
-    let mut more = room();
-    more.settings.integrator = Integrator::Direct {
-        emitter_samples: 2,
-        bsdf_samples: 1,
-        hide_emitters: false,
+    let changed = |change: fn(&mut Scene)| {
+        let mut scene = room();
+        change(&mut scene);
+        is_for_lanes(scene)
     };
-    assert!(!is_for_lanes(more));
-    let mut tiny = room();
-    let last = tiny.shapes.len() - 1;
-    let shape = std::sync::Arc::make_mut(&mut tiny.shapes[last]);
-    shape.mesh.positions.iter_mut().for_each(|p| *p = *p * 1e-3);
-    assert!(!is_for_lanes(tiny));
+    /// The mesh of a shape.
+    fn mesh<'a>(scene: &'a mut Scene, name: &str) -> &'a mut Mesh {
+        let shape = scene.shapes.iter_mut().find(|shape| shape.id == name);
+        &mut std::sync::Arc::make_mut(shape.expect("a shape")).mesh
+    }
+    // No emitter, other samples, other sensors, another material.
+    assert!(!changed(|scene| {
+        scene.emitters.clear();
+        let shapes = scene.shapes.iter_mut();
+        shapes.for_each(|shape| std::sync::Arc::make_mut(shape).emitter = None);
+    }));
+    assert!(!changed(|scene| {
+        scene.settings.integrator = Integrator::Direct {
+            emitter_samples: 2,
+            bsdf_samples: 1,
+            hide_emitters: false,
+        };
+    }));
+    assert!(!changed(
+        |scene| scene.sensor.model = SensorModel::Orthographic
+    ));
+    assert!(!changed(|scene| scene.materials[0].bsdf = Bsdf::Null));
+    // What single precision does not resolve: a thin box, a board just before a wall, a lamp just
+    // before the ceiling, a large image, a camera that is near, and many faces.
+    assert!(!changed(|scene| {
+        let positions = &mut mesh(scene, "box").positions;
+        positions.iter_mut().for_each(|p| p.x *= 1e-3);
+    }));
+    let before = |distance: f64| {
+        let mut scene = room();
+        let (mut board, bsdf) = (mesh(&mut scene, "back").clone(), scene.shapes[0].bsdf);
+        let moved = |p: &mut Vec3| *p = *p * 0.5 + Vec3::new(0.0, 0.7, -1.0 + distance);
+        board.positions.iter_mut().for_each(moved);
+        scene.add_shape(Shape::new("board", board, ShadingNormals::Face, bsdf));
+        is_for_lanes(scene)
+    };
+    assert!(before(0.1) && !before(1e-6));
+    assert!(!changed(|scene| {
+        let positions = &mut mesh(scene, "lamp").positions;
+        positions.iter_mut().for_each(|p| p.y = 3.0 - 1e-6);
+    }));
+    assert!(!changed(
+        |scene| (scene.film.size, scene.film.crop_size) = ([4096; 2], [4096; 2])
+    ));
+    assert!(!changed(|scene| {
+        let positions = &mut mesh(scene, "box").positions;
+        let near = |p: &mut Vec3| *p += Vec3::new(0.16, 0.75, 3.3);
+        positions.iter_mut().for_each(near);
+    }));
+    assert!(!changed(|scene| {
+        let bsdf = scene.shapes[0].bsdf;
+        scene.add_shape(Shape::new("fine", icosphere(8), ShadingNormals::Face, bsdf));
+    }));
 }
