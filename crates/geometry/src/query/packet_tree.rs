@@ -141,7 +141,7 @@ impl PacketTree {
     }
 
     /// True if single precision resolves this mesh, from which the tree was made: no triangle is thin
-    /// beside [`IN_PLANE`] or has a very sharp corner, and no two that are nearly parallel are nearly,
+    /// beside what lies in a plane or has a very sharp corner, and no two that are nearly parallel are nearly,
     /// but not quite, in one plane where their boxes meet. Takes time in proportion to the square of
     /// their number.
     pub fn resolves(&self, mesh: &Mesh) -> bool {
