@@ -12,6 +12,7 @@ mi = pytest.importorskip("mitsuba")
 dr = pytest.importorskip("drjit")
 import capwalk.mitsuba._integrator as integrator_module  # noqa: E402  It needs Mitsuba.
 from capwalk.mitsuba._convert import convert  # noqa: E402
+from llvm import has_llvm  # noqa: E402
 from mitsuba_scenes import (  # noqa: E402
     SCALAR,
     SCENES,
@@ -26,16 +27,7 @@ from mitsuba_scenes import (  # noqa: E402
 )
 
 
-def has_llvm() -> bool:
-    try:
-        mi.set_variant(VECTORIZED)
-        dr.eval(mi.Float(1.0) + 1.0)
-    except (ImportError, RuntimeError):
-        return False
-    return True
-
-
-pytestmark = pytest.mark.skipif(not has_llvm(), reason="LLVM is not installed")
+pytestmark = pytest.mark.skipif(not has_llvm(), reason="Mitsuba cannot render with LLVM here")
 
 
 @pytest.fixture(autouse=True)
