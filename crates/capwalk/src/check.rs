@@ -1,7 +1,9 @@
 //! A gradient against finite differences.
 
 use capwalk_diff::GradientImage;
-use capwalk_diff::check::{Comparison, Verdict, compare_with_differences, without_rounding};
+use capwalk_diff::check::{
+    Comparison, Verdict, compare, compare_with_differences, without_rounding,
+};
 use capwalk_diff::{GradientOptions, Missing, Stencil};
 use capwalk_scene::{Scene, Tangent};
 
@@ -17,11 +19,14 @@ const REFERENCE_FACTOR: u32 = 4;
 const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// How many times the samples of the first reference a second one has, and how many times smaller
-/// its step is where none was asked for.
+/// than that of the one before the step of each is where none was asked for.
 pub(crate) const SECOND_FACTOR: u32 = 4;
 
-/// Makes the second reference's random numbers independent of the others.
-const SECOND_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
+/// How many references are made at most, where each contradicts the one before.
+const MOST_REFERENCES: u32 = 4;
+
+/// Makes the random numbers of further references independent of the first.
+const NEXT_SEED: u64 = 0xb7e1_5162_8aed_2a6a;
 
 /// Makes those of the second gradient independent of all these.
 const SECOND_GRADIENT_SEED: u64 = 0x6a09_e667_f3bc_c908;
@@ -153,8 +158,11 @@ pub struct Check {
     /// How the reference was made.
     pub made: Reference,
     /// How many references were made: 2 if the first contradicted the gradient or left a doubt of
-    /// it. This is the one that decided.
+    /// it, up to 4 if they contradicted each other as well. This is the one that decided.
     pub references: u32,
+    /// False if the last two of them contradict each other: differences change with the step by
+    /// more than noise, and none of them calls a gradient wrong.
+    pub settled: bool,
     /// Samples of all of them.
     pub reference_samples: u64,
     /// Shapes that lie on each other and move against each other, see
@@ -180,6 +188,7 @@ impl Check {
             comparison,
             gradient,
             references: 1,
+            settled: true,
             reference_samples: reference.statistics.samples,
             reference,
             made,
@@ -188,16 +197,22 @@ impl Check {
     }
 
     /// How to make another reference, if this one contradicts the gradient or leaves a doubt of
-    /// it: with other random numbers, and with a smaller step if it is up to us. The variance of
-    /// differences grows as the step becomes smaller, and so does the number of their samples.
-    pub(crate) fn second_reference(&self) -> Option<Reference> {
-        let contradicts = self.contradiction().is_some();
-        (contradicts && self.reference.statistics.complete).then(|| {
+    /// it, and there is no other or they contradict each other: with other random numbers, and with
+    /// a smaller step if it is up to us. The variance of differences grows as the step becomes
+    /// smaller, and so does the number of samples of the second one.
+    pub(crate) fn next_reference(&self) -> Option<Reference> {
+        let is_open = self.references == 1 || !self.settled;
+        let is_wanted = is_open && self.references < MOST_REFERENCES;
+        let contradicts = self.contradiction().is_some() && self.reference.statistics.complete;
+        (contradicts && is_wanted).then(|| {
             let Reference { spp, step, .. } = self.made;
             Reference {
-                spp: spp.saturating_mul(SECOND_FACTOR),
+                spp: match self.references {
+                    1 => spp.saturating_mul(SECOND_FACTOR),
+                    _ => spp,
+                },
                 fits_noise: false,
-                seed: self.made.seed ^ SECOND_SEED,
+                seed: self.made.seed ^ NEXT_SEED.rotate_left(self.references - 1),
                 step: match self.made.fits_scene {
                     true => step / f64::from(SECOND_FACTOR),
                     false => step,
@@ -207,53 +222,77 @@ impl Check {
         })
     }
 
-    /// The verdict of a second reference: right or wrong. If that is inconclusive and leaves a
-    /// doubt, both speak against the gradient, and the first stays; if it leaves none, what the
-    /// first said is a doubt. A contradiction that there was no time to confirm is one, too.
-    pub(crate) fn with_second_reference(self, (made, image): (Reference, GradientImage)) -> Self {
+    /// The verdict of a further reference: right or wrong. If that is inconclusive and leaves a
+    /// doubt, both speak against the gradient, and the one before stays if they agree; if it leaves
+    /// none, what the one before said is a doubt. A contradiction that there was no time to confirm
+    /// is one, too.
+    pub(crate) fn with_next_reference(self, (made, image): (Reference, GradientImage)) -> Self {
         let Some(contradiction) = self.contradiction() else {
             return self;
         };
+        let references = self.references + 1;
         let samples = self.reference_samples + image.statistics.samples;
-        let settled = |check: Self| Self {
-            references: 2,
+        let counted = |check: Self| Self {
+            references,
             reference_samples: samples,
             ..check
         };
         if !image.statistics.complete {
-            return settled(self.unconfirmed());
+            return counted(self.unconfirmed());
         }
         let unconfirmed = match self.made.fits_scene {
             true => "a smaller step does",
             false => "more samples do",
         };
         let over = self.made.over();
-        let doubt_of_first =
+        let doubt_of_one_before =
             format!("over {over} they differ ({contradiction}), which {unconfirmed} not confirm");
         let mut check = Self::new(self.gradient.clone(), (made, image), self.coplanar.clone());
-        let says_nothing = check.comparison.few_events;
+        let between = compare(&check.reference.gradient, &self.reference.gradient);
+        check.settled = !matches!(between.verdict, Verdict::Wrong { .. });
+        let (settled, says_nothing) = (check.settled, check.comparison.few_events);
         match check.rest_mut() {
-            Verdict::Inconclusive { doubt: Some(_), .. } if !says_nothing => {
-                let mut first = self;
-                if let Verdict::Inconclusive { samples_factor, .. } = first.rest_mut() {
+            Verdict::Inconclusive { doubt: Some(_), .. } if settled && !says_nothing => {
+                let mut before = self;
+                if let Verdict::Inconclusive { samples_factor, .. } = before.rest_mut() {
                     // So many samples were just taken.
                     *samples_factor *= f64::from(SECOND_FACTOR);
                 }
-                settled(first)
+                before.settled = true;
+                counted(before)
             }
             Verdict::Inconclusive { doubt, .. } => {
-                *doubt = Some(doubt_of_first);
-                settled(check)
+                *doubt = Some(doubt_of_one_before);
+                counted(check)
             }
-            _ => settled(check),
+            _ => counted(check),
         }
+    }
+
+    /// The verdict where no further reference is made: differences that change with the step call
+    /// no gradient wrong.
+    pub(crate) fn settled(self) -> Self {
+        if self.settled {
+            return self;
+        }
+        let over = self.made.over();
+        let among_themselves = match self.made.fits_scene {
+            true => "differences over four times the step: the image changes suddenly close by",
+            false => "others by more than their errors: few rare events were met",
+        };
+        self.not_called_wrong(1.0, |reason| {
+            format!(
+                "over {over} they differ ({reason}), but those differences differ from \
+                 {among_themselves}"
+            )
+        })
     }
 
     /// How to estimate the gradient again, if two references contradict it: with other random
     /// numbers and more samples. Where it met few rare events, its errors are too small.
     pub(crate) fn second_gradient(&self, options: &GradientOptions) -> Option<GradientOptions> {
         let is_wrong = matches!(self.rest(), Verdict::Wrong { .. });
-        (is_wrong && self.references == 2).then(|| GradientOptions {
+        (is_wrong && self.references > 1).then(|| GradientOptions {
             spp: options.spp.saturating_mul(SECOND_FACTOR),
             seed: options.seed ^ SECOND_GRADIENT_SEED,
             ..*options
@@ -584,8 +623,8 @@ mod tests {
     /// The same against a second reference after the first.
     fn checked_twice(made: Reference, first: &GradientImage, second: &GradientImage) -> Check {
         let check = checked(made, first);
-        let again = check.second_reference().expect("there is a contradiction");
-        check.with_second_reference((again, second.clone()))
+        let again = check.next_reference().expect("there is a contradiction");
+        check.with_next_reference((again, second.clone()))
     }
 
     /// A check whose second reference agrees with the gradient.
@@ -596,12 +635,12 @@ mod tests {
     /// What contradicts a gradient, or leaves a doubt of it, gets a second reference: over a
     /// smaller step, unless one was asked for, with more samples and other random numbers.
     #[test]
-    fn a_contradiction_gets_a_second_reference() {
+    fn a_contradiction_gets_a_next_reference() {
         let (right, wrong) = (waves(2, 1.0, 0.0, 0.1), waves(3, 1.3, 0.0, 0.1));
         assert_eq!(checked(MADE, &right).comparison.verdict, Verdict::Right);
-        assert_eq!(checked(MADE, &right).second_reference(), None);
+        assert_eq!(checked(MADE, &right).next_reference(), None);
         let second = |made| {
-            let second = checked(made, &wrong).second_reference();
+            let second = checked(made, &wrong).next_reference();
             second.expect("there is a contradiction")
         };
         assert_eq!((second(MADE).step, second(MADE).spp), (0.0025, 4000));
@@ -615,7 +654,7 @@ mod tests {
         // What was cut short is no reason to begin anew.
         let mut cut = wrong.clone();
         cut.statistics.complete = false;
-        assert_eq!(checked(MADE, &cut).second_reference(), None);
+        assert_eq!(checked(MADE, &cut).next_reference(), None);
     }
 
     /// The second reference decides if it can.
@@ -690,6 +729,62 @@ mod tests {
         assert_eq!(verdict(&doubtful, &right), Verdict::Right);
     }
 
+    /// Differences that change with the step call no gradient wrong: others are made, as long as
+    /// each contradicts the one before.
+    #[test]
+    fn two_references_that_agree_call_wrong() {
+        let (right, first, second) = (
+            waves(2, 1.0, 0.0, 0.1),
+            waves(3, 1.3, 0.0, 0.1),
+            waves(5, 1.6, 0.0, 0.1),
+        );
+        let apart = || checked_twice(MADE, &first, &second);
+        assert!(!apart().settled && matches!(apart().rest(), Verdict::Wrong { .. }));
+        let third = apart().next_reference().expect("they do not agree");
+        assert_eq!((third.step, third.spp), (MADE.step / 16.0, 4000));
+        assert!(![MADE.seed, apart().made.seed].contains(&third.seed));
+        let with = |check: Check, next: &GradientImage| {
+            let made = check.next_reference().expect("it is open");
+            check.with_next_reference((made, next.clone()))
+        };
+        let decided = with(apart(), &right);
+        assert_eq!(*decided.rest(), Verdict::Right);
+        assert_eq!((decided.references, decided.made.step), (3, third.step));
+        assert_eq!(
+            decided.reference_samples,
+            3 * right.statistics.samples,
+            "all are counted"
+        );
+        let confirmed = with(apart(), &waves(6, 1.6, 0.0, 0.1));
+        assert!(confirmed.next_reference().is_none());
+        assert!(matches!(confirmed.settled().rest(), Verdict::Wrong { .. }));
+        // Noise leaves what was said before as a doubt.
+        let noisy = with(apart(), &waves(7, 1.0, 0.0, 3.0));
+        match noisy.rest() {
+            Verdict::Inconclusive {
+                doubt: Some(doubt), ..
+            } => assert!(doubt.contains("0.00250"), "{doubt}"),
+            verdict => panic!("{verdict:?}"),
+        }
+        // They end, and nothing is wrong then.
+        let restless = with(with(apart(), &first), &second);
+        assert!(restless.references == 4 && restless.next_reference().is_none());
+        let words = restless.settled().verdict(|_, _| String::new());
+        assert!(
+            words.starts_with("inconclusive") && words.contains("suddenly"),
+            "{words}"
+        );
+        // A step that was asked for stays, and so does its doubt.
+        let own = Reference {
+            fits_scene: false,
+            ..MADE
+        };
+        let apart = checked_twice(own, &first, &second);
+        assert_eq!(apart.next_reference().map(|next| next.step), Some(own.step));
+        let words = apart.settled().verdict(|_, _| String::new());
+        assert!(words.contains("rare events"), "{words}");
+    }
+
     /// A reference that saw too few events is no evidence, neither as the first nor as the second.
     #[test]
     fn too_few_events_are_no_evidence() {
@@ -699,13 +794,9 @@ mod tests {
         statistics.samples = 2 * (SIDE * SIDE) as u64;
         let short = Reference { step: 1e-5, ..MADE };
         let check = checked(short, &blind);
-        assert!(check.comparison.few_events && check.second_reference().is_none());
+        assert!(check.comparison.few_events && check.next_reference().is_none());
         let first = checked(MADE, &wrong);
-        match first
-            .with_second_reference((short, blind))
-            .comparison
-            .verdict
-        {
+        match first.with_next_reference((short, blind)).comparison.verdict {
             Verdict::Inconclusive { doubt, .. } => {
                 let doubt = doubt.expect("what was said first");
                 assert!(doubt.contains("does not confirm"), "{doubt}");

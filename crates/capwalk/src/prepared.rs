@@ -236,9 +236,10 @@ impl Prepared {
     ///
     /// Differences have a bias that grows with their step, and errors that are too small where
     /// few rare events were met. Where they contradict the gradient or leave a doubt of it, others
-    /// decide, with more samples, and over a part of the step unless one was asked for. The gradient's
-    /// errors may be too small, too: it is called wrong only if another estimate of it, with more
-    /// samples, is contradicted as well.
+    /// decide, with more samples, and over a part of the step unless one was asked for. A gradient is
+    /// called wrong only by two references that agree with each other. Its errors may be too small,
+    /// too: it is called wrong only if another estimate of it, with more samples, is contradicted as
+    /// well.
     pub fn checked(
         &self,
         gradient: GradientImage,
@@ -249,12 +250,17 @@ impl Prepared {
     ) -> Result<Check, Error> {
         let method = options.method;
         let made = self.reference(&gradient, tangent, reference, method, watch)?;
-        let check = Check::new(gradient, made, self.coplanar_shapes(tangent));
-        let Some(second) = check.second_reference() else {
-            return Ok(check.unconfirmed());
+        let mut check = Check::new(gradient, made, self.coplanar_shapes(tangent));
+        while let Some(next) = check.next_reference()
+            && !watch.should_stop()
+        {
+            let made = self.reference(&check.gradient, tangent, next, method, watch)?;
+            check = check.with_next_reference(made);
+        }
+        let check = match check.references {
+            1 => check.unconfirmed(),
+            _ => check.settled(),
         };
-        let made = self.reference(&check.gradient, tangent, second, method, watch)?;
-        let check = check.with_second_reference(made);
         let Some(again) = check.second_gradient(options) else {
             return Ok(check);
         };

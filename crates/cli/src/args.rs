@@ -304,7 +304,7 @@ pub struct Gradient {
     #[command(flatten)]
     pub method: MethodArgs,
     /// Step of the finite differences, in units of the parameter [default:
-    /// moves the fastest vertex by 1/200 of the size of the shape it belongs
+    /// moves the fastest vertex by 1/100 of the size of the shape it belongs
     /// to (of the scene, where the sensor moves), and nothing by more than a
     /// part of a pixel; for colours, 0.01; a quarter of these with --method fd]
     #[arg(long, value_name = "H", value_parser = parse::step, allow_negative_numbers = true)]

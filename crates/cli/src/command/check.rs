@@ -46,6 +46,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         comparison,
         made,
         references,
+        settled,
         reference_samples,
         coplanar,
     } = &checked.check;
@@ -72,6 +73,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "step": made.step,
             "sides": made.sides.name(),
             "references": references,
+            "settled": settled,
             "reference_samples": reference_samples,
             "comparison": comparison_json(comparison),
             "coplanar": coplanar,
@@ -105,7 +107,9 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
 fn reference_text(check: &Check) -> String {
     let of = match check.references {
         1 => "",
-        _ => " (one of two references)",
+        2 => " (one of two references)",
+        3 => " (one of three references)",
+        _ => " (one of four references)",
     };
     format!("{}{of}", check.made.describe())
 }

@@ -148,6 +148,7 @@ mod tests {
             let checked = Checked {
                 check: Check {
                     references: 1,
+                    settled: true,
                     reference_samples: 0,
                     comparison: compare(&gradient.gradient, &reference.gradient),
                     gradient,
