@@ -212,12 +212,12 @@ def check(
     Pixels get more or fewer samples by how noisy they are, in the time of ``spp`` of each.
 
     Where the differences contradict the gradient or leave a doubt of it, a second reference with
-    four times their samples decides.
+    four times their samples decides; if it contradicts the first, a third one or a fourth.
 
     :param reference_spp: samples per pixel of the first differences, on each side; by default as
         many as suit the noise of both.
     :param step: how far the parameter moves on each side, in its own units; by default what
-        fits the scene, and a quarter of it in a second reference.
+        fits the scene, and in each further reference a quarter of that of the one before.
 
     The other parameters, and what is raised, are those of :func:`gradient`.
     """

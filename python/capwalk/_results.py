@@ -168,9 +168,6 @@ class Check:
     references: int
     """How many references were made: 2 if the first contradicted the gradient or left a doubt of
     it, up to 4 if they contradicted each other as well. The one that decided is here."""
-    settled: bool
-    """False if the last two of them contradict each other: differences change with the step by
-    more than noise, and none of them calls a gradient wrong."""
     text: str
     """All of this in words, as the command line prints it."""
     statistics: Mapping[str, Any]

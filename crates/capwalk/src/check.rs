@@ -18,8 +18,8 @@ const REFERENCE_FACTOR: u32 = 4;
 /// Makes the reference's random numbers independent of the gradient's.
 const REFERENCE_SEED: u64 = 0x9e37_79b9_7f4a_7c15;
 
-/// How many times the samples of the first reference a second one has, and how many times smaller
-/// than that of the one before the step of each is where none was asked for.
+/// How many times the samples of the first reference others have. Where no step was asked for,
+/// that of each is so many times smaller than that of the one before.
 pub(crate) const SECOND_FACTOR: u32 = 4;
 
 /// How many references are made at most, where each contradicts the one before.
@@ -44,8 +44,8 @@ pub struct CheckOptions {
     pub gradient: GradientOptions,
     /// Samples per pixel of the first reference on each side of the difference; `None` takes as
     /// many as bring the most for the time: more, the noisier differences are beside the gradient.
-    /// A second reference, where the first contradicts the gradient or leaves a doubt of it, has
-    /// four times as many.
+    /// Others, where the first contradicts the gradient or leaves a doubt of it, have four times as
+    /// many.
     pub reference_spp: Option<u32>,
     /// How far the parameter moves on each side, in its own units; `None` chooses
     /// [`Prepared::difference_step`](crate::Prepared::difference_step).
@@ -160,14 +160,13 @@ pub struct Check {
     /// How many references were made: 2 if the first contradicted the gradient or left a doubt of
     /// it, up to 4 if they contradicted each other as well. This is the one that decided.
     pub references: u32,
-    /// False if the last two of them contradict each other: differences change with the step by
-    /// more than noise, and none of them calls a gradient wrong.
-    pub settled: bool,
     /// Samples of all of them.
     pub reference_samples: u64,
     /// Shapes that lie on each other and move against each other, see
     /// [`Prepared::coplanar_shapes`](crate::Prepared::coplanar_shapes).
     pub coplanar: Vec<[String; 2]>,
+    /// True as long as no other reference agrees with this one, and others may change the verdict.
+    is_open: bool,
 }
 
 impl Check {
@@ -188,7 +187,7 @@ impl Check {
             comparison,
             gradient,
             references: 1,
-            settled: true,
+            is_open: true,
             reference_samples: reference.statistics.samples,
             reference,
             made,
@@ -197,12 +196,11 @@ impl Check {
     }
 
     /// How to make another reference, if this one contradicts the gradient or leaves a doubt of
-    /// it, and there is no other or they contradict each other: with other random numbers, and with
-    /// a smaller step if it is up to us. The variance of differences grows as the step becomes
-    /// smaller, and so does the number of samples of the second one.
+    /// it, and no other agrees with this one: with other random numbers, and with a smaller step
+    /// if it is up to us. The variance of differences grows as the step becomes smaller, and so
+    /// does the number of samples of the second one.
     pub(crate) fn next_reference(&self) -> Option<Reference> {
-        let is_open = self.references == 1 || !self.settled;
-        let is_wanted = is_open && self.references < MOST_REFERENCES;
+        let is_wanted = self.is_open && self.references < MOST_REFERENCES;
         let contradicts = self.contradiction().is_some() && self.reference.statistics.complete;
         (contradicts && is_wanted).then(|| {
             let Reference { spp, step, .. } = self.made;
@@ -222,69 +220,88 @@ impl Check {
         })
     }
 
-    /// The verdict of a further reference: right or wrong. If that is inconclusive and leaves a
-    /// doubt, both speak against the gradient, and the one before stays if they agree; if it leaves
-    /// none, what the one before said is a doubt. A contradiction that there was no time to confirm
-    /// is one, too.
+    /// The verdict beside another reference, if this one speaks against the gradient.
+    ///
+    /// * If that one agrees with the gradient, it is right. (A third or fourth one is noisier than
+    ///   the second: it must contradict the one before, or noise may have hidden what that saw.)
+    /// * If that one speaks against the gradient, too, and agrees with this one, this verdict stays.
+    /// * If they contradict each other, yet another one is needed.
+    /// * If that one is too noisy to say anything, what this one says is a doubt.
     pub(crate) fn with_next_reference(self, (made, image): (Reference, GradientImage)) -> Self {
         let Some(contradiction) = self.contradiction() else {
             return self;
         };
         let references = self.references + 1;
         let samples = self.reference_samples + image.statistics.samples;
-        let counted = |check: Self| Self {
+        let counted = |is_open: bool, check: Self| Self {
             references,
             reference_samples: samples,
+            is_open,
             ..check
         };
         if !image.statistics.complete {
-            return counted(self.unconfirmed());
+            return counted(false, self.decided());
         }
         let unconfirmed = match self.made.fits_scene {
             true => "a smaller step does",
             false => "more samples do",
         };
         let over = self.made.over();
-        let doubt_of_one_before =
+        let doubt_of_this =
             format!("over {over} they differ ({contradiction}), which {unconfirmed} not confirm");
         let mut check = Self::new(self.gradient.clone(), (made, image), self.coplanar.clone());
         let between = compare(&check.reference.gradient, &self.reference.gradient);
-        check.settled = !matches!(between.verdict, Verdict::Wrong { .. });
-        let (settled, says_nothing) = (check.settled, check.comparison.few_events);
+        let agree = !matches!(between.verdict, Verdict::Wrong { .. });
+        let says_nothing = check.comparison.few_events;
         match check.rest_mut() {
-            Verdict::Inconclusive { doubt: Some(_), .. } if settled && !says_nothing => {
-                let mut before = self;
-                if let Verdict::Inconclusive { samples_factor, .. } = before.rest_mut() {
+            Verdict::Inconclusive { doubt: Some(_), .. } if agree && !says_nothing => {
+                let mut this = self;
+                if let Verdict::Inconclusive { samples_factor, .. } = this.rest_mut() {
                     // So many samples were just taken.
                     *samples_factor *= f64::from(SECOND_FACTOR);
                 }
-                before.settled = true;
-                counted(before)
+                counted(false, this)
             }
+            Verdict::Inconclusive { doubt: Some(_), .. } if !says_nothing => counted(true, check),
             Verdict::Inconclusive { doubt, .. } => {
-                *doubt = Some(doubt_of_one_before);
-                counted(check)
+                *doubt = Some(doubt_of_this);
+                counted(false, check)
             }
-            _ => counted(check),
+            verdict @ Verdict::Right if agree && references > 2 => {
+                *verdict = Verdict::Inconclusive {
+                    samples_factor: f64::from(SECOND_FACTOR),
+                    doubt: Some(doubt_of_this),
+                };
+                counted(false, check)
+            }
+            Verdict::Right => counted(false, check),
+            Verdict::Wrong { .. } | Verdict::Partial { .. } => counted(!agree, check),
         }
     }
 
-    /// The verdict where no further reference is made: differences that change with the step call
-    /// no gradient wrong.
-    pub(crate) fn settled(self) -> Self {
-        if self.settled {
+    /// The verdict where no further reference is made: no gradient is called wrong by one alone, nor
+    /// by some that contradict each other.
+    pub(crate) fn decided(self) -> Self {
+        if !self.is_open {
             return self;
         }
+        if self.references == 1 {
+            return self.unconfirmed();
+        }
         let over = self.made.over();
-        let among_themselves = match self.made.fits_scene {
-            true => "differences over four times the step: the image changes suddenly close by",
-            false => "others by more than their errors: few rare events were met",
+        let (samples_factor, other) = match self.made.fits_scene {
+            true => (
+                f64::INFINITY,
+                "one with a step four times as large: the image may jump close by, which a \
+                 smaller step would show",
+            ),
+            false => (
+                f64::from(SECOND_FACTOR),
+                "another one over the same step: where few rare events were met, errors are too small",
+            ),
         };
-        self.not_called_wrong(1.0, |reason| {
-            format!(
-                "over {over} they differ ({reason}), but those differences differ from \
-                 {among_themselves}"
-            )
+        self.not_called_wrong(samples_factor, |reason| {
+            format!("over {over} they differ ({reason}), but this reference contradicts {other}")
         })
     }
 
@@ -314,7 +331,7 @@ impl Check {
             Verdict::Inconclusive { samples_factor, .. } => samples_factor.max(1.0),
             _ => 1.0,
         };
-        self.not_called_wrong(needed, |reason| {
+        self.not_called_wrong(needed * f64::from(SECOND_FACTOR), |reason| {
             format!(
                 "{reason}, which a second gradient with more samples does not confirm: where few \
                  rare events were met, errors are too small"
@@ -324,9 +341,9 @@ impl Check {
 
     /// What a contradiction is without a confirmation: the reference may be at fault, or the errors
     /// of either too small.
-    pub(crate) fn unconfirmed(self) -> Self {
+    fn unconfirmed(self) -> Self {
         let over = self.made.over();
-        self.not_called_wrong(1.0, |reason| {
+        self.not_called_wrong(f64::from(SECOND_FACTOR), |reason| {
             format!(
                 "over {over} they differ ({reason}), and there was no time to confirm it with \
                  other random numbers"
@@ -334,13 +351,12 @@ impl Check {
         })
     }
 
-    /// The same with a doubt in the place of "wrong", given the reason for that; `needed` is how
-    /// many times the samples of a confirmation would be enough.
-    fn not_called_wrong(mut self, needed: f64, doubt: impl FnOnce(&str) -> String) -> Self {
+    /// The same with a doubt in the place of "wrong", given the reason for that.
+    fn not_called_wrong(mut self, samples_factor: f64, doubt: impl FnOnce(&str) -> String) -> Self {
         let verdict = self.rest_mut();
         if let Verdict::Wrong { reason } = verdict {
             *verdict = Verdict::Inconclusive {
-                samples_factor: needed * f64::from(SECOND_FACTOR),
+                samples_factor,
                 doubt: Some(doubt(reason)),
             };
         }
@@ -422,19 +438,21 @@ impl Check {
                 doubt,
             } => {
                 let enough = |spp: f64| Some((spp * samples_factor).ceil() as u64);
-                let doubt = doubt.iter().map(|doubt| format!("{doubt}; "));
-                let doubt: String = doubt.collect();
-                match samples_factor.is_finite() {
-                    true => format!(
-                        "inconclusive: {doubt}about {} times the samples would be enough ({} {})",
+                let needed = || {
+                    format!(
+                        "about {} times the samples would be enough ({} {})",
                         significant(*samples_factor, 2),
                         option("spp", enough(spp)),
                         option("reference-spp", enough(reference_spp))
-                    ),
-                    false => {
-                        format!("inconclusive: {doubt}the gradient shows no derivative, only noise")
-                    }
-                }
+                    )
+                };
+                let what = match (doubt, samples_factor.is_finite()) {
+                    (Some(doubt), true) => format!("{doubt}; {}", needed()),
+                    (Some(doubt), false) => doubt.clone(),
+                    (None, true) => needed(),
+                    (None, false) => "the gradient shows no derivative, only noise".into(),
+                };
+                format!("inconclusive: {what}")
             }
         }
     }
@@ -632,10 +650,10 @@ mod tests {
         checked_twice(MADE, &waves(3, 1.3, 0.0, 0.1), &waves(2, 1.0, 0.0, 0.1))
     }
 
-    /// What contradicts a gradient, or leaves a doubt of it, gets a second reference: over a
+    /// What contradicts a gradient, or leaves a doubt of it, gets another reference: over a
     /// smaller step, unless one was asked for, with more samples and other random numbers.
     #[test]
-    fn a_contradiction_gets_a_next_reference() {
+    fn a_contradiction_gets_another_reference() {
         let (right, wrong) = (waves(2, 1.0, 0.0, 0.1), waves(3, 1.3, 0.0, 0.1));
         assert_eq!(checked(MADE, &right).comparison.verdict, Verdict::Right);
         assert_eq!(checked(MADE, &right).next_reference(), None);
@@ -682,7 +700,7 @@ mod tests {
         cut.statistics.complete = false;
         for check in [
             checked_twice(MADE, &wrong, &cut),
-            checked(MADE, &wrong).unconfirmed(),
+            checked(MADE, &wrong).decided(),
         ] {
             assert!(check.verdict(|_, _| String::new()).contains("no time"));
             assert_eq!(check.made.step, MADE.step);
@@ -729,60 +747,80 @@ mod tests {
         assert_eq!(verdict(&doubtful, &right), Verdict::Right);
     }
 
-    /// Differences that change with the step call no gradient wrong: others are made, as long as
-    /// each contradicts the one before.
+    /// Where references contradict each other, none of them calls a gradient wrong: others are made,
+    /// as long as each contradicts the gradient and the one before.
     #[test]
-    fn two_references_that_agree_call_wrong() {
-        let (right, first, second) = (
-            waves(2, 1.0, 0.0, 0.1),
-            waves(3, 1.3, 0.0, 0.1),
-            waves(5, 1.6, 0.0, 0.1),
-        );
+    fn references_that_contradict_each_other_call_nothing_wrong() {
+        let [right, first, second] =
+            [(2, 1.0), (3, 1.3), (5, 1.6)].map(|(seed, factor)| waves(seed, factor, 0.0, 0.1));
         let apart = || checked_twice(MADE, &first, &second);
-        assert!(!apart().settled && matches!(apart().rest(), Verdict::Wrong { .. }));
+        assert!(matches!(apart().rest(), Verdict::Wrong { .. }));
         let third = apart().next_reference().expect("they do not agree");
         assert_eq!((third.step, third.spp), (MADE.step / 16.0, 4000));
-        assert!(![MADE.seed, apart().made.seed].contains(&third.seed));
         let with = |check: Check, next: &GradientImage| {
             let made = check.next_reference().expect("it is open");
             check.with_next_reference((made, next.clone()))
         };
+        let doubt_of = |check: &Check| match check.rest() {
+            Verdict::Inconclusive {
+                doubt: Some(doubt), ..
+            } => doubt.clone(),
+            verdict => panic!("{verdict:?}"),
+        };
+        // The third one decides, if it contradicts the second.
         let decided = with(apart(), &right);
         assert_eq!(*decided.rest(), Verdict::Right);
         assert_eq!((decided.references, decided.made.step), (3, third.step));
-        assert_eq!(
-            decided.reference_samples,
-            3 * right.statistics.samples,
-            "all are counted"
-        );
+        let of_all = 3 * right.statistics.samples;
+        assert_eq!(decided.reference_samples, of_all);
         let confirmed = with(apart(), &waves(6, 1.6, 0.0, 0.1));
         assert!(confirmed.next_reference().is_none());
-        assert!(matches!(confirmed.settled().rest(), Verdict::Wrong { .. }));
-        // Noise leaves what was said before as a doubt.
-        let noisy = with(apart(), &waves(7, 1.0, 0.0, 3.0));
-        match noisy.rest() {
-            Verdict::Inconclusive {
-                doubt: Some(doubt), ..
-            } => assert!(doubt.contains("0.00250"), "{doubt}"),
-            verdict => panic!("{verdict:?}"),
+        assert!(matches!(confirmed.decided().rest(), Verdict::Wrong { .. }));
+        // Noise alone does not acquit: the same few pixels are off in the second and the third.
+        let spikes = |seed, spikes, noise| waves(seed, 1.0, spikes, noise);
+        let few = checked_twice(MADE, &spikes(3, 3.0, 0.1), &spikes(5, 1.3, 0.1));
+        assert!(matches!(few.rest(), Verdict::Wrong { .. }));
+        let hidden = with(few, &spikes(6, 0.9, 0.2));
+        let alone = checked(MADE, &spikes(6, 0.9, 0.2));
+        assert_eq!(*alone.rest(), Verdict::Right);
+        assert!(doubt_of(&hidden).contains("0.00250"));
+        assert!(hidden.next_reference().is_none());
+        // Nor does it accuse: what a noisy one leaves is the doubt of the one before.
+        let noisy = waves(7, 1.0, 0.0, 3.0);
+        let doubtful = with(apart(), &noisy);
+        assert!(doubt_of(&doubtful).contains("0.00250") && doubtful.next_reference().is_none());
+        let doubtful = checked_twice(MADE, &waves(3, 4.0, 0.0, 0.1), &waves(4, 1.0, 0.0, 1.0));
+        assert!(doubt_of(&doubtful).contains("0.0100") && doubtful.next_reference().is_none());
+        // They end, with random numbers of their own, and nothing is wrong then.
+        let mut check = checked(MADE, &first);
+        let mut seeds = vec![check.made.seed];
+        for next in [&second, &first, &second] {
+            check = with(check, next);
+            seeds.push(check.made.seed);
         }
-        // They end, and nothing is wrong then.
-        let restless = with(with(apart(), &first), &second);
-        assert!(restless.references == 4 && restless.next_reference().is_none());
-        let words = restless.settled().verdict(|_, _| String::new());
-        assert!(
-            words.starts_with("inconclusive") && words.contains("suddenly"),
-            "{words}"
-        );
-        // A step that was asked for stays, and so does its doubt.
+        seeds.sort_unstable();
+        seeds.dedup();
+        assert_eq!((seeds.len(), check.references), (4, 4));
+        assert!(check.next_reference().is_none());
+        let words = check.decided().verdict(|_, _| String::new());
+        let says = |text: &str| words.contains(text);
+        assert!(words.starts_with("inconclusive") && says("jump") && !says("times the samples"));
+        // So it is where time runs out between them, and with a step that was asked for.
+        let mut cut = right.clone();
+        cut.statistics.complete = false;
+        let check = with(apart(), &cut);
+        assert!(doubt_of(&check).contains("contradicts one with") && !check.is_open);
         let own = Reference {
             fits_scene: false,
             ..MADE
         };
         let apart = checked_twice(own, &first, &second);
         assert_eq!(apart.next_reference().map(|next| next.step), Some(own.step));
-        let words = apart.settled().verdict(|_, _| String::new());
-        assert!(words.contains("rare events"), "{words}");
+        let words = apart.decided().verdict(|_, _| String::new());
+        assert!(
+            words.contains("rare events") && words.contains("times the samples"),
+            "{words}"
+        );
     }
 
     /// A reference that saw too few events is no evidence, neither as the first nor as the second.

@@ -237,7 +237,7 @@ impl Prepared {
     /// Differences have a bias that grows with their step, and errors that are too small where
     /// few rare events were met. Where they contradict the gradient or leave a doubt of it, others
     /// decide, with more samples, and over a part of the step unless one was asked for. A gradient is
-    /// called wrong only by two references that agree with each other. Its errors may be too small,
+    /// called wrong only by two references that do not contradict each other. Its errors may be too small,
     /// too: it is called wrong only if another estimate of it, with more samples, is contradicted as
     /// well.
     pub fn checked(
@@ -257,10 +257,7 @@ impl Prepared {
             let made = self.reference(&check.gradient, tangent, next, method, watch)?;
             check = check.with_next_reference(made);
         }
-        let check = match check.references {
-            1 => check.unconfirmed(),
-            _ => check.settled(),
-        };
+        let check = check.decided();
         let Some(again) = check.second_gradient(options) else {
             return Ok(check);
         };

@@ -351,7 +351,15 @@ mod tests {
         assert!((step("10*leaf.translate.x") / expected - 0.1).abs() < 1e-12);
         let both = step("leaf.translate.x + 100*floor.bsdf.reflectance.value");
         assert!((both / (COLOUR_STEP / 100.0) - 1.0).abs() < 1e-12);
-        assert!(step("sensor.translate.x") > 0.5 * step("leaf.translate.x"));
+        // The sensor moves by a part of the scene, where pixels do not limit it.
+        let mut coarse = scene.clone();
+        (coarse.film.size, coarse.film.crop_size) = ([1; 2], [1; 2]);
+        *coarse.sensor.model.optic_mut(Optic::FovX).unwrap() = 3.1;
+        let tangent = Registry::new(&coarse).tangent(&coarse, "sensor.translate.x");
+        let (low, high) = bounds(&coarse);
+        let expected = (high - low).length() / 100.0;
+        let found = difference_step(&coarse, &tangent.unwrap());
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
     }
 
     /// Boundaries are listed for the step of what moves hard shadows, and of nothing else.

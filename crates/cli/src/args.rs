@@ -380,8 +380,8 @@ pub struct Backward {
 pub struct Check {
     #[command(flatten)]
     pub gradient: Gradient,
-    /// Samples per pixel of the first reference, taken on each side of the difference; a second
-    /// one has four times as many [default: as many as suit the noise of both]
+    /// Samples per pixel of the first reference, taken on each side of the difference; others have
+    /// four times as many [default: as many as suit the noise of both]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub reference_spp: Option<u32>,
 }

@@ -156,7 +156,7 @@ pub enum Verdict {
     /// The noise hides what is asked for, or explains the differences only in part.
     Inconclusive {
         /// Samples per pixel, as a multiple of those taken, that would be
-        /// enough; infinite if there is nothing to see.
+        /// enough; infinite if there is nothing to see, or if samples are not what it takes.
         samples_factor: f64,
         /// Why the gradient may be wrong, where the differences are larger than noise
         /// explains, or why that is no evidence; `None` where noise hides them.

@@ -119,7 +119,6 @@ pub fn of_check<'py>(
     numbers.set_item("spp", asked.gradient.spp)?;
     numbers.set_item("reference_spp", check.made.spp)?;
     numbers.set_item("references", check.references)?;
-    numbers.set_item("settled", check.settled)?;
     let option = |name: &str, value: Option<u64>| {
         let name = name.replace('-', "_");
         value.map_or(name.clone(), |value| format!("{name}={value}"))

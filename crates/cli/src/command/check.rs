@@ -46,9 +46,9 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         comparison,
         made,
         references,
-        settled,
         reference_samples,
         coplanar,
+        ..
     } = &checked.check;
     let (of_gradient, of_reference) = (&gradient.statistics, &reference.statistics);
 
@@ -73,7 +73,6 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
             "step": made.step,
             "sides": made.sides.name(),
             "references": references,
-            "settled": settled,
             "reference_samples": reference_samples,
             "comparison": comparison_json(comparison),
             "coplanar": coplanar,

@@ -145,25 +145,17 @@ mod tests {
                     [b, a]
                 }
             };
+            let made = Reference {
+                sides: capwalk::Stencil::Both,
+                step: 0.5,
+                fits_scene: false,
+                spp: 8,
+                fits_noise: false,
+                adaptive: false,
+                seed: 6,
+            };
             let checked = Checked {
-                check: Check {
-                    references: 1,
-                    settled: true,
-                    reference_samples: 0,
-                    comparison: compare(&gradient.gradient, &reference.gradient),
-                    gradient,
-                    reference,
-                    made: Reference {
-                        sides: capwalk::Stencil::Both,
-                        step: 0.5,
-                        fits_scene: false,
-                        spp: 8,
-                        fits_noise: false,
-                        adaptive: false,
-                        seed: 6,
-                    },
-                    coplanar: Vec::new(),
-                },
+                check: Check::new(gradient, (made, reference), Vec::new()),
                 chosen: Chosen {
                     options: GradientOptions {
                         spp: 8,
