@@ -1,5 +1,6 @@
-//! Eight samples of the primal image at a time, where scenes allow it: all surfaces are diffuse,
-//! and all light comes from one rectangle.
+//! Eight samples of the primal image at a time, where scenes allow it: all light comes from one
+//! rectangle, and what surfaces do to it is the same all over them, but for textures of what is
+//! diffuse.
 //!
 //! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
 //! compares them one by one. (But the rectangle is always sampled by solid angle, also where it is
@@ -10,6 +11,7 @@
 //! thin faces, surfaces close to each other, or a camera so near that it is more than two
 //! thousandths of a pixel ([`PacketTree::resolves`], [`NEAREST`]).
 
+mod lobes;
 mod scene;
 mod step;
 #[cfg(test)]
@@ -26,6 +28,7 @@ use crate::prepared::PreparedScene;
 use crate::radiance::RR_MAX;
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
+use lobes::Turned;
 use scene::{LaneScene, NOTHING};
 use step::{Brdf, Lit, Vertices};
 use vectors::{LANES, Vectors};
@@ -52,15 +55,24 @@ pub struct LaneTracer<'a> {
 }
 
 /// Eight paths.
-struct Paths {
+struct Paths<'a> {
     streams: [Stream; LANES],
     light: Vectors,
     throughput: Vectors,
     vertices: Vertices,
+    /// What scatters light there, if it is not diffuse.
+    lobes: [Option<Turned<'a>>; LANES],
     /// What they hit, or [`NOTHING`].
     faces: [u32; LANES],
     /// How many rays each has taken.
     rays: [u64; LANES],
+}
+
+/// One bit for each of some lanes of which something holds.
+fn mask_of(lanes: u32, mut holds: impl FnMut(usize) -> bool) -> u32 {
+    lanes_of(lanes)
+        .filter(|&lane| holds(lane))
+        .fold(0, |mask, lane| mask | 1 << lane)
 }
 
 /// The numbers of the lanes with a bit in the mask.
@@ -124,6 +136,7 @@ impl<'a> LaneTracer<'a> {
             light: Vectors::splat([0.0; 3]),
             throughput: Vectors::splat([1.0; 3]),
             vertices: Vertices::new(&packet),
+            lobes: [None; LANES],
             faces: self.packets.first_hits(&packet),
             rays: [1; LANES],
         };
@@ -137,7 +150,7 @@ impl<'a> LaneTracer<'a> {
     }
 
     /// Adds what the camera sees of the emitter.
-    fn add_seen(&self, paths: &mut Paths, mask: u32) {
+    fn add_seen(&self, paths: &mut Paths<'_>, mask: u32) {
         if !self.plan.reaches(1) || self.plan.hide_emitters {
             return;
         }
@@ -150,7 +163,7 @@ impl<'a> LaneTracer<'a> {
     }
 
     /// Adds what arrives by reflections.
-    fn reflect(&self, paths: &mut Paths, mask: u32) {
+    fn reflect<'s>(&'s self, paths: &mut Paths<'s>, mask: u32) {
         let plan = &self.plan;
         let mut active = mask;
         for depth in 0.. {
@@ -168,40 +181,43 @@ impl<'a> LaneTracer<'a> {
                 .instructions()
                 .run(step::Surfaces(&mut paths.vertices));
             // Where directions are drawn from the surface: see `sample_lights`.
-            let vertices = &paths.vertices;
-            let is_wide = |lane: &usize| !self.scene.is_narrow(vertices.position.get(*lane));
             let of_brdf = match goes_on {
                 true => active,
-                false => lanes_of(active)
-                    .filter(is_wide)
-                    .fold(0, |mask, lane| mask | 1 << lane),
+                false => mask_of(active, |lane| {
+                    let is_diffuse = paths.lobes[lane].is_none_or(|at| at.lobes.is_diffuse);
+                    !is_diffuse || !self.scene.is_narrow(paths.vertices.position.get(lane))
+                }),
             };
             self.add_light(paths, active, first, of_brdf);
             if of_brdf == 0 {
                 return;
             }
-            self.draw_brdf(paths, of_brdf, first + EMITTER_NUMBERS);
+            let drawn = self.draw_brdf(paths, of_brdf, first + EMITTER_NUMBERS);
             if !goes_on {
                 return;
             }
-            active = self.roulette(paths, active, depth);
+            active = self.roulette(paths, drawn, depth);
         }
     }
 
-    /// Looks up the surfaces that were hit; one bit for each that reflects something.
-    fn find_surfaces(&self, paths: &mut Paths, active: u32) -> u32 {
-        let mut found = 0;
-        for lane in lanes_of(active) {
-            let face = paths.faces[lane];
-            if face != NOTHING && self.scene.look_up(face, lane, &mut paths.vertices) {
-                found |= 1 << lane;
-            }
-        }
-        found
+    /// Looks up the surfaces that were hit; one bit for each that scatters something.
+    fn find_surfaces<'s>(&'s self, paths: &mut Paths<'s>, active: u32) -> u32 {
+        mask_of(active, |lane| {
+            let found = match paths.faces[lane] {
+                NOTHING => None,
+                face => self.scene.look_up(face, lane, &mut paths.vertices),
+            };
+            paths.lobes[lane] = found.flatten();
+            found.is_some()
+        })
     }
 
     /// Adds light from a point sampled on the emitter.
-    fn add_light(&self, paths: &mut Paths, active: u32, first: u32, of_brdf: u32) {
+    fn add_light(&self, paths: &mut Paths<'_>, active: u32, first: u32, of_brdf: u32) {
+        let lobes = &paths.lobes;
+        let is_smooth = |lane: usize| lobes[lane].is_none_or(|at| at.lobes.has_smooth);
+        let transmits = |lane: usize| lobes[lane].is_some_and(|at| at.lobes.transmits);
+        let (active, transmits) = (mask_of(active, is_smooth), mask_of(active, transmits));
         let mut u = [[0.0; LANES]; 2];
         for lane in lanes_of(active) {
             // The first number would choose among several emitters.
@@ -214,6 +230,7 @@ impl<'a> LaneTracer<'a> {
             rectangle: self.scene.rectangle,
             u: &u,
             of_brdf,
+            transmits,
             lit: &mut lit,
         });
         let wanted = active & lit.mask;
@@ -231,28 +248,47 @@ impl<'a> LaneTracer<'a> {
         }
         let hidden = self.packets.occluded(&packet);
         for lane in lanes_of(wanted & !hidden) {
-            let albedo = paths.vertices.albedo.colour(lane);
-            let reflected = albedo * self.scene.radiance * lit.weight[lane];
+            let scattered = match paths.lobes[lane] {
+                None => paths.vertices.albedo.colour(lane) * lit.weight[lane],
+                Some(lobes) => {
+                    let lobes = lobes.at(&paths.vertices, lane);
+                    lobes.scattered(lit.direction.get(lane))
+                }
+            };
+            let reflected = scattered * self.scene.radiance;
             let light = paths.light.colour(lane) + paths.throughput.colour(lane) * reflected;
             paths.light.set_colour(lane, light);
         }
     }
 
     /// Draws directions from the surfaces, adds what the emitter sends from there, and goes on
-    /// along them.
-    fn draw_brdf(&self, paths: &mut Paths, active: u32, first: u32) {
+    /// along them; one bit for each that does.
+    fn draw_brdf(&self, paths: &mut Paths<'_>, active: u32, first: u32) -> u32 {
         let mut u = [[0.0; LANES]; 2];
         for lane in lanes_of(active) {
-            // The first number would choose among several lobes.
             let pair = paths.streams[lane].pair(first + 1);
             (u[0][lane], u[1][lane]) = (pair[0], pair[1]);
-            paths.rays[lane] += 1;
         }
         let mut drawn = Brdf::default();
         self.packets.instructions().run(step::Draw {
             vertices: &paths.vertices,
             u: &u,
             drawn: &mut drawn,
+        });
+        let mut factors = paths.vertices.albedo;
+        let active = mask_of(active, |lane| {
+            let Some(lobes) = paths.lobes[lane] else {
+                return true;
+            };
+            let lobes = lobes.at(&paths.vertices, lane);
+            let choice = paths.streams[lane].number(first);
+            let own = lobes.draw(choice, u.map(|numbers| numbers[lane]));
+            own.is_some_and(|own| {
+                drawn.direction.set(lane, own.direction);
+                drawn.weight[lane] = own.weight;
+                factors.set_colour(lane, own.factor);
+                true
+            })
         });
         let vertices = &mut paths.vertices;
         vertices.direction = drawn.direction;
@@ -264,7 +300,8 @@ impl<'a> LaneTracer<'a> {
             ..Packet::EMPTY
         });
         for lane in lanes_of(active) {
-            let next = paths.throughput.colour(lane) * vertices.albedo.colour(lane);
+            paths.rays[lane] += 1;
+            let next = paths.throughput.colour(lane) * factors.colour(lane);
             if self
                 .scene
                 .emits(paths.faces[lane], drawn.direction.get(lane))
@@ -275,10 +312,11 @@ impl<'a> LaneTracer<'a> {
             }
             paths.throughput.set_colour(lane, next);
         }
+        active
     }
 
     /// Ends paths that carry nothing, and long ones at random; one bit for each that goes on.
-    fn roulette(&self, paths: &mut Paths, active: u32, depth: u32) -> u32 {
+    fn roulette(&self, paths: &mut Paths<'_>, active: u32, depth: u32) -> u32 {
         let is_long = depth + 1 >= self.plan.rr_depth;
         let last = self.plan.vertex_numbers(depth + 1) - 1;
         let mut alive = 0;

@@ -1,10 +1,13 @@
 //! What of a scene eight paths need, and which scenes allow them.
 
-use capwalk_boundary::Accel;
+use capwalk_boundary::{Accel, needs_place, needs_tangent, tangents_of_face};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, ShapeId, SurfacePoint, TextureId};
+use capwalk_scene::lobe::{Lobe, Side};
+use capwalk_scene::resolve::TexturesAt;
+use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, ShapeId, SurfacePoint, TextureId};
 
 use crate::emitter_sampler::DirectionSampler;
+use crate::lanes::lobes::{Lobes, Turned};
 use crate::lanes::step::Vertices;
 use crate::light::NARROW;
 use crate::prepared::PreparedScene;
@@ -14,7 +17,8 @@ use crate::triangle_sampler::TriangleSampler;
 /// No face.
 pub const NOTHING: u32 = u32::MAX;
 
-/// A scene of diffuse surfaces, and one rectangle that emits.
+/// A scene of one rectangle that emits, and surfaces whose lobes are the same all over them, or
+/// that are diffuse.
 pub struct LaneScene<'a> {
     accel: &'a Accel,
     faces: Vec<Face>,
@@ -31,21 +35,45 @@ struct Face {
     corner: Vec3,
     /// Unit normal by its winding.
     normal: Vec3,
+    /// Along the first texture coordinate, if the material turns with it.
+    tangent: Option<Vec3>,
     shape: ShapeId,
 }
 
-/// What a shape's sides reflect.
+impl Face {
+    fn of(accel: &Accel, face: usize) -> Self {
+        let shape = accel.shape_of_face[face];
+        let place = shape.0 as usize;
+        let [a, b, c] = accel.mesh.corners(face);
+        let tangents = || {
+            let own = face - accel.first_face[place] as usize;
+            tangents_of_face(accel.scene.shape(shape), own, [b - a, c - a])
+        };
+        let turns = accel.needs_tangent[place];
+        Self {
+            corner: a,
+            normal: accel.mesh.face_cross(face).normalized(),
+            tangent: turns.then(tangents).flatten().map(|[along_u, _]| along_u),
+            shape,
+        }
+    }
+}
+
+/// What a shape's sides scatter: the one that its normal points to, and the other.
 struct ShapeOfLanes {
-    front: Option<Albedo>,
-    back: Option<Albedo>,
+    sides: [Option<Scattering>; 2],
+    needs_place: bool,
     has_normals: bool,
 }
 
-/// A fraction of light.
-#[derive(Clone, Copy)]
-enum Albedo {
-    Constant(Rgb),
-    Texture(TextureId),
+/// What a side of a surface does to light.
+enum Scattering {
+    /// It reflects a fraction diffusely.
+    Diffuse(Rgb),
+    /// The fraction is that of a texture.
+    Textured(TextureId),
+    /// It has other lobes.
+    Lobes(Box<Lobes>),
 }
 
 impl<'a> LaneScene<'a> {
@@ -67,20 +95,14 @@ impl<'a> LaneScene<'a> {
             .shapes
             .iter()
             .map(|shape| {
-                let [front, back] = albedos(scene, shape.bsdf)?;
                 Some(ShapeOfLanes {
-                    front,
-                    back,
+                    sides: sides(accel, shape)?,
+                    needs_place: needs_place(scene, shape),
                     has_normals: shape.normals.per_vertex().is_some(),
                 })
             })
             .collect();
-        let faces = accel.mesh.faces.len();
-        let faces = (0..faces).map(|face| Face {
-            corner: accel.mesh.corners(face)[0],
-            normal: accel.mesh.face_cross(face).normalized(),
-            shape: accel.shape_of_face[face],
-        });
+        let faces = (0..accel.mesh.faces.len()).map(|face| Face::of(accel, face));
         let mut ids = (0..).map(ShapeId).zip(&scene.shapes);
         let is_only_one = ids.all(|(id, other)| other.emitter.is_some() == (id == *shape));
         let shapes = shapes.filter(|_| is_only_one)?;
@@ -120,9 +142,15 @@ impl<'a> LaneScene<'a> {
         }
     }
 
-    /// Looks up the face that a path hits; false if it reflects nothing.
+    /// Looks up the face that a path hits; `None` if it scatters nothing, else what does if it is
+    /// not diffuse.
     #[inline]
-    pub fn look_up(&self, face: u32, lane: usize, vertices: &mut Vertices) -> bool {
+    pub fn look_up(
+        &self,
+        face: u32,
+        lane: usize,
+        vertices: &mut Vertices,
+    ) -> Option<Option<Turned<'_>>> {
         let found = &self.faces[face as usize];
         let shape = &self.shapes[found.shape.0 as usize];
         let direction = vertices.direction.get(lane);
@@ -131,10 +159,7 @@ impl<'a> LaneScene<'a> {
         } else {
             1.0
         };
-        let needs_place = shape.has_normals
-            || matches!(shape.front, Some(Albedo::Texture(_)))
-            || matches!(shape.back, Some(Albedo::Texture(_)));
-        let barycentric = match needs_place {
+        let barycentric = match shape.needs_place {
             true => self.barycentric(face, found, vertices.origin.get(lane), direction),
             false => [1.0, 0.0, 0.0],
         };
@@ -142,23 +167,25 @@ impl<'a> LaneScene<'a> {
             false => (found.normal, 1.0),
             true => self.normal(face, found, barycentric),
         };
-        let (side, albedo) = match seen * out > 0.0 {
-            true => (1.0, shape.front),
-            false => (-1.0, shape.back),
+        let (place, side) = if seen * out > 0.0 {
+            (0, 1.0)
+        } else {
+            (1, -1.0)
         };
-        let Some(albedo) = albedo else {
-            return false;
-        };
-        let albedo = match albedo {
-            Albedo::Constant(albedo) => albedo,
-            Albedo::Texture(id) => self.texture(id, face, found, barycentric),
+        let (side, albedo, lobes) = match shape.sides[place].as_ref()? {
+            Scattering::Diffuse(albedo) => (side, *albedo, None),
+            Scattering::Textured(id) => (side, self.texture(*id, face, found, barycentric), None),
+            Scattering::Lobes(lobes) => {
+                let tangent = found.tangent;
+                (lobes.front, Rgb::zero(), Some(Turned { lobes, tangent }))
+            }
         };
         vertices.corner.set(lane, found.corner);
         vertices.face_normal.set(lane, found.normal);
         vertices.outward.set(lane, outward);
         vertices.side[lane] = side;
         vertices.albedo.set_colour(lane, albedo);
-        true
+        Some(lobes)
     }
 
     /// Weights of the corners where a ray meets the plane of a face.
@@ -200,20 +227,57 @@ impl<'a> LaneScene<'a> {
     }
 }
 
+/// What the sides of a shape do to light; `None` if that changes along them, but for the texture
+/// of what is diffuse.
+fn sides(accel: &Accel, shape: &Shape) -> Option<[Option<Scattering>; 2]> {
+    let scene: &Scene = &accel.scene;
+    let slots = scene.slots_below(shape.bsdf);
+    let mut textures = slots.iter().map(|slot| scene.texture(slot.texture));
+    if !textures.all(|texture| texture.is_constant()) {
+        return textured(scene, shape.bsdf);
+    }
+    let turns = needs_tangent(scene, shape.bsdf);
+    Some([Side::Front, Side::Back].map(|side| {
+        let resolver = &accel.resolver;
+        let resolved = resolver.resolve(scene, shape.bsdf, side, &mut Constants(scene));
+        let lobes: Vec<_> = resolved.bsdf.lobes().collect();
+        match lobes[..] {
+            [] => None,
+            [(1.0, Lobe::Diffuse(lobe))] if !turns => Some(Scattering::Diffuse(lobe.reflectance)),
+            _ => Some(Scattering::Lobes(Box::new(Lobes::new(resolved)))),
+        }
+    }))
+}
+
 /// What both sides of a material reflect, if it is diffuse.
-fn albedos(scene: &Scene, id: BsdfId) -> Option<[Option<Albedo>; 2]> {
-    let front_of = |id: BsdfId| match &scene.material(id).bsdf {
+fn textured(scene: &Scene, id: BsdfId) -> Option<[Option<Scattering>; 2]> {
+    let side = |id: BsdfId| match &scene.material(id).bsdf {
         Bsdf::Diffuse { reflectance } => {
             let texture = scene.texture(*reflectance);
             Some(match texture.is_constant() {
-                true => Albedo::Constant(texture.texel(0)),
-                false => Albedo::Texture(*reflectance),
+                true => Scattering::Diffuse(texture.texel(0)),
+                false => Scattering::Textured(*reflectance),
             })
         }
         _ => None,
     };
     match &scene.material(id).bsdf {
-        Bsdf::TwoSided { front, back } => Some([Some(front_of(*front)?), Some(front_of(*back)?)]),
-        _ => Some([Some(front_of(id)?), None]),
+        Bsdf::TwoSided { front, back } => Some([Some(side(*front)?), Some(side(*back)?)]),
+        _ => Some([Some(side(id)?), None]),
+    }
+}
+
+/// Textures that are the same everywhere.
+struct Constants<'a>(&'a Scene);
+
+impl TexturesAt<f64> for Constants<'_> {
+    fn value(&mut self, id: TextureId) -> Rgb {
+        self.0.texture(id).texel(0)
+    }
+    fn gradient(&mut self, _: TextureId) -> [Rgb; 2] {
+        [Rgb::zero(); 2]
+    }
+    fn may_change(&self, _: TextureId) -> bool {
+        false
     }
 }

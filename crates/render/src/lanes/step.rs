@@ -106,6 +106,8 @@ pub struct Light<'a> {
     pub u: &'a [Numbers; 2],
     /// One bit for each where directions are drawn from the surface, too.
     pub of_brdf: u32,
+    /// One bit for each where light comes through the surface, too.
+    pub transmits: u32,
     pub lit: &'a mut Lit,
 }
 
@@ -118,6 +120,7 @@ impl Computation for Light<'_> {
             rectangle,
             u,
             of_brdf,
+            transmits,
             lit,
         } = self;
         // Copies, which nothing else refers to.
@@ -143,7 +146,8 @@ impl Computation for Light<'_> {
         let mut mask = 0;
         for lane in 0..LANES {
             // What is not a number is not dark: the pixel counts it.
-            let is_dark = solid_angles[lane] <= 0.0 || cosines[lane] <= 0.0;
+            let is_behind = cosines[lane] <= 0.0 && transmits >> lane & 1 == 0;
+            let is_dark = solid_angles[lane] <= 0.0 || is_behind;
             mask |= u32::from(!is_dark) << lane;
         }
         vertices.solid_angle = solid_angles;

@@ -3,11 +3,15 @@
 use capwalk_boundary::{Counts, Draw, Sampler};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Rgb, Vec3};
+use capwalk_scene::bsdf::{
+    Coat, Facets, Glass, Metal, PrincipledIndex, PrincipledTextures, ThinTextures,
+};
+use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
     Bsdf, BsdfId, Filter, Integrator, Material, Pattern, SamplerKind, Scene, SensorModel,
-    ShadingNormals, Shape, builtin,
+    ShadingNormals, Shape, Texture, builtin,
 };
 
 use super::*;
@@ -182,6 +186,146 @@ fn lanes_sample_other_surfaces() {
     samples_are_those_of_the_tracer("wide", wide);
 }
 
+/// The scene with some shapes of other materials, the same all over each, some of which turn with
+/// texture coordinates; those named with "true" are turned inside out.
+fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
+    let mut number = |x: f64| scene.add_texture(Texture::colour("number", Rgb::splat(x)));
+    let [zero, alpha, half, one, index, extinction] =
+        [0.0, 0.2, 0.5, 1.0, 1.5, 3.0].map(&mut number);
+    let metal = Metal {
+        eta: half,
+        k: extinction,
+        specular_reflectance: one,
+    };
+    let glass = Glass {
+        int_ior: index,
+        ext_ior: one,
+        specular_reflectance: one,
+        specular_transmittance: one,
+    };
+    let coat = Coat {
+        int_ior: index,
+        ext_ior: one,
+        diffuse_reflectance: half,
+        specular_reflectance: one,
+        nonlinear: true,
+    };
+    let facets = |distribution| Facets {
+        distribution,
+        alpha: match distribution {
+            Distribution::Beckmann => [alpha; 2],
+            Distribution::Ggx => [alpha, half],
+        },
+    };
+    let principled = PrincipledTextures {
+        base_color: half,
+        roughness: half,
+        anisotropic: half,
+        metallic: alpha,
+        spec_trans: zero,
+        index: PrincipledIndex::Eta(index),
+        spec_tint: half,
+        sheen: half,
+        sheen_tint: half,
+        flatness: half,
+        clearcoat: half,
+        clearcoat_gloss: half,
+    };
+    let thin = ThinTextures {
+        base_color: half,
+        roughness: half,
+        anisotropic: zero,
+        spec_trans: half,
+        eta: index,
+        spec_tint: half,
+        sheen: half,
+        sheen_tint: half,
+        flatness: half,
+        diff_trans: one,
+    };
+    let first = scene.materials.len() as u32;
+    let [coated, brushed, mirror] = [0, 1, 5].map(|i| BsdfId(first + i));
+    let materials = [
+        Bsdf::RoughPlastic {
+            coat,
+            distribution: Distribution::Beckmann,
+            alpha,
+        },
+        Bsdf::RoughConductor(metal, facets(Distribution::Ggx)),
+        Bsdf::Plastic(coat),
+        Bsdf::PolarizedPlastic(coat, facets(Distribution::Ggx)),
+        Bsdf::Principled(principled),
+        Bsdf::Conductor(metal),
+        Bsdf::TwoSided {
+            front: brushed,
+            back: coated,
+        },
+        Bsdf::Blend {
+            weight: alpha,
+            nested: [brushed, mirror],
+        },
+        Bsdf::RoughDielectric(glass, facets(Distribution::Beckmann)),
+        Bsdf::PrincipledThin(thin),
+        // Diffuse where it is seen from behind, but the frame turns with texture coordinates.
+        Bsdf::TwoSided {
+            front: brushed,
+            back: scene.shapes[0].bsdf,
+        },
+    ];
+    for (i, bsdf) in materials.into_iter().enumerate() {
+        let id = format!("material {i}");
+        scene.materials.push(Material { id, bsdf });
+    }
+    let corners = [[0.1, 0.2], [0.9, 0.3], [0.2, 0.7]];
+    for (name, material, is_turned) in shown {
+        let shape = scene.shapes.iter_mut().find(|shape| shape.id == *name);
+        let shape = std::sync::Arc::make_mut(shape.expect("a shape"));
+        shape.bsdf = BsdfId(first + material);
+        shape.uvs = Some(vec![corners; shape.mesh.faces.len()]);
+        if *is_turned {
+            shape.mesh.faces.iter_mut().for_each(|face| face.swap(1, 2));
+        }
+    }
+    scene.check().expect("a valid scene");
+    scene
+}
+
+/// A sheet below the lamp.
+fn with_sheet(mut scene: Scene) -> Scene {
+    let back = scene.shapes.iter().find(|shape| shape.id == "back");
+    let mut sheet = Shape::clone(back.expect("a wall"));
+    sheet.id = "sheet".into();
+    let low = |p: &mut Vec3| *p = Vec3::new(0.3 * p.x + 0.4, 2.4, 0.3 * (p.y - 1.5) + 1.2);
+    sheet.mesh.positions.iter_mut().for_each(low);
+    scene.add_shape(sheet);
+    scene
+}
+
+/// Lobes of all kinds, on faces and on interpolated normals, seen from both sides.
+#[test]
+fn lanes_sample_other_materials() {
+    let room = with_sheet(scene("box-room", path(Some(5))));
+    let shown = [
+        ("floor", 0, false),
+        ("ceiling", 7, false),
+        ("back", 2, false),
+        ("left", 6, true),
+        ("right", 3, false),
+        ("box", 10, true),
+        ("sheet", 9, false),
+    ];
+    samples_are_those_of_the_tracer("materials", of_all_materials(room, &shown));
+    let room = with_ball(scene("box-room", direct(false)));
+    let shown = [
+        ("ball", 4, false),
+        ("left", 5, false),
+        ("box", 8, false),
+        ("floor", 0, false),
+        ("back", 1, false),
+    ];
+    samples_are_those_of_the_tracer("ball and mirror", of_all_materials(room, &shown));
+}
+
 /// Whatever is taken along with it, a sample is the same to the bit.
 #[test]
 fn samples_do_not_depend_on_each_other() {
@@ -221,7 +365,7 @@ fn other_scenes_are_not_for_lanes() {
         let shape = scene.shapes.iter_mut().find(|shape| shape.id == name);
         &mut std::sync::Arc::make_mut(shape.expect("a shape")).mesh
     }
-    // No emitter, other samples, other sensors, another material.
+    // No emitter, other samples, other sensors.
     assert!(!changed(|scene| {
         scene.emitters.clear();
         let shapes = scene.shapes.iter_mut();
@@ -237,7 +381,21 @@ fn other_scenes_are_not_for_lanes() {
     assert!(!changed(
         |scene| scene.sensor.model = SensorModel::Orthographic
     ));
-    assert!(!changed(|scene| scene.materials[0].bsdf = Bsdf::Null));
+    // What is painted and not diffuse.
+    let with = |painted: fn(Scene) -> Scene| {
+        let mut scene = painted(room());
+        let number = scene.add_texture(Texture::colour("number", Rgb::splat(0.3)));
+        let Bsdf::Diffuse { reflectance } = scene.materials[0].bsdf else {
+            unreachable!("floors are diffuse");
+        };
+        scene.materials[0].bsdf = Bsdf::Conductor(Metal {
+            eta: number,
+            k: number,
+            specular_reflectance: reflectance,
+        });
+        is_for_lanes(scene)
+    };
+    assert!(with(|scene| scene) && !with(painted));
     // What single precision does not resolve: a thin box, a board just before a wall, a lamp just
     // before the ceiling, a large image, a camera that is near, and many faces.
     assert!(!changed(|scene| {
