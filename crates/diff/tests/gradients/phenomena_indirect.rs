@@ -57,7 +57,7 @@ fn visible_case(spp: u32) -> Case {
 fn unlimited_depth() {
     let scene = deep(visible_ball(Filter::Gaussian { stddev: 0.5 }), None);
     let tangent = tangent(&scene, "ball.translate.x");
-    agree("unlimited depth", scene, &tangent, visible_case(250));
+    agree("unlimited depth", scene, &tangent, visible_case(120));
 }
 
 /// The room of the paper's figure 9 with light that is reflected several times.

@@ -103,7 +103,7 @@ fn corner_of_a_mirror() {
     let mut corners = vec![v(0.0, 0.0, 0.0); 4];
     corners[1] = v(0.1, 1.0, 0.2);
     let tangent = params::vertex_tangent(&scene, "mirror", corners).expect("a mirror");
-    agree_by(&BOTH, "mirror, a corner", scene, &tangent, case(1200));
+    agree_by(&BOTH, "mirror, a corner", scene, &tangent, case(500));
 }
 
 /// The camera moves before a mirror.

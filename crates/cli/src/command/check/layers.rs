@@ -103,7 +103,7 @@ fn panels<'a>(check: &'a Check, title: &'a str, z: &'a Image) -> [Panel<'a>; 4] 
 #[cfg(test)]
 mod tests {
     use capwalk::{
-        Chosen, Estimate, GradientImage, GradientOptions, Method, Reference, Statistics, compare,
+        Chosen, Estimate, GradientImage, GradientOptions, Method, Reference, Statistics,
     };
 
     use super::*;
