@@ -45,7 +45,7 @@ const SIZE: [u32; 2] = [128, 96];
 
 /// All scenes. Mitsuba must be able to load them and to move the vertices of the shape;
 /// whether its derivative is right is measured.
-const SUBJECTS: [Subject; 10] = [
+const SUBJECTS: [Subject; 13] = [
     Subject::new("leaf", Origin::BuiltIn, "leaf", 'x'),
     Subject::new("ball", Origin::BuiltIn, "ball", 'x'),
     Subject::new("box-room", Origin::BuiltIn, "box", 'x'),
@@ -56,6 +56,9 @@ const SUBJECTS: [Subject; 10] = [
     Subject::new("lamp_moves", Origin::Folder, "lamp", 'y'),
     Subject::new("interreflection", Origin::Folder, "thing", 'x'),
     Subject::new("indirect_shadow", Origin::Folder, "sheet", 'x'),
+    Subject::new("cornell-box", Origin::Peers, "block", 'y'),
+    Subject::new("painted-box", Origin::Peers, "block", 'y'),
+    Subject::new("glossy-box", Origin::Peers, "block", 'y'),
 ];
 
 impl Subject {

@@ -165,7 +165,8 @@ pub struct Check {
     /// Shapes that lie on each other and move against each other, see
     /// [`Prepared::coplanar_shapes`](crate::Prepared::coplanar_shapes).
     pub coplanar: Vec<[String; 2]>,
-    /// True as long as no other reference agrees with this one, and others may change the verdict.
+    /// True as long as no other reference agrees with this one: if this one speaks against the
+    /// gradient, others may change the verdict.
     is_open: bool,
 }
 
@@ -222,9 +223,10 @@ impl Check {
 
     /// The verdict beside another reference, if this one speaks against the gradient.
     ///
-    /// * If that one agrees with the gradient, it is right. (A third or fourth one is noisier than
+    /// * If that one agrees with the gradient, it is right. (A third or fourth one sees no more than
     ///   the second: it must contradict the one before, or noise may have hidden what that saw.)
-    /// * If that one speaks against the gradient, too, and agrees with this one, this verdict stays.
+    /// * If that one speaks against the gradient, too, and does not contradict this one, the gradient
+    ///   is wrong if that one calls it so; else this verdict stays.
     /// * If they contradict each other, yet another one is needed.
     /// * If that one is too noisy to say anything, what this one says is a doubt.
     pub(crate) fn with_next_reference(self, (made, image): (Reference, GradientImage)) -> Self {
@@ -242,9 +244,10 @@ impl Check {
         if !image.statistics.complete {
             return counted(false, self.decided());
         }
-        let unconfirmed = match self.made.fits_scene {
-            true => "a smaller step does",
-            false => "more samples do",
+        let unconfirmed = match (self.made.fits_scene, self.references) {
+            (true, _) => "a smaller step does",
+            (false, 1) => "more samples do",
+            (false, _) => "other random numbers do",
         };
         let over = self.made.over();
         let doubt_of_this =
@@ -256,7 +259,10 @@ impl Check {
         match check.rest_mut() {
             Verdict::Inconclusive { doubt: Some(_), .. } if agree && !says_nothing => {
                 let mut this = self;
-                if let Verdict::Inconclusive { samples_factor, .. } = this.rest_mut() {
+                let is_first = this.references == 1;
+                if let Verdict::Inconclusive { samples_factor, .. } = this.rest_mut()
+                    && is_first
+                {
                     // So many samples were just taken.
                     *samples_factor *= f64::from(SECOND_FACTOR);
                 }
@@ -280,8 +286,8 @@ impl Check {
     }
 
     /// The verdict where no further reference is made: no gradient is called wrong by one alone, nor
-    /// by some that contradict each other.
-    pub(crate) fn decided(self) -> Self {
+    /// by some that contradict each other, which is said.
+    pub(crate) fn decided(mut self) -> Self {
         if !self.is_open {
             return self;
         }
@@ -300,9 +306,16 @@ impl Check {
                 "another one over the same step: where few rare events were met, errors are too small",
             ),
         };
-        self.not_called_wrong(samples_factor, |reason| {
-            format!("over {over} they differ ({reason}), but this reference contradicts {other}")
-        })
+        if let Some(reason) = self.contradiction() {
+            let doubt = format!(
+                "over {over} they differ ({reason}), but this reference contradicts {other}"
+            );
+            *self.rest_mut() = Verdict::Inconclusive {
+                samples_factor,
+                doubt: Some(doubt),
+            };
+        }
+        self
     }
 
     /// How to estimate the gradient again, if two references contradict it: with other random
@@ -320,7 +333,12 @@ impl Check {
     /// no doubt of it is left, the first is not called wrong.
     pub(crate) fn with_second_gradient(self, gradient: GradientImage) -> Self {
         if !gradient.statistics.complete {
-            return self.unconfirmed();
+            return self.not_called_wrong(f64::from(SECOND_FACTOR), |reason| {
+                format!(
+                    "{reason}, and there was no time for a second gradient, which may show that \
+                     the errors of the first are too small"
+                )
+            });
         }
         let made = (self.made, self.reference.clone());
         let again = Self::new(gradient, made, Vec::new());
@@ -789,6 +807,18 @@ mod tests {
         let noisy = waves(7, 1.0, 0.0, 3.0);
         let doubtful = with(apart(), &noisy);
         assert!(doubt_of(&doubtful).contains("0.00250") && doubtful.next_reference().is_none());
+        // So it does where one says that, and the other leaves a doubt that does not agree.
+        let unlike = [waves(3, 1.3, 0.0, 0.1), waves(6, 1.0, 0.8, 0.1)];
+        let check = checked_twice(MADE, &unlike[0], &unlike[1]);
+        assert!(doubt_of(&check).contains("mean z²") && check.is_open);
+        let words = check.decided().verdict(|_, _| String::new());
+        assert!(words.contains("contradicts one with") && !words.contains("times the samples"));
+        // A third one with the doubt of the second leaves the second's verdict; the samples that
+        // were taken are not taken again.
+        let few = || checked_twice(MADE, &spikes(3, 3.0, 0.1), &spikes(5, 1.3, 0.1));
+        let shared = with(few(), &spikes(6, 0.8, 0.1));
+        assert!(matches!(shared.rest(), Verdict::Wrong { .. }) && !shared.is_open);
+        assert_eq!((shared.references, shared.made.step), (3, MADE.step / 4.0));
         let doubtful = checked_twice(MADE, &waves(3, 4.0, 0.0, 0.1), &waves(4, 1.0, 0.0, 1.0));
         assert!(doubt_of(&doubtful).contains("0.0100") && doubtful.next_reference().is_none());
         // They end, with random numbers of their own, and nothing is wrong then.

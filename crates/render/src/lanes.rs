@@ -5,8 +5,8 @@
 //! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
 //! compares them one by one. (But the rectangle is always sampled by solid angle, also where it is
 //! seen under less than a millionth of a steradian.) Rays come in packets, whose arithmetic is in single
-//! precision ([`PacketTree`]), and everything else in loops over the lanes without a branch, of which
-//! the compiler makes vectors. A ray that passes an edge within a millionth of the scene may find
+//! precision ([`PacketTree`]); points on emitter and diffuse surfaces in loops over the lanes without
+//! a branch, of which the compiler makes vectors; other lobes one by one. A ray that passes an edge within a millionth of the scene may find
 //! another face than it does there. Scenes in which that could be seen are left to the tracer: with
 //! thin faces, surfaces close to each other, or a camera so near that it is more than two
 //! thousandths of a pixel ([`PacketTree::resolves`], [`NEAREST`]).
@@ -20,6 +20,7 @@ mod vectors;
 
 use capwalk_boundary::{Accel, Stream};
 use capwalk_geometry::{Packet, PacketTree};
+use capwalk_math::Rgb;
 
 use crate::film::FILM;
 use crate::pixel::Supports;
@@ -40,7 +41,7 @@ const MOST_FACES: usize = 1024;
 const NEAREST: f64 = 2e-3;
 
 /// The effort of a sample besides its rays, and how many levels of the tree take a ray an effort of
-/// one: measured on a room of 36 triangles.
+/// one: measured on a diffuse room of 36 triangles.
 const EFFORT_OF_LANE: u64 = 10;
 const LEVELS_PER_EFFORT: u64 = 3;
 
@@ -252,7 +253,7 @@ impl<'a> LaneTracer<'a> {
                 None => paths.vertices.albedo.colour(lane) * lit.weight[lane],
                 Some(lobes) => {
                     let lobes = lobes.at(&paths.vertices, lane);
-                    lobes.scattered(lit.direction.get(lane))
+                    lobes.scattered(lit.direction.get(lane), of_brdf >> lane & 1 == 1)
                 }
             };
             let reflected = scattered * self.scene.radiance;
@@ -322,12 +323,11 @@ impl<'a> LaneTracer<'a> {
         let mut alive = 0;
         for lane in lanes_of(active) {
             let throughput = paths.throughput.colour(lane);
-            let most = throughput.max_component();
-            if most == 0.0 {
+            if throughput == Rgb::zero() {
                 continue;
             }
             if is_long {
-                let survival = most.clamp(0.0, RR_MAX);
+                let survival = throughput.max_component().clamp(0.0, RR_MAX);
                 if paths.streams[lane].number(last) >= survival {
                     continue;
                 }

@@ -54,7 +54,7 @@ pub fn add_lobes<R: Real, W: SceneEval<R>>(
     if W::MOVES {
         bsdf.explore();
     }
-    vertex.transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
+    vertex.transmits = bsdf.transmits();
     if flipped {
         vertex.turn_over();
     }

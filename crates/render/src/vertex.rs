@@ -32,9 +32,8 @@ impl<R: Real> Vertex<R> {
         wi: Vec3<R>,
         bsdf: LocalBsdf<R>,
     ) -> Self {
-        let transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
         Self {
-            transmits,
+            transmits: bsdf.transmits(),
             bsdf,
             ..Self::black(position, face_normal, frame, wi)
         }

@@ -4,7 +4,7 @@ use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::Resolved;
 use capwalk_scene::lobe::LocalBsdf;
 
-use crate::lanes::step::Vertices;
+use crate::lanes::step::{Vertices, density};
 use crate::light::power_heuristic;
 
 /// The lobes of one side of a surface, the same all over it.
@@ -24,11 +24,10 @@ impl Lobes {
     /// Those of a material.
     pub fn new(material: Resolved<f64>) -> Self {
         let Resolved { bsdf, flipped } = material;
-        let transmits = bsdf.lobes().any(|(_, lobe)| lobe.is_two_sided());
         Self {
             front: if flipped { -1.0 } else { 1.0 },
             has_smooth: bsdf.has_smooth(),
-            transmits,
+            transmits: bsdf.transmits(),
             is_diffuse: bsdf.is_diffuse(),
             bsdf,
         }
@@ -85,10 +84,15 @@ pub struct Drawn {
 
 impl LobesAt<'_> {
     /// What is scattered of light from a point on the emitter, times its weight over its density.
-    pub fn scattered(&self, direction: Vec3) -> Rgb {
+    /// `has_other` if directions are drawn from the lobes, too.
+    pub fn scattered(&self, direction: Vec3, has_other: bool) -> Rgb {
         let wo = self.frame.to_local(direction);
-        let own = 1.0 / self.solid_angle;
-        let weight = power_heuristic(own, self.bsdf.pdf(self.wi, wo)) / own;
+        let own = density(self.solid_angle);
+        let other = match has_other {
+            true => self.bsdf.pdf(self.wi, wo),
+            false => 0.0,
+        };
+        let weight = power_heuristic(own, other) / own;
         self.bsdf.eval(self.wi, wo) * weight
     }
 
@@ -101,11 +105,7 @@ impl LobesAt<'_> {
             Some(event) => (self.bsdf.specular(event, self.wi).1, 1.0),
             None => {
                 let wo = self.frame.to_local(direction);
-                // Where the emitter is not seen from the front, none of it is hit.
-                let other = match self.solid_angle > 0.0 {
-                    true => 1.0 / self.solid_angle,
-                    false => 0.0,
-                };
+                let other = density(self.solid_angle);
                 (
                     self.bsdf.eval(self.wi, wo),
                     power_heuristic(drawn.pdf, other),

@@ -21,10 +21,11 @@ pub struct Vertices {
     /// A corner of the face, and its unit normal by its winding.
     pub corner: Vectors,
     pub face_normal: Vectors,
-    /// The unit shading normal on the outside, and 1 or -1 for the side of it that reflects.
+    /// The unit shading normal on the outside, and 1 or -1 for the side of it that is the front of
+    /// the material that is seen.
     pub outward: Vectors,
     pub side: Numbers,
-    /// Fractions of light that are reflected.
+    /// Fractions of light that are reflected, where surfaces are diffuse.
     pub albedo: Vectors,
     /// Where they are; known after [`Surfaces`].
     pub position: Vectors,
@@ -50,7 +51,7 @@ impl Vertices {
         }
     }
 
-    /// The normal on the side that reflects.
+    /// The normal on the side of the front.
     #[inline(always)]
     fn normal(&self, lane: usize) -> Vec3 {
         self.outward.get(lane) * self.side[lane]
@@ -76,13 +77,24 @@ impl Computation for Surfaces<'_> {
     }
 }
 
+/// Density of points sampled on an emitter that is seen under a solid angle. Where it is not seen
+/// from the front, none of it is hit.
+#[inline(always)]
+pub fn density(solid_angle: f64) -> f64 {
+    if solid_angle > 0.0 {
+        1.0 / solid_angle
+    } else {
+        0.0
+    }
+}
+
 /// Points sampled on the emitter.
 #[derive(Clone, Copy, Debug)]
 pub struct Lit {
     /// Unit directions to them, and their distances.
     pub direction: Vectors,
     pub distance: Numbers,
-    /// The cosine over π, times the weight, over the density.
+    /// Where surfaces are diffuse, the cosine over π, times the weight, over the density.
     pub weight: Numbers,
     /// One bit for each that may be seen.
     pub mask: u32,
@@ -177,7 +189,7 @@ impl Default for Brdf {
     }
 }
 
-/// Draws directions by the cosine.
+/// Draws directions by the cosine, for surfaces that are diffuse.
 pub struct Draw<'a> {
     pub vertices: &'a Vertices,
     pub u: &'a [Numbers; 2],
@@ -198,14 +210,7 @@ impl Computation for Draw<'_> {
             let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
             directions.set(lane, direction);
             let own = wo.z * FRAC_1_PI;
-            // Where the emitter is not seen from the front, none of it is hit.
-            let solid_angle = known.solid_angle[lane];
-            let other = if solid_angle > 0.0 {
-                1.0 / solid_angle
-            } else {
-                0.0
-            };
-            weights[lane] = power_heuristic(own, other);
+            weights[lane] = power_heuristic(own, density(known.solid_angle[lane]));
         }
         (drawn.direction, drawn.weight) = (directions, weights);
     }

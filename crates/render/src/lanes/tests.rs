@@ -4,7 +4,7 @@ use capwalk_boundary::{Counts, Draw, Sampler};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::bsdf::{
-    Coat, Facets, Glass, Metal, PrincipledIndex, PrincipledTextures, ThinTextures,
+    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures, ThinTextures,
 };
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::icosphere;
@@ -243,6 +243,8 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
         flatness: half,
         diff_trans: one,
     };
+    let normals = scene.add_texture(Texture::colour("normals", Rgb::new(0.6, 0.45, 0.9)));
+    let [floor, wall] = [scene.shapes[0].bsdf, scene.shapes[3].bsdf];
     let first = scene.materials.len() as u32;
     let [coated, brushed, mirror] = [0, 1, 5].map(|i| BsdfId(first + i));
     let materials = [
@@ -269,8 +271,27 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
         // Diffuse where it is seen from behind, but the frame turns with texture coordinates.
         Bsdf::TwoSided {
             front: brushed,
-            back: scene.shapes[0].bsdf,
+            back: floor,
         },
+        Bsdf::Dielectric(glass),
+        Bsdf::ThinDielectric(glass),
+        Bsdf::Mask {
+            opacity: half,
+            nested: coated,
+        },
+        Bsdf::Blend {
+            weight: half,
+            nested: [floor, wall],
+        },
+        Bsdf::NormalMap {
+            normals,
+            nested: floor,
+            limits: NormalLimits {
+                flip_invalid: true,
+                shadowing: true,
+            },
+        },
+        Bsdf::Null,
     ];
     for (i, bsdf) in materials.into_iter().enumerate() {
         let id = format!("material {i}");
@@ -324,6 +345,25 @@ fn lanes_sample_other_materials() {
         ("back", 1, false),
     ];
     samples_are_those_of_the_tracer("ball and mirror", of_all_materials(room, &shown));
+    // Lobes that are diffuse, where the emitter alone is sampled.
+    let shown = [
+        ("floor", 14, false),
+        ("back", 15, false),
+        ("left", 10, true),
+        ("box", 10, true),
+    ];
+    let room = of_all_materials(scene("box-room", direct(false)), &shown);
+    samples_are_those_of_the_tracer("diffuse lobes", room);
+    // What lets light pass, and a lamp that reflects.
+    let room = with_ball(with_sheet(scene("box-room", path(None))));
+    let shown = [
+        ("box", 11, false),
+        ("sheet", 12, false),
+        ("floor", 13, false),
+        ("ball", 16, false),
+        ("lamp", 0, false),
+    ];
+    samples_are_those_of_the_tracer("passing light", of_all_materials(room, &shown));
 }
 
 /// Whatever is taken along with it, a sample is the same to the bit.

@@ -260,6 +260,11 @@ impl<R: Real> LocalBsdf<R> {
         self.is_explored = [true; 4];
     }
 
+    /// True if light can come from both sides.
+    pub fn transmits(&self) -> bool {
+        self.lobes().any(|(_, lobe)| lobe.is_two_sided())
+    }
+
     /// True if all lobes are diffuse.
     pub fn is_diffuse(&self) -> bool {
         self.lobes()
