@@ -156,8 +156,8 @@ fn walks_agree_under_the_sky() {
 
 fn meet_noisy_walks(name: &str, mut scene: Scene, expression: &str) {
     scene.film.crop_offset = [0, 0];
-    scene.film.size = [28; 2];
-    scene.film.crop_size = [28; 2];
+    scene.film.size = [22; 2];
+    scene.film.crop_size = [22; 2];
     let tangent = tangent(&scene, expression);
     let [ours, walk] =
         [Method::EDGES, Method::Walk].map(|method| by(method, &scene, &tangent, 200));
