@@ -237,9 +237,9 @@ impl Prepared {
     /// Differences have a bias that grows with their step, and errors that are too small where
     /// few rare events were met. Where they contradict the gradient or leave a doubt of it, others
     /// decide, with more samples, and over a part of the step unless one was asked for. A gradient is
-    /// called wrong only by two references that do not contradict each other. Its errors may be too small,
-    /// too: it is called wrong only if another estimate of it, with more samples, is contradicted as
-    /// well.
+    /// called wrong only by two references that do not contradict each other. Its errors may be too
+    /// small, too: it is called wrong only if another estimate of it, with more samples, is
+    /// contradicted as well.
     pub fn checked(
         &self,
         gradient: GradientImage,

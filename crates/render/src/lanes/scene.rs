@@ -1,9 +1,9 @@
 //! What of a scene eight paths need, and which scenes allow them.
 
-use capwalk_boundary::{Accel, needs_place, needs_tangent, tangents_of_face};
+use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::lobe::{Lobe, Side};
-use capwalk_scene::resolve::TexturesAt;
+use capwalk_scene::resolve::Constants;
 use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, ShapeId, SurfacePoint, TextureId};
 
 use crate::emitter_sampler::DirectionSampler;
@@ -94,10 +94,11 @@ impl<'a> LaneScene<'a> {
         let shapes: Option<Vec<_>> = scene
             .shapes
             .iter()
-            .map(|shape| {
+            .enumerate()
+            .map(|(i, shape)| {
                 Some(ShapeOfLanes {
-                    sides: sides(accel, shape)?,
-                    needs_place: needs_place(scene, shape),
+                    sides: sides(accel, shape, accel.needs_tangent[i])?,
+                    needs_place: accel.needs_place[i],
                     has_normals: shape.normals.per_vertex().is_some(),
                 })
             })
@@ -228,15 +229,14 @@ impl<'a> LaneScene<'a> {
 }
 
 /// What the sides of a shape do to light; `None` if that changes along them, but for the texture
-/// of what is diffuse.
-fn sides(accel: &Accel, shape: &Shape) -> Option<[Option<Scattering>; 2]> {
+/// of what is diffuse. `turns` if the material turns with texture coordinates.
+fn sides(accel: &Accel, shape: &Shape, turns: bool) -> Option<[Option<Scattering>; 2]> {
     let scene: &Scene = &accel.scene;
     let slots = scene.slots_below(shape.bsdf);
     let mut textures = slots.iter().map(|slot| scene.texture(slot.texture));
     if !textures.all(|texture| texture.is_constant()) {
         return textured(scene, shape.bsdf);
     }
-    let turns = needs_tangent(scene, shape.bsdf);
     Some([Side::Front, Side::Back].map(|side| {
         let resolver = &accel.resolver;
         let resolved = resolver.resolve(scene, shape.bsdf, side, &mut Constants(scene));
@@ -264,20 +264,5 @@ fn textured(scene: &Scene, id: BsdfId) -> Option<[Option<Scattering>; 2]> {
     match &scene.material(id).bsdf {
         Bsdf::TwoSided { front, back } => Some([Some(side(*front)?), Some(side(*back)?)]),
         _ => Some([Some(side(id)?), None]),
-    }
-}
-
-/// Textures that are the same everywhere.
-struct Constants<'a>(&'a Scene);
-
-impl TexturesAt<f64> for Constants<'_> {
-    fn value(&mut self, id: TextureId) -> Rgb {
-        self.0.texture(id).texel(0)
-    }
-    fn gradient(&mut self, _: TextureId) -> [Rgb; 2] {
-        [Rgb::zero(); 2]
-    }
-    fn may_change(&self, _: TextureId) -> bool {
-        false
     }
 }

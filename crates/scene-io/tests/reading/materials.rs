@@ -5,7 +5,7 @@ use capwalk_math::Rgb;
 use capwalk_scene::bsdf::PrincipledIndex;
 use capwalk_scene::lobe::{Distribution, Lobe, Side};
 use capwalk_scene::params::{self, ParameterKind};
-use capwalk_scene::resolve::TexturesAt;
+use capwalk_scene::resolve::Constants;
 use capwalk_scene::{Bsdf, Resolver, Scene, TextureId};
 
 use crate::common::*;
@@ -313,21 +313,6 @@ fn parameters_have_the_names_that_users_type() {
     }
 }
 
-/// Textures of one colour.
-struct FirstTexels<'a>(&'a Scene);
-
-impl TexturesAt<f64> for FirstTexels<'_> {
-    fn value(&mut self, id: TextureId) -> Rgb {
-        self.0.texture(id).texel(0)
-    }
-    fn gradient(&mut self, _: TextureId) -> [Rgb; 2] {
-        [Rgb::zero(); 2]
-    }
-    fn may_change(&self, _: TextureId) -> bool {
-        false
-    }
-}
-
 /// Materials made of others, down to the lobes.
 #[test]
 fn mixtures() {
@@ -337,7 +322,7 @@ fn mixtures() {
          <bsdf type=\"plastic\"/></bsdf></bsdf>",
     ));
     let id = scene.shapes[0].bsdf;
-    let textures = &mut FirstTexels(&scene);
+    let textures = &mut Constants(&scene);
     let resolved = Resolver::new(&scene).resolve(&scene, id, Side::Front, textures);
     let lobes: Vec<_> = resolved.bsdf.lobes().collect();
     let weights: Vec<f64> = lobes.iter().map(|(weight, _)| *weight).collect();

@@ -22,6 +22,22 @@ pub trait TexturesAt<R> {
     fn may_change(&self, id: TextureId) -> bool;
 }
 
+/// Textures that are the same everywhere, by their first texel.
+#[derive(Clone, Copy, Debug)]
+pub struct Constants<'a>(pub &'a Scene);
+
+impl TexturesAt<f64> for Constants<'_> {
+    fn value(&mut self, id: TextureId) -> Rgb {
+        self.0.texture(id).texel(0)
+    }
+    fn gradient(&mut self, _: TextureId) -> [Rgb; 2] {
+        [Rgb::zero(); 2]
+    }
+    fn may_change(&self, _: TextureId) -> bool {
+        false
+    }
+}
+
 /// What resolving needs besides the scene: what takes long to find out.
 #[derive(Clone, Debug, Default)]
 pub struct Resolver {
