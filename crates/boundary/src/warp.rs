@@ -118,27 +118,34 @@ impl Warp {
         }
     }
 
-    /// True if it depends on some point of the boundaries for which `point` says so, or
-    /// on the viewpoint if that moves.
+    /// Whether the direction, and whether the divergence depends on some point of the boundaries
+    /// for which `point` says so, or on the viewpoint if that moves.
     pub fn depends(
         &self,
         field: &Field,
         point: impl Fn(u32) -> bool,
         viewpoint_moves: bool,
-    ) -> bool {
+    ) -> [bool; 2] {
         let moves = |sample: &BoundarySample| {
             let faces = sample.mirrors.faces().iter();
             let mut corners = faces.flat_map(|&face| field.accel.mesh.faces[face as usize]);
             viewpoint_moves || sample.points.iter().any(|&i| point(i)) || corners.any(&point)
         };
         match self {
-            Self::Boundary(samples) => samples.terms().any(|term| moves(&term.site)),
-            Self::Value(sample) => sample.as_ref().is_some_and(moves),
+            Self::Boundary(samples) => {
+                let mut moving = samples.terms().filter(|term| moves(&term.site)).peekable();
+                let any = moving.peek().is_some();
+                // Boundary points on a rim have a share of the divergence alone.
+                [moving.any(|term| term.weight != 0.0), any]
+            }
+            Self::Value(sample) => [sample.as_ref().is_some_and(moves), false],
             #[cfg(feature = "paper")]
-            Self::Flow(flow) => flow.sources().any(|source| match source {
-                FlowSource::Point(i) => point(i),
-                FlowSource::Viewpoint => viewpoint_moves,
-            }),
+            Self::Flow(flow) => {
+                [flow.sources().any(|source| match source {
+                    FlowSource::Point(i) => point(i),
+                    FlowSource::Viewpoint => viewpoint_moves,
+                }); 2]
+            }
         }
     }
 

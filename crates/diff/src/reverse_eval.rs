@@ -74,19 +74,22 @@ impl<'a, 't> Reverse<'a, 't> {
         self.tape.variables(value)
     }
 
-    /// A direction that a warp moves, to be followed on the tape by its Jacobian if it
-    /// `has_jacobian`; `None` if nothing wanted moves it.
+    /// A direction that a warp moves, and its Jacobian if it `has_jacobian`, else 1. What nothing
+    /// wanted changes is constant.
     fn warped(
         &self,
         viewpoint: &Viewpoint<Var<'t>>,
         q: Vec3,
         warp: Warp,
         has_jacobian: bool,
-    ) -> Option<Vec3<Var<'t>>> {
+    ) -> (Vec3<Var<'t>>, Var<'t>) {
         let viewpoint_moves = !viewpoint.vectors().iter().all(|v| v.is_constant());
         let point = |i: u32| self.points[i as usize];
-        if !warp.depends(&self.field, point, viewpoint_moves) {
-            return None;
+        let [moves, spreads] = warp.depends(&self.field, point, viewpoint_moves);
+        let (still, one) = (Vec3::constant(q), Var::constant(1.0));
+        let is_recorded = moves || (has_jacobian && spreads);
+        if !is_recorded {
+            return (still, one);
         }
         let from = WarpedFrom {
             q,
@@ -94,7 +97,12 @@ impl<'a, 't> Reverse<'a, 't> {
             warp,
             has_jacobian,
         };
-        Some(self.variables(true, q, Origin::Warp(Box::new(from))))
+        let moving = self.variables(true, q, Origin::Warp(Box::new(from)));
+        let jacobian = match has_jacobian {
+            true => self.tape.variable(1.0),
+            false => one,
+        };
+        (if moves { moving } else { still }, jacobian)
     }
 
     /// Collects the covectors on the scene's numbers that follow from the
@@ -242,16 +250,11 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         }
         let warp = self.field.warp(viewpoint, q, walk, numbers);
         let near_boundary = !warp.is_zero();
-        match self.warped(viewpoint, q, warp, true) {
-            None => Warped {
-                near_boundary,
-                ..Warped::still(q)
-            },
-            Some(direction) => Warped {
-                direction,
-                jacobian: self.tape.variable(1.0),
-                near_boundary,
-            },
+        let (direction, jacobian) = self.warped(viewpoint, q, warp, true);
+        Warped {
+            direction,
+            jacobian,
+            near_boundary,
         }
     }
     fn warp_value(
@@ -265,8 +268,7 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
             return Vec3::constant(q);
         }
         let warp = self.field.warp_value(viewpoint, q, walk, numbers);
-        let direction = self.warped(viewpoint, q, warp, false);
-        direction.unwrap_or_else(|| Vec3::constant(q))
+        self.warped(viewpoint, q, warp, false).0
     }
 }
 

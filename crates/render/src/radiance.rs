@@ -180,7 +180,7 @@ impl Tracer<'_> {
                 break;
             };
             let over_density = R::constant(1.0 / next.pdf);
-            direction = match next.specular {
+            [origin, direction] = match next.specular {
                 None => {
                     // Light from another surface: the direction moves along the field around
                     // this one, and the path is multiplied by `1 + div u` (Algorithm 1).
@@ -200,7 +200,7 @@ impl Tracer<'_> {
                     let f = vertex.eval(warped.direction);
                     throughput = throughput * (f * (warped.jacobian * over_density));
                     chain = SpecularChain::default();
-                    warped.direction
+                    [vertex.position, warped.direction]
                 }
                 Some(event) => {
                     // A specular direction moves as its event says; it has no field of its own
@@ -209,7 +209,11 @@ impl Tracer<'_> {
                     throughput = throughput * (fraction * over_density);
                     is_missed |= self.misses(chain, event);
                     chain.count = chain.after(event.event);
-                    wo
+                    match event.event {
+                        Event::Reflect | Event::Transmit => [vertex.position, wo],
+                        // What passes follows the same ray, however the surface moves.
+                        Event::Pass => [origin, direction],
+                    }
                 }
             };
             // Nothing more can come; a derivative still can.
@@ -226,7 +230,6 @@ impl Tracer<'_> {
                 }
                 throughput = throughput * R::constant(1.0 / survival);
             }
-            origin = vertex.position;
             hit = next.hit;
         }
         light

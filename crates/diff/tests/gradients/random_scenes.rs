@@ -502,6 +502,13 @@ fn run(seed: u64, tally: &mut Tally) {
     tally.agreeing += 1;
 }
 
+/// Scenes in which the modes once took different samples.
+#[test]
+fn scenes_that_once_disagreed() {
+    // Only the rim of a walk's cap moved: the direction rested, its Jacobian did not.
+    run(20262235, &mut Tally::default());
+}
+
 #[test]
 fn random_scenes() {
     let variable = |name: &str| std::env::var(name).ok().and_then(|text| text.parse().ok());
