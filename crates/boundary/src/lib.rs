@@ -71,5 +71,5 @@ pub use random::{Sampler, Stream};
 pub use refusal::{Refusal, SpecularCause};
 pub use silhouette_pieces::{EdgePoint, SilhouettePieces, beside, clip, place};
 pub use viewpoint::{EMITTED, SEEN, Viewpoint, Visibility};
-pub use warp::Warp;
+pub use warp::{Dependence, Warp};
 pub use window::{AreaEmitter, Window};

@@ -32,6 +32,15 @@ pub enum Warp {
     Flow(Flow),
 }
 
+/// Which parts of a [`Warp`] depend on something.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Dependence {
+    /// The velocity of the direction.
+    pub direction: bool,
+    /// The divergence; [`Warp::Value`] has none.
+    pub divergence: bool,
+}
+
 impl Field<'_> {
     /// A sample of the velocity of the direction `q` and of the divergence of the field there.
     /// Uses the numbers of `random` from its first dimension on.
@@ -118,14 +127,14 @@ impl Warp {
         }
     }
 
-    /// Whether the direction, and whether the divergence depends on some point of the boundaries
-    /// for which `point` says so, or on the viewpoint if that moves.
+    /// What of it depends on some point of the boundaries for which `point` says so, or on the
+    /// viewpoint if that moves.
     pub fn depends(
         &self,
         field: &Field,
         point: impl Fn(u32) -> bool,
         viewpoint_moves: bool,
-    ) -> [bool; 2] {
+    ) -> Dependence {
         let moves = |sample: &BoundarySample| {
             let faces = sample.mirrors.faces().iter();
             let mut corners = faces.flat_map(|&face| field.accel.mesh.faces[face as usize]);
@@ -133,18 +142,28 @@ impl Warp {
         };
         match self {
             Self::Boundary(samples) => {
-                let mut moving = samples.terms().filter(|term| moves(&term.site)).peekable();
-                let any = moving.peek().is_some();
-                // Boundary points on a rim have a share of the divergence alone.
-                [moving.any(|term| term.weight != 0.0), any]
+                // The anchor, and the ends of walks from a rim, have a share of the divergence
+                // alone.
+                let moving = samples.terms().filter(|term| moves(&term.site));
+                moving.fold(Dependence::default(), |found, term| Dependence {
+                    direction: found.direction || term.weight != 0.0,
+                    divergence: true,
+                })
             }
-            Self::Value(sample) => [sample.as_ref().is_some_and(moves), false],
+            Self::Value(sample) => Dependence {
+                direction: sample.as_ref().is_some_and(moves),
+                divergence: false,
+            },
             #[cfg(feature = "paper")]
             Self::Flow(flow) => {
-                [flow.sources().any(|source| match source {
+                let any = flow.sources().any(|source| match source {
                     FlowSource::Point(i) => point(i),
                     FlowSource::Viewpoint => viewpoint_moves,
-                }); 2]
+                });
+                Dependence {
+                    direction: any,
+                    divergence: any,
+                }
             }
         }
     }

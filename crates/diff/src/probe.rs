@@ -73,6 +73,7 @@ pub fn irradiance(
     let sampler = Sampler::new(&scene.settings, seed, 1);
     let at = |index: usize, &(position, normal): &(Vec3, Vec3)| {
         let vertex = diffuse_vertex(position, normal);
+        let incoming = [position, -normal].map(Vec3::constant);
         let mut irradiance = Irradiance::default();
         for number in 0..samples {
             let stream = sampler.stream(index as u64, number);
@@ -81,9 +82,10 @@ pub fn irradiance(
                 counts: &Counts::default(),
             };
             let chain = SpecularChain::default();
-            let light = tracer.emitted(&eval, &vertex, 0, chain, draw).light;
-            irradiance.value.add(light.r.value);
-            irradiance.gradient.add(light.r.tangent[0]);
+            let emitted = tracer.emitted(&eval, &vertex, incoming, 0, chain, draw);
+            let light = emitted.light.r;
+            irradiance.value.add(light.value);
+            irradiance.gradient.add(light.tangent[0]);
         }
         irradiance
     };
@@ -117,11 +119,10 @@ pub fn difference(
                 counts: &Counts::default(),
             };
             let [above, below] = [0, 1].map(|i| {
-                let eval = Primal(sides[i].accel());
-                tracers[i]
-                    .emitted(&eval, &vertex, 0, SpecularChain::default(), draw)
-                    .light
-                    .r
+                let (eval, chain) = (Primal(sides[i].accel()), SpecularChain::default());
+                let incoming = [position, -normal];
+                let emitted = tracers[i].emitted(&eval, &vertex, incoming, 0, chain, draw);
+                emitted.light.r
             });
             moments.add(above - below);
         }

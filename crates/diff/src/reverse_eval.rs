@@ -85,9 +85,9 @@ impl<'a, 't> Reverse<'a, 't> {
     ) -> (Vec3<Var<'t>>, Var<'t>) {
         let viewpoint_moves = !viewpoint.vectors().iter().all(|v| v.is_constant());
         let point = |i: u32| self.points[i as usize];
-        let [moves, spreads] = warp.depends(&self.field, point, viewpoint_moves);
+        let depends = warp.depends(&self.field, point, viewpoint_moves);
         let (still, one) = (Vec3::constant(q), Var::constant(1.0));
-        let is_recorded = moves || (has_jacobian && spreads);
+        let is_recorded = depends.direction || (has_jacobian && depends.divergence);
         if !is_recorded {
             return (still, one);
         }
@@ -97,12 +97,16 @@ impl<'a, 't> Reverse<'a, 't> {
             warp,
             has_jacobian,
         };
-        let moving = self.variables(true, q, Origin::Warp(Box::new(from)));
+        let recorded = self.variables(true, q, Origin::Warp(Box::new(from)));
         let jacobian = match has_jacobian {
             true => self.tape.variable(1.0),
             false => one,
         };
-        (if moves { moving } else { still }, jacobian)
+        let direction = match depends.direction {
+            true => recorded,
+            false => still,
+        };
+        (direction, jacobian)
     }
 
     /// Collects the covectors on the scene's numbers that follow from the

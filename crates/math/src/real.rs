@@ -1,6 +1,5 @@
 //! The scalar that all smooth code is generic over.
 
-use std::f64::consts::FRAC_2_SQRT_PI;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::special;
@@ -59,11 +58,15 @@ pub trait Real:
         let x = self.value();
         Self::chain(x.ln(), [(self, x.recip())])
     }
-    /// The error function.
+    /// The error function and its derivative, `2 / √π exp(-x²)`.
     #[inline]
-    fn erf(self) -> Self {
+    fn erf_and_slope(self) -> [Self; 2] {
         let x = self.value();
-        Self::chain(special::erf(x), [(self, FRAC_2_SQRT_PI * (-x * x).exp())])
+        let [value, slope] = special::erf_and_slope(x);
+        [
+            Self::chain(value, [(self, slope)]),
+            Self::chain(slope, [(self, -2.0 * x * slope)]),
+        ]
     }
     /// Absolute value; at zero it has the derivative from above.
     #[inline]
@@ -109,7 +112,8 @@ mod tests {
     use crate::tape::Tape;
 
     fn expression<R: Real>(x: R) -> R {
-        (x.ln() * x.erf() + (x - R::constant(1.0)).abs()).squared()
+        let [erf, slope] = x.erf_and_slope();
+        (x.ln() * erf + slope + (x - R::constant(1.0)).abs()).squared()
     }
 
     /// The functions of one argument: duals and tapes against central

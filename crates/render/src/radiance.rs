@@ -127,13 +127,13 @@ impl Tracer<'_> {
         light + self.reflected(eval, [origin, direction], hit, 0, chain, draw)
     }
 
-    /// A sample of what of the radiance that arrives at a moving origin from a direction is
-    /// reflected where that hits a surface, the vertex of a path of number `first`. `chain` are
-    /// the specular events since the direction was last warped.
+    /// A sample of what of the radiance that arrives at a moving origin from a direction, the
+    /// `ray`, is reflected where that hits a surface, the vertex of a path of number `first`.
+    /// `chain` are the specular events since the direction was last warped.
     pub(crate) fn reflected<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        [mut origin, mut direction]: [Vec3<R>; 2],
+        mut ray: [Vec3<R>; 2],
         mut hit: Option<Hit>,
         first: u32,
         mut chain: SpecularChain,
@@ -151,8 +151,8 @@ impl Tracer<'_> {
             let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
                 break;
             };
-            let surface = surface_at(eval, accel, &found, origin, direction);
-            let mut vertex = black_vertex_at(&surface, direction);
+            let surface = surface_at(eval, accel, &found, ray[0], ray[1]);
+            let mut vertex = black_vertex_at(&surface, ray[1]);
             if !add_lobes(eval, accel, &surface, &mut vertex) {
                 break;
             }
@@ -162,7 +162,7 @@ impl Tracer<'_> {
                 light: emitted,
                 missed,
                 next,
-            } = self.emitted(eval, &vertex, depth, chain, draw);
+            } = self.emitted(eval, &vertex, ray, depth, chain, draw);
             let is_left_out = is_missed && self.leaves_out != LeavesOut::Nothing;
             if !is_left_out {
                 light += throughput * emitted;
@@ -180,7 +180,7 @@ impl Tracer<'_> {
                 break;
             };
             let over_density = R::constant(1.0 / next.pdf);
-            [origin, direction] = match next.specular {
+            ray = match next.specular {
                 None => {
                     // Light from another surface: the direction moves along the field around
                     // this one, and the path is multiplied by `1 + div u` (Algorithm 1).
@@ -205,15 +205,11 @@ impl Tracer<'_> {
                 Some(event) => {
                     // A specular direction moves as its event says; it has no field of its own
                     // (METHOD 6).
-                    let (wo, fraction) = vertex.specular(event);
+                    let (after, fraction) = vertex.specular(event, ray);
                     throughput = throughput * (fraction * over_density);
                     is_missed |= self.misses(chain, event);
                     chain.count = chain.after(event.event);
-                    match event.event {
-                        Event::Reflect | Event::Transmit => [vertex.position, wo],
-                        // What passes follows the same ray, however the surface moves.
-                        Event::Pass => [origin, direction],
-                    }
+                    after
                 }
             };
             // Nothing more can come; a derivative still can.
@@ -245,12 +241,11 @@ impl Tracer<'_> {
     fn count_uncovered<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        origin: Vec3<R>,
-        direction: Vec3<R>,
+        ray: [Vec3<R>; 2],
         hit: &Option<Hit>,
         draw: Draw,
     ) {
-        let ray_moves = !origin.is_constant() || !direction.is_constant();
+        let ray_moves = ray.iter().any(|v| !v.is_constant());
         let surface_moves = || {
             let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
             let mut corners = corners.into_iter().flatten();
@@ -264,12 +259,13 @@ impl Tracer<'_> {
         }
     }
 
-    /// Light that arrives from emitters at a moving surface point and is
-    /// reflected there.
+    /// Light that arrives from emitters at a moving surface point, to which the ray `incoming`
+    /// led, and is reflected there.
     pub fn emitted<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         vertex: &Vertex<R>,
+        incoming: [Vec3<R>; 2],
         depth: u32,
         chain: SpecularChain,
         draw: Draw,
@@ -288,21 +284,14 @@ impl Tracer<'_> {
             self.plan.reaches(depth + 3),
             |i, sample| {
                 let weight = R::constant(sample.weight);
-                let radiance = |direction: Vec3<R>| {
+                let radiance = |[origin, direction]: [Vec3<R>; 2]| {
                     let hit = sample.hit.as_ref();
-                    emitted_at(
-                        eval,
-                        self.accel,
-                        sample.emitter,
-                        hit,
-                        vertex.position,
-                        direction,
-                    )
+                    emitted_at(eval, self.accel, sample.emitter, hit, origin, direction)
                 };
                 // A specular direction: what emits there, seen by the event.
                 if let Some(event) = sample.specular {
-                    let (direction, fraction) = vertex.specular(event);
-                    let seen = fraction * radiance(direction) * weight;
+                    let (ray, fraction) = vertex.specular(event, incoming);
+                    let seen = fraction * radiance(ray) * weight;
                     let is_missed = self.misses(chain, event);
                     if is_missed {
                         missed += seen.value();
@@ -335,12 +324,13 @@ impl Tracer<'_> {
                     }
                 };
                 let f = vertex.eval(warped.direction);
-                light += f * radiance(warped.direction) * (warped.jacobian * weight);
+                let ray = [vertex.position, warped.direction];
+                light += f * radiance(ray) * (warped.jacobian * weight);
             },
             |event, hit| {
                 if W::MOVES && self.misses(chain, event) {
-                    let (direction, _) = vertex.specular(event);
-                    self.count_uncovered(eval, vertex.position, direction, hit, draw);
+                    let (ray, _) = vertex.specular(event, incoming);
+                    self.count_uncovered(eval, ray, hit, draw);
                 }
             },
         );

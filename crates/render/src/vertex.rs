@@ -1,7 +1,7 @@
 //! A vertex of a path.
 
 use capwalk_math::{Frame, Real, Rgb, Vec3};
-use capwalk_scene::lobe::{LocalBsdf, Specular};
+use capwalk_scene::lobe::{Event, LocalBsdf, Specular};
 
 /// Of a cosine.
 const ROUNDING: f64 = 1e-9;
@@ -65,11 +65,16 @@ impl<R: Real> Vertex<R> {
         self.bsdf.eval(self.wi, self.frame.to_local(direction))
     }
 
-    /// The direction of a specular event, and the fraction of light that comes
-    /// from there.
-    pub fn specular(&self, event: Specular) -> (Vec3<R>, Rgb<R>) {
+    /// Origin and direction of the ray after a specular event, and the fraction of light that comes
+    /// from there. `incoming` is the ray that led to the vertex: what passes follows it, however
+    /// the surface moves.
+    pub fn specular(&self, event: Specular, incoming: [Vec3<R>; 2]) -> ([Vec3<R>; 2], Rgb<R>) {
         let (wo, throughput) = self.bsdf.specular(event, self.wi);
-        (self.frame.to_world(wo), throughput)
+        let ray = match event.event {
+            Event::Reflect | Event::Transmit => [self.position, self.frame.to_world(wo)],
+            Event::Pass => incoming,
+        };
+        (ray, throughput)
     }
 
     /// The vertex without its derivative.

@@ -2,12 +2,11 @@
 
 use crate::common::agree::tangent;
 use crate::common::exact::{means, meets, settings};
-use crate::common::materials::{bitmap, make};
-use crate::common::stages::{placed, unit_square, visible_stage};
+use crate::common::stages::placed;
 use crate::common::*;
-use capwalk_diff::{GradientOptions, Method, PreparedScene, Unwatched, Wanted, backward, gradient};
+use capwalk_diff::{PreparedScene, Unwatched, Wanted, backward, gradient};
 use capwalk_math::{Affine, Rgb};
-use capwalk_scene::primitive::{cube, rectangle};
+use capwalk_scene::primitive::cube;
 use capwalk_scene::*;
 
 /// A closed box of edge 2 that shines inwards, with a turned block in it, seen
@@ -172,41 +171,4 @@ fn albedo_in_a_furnace() {
             0.02 * slope,
         );
     }
-}
-
-/// Light that passes a surface goes on along the same ray, wherever that surface moves: not even
-/// rounding has a derivative.
-#[test]
-fn what_moves_and_lets_all_light_pass() {
-    let from = v(1.2, -4.0, 1.9);
-    let mut scene = visible_stage(from);
-    unit_square(&mut scene, "floor");
-    let name = "floor.bsdf.reflectance";
-    let reflectance = scene.textures.iter_mut().find(|map| map.id == name);
-    let texels = (0..16).map(|i| f64::from(i) / 15.0).collect();
-    *reflectance.expect("the floor's") = bitmap(name.into(), 4, 1, texels).into();
-    // A pane before the camera whose edges are far outside of the image.
-    let towards = Affine::look_at(from, v(0.0, 0.05, 0.4), v(0.0, 0.0, 1.0)).expect("not up");
-    let (mesh, normals) = rectangle(towards * Affine::translate(v(0.0, 0.0, 0.5)));
-    add(&mut scene, "pane", mesh, normals, 0.5);
-    make(&mut scene, "pane", |n| Bsdf::Mask {
-        opacity: n.number("opacity", 0.0),
-        nested: n.diffuse("glass", [0.5; 3]),
-    });
-    scene.settings.integrator = Integrator::Path {
-        max_depth: Some(3),
-        rr_depth: 5,
-        hide_emitters: false,
-    };
-    let tangent = tangent(&scene, "pane.translate.x");
-    // A walk would find the pane's edges, and be zero in the mean alone.
-    let settings = GradientOptions {
-        method: Method::EDGES,
-        ..settings(4)
-    };
-    let prepared = PreparedScene::new(scene);
-    let result = gradient(&prepared, &tangent, &settings, &Unwatched).expect("covered");
-    assert!(means(&result.value)[0].0 > 0.05, "the floor is seen");
-    let pixels = &result.gradient.mean.pixels;
-    assert!(pixels.iter().all(|&pixel| pixel == Rgb::zero()));
 }

@@ -88,33 +88,31 @@ impl LobesAt<'_> {
     pub fn scattered(&self, direction: Vec3, has_other: bool) -> Rgb {
         let wo = self.frame.to_local(direction);
         let own = density(self.solid_angle);
-        let other = match has_other {
-            true => self.bsdf.pdf(self.wi, wo),
-            false => 0.0,
+        let (scattered, other) = match has_other {
+            true => self.bsdf.eval_and_pdf(self.wi, wo),
+            false => (self.bsdf.eval(self.wi, wo), 0.0),
         };
-        let weight = power_heuristic(own, other) / own;
-        self.bsdf.eval(self.wi, wo) * weight
+        scattered * (power_heuristic(own, other) / own)
     }
 
     /// Draws a direction; `None` if the path ends.
     pub fn draw(&self, choice: f64, u: [f64; 2]) -> Option<Drawn> {
-        let drawn = self.bsdf.sample(self.wi, choice, u)?;
-        let direction = self.frame.to_world(drawn.wo).normalized();
-        let (scattered, weight) = match drawn.specular {
+        let (wo, specular) = self.bsdf.draw(self.wi, choice, u)?;
+        let (scattered, pdf, weight) = match specular {
             // Nothing else samples a specular direction.
-            Some(event) => (self.bsdf.specular(event, self.wi).1, 1.0),
+            Some((event, probability)) => {
+                let fraction = self.bsdf.specular(event, self.wi).1;
+                (fraction, probability, 1.0)
+            }
             None => {
-                let wo = self.frame.to_local(direction);
+                let (scattered, pdf) = self.bsdf.eval_and_pdf(self.wi, wo);
                 let other = density(self.solid_angle);
-                (
-                    self.bsdf.eval(self.wi, wo),
-                    power_heuristic(drawn.pdf, other),
-                )
+                (scattered, pdf, power_heuristic(pdf, other))
             }
         };
-        Some(Drawn {
-            direction,
-            factor: scattered / drawn.pdf,
+        (pdf > 0.0).then(|| Drawn {
+            direction: self.frame.to_world(wo).normalized(),
+            factor: scattered / pdf,
             weight,
         })
     }

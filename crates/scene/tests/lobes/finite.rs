@@ -68,6 +68,8 @@ fn eval_and_pdf_are_finite() {
                     "{name}: {found:?}"
                 );
                 assert!(pdf >= 0.0, "{name}: {pdf}");
+                let apart = (bsdf.eval(wi, wo), pdf);
+                assert_eq!(bsdf.eval_and_pdf(wi, wo), apart, "{name}, {wi:?}, {wo:?}");
             }
         }
     }

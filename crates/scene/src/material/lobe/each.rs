@@ -186,6 +186,16 @@ impl Lobe {
         }
     }
 
+    /// [`Lobe::eval`] and [`Lobe::pdf`], which some lobes find faster together.
+    #[inline]
+    pub fn eval_and_pdf(&self, wi: Vec3, wo: Vec3) -> (Rgb, f64) {
+        match self {
+            Lobe::RoughConductor(lobe) => lobe.eval_and_pdf(wi, wo),
+            Lobe::RoughPlastic(lobe) => lobe.eval_and_pdf(wi, wo),
+            _ => (self.eval(wi, wo), self.pdf(wi, wo)),
+        }
+    }
+
     /// Draws a direction or an event; `None` if the light ends here. `choice`
     /// and `u` are uniform in `[0, 1)`.
     #[inline]

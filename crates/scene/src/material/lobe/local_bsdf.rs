@@ -298,6 +298,19 @@ impl LocalBsdf {
         }
     }
 
+    /// [`LocalBsdf::eval`] and [`LocalBsdf::pdf`].
+    #[inline(never)]
+    pub fn eval_and_pdf(&self, wi: Vec3, wo: Vec3) -> (Rgb, f64) {
+        match self.only_lobe() {
+            Some((weight, lobe)) if *weight > 0.0 => {
+                let wi = self.side.map_or(wi, |side| side.put(wi));
+                let (f, pdf) = lobe.eval_and_pdf(wi, wo);
+                (f * *weight, pdf)
+            }
+            _ => (self.eval_all(wi, wo), self.pdf_of_all(wi, wo)),
+        }
+    }
+
     /// [`LocalBsdf::pdf`] of any lobes.
     fn pdf_of_all(&self, wi: Vec3, wo: Vec3) -> f64 {
         let total = self.total_chance();
@@ -325,6 +338,27 @@ impl LocalBsdf {
     /// Draws a direction or a specular event; `None` if the path ends.
     /// `u_choice` and `u` are uniform in `[0, 1)`.
     pub fn sample(&self, wi: Vec3, u_choice: f64, u: [f64; 2]) -> Option<BsdfSample> {
+        let (wo, specular) = self.draw(wi, u_choice, u)?;
+        let pdf = match specular {
+            Some((_, probability)) => probability,
+            None => self.pdf(wi, wo),
+        };
+        (pdf > 0.0).then_some(BsdfSample {
+            wo,
+            pdf,
+            specular: specular.map(|(event, _)| event),
+        })
+    }
+
+    /// [`LocalBsdf::sample`] without the density: the direction, and the event with its
+    /// probability if it is one.
+    #[inline]
+    pub fn draw(
+        &self,
+        wi: Vec3,
+        u_choice: f64,
+        u: [f64; 2],
+    ) -> Option<(Vec3, Option<(Specular, f64)>)> {
         // The lobe; what is left of the random number chooses within it.
         let total = self.total_chance();
         let mut left = u_choice * total;
@@ -346,24 +380,12 @@ impl LocalBsdf {
         match lobe.sample(self.seen(wi, tilt)?, choice, u)? {
             Drawn::Smooth(wo) => {
                 let wo = tilt.map_or(wo, |tilt| tilt.turned_back(wo));
-                if !is_shown(wo) {
-                    return None;
-                }
-                let pdf = self.pdf(wi, wo);
-                (pdf > 0.0).then_some(BsdfSample {
-                    wo,
-                    pdf,
-                    specular: None,
-                })
+                is_shown(wo).then_some((wo, None))
             }
             Drawn::Specular(event, probability) => {
                 let specular = Specular { lobe: place, event };
                 let wo = self.specular(specular, wi).0;
-                is_shown(wo).then_some(BsdfSample {
-                    wo,
-                    pdf: probability * chance / total,
-                    specular: Some(specular),
-                })
+                is_shown(wo).then_some((wo, Some((specular, probability * chance / total))))
             }
         }
     }

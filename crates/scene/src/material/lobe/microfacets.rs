@@ -7,7 +7,8 @@
 
 use std::f64::consts::PI;
 
-use capwalk_math::special::{erf, erf_inverse};
+use capwalk_math::elementary::sin_cos;
+use capwalk_math::special::{erf_and_slope, erf_inverse};
 use capwalk_math::{Real, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -107,9 +108,9 @@ impl<R: Real> Microfacets<R> {
                     return one / z;
                 }
                 let spread = spread2.sqrt();
-                let a = z / spread;
-                let hidden = spread * (-a.squared()).exp() * R::constant(PI.sqrt().recip());
-                two / (z * (one + a.erf()) + hidden)
+                let [erf, slope] = (z / spread).erf_and_slope();
+                let hidden = R::constant(0.5) * spread * slope;
+                two / (z * (one + erf) + hidden)
             }
             Distribution::Ggx => two / (z + (z.squared() + spread2).sqrt()),
         }
@@ -144,7 +145,7 @@ impl Microfacets {
         let (alpha_u, alpha_v) = self.alphas();
         // Stretched until the roughness is one.
         let stretched = Vec3::new(alpha_u * wi.x, alpha_v * wi.y, wi.z).normalized();
-        let sin = stretched.x.hypot(stretched.y);
+        let sin = (stretched.x.squared() + stretched.y.squared()).sqrt();
         let (sin_phi, cos_phi) = if sin > 0.0 {
             (stretched.y / sin, stretched.x / sin)
         } else {
@@ -182,34 +183,40 @@ impl Microfacets {
 fn beckmann_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
     // Up to a factor, the probability of a slope of less (the normal of a slope
     // is `(-slope, ., 1)`); it grows up to the slope that hides its facet.
-    let wave = sin / PI.sqrt();
     let steepest = if sin * SHADOWLESS > cos {
         cos / sin
     } else {
         SHADOWLESS
     };
-    let cumulative = |slope: f64| cos * (1.0 + erf(slope)) + wave * (-slope * slope).exp();
-    let target = u[0] * cumulative(steepest);
+    // It, and its derivative.
+    let cumulative = |slope: f64| {
+        let [erf, by_slope] = erf_and_slope(slope);
+        let hidden = 0.5 * sin * by_slope;
+        (cos * (1.0 + erf) + hidden, by_slope * (cos - slope * sin))
+    };
+    let target = u[0] * cumulative(steepest).0;
     // Newton's steps, kept between bounds.
     let (mut low, mut high) = (-SHADOWLESS, steepest);
     let mut slope = 0.0_f64.min(0.5 * steepest);
     // Halving alone needs fewer steps than this for all digits.
     const MOST_STEPS: usize = 64;
+    // A step so short was the last: the next one is its square.
+    const LAST_STEP: f64 = 1e-8;
     for _ in 0..MOST_STEPS {
-        let error = cumulative(slope) - target;
+        let (value, density) = cumulative(slope);
+        let error = value - target;
         if error > 0.0 {
             high = slope;
         } else {
             low = slope;
         }
-        let density = 2.0 / PI.sqrt() * (-slope * slope).exp() * (cos - slope * sin);
         let mut next = slope - error / density;
         if !(low..=high).contains(&next) {
             next = 0.5 * (low + high);
         }
         let step = (next - slope).abs();
         slope = next;
-        if step < 1e-14 {
+        if step < LAST_STEP {
             break;
         }
     }
@@ -222,7 +229,7 @@ fn beckmann_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
 /// hemisphere: a point of the hemisphere's projection towards the view.
 fn ggx_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
     let radius = u[0].sqrt();
-    let (sin_phi, cos_phi) = (2.0 * PI * u[1]).sin_cos();
+    let (sin_phi, cos_phi) = sin_cos(2.0 * PI * u[1]);
     let across = radius * cos_phi;
     // The projection is half a disk and half an ellipse: one disk, pushed up.
     let visible = 0.5 * (1.0 + cos);

@@ -60,4 +60,18 @@ impl RoughConductor {
         let wi = local::raised(wi);
         self.microfacets.reflection_pdf(wi, (wi + wo).normalized())
     }
+
+    /// [`RoughConductor::eval`] and [`RoughConductor::pdf`].
+    #[inline]
+    pub(super) fn eval_and_pdf(&self, wi: Vec3, wo: Vec3) -> (Rgb, f64) {
+        if wo.z <= 0.0 {
+            return (Rgb::zero(), 0.0);
+        }
+        let wi = local::raised(wi);
+        let h = (wi + wo).normalized();
+        let pdf = self.microfacets.reflection_pdf(wi, h);
+        let reflectance = fresnel_conductor(wi.dot(h), self.eta, self.k);
+        let seen = self.microfacets.visible(wo);
+        (reflectance * self.specular_reflectance * (pdf * seen), pdf)
+    }
 }

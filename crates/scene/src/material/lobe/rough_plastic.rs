@@ -48,13 +48,19 @@ impl<R: Real> RoughPlastic<R> {
         }
         let wi = local::raised(wi);
         let h = (wi + wo).normalized();
-        let reflectance = fresnel_dielectric(wi.dot(h), self.eta);
-        let coat = self.specular_reflectance * (reflectance * self.facets().reflection(wi, wo, h));
+        let mirrored = self.facets().reflection(wi, wo, h);
+        self.scattered(mirrored, wi.dot(h), self.transmittance(wi.z), wo)
+    }
 
+    /// What coat and base scatter if facets that are perfect mirrors scatter `mirrored`, seen under
+    /// the cosine `cos`, and the fraction `enters` passes the coat.
+    #[inline]
+    fn scattered(&self, mirrored: R, cos: R, enters: R, wo: Vec3<R>) -> Rgb<R> {
+        let coat = self.specular_reflectance * (fresnel_dielectric(cos, self.eta) * mirrored);
         let internal = self
             .transmittance
             .internal_reflectance(self.alpha, self.eta);
-        let passes = self.transmittance(wi.z) * self.transmittance(wo.z);
+        let passes = enters * self.transmittance(wo.z);
         // Radiance shrinks by `1 / eta²` on the way out.
         let scale = passes * wo.z * R::constant(FRAC_1_PI) / self.eta.squared();
         coat + base(self.diffuse_reflectance, internal, self.nonlinear) * scale
@@ -73,23 +79,19 @@ impl<R: Real> RoughPlastic<R> {
 }
 
 impl RoughPlastic {
+    /// Probability of choosing the base, if the fraction `enters` passes the coat.
     #[inline]
-    fn base_probability(&self, wi: Vec3) -> f64 {
-        let transmittance = self.transmittance(wi.z.abs());
-        base_probability(
-            transmittance,
-            self.diffuse_reflectance,
-            self.specular_reflectance,
-        )
+    fn base_probability(&self, enters: f64) -> f64 {
+        base_probability(enters, self.diffuse_reflectance, self.specular_reflectance)
     }
 
     /// A direction by the cosine, or a reflection at a visible normal.
     #[inline]
     pub(super) fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
-        if choice < self.base_probability(wi) {
+        let wi = local::raised(wi);
+        if choice < self.base_probability(self.transmittance(wi.z)) {
             return Some(Drawn::Smooth(local::sample_cosine(u)));
         }
-        let wi = local::raised(wi);
         let wo = local::reflected_about(wi, self.facets().sample(wi, u));
         (wo.z > 0.0).then_some(Drawn::Smooth(wo))
     }
@@ -99,9 +101,29 @@ impl RoughPlastic {
         if wo.z <= 0.0 {
             return 0.0;
         }
-        let base = self.base_probability(wi);
         let wi = local::raised(wi);
         let coat = self.facets().reflection_pdf(wi, (wi + wo).normalized());
+        self.mixed_pdf(self.transmittance(wi.z), coat, wo)
+    }
+
+    /// The density, if the fraction `enters` passes the coat, which has the density `coat`.
+    #[inline]
+    fn mixed_pdf(&self, enters: f64, coat: f64, wo: Vec3) -> f64 {
+        let base = self.base_probability(enters);
         base * local::cosine_pdf(wo) + (1.0 - base) * coat
+    }
+
+    /// [`RoughPlastic::eval`] and [`RoughPlastic::pdf`].
+    #[inline]
+    pub(super) fn eval_and_pdf(&self, wi: Vec3, wo: Vec3) -> (Rgb, f64) {
+        if wo.z <= 0.0 {
+            return (Rgb::zero(), 0.0);
+        }
+        let (wi, facets) = (local::raised(wi), self.facets());
+        let h = (wi + wo).normalized();
+        let coat = facets.reflection_pdf(wi, h);
+        let enters = self.transmittance(wi.z);
+        let scattered = self.scattered(coat * facets.visible(wo), wi.dot(h), enters, wo);
+        (scattered, self.mixed_pdf(enters, coat, wo))
     }
 }
