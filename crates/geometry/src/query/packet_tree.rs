@@ -207,11 +207,13 @@ impl PacketTree {
         self.instructions.run(Occluded { tree: self, packet })
     }
 
-    /// Uses plain arithmetic from now on. The answers stay the same.
+    /// Uses these instructions from now on. The answers stay the same.
     #[cfg(test)]
-    pub fn without_simd(mut self) -> Self {
-        self.instructions = Instructions::Scalar;
-        self
+    pub fn with(self, instructions: Instructions) -> Self {
+        Self {
+            instructions,
+            ..self
+        }
     }
 
     /// The same by asking each triangle.

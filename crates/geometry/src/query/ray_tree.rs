@@ -98,12 +98,13 @@ impl RayTree {
         self.cost.degradation()
     }
 
-    /// Uses plain arithmetic from now on, whatever the processor can do. The
-    /// answers stay the same.
+    /// Uses these instructions from now on. The answers stay the same.
     #[cfg(test)]
-    pub fn without_simd(mut self) -> Self {
-        self.instructions = Instructions::Scalar;
-        self
+    pub fn with(self, instructions: Instructions) -> Self {
+        Self {
+            instructions,
+            ..self
+        }
     }
 
     /// The nearest intersection within the ray's bounds; of equally near ones

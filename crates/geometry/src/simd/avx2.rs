@@ -1,5 +1,9 @@
 //! AVX2 with fused multiply-add: the one file that allows `unsafe`.
 //!
+//! Where the processor has AVX-512 as well, the same code is compiled for it once more: with
+//! twice as many registers, and with longer ones for loops that the compiler makes vectors of.
+//! Results are bitwise the same.
+//!
 //! The intrinsics are safe to execute exactly if the processor has them. That
 //! is proved by the token [`Avx2`]: only [`Avx2::detect`] makes one, and every
 //! vector is made from a token or from other vectors.
@@ -12,23 +16,46 @@ use super::vectors::{Computation, F32x8, F64x4, Lanes, Simd};
 
 /// Proof that the processor has AVX2 and fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Avx2(());
+pub struct Avx2 {
+    /// True if it has AVX-512 as well.
+    has_avx512: bool,
+}
 
 impl Avx2 {
     /// The proof, if it is true.
     pub fn detect() -> Option<Self> {
-        (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self(()))
+        let has_avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
+        let has_avx512 = is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("avx512vl")
+            && is_x86_feature_detected!("avx512dq")
+            && is_x86_feature_detected!("avx512bw");
+        has_avx2.then_some(Self { has_avx512 })
     }
 
-    /// Runs the job compiled for AVX2.
+    /// The same for a job compiled for AVX2 alone.
+    #[cfg(test)]
+    pub fn without_avx512(self) -> Self {
+        Self { has_avx512: false }
+    }
+
+    /// Runs the job compiled for what the processor has.
     #[inline]
     pub fn run<J: Computation>(self, job: J) -> J::Output {
         #[target_feature(enable = "avx2,fma")]
         fn compiled<J: Computation>(avx2: Avx2, job: J) -> J::Output {
             job.run(avx2)
         }
+        #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
+        fn compiled_wide<J: Computation>(avx2: Avx2, job: J) -> J::Output {
+            job.run(avx2)
+        }
         // SAFETY: `self` proves that the processor has the features.
-        unsafe { compiled(self, job) }
+        unsafe {
+            match self.has_avx512 {
+                true => compiled_wide(self, job),
+                false => compiled(self, job),
+            }
+        }
     }
 }
 

@@ -10,7 +10,7 @@ use super::vectors::Computation;
 pub enum Instructions {
     /// Plain Rust, runs everywhere.
     Scalar,
-    /// AVX2 with fused multiply-add.
+    /// AVX2 with fused multiply-add, and AVX-512 where there is that.
     #[cfg(target_arch = "x86_64")]
     Avx2(Avx2),
 }
@@ -23,6 +23,19 @@ impl Instructions {
             return Self::Avx2(avx2);
         }
         Self::Scalar
+    }
+
+    /// All that this processor has but the fastest.
+    #[cfg(test)]
+    pub fn slower() -> Vec<Self> {
+        let fastest = Self::detect();
+        let mut all = vec![Self::Scalar];
+        #[cfg(target_arch = "x86_64")]
+        if let Self::Avx2(avx2) = fastest {
+            all.push(Self::Avx2(avx2.without_avx512()));
+        }
+        all.retain(|&instructions| instructions != fastest);
+        all
     }
 
     /// Runs the job compiled for these instructions.

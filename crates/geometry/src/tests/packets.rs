@@ -6,6 +6,7 @@ use proptest::test_runner::RngSeed;
 
 use super::meshes;
 use crate::query::packet_tree::RAYS;
+use crate::simd::Instructions;
 use crate::{Mesh, Packet, PacketTree, Ray, RayTree, oracle};
 
 /// Numbers that are spread evenly between 0 and 1, by a number of their own.
@@ -86,7 +87,8 @@ proptest! {
     #[test]
     fn packets_are_those_of_brute_force((mesh, _) in meshes::mesh(), seed in 0..1000_u64) {
         let tree = PacketTree::new(&RayTree::build(&mesh), &mesh);
-        let others = [tree.clone().without_simd(), tree.clone().flat()];
+        let slower = Instructions::slower().into_iter().map(|it| tree.clone().with(it));
+        let others: Vec<_> = slower.chain([tree.clone().flat()]).collect();
         for packet in packets(&mesh, seed) {
             let (faces, hidden) = (tree.first_hits(&packet), tree.occluded(&packet));
             for other in &others {

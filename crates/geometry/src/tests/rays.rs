@@ -2,6 +2,7 @@
 
 use super::meshes::{self, Place, Spot};
 use crate::bvh::validate::TreeError;
+use crate::simd::Instructions;
 use crate::{Mesh, Ray, RayTree, SilhouetteTree, oracle};
 use capwalk_math::Vec3;
 use proptest::prelude::*;
@@ -54,10 +55,13 @@ impl Aim {
 fn check(tree: &RayTree, mesh: &Mesh, rays: &[Ray]) -> Result<(), TestCaseError> {
     tree.validate(mesh)
         .map_err(|error| TestCaseError::fail(format!("{error:?}")))?;
-    let scalar = tree.clone().without_simd();
+    let slower = Instructions::slower()
+        .into_iter()
+        .map(|it| tree.clone().with(it));
+    let trees: Vec<_> = slower.chain([tree.clone()]).collect();
     for ray in rays {
         let expected = oracle::first_hit(mesh, ray);
-        for tree in [tree, &scalar] {
+        for tree in &trees {
             prop_assert_eq!(tree.first_hit(ray), expected, "{:?}", ray);
             prop_assert_eq!(tree.occluded(ray), oracle::occluded(mesh, ray), "{:?}", ray);
         }

@@ -2,6 +2,7 @@
 
 use super::meshes::{self, Place, Spot};
 use crate::bvh::validate::TreeError;
+use crate::simd::Instructions;
 use crate::{
     ConeQuery, Edge, EdgeSelection, HalfSpace, Mesh, SilhouettePoint, SilhouetteTree, oracle,
     topology,
@@ -138,17 +139,24 @@ fn check(
 ) -> Result<(), TestCaseError> {
     tree.validate(mesh, edges)
         .map_err(|error| TestCaseError::fail(format!("{error:?}")))?;
-    let scalar = tree.clone().without_simd();
+    let slower = Instructions::slower()
+        .into_iter()
+        .map(|it| tree.clone().with(it));
+    let slower: Vec<_> = slower.collect();
     for (i, query) in queries.iter().enumerate() {
         let expected = oracle::closest_silhouette(mesh, edges, query);
         prop_assert_eq!(tree.closest(query), expected, "{:?}", query);
-        prop_assert_eq!(scalar.closest(query), expected, "scalar, {:?}", query);
+        for tree in &slower {
+            prop_assert_eq!(tree.closest(query), expected, "{:?}", query);
+        }
         let accept = |point: &SilhouettePoint| point.edge % 3 == 1;
         let expected = oracle::closest_silhouette_where(mesh, edges, query, accept);
         prop_assert_eq!(tree.closest_where(query, accept), expected, "{:?}", query);
         let expected = oracle::gather(mesh, edges, query);
         let found = gathered(tree, query);
-        prop_assert_eq!(&gathered(&scalar, query), &found, "scalar, {:?}", query);
+        for tree in &slower {
+            prop_assert_eq!(&gathered(tree, query), &found, "{:?}", query);
+        }
         let any = found.len().checked_sub(1).map(|last| found[i % (last + 1)]);
         prop_assert_eq!(sorted(found.clone()), expected, "{:?}", query);
         // Everywhere, in a part of the mesh, and none.
