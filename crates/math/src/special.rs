@@ -77,17 +77,20 @@ pub fn erf_and_slope(x: f64) -> [f64; 2] {
     [value, FRAC_2_SQRT_PI * gaussian]
 }
 
-/// The number whose error function is `p` to 1e-15, for `p` strictly between -1 and 1.
-pub fn erf_inverse(p: f64) -> f64 {
-    // Winitzki's closed form is good to 2e-3; each step of Halley's method
-    // triples the digits.
+/// The number whose error function is `p` to 2e-3, for `p` strictly between -1 and 1 (the closed
+/// form of Winitzki, "A Handy Approximation for the Error Function and its Inverse", 2008).
+pub fn erf_inverse_estimate(p: f64) -> f64 {
     const A: f64 = 0.147;
     let log = ((1.0 - p) * (1.0 + p)).ln();
     let half = 2.0 / (PI * A) + 0.5 * log;
-    let mut x = ((half * half - log / A).sqrt() - half)
-        .max(0.0)
-        .sqrt()
-        .copysign(p);
+    let squared = (half * half - log / A).sqrt() - half;
+    squared.max(0.0).sqrt().copysign(p)
+}
+
+/// The number whose error function is `p` to 1e-15, for `p` strictly between -1 and 1.
+pub fn erf_inverse(p: f64) -> f64 {
+    // Each step of Halley's method triples the digits.
+    let mut x = erf_inverse_estimate(p);
     for _ in 0..2 {
         let [value, slope] = erf_and_slope(x);
         let newton = (value - p) / slope;

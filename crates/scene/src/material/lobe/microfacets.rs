@@ -8,7 +8,7 @@
 use std::f64::consts::PI;
 
 use capwalk_math::elementary::sin_cos;
-use capwalk_math::special::{erf_and_slope, erf_inverse};
+use capwalk_math::special::{erf_and_slope, erf_inverse, erf_inverse_estimate};
 use capwalk_math::{Real, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -195,9 +195,13 @@ fn beckmann_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
         (cos * (1.0 + erf) + hidden, by_slope * (cos - slope * sin))
     };
     let target = u[0] * cumulative(steepest).0;
+    // Seen from above slopes are Gaussian, and their mean is not far from there.
+    let least = -1.0 + f64::EPSILON;
+    let gaussian = erf_inverse_estimate((-1.0 + target / cos.max(sin)).clamp(least, -least));
+    let mean = -0.5 * sin / cos.max(sin);
     // Newton's steps, kept between bounds.
     let (mut low, mut high) = (-SHADOWLESS, steepest);
-    let mut slope = 0.0_f64.min(0.5 * steepest);
+    let mut slope = (gaussian + mean).clamp(low, high);
     // Halving alone needs fewer steps than this for all digits.
     const MOST_STEPS: usize = 64;
     // A step so short was the last: the next one is its square.
