@@ -37,6 +37,8 @@ struct Face {
     normal: Vec3,
     /// Along the first texture coordinate, if the material turns with it.
     tangent: Option<Vec3>,
+    /// What the way from the first corner is multiplied by for the weights of the other two.
+    weights: [Vec3; 2],
     shape: ShapeId,
 }
 
@@ -50,12 +52,23 @@ impl Face {
             tangents_of_face(accel.scene.shape(shape), own, [b - a, c - a])
         };
         let turns = accel.needs_tangent[place];
+        let cross = accel.mesh.face_cross(face);
+        let weights = [(c - a).cross(cross), cross.cross(b - a)];
         Self {
             corner: a,
-            normal: accel.mesh.face_cross(face).normalized(),
+            normal: cross.normalized(),
+            weights: weights.map(|weight| weight / cross.length_squared()),
             tangent: turns.then(tangents).flatten().map(|[along_u, _]| along_u),
             shape,
         }
+    }
+
+    /// Weights of the corners where a ray meets the plane of the face.
+    fn barycentric(&self, origin: Vec3, direction: Vec3) -> [f64; 3] {
+        let t = (self.corner - origin).dot(self.normal) / direction.dot(self.normal);
+        let offset = origin + direction * t - self.corner;
+        let [wb, wc] = self.weights.map(|weight| weight.dot(offset));
+        [1.0 - wb - wc, wb, wc]
     }
 }
 
@@ -161,7 +174,7 @@ impl<'a> LaneScene<'a> {
             1.0
         };
         let barycentric = match shape.needs_place {
-            true => self.barycentric(face, found, vertices.origin.get(lane), direction),
+            true => found.barycentric(vertices.origin.get(lane), direction),
             false => [1.0, 0.0, 0.0],
         };
         let (outward, out) = match shape.has_normals {
@@ -187,19 +200,6 @@ impl<'a> LaneScene<'a> {
         vertices.side[lane] = side;
         vertices.albedo.set_colour(lane, albedo);
         Some(lobes)
-    }
-
-    /// Weights of the corners where a ray meets the plane of a face.
-    fn barycentric(&self, face: u32, found: &Face, origin: Vec3, direction: Vec3) -> [f64; 3] {
-        let [a, b, c] = self.accel.mesh.corners(face as usize);
-        let t = (a - origin).dot(found.normal) / direction.dot(found.normal);
-        let offset = origin + direction * t - a;
-        let (second, third) = (b - a, c - a);
-        let cross = second.cross(third);
-        let scale = 1.0 / cross.length_squared();
-        let wb = offset.cross(third).dot(cross) * scale;
-        let wc = second.cross(offset).dot(cross) * scale;
-        [1.0 - wb - wc, wb, wc]
     }
 
     /// The interpolated normal, and 1 or -1 for whether the face's own points out.
