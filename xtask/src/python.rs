@@ -70,15 +70,10 @@ pub fn test() -> Result<()> {
             return Ok(());
         }
     };
-    // The same features as in the tests, so that nothing is built twice.
-    let mut build = cargo(&[
-        "build",
-        "--package",
-        "capwalk-python",
-        "--package",
-        "capwalk-cli",
-    ]);
-    build.args(&EVERYTHING[1..]);
+    // With the tests of Rust, which are there: else its dependencies would have other features,
+    // and everything would be built twice.
+    let mut build = cargo(&["build", "--lib", "--bins", "--tests"]);
+    build.args(EVERYTHING);
     start("python: module", build)?;
     let site = folder.join("site");
     install(&site)?;
