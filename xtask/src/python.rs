@@ -70,8 +70,8 @@ pub fn test() -> Result<()> {
             return Ok(());
         }
     };
-    // With the tests of Rust, which are there: else its dependencies would have other features,
-    // and everything would be built twice.
+    // Together with the tests of Rust, which are there already: built without them, libraries would
+    // have fewer features, and nearly all would be built twice.
     let mut build = cargo(&["build", "--lib", "--bins", "--tests"]);
     build.args(EVERYTHING);
     start("python: module", build)?;

@@ -32,7 +32,7 @@ pub enum Warp {
     Flow(Flow),
 }
 
-/// Which parts of a [`Warp`] depend on something.
+/// Which parts of a [`Warp`] depend on what may move.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dependence {
     /// The velocity of the direction.
@@ -127,8 +127,8 @@ impl Warp {
         }
     }
 
-    /// What of it depends on some point of the boundaries for which `point` says so, or on the
-    /// viewpoint if that moves.
+    /// Which parts of it depend on a point of the boundaries that may move, of which `point` says
+    /// so, or on the viewpoint if that may.
     pub fn depends(
         &self,
         field: &Field,

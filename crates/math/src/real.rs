@@ -60,12 +60,12 @@ pub trait Real:
     }
     /// The error function and its derivative, `2 / √π exp(-x²)`.
     #[inline]
-    fn erf_and_slope(self) -> [Self; 2] {
+    fn erf_and_derivative(self) -> [Self; 2] {
         let x = self.value();
-        let [value, slope] = special::erf_and_slope(x);
+        let [value, derivative] = special::erf_and_derivative(x);
         [
-            Self::chain(value, [(self, slope)]),
-            Self::chain(slope, [(self, -2.0 * x * slope)]),
+            Self::chain(value, [(self, derivative)]),
+            Self::chain(derivative, [(self, -2.0 * x * derivative)]),
         ]
     }
     /// Absolute value; at zero it has the derivative from above.
@@ -112,8 +112,8 @@ mod tests {
     use crate::tape::Tape;
 
     fn expression<R: Real>(x: R) -> R {
-        let [erf, slope] = x.erf_and_slope();
-        (x.ln() * erf + slope + (x - R::constant(1.0)).abs()).squared()
+        let [erf, derivative] = x.erf_and_derivative();
+        (x.ln() * erf + derivative + (x - R::constant(1.0)).abs()).squared()
     }
 
     /// The functions of one argument: duals and tapes against central

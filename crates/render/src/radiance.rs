@@ -127,9 +127,9 @@ impl Tracer<'_> {
         light + self.reflected(eval, [origin, direction], hit, 0, chain, draw)
     }
 
-    /// A sample of what of the radiance that arrives at a moving origin from a direction, the
-    /// `ray`, is reflected where that hits a surface, the vertex of a path of number `first`.
-    /// `chain` are the specular events since the direction was last warped.
+    /// A sample of the radiance that comes back along a moving ray, given by its origin and its
+    /// direction, from the surface that it hits, the vertex of a path of number `first`, less what
+    /// that emits. `chain` are the specular events since the direction was last warped.
     pub(crate) fn reflected<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,

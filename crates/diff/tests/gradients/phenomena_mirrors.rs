@@ -250,20 +250,22 @@ fn halves_of_a_mirror_are_one() {
     assert!(all > 0.0 && off < 1e-4 * all, "{off} of {all}");
 }
 
-/// What a floor with a picture on it, or a sky, looks like through a pane of a material before the
-/// camera, whose edges are outside of the image.
-fn behind_a_pane(segments: u32, material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
-    let from = v(1.2, -4.0, 1.9);
-    let mut scene = match segments {
-        2 => under_a_sky(visible_stage(from)),
-        _ => visible_stage(from),
-    };
+const BEFORE_THE_PANE: Vec3 = Vec3::new(1.2, -4.0, 1.9);
+
+/// A stage with a bitmap on its floor, seen through a pane of a material before the camera, whose
+/// edges are outside of the image, by paths of so many segments.
+fn behind_a_pane(
+    mut scene: Scene,
+    segments: u32,
+    material: impl FnOnce(&mut Slots) -> Bsdf,
+) -> Scene {
     unit_square(&mut scene, "floor");
     let name = "floor.bsdf.reflectance";
     let reflectance = scene.textures.iter_mut().find(|map| map.id == name);
     let texels = (0..16).map(|i| f64::from(i) / 15.0).collect();
     *reflectance.expect("the floor's") = bitmap(name.into(), 4, 1, texels).into();
-    let towards = Affine::look_at(from, v(0.0, 0.05, 0.4), v(0.0, 0.0, 1.0)).expect("not up");
+    let towards = Affine::look_at(BEFORE_THE_PANE, v(0.0, 0.05, 0.4), v(0.0, 0.0, 1.0));
+    let towards = towards.expect("not up");
     let (mesh, normals) = rectangle(towards * Affine::translate(v(0.0, 0.0, 0.5)));
     add(&mut scene, "pane", mesh, normals, 0.5);
     make(&mut scene, "pane", material);
@@ -290,17 +292,19 @@ fn what_moves_and_lets_light_pass() {
         let sum = image.pixels.iter().map(|pixel| pixel.r).sum::<f64>();
         sum / image.pixels.len() as f64
     };
+    let stage = || visible_stage(BEFORE_THE_PANE);
+    let floor = behind_a_pane(stage(), 3, mask(0.0));
+    let sky = behind_a_pane(under_a_sky(stage()), 2, mask(0.0));
+    let glass = behind_a_pane(stage(), 3, |n| Bsdf::ThinDielectric(n.glass()));
     let cases = [
-        ("floor", "pane.translate.x", behind_a_pane(3, mask(0.0))),
-        ("sky", "pane.rotate.x", behind_a_pane(2, mask(0.0))),
-        (
-            "glass",
-            "pane.translate.x",
-            behind_a_pane(3, |n| Bsdf::ThinDielectric(n.glass())),
-        ),
+        ("floor", "pane.translate.x", floor),
+        ("sky", "pane.rotate.x", sky),
+        ("glass", "pane.translate.x", glass),
     ];
     for (name, expression, scene) in cases {
         let tangent = tangent(&scene, expression);
+        let pane = tangent.shapes.iter().flatten().next().expect("it moves");
+        assert!(pane.vertices.iter().all(|&v| v != Vec3::zero()), "{name}");
         let prepared = PreparedScene::new(scene);
         let result = gradient(&prepared, &tangent, &settings, &Unwatched).expect("covered");
         assert!(mean(&result.value.mean) > 0.02, "{name} is seen");
@@ -308,7 +312,7 @@ fn what_moves_and_lets_light_pass() {
         assert!(pixels.iter().all(|&pixel| pixel == Rgb::zero()), "{name}");
     }
     // The pane is there.
-    let opaque = behind_a_pane(3, mask(1.0));
+    let opaque = behind_a_pane(stage(), 3, mask(1.0));
     let tangent = tangent(&opaque, "pane.translate.x");
     let result = gradient(&PreparedScene::new(opaque), &tangent, &settings, &Unwatched);
     assert!(mean(&result.expect("covered").value.mean) < 0.01);

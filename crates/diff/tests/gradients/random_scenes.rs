@@ -505,7 +505,7 @@ fn run(seed: u64, tally: &mut Tally) {
 /// Scenes in which the modes once took different samples.
 #[test]
 fn scenes_that_once_disagreed() {
-    // What moved had a share of the divergence alone: the direction rested.
+    // What moved had a share of the divergence alone: the direction did not move.
     let mut tally = Tally::default();
     run(20262235, &mut tally);
     assert_eq!(tally.agreeing, 1, "{tally:?}");

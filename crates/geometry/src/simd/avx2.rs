@@ -1,6 +1,6 @@
 //! AVX2 with fused multiply-add: the one file that allows `unsafe`.
 //!
-//! Where the processor has AVX-512 as well, the same code is compiled for it once more: with
+//! The same code is compiled for AVX-512 as well, and runs where the processor has it: with
 //! twice as many registers, and with longer ones for loops that the compiler makes vectors of.
 //! Results are bitwise the same.
 //!
@@ -17,25 +17,26 @@ use super::vectors::{Computation, F32x8, F64x4, Lanes, Simd};
 /// Proof that the processor has AVX2 and fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Avx2 {
-    /// True if it has AVX-512 as well.
-    has_avx512: bool,
+    /// True if it has AVX-512 as well, and that is to be used.
+    uses_avx512: bool,
 }
 
 impl Avx2 {
     /// The proof, if it is true.
     pub fn detect() -> Option<Self> {
         let has_avx2 = is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma");
-        let has_avx512 = is_x86_feature_detected!("avx512f")
+        let uses_avx512 = is_x86_feature_detected!("avx512f")
+            && is_x86_feature_detected!("f16c")
             && is_x86_feature_detected!("avx512vl")
             && is_x86_feature_detected!("avx512dq")
             && is_x86_feature_detected!("avx512bw");
-        has_avx2.then_some(Self { has_avx512 })
+        has_avx2.then_some(Self { uses_avx512 })
     }
 
-    /// The same for a job compiled for AVX2 alone.
+    /// The same for jobs compiled for AVX2 alone.
     #[cfg(test)]
     pub fn without_avx512(self) -> Self {
-        Self { has_avx512: false }
+        Self { uses_avx512: false }
     }
 
     /// Runs the job compiled for what the processor has.
@@ -51,7 +52,7 @@ impl Avx2 {
         }
         // SAFETY: `self` proves that the processor has the features.
         unsafe {
-            match self.has_avx512 {
+            match self.uses_avx512 {
                 true => compiled_wide(self, job),
                 false => compiled(self, job),
             }

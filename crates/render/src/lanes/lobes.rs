@@ -2,7 +2,7 @@
 
 use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::Resolved;
-use capwalk_scene::lobe::LocalBsdf;
+use capwalk_scene::lobe::{BsdfDirection, LocalBsdf};
 
 use crate::lanes::step::{Vertices, density};
 use crate::light::power_heuristic;
@@ -97,7 +97,7 @@ impl LobesAt<'_> {
 
     /// Draws a direction; `None` if the path ends.
     pub fn draw(&self, choice: f64, u: [f64; 2]) -> Option<Drawn> {
-        let (wo, specular) = self.bsdf.draw(self.wi, choice, u)?;
+        let BsdfDirection { wo, specular } = self.bsdf.draw(self.wi, choice, u)?;
         let (scattered, pdf, weight) = match specular {
             // Nothing else samples a specular direction.
             Some((event, probability)) => {
@@ -107,10 +107,10 @@ impl LobesAt<'_> {
             None => {
                 let (scattered, pdf) = self.bsdf.eval_and_pdf(self.wi, wo);
                 let other = density(self.solid_angle);
-                (scattered, pdf, power_heuristic(pdf, other))
+                (pdf > 0.0).then_some((scattered, pdf, power_heuristic(pdf, other)))?
             }
         };
-        (pdf > 0.0).then(|| Drawn {
+        Some(Drawn {
             direction: self.frame.to_world(wo).normalized(),
             factor: scattered / pdf,
             weight,

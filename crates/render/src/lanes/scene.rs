@@ -37,7 +37,8 @@ struct Face {
     normal: Vec3,
     /// Along the first texture coordinate, if the material turns with it.
     tangent: Option<Vec3>,
-    /// What the way from the first corner is multiplied by for the weights of the other two.
+    /// The gradients of the weights of the second and third corner: their inner products with the
+    /// offset from the first are the weights.
     weights: [Vec3; 2],
     shape: ShapeId,
 }

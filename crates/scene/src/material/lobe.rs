@@ -85,7 +85,7 @@ pub use each::Lobe;
 pub use event::{Event, Side, Specular};
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_diffuse};
 pub use local::{cosine_pdf, sample_cosine};
-pub use local_bsdf::{BsdfSample, LocalBsdf};
+pub use local_bsdf::{BsdfDirection, BsdfSample, LocalBsdf};
 pub use microfacets::{Distribution, Microfacets};
 pub use null::Null;
 pub use plastic::Plastic;

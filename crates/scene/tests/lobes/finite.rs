@@ -68,8 +68,28 @@ fn eval_and_pdf_are_finite() {
                     "{name}: {found:?}"
                 );
                 assert!(pdf >= 0.0, "{name}: {pdf}");
-                let apart = (bsdf.eval(wi, wo), pdf);
-                assert_eq!(bsdf.eval_and_pdf(wi, wo), apart, "{name}, {wi:?}, {wo:?}");
+            }
+        }
+    }
+}
+
+/// Alone, from behind, without weight, and beside another one.
+#[test]
+fn eval_and_pdf_are_the_same_together() {
+    for (name, lobe) in lobes() {
+        let bsdf = LocalBsdf::from(lobe.clone());
+        let mut without_weight = LocalBsdf::default();
+        without_weight.push(0.0, lobe.clone());
+        let mut beside = LocalBsdf::from(lobe);
+        beside.push(0.3, table::smooth()[0].1.clone());
+        let explored = without_weight.clone().explored();
+        let behind = bsdf.clone().seen_from(Side::Back);
+        for bsdf in [bsdf, without_weight, beside, explored, behind] {
+            for wi in directions() {
+                for wo in directions() {
+                    let apart = (bsdf.eval(wi, wo), bsdf.pdf(wi, wo));
+                    assert_eq!(bsdf.eval_and_pdf(wi, wo), apart, "{name}, {wi:?}, {wo:?}");
+                }
             }
         }
     }

@@ -192,7 +192,16 @@ impl Lobe {
         match self {
             Lobe::RoughConductor(lobe) => lobe.eval_and_pdf(wi, wo),
             Lobe::RoughPlastic(lobe) => lobe.eval_and_pdf(wi, wo),
-            _ => (self.eval(wi, wo), self.pdf(wi, wo)),
+            Lobe::Diffuse(_)
+            | Lobe::Conductor(_)
+            | Lobe::Dielectric(_)
+            | Lobe::RoughDielectric(_)
+            | Lobe::ThinDielectric(_)
+            | Lobe::Plastic(_)
+            | Lobe::PolarizedPlastic(_)
+            | Lobe::Principled(_)
+            | Lobe::PrincipledThin(_)
+            | Lobe::Null(_) => (self.eval(wi, wo), self.pdf(wi, wo)),
         }
     }
 

@@ -39,6 +39,15 @@ pub struct BsdfSample {
     pub specular: Option<Specular>,
 }
 
+/// A direction drawn by a surface, without its density.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BsdfDirection {
+    /// The direction to continue in.
+    pub wo: Vec3,
+    /// The specular event and its probability; `None` if the direction comes from a density.
+    pub specular: Option<(Specular, f64)>,
+}
+
 impl<R: Real> Default for LocalBsdf<R> {
     /// A black surface: no lobes, to be seen from both sides.
     #[inline]
@@ -338,27 +347,25 @@ impl LocalBsdf {
     /// Draws a direction or a specular event; `None` if the path ends.
     /// `u_choice` and `u` are uniform in `[0, 1)`.
     pub fn sample(&self, wi: Vec3, u_choice: f64, u: [f64; 2]) -> Option<BsdfSample> {
-        let (wo, specular) = self.draw(wi, u_choice, u)?;
-        let pdf = match specular {
-            Some((_, probability)) => probability,
-            None => self.pdf(wi, wo),
+        let BsdfDirection { wo, specular } = self.draw(wi, u_choice, u)?;
+        let Some((event, probability)) = specular else {
+            let pdf = self.pdf(wi, wo);
+            return (pdf > 0.0).then_some(BsdfSample {
+                wo,
+                pdf,
+                specular: None,
+            });
         };
-        (pdf > 0.0).then_some(BsdfSample {
+        Some(BsdfSample {
             wo,
-            pdf,
-            specular: specular.map(|(event, _)| event),
+            pdf: probability,
+            specular: Some(event),
         })
     }
 
-    /// [`LocalBsdf::sample`] without the density: the direction, and the event with its
-    /// probability if it is one.
+    /// [`LocalBsdf::sample`] without the density, which may be zero: then the path ends.
     #[inline]
-    pub fn draw(
-        &self,
-        wi: Vec3,
-        u_choice: f64,
-        u: [f64; 2],
-    ) -> Option<(Vec3, Option<(Specular, f64)>)> {
+    pub fn draw(&self, wi: Vec3, u_choice: f64, u: [f64; 2]) -> Option<BsdfDirection> {
         // The lobe; what is left of the random number chooses within it.
         let total = self.total_chance();
         let mut left = u_choice * total;
@@ -380,12 +387,15 @@ impl LocalBsdf {
         match lobe.sample(self.seen(wi, tilt)?, choice, u)? {
             Drawn::Smooth(wo) => {
                 let wo = tilt.map_or(wo, |tilt| tilt.turned_back(wo));
-                is_shown(wo).then_some((wo, None))
+                is_shown(wo).then_some(BsdfDirection { wo, specular: None })
             }
             Drawn::Specular(event, probability) => {
                 let specular = Specular { lobe: place, event };
                 let wo = self.specular(specular, wi).0;
-                is_shown(wo).then_some((wo, Some((specular, probability * chance / total))))
+                is_shown(wo).then_some(BsdfDirection {
+                    wo,
+                    specular: Some((specular, probability * chance / total)),
+                })
             }
         }
     }

@@ -8,7 +8,7 @@
 use std::f64::consts::PI;
 
 use capwalk_math::elementary::sin_cos;
-use capwalk_math::special::{erf_and_slope, erf_inverse, erf_inverse_estimate};
+use capwalk_math::special::{erf_and_derivative, erf_inverse, erf_inverse_estimate};
 use capwalk_math::{Real, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -108,8 +108,8 @@ impl<R: Real> Microfacets<R> {
                     return one / z;
                 }
                 let spread = spread2.sqrt();
-                let [erf, slope] = (z / spread).erf_and_slope();
-                let hidden = R::constant(0.5) * spread * slope;
+                let [erf, derivative] = (z / spread).erf_and_derivative();
+                let hidden = R::constant(0.5) * spread * derivative;
                 two / (z * (one + erf) + hidden)
             }
             Distribution::Ggx => two / (z + (z.squared() + spread2).sqrt()),
@@ -188,23 +188,25 @@ fn beckmann_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
     } else {
         SHADOWLESS
     };
-    // It, and its derivative.
+    // This probability and its derivative, the density.
     let cumulative = |slope: f64| {
-        let [erf, by_slope] = erf_and_slope(slope);
-        let hidden = 0.5 * sin * by_slope;
-        (cos * (1.0 + erf) + hidden, by_slope * (cos - slope * sin))
+        let [erf, gaussian] = erf_and_derivative(slope);
+        let hidden = 0.5 * sin * gaussian;
+        (cos * (1.0 + erf) + hidden, gaussian * (cos - slope * sin))
     };
     let target = u[0] * cumulative(steepest).0;
-    // Seen from above slopes are Gaussian, and their mean is not far from there.
+    // The first guess: seen from above, slopes are Gaussian; seen from aside, their mean is half
+    // the tangent of the angle lower.
     let least = -1.0 + f64::EPSILON;
     let gaussian = erf_inverse_estimate((-1.0 + target / cos.max(sin)).clamp(least, -least));
     let mean = -0.5 * sin / cos.max(sin);
     // Newton's steps, kept between bounds.
     let (mut low, mut high) = (-SHADOWLESS, steepest);
-    let mut slope = (gaussian + mean).clamp(low, high);
+    let mut slope = (gaussian + mean).clamp(low, 0.5 * high);
     // Halving alone needs fewer steps than this for all digits.
     const MOST_STEPS: usize = 64;
-    // A step so short was the last: the next one is its square.
+    // Of Newton's steps each is about the square of the one before: behind one that changes the
+    // slope by less than this, what is left is below rounding.
     const LAST_STEP: f64 = 1e-8;
     for _ in 0..MOST_STEPS {
         let (value, density) = cumulative(slope);
