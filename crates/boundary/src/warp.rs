@@ -127,8 +127,8 @@ impl Warp {
         }
     }
 
-    /// Which parts of it depend on a point of the boundaries that may move, of which `point` says
-    /// so, or on the viewpoint if that may.
+    /// Which parts of it depend on a point of the boundaries for which `point` holds, or on the
+    /// viewpoint if that moves.
     pub fn depends(
         &self,
         field: &Field,

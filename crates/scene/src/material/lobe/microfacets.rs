@@ -196,7 +196,7 @@ fn beckmann_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
     };
     let target = u[0] * cumulative(steepest).0;
     // The first guess: seen from above, slopes are Gaussian; seen from aside, their mean is half
-    // the tangent of the angle lower.
+    // the tangent of the angle lower. At the steepest slope the density vanishes: keep away.
     let least = -1.0 + f64::EPSILON;
     let gaussian = erf_inverse_estimate((-1.0 + target / cos.max(sin)).clamp(least, -least));
     let mean = -0.5 * sin / cos.max(sin);
