@@ -533,7 +533,7 @@ def main():
         mi.set_variant(variant)
         mi.set_log_level(mi.LogLevel.Error)
     dr.set_thread_count(1)
-    if plan["llvm"]:
+    if plan["derivatives"]:
         result.update(derivatives(plan, budget))
     log("images")
     result["image"] = image(plan, budget)

@@ -57,7 +57,8 @@ tasks:
            with the processor's (further argument: part of the adapter's name)
   peers    measure how much noise capwalk and Mitsuba leave after a second on one
            thread, in derivatives and images; with --quick, only see that it works;
-           with --tables, print again what was measured before
+           with --images, images alone; with --tables, print again what was
+           measured before
            (needs python3, PyPI and LLVM; further arguments: scene names)
 ";
 

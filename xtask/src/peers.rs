@@ -105,17 +105,21 @@ impl Subject {
 
 /// Measures all scenes, or those named, and prints the tables; with `--quick` with so
 /// few samples that the numbers mean nothing, to see that everything works; with
-/// `--tables` nothing is measured, and the tables are those of earlier runs.
+/// `--images` images alone; with `--tables` nothing is measured, and the tables are
+/// those of earlier runs.
 pub fn run(arguments: &[String]) -> Result<()> {
     let (options, names): (Vec<&String>, Vec<&String>) = arguments
         .iter()
         .partition(|argument| argument.starts_with("--"));
-    let (mut quick, mut only_tables) = (false, false);
+    let (mut quick, mut only_images, mut only_tables) = (false, false, false);
     for option in options {
         match option.as_str() {
             "--quick" => quick = true,
+            "--images" => only_images = true,
             "--tables" => only_tables = true,
-            unknown => bail!("expected --quick, --tables or names of scenes instead of {unknown}"),
+            unknown => bail!(
+                "expected --quick, --images, --tables or names of scenes instead of {unknown}"
+            ),
         }
     }
     let subjects = chosen(&names)?;
@@ -135,12 +139,14 @@ pub fn run(arguments: &[String]) -> Result<()> {
         Some(file) => println!("--- LLVM: {}", file.display()),
         None => println!("note: {WITHOUT_LLVM}"),
     }
+    let derivatives = llvm.is_some() && !only_images;
     let measure = Measure {
         capwalk: capwalk()?,
         python,
         llvm,
         work,
         quick,
+        derivatives,
     };
 
     println!("--- capwalk and {MITSUBA}, one thread each");
@@ -213,6 +219,7 @@ struct Measure {
     llvm: Option<PathBuf>,
     work: PathBuf,
     quick: bool,
+    derivatives: bool,
 }
 
 impl Measure {
@@ -237,6 +244,7 @@ impl Measure {
             "reference_method": REFERENCE,
             "llvm": self.llvm,
             "quick": self.quick,
+            "derivatives": self.derivatives,
         });
         let plan_file = folder.join("plan.json");
         fs::write(&plan_file, format!("{plan:#}"))?;

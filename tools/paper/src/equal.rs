@@ -298,7 +298,7 @@ fn table(compared: &[Compared]) -> Table {
         columns: vec![
             "method",
             "samples per pixel",
-            "seconds",
+            "CPU seconds",
             "mean L1 error",
             "noise, root mean square",
             "bias, mean square",

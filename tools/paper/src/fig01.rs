@@ -10,7 +10,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let quality = settings.quality;
     let size = quality.choose([12, 9], [48, 36], [256, 192]);
     // The paper's figure 10 has 1000 samples of the same scene.
-    let spp = quality.choose([8, 16, 32], [1024, 3072, 2048], [1024, 8192, 16_384]);
+    let spp = quality.choose([8, 16, 32], [1024, 3072, 2048], [1024, 2048, 4096]);
     let subject = lattice::shadow(settings, size)?;
     let comparison = Comparison {
         subject: &subject,

@@ -14,8 +14,8 @@ const STEP: f64 = 2e-4;
 
 pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     let quality = settings.quality;
-    let size = quality.choose([16, 12], [96, 72], [512, 384]);
-    let spp = quality.choose([8, 16, 32], [256, 1024, 4096], [1024, 8192, 16_384]);
+    let size = quality.choose([16, 12], [96, 72], [256, 192]);
+    let spp = quality.choose([8, 16, 32], [256, 1024, 4096], [1024, 2048, 4096]);
     let subject = Subject::builtin("box-room", size, STEP * 256.0 / f64::from(size[0]))?;
     let comparison = Comparison {
         subject: &subject,

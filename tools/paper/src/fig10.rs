@@ -84,7 +84,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         columns: vec![
             "steps",
             "samples per pixel",
-            "seconds",
+            "CPU seconds",
             "mean L1 error",
             "paper",
         ],

@@ -29,7 +29,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         [[80, 60], [96, 40]],
         [[256, 192], [384, 160]],
     );
-    let (spp, difference_spp) = quality.choose((16, 32), (256, 1024), (4096, 32_768));
+    let (spp, difference_spp) = quality.choose((16, 32), (256, 1024), (2048, 8192));
     let cases = [
         Case {
             name: "plain",
@@ -65,7 +65,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     };
     let mut table = Table {
         title: "Against finite differences".into(),
-        columns: vec!["view", "method", "agreement", "verdict", "seconds"],
+        columns: vec!["view", "method", "agreement", "verdict", "CPU seconds"],
         rows: Vec::new(),
     };
     for (i, case) in cases.iter().enumerate() {

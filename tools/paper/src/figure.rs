@@ -23,8 +23,10 @@ pub struct Figure {
     pub claims: Vec<Claim>,
     /// How much work it was worth.
     pub quality: Quality,
-    /// How long it took.
+    /// How long it took, and what of the processor: all threads together, without other
+    /// programs that it starts.
     pub seconds: f64,
+    pub cpu_seconds: f64,
 }
 
 /// What stands side by side.

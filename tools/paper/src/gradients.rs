@@ -2,7 +2,6 @@
 //! from a reference.
 
 use std::borrow::Cow;
-use std::time::Instant;
 
 use capwalk_diff::{
     Estimate, GradientImage, GradientOptions, GradientWork, Method, PreparedScene, WalkSettings,
@@ -11,6 +10,7 @@ use capwalk_diff::{
 use capwalk_math::{Moments, Rgb};
 use capwalk_scene::{Film, Filter, Scene, Tangent, builtin, params};
 use capwalk_scene_io::image::Style;
+use cpu_time::ProcessTime;
 
 use crate::claim::Measured;
 use crate::figure::Shown;
@@ -64,7 +64,7 @@ impl Subject {
             walk,
             ..GradientOptions::new(settings.options(spp, set))
         };
-        let started = Instant::now();
+        let started = ProcessTime::now();
         let prepared = PreparedScene::new(self.scene.clone());
         let tangent = Cow::Borrowed(&self.tangent);
         let work = GradientWork::new(&prepared, tangent, wanted);
@@ -83,7 +83,7 @@ impl Subject {
     pub fn difference(&self, spp: u32, set: u64, settings: &Settings) -> Result<Run, Failure> {
         let watch = (settings.stages)("differences");
         let options = settings.options(spp, set);
-        let started = Instant::now();
+        let started = ProcessTime::now();
         let prepared = PreparedScene::new(self.scene.clone());
         let image = finite_difference(&prepared, &self.tangent, self.step, &options, &*watch)?;
         complete(&image.statistics)?;
@@ -102,6 +102,7 @@ pub struct Run {
     pub spp: u32,
     /// How far the fields of its walks around surfaces reach, radians.
     pub reach: f64,
+    /// Of the processor, all threads together: other programs do not lengthen it.
     pub seconds: f64,
 }
 

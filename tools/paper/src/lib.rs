@@ -41,6 +41,8 @@ pub mod walk;
 
 use std::time::Instant;
 
+use cpu_time::ProcessTime;
+
 pub use claim::{Claim, Measured, Verdict};
 pub use figure::{Figure, Plot, Row, Scale, Shown, Table};
 pub use output::{WriteError, write};
@@ -108,12 +110,13 @@ pub const ALL: [Entry; 9] = [
 impl Entry {
     /// The figure, and how long it took.
     pub fn draw(&self, settings: &Settings) -> Result<Figure, Failure> {
-        let started = Instant::now();
+        let (started, processor) = (Instant::now(), ProcessTime::now());
         let mut figure = (self.make)(settings)?;
         figure.name = self.name;
         figure.title = self.title;
         figure.quality = settings.quality;
         figure.seconds = started.elapsed().as_secs_f64();
+        figure.cpu_seconds = processor.elapsed().as_secs_f64();
         Ok(figure)
     }
 }

@@ -112,7 +112,8 @@ fn draw(typed: &Figures) -> Result<ExitCode> {
 
 /// A figure's claims as text.
 fn describe(figure: &Figure) -> String {
-    let mut text = format!("{}, {}\n", figure.title, duration(figure.seconds));
+    let [time, processor] = [figure.seconds, figure.cpu_seconds].map(duration);
+    let mut text = format!("{}, {time}, {processor} of the processor\n", figure.title);
     for claim in &figure.claims {
         text += &format!(
             "  {}\n    paper: {}\n    here:  {}\n    {}\n",
@@ -146,6 +147,7 @@ fn figure_json(figure: &Figure) -> Value {
         "figure": figure.name,
         "title": figure.title,
         "seconds": figure.seconds,
+        "cpu_seconds": figure.cpu_seconds,
         "claims": claims.collect::<Vec<_>>(),
     })
 }

@@ -1,9 +1,10 @@
 # Derivatives by Mitsuba's projective sampling: python3 projective.py
 # SCENE.xml SHAPE AXIS INTEGRATOR MAX_DEPTH SPP SEEDS OUTPUT
 # Writes little-endian float32, for each seed the pixels: of the derivative to
-# OUTPUT, of the picture to OUTPUT.picture.
+# OUTPUT, of the picture to OUTPUT.picture. Prints the seconds of the processor.
 import struct
 import sys
+import time
 
 import drjit as dr
 import mitsuba as mi
@@ -37,3 +38,5 @@ with open(output, "wb") as derivatives, open(output + ".picture", "wb") as pictu
         dr.forward(amount)
         write(derivatives, dr.grad(picture))
         write(pictures, dr.detach(picture))
+
+print(time.process_time())

@@ -4,7 +4,6 @@
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use std::time::Instant;
 
 use capwalk_diff::Estimate;
 use capwalk_math::{Moments, Rgb};
@@ -27,7 +26,7 @@ pub enum Projective {
         gradient: Estimate,
         /// The picture itself.
         picture: Estimate,
-        /// For all seeds, with loading.
+        /// Of the processor, for all seeds, with loading.
         seconds: f64,
     },
     /// Why it was not run.
@@ -86,7 +85,6 @@ fn in_folder(
         _ => ("direct_projective", 2),
     };
     let numbers = folder.join("gradient.f32");
-    let started = Instant::now();
     let output = Command::new(python)
         .args(["-c", SCRIPT])
         .arg(&scene)
@@ -104,7 +102,9 @@ fn in_folder(
             last.unwrap_or("")
         )));
     }
-    let seconds = started.elapsed().as_secs_f64();
+    let text = String::from_utf8_lossy(&output.stdout);
+    let seconds = text.trim().parse();
+    let seconds = seconds.map_err(|_| unusable(format!("expected its seconds, found {text:?}")))?;
     let [width, height] = subject.scene.film.crop_size.map(|n| n as usize);
     let read = |file: &Path| {
         let bytes = fs::read(file).map_err(|error| unusable(error.to_string()))?;

@@ -93,9 +93,10 @@ fn section(figure: &Figure) -> Result<String, ImageError> {
     }
     let _ = writeln!(
         text,
-        "<p class=\"small\">Quality {}, {} s.</p>\n</section>",
+        "<p class=\"small\">Quality {}, {} s, {} CPU s.</p>\n</section>",
         figure.quality.name(),
-        digits(figure.seconds)
+        digits(figure.seconds),
+        digits(figure.cpu_seconds)
     );
     Ok(text)
 }

@@ -14,7 +14,7 @@ pub enum Quality {
     /// Minutes: most claims are decided
     #[default]
     Draft,
-    /// Hours: the paper's sizes
+    /// Hours: images as large as the paper shows them, and its samples
     Full,
 }
 

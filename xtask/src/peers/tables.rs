@@ -15,8 +15,8 @@ const SIGNIFICANT: f64 = 3.0;
 /// Stands behind costs of biased estimates.
 const BIASED: &str = " b";
 
-/// All tables: derivative images, gradients, images, set-up. Where Mitsuba has no
-/// derivatives, for want of LLVM, that of images alone.
+/// All tables: derivative images, gradients, images, set-up. That of images
+/// alone where derivatives were not measured.
 pub fn all(results: &[Value], methods: &[&str]) -> String {
     let with_derivatives: Vec<&Value> = results
         .iter()

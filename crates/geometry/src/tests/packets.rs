@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 use super::meshes;
-use crate::query::packet_tree::RAYS;
+use crate::query::packet::RAYS;
 use crate::simd::Instructions;
 use crate::{Mesh, Packet, PacketTree, Ray, RayTree, oracle};
 
@@ -86,9 +86,10 @@ proptest! {
     /// instructions.
     #[test]
     fn packets_are_those_of_brute_force((mesh, _) in meshes::mesh(), seed in 0..1000_u64) {
-        let tree = PacketTree::new(&RayTree::build(&mesh), &mesh);
+        let rays = RayTree::build(&mesh);
+        let tree = PacketTree::new(&rays, &mesh);
         let slower = Instructions::slower().into_iter().map(|it| tree.clone().with(it));
-        let others: Vec<_> = slower.chain([tree.clone().flat()]).collect();
+        let others: Vec<_> = slower.chain(tree.deep_and_flat(&rays, &mesh)).collect();
         for packet in packets(&mesh, seed) {
             let (faces, hidden) = (tree.first_hits(&packet), tree.occluded(&packet));
             for other in &others {

@@ -1,0 +1,198 @@
+//! A packet of rays in a tree's coordinates.
+
+use super::packet::{Packet, RAYS};
+use super::packet_face::{PacketFace, growth, value};
+use super::packet_tree::{BOX_MARGIN, IN_PLANE};
+use super::ray_kernel::RayNode;
+use crate::bvh::WIDTH;
+use crate::local_frame::LocalFrame;
+use crate::simd::{F32x8, Lanes, Simd};
+
+/// Slower components of directions count as this.
+const SLOWEST: f32 = 1e-12;
+
+/// The tree lies between -1 and 1, with what boxes are larger by.
+const SIDE: f64 = 1.0 + 2.0 * BOX_MARGIN as f64;
+
+/// The rays of a packet, from where they enter the tree.
+pub struct LocalPacket<S: Simd> {
+    origin: [S::F32x8; 3],
+    direction: [S::F32x8; 3],
+    /// Distances from there at which they end; negative for those that are not asked for.
+    pub end: S::F32x8,
+}
+
+/// The planes in which rays meet faces.
+pub struct Met<S: Simd> {
+    /// Distances along the rays.
+    pub distance: S::F32x8,
+    /// The heights above the plane at which they start, and by how much they rise.
+    pub height: S::F32x8,
+    pub rise: S::F32x8,
+    /// One bit for each that meets the plane and does not start in it.
+    pub mask: u32,
+}
+
+impl<S: Simd> LocalPacket<S> {
+    #[inline(always)]
+    pub fn new(simd: S, frame: &LocalFrame, packet: &Packet) -> Self {
+        let centre = frame.centre.to_array();
+        let mut local = [[0.0; RAYS]; 3];
+        let mut farthest: [f64; RAYS] = [0.0; RAYS];
+        for axis in 0..3 {
+            for ray in 0..RAYS {
+                let from = (packet.origin[axis][ray] - centre[axis]) * frame.inverse_scale;
+                local[axis][ray] = from;
+                farthest[ray] = farthest[ray].max(from.abs());
+            }
+        }
+        let (mut enter, mut exit) = ([0.0; RAYS], [0.0; RAYS]);
+        let mut outside = 0;
+        for ray in 0..RAYS {
+            enter[ray] = packet.range[0][ray] * frame.inverse_scale;
+            exit[ray] = packet.range[1][ray] * frame.inverse_scale;
+            outside |= u32::from(farthest[ray] > SIDE) << ray;
+        }
+        if outside & packet.mask != 0 {
+            clip(outside, packet, &local, [&mut enter, &mut exit]);
+        }
+        let mut end = [0.0; RAYS];
+        let (mut origin, mut direction) = ([[0.0; RAYS]; 3], [[0.0; RAYS]; 3]);
+        for ray in 0..RAYS {
+            // False for NaN.
+            let is_asked = packet.mask >> ray & 1 == 1 && enter[ray] <= exit[ray];
+            let length = (exit[ray] - enter[ray]) as f32;
+            end[ray] = if is_asked { length } else { -1.0 };
+        }
+        for axis in 0..3 {
+            for ray in 0..RAYS {
+                let place = local[axis][ray] + packet.direction[axis][ray] * enter[ray];
+                origin[axis][ray] = place as f32;
+                direction[axis][ray] = packet.direction[axis][ray] as f32;
+            }
+        }
+        Self {
+            origin: load(simd, &origin),
+            direction: load(simd, &direction),
+            end: simd.load(&end),
+        }
+    }
+
+    /// The points at distances along the rays.
+    #[inline(always)]
+    pub fn at(&self, distance: S::F32x8) -> [S::F32x8; 3] {
+        let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
+        [ox + dx * distance, oy + dy * distance, oz + dz * distance]
+    }
+
+    /// Where they meet the plane of a face.
+    #[inline(always)]
+    pub fn plane(&self, simd: S, face: &PacketFace) -> Met<S> {
+        let height = value(simd, &face.height, self.origin);
+        let rise = growth(simd, &face.height, self.direction);
+        let zero = simd.splat(0.0);
+        let distance = (zero - height) / rise;
+        Met {
+            distance,
+            height,
+            rise,
+            mask: simd.splat(IN_PLANE).lt(height.abs()) & zero.lt(distance),
+        }
+    }
+}
+
+/// Cuts rays to what lies within the tree, distances in its units.
+#[inline(always)]
+fn clip(
+    rays: u32,
+    packet: &Packet,
+    local: &[[f64; RAYS]; 3],
+    [enter, exit]: [&mut [f64; RAYS]; 2],
+) {
+    let is_wanted = |ray: usize| rays >> ray & 1 == 1;
+    for axis in 0..3 {
+        for ray in 0..RAYS {
+            let speed = packet.direction[axis][ray];
+            let slowest = f64::from(SLOWEST);
+            let is_slow = speed.abs() < slowest;
+            let inverse = 1.0
+                / if is_slow {
+                    slowest.copysign(speed)
+                } else {
+                    speed
+                };
+            let from = local[axis][ray];
+            let [first, last] = [(-SIDE - from) * inverse, (SIDE - from) * inverse];
+            let from = enter[ray].max(first.min(last));
+            let to = exit[ray].min(first.max(last));
+            enter[ray] = if is_wanted(ray) { from } else { enter[ray] };
+            exit[ray] = if is_wanted(ray) { to } else { exit[ray] };
+        }
+    }
+}
+
+/// What boxes need of the rays: one over their directions, and their origins moved both ways.
+pub struct Slabs<S: Simd> {
+    inverse: [S::F32x8; 3],
+    low_origin: [S::F32x8; 3],
+    high_origin: [S::F32x8; 3],
+}
+
+impl<S: Simd> Slabs<S> {
+    #[inline(always)]
+    pub fn new(simd: S, rays: &LocalPacket<S>) -> Self {
+        let margin = simd.splat(BOX_MARGIN);
+        let mut slabs = Self {
+            inverse: rays.direction,
+            low_origin: rays.origin,
+            high_origin: rays.origin,
+        };
+        for axis in 0..3 {
+            let speed = rays.direction[axis];
+            let is_slow = speed.abs().lt(simd.splat(SLOWEST));
+            let slowest = speed.select_by_sign(simd.splat(-SLOWEST), simd.splat(SLOWEST));
+            slabs.inverse[axis] = simd.splat(1.0) / speed.replaced(is_slow, slowest);
+            slabs.low_origin[axis] = rays.origin[axis] - margin;
+            slabs.high_origin[axis] = rays.origin[axis] + margin;
+        }
+        slabs
+    }
+
+    /// Which children any of the rays may enter before its end, and the least distance to where.
+    #[inline(always)]
+    pub fn children(&self, simd: S, node: &RayNode, end: S::F32x8) -> (u32, [f32; WIDTH]) {
+        let mut found = 0;
+        let mut nearest = [0.0; WIDTH];
+        for (slot, nearest) in nearest.iter_mut().enumerate() {
+            if node.children[slot].kind().is_none() {
+                break;
+            }
+            let mut near = simd.splat(0.0);
+            let mut far = end;
+            for axis in 0..3 {
+                let low = simd.splat(node.planes[axis][slot]) - self.high_origin[axis];
+                let high = simd.splat(node.planes[axis + 3][slot]) - self.low_origin[axis];
+                let (first, last) = (low * self.inverse[axis], high * self.inverse[axis]);
+                // Zero stays zero, without a sign.
+                near = first.min(last).max(near);
+                far = far.min(first.max(last));
+            }
+            let mask = near.le(far);
+            if mask != 0 {
+                found |= 1 << slot;
+                // Of the rays that enter it.
+                let near = near.replaced(!mask, simd.splat(f32::INFINITY)).to_array();
+                *nearest = near
+                    .iter()
+                    .fold(f32::INFINITY, |a, &b| if b < a { b } else { a });
+            }
+        }
+        (found, nearest)
+    }
+}
+
+#[inline(always)]
+fn load<S: Simd>(simd: S, numbers: &[[f32; RAYS]; 3]) -> [S::F32x8; 3] {
+    let [x, y, z] = numbers;
+    [simd.load(x), simd.load(y), simd.load(z)]
+}

@@ -1,0 +1,163 @@
+//! Triangles and parallelograms for packets of rays, as linear functions of a point.
+//!
+//! Two triangles that make a parallelogram have one plane and the same two weights, so they are asked
+//! as one: rooms of rectangles have half as many faces for it.
+
+use capwalk_math::Vec3;
+
+use super::local_packet::LocalPacket;
+use super::packet_tree::IN_PLANE;
+use crate::local_frame::LocalFrame;
+use crate::mesh::Mesh;
+use crate::simd::{F32x8, Lanes, Simd};
+
+/// How far corners are moved out at most, over [`IN_PLANE`]: triangles with sharper ones are larger
+/// by less.
+pub const MOST_OUT: f64 = 60.0;
+
+/// The fourth corner of a parallelogram is off by less than this part of [`IN_PLANE`].
+const OFF_CORNER: f64 = 1e-3;
+
+/// A triangle, or two that make a parallelogram, as linear functions of a point in the tree's
+/// coordinates: factors of its coordinates, and a constant.
+#[derive(Clone, Copy, Debug)]
+pub struct PacketFace {
+    pub height: [f32; 4],
+    /// The weights of the second and third corner, plus what they may be off by.
+    second: [f32; 4],
+    third: [f32; 4],
+    /// The largest sum of both in the triangle, or in the first of two.
+    most: f32,
+    /// The number of the face: exact, because there are fewer than 2²⁴.
+    face: f32,
+    /// Beyond that sum in a parallelogram.
+    beyond: Option<Beyond>,
+}
+
+/// The second triangle of a parallelogram.
+#[derive(Clone, Copy, Debug)]
+struct Beyond {
+    face: f32,
+    /// The largest weights.
+    most: [f32; 2],
+}
+
+impl PacketFace {
+    /// All faces of a mesh, and for each its number among them; those without area have none.
+    pub fn all(mesh: &Mesh, frame: &LocalFrame) -> (Vec<Self>, Vec<Option<u32>>) {
+        let corners = |face: usize| mesh.corners(face).map(|p| frame.local_from_world(p));
+        let count = mesh.faces.len();
+        let mut numbers = vec![None; count];
+        let mut all = Vec::new();
+        for face in 0..count {
+            let others = || (face + 1..count).filter(|&other| numbers[other].is_none());
+            let mut pairs = others().filter_map(|other| {
+                let turned = parallelogram(corners(face), corners(other))?;
+                Some((turned, Some(other)))
+            });
+            if numbers[face].is_some() {
+                continue;
+            }
+            let (corners, other) = pairs.next().unwrap_or((corners(face), None));
+            if let Some(made) = Self::new(corners, face, other) {
+                let number = Some(all.len() as u32);
+                numbers[face] = number;
+                other.into_iter().for_each(|other| numbers[other] = number);
+                all.push(made);
+            }
+        }
+        (all, numbers)
+    }
+
+    /// A face with its corners, and another one beyond the side between the second and third.
+    fn new([a, b, c]: [Vec3; 3], face: usize, other: Option<usize>) -> Option<Self> {
+        let (second, third) = (b - a, c - a);
+        let cross = second.cross(third);
+        let squared = cross.length_squared();
+        let normal = cross / squared.sqrt();
+        // The gradients of the weights: across the other side, in the plane.
+        let along = [third.cross(cross) / squared, cross.cross(second) / squared];
+        let has_area = along.iter().all(|gradient| gradient.is_finite()) && squared > 0.0;
+        has_area.then(|| {
+            let function = |gradient: Vec3, more: f64| {
+                let [x, y, z] = gradient.to_array();
+                [x, y, z, more - gradient.dot(a)].map(|number| number as f32)
+            };
+            let sides = [along[0], along[1], along[0] + along[1]];
+            let [ab, bc, ca] = [b - a, c - b, a - c].map(Vec3::normalized);
+            // Twice the sines of half of the angles.
+            let sines = [ab + ca, bc + ab, ca + bc].map(Vec3::length);
+            let sharpest = 0.5 * sines.into_iter().fold(2.0, f64::min);
+            let out = f64::from(IN_PLANE) * (MOST_OUT * sharpest).min(1.0);
+            let margins = sides.map(|gradient| out * gradient.length());
+            let beyond = other.map(|other| Beyond {
+                face: other as f32,
+                most: [0, 1].map(|k| (1.0 + 2.0 * margins[k]) as f32),
+            });
+            // Only a triangle that ends there is larger by a margin.
+            let outside = match beyond {
+                Some(_) => 0.0,
+                None => margins[2],
+            };
+            Self {
+                height: function(normal, 0.0),
+                second: function(along[0], margins[0]),
+                third: function(along[1], margins[1]),
+                most: (1.0 + margins[0] + margins[1] + outside) as f32,
+                face: face as f32,
+                beyond,
+            }
+        })
+    }
+
+    /// Which face of this one the rays meet at distances along them, and one bit for each that
+    /// meets one.
+    #[inline(always)]
+    pub fn at<S: Simd>(
+        &self,
+        simd: S,
+        rays: &LocalPacket<S>,
+        distance: S::F32x8,
+    ) -> (S::F32x8, u32) {
+        let place = rays.at(distance);
+        let second = value(simd, &self.second, place);
+        let third = value(simd, &self.third, place);
+        let zero = simd.splat(0.0);
+        let positive = zero.le(second) & zero.le(third);
+        let is_first = (second + third).le(simd.splat(self.most));
+        let face = simd.splat(self.face);
+        match self.beyond {
+            None => (face, positive & is_first),
+            Some(beyond) => {
+                let [second_most, third_most] = beyond.most.map(|most| simd.splat(most));
+                let is_inside = positive & second.le(second_most) & third.le(third_most);
+                (simd.splat(beyond.face).replaced(is_first, face), is_inside)
+            }
+        }
+    }
+}
+
+/// The corners of a triangle in such an order that another one is beyond the side between the
+/// second and third, and both make a parallelogram; `None` if they do not.
+fn parallelogram(one: [Vec3; 3], other: [Vec3; 3]) -> Option<[Vec3; 3]> {
+    let near = |p: Vec3, q: Vec3| (p - q).length() < OFF_CORNER * f64::from(IN_PLANE);
+    let turned = (0..3).map(|k| [one[k], one[(k + 1) % 3], one[(k + 2) % 3]]);
+    let mut made = turned.filter(|&[a, b, c]| {
+        let wanted = [b, c, b + c - a];
+        let has = |p: &Vec3| other.iter().any(|&q| near(*p, q));
+        wanted.iter().all(has)
+    });
+    made.next()
+}
+
+/// A linear function at points.
+#[inline(always)]
+pub fn value<S: Simd>(simd: S, function: &[f32; 4], place: [S::F32x8; 3]) -> S::F32x8 {
+    growth(simd, function, place) + simd.splat(function[3])
+}
+
+/// How it grows along vectors.
+#[inline(always)]
+pub fn growth<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x8; 3]) -> S::F32x8 {
+    simd.splat(function[0]) * x + simd.splat(function[1]) * y + simd.splat(function[2]) * z
+}
