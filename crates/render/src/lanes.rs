@@ -12,6 +12,8 @@
 //! camera so near that it is more than two thousandths of a pixel ([`PacketTree::resolves`],
 //! [`NEAREST`]).
 
+mod facets;
+mod frames;
 mod lobes;
 mod scene;
 mod step;
@@ -30,10 +32,10 @@ use crate::prepared::PreparedScene;
 use crate::radiance::RR_MAX;
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
-use lobes::Turned;
+use lobes::LaneLobes;
 use scene::{LaneScene, NOTHING};
 use step::{Brdf, Lit, Vertices};
-use vectors::{LANES, Vectors};
+use vectors::{LANES, Vectors, lanes_of, mask_of};
 
 /// In scenes of more triangles, rays that were reflected at random have little in common.
 const MOST_FACES: usize = 1024;
@@ -63,27 +65,26 @@ struct Paths<'a> {
     throughput: Vectors,
     vertices: Vertices,
     /// What scatters light there, if it is not diffuse.
-    lobes: [Option<Turned<'a>>; LANES],
+    lobes: LaneLobes<'a>,
     /// What they hit, or [`NOTHING`].
     faces: [u32; LANES],
     /// How many rays each has taken.
     rays: [u64; LANES],
 }
 
-/// One bit for each of some lanes of which something holds.
-fn mask_of(lanes: u32, mut holds: impl FnMut(usize) -> bool) -> u32 {
-    lanes_of(lanes)
-        .filter(|&lane| holds(lane))
-        .fold(0, |mask, lane| mask | 1 << lane)
-}
-
-/// The numbers of the lanes with a bit in the mask.
-fn lanes_of(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = mask.trailing_zeros() as usize;
-        mask &= mask.wrapping_sub(1);
-        (lane < LANES).then_some(lane)
-    })
+impl Paths<'_> {
+    /// None yet.
+    fn new(stream: Stream) -> Self {
+        Self {
+            streams: [stream; LANES],
+            light: Vectors::ZERO,
+            throughput: Vectors::ZERO,
+            vertices: Vertices::NONE,
+            lobes: LaneLobes::new(),
+            faces: [NOTHING; LANES],
+            rays: [0; LANES],
+        }
+    }
 }
 
 impl<'a> LaneTracer<'a> {
@@ -116,34 +117,42 @@ impl<'a> LaneTracer<'a> {
 
     /// Appends the samples of some places.
     pub fn take(&self, places: &[SamplePlace], taken: &mut Vec<Sample<3>>) {
+        let Some(first) = places.first() else {
+            return;
+        };
+        // Reused: most of it is written anew where it is needed.
+        let mut paths = Paths::new(first.stream);
         for places in places.chunks(LANES) {
-            self.take_packet(places, taken);
+            self.take_packet(places, &mut paths, taken);
         }
     }
 
-    fn take_packet(&self, places: &[SamplePlace], taken: &mut Vec<Sample<3>>) {
+    fn take_packet<'s>(
+        &'s self,
+        places: &[SamplePlace],
+        paths: &mut Paths<'s>,
+        taken: &mut Vec<Sample<3>>,
+    ) {
         // Samples of the film, and the camera's rays through them.
         let mut packet = Packet::EMPTY;
         let mut weights = [0.0; LANES];
         let view = &self.accel.view;
         for (lane, place) in places.iter().enumerate() {
+            paths.streams[lane] = place.stream;
             let support = self.supports.pixel(place.pixel);
             let s = support.sample(0.0, 0.0, place.stream.pair(FILM));
             weights[lane] = support.weight_over_pdf(s);
             let ray = view.ray(view.direction(s));
             packet.set(lane, ray.origin, ray.direction, ray.range);
         }
-        let mut paths = Paths {
-            streams: std::array::from_fn(|i| places[i.min(places.len() - 1)].stream),
-            light: Vectors::splat([0.0; 3]),
-            throughput: Vectors::splat([1.0; 3]),
-            vertices: Vertices::new(&packet),
-            lobes: [None; LANES],
-            faces: self.packets.first_hits(&packet),
-            rays: [1; LANES],
-        };
-        self.add_seen(&mut paths, packet.mask);
-        self.reflect(&mut paths, packet.mask);
+        paths.light = Vectors::ZERO;
+        paths.throughput = Vectors::splat([1.0; 3]);
+        paths.vertices.origin = Vectors(packet.origin);
+        paths.vertices.direction = Vectors(packet.direction);
+        paths.faces = self.packets.first_hits(&packet);
+        paths.rays = [1; LANES];
+        self.add_seen(paths, packet.mask);
+        self.reflect(paths, packet.mask);
         taken.extend((0..places.len()).map(|lane| Sample {
             numbers: (paths.light.colour(lane) * weights[lane]).to_array(),
             effort: EFFORT_OF_LANE + paths.rays[lane] * self.levels / LEVELS_PER_EFFORT,
@@ -179,14 +188,17 @@ impl<'a> LaneTracer<'a> {
             }
             let goes_on = plan.reaches(depth + 3);
             let first = plan.vertex_numbers(depth);
-            self.packets
-                .instructions()
-                .run(step::Surfaces(&mut paths.vertices));
+            let instructions = self.packets.instructions();
+            instructions.run(step::Surfaces(&mut paths.vertices));
+            let Paths {
+                vertices, lobes, ..
+            } = &mut *paths;
+            lobes.face_viewers(instructions, vertices, active);
             // Where directions are drawn from the surface: see `sample_lights`.
             let of_brdf = match goes_on {
                 true => active,
                 false => mask_of(active, |lane| {
-                    let is_diffuse = paths.lobes[lane].is_none_or(|at| at.lobes.is_diffuse);
+                    let is_diffuse = paths.lobes.get(lane).is_none_or(|lobes| lobes.is_diffuse);
                     !is_diffuse || !self.scene.is_narrow(paths.vertices.position.get(lane))
                 }),
             };
@@ -209,7 +221,7 @@ impl<'a> LaneTracer<'a> {
                 NOTHING => None,
                 face => self.scene.look_up(face, lane, &mut paths.vertices),
             };
-            paths.lobes[lane] = found.flatten();
+            paths.lobes.set(lane, found.flatten());
             found.is_some()
         })
     }
@@ -217,8 +229,8 @@ impl<'a> LaneTracer<'a> {
     /// Adds light from a point sampled on the emitter.
     fn add_light(&self, paths: &mut Paths<'_>, active: u32, first: u32, of_brdf: u32) {
         let lobes = &paths.lobes;
-        let is_smooth = |lane: usize| lobes[lane].is_none_or(|at| at.lobes.has_smooth);
-        let transmits = |lane: usize| lobes[lane].is_some_and(|at| at.lobes.transmits);
+        let is_smooth = |lane| lobes.get(lane).is_none_or(|lobes| lobes.has_smooth);
+        let transmits = |lane| lobes.get(lane).is_some_and(|lobes| lobes.transmits);
         let (active, transmits) = (mask_of(active, is_smooth), mask_of(active, transmits));
         let mut u = [[0.0; LANES]; 2];
         for lane in lanes_of(active) {
@@ -226,8 +238,9 @@ impl<'a> LaneTracer<'a> {
             let pair = paths.streams[lane].pair(first + 1);
             (u[0][lane], u[1][lane]) = (pair[0], pair[1]);
         }
+        let instructions = self.packets.instructions();
         let mut lit = Lit::default();
-        self.packets.instructions().run(step::Light {
+        instructions.run(step::Light {
             vertices: &mut paths.vertices,
             rectangle: self.scene.rectangle,
             u: &u,
@@ -248,13 +261,15 @@ impl<'a> LaneTracer<'a> {
         for lane in lanes_of(wanted) {
             paths.rays[lane] += 1;
         }
-        let hidden = self.packets.occluded(&packet);
-        for lane in lanes_of(wanted & !hidden) {
-            let scattered = match paths.lobes[lane] {
+        let seen = wanted & !self.packets.occluded(&packet);
+        paths.lobes.light_from(instructions, &lit.direction, seen);
+        for lane in lanes_of(seen) {
+            let scattered = match paths.lobes.get(lane) {
                 None => paths.vertices.albedo.colour(lane) * lit.weight[lane],
                 Some(lobes) => {
-                    let lobes = lobes.at(&paths.vertices, lane);
-                    lobes.scattered(lit.direction.get(lane), of_brdf >> lane & 1 == 1)
+                    let solid_angle = paths.vertices.solid_angle[lane];
+                    let has_other = of_brdf >> lane & 1 == 1;
+                    paths.lobes.scattered(lobes, lane, solid_angle, has_other)
                 }
             };
             let reflected = scattered * self.scene.radiance;
@@ -271,27 +286,47 @@ impl<'a> LaneTracer<'a> {
             let pair = paths.streams[lane].pair(first + 1);
             (u[0][lane], u[1][lane]) = (pair[0], pair[1]);
         }
+        let instructions = self.packets.instructions();
         let mut drawn = Brdf::default();
-        self.packets.instructions().run(step::Draw {
+        instructions.run(step::Draw {
             vertices: &paths.vertices,
             u: &u,
             drawn: &mut drawn,
         });
-        let mut factors = paths.vertices.albedo;
+        let Paths {
+            streams,
+            vertices,
+            lobes,
+            ..
+        } = &mut *paths;
+        let mut of_lobes = 0;
         let active = mask_of(active, |lane| {
-            let Some(lobes) = paths.lobes[lane] else {
-                return true;
-            };
-            let lobes = lobes.at(&paths.vertices, lane);
-            let choice = paths.streams[lane].number(first);
-            let own = lobes.draw(choice, u.map(|numbers| numbers[lane]));
-            own.is_some_and(|own| {
-                drawn.direction.set(lane, own.direction);
-                drawn.weight[lane] = own.weight;
-                factors.set_colour(lane, own.factor);
-                true
-            })
+            lobes.get(lane).is_none() || {
+                of_lobes |= 1 << lane;
+                let choice = streams[lane].number(first);
+                lobes.draw(lane, choice, u.map(|numbers| numbers[lane]))
+            }
         });
+        let of_lobes = of_lobes & active;
+        let mut factors = vertices.albedo;
+        let mut ended = 0;
+        if of_lobes != 0 {
+            let directions = lobes.drawn(instructions, of_lobes);
+            for lane in lanes_of(of_lobes) {
+                let own = lobes
+                    .get(lane)
+                    .and_then(|own| lobes.weighed(own, lane, vertices.solid_angle[lane]));
+                match own {
+                    None => ended |= 1 << lane,
+                    Some((factor, weight)) => {
+                        drawn.direction.set(lane, directions.get(lane));
+                        drawn.weight[lane] = weight;
+                        factors.set_colour(lane, factor);
+                    }
+                }
+            }
+        }
+        let active = active & !ended;
         let vertices = &mut paths.vertices;
         vertices.direction = drawn.direction;
         vertices.origin = vertices.position;

@@ -1,10 +1,15 @@
-//! Surfaces of lanes that are not diffuse: their lobes are evaluated one by one.
+//! Surfaces of lanes that are not diffuse: their lobes are drawn from one by one, and evaluated one
+//! by one but for what their facets do.
 
+use capwalk_geometry::simd::Instructions;
 use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::Resolved;
-use capwalk_scene::lobe::{BsdfDirection, LocalBsdf};
+use capwalk_scene::lobe::{BsdfDirection, LocalBsdf, Microfacets, Specular};
 
+use crate::lanes::facets::{LaneFacets, LaneMirrored, Mirror, Seen};
+use crate::lanes::frames::{FindFrames, LaneFrames, ToLocal, ToWorld};
 use crate::lanes::step::{Vertices, density};
+use crate::lanes::vectors::{LANES, Vectors, lanes_of, mask_of};
 use crate::light::power_heuristic;
 
 /// The lobes of one side of a surface, the same all over it.
@@ -18,6 +23,8 @@ pub struct Lobes {
     pub transmits: bool,
     /// True if all of them are diffuse.
     pub is_diffuse: bool,
+    /// What decides nearly all of them, if anything does.
+    pub facets: Option<Microfacets>,
 }
 
 impl Lobes {
@@ -29,6 +36,7 @@ impl Lobes {
             has_smooth: bsdf.has_smooth(),
             transmits: bsdf.transmits(),
             is_diffuse: bsdf.is_diffuse(),
+            facets: bsdf.facets(),
             bsdf,
         }
     }
@@ -43,77 +51,153 @@ pub struct Turned<'a> {
     pub tangent: Option<Vec3>,
 }
 
-impl<'a> Turned<'a> {
-    /// The same where the path of a lane hits the face.
-    pub fn at(&self, vertices: &Vertices, lane: usize) -> LobesAt<'a> {
-        let outward = vertices.outward.get(lane);
-        let mut frame = match self.tangent {
-            Some(tangent) => Frame::from_normal_and_tangent(outward, tangent),
-            None => Frame::from_normal(outward),
-        };
-        frame.n = frame.n * vertices.side[lane];
-        LobesAt {
-            bsdf: &self.lobes.bsdf,
-            wi: frame.to_local(-vertices.direction.get(lane)),
-            frame,
-            solid_angle: vertices.solid_angle[lane],
+/// The lobes of those of eight surfaces that are not diffuse, and light that they scatter.
+pub struct LaneLobes<'a> {
+    turned: [Option<Turned<'a>>; LANES],
+    frames: LaneFrames,
+    facets: LaneFacets,
+    /// Unit directions of light in the frames, and what facets do to it.
+    light: Vectors,
+    mirrored: LaneMirrored,
+    /// Perfectly specular events that send it there, and their probabilities.
+    specular: [Option<(Specular, f64)>; LANES],
+}
+
+impl<'a> LaneLobes<'a> {
+    /// None yet.
+    pub fn new() -> Self {
+        Self {
+            turned: [None; LANES],
+            frames: LaneFrames::NONE,
+            facets: LaneFacets::ANY,
+            light: Vectors::ZERO,
+            mirrored: LaneMirrored::default(),
+            specular: [None; LANES],
         }
     }
-}
 
-/// Lobes where a path hits a surface.
-pub struct LobesAt<'a> {
-    bsdf: &'a LocalBsdf,
-    frame: Frame,
-    /// Unit direction to the viewer, in that frame.
-    wi: Vec3,
-    /// The solid angle under which the emitter is seen.
-    solid_angle: f64,
-}
+    /// Sets those of a lane; `None` if its surface is diffuse.
+    pub fn set(&mut self, lane: usize, turned: Option<Turned<'a>>) {
+        self.turned[lane] = turned;
+    }
 
-/// A direction drawn from lobes.
-pub struct Drawn {
-    /// The direction.
-    pub direction: Vec3,
-    /// What is scattered over the density, or the fraction of light over the probability of a
-    /// specular event.
-    pub factor: Rgb,
-    /// The weight of light from the emitter, if it is seen there.
-    pub weight: f64,
-}
+    /// Those of a lane.
+    pub fn get(&self, lane: usize) -> Option<&'a Lobes> {
+        self.turned[lane].map(|turned| turned.lobes)
+    }
 
-impl LobesAt<'_> {
-    /// What is scattered of light from a point on the emitter, times its weight over its density.
-    /// `has_other` if directions are drawn from the lobes, too.
-    pub fn scattered(&self, direction: Vec3, has_other: bool) -> Rgb {
-        let wo = self.frame.to_local(direction);
-        let own = density(self.solid_angle);
-        let (scattered, other) = match has_other {
-            true => self.bsdf.eval_and_pdf(self.wi, wo),
-            false => (self.bsdf.eval(self.wi, wo), 0.0),
-        };
+    /// Which of some lanes have lobes, and which have facets.
+    fn masks(&self, lanes: u32) -> [u32; 2] {
+        let lobes = mask_of(lanes, |lane| self.turned[lane].is_some());
+        let has = |lane| self.get(lane).is_some_and(|lobes| lobes.facets.is_some());
+        [lobes, mask_of(lobes, has)]
+    }
+
+    /// Finds the frames of some lanes, and what is seen of their facets.
+    pub fn face_viewers(&mut self, instructions: Instructions, vertices: &Vertices, lanes: u32) {
+        let [with_lobes, with_facets] = self.masks(lanes);
+        if with_lobes == 0 {
+            return;
+        }
+        let frames = &mut self.frames;
+        instructions.run(FindFrames { vertices, frames });
+        for lane in lanes_of(with_lobes) {
+            let Some(Turned { lobes, tangent }) = self.turned[lane] else {
+                continue;
+            };
+            if let Some(tangent) = tangent {
+                let outward = vertices.outward.get(lane);
+                let frame = Frame::from_normal_and_tangent(outward, tangent);
+                let direction = vertices.direction.get(lane);
+                frames.set(lane, frame, vertices.side[lane], direction);
+            }
+            if let Some(own) = &lobes.facets {
+                self.facets.set(lane, own);
+            }
+        }
+        if with_facets != 0 {
+            let facets = &mut self.facets;
+            instructions.run(Seen { frames, facets });
+        }
+    }
+
+    /// Sends light to some lanes, from unit directions of the world.
+    pub fn light_from(&mut self, instructions: Instructions, world: &Vectors, lanes: u32) {
+        if self.masks(lanes)[0] != 0 {
+            self.light = *world;
+            instructions.run(ToLocal {
+                frames: &self.frames,
+                directions: &mut self.light,
+            });
+        }
+        self.mirror(instructions, lanes);
+    }
+
+    /// Draws a direction from the lobes of a lane, which is to have some, and sends light from
+    /// there; false if the path ends.
+    pub fn draw(&mut self, lane: usize, choice: f64, u: [f64; 2]) -> bool {
+        let drawn = self.get(lane).and_then(|lobes| {
+            let wi = self.frames.wi.get(lane);
+            lobes.bsdf.draw(wi, choice, u)
+        });
+        drawn.is_some_and(|BsdfDirection { wo, specular }| {
+            self.light.set(lane, wo);
+            self.specular[lane] = specular;
+            true
+        })
+    }
+
+    /// Where the light of some lanes comes from in the world, and what facets do to it.
+    pub fn drawn(&mut self, instructions: Instructions, lanes: u32) -> Vectors {
+        self.mirror(instructions, lanes);
+        let mut directions = self.light;
+        instructions.run(ToWorld {
+            frames: &self.frames,
+            directions: &mut directions,
+        });
+        directions
+    }
+
+    fn mirror(&mut self, instructions: Instructions, lanes: u32) {
+        if self.masks(lanes)[1] != 0 {
+            instructions.run(Mirror {
+                frames: &self.frames,
+                facets: &self.facets,
+                directions: &self.light,
+                mirrored: &mut self.mirrored,
+            });
+        }
+    }
+
+    /// What the lobes of a lane scatter of light that comes from a point on the emitter, which is
+    /// seen under a solid angle, times its weight over its density. `has_other` if directions are
+    /// drawn from the lobes, too.
+    pub fn scattered(&self, lobes: &Lobes, lane: usize, solid_angle: f64, has_other: bool) -> Rgb {
+        let own = density(solid_angle);
+        let (scattered, pdf) = self.eval_and_pdf(lobes, lane);
+        let other = if has_other { pdf } else { 0.0 };
         scattered * (power_heuristic(own, other) / own)
     }
 
-    /// Draws a direction; `None` if the path ends.
-    pub fn draw(&self, choice: f64, u: [f64; 2]) -> Option<Drawn> {
-        let BsdfDirection { wo, specular } = self.bsdf.draw(self.wi, choice, u)?;
-        let (scattered, pdf, weight) = match specular {
-            // Nothing else samples a specular direction.
-            Some((event, probability)) => {
-                let fraction = self.bsdf.specular(event, self.wi).1;
-                (fraction, probability, 1.0)
-            }
-            None => {
-                let (scattered, pdf) = self.bsdf.eval_and_pdf(self.wi, wo);
-                let other = density(self.solid_angle);
-                (pdf > 0.0).then_some((scattered, pdf, power_heuristic(pdf, other)))?
-            }
-        };
-        Some(Drawn {
-            direction: self.frame.to_world(wo).normalized(),
-            factor: scattered / pdf,
-            weight,
-        })
+    /// What becomes of light from the direction drawn from the lobes of a lane; `None` if the path
+    /// ends. What is scattered over the density, or the fraction of light over the probability of
+    /// a specular event, and the weight of light from the emitter, if it is seen there.
+    pub fn weighed(&self, lobes: &Lobes, lane: usize, solid_angle: f64) -> Option<(Rgb, f64)> {
+        // Nothing else samples a specular direction.
+        if let Some((event, probability)) = self.specular[lane] {
+            let fraction = lobes.bsdf.specular(event, self.frames.wi.get(lane)).1;
+            return Some((fraction / probability, 1.0));
+        }
+        let (scattered, pdf) = self.eval_and_pdf(lobes, lane);
+        let weight = power_heuristic(pdf, density(solid_angle));
+        (pdf > 0.0).then(|| (scattered / pdf, weight))
+    }
+
+    fn eval_and_pdf(&self, lobes: &Lobes, lane: usize) -> (Rgb, f64) {
+        let (wi, wo) = (self.frames.wi.get(lane), self.light.get(lane));
+        match lobes.facets {
+            Some(_) => lobes.bsdf.eval_and_pdf_of(wi, wo, self.mirrored.get(lane)),
+            None => lobes.bsdf.eval_and_pdf(wi, wo),
+        }
     }
 }

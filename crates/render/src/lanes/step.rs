@@ -3,7 +3,6 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use capwalk_geometry::Packet;
 use capwalk_geometry::simd::{Computation, Simd};
 use capwalk_math::{Frame, Vec3};
 use capwalk_scene::lobe::sample_cosine;
@@ -34,28 +33,24 @@ pub struct Vertices {
 }
 
 impl Vertices {
-    /// None yet, along the rays of a packet.
-    pub fn new(packet: &Packet) -> Self {
-        let up = Vectors::splat([0.0, 0.0, 1.0]);
-        let zero = Vectors::splat([0.0; 3]);
-        Self {
-            origin: Vectors(packet.origin),
-            direction: Vectors(packet.direction),
-            corner: zero,
-            face_normal: up,
-            outward: up,
-            side: [1.0; LANES],
-            albedo: zero,
-            position: zero,
-            solid_angle: [0.0; LANES],
-        }
-    }
+    /// None yet.
+    pub const NONE: Self = Self {
+        origin: Vectors::ZERO,
+        direction: Vectors::ZERO,
+        corner: Vectors::ZERO,
+        face_normal: Vectors::UP,
+        outward: Vectors::UP,
+        side: [1.0; LANES],
+        albedo: Vectors::ZERO,
+        position: Vectors::ZERO,
+        solid_angle: [0.0; LANES],
+    };
+}
 
-    /// The normal on the side of the front.
-    #[inline(always)]
-    fn normal(&self, lane: usize) -> Vec3 {
-        self.outward.get(lane) * self.side[lane]
-    }
+/// The normal on the side of the front.
+#[inline(always)]
+fn normal(outward: &Vectors, side: &Numbers, lane: usize) -> Vec3 {
+    outward.get(lane) * side[lane]
 }
 
 /// Intersects the rays with the planes of the faces.
@@ -65,12 +60,19 @@ impl Computation for Surfaces<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let vertices = *self.0;
-        let mut position = vertices.position;
+        // Copies, which nothing else refers to; so in all steps.
+        let Vertices {
+            origin,
+            direction,
+            corner,
+            face_normal,
+            ..
+        } = *self.0;
+        let mut position = origin;
         for lane in 0..LANES {
-            let (origin, direction) = (vertices.origin.get(lane), vertices.direction.get(lane));
-            let normal = vertices.face_normal.get(lane);
-            let t = (vertices.corner.get(lane) - origin).dot(normal) / direction.dot(normal);
+            let (origin, direction) = (origin.get(lane), direction.get(lane));
+            let normal = face_normal.get(lane);
+            let t = (corner.get(lane) - origin).dot(normal) / direction.dot(normal);
             position.set(lane, origin + direction * t);
         }
         self.0.position = position;
@@ -103,7 +105,7 @@ pub struct Lit {
 impl Default for Lit {
     fn default() -> Self {
         Self {
-            direction: Vectors::splat([0.0, 0.0, 1.0]),
+            direction: Vectors::UP,
             distance: [0.0; LANES],
             weight: [0.0; LANES],
             mask: 0,
@@ -135,17 +137,17 @@ impl Computation for Light<'_> {
             transmits,
             lit,
         } = self;
-        // Copies, which nothing else refers to.
-        let (known, u, rectangle) = (*vertices, *u, rectangle.clone());
+        let (position, outward, side) = (vertices.position, vertices.outward, vertices.side);
+        let (u, rectangle) = (*u, rectangle.clone());
         let (mut directions, mut distances) = (lit.direction, [0.0; LANES]);
         let (mut weights, mut solid_angles) = ([0.0; LANES], [0.0; LANES]);
         let mut cosines = [0.0; LANES];
         for lane in 0..LANES {
-            let (seen, _) = rectangle.seen(known.position.get(lane));
+            let (seen, _) = rectangle.seen(position.get(lane));
             let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
             let distance = offset.length();
             let direction = offset * (1.0 / distance);
-            let cos = direction.dot(known.normal(lane));
+            let cos = direction.dot(normal(&outward, &side, lane));
             solid_angles[lane] = seen.solid_angle;
             directions.set(lane, direction);
             distances[lane] = distance;
@@ -183,7 +185,7 @@ pub struct Brdf {
 impl Default for Brdf {
     fn default() -> Self {
         Self {
-            direction: Vectors::splat([0.0, 0.0, 1.0]),
+            direction: Vectors::UP,
             weight: [0.0; LANES],
         }
     }
@@ -201,16 +203,17 @@ impl Computation for Draw<'_> {
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
         let Self { vertices, u, drawn } = self;
-        let (known, u) = (*vertices, *u);
+        let (outward, side) = (vertices.outward, vertices.side);
+        let (solid_angle, u) = (vertices.solid_angle, *u);
         let (mut directions, mut weights) = (drawn.direction, [0.0; LANES]);
         for lane in 0..LANES {
-            let frame = Frame::from_normal(known.outward.get(lane));
+            let frame = Frame::from_normal(outward.get(lane));
             let wo = sample_cosine([u[0][lane], u[1][lane]]);
-            let up = frame.n * (known.side[lane] * wo.z);
+            let up = frame.n * (side[lane] * wo.z);
             let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
             directions.set(lane, direction);
             let own = wo.z * FRAC_1_PI;
-            weights[lane] = power_heuristic(own, density(known.solid_angle[lane]));
+            weights[lane] = power_heuristic(own, density(solid_angle[lane]));
         }
         (drawn.direction, drawn.weight) = (directions, weights);
     }

@@ -13,6 +13,12 @@ pub type Numbers = [f64; LANES];
 pub struct Vectors(pub [Numbers; 3]);
 
 impl Vectors {
+    /// Zero in all lanes.
+    pub const ZERO: Self = Self([[0.0; LANES]; 3]);
+
+    /// The third axis in all lanes.
+    pub const UP: Self = Self([[0.0; LANES], [0.0; LANES], [1.0; LANES]]);
+
     /// The same in all lanes.
     pub fn splat(v: [f64; 3]) -> Self {
         Self(v.map(|number| [number; LANES]))
@@ -43,4 +49,20 @@ impl Vectors {
         let [x, y, z] = &mut self.0;
         (x[lane], y[lane], z[lane]) = (v.x, v.y, v.z);
     }
+}
+
+/// One bit for each of some lanes of which something holds.
+pub fn mask_of(lanes: u32, mut holds: impl FnMut(usize) -> bool) -> u32 {
+    lanes_of(lanes)
+        .filter(|&lane| holds(lane))
+        .fold(0, |mask, lane| mask | 1 << lane)
+}
+
+/// The numbers of the lanes with a bit in the mask.
+pub fn lanes_of(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = mask.trailing_zeros() as usize;
+        mask &= mask.wrapping_sub(1);
+        (lane < LANES).then_some(lane)
+    })
 }

@@ -55,6 +55,7 @@
 //!   [`Principled`] or [`PrincipledThin`] that it has none of only if they are
 //!   [explored](Principled::explored).
 
+pub mod branchless;
 mod burley;
 mod conductor;
 mod dielectric;
@@ -86,7 +87,7 @@ pub use event::{Event, Side, Specular};
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_diffuse};
 pub use local::{cosine_pdf, sample_cosine};
 pub use local_bsdf::{BsdfDirection, BsdfSample, LocalBsdf};
-pub use microfacets::{Distribution, Microfacets};
+pub use microfacets::{Distribution, Microfacets, Mirrored};
 pub use null::Null;
 pub use plastic::Plastic;
 pub use polarized_plastic::PolarizedPlastic;

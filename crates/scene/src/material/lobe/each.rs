@@ -6,6 +6,7 @@ use super::conductor::Conductor;
 use super::dielectric::Dielectric;
 use super::diffuse::Diffuse;
 use super::event::{Drawn, Event, Specular};
+use super::microfacets::{Microfacets, Mirrored};
 use super::null::Null;
 use super::plastic::Plastic;
 use super::polarized_plastic::PolarizedPlastic;
@@ -202,6 +203,25 @@ impl Lobe {
             | Lobe::Principled(_)
             | Lobe::PrincipledThin(_)
             | Lobe::Null(_) => (self.eval(wi, wo), self.pdf(wi, wo)),
+        }
+    }
+
+    /// The facets, if what they do decides everything but a diffuse base.
+    pub(crate) fn facets(&self) -> Option<Microfacets> {
+        match self {
+            Lobe::RoughConductor(lobe) => Some(lobe.microfacets),
+            Lobe::RoughPlastic(lobe) => Some(lobe.facets()),
+            _ => None,
+        }
+    }
+
+    /// [`Lobe::eval_and_pdf`] for directions in front, from what the facets do.
+    #[inline]
+    pub(crate) fn eval_and_pdf_of(&self, wi: Vec3, wo: Vec3, mirrored: Mirrored) -> (Rgb, f64) {
+        match self {
+            Lobe::RoughConductor(lobe) => lobe.eval_and_pdf_of(mirrored),
+            Lobe::RoughPlastic(lobe) => lobe.eval_and_pdf_of(wi, wo, mirrored),
+            other => other.eval_and_pdf(wi, wo),
         }
     }
 

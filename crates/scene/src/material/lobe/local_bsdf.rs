@@ -4,6 +4,8 @@ use capwalk_math::{Real, Rgb, Vec3};
 
 use super::each::Lobe;
 use super::event::{Drawn, Event, Side, Specular};
+use super::local;
+use super::microfacets::{Microfacets, Mirrored};
 use super::tilt::Tilt;
 
 /// Up to [`LocalBsdf::MAX_LOBES`] lobes with weights: what a surface does to light
@@ -317,6 +319,26 @@ impl LocalBsdf {
                 (f * *weight, pdf)
             }
             _ => (self.eval_all(wi, wo), self.pdf_of_all(wi, wo)),
+        }
+    }
+
+    /// The facets of a surface with one lobe, if what they do to light decides everything but a
+    /// diffuse base: for [`LocalBsdf::eval_and_pdf_of`].
+    pub fn facets(&self) -> Option<Microfacets> {
+        let (weight, lobe) = self.only_lobe()?;
+        lobe.facets().filter(|_| *weight > 0.0)
+    }
+
+    /// [`LocalBsdf::eval_and_pdf`] of a surface with [`LocalBsdf::facets`], from what these do:
+    /// `mirrored` is that of the two directions, the first of them raised to the front (`|wi.z|`).
+    #[inline]
+    pub fn eval_and_pdf_of(&self, wi: Vec3, wo: Vec3, mirrored: Mirrored) -> (Rgb, f64) {
+        match self.only_lobe() {
+            Some((weight, lobe)) if wo.z > 0.0 => {
+                let (f, pdf) = lobe.eval_and_pdf_of(local::raised(wi), wo, mirrored);
+                (f * *weight, pdf)
+            }
+            _ => (Rgb::zero(), 0.0),
         }
     }
 

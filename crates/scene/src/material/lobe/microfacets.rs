@@ -8,7 +8,7 @@
 use std::f64::consts::PI;
 
 use capwalk_math::elementary::sin_cos;
-use capwalk_math::special::{erf_and_derivative, erf_inverse, erf_inverse_estimate};
+use capwalk_math::special::{erf_and_derivative, erf_inverse};
 use capwalk_math::{Real, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -17,7 +17,7 @@ use serde::{Deserialize, Serialize};
 pub(super) const MIN_ALPHA: f64 = 1e-4;
 
 /// Where `erf(a)` is one to the last digit and `exp(-a²)` is below it.
-const SHADOWLESS: f64 = 6.0;
+pub(super) const SHADOWLESS: f64 = 6.0;
 
 /// The shape of the distribution of slopes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -41,6 +41,17 @@ pub struct Microfacets<R = f64> {
     pub alpha_v: R,
 }
 
+/// What facets that are perfect mirrors do to light between two directions in front of them.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Mirrored {
+    /// The cosine between one of them and the normal halfway.
+    pub cos: f64,
+    /// The density of the other one per solid angle, if visible normals reflect the first.
+    pub pdf: f64,
+    /// `f |cos|` of the other one.
+    pub scattered: f64,
+}
+
 impl<R: Real> Microfacets<R> {
     /// The same roughness in all directions.
     pub fn isotropic(distribution: Distribution, alpha: R) -> Self {
@@ -52,8 +63,8 @@ impl<R: Real> Microfacets<R> {
     }
 
     /// The roughnesses, where they are not too small.
-    #[inline]
-    fn alphas(&self) -> (R, R) {
+    #[inline(always)]
+    pub(super) fn alphas(&self) -> (R, R) {
         let at_least = |alpha: R| {
             if alpha.value() < MIN_ALPHA {
                 R::constant(MIN_ALPHA)
@@ -142,9 +153,16 @@ impl<R: Real> Microfacets<R> {
 impl Microfacets {
     /// Draws a normal as seen from `wi`, which is in front (`wi.z >= 0`).
     pub fn sample(&self, wi: Vec3, u: [f64; 2]) -> Vec3 {
+        self.sample_seen(wi, self.visible_over_cos(wi), u)
+    }
+
+    /// The same, if [`Microfacets::visible_over_cos`] is known.
+    pub(super) fn sample_seen(&self, wi: Vec3, visible_over_cos: f64, u: [f64; 2]) -> Vec3 {
         let (alpha_u, alpha_v) = self.alphas();
         // Stretched until the roughness is one.
-        let stretched = Vec3::new(alpha_u * wi.x, alpha_v * wi.y, wi.z).normalized();
+        let longer = Vec3::new(alpha_u * wi.x, alpha_v * wi.y, wi.z);
+        let length = longer.length();
+        let stretched = longer / length;
         let sin = (stretched.x.squared() + stretched.y.squared()).sqrt();
         let (sin_phi, cos_phi) = if sin > 0.0 {
             (stretched.y / sin, stretched.x / sin)
@@ -153,7 +171,9 @@ impl Microfacets {
         };
         // A normal up to its length, with x along the view.
         let (x, y, z) = match self.distribution {
-            Distribution::Beckmann => beckmann_normal(sin, stretched.z, u),
+            Distribution::Beckmann => {
+                beckmann_normal(sin, stretched.z, visible_over_cos * length, u)
+            }
             Distribution::Ggx => ggx_normal(sin, stretched.z, u),
         };
         Vec3::new(
@@ -170,6 +190,18 @@ impl Microfacets {
         self.density(m) * self.visible_over_cos(wi) * wi.dot(m).max(0.0)
     }
 
+    /// What they do, as perfect mirrors, to light between `wi` and `wo`, both in front.
+    #[inline]
+    pub(super) fn mirrored(&self, wi: Vec3, wo: Vec3) -> Mirrored {
+        let h = (wi + wo).normalized();
+        let pdf = self.reflection_pdf(wi, h);
+        Mirrored {
+            cos: wi.dot(h),
+            pdf,
+            scattered: pdf * self.visible(wo),
+        }
+    }
+
     /// Density per solid angle of directions if visible normals reflect `wi`;
     /// `h` is the unit vector halfway.
     #[inline]
@@ -178,9 +210,10 @@ impl Microfacets {
     }
 }
 
-/// A normal (not of unit length) of a Beckmann surface of roughness one, seen
-/// from the angle with the given sine (towards x) and cosine.
-fn beckmann_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
+/// A normal (not of unit length) of a Beckmann surface of roughness one, seen from the angle with
+/// the given sine (towards x) and cosine; `visible` is the fraction that is not hidden, over the
+/// cosine.
+fn beckmann_normal(sin: f64, cos: f64, visible: f64, u: [f64; 2]) -> (f64, f64, f64) {
     // Up to a factor, the probability of a slope of less (the normal of a slope
     // is `(-slope, ., 1)`); it grows up to the slope that hides its facet.
     let steepest = if sin * SHADOWLESS > cos {
@@ -188,35 +221,33 @@ fn beckmann_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
     } else {
         SHADOWLESS
     };
-    // This probability and its derivative, the density.
-    let cumulative = |slope: f64| {
-        let [erf, gaussian] = erf_and_derivative(slope);
-        let hidden = 0.5 * sin * gaussian;
-        (cos * (1.0 + erf) + hidden, gaussian * (cos - slope * sin))
-    };
-    let target = u[0] * cumulative(steepest).0;
+    let target = u[0] * (2.0 / visible);
     // The first guess: seen from above, slopes are Gaussian; seen from aside, their mean is half
     // the tangent of the angle lower. At the steepest slope the density vanishes: keep away.
     let least = -1.0 + f64::EPSILON;
-    let gaussian = erf_inverse_estimate((-1.0 + target / cos.max(sin)).clamp(least, -least));
+    let gaussian = erf_inverse((-1.0 + target / cos.max(sin)).clamp(least, -least));
     let mean = -0.5 * sin / cos.max(sin);
-    // Newton's steps, kept between bounds.
+    // Halley's steps, kept between bounds.
     let (mut low, mut high) = (-SHADOWLESS, steepest);
     let mut slope = (gaussian + mean).clamp(low, 0.5 * high);
     // Halving alone needs fewer steps than this for all digits.
     const MOST_STEPS: usize = 64;
-    // Of Newton's steps each is about the square of the one before: behind one that changes the
-    // slope by less than this, what is left is below rounding.
-    const LAST_STEP: f64 = 1e-8;
+    // Each of these steps is about the cube of the one before: behind one that changes the slope
+    // by less than this, what is left is some 1e-11.
+    const LAST_STEP: f64 = 3e-4;
     for _ in 0..MOST_STEPS {
-        let (value, density) = cumulative(slope);
+        // This probability, its derivative, the density, and the density's.
+        let [erf, gaussian] = erf_and_derivative(slope);
+        let value = cos * (1.0 + erf) + 0.5 * sin * gaussian;
+        let density = gaussian * (cos - slope * sin);
+        let bend = -2.0 * slope * density - gaussian * sin;
         let error = value - target;
         if error > 0.0 {
             high = slope;
         } else {
             low = slope;
         }
-        let mut next = slope - error / density;
+        let mut next = slope - error * density / (density * density - 0.5 * error * bend);
         if !(low..=high).contains(&next) {
             next = 0.5 * (low + high);
         }

@@ -5,7 +5,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 use super::event::Drawn;
 use super::fresnel::fresnel_conductor;
 use super::local;
-use super::microfacets::Microfacets;
+use super::microfacets::{Microfacets, Mirrored};
 
 /// Metal mirrors as microfacets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,11 +67,14 @@ impl RoughConductor {
         if wo.z <= 0.0 {
             return (Rgb::zero(), 0.0);
         }
-        let wi = local::raised(wi);
-        let h = (wi + wo).normalized();
-        let pdf = self.microfacets.reflection_pdf(wi, h);
-        let reflectance = fresnel_conductor(wi.dot(h), self.eta, self.k);
-        let seen = self.microfacets.visible(wo);
-        (reflectance * self.specular_reflectance * (pdf * seen), pdf)
+        self.eval_and_pdf_of(self.microfacets.mirrored(local::raised(wi), wo))
+    }
+
+    /// The same from what the facets do.
+    #[inline]
+    pub(super) fn eval_and_pdf_of(&self, mirrored: Mirrored) -> (Rgb, f64) {
+        let reflectance = fresnel_conductor(mirrored.cos, self.eta, self.k);
+        let colour = reflectance * self.specular_reflectance;
+        (colour * mirrored.scattered, mirrored.pdf)
     }
 }

@@ -8,7 +8,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 use super::event::Drawn;
 use super::fresnel::fresnel_dielectric;
 use super::local;
-use super::microfacets::Microfacets;
+use super::microfacets::{Microfacets, Mirrored};
 use super::plastic::{base, base_probability};
 use super::rough_transmittance::RoughTransmittance;
 
@@ -32,7 +32,7 @@ pub struct RoughPlastic<R = f64> {
 
 impl<R: Real> RoughPlastic<R> {
     #[inline]
-    fn facets(&self) -> Microfacets<R> {
+    pub(super) fn facets(&self) -> Microfacets<R> {
         Microfacets::isotropic(self.transmittance.distribution(), self.alpha)
     }
 
@@ -119,11 +119,15 @@ impl RoughPlastic {
         if wo.z <= 0.0 {
             return (Rgb::zero(), 0.0);
         }
-        let (wi, facets) = (local::raised(wi), self.facets());
-        let h = (wi + wo).normalized();
-        let coat = facets.reflection_pdf(wi, h);
+        let wi = local::raised(wi);
+        self.eval_and_pdf_of(wi, wo, self.facets().mirrored(wi, wo))
+    }
+
+    /// The same for directions in front, from what the coat's facets do.
+    #[inline]
+    pub(super) fn eval_and_pdf_of(&self, wi: Vec3, wo: Vec3, mirrored: Mirrored) -> (Rgb, f64) {
         let enters = self.transmittance(wi.z);
-        let scattered = self.scattered(coat * facets.visible(wo), wi.dot(h), enters, wo);
-        (scattered, self.mixed_pdf(enters, coat, wo))
+        let scattered = self.scattered(mirrored.scattered, mirrored.cos, enters, wo);
+        (scattered, self.mixed_pdf(enters, mirrored.pdf, wo))
     }
 }

@@ -1,0 +1,101 @@
+//! Microfacets without a branch: in a loop over several, the compiler computes as many at a time as
+//! registers hold. For one alone, [`Microfacets`]' own functions are faster.
+
+use std::f64::consts::PI;
+
+use capwalk_math::Vec3;
+use capwalk_math::elementary::{erf_and_derivative, exp};
+
+use super::microfacets::{Distribution, Microfacets, Mirrored, SHADOWLESS};
+
+/// [`Microfacets::visible_over_cos`].
+#[inline(always)]
+pub fn visible_over_cos(facets: &Microfacets, w: Vec3) -> f64 {
+    let (alpha_u, alpha_v) = facets.alphas();
+    let z = w.z.abs();
+    let [x, y] = [alpha_u * w.x, alpha_v * w.y];
+    let spread2 = x * x + y * y;
+    let spread = spread2.sqrt();
+    let is_shadowless = z * z >= SHADOWLESS * SHADOWLESS * spread2;
+    let slope = z / if is_shadowless { 1.0 } else { spread };
+    let [erf, derivative] = erf_and_derivative(slope);
+    let beckmann = z * (1.0 + erf) + 0.5 * spread * derivative;
+    let beckmann = if is_shadowless { 2.0 * z } else { beckmann };
+    let ggx = z + (z * z + spread2).sqrt();
+    2.0 / choose(facets, beckmann, ggx)
+}
+
+/// What facets do, as perfect mirrors, to light between `wi` and `wo`, both in front; `visible` is
+/// [`visible_over_cos`] of `wi`.
+#[inline(always)]
+pub fn mirrored(facets: &Microfacets, wi: Vec3, visible: f64, wo: Vec3) -> Mirrored {
+    let sum = wi + wo;
+    let h = sum * (1.0 / sum.length());
+    let (alpha_u, alpha_v) = facets.alphas();
+    let [x, y, cos2] = [h.x / alpha_u, h.y / alpha_v, h.z * h.z];
+    let spread = x * x + y * y;
+    // Far out, the exponential function is zero.
+    let inverse = 1.0 / cos2;
+    let beckmann = exp(-spread * inverse) * (inverse * inverse);
+    let falls = 1.0 / (spread + cos2);
+    let density = choose(facets, beckmann, falls * falls) / (PI * alpha_u * alpha_v);
+    let pdf = 0.25 * density * visible;
+    Mirrored {
+        cos: wi.dot(h),
+        pdf,
+        scattered: pdf * (visible_over_cos(facets, wo) * wo.z),
+    }
+}
+
+/// That of the distribution of the two.
+#[inline(always)]
+fn choose(facets: &Microfacets, beckmann: f64, ggx: f64) -> f64 {
+    match facets.distribution {
+        Distribution::Beckmann => beckmann,
+        Distribution::Ggx => ggx,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Both are the functions with branches, over all directions in front and roughnesses, down to
+    /// the smallest.
+    #[test]
+    fn they_are_those_with_branches() {
+        let direction = |i: u64, k: f64| {
+            let [u, v] = [k, 2.3 * k].map(|k| (i as f64 * k).fract());
+            let cos: f64 = if i.is_multiple_of(5) { 1e-3 * u } else { u };
+            let sin = (1.0 - cos * cos).sqrt();
+            Vec3::new(sin * (7.0 * v).cos(), sin * (7.0 * v).sin(), cos)
+        };
+        for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+            for (alpha_u, alpha_v) in [(0.3, 0.3), (0.05, 0.8), (1e-5, 0.01), (1.5, 1.5)] {
+                let facets = Microfacets {
+                    distribution,
+                    alpha_u,
+                    alpha_v,
+                };
+                for i in 1..20_000 {
+                    let (wi, wo) = (direction(i, 0.618_034), direction(i, 0.414_214));
+                    let visible = visible_over_cos(&facets, wi);
+                    let expected = facets.visible_over_cos(wi);
+                    assert!((visible / expected - 1.0).abs() < 1e-13, "{wi:?}");
+                    let found = mirrored(&facets, wi, visible, wo);
+                    let expected = facets.mirrored(wi, wo);
+                    for (found, expected) in [
+                        (found.cos, expected.cos),
+                        (found.pdf, expected.pdf),
+                        (found.scattered, expected.scattered),
+                    ] {
+                        let error = (found - expected).abs();
+                        // The exponent has an error of its own size.
+                        let most = 1e-12 * expected.abs() + 1e-250;
+                        assert!(error <= most, "{wi:?} {wo:?}: {found:e} {expected:e}");
+                    }
+                }
+            }
+        }
+    }
+}
