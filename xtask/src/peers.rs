@@ -127,10 +127,11 @@ pub fn run(arguments: &[String]) -> Result<()> {
     if only_tables {
         return print_earlier(&subjects, &work);
     }
-    // What means nothing must not replace what does.
-    let work = match quick {
-        true => work.join("quick"),
-        false => work,
+    // What means nothing must not replace what does, nor images alone everything.
+    let work = match (quick, only_images) {
+        (true, _) => work.join("quick"),
+        (false, true) => work.join("images"),
+        (false, false) => work,
     };
     fs::create_dir_all(&work)?;
     let python = environment()?;

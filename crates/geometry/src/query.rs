@@ -17,6 +17,7 @@ mod local_packet;
 mod oriented_box;
 pub mod packet;
 mod packet_face;
+mod packet_precision;
 pub mod packet_tree;
 mod pseudo_angle;
 mod ray_kernel;

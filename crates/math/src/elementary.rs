@@ -101,6 +101,20 @@ pub fn angle_of([x, y]: [f64; 2]) -> f64 {
     if y < 0.0 { -from_x } else { from_x }
 }
 
+/// The largest integer that is not above `x`, without a call of the library where processors are
+/// not known to have an instruction for it.
+#[inline]
+pub fn floor(x: f64) -> f64 {
+    let nearest = (x + TO_INTEGER) - TO_INTEGER;
+    let below = if nearest > x { nearest - 1.0 } else { nearest };
+    // False for NaN.
+    if x.abs() < 0.25 * TO_INTEGER {
+        below
+    } else {
+        x.floor()
+    }
+}
+
 /// What ln 2 is in two parts, of which multiples of the first are exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
@@ -266,6 +280,7 @@ mod tests {
         let small = angle_of([1.0, 1e-200]);
         assert!((small / 1e-200 - 1.0).abs() < 1e-15);
     }
+
     /// To a few units in the last place, and at the ends of the range.
     #[test]
     fn exponentials_are_those_of_the_library() {
@@ -279,6 +294,18 @@ mod tests {
         assert_eq!([710.0, f64::INFINITY].map(exp), [f64::INFINITY; 2]);
         assert!(exp(f64::NAN).is_nan());
     }
+
+    #[test]
+    fn integers_below_are_those_of_the_library() {
+        let around = |x: f64| [x.next_down(), x, x.next_up(), x + 0.5];
+        let small = (-2000..2000).map(|i| f64::from(i) * 0.25);
+        let large = [1e15, 1.6e15, 1.7e15, 1e16, 1e300].map(|x: f64| [x, -x]);
+        for x in small.chain(large.into_iter().flatten()).flat_map(around) {
+            assert_eq!(floor(x), x.floor(), "{x:e}");
+        }
+        assert!(floor(f64::NAN).is_nan());
+    }
+
     /// Those for one number, on both sides of all its branches.
     #[test]
     fn error_functions_are_the_same() {

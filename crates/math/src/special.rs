@@ -193,6 +193,17 @@ mod tests {
             let inverse = erf_inverse(p);
             assert!((erf(inverse) - p).abs() < 1e-15, "{p}");
         }
+        // Values to sixteen digits, where `p` says little about them.
+        for (p, value) in [
+            (1e-9, 8.862_269_254_527_581e-10),
+            (0.9, 1.163_087_153_676_674_2),
+            (-0.999, -2.326_753_765_513_524_5),
+            (1.0 - 1e-12, 5.042_031_898_572_696),
+            (1.0 - 1e-15, 5.675_915_739_744_713),
+        ] {
+            let error = (erf_inverse(p) / value - 1.0).abs();
+            assert!(error < 1e-15, "{p}: {error:e}");
+        }
         for p in [1e-300, 1e-9, 1.0 - 1e-6, 1.0 - 1e-15] {
             assert!((erf(erf_inverse(p)) - p).abs() < 1e-15, "{p}");
         }

@@ -5,6 +5,7 @@ mod bitmap;
 
 pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
 
+use capwalk_math::elementary::floor;
 use capwalk_math::{Real, Rgb};
 use serde::{Deserialize, Serialize};
 
@@ -140,7 +141,7 @@ impl Texture {
             Pattern::Checkerboard { to_uv } => {
                 let second_half = to_uv.apply(uv).map(|x| {
                     let x = x.value();
-                    x - x.floor() > 0.5
+                    x - floor(x) > 0.5
                 });
                 texel(usize::from(second_half[0] != second_half[1]))
             }

@@ -23,9 +23,9 @@ pub struct Figure {
     pub claims: Vec<Claim>,
     /// How much work it was worth.
     pub quality: Quality,
-    /// How long it took, and what of the processor: all threads together, without other
-    /// programs that it starts.
+    /// How long it took.
     pub seconds: f64,
+    /// Seconds of the processor, all threads together, without other programs that it starts.
     pub cpu_seconds: f64,
 }
 

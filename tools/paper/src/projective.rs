@@ -103,7 +103,8 @@ fn in_folder(
         )));
     }
     let text = String::from_utf8_lossy(&output.stdout);
-    let seconds = text.trim().parse();
+    // Behind what Mitsuba has to say.
+    let seconds = text.lines().last().unwrap_or("").trim().parse();
     let seconds = seconds.map_err(|_| unusable(format!("expected its seconds, found {text:?}")))?;
     let [width, height] = subject.scene.film.crop_size.map(|n| n as usize);
     let read = |file: &Path| {

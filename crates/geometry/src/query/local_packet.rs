@@ -1,8 +1,7 @@
 //! A packet of rays in a tree's coordinates.
 
 use super::packet::{Packet, RAYS};
-use super::packet_face::{PacketFace, growth, value};
-use super::packet_tree::{BOX_MARGIN, IN_PLANE};
+use super::packet_precision::BOX_MARGIN;
 use super::ray_kernel::RayNode;
 use crate::bvh::WIDTH;
 use crate::local_frame::LocalFrame;
@@ -14,23 +13,12 @@ const SLOWEST: f32 = 1e-12;
 /// The tree lies between -1 and 1, with what boxes are larger by.
 const SIDE: f64 = 1.0 + 2.0 * BOX_MARGIN as f64;
 
-/// The rays of a packet, from where they enter the tree.
+/// The rays of a packet, from where they start or enter the tree.
 pub struct LocalPacket<S: Simd> {
-    origin: [S::F32x8; 3],
-    direction: [S::F32x8; 3],
+    pub origin: [S::F32x8; 3],
+    pub direction: [S::F32x8; 3],
     /// Distances from there at which they end; negative for those that are not asked for.
     pub end: S::F32x8,
-}
-
-/// The planes in which rays meet faces.
-pub struct Met<S: Simd> {
-    /// Distances along the rays.
-    pub distance: S::F32x8,
-    /// The heights above the plane at which they start, and by how much they rise.
-    pub height: S::F32x8,
-    pub rise: S::F32x8,
-    /// One bit for each that meets the plane and does not start in it.
-    pub mask: u32,
 }
 
 impl<S: Simd> LocalPacket<S> {
@@ -59,7 +47,6 @@ impl<S: Simd> LocalPacket<S> {
         let mut end = [0.0; RAYS];
         let (mut origin, mut direction) = ([[0.0; RAYS]; 3], [[0.0; RAYS]; 3]);
         for ray in 0..RAYS {
-            // False for NaN.
             let is_asked = packet.mask >> ray & 1 == 1 && enter[ray] <= exit[ray];
             let length = (exit[ray] - enter[ray]) as f32;
             end[ray] = if is_asked { length } else { -1.0 };
@@ -82,22 +69,11 @@ impl<S: Simd> LocalPacket<S> {
     #[inline(always)]
     pub fn at(&self, distance: S::F32x8) -> [S::F32x8; 3] {
         let ([ox, oy, oz], [dx, dy, dz]) = (self.origin, self.direction);
-        [ox + dx * distance, oy + dy * distance, oz + dz * distance]
-    }
-
-    /// Where they meet the plane of a face.
-    #[inline(always)]
-    pub fn plane(&self, simd: S, face: &PacketFace) -> Met<S> {
-        let height = value(simd, &face.height, self.origin);
-        let rise = growth(simd, &face.height, self.direction);
-        let zero = simd.splat(0.0);
-        let distance = (zero - height) / rise;
-        Met {
-            distance,
-            height,
-            rise,
-            mask: simd.splat(IN_PLANE).lt(height.abs()) & zero.lt(distance),
-        }
+        [
+            dx.fused(distance, ox),
+            dy.fused(distance, oy),
+            dz.fused(distance, oz),
+        ]
     }
 }
 
@@ -110,9 +86,9 @@ fn clip(
     [enter, exit]: [&mut [f64; RAYS]; 2],
 ) {
     let is_wanted = |ray: usize| rays >> ray & 1 == 1;
-    for axis in 0..3 {
+    for (local, direction) in local.iter().zip(&packet.direction) {
         for ray in 0..RAYS {
-            let speed = packet.direction[axis][ray];
+            let (from, speed) = (local[ray], direction[ray]);
             let slowest = f64::from(SLOWEST);
             let is_slow = speed.abs() < slowest;
             let inverse = 1.0
@@ -121,12 +97,11 @@ fn clip(
                 } else {
                     speed
                 };
-            let from = local[axis][ray];
             let [first, last] = [(-SIDE - from) * inverse, (SIDE - from) * inverse];
-            let from = enter[ray].max(first.min(last));
-            let to = exit[ray].min(first.max(last));
-            enter[ray] = if is_wanted(ray) { from } else { enter[ray] };
-            exit[ray] = if is_wanted(ray) { to } else { exit[ray] };
+            let entry = enter[ray].max(first.min(last));
+            let end = exit[ray].min(first.max(last));
+            enter[ray] = if is_wanted(ray) { entry } else { enter[ray] };
+            exit[ray] = if is_wanted(ray) { end } else { exit[ray] };
         }
     }
 }

@@ -1,19 +1,16 @@
 //! Triangles and parallelograms for packets of rays, as linear functions of a point.
 //!
-//! Two triangles that make a parallelogram have one plane and the same two weights, so they are asked
-//! as one: rooms of rectangles have half as many faces for it.
+//! Two triangles that make a parallelogram have one plane and the same two weights, so they are
+//! asked as one: rooms of rectangles have half as many faces for it. Of faces that lie on each
+//! other in one plane either may be found: how two are paired decides the last bit of distances.
 
 use capwalk_math::Vec3;
 
 use super::local_packet::LocalPacket;
-use super::packet_tree::IN_PLANE;
+use super::packet_precision::{IN_PLANE, MOST_OUT};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::simd::{F32x8, Lanes, Simd};
-
-/// How far corners are moved out at most, over [`IN_PLANE`]: triangles with sharper ones are larger
-/// by less.
-pub const MOST_OUT: f64 = 60.0;
 
 /// The fourth corner of a parallelogram is off by less than this part of [`IN_PLANE`].
 const OFF_CORNER: f64 = 1e-3;
@@ -22,7 +19,7 @@ const OFF_CORNER: f64 = 1e-3;
 /// coordinates: factors of its coordinates, and a constant.
 #[derive(Clone, Copy, Debug)]
 pub struct PacketFace {
-    pub height: [f32; 4],
+    height: [f32; 4],
     /// The weights of the second and third corner, plus what they may be off by.
     second: [f32; 4],
     third: [f32; 4],
@@ -32,6 +29,17 @@ pub struct PacketFace {
     face: f32,
     /// Beyond that sum in a parallelogram.
     beyond: Option<Beyond>,
+}
+
+/// The planes in which rays meet faces.
+pub struct Met<S: Simd> {
+    /// Distances along the rays.
+    pub distance: S::F32x8,
+    /// The heights above the plane at which they start, and by how much they rise.
+    pub height: S::F32x8,
+    pub rise: S::F32x8,
+    /// One bit for each that meets the plane and does not start in it.
+    pub mask: u32,
 }
 
 /// The second triangle of a parallelogram.
@@ -45,20 +53,23 @@ struct Beyond {
 impl PacketFace {
     /// All faces of a mesh, and for each its number among them; those without area have none.
     pub fn all(mesh: &Mesh, frame: &LocalFrame) -> (Vec<Self>, Vec<Option<u32>>) {
-        let corners = |face: usize| mesh.corners(face).map(|p| frame.local_from_world(p));
         let count = mesh.faces.len();
+        let corners = (0..count).map(|face| mesh.corners(face));
+        let corners: Vec<_> = corners
+            .map(|corners| corners.map(|p| frame.local_from_world(p)))
+            .collect();
         let mut numbers = vec![None; count];
         let mut all = Vec::new();
         for face in 0..count {
             let others = || (face + 1..count).filter(|&other| numbers[other].is_none());
             let mut pairs = others().filter_map(|other| {
-                let turned = parallelogram(corners(face), corners(other))?;
+                let turned = parallelogram(corners[face], corners[other])?;
                 Some((turned, Some(other)))
             });
             if numbers[face].is_some() {
                 continue;
             }
-            let (corners, other) = pairs.next().unwrap_or((corners(face), None));
+            let (corners, other) = pairs.next().unwrap_or((corners[face], None));
             if let Some(made) = Self::new(corners, face, other) {
                 let number = Some(all.len() as u32);
                 numbers[face] = number;
@@ -110,6 +121,21 @@ impl PacketFace {
         })
     }
 
+    /// Where rays meet its plane.
+    #[inline(always)]
+    pub fn plane<S: Simd>(&self, simd: S, rays: &LocalPacket<S>) -> Met<S> {
+        let height = value(simd, &self.height, rays.origin);
+        let rise = growth(simd, &self.height, rays.direction);
+        let zero = simd.splat(0.0);
+        let distance = (zero - height) / rise;
+        Met {
+            distance,
+            height,
+            rise,
+            mask: simd.splat(IN_PLANE).lt(height.abs()) & zero.lt(distance),
+        }
+    }
+
     /// Which face of this one the rays meet at distances along them, and one bit for each that
     /// meets one.
     #[inline(always)]
@@ -140,24 +166,68 @@ impl PacketFace {
 /// The corners of a triangle in such an order that another one is beyond the side between the
 /// second and third, and both make a parallelogram; `None` if they do not.
 fn parallelogram(one: [Vec3; 3], other: [Vec3; 3]) -> Option<[Vec3; 3]> {
-    let near = |p: Vec3, q: Vec3| (p - q).length() < OFF_CORNER * f64::from(IN_PLANE);
-    let turned = (0..3).map(|k| [one[k], one[(k + 1) % 3], one[(k + 2) % 3]]);
-    let mut made = turned.filter(|&[a, b, c]| {
-        let wanted = [b, c, b + c - a];
-        let has = |p: &Vec3| other.iter().any(|&q| near(*p, q));
-        wanted.iter().all(has)
-    });
-    made.next()
+    let most = OFF_CORNER * f64::from(IN_PLANE);
+    let place = |p: Vec3| {
+        let mut places = other.iter();
+        places.position(|&q| (p - q).length_squared() < most * most)
+    };
+    let [a, b, c] = one;
+    // Most pairs have no corner in common.
+    let places = one.map(place);
+    let [a, b, c] = match places {
+        [None, Some(_), Some(_)] => [a, b, c],
+        [Some(_), None, Some(_)] => [b, c, a],
+        [Some(_), Some(_), None] => [c, a, b],
+        _ => return None,
+    };
+    let mut found = [b, c, b + c - a].map(place);
+    found.sort_unstable();
+    // All three of the other's corners, each once.
+    (found == [Some(0), Some(1), Some(2)]).then_some([a, b, c])
 }
 
 /// A linear function at points.
 #[inline(always)]
-pub fn value<S: Simd>(simd: S, function: &[f32; 4], place: [S::F32x8; 3]) -> S::F32x8 {
-    growth(simd, function, place) + simd.splat(function[3])
+fn value<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x8; 3]) -> S::F32x8 {
+    let [fx, fy, fz, constant] = [0, 1, 2, 3].map(|i| simd.splat(function[i]));
+    fx.fused(x, fy.fused(y, fz.fused(z, constant)))
 }
 
 /// How it grows along vectors.
 #[inline(always)]
-pub fn growth<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x8; 3]) -> S::F32x8 {
-    simd.splat(function[0]) * x + simd.splat(function[1]) * y + simd.splat(function[2]) * z
+fn growth<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x8; 3]) -> S::F32x8 {
+    let [fx, fy, fz] = [0, 1, 2].map(|i| simd.splat(function[i]));
+    fx.fused(x, fy.fused(y, fz * z))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const A: Vec3<f64> = Vec3::new(0.1, 0.2, 0.3);
+    const B: Vec3<f64> = Vec3::new(0.9, 0.3, 0.1);
+    const C: Vec3<f64> = Vec3::new(0.2, 0.7, 0.4);
+
+    /// Whichever diagonal two triangles have, and whatever their first corners and windings; not
+    /// if they lie on each other, or the fourth corner is off, or the other one is small.
+    #[test]
+    fn pairs_make_parallelograms() {
+        let d = B + C - A;
+        let turned = |[a, b, c]: [Vec3; 3]| [[a, b, c], [b, c, a], [c, a, b], [a, c, b]];
+        for one in turned([A, B, C]) {
+            for other in turned([d, C, B]) {
+                let [a, b, c] = parallelogram(one, other).expect("a parallelogram");
+                assert_eq!(a, A);
+                assert!([b, c] == [B, C] || [b, c] == [C, B]);
+            }
+            for other in turned(one) {
+                assert_eq!(parallelogram(one, other), None);
+            }
+            let off = d + Vec3::splat(1e-8);
+            assert_eq!(parallelogram(one, [off, C, B]), None);
+            assert_eq!(parallelogram(one, [A + C - B, C, B]), None);
+            let near = [0.0, 1e-12, 2e-12].map(|x| B + Vec3::splat(x));
+            assert_eq!(parallelogram(one, near), None);
+        }
+    }
 }

@@ -1,9 +1,10 @@
 //! Eight rays at a time against triangles, in single precision.
 //!
 //! In the tree's own coordinates, which are at most 1, a triangle is three linear functions of a
-//! point: the height above its plane, and the weights of its second and third corner. All of it is
-//! sums of products in a fixed order: the bits are the same on every processor, and those of one
-//! ray do not depend on the others.
+//! point: the height above its plane, and the weights of its second and third corner; so are two
+//! that make a parallelogram. All of it is products added to sums in a fixed order, each rounded
+//! once (by slow code of the library on old processors): the bits are the same on every processor,
+//! and those of one ray do not depend on the others.
 //!
 //! What single precision cannot resolve is decided once: points within [`IN_PLANE`] of a plane lie
 //! in it. Rays do not meet the planes in which they start, nor segments those in which they end,
@@ -14,21 +15,14 @@ use capwalk_math::Vec3;
 
 use super::local_packet::{LocalPacket, Slabs};
 use super::packet::{Packet, RAYS};
-use super::packet_face::{MOST_OUT, PacketFace};
+use super::packet_face::PacketFace;
+use super::packet_precision::{IN_PLANE, MOST_OUT};
 use super::ray_kernel::RayNode;
 use super::ray_tree::RayTree;
 use crate::bvh::{ChildKind, Stack};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::simd::{Computation, F32x8, Instructions, Lanes, Simd};
-
-/// Distance from a plane, in units of the tree's half size, up to which a point lies in it: several
-/// times what heights of points are typically off by.
-pub const IN_PLANE: f32 = 1.0 / (1 << 20) as f32;
-
-/// By how much boxes are larger: corners of triangles that are larger by [`IN_PLANE`] at their
-/// sides are farther out, the sharper they are.
-pub const BOX_MARGIN: f32 = 64.0 * IN_PLANE;
 
 /// How many times [`IN_PLANE`] the altitudes of triangles must be.
 const LEAST_ALTITUDE: f64 = 1000.0;
@@ -201,7 +195,7 @@ impl<S: Simd> Nearest<S> {
     /// Asks a face; true if it is nearer for any ray.
     #[inline(always)]
     fn ask(&mut self, simd: S, rays: &LocalPacket<S>, face: &PacketFace) -> bool {
-        let met = rays.plane(simd, face);
+        let met = face.plane(simd, rays);
         let is_near = met.mask & met.distance.le(self.distance);
         if is_near == 0 {
             return false;
@@ -278,12 +272,12 @@ impl<S: Simd> Unhidden<S> {
     /// Asks a face.
     #[inline(always)]
     fn ask(&mut self, simd: S, rays: &LocalPacket<S>, face: &PacketFace) {
-        let met = rays.plane(simd, face);
+        let met = face.plane(simd, rays);
         let is_before = met.mask & met.distance.lt(self.end);
         if is_before == 0 {
             return;
         }
-        let at_end = met.height + met.rise * self.end;
+        let at_end = met.rise.fused(self.end, met.height);
         let ends_off = simd.splat(IN_PLANE).lt(at_end.abs());
         let hit = is_before & ends_off & face.at(simd, rays, met.distance).1;
         if hit != 0 {

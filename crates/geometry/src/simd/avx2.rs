@@ -183,6 +183,10 @@ impl F32x8 for F32x8Avx2 {
         Self(unsafe { _mm256_fmadd_ps(self.0, b.0, c.0) })
     }
     #[inline(always)]
+    fn fused(self, b: Self, c: Self) -> Self {
+        self.mul_add(b, c)
+    }
+    #[inline(always)]
     fn mul_sub(self, b: Self, c: Self) -> Self {
         // SAFETY: as above.
         Self(unsafe { _mm256_fmsub_ps(self.0, b.0, c.0) })

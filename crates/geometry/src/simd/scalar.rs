@@ -138,6 +138,10 @@ impl F32x8 for Array<f32, 8> {
         self * b + c
     }
     #[inline(always)]
+    fn fused(self, b: Self, c: Self) -> Self {
+        Self(std::array::from_fn(|i| self.0[i].mul_add(b.0[i], c.0[i])))
+    }
+    #[inline(always)]
     fn mul_sub(self, b: Self, c: Self) -> Self {
         self * b - c
     }

@@ -57,6 +57,8 @@ pub const ESTIMATE_ERROR: f32 = 1.5 / (1 << 12) as f32;
 pub trait F32x8: Lanes {
     /// `self * b + c`, rounded once or twice.
     fn mul_add(self, b: Self, c: Self) -> Self;
+    /// `self * b + c`, rounded once on every machine.
+    fn fused(self, b: Self, c: Self) -> Self;
     /// `self * b - c`, rounded once or twice.
     fn mul_sub(self, b: Self, c: Self) -> Self;
     /// About one over each number, to a relative error of [`ESTIMATE_ERROR`].

@@ -61,8 +61,8 @@ impl Computation for Seen<'_> {
     fn run<S: Simd>(self, _: S) {
         let (wi, facets) = (self.frames.wi, *self.facets);
         let mut visible = [0.0; LANES];
-        for lane in 0..LANES {
-            visible[lane] = branchless::visible_over_cos(&facets.get(lane), raised(&wi, lane));
+        for (lane, visible) in visible.iter_mut().enumerate() {
+            *visible = branchless::visible_over_cos(&facets.get(lane), raised(&wi, lane));
         }
         self.facets.visible = visible;
     }

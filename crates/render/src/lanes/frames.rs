@@ -62,9 +62,9 @@ impl Computation for FindFrames<'_> {
             ..
         } = *self.vertices;
         let mut frames = LaneFrames::NONE;
-        for lane in 0..LANES {
+        for (lane, &side) in side.iter().enumerate() {
             let frame = Frame::from_normal(outward.get(lane));
-            frames.set(lane, frame, side[lane], direction.get(lane));
+            frames.set(lane, frame, side, direction.get(lane));
         }
         *self.frames = frames;
     }

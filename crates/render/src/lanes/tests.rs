@@ -369,7 +369,15 @@ fn lanes_sample_other_materials() {
 /// Whatever is taken along with it, a sample is the same to the bit.
 #[test]
 fn samples_do_not_depend_on_each_other() {
-    let prepared = PreparedScene::new(scene("box-room", path(None)));
+    let room = || scene("box-room", path(None));
+    let rough = [("box", 1, true), ("floor", 7, false), ("lamp", 0, false)];
+    for scene in [room(), of_all_materials(room(), &rough)] {
+        samples_are_the_same_in_other_packets(scene);
+    }
+}
+
+fn samples_are_the_same_in_other_packets(scene: Scene) {
+    let prepared = PreparedScene::new(scene);
     let tracer = Tracer::primal(&prepared);
     let lanes = LaneTracer::like(&tracer, &prepared).expect("for lanes");
     let sampler = Sampler::new(&prepared.scene().settings, 5, 64);

@@ -1,6 +1,7 @@
 //! Rows of texels, as Mitsuba 3.9 covers a surface with them: texel `i` of `n`
 //! has its centre at `(i + 0.5) / n`.
 
+use capwalk_math::elementary::floor;
 use capwalk_math::{Affine, Real, Rgb};
 use serde::{Deserialize, Serialize};
 
@@ -76,6 +77,9 @@ impl Wrap {
     #[inline]
     fn apply(self, i: i64, n: u32) -> usize {
         let n = i64::from(n);
+        if (0..n).contains(&i) {
+            return i as usize;
+        }
         let inside = match self {
             Self::Repeat => i.rem_euclid(n),
             Self::Clamp => i.clamp(0, n - 1),
@@ -123,29 +127,28 @@ impl Bitmap {
     /// counted row by row.
     pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
         let [u, v] = self.to_uv.apply(uv);
-        let mut at = |x: i64, y: i64| {
-            let row = self.wrap.apply(y, self.height);
-            texel(row * self.width as usize + self.wrap.apply(x, self.width))
-        };
+        let column = |x: i64| self.wrap.apply(x, self.width);
+        let start_of_row = |y: i64| self.wrap.apply(y, self.height) * self.width as usize;
         let (width, height) = (f64::from(self.width), f64::from(self.height));
         match self.filter {
             TexelFilter::Nearest => {
-                let below = |x: R, n: f64| (x.value() * n).floor() as i64;
-                at(below(u, width), below(v, height))
+                let below = |x: R, n: f64| floor(x.value() * n) as i64;
+                texel(start_of_row(below(v, height)) + column(below(u, width)))
             }
             TexelFilter::Bilinear => {
                 // The texel whose centre is at or below, and the way from it.
                 let split = |x: R, n: f64| {
                     let x = x * R::constant(n) - R::constant(0.5);
-                    let below = x.value().floor();
+                    let below = floor(x.value());
                     (below as i64, x - R::constant(below))
                 };
                 let ((x, s), (y, t)) = (split(u, width), split(v, height));
-                let mut row = |y: i64| {
-                    let (left, right) = (at(x, y), at(x.saturating_add(1), y));
+                let columns = [x, x.saturating_add(1)].map(column);
+                let [first, second] = [y, y.saturating_add(1)].map(|y| {
+                    let row = start_of_row(y);
+                    let [left, right] = columns.map(|column| texel(row + column));
                     left + (right - left) * s
-                };
-                let (first, second) = (row(y), row(y.saturating_add(1)));
+                });
                 first + (second - first) * t
             }
         }

@@ -153,11 +153,6 @@ impl<R: Real> Microfacets<R> {
 impl Microfacets {
     /// Draws a normal as seen from `wi`, which is in front (`wi.z >= 0`).
     pub fn sample(&self, wi: Vec3, u: [f64; 2]) -> Vec3 {
-        self.sample_seen(wi, self.visible_over_cos(wi), u)
-    }
-
-    /// The same, if [`Microfacets::visible_over_cos`] is known.
-    pub(super) fn sample_seen(&self, wi: Vec3, visible_over_cos: f64, u: [f64; 2]) -> Vec3 {
         let (alpha_u, alpha_v) = self.alphas();
         // Stretched until the roughness is one.
         let longer = Vec3::new(alpha_u * wi.x, alpha_v * wi.y, wi.z);
@@ -172,7 +167,8 @@ impl Microfacets {
         // A normal up to its length, with x along the view.
         let (x, y, z) = match self.distribution {
             Distribution::Beckmann => {
-                beckmann_normal(sin, stretched.z, visible_over_cos * length, u)
+                let visible = self.visible_over_cos(wi) * length;
+                beckmann_normal(sin, stretched.z, visible, u)
             }
             Distribution::Ggx => ggx_normal(sin, stretched.z, u),
         };
@@ -233,7 +229,7 @@ fn beckmann_normal(sin: f64, cos: f64, visible: f64, u: [f64; 2]) -> (f64, f64, 
     // Halving alone needs fewer steps than this for all digits.
     const MOST_STEPS: usize = 64;
     // Each of these steps is about the cube of the one before: behind one that changes the slope
-    // by less than this, what is left is some 1e-11.
+    // by less than this, what is left of the probability is below 1e-8.
     const LAST_STEP: f64 = 3e-4;
     for _ in 0..MOST_STEPS {
         // This probability, its derivative, the density, and the density's.
