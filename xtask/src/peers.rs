@@ -124,15 +124,15 @@ pub fn run(arguments: &[String]) -> Result<()> {
     }
     let subjects = chosen(&names)?;
     let work = root().join("target/peers");
-    if only_tables {
-        return print_earlier(&subjects, &work);
-    }
     // What means nothing must not replace what does, nor images alone everything.
     let work = match (quick, only_images) {
         (true, _) => work.join("quick"),
         (false, true) => work.join("images"),
         (false, false) => work,
     };
+    if only_tables {
+        return print_earlier(&subjects, &work);
+    }
     fs::create_dir_all(&work)?;
     let python = environment()?;
     let llvm = llvm();

@@ -10,7 +10,7 @@ use crate::figure::{Figure, Row, Table};
 use crate::gradients::{Run, Subject, shown};
 use crate::lattice;
 use crate::projective::{self, Projective};
-use crate::settings::{Failure, Quality, Settings};
+use crate::settings::{Failure, Settings};
 
 /// A row of the figure.
 struct Case {
@@ -48,15 +48,11 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     ];
     let mut figure = Figure {
         caption: format!(
-            "{}: the shadow of the {} by its y-translation, and the shadow of the Voronoi sphere \
+            "Derivatives: the shadow of the {} by its y-translation, and the shadow of the Voronoi sphere \
              seen in a mirror by its x-translation. Finite differences ({difference_spp} samples per \
              pixel on each side), ours and the method `edges` ({spp} samples), and, where Python has \
              the package mitsuba, its projective sampling with its default guiding ({} times {} \
              samples).",
-            match quality {
-                Quality::Full => "Converged derivatives",
-                Quality::Smoke | Quality::Draft => "Derivatives",
-            },
             lattice::name(settings),
             projective::SEEDS,
             projective::spp(settings)

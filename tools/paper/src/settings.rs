@@ -14,7 +14,7 @@ pub enum Quality {
     /// Minutes: most claims are decided
     #[default]
     Draft,
-    /// Hours: images as large as the paper shows them, and its samples
+    /// Hours: images 256 pixels wide or more, and about the paper's samples
     Full,
 }
 

@@ -61,14 +61,14 @@ impl PacketFace {
         let mut numbers = vec![None; count];
         let mut all = Vec::new();
         for face in 0..count {
-            let others = || (face + 1..count).filter(|&other| numbers[other].is_none());
-            let mut pairs = others().filter_map(|other| {
-                let turned = parallelogram(corners[face], corners[other])?;
-                Some((turned, Some(other)))
-            });
             if numbers[face].is_some() {
                 continue;
             }
+            let others = (face + 1..count).filter(|&other| numbers[other].is_none());
+            let mut pairs = others.filter_map(|other| {
+                let turned = parallelogram(corners[face], corners[other])?;
+                Some((turned, Some(other)))
+            });
             let (corners, other) = pairs.next().unwrap_or((corners[face], None));
             if let Some(made) = Self::new(corners, face, other) {
                 let number = Some(all.len() as u32);

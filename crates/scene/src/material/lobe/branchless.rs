@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use capwalk_math::Vec3;
-use capwalk_math::elementary::{erf_and_derivative, exp};
+use capwalk_math::elementary::{erf_and_gaussian, exp};
 
 use super::microfacets::{Distribution, Microfacets, Mirrored, SHADOWLESS};
 
@@ -18,7 +18,7 @@ pub fn visible_over_cos(facets: &Microfacets, w: Vec3) -> f64 {
     let spread = spread2.sqrt();
     let is_shadowless = z * z >= SHADOWLESS * SHADOWLESS * spread2;
     let slope = z / if is_shadowless { 1.0 } else { spread };
-    let [erf, derivative] = erf_and_derivative(slope);
+    let [erf, derivative] = erf_and_gaussian(slope);
     let beckmann = z * (1.0 + erf) + 0.5 * spread * derivative;
     let beckmann = if is_shadowless { 2.0 * z } else { beckmann };
     let ggx = z + (z * z + spread2).sqrt();
