@@ -1,5 +1,6 @@
 """Compiles the kernels of capwalk-gpu by the Slang compiler inside PyPI's slangpy, without a
-device: `kernels.py FOLDER`, where FOLDER has `queries.slang`.
+device: `kernels.py FOLDER`, where FOLDER has `queries.slang`. For wgpu they become WGSL, for
+NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
 
 Slang writes no `double` in WGSL ("unexpected: 'double' type emitted", 2026.12), which wgpu
 reads as `f64`. So the source is compiled with `half` for it, which it uses for nothing else,
@@ -13,10 +14,13 @@ import os
 import re
 import sys
 
+import nvidia.cuda_nvrtc
 import slangpy
 
 ENTRIES = ["first_hit", "occluded", "closest", "gather"]
 PRECISIONS = ["single", "double"]
+# Volta, 2017; drivers compile it for what there is.
+LEAST_ARCHITECTURE = "compute_70"
 
 
 def compiler():
@@ -28,7 +32,7 @@ def compiler():
         sys.exit("error: slangpy has no Slang compiler in its folder")
     library = ctypes.CDLL(paths[0])
     for name in ("spCreateSession", "spCreateCompileRequest", "spGetDiagnosticOutput",
-                 "spGetEntryPointCode", "spGetBuildTagString"):
+                 "spGetEntryPointCode", "spGetCompileRequestCode", "spGetBuildTagString"):
         getattr(library, name).restype = ctypes.c_void_p
     return library
 
@@ -37,11 +41,12 @@ def text(pointer, *length):
     return ctypes.string_at(pointer, *length).decode() if pointer else ""
 
 
-def compile_entry(library, source, entry, precision):
-    """The kernel in WGSL."""
+def slang(library, source, entry, precision, target, real):
+    """The kernel in WGSL or CUDA's C++, where `real` is the type of exact tests."""
     session = ctypes.c_void_p(library.spCreateSession(ctypes.c_char_p(None)))
     request = ctypes.c_void_p(library.spCreateCompileRequest(session))
-    words = [source, "-D" + precision.upper(), "-target", "wgsl", "-entry", entry, "-stage", "compute"]
+    words = [source, "-D" + precision.upper(), "-D" + target.upper(), "-DREAL=" + real, "-target", target, "-entry", entry,
+             "-stage", "compute", "-line-directive-mode", "none"]
     arguments = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = library.spProcessCommandLineArguments(request, arguments, len(words)) < 0
     failed = failed or library.spCompile(request) < 0
@@ -49,16 +54,63 @@ def compile_entry(library, source, entry, precision):
     if said:
         print(said)
     size = ctypes.c_size_t()
-    code = None if failed else library.spGetEntryPointCode(request, 0, ctypes.byref(size))
+    code = None
+    if not failed:
+        code = (library.spGetEntryPointCode(request, 0, ctypes.byref(size))
+                or library.spGetCompileRequestCode(request, ctypes.byref(size)))
     if not code:
         sys.exit(f"error: {entry} in {precision} precision was not compiled")
     return text(code, size.value)
 
 
-def in_double(code):
-    """`f64` for `f16`, and its literals."""
-    code = code.replace("enable f16;\n", "").replace("f16", "f64")
+def wgsl(library, source, entry, precision):
+    """The kernel in WGSL. `half` stands for double precision. wgpu needs not be told what is
+    used, and counts threads without a sign."""
+    real = "float" if precision == "single" else "half"
+    code = slang(library, source, entry, precision, "wgsl", real)
+    code = re.sub(r"^enable .*\n", "", code, flags=re.M)
+    code = re.sub(r"(subgroupShuffle\(\w+, )i32\(", r"\1u32(", code)
+    if precision == "single":
+        return code
+    code = code.replace("f16", "f64")
     return re.sub(r"(?<=[\d.])h\b", "lf", code)
+
+
+def ptx(library, compiler, source, entry, precision):
+    """The kernel in PTX. Nothing is fused in double precision, so that answers are the
+    processor's to the last bit; in single precision, where margins are far larger, the driver
+    may fuse what it likes, which it does where no rounding is named, and divisions and roots
+    may be off by some ulp."""
+    real = "float" if precision == "single" else "double"
+    code = slang(library, source, entry, precision, "cuda", real)
+    program = ctypes.c_void_p()
+    compiler.nvrtcCreateProgram(ctypes.byref(program), code.encode(), entry.encode(), 0, None, None)
+    words = ["--gpu-architecture=" + LEAST_ARCHITECTURE, "--std=c++17", "-default-device", "--fmad=false", "-w"]
+    options = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
+    failed = compiler.nvrtcCompileProgram(program, len(words), options)
+    result = nvrtc_text(compiler, program, "ProgramLog" if failed else "PTX")
+    if failed:
+        sys.exit(f"error: {entry} in {precision} precision was not compiled to PTX: {result}")
+    result = re.sub(r"\b(add|sub|mul)\.rn\.f32\b", r"\1.f32", result)
+    result = re.sub(r"\b(div|sqrt)\.rn\.f32\b", r"\1.approx.f32", result)
+    # What the headers declare and no kernel uses.
+    result = re.sub(r"^\.global .*\n", "", result, flags=re.M)
+    lines = [line.rstrip() for line in result.rstrip("\0").splitlines()]
+    return "\n".join(line for line in lines if line and not line.startswith("//")) + "\n"
+
+
+def nvrtc():
+    """NVIDIA's compiler, which needs no device."""
+    pattern = os.path.join(os.path.dirname(nvidia.cuda_nvrtc.__file__), "lib", "libnvrtc.so.*")
+    return ctypes.CDLL(sorted(glob.glob(pattern))[0])
+
+
+def nvrtc_text(compiler, program, what):
+    size = ctypes.c_size_t()
+    getattr(compiler, f"nvrtcGet{what}Size")(program, ctypes.byref(size))
+    buffer = ctypes.create_string_buffer(size.value)
+    getattr(compiler, f"nvrtcGet{what}")(program, buffer)
+    return buffer.value.decode()
 
 
 def checksum(content):
@@ -75,24 +127,26 @@ def main():
     with open(source, "rb") as file:
         of_source = checksum(file.read())
     library = compiler()
-    version = text(library.spGetBuildTagString())
-    package = importlib.metadata.version("slangpy")
+    nvidia_compiler = nvrtc()
+    by_slang = f"Slang {text(library.spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
+    by_both = f"{by_slang}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
     for entry in ENTRIES:
         for precision in PRECISIONS:
-            code = compile_entry(library, source, entry, precision)
-            if precision == "double":
-                code = in_double(code)
-            code = code.strip() + "\n"
-            head = (
-                "// Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.\n"
-                f"// compiler: Slang {version} in slangpy {package}\n"
-                f"// source: {of_source}\n"
-                f"// result: {checksum(code.encode())}\n"
-            )
-            path = os.path.join(folder, f"{entry}_{precision}.wgsl")
-            with open(path, "w", encoding="utf-8", newline="\n") as file:
-                file.write(head + "\n" + code)
-            print(f"    {os.path.basename(path)}: {len(code)} bytes")
+            for language, by, code in [
+                ("wgsl", by_slang, wgsl(library, source, entry, precision)),
+                ("ptx", by_both, ptx(library, nvidia_compiler, source, entry, precision)),
+            ]:
+                code = code.strip() + "\n"
+                head = (
+                    "// Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.\n"
+                    f"// compiler: {by}\n"
+                    f"// source: {of_source}\n"
+                    f"// result: {checksum(code.encode())}\n"
+                )
+                path = os.path.join(folder, f"{entry}_{precision}.{language}")
+                with open(path, "w", encoding="utf-8", newline="\n") as file:
+                    file.write(head + "\n" + code)
+                print(f"    {os.path.basename(path)}: {len(code)} bytes")
 
 
 main()

@@ -8,12 +8,17 @@ use anyhow::Result;
 use crate::shell::{root, start, target};
 use crate::virtual_environment::environment;
 
-/// The release of the package that has the Slang compiler in it; the results depend on it.
-const SLANGPY: &str = "slangpy==0.43.1";
+/// The packages that have the compilers in them: Slang's, and NVIDIA's of PTX, in a release that
+/// drivers since 2023 understand. The results depend on them.
+const COMPILERS: [&str; 2] = ["slangpy==0.43.1", "nvidia-cuda-nvrtc-cu12==12.1.105"];
 
 /// Compiles all of them, by `kernels.py`.
 pub fn run() -> Result<()> {
-    let python = environment(&target().join("kernels"), "slangpy", &[SLANGPY])?;
+    let python = environment(
+        &target().join("kernels"),
+        "slangpy, nvidia.cuda_nvrtc",
+        &COMPILERS,
+    )?;
     let mut compile = Command::new(python);
     compile.args(["xtask/kernels.py", "crates/gpu/src/kernels"]);
     compile.current_dir(root());

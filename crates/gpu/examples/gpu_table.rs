@@ -1,10 +1,12 @@
-//! Queries per second on the adapter that is found, in both precisions, beside the
-//! processor's own, with how far the answers agree: a table for docs/benchmarks.md.
+//! Queries per second on the adapter that is found, through each interface that reaches it
+//! and in both precisions, beside the processor's own, with how far the answers agree:
+//! tables for docs/benchmarks.md.
 //!
-//! `cargo xtask gpu [ADAPTER]`, where part of an adapter's name chooses it. The mesh is a
-//! bumpy sphere of 100,352 triangles, the views come from around it, as in the benchmark of
-//! `capwalk-geometry`. Times are of whole batches, with the upload of the queries and the
-//! way of the answers back; the processor's are of one thread.
+//! `cargo xtask gpu [ADAPTER]`, where part of an adapter's name chooses it. The meshes are
+//! bumpy spheres of 100,352 triangles and of 871,200, as many as the Stanford dragon has; the
+//! views come from around them, as in the benchmark of `capwalk-geometry`. Times are of the
+//! kernels alone, and of whole batches with the preparation and the upload of the queries
+//! and the way of the answers back; the processor's are of one thread.
 
 use std::f64::consts::PI;
 use std::fmt::Debug;
@@ -13,15 +15,23 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use capwalk_geometry::{
-    ConeQuery, EdgeSelection, Mesh, Ray, RayTree, SilhouettePoint, SilhouetteTree, topology,
+    ConeQuery, EdgeSelection, Hit, Mesh, Ray, RayTree, SilhouettePoint, SilhouetteTree, topology,
 };
-use capwalk_gpu::{DeviceRayTree, DeviceSilhouetteTree, Gpu, GpuError, GpuOptions, Precision};
+use capwalk_gpu::{
+    DeviceRayTree, DeviceSilhouetteTree, Gpu, GpuError, GpuOptions, Interface, Precision,
+};
 use capwalk_math::Vec3;
 
 /// Splits of each edge of an octahedron: `8 n²` triangles.
-const SPLITS: u32 = 112;
+const SPLITS: [u32; 2] = [112, 330];
+/// Queries of a batch, on a GPU and in software.
+const COUNTS: [usize; 2] = [1 << 20, 1 << 15];
+/// Answers that are compared with the processor's.
+const COMPARED: usize = 1 << 16;
 /// Half-angle of the limited cones, radians.
 const NARROW: f64 = 0.05;
+/// Half the width of the image whose points are shaded, at unit distance.
+const FIELD: f64 = 0.45;
 /// Room for so many edges of each limited cone.
 const CAPACITY: usize = 64;
 /// Batches; the fastest counts.
@@ -40,115 +50,165 @@ fn main() -> ExitCode {
 fn run() -> Result<(), GpuError> {
     let mut options = GpuOptions::default();
     options.adapter = std::env::args().nth(1);
-    let mesh = bumpy_sphere(SPLITS);
-    let edges = topology::edges(&mesh);
-    let trees = (RayTree::build(&mesh), SilhouetteTree::build(&mesh, &edges));
-    for precision in [Precision::Double, Precision::Single] {
-        options.precision = Some(precision);
-        let gpu = match Gpu::new(&options) {
-            Ok(gpu) => Arc::new(gpu),
-            Err(GpuError::Unusable { adapter, reason }) => {
-                println!("{adapter}, {precision:?}: left out, {reason}");
-                continue;
+    let mut gpus = Vec::new();
+    let mut missing = None;
+    for interface in [Interface::Wgpu, Interface::Cuda] {
+        for precision in [Precision::Double, Precision::Single] {
+            options.interface = Some(interface);
+            options.precision = Some(precision);
+            match Gpu::new(&options) {
+                Ok(gpu) => gpus.push(Arc::new(gpu)),
+                Err(GpuError::Unusable { adapter, reason }) => {
+                    println!("{adapter}, {precision:?}: left out, {reason}");
+                }
+                Err(error) => missing = Some(error),
             }
-            Err(error) => return Err(error),
-        };
-        measure(&gpu, &mesh, &trees)?;
+        }
+    }
+    if let (true, Some(error)) = (gpus.is_empty(), missing) {
+        return Err(error);
+    }
+    let count = COUNTS[usize::from(gpus.iter().all(|gpu| gpu.is_software()))];
+    for splits in SPLITS {
+        let own = Own::new(bumpy_sphere(splits), count);
+        for gpu in &gpus {
+            measure(gpu, &own)?;
+        }
     }
     Ok(())
 }
 
-fn measure(gpu: &Arc<Gpu>, mesh: &Mesh, trees: &(RayTree, SilhouetteTree)) -> Result<(), GpuError> {
-    let (ray_tree, silhouette_tree) = trees;
-    let count = if gpu.is_software() { 1 << 15 } else { 1 << 20 };
+/// The trees, the queries, and the processor's answers to the first of them.
+struct Own {
+    rays_there: RayTree,
+    edges_there: SilhouetteTree,
+    faces: usize,
+    rays: Vec<Ray>,
+    all: Vec<ConeQuery>,
+    narrow: Vec<ConeQuery>,
+    shaded: Vec<ConeQuery>,
+    hits: Timed<Option<Hit>>,
+    occluded: Timed<bool>,
+    closest: [Timed<Option<SilhouettePoint>>; 3],
+    gathered: Timed<Vec<u32>>,
+}
+
+/// Answers, and the processor's time for them.
+type Timed<T> = (Duration, Vec<T>);
+
+impl Own {
+    fn new(mesh: Mesh, count: usize) -> Self {
+        let rays_there = RayTree::build(&mesh);
+        let edges_there = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
+        let rays = views(count);
+        let cones = |rays: &[Ray], max_angle: f64| -> Vec<ConeQuery> {
+            let cone = |ray: &Ray| ConeQuery {
+                apex: ray.origin,
+                axis: ray.direction,
+                max_angle,
+                edges: EdgeSelection::Silhouettes,
+                groups: u8::MAX,
+                in_front_of: None,
+            };
+            rays.iter().map(cone).collect()
+        };
+        let (all, narrow) = (cones(&rays, PI), cones(&rays, NARROW));
+        let shaded = cones(&towards_light(&rays_there, count), PI);
+        let gather = |cone: &ConeQuery| {
+            let mut edges = Vec::new();
+            edges_there.gather(cone, None, |edge, _| edges.push(edge));
+            edges.sort_unstable();
+            edges
+        };
+        Self {
+            hits: timed(&rays, |ray| rays_there.first_hit(ray)),
+            occluded: timed(&rays, |ray| rays_there.occluded(ray)),
+            closest: [&all, &narrow, &shaded]
+                .map(|cones| timed(cones, |cone| edges_there.closest(cone))),
+            gathered: timed(&narrow, gather),
+            faces: mesh.faces.len(),
+            rays_there,
+            edges_there,
+            rays,
+            all,
+            narrow,
+            shaded,
+        }
+    }
+}
+
+/// The processor's answers to the first queries.
+fn timed<Q, A>(queries: &[Q], answer: impl Fn(&Q) -> A) -> Timed<A> {
+    let some = &queries[..queries.len().min(COMPARED)];
+    let started = Instant::now();
+    let answers = some.iter().map(answer).collect();
+    (started.elapsed(), answers)
+}
+
+fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
     println!(
-        "\n{} ({}), {} triangles, {count} queries, {:?} precision{}\n",
+        "\n{} ({}) through {:?}, {} triangles, {} queries, {:?} precision{}\n",
         gpu.name(),
         gpu.driver().trim(),
-        mesh.faces.len(),
+        gpu.interface(),
+        own.faces,
+        own.rays.len(),
         gpu.precision(),
         match gpu.is_software() {
             true => ".\nThis adapter is software: no figure is from hardware",
             false => "",
         },
     );
-    let rays = views(count);
-    let cones = |max_angle: f64| -> Vec<ConeQuery> {
-        let cone = |ray: &Ray| ConeQuery {
-            apex: ray.origin,
-            axis: ray.direction,
-            max_angle,
-            edges: EdgeSelection::Silhouettes,
-            groups: u8::MAX,
-            in_front_of: None,
-        };
-        rays.iter().map(cone).collect()
-    };
-    let (all, narrow) = (cones(PI), cones(NARROW));
-    let rays_there = DeviceRayTree::new(gpu, ray_tree)?;
-    let cones_there = DeviceSilhouetteTree::new(gpu, silhouette_tree)?;
-
+    let rays_there = DeviceRayTree::new(gpu, &own.rays_there)?;
+    let edges_there = DeviceSilhouetteTree::new(gpu, &own.edges_there)?;
     println!(
-        "| query | million per second | x first hit | processor, million per second | equal to the bit | off by at most |"
+        "| query | kernel, million per second | x first hit | whole way | processor | \
+         equal to the bit | off by at most |"
     );
-    println!("|---|---|---|---|---|---|");
-    let mut table = Table::new(count);
-    let (time, found) = fastest(|| rays_there.first_hits(&rays))?;
-    let (own, expected) = once(|| {
-        rays.iter()
-            .map(|ray| ray_tree.first_hit(ray))
-            .collect::<Vec<_>>()
-    });
-    table.row("first hit", time, own, &found, &expected, |a, b| {
+    println!("|---|---|---|---|---|---|---|");
+    let mut table = Table {
+        count: own.rays.len(),
+        first_hit: None,
+    };
+    let found = fastest(gpu, || rays_there.first_hits(&own.rays))?;
+    table.row("first hit", &found, &own.hits, |a, b| {
         Some((a.as_ref()?.t - b.as_ref()?.t).abs())
     });
-    let (time, found) = fastest(|| rays_there.occluded(&rays))?;
-    let (own, expected) = once(|| {
-        rays.iter()
-            .map(|ray| ray_tree.occluded(ray))
-            .collect::<Vec<_>>()
-    });
-    table.row("occluded", time, own, &found, &expected, |a, b| {
+    let found = fastest(gpu, || rays_there.occluded(&own.rays))?;
+    table.row("occluded", &found, &own.occluded, |a, b| {
         (a == b).then_some(0.0)
     });
-    let angle = |a: &Option<SilhouettePoint>, b: &Option<SilhouettePoint>| {
-        Some((a.as_ref()?.angle - b.as_ref()?.angle).abs())
-    };
-    for (name, cones) in [
-        ("closest silhouette", &all),
-        ("closest silhouette within 0.05", &narrow),
-    ] {
-        let (time, found) = fastest(|| cones_there.closest(cones))?;
-        let (own, expected) = once(|| {
-            cones
-                .iter()
-                .map(|cone| silhouette_tree.closest(cone))
-                .collect::<Vec<_>>()
+    let names = [
+        "closest silhouette",
+        "closest silhouette within 0.05",
+        "closest silhouette, from an image's points to a light",
+    ];
+    for ((name, cones), expected) in names
+        .into_iter()
+        .zip([&own.all, &own.narrow, &own.shaded])
+        .zip(&own.closest)
+    {
+        let found = fastest(gpu, || edges_there.closest(cones))?;
+        table.row(name, &found, expected, |a, b| {
+            Some((a.as_ref()?.angle - b.as_ref()?.angle).abs())
         });
-        table.row(name, time, own, &found, &expected, angle);
     }
-    let (time, found) = fastest(|| cones_there.gather(&narrow, CAPACITY))?;
-    let (own, expected) = once(|| {
-        let gather = |cone: &ConeQuery| {
-            let mut edges = Vec::new();
-            silhouette_tree.gather(cone, None, |edge, _| edges.push(edge));
-            edges
-        };
-        narrow.iter().map(gather).collect::<Vec<_>>()
-    });
-    let sorted = |mut edges: Vec<u32>| {
+    let found = fastest(gpu, || edges_there.gather(&own.narrow, CAPACITY))?;
+    let overflowed = found.answers.overflowed();
+    let sorted = |i: usize| {
+        let mut edges = found.answers.of(i).to_vec();
         edges.sort_unstable();
         edges
     };
-    let overflowed = found.overflowed();
-    let found: Vec<_> = (0..count).map(|i| sorted(found.of(i).to_vec())).collect();
-    let expected: Vec<_> = expected.into_iter().map(sorted).collect();
+    let found = Fastest {
+        kernels: found.kernels,
+        whole: found.whole,
+        answers: (0..own.gathered.1.len()).map(sorted).collect::<Vec<_>>(),
+    };
     table.row(
         "all silhouettes within 0.05",
-        time,
-        own,
         &found,
-        &expected,
+        &own.gathered,
         |a, b| (a == b).then_some(0.0),
     );
     println!("\nOf the last, {overflowed} met more than {CAPACITY} edges and were asked twice.");
@@ -162,26 +222,17 @@ struct Table {
 }
 
 impl Table {
-    fn new(count: usize) -> Self {
-        Self {
-            count,
-            first_hit: None,
-        }
-    }
-
     /// `difference` is that of two answers; `None` where they are not of one kind.
     fn row<T: PartialEq + Debug>(
         &mut self,
         name: &str,
-        time: Duration,
-        own: Duration,
-        found: &[T],
-        expected: &[T],
+        found: &Fastest<Vec<T>>,
+        (own, expected): &Timed<T>,
         difference: impl Fn(&T, &T) -> Option<f64>,
     ) {
-        let first_hit = *self.first_hit.get_or_insert(time);
-        let rate = |time: Duration| self.count as f64 / time.as_secs_f64() * 1e-6;
-        let pairs = || found.iter().zip(expected);
+        let first_hit = *self.first_hit.get_or_insert(found.kernels);
+        let rate = |count: usize, time: Duration| count as f64 / time.as_secs_f64() * 1e-6;
+        let pairs = || found.answers.iter().zip(expected);
         let same = pairs().filter(|(a, b)| a == b).count();
         let different = || pairs().filter(|(a, b)| a != b);
         let unlike = different()
@@ -195,31 +246,37 @@ impl Table {
             _ => format!("{most:.1e}; {unlike} otherwise"),
         };
         println!(
-            "| {name} | {:.3} | {:.2} | {:.3} | {:.2} % | {off} |",
-            rate(time),
-            time.as_secs_f64() / first_hit.as_secs_f64(),
-            rate(own),
-            100.0 * same as f64 / self.count as f64,
+            "| {name} | {:.3} | {:.2} | {:.3} | {:.3} | {:.2} % | {off} |",
+            rate(self.count, found.kernels),
+            found.kernels.as_secs_f64() / first_hit.as_secs_f64(),
+            rate(self.count, found.whole),
+            rate(expected.len(), *own),
+            100.0 * same as f64 / expected.len() as f64,
         );
     }
 }
 
-fn once<T>(work: impl FnOnce() -> T) -> (Duration, T) {
-    let started = Instant::now();
-    let result = work();
-    (started.elapsed(), result)
+/// Answers, and the least times of some rounds, of the kernels alone and with all else.
+struct Fastest<T> {
+    kernels: Duration,
+    whole: Duration,
+    answers: T,
 }
 
-/// The time of the fastest of some rounds, after one that compiles the kernel.
-fn fastest<T>(work: impl Fn() -> Result<T, GpuError>) -> Result<(Duration, T), GpuError> {
-    let mut result = work()?;
-    let mut least = Duration::MAX;
+/// After one round that compiles the kernel and finds how many queries a launch should have.
+fn fastest<T>(gpu: &Gpu, work: impl Fn() -> Result<T, GpuError>) -> Result<Fastest<T>, GpuError> {
+    let mut result = Fastest {
+        answers: work()?,
+        kernels: Duration::MAX,
+        whole: Duration::MAX,
+    };
     for _ in 0..ROUNDS {
-        let (time, again) = once(&work);
-        result = again?;
-        least = least.min(time);
+        let (started, busy) = (Instant::now(), gpu.busy());
+        result.answers = work()?;
+        result.whole = result.whole.min(started.elapsed());
+        result.kernels = result.kernels.min(gpu.busy() - busy);
     }
-    Ok((least, result))
+    Ok(result)
 }
 
 /// Incoherent views from around the mesh towards it.
@@ -243,6 +300,23 @@ fn views(count: usize) -> Vec<Ray> {
         Ray::new(from, (towards - from).normalized())
     };
     (0..count).map(|_| view()).collect()
+}
+
+/// From what the pixels of an image see of the mesh to a light above, pixel by pixel; where
+/// they see nothing, the pixels' own rays.
+fn towards_light(tree: &RayTree, count: usize) -> Vec<Ray> {
+    let width = (count as f64).sqrt().ceil() as usize;
+    let (eye, light) = (Vec3::new(0.0, -2.5, 0.5), Vec3::new(1.0, -1.0, 3.0));
+    let pixel = |i: usize| {
+        let at = |i: usize| FIELD * (2.0 * (i as f64 + 0.5) / width as f64 - 1.0);
+        let (right, up) = (at(i % width), at(i / width));
+        let ray = Ray::new(eye, Vec3::new(right, 1.0, up - 0.2).normalized());
+        tree.first_hit(&ray).map_or(ray, |hit| {
+            let from = ray.at(hit.t - 1e-6);
+            Ray::new(from, (light - from).normalized())
+        })
+    };
+    (0..count).map(pixel).collect()
 }
 
 /// A smooth closed surface of radius about 1: an octahedron with each face split in

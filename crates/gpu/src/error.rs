@@ -74,12 +74,10 @@ pub enum GpuError {
     },
     /// The driver refused a kernel, a buffer, or a launch: a bug of this program or of the
     /// driver.
-    #[error("{adapter} refused {what}: {reason}. Please report this, and use the CPU meanwhile")]
+    #[error("{adapter} refused: {reason}. Please report this, and use the CPU meanwhile")]
     Refused {
         /// The adapter's name.
         adapter: String,
-        /// What was asked for.
-        what: String,
         /// What the driver said.
         reason: String,
     },

@@ -14,8 +14,14 @@ pub enum Kernel {
 /// How many there are.
 pub const KERNELS: usize = 4;
 
-/// How many threads work on one group.
+/// How many threads there are in a group.
 pub const GROUP: usize = 64;
+
+/// How many groups a launch may have, which are counted in one dimension.
+const MOST_GROUPS: usize = 1 << 15;
+
+/// What devices run in step must be a multiple of this, as it is of all GPUs.
+pub const IN_STEP: u32 = 8;
 
 impl Kernel {
     /// Its entry point.
@@ -28,8 +34,21 @@ impl Kernel {
         }
     }
 
-    /// Its source in WGSL.
-    pub fn source(self, precision: Precision) -> &'static str {
+    /// How many queries a group works on: cones have eight threads each.
+    pub fn group(self) -> usize {
+        match self {
+            Self::FirstHit | Self::Occluded => GROUP,
+            Self::Closest | Self::Gather => GROUP / 8,
+        }
+    }
+
+    /// No launch has more queries.
+    pub fn most(self) -> usize {
+        MOST_GROUPS * self.group()
+    }
+
+    /// In WGSL.
+    pub fn wgsl(self, precision: Precision) -> &'static str {
         match (self, precision) {
             (Self::FirstHit, Precision::Single) => include_str!("kernels/first_hit_single.wgsl"),
             (Self::FirstHit, Precision::Double) => include_str!("kernels/first_hit_double.wgsl"),
@@ -39,6 +58,20 @@ impl Kernel {
             (Self::Closest, Precision::Double) => include_str!("kernels/closest_double.wgsl"),
             (Self::Gather, Precision::Single) => include_str!("kernels/gather_single.wgsl"),
             (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.wgsl"),
+        }
+    }
+
+    /// In PTX, NVIDIA's language between compilers and drivers.
+    pub fn ptx(self, precision: Precision) -> &'static str {
+        match (self, precision) {
+            (Self::FirstHit, Precision::Single) => include_str!("kernels/first_hit_single.ptx"),
+            (Self::FirstHit, Precision::Double) => include_str!("kernels/first_hit_double.ptx"),
+            (Self::Occluded, Precision::Single) => include_str!("kernels/occluded_single.ptx"),
+            (Self::Occluded, Precision::Double) => include_str!("kernels/occluded_double.ptx"),
+            (Self::Closest, Precision::Single) => include_str!("kernels/closest_single.ptx"),
+            (Self::Closest, Precision::Double) => include_str!("kernels/closest_double.ptx"),
+            (Self::Gather, Precision::Single) => include_str!("kernels/gather_single.ptx"),
+            (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.ptx"),
         }
     }
 }
@@ -67,8 +100,11 @@ mod tests {
             Kernel::Closest,
             Kernel::Gather,
         ] {
-            for precision in [Precision::Single, Precision::Double] {
-                let (head, body) = kernel.source(precision).split_once("\n\n").expect("a head");
+            for (compiled, precision) in [Precision::Single, Precision::Double]
+                .into_iter()
+                .flat_map(|p| [(kernel.wgsl(p), p), (kernel.ptx(p), p)])
+            {
+                let (head, body) = compiled.split_once("\n\n").expect("a head");
                 let of = |what: &str| {
                     let line = head.lines().find_map(|line| line.strip_prefix(what));
                     line.unwrap_or_default().to_owned()

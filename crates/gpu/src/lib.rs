@@ -14,8 +14,9 @@
 //! ```
 //!
 //! Kernels run through wgpu: on Vulkan, Metal and DX12, and on software Vulkan where there
-//! is no GPU ([`Gpu::is_software`]). Equal batches on one device give equal bits, however
-//! they were cut into launches.
+//! is no GPU ([`Gpu::is_software`]); and through NVIDIA's own driver where there is no Vulkan
+//! ([`Interface`]). Equal batches on one device give equal bits, however they were cut into
+//! launches.
 //!
 //! # Precision
 //!
@@ -27,19 +28,22 @@
 //! coordinates of the tree, and are those for primitives and viewpoints moved by no more
 //! than [`SINGLE_ERROR`] times their distance, or so: its documentation says which.
 
-mod device;
+mod batch;
+mod cuda_driver;
+mod driver;
 mod error;
+mod gpu;
 mod kernels;
-mod launch;
 mod local_cone;
 mod local_ray;
 mod precision;
 mod ray_queries;
 mod resident;
 mod silhouette_queries;
+mod wgpu_driver;
 
-pub use device::{Gpu, GpuOptions};
 pub use error::GpuError;
+pub use gpu::{Gpu, GpuOptions, Interface};
 pub use local_cone::SINGLE_ERROR;
 pub use precision::Precision;
 pub use ray_queries::DeviceRayTree;

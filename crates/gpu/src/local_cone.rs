@@ -10,7 +10,7 @@ use capwalk_math::Vec3;
 use crate::local_ray::round_up;
 use crate::precision::Precision;
 
-/// Numbers per cone, of which the last is not used.
+/// Numbers per cone.
 pub const CONE: usize = 16;
 
 /// Error of positions in local coordinates, and of what kernels compute from them, per
@@ -75,7 +75,7 @@ pub fn write(
     let (vectors, tail) = match precision {
         Precision::Double => (
             [query.apex, query.axis, point, normal],
-            [ON_PLANE, sum(query.apex), limit],
+            [ON_PLANE, sum(query.apex), limit, f64::MAX],
         ),
         Precision::Single => {
             let unit = match normal == Vec3::zero() {
@@ -84,13 +84,17 @@ pub fn write(
             };
             let [apex, point] = [query.apex, point].map(|p| frame.local_from_world(p));
             let size = sum(apex) + on_plane / SINGLE_ERROR;
-            ([apex, query.axis, point, unit], [SINGLE_ERROR, size, limit])
+            let largest = f64::from(f32::MAX);
+            (
+                [apex, query.axis, point, unit],
+                [SINGLE_ERROR, size, limit, largest],
+            )
         }
     };
     for (numbers, v) in numbers.chunks_exact_mut(3).zip(vectors) {
         numbers.copy_from_slice(&v.to_array());
     }
-    numbers[12..15].copy_from_slice(&tail);
+    numbers[12..].copy_from_slice(&tail);
 }
 
 /// The pseudo-angle that is the limit of a half-angle: `ρ / (ρ + z)` in front of the

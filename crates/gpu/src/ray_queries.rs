@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use capwalk_geometry::buffers::NONE;
 use capwalk_geometry::{Hit, LocalFrame, Ray, RayTree};
+use rayon::prelude::*;
 
-use crate::device::Gpu;
+use crate::batch::{self, Shape};
 use crate::error::GpuError;
+use crate::gpu::Gpu;
 use crate::kernels::Kernel;
-use crate::launch::{self, Shape};
 use crate::local_ray::{LocalRay, RAY, write_miss};
 use crate::resident::{Arrays, Resident};
 
@@ -29,9 +30,10 @@ impl DeviceRayTree {
             &Arrays {
                 nodes: &buffers.nodes,
                 leaf_starts: &buffers.leaf_starts,
-                tags: &buffers.faces,
                 exact: &buffers.triangles,
                 local: &buffers.local_triangles(),
+                rough: &buffers.faces,
+                primitives: buffers.faces.len(),
             },
         )?;
         Ok(Self {
@@ -60,8 +62,8 @@ impl DeviceRayTree {
         let mut hits = Vec::with_capacity(rays.len());
         self.run(shape, rays, |rays, faces, values| {
             let values = values.as_chunks::<3>().0;
-            let answers = faces.iter().zip(values);
-            hits.extend(rays.iter().zip(answers).map(|(ray, (&face, &[t, v, w]))| {
+            let answers = rays.par_iter().zip(faces).zip(values);
+            hits.par_extend(answers.map(|((ray, &face), &[t, v, w])| {
                 let is_hit = face != NONE;
                 let local = is_hit.then(|| LocalRay::new(&self.frame, ray, precision));
                 local.flatten().map(|local| Hit {
@@ -111,6 +113,6 @@ impl DeviceRayTree {
             Some(local) => local.write(ray, precision, view, numbers),
             None => write_miss(view),
         };
-        launch::run(&self.gpu, tree, shape, rays, prepare, finish)
+        batch::ask(&self.gpu, tree, shape, rays, prepare, finish)
     }
 }

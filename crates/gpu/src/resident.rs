@@ -1,7 +1,8 @@
 //! A tree in the device's memory.
 
-use crate::device::Gpu;
+use crate::driver::Memory;
 use crate::error::GpuError;
+use crate::gpu::Gpu;
 use crate::precision::Precision;
 
 /// What a tree is, whichever it is.
@@ -9,68 +10,72 @@ pub struct Arrays<'a> {
     /// Words of the nodes.
     pub nodes: &'a [u32],
     pub leaf_starts: &'a [u32],
-    /// Numbers and groups of the primitives.
-    pub tags: &'a [u32],
-    /// In world coordinates.
+    /// Primitives in world coordinates.
     pub exact: &'a [f64],
     /// In the frame's.
     pub local: &'a [f32],
+    /// What is read of primitives before they are tested: of triangles their numbers, of
+    /// edges four rows of four words each, the first rows of all edges, then the second ones,
+    /// and so on.
+    pub rough: &'a [u32],
+    pub primitives: usize,
 }
 
-/// The buffers of a tree; `None` for one without primitives.
+/// The arrays of a tree.
 #[derive(Debug)]
 pub struct Resident {
-    buffers: [wgpu::Buffer; 4],
+    arrays: [Memory; 4],
+    primitives: usize,
 }
 
 impl Resident {
-    /// Uploads a tree.
+    /// Uploads a tree; `None` for one without primitives.
     pub fn new(gpu: &Gpu, arrays: &Arrays) -> Result<Option<Self>, GpuError> {
         gpu.check()?;
         if arrays.nodes.is_empty() {
             return Ok(None);
         }
-        let primitives = match gpu.precision() {
+        let primitives: &[u8] = match gpu.precision() {
             Precision::Single => bytemuck::cast_slice(arrays.local),
             Precision::Double => bytemuck::cast_slice(arrays.exact),
         };
-        let contents: [&[u8]; 4] = [
+        // Kernels read four words at a time.
+        let mut rough = arrays.rough.to_vec();
+        rough.resize(rough.len().next_multiple_of(4), 0);
+        let contents = [
             bytemuck::cast_slice(arrays.nodes),
             bytemuck::cast_slice(arrays.leaf_starts),
             primitives,
-            bytemuck::cast_slice(arrays.tags),
+            bytemuck::cast_slice(&rough),
         ];
         let limit = gpu.largest_buffer();
-        let largest = contents
-            .iter()
-            .map(|bytes| bytes.len() as u64)
-            .max()
-            .unwrap_or(0);
-        if largest > limit {
+        let largest = contents.map(|bytes| bytes.len() as u64).into_iter().max();
+        if let Some(bytes) = largest.filter(|&bytes| bytes > limit) {
             return Err(GpuError::TreeTooLarge {
                 adapter: gpu.name().to_owned(),
-                bytes: largest,
+                bytes,
                 limit,
             });
         }
-        let total = contents.iter().map(|bytes| bytes.len() as u64).sum();
-        let buffers = gpu.guarded("a tree", total, || {
-            contents.map(|bytes| {
-                let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-                    label: Some("tree"),
-                    size: bytes.len() as u64,
-                    usage: wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_DST,
-                    mapped_at_creation: false,
-                });
-                gpu.queue.write_buffer(&buffer, 0, bytes);
-                buffer
-            })
-        })?;
-        Ok(Some(Self { buffers }))
+        let upload = |bytes: &[u8]| -> Result<Memory, GpuError> {
+            let memory = gpu.allocate(bytes.len() as u64)?;
+            gpu.upload(&memory, bytes)?;
+            Ok(memory)
+        };
+        let [nodes, leaf_starts, exact, rough] = contents.map(upload);
+        Ok(Some(Self {
+            arrays: [nodes?, leaf_starts?, exact?, rough?],
+            primitives: arrays.primitives,
+        }))
     }
 
-    /// Nodes, starts of leaves, primitives, and their numbers.
-    pub fn buffers(&self) -> &[wgpu::Buffer; 4] {
-        &self.buffers
+    /// Nodes, starts of leaves, primitives, and what is read of them before.
+    pub fn arrays(&self) -> [&Memory; 4] {
+        self.arrays.each_ref()
+    }
+
+    /// How many primitives there are.
+    pub fn primitives(&self) -> usize {
+        self.primitives
     }
 }

@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use capwalk_geometry::buffers::NONE;
+use capwalk_geometry::buffers::{EDGE, NONE};
 use capwalk_geometry::{ConeQuery, LocalFrame, SilhouettePoint, SilhouetteTree};
 use capwalk_math::{Vec3, sphere};
+use rayon::prelude::*;
 
-use crate::device::Gpu;
+use crate::batch::{self, Shape};
 use crate::error::GpuError;
+use crate::gpu::Gpu;
 use crate::kernels::Kernel;
-use crate::launch::{self, Shape};
 use crate::local_cone::{self, CONE};
 use crate::precision::Precision;
 use crate::resident::{Arrays, Resident};
@@ -49,14 +50,16 @@ impl DeviceSilhouetteTree {
     /// Uploads the tree.
     pub fn new(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Result<Self, GpuError> {
         let buffers = tree.buffers();
+        let local = buffers.local_edges();
         let tree = Resident::new(
             gpu,
             &Arrays {
                 nodes: &buffers.nodes,
                 leaf_starts: &buffers.leaf_starts,
-                tags: &buffers.edges,
                 exact: &buffers.ends_and_normals,
-                local: &buffers.local_edges(),
+                local: &local,
+                rough: &rough(&local, &buffers.edges),
+                primitives: buffers.edges.len() / 2,
             },
         )?;
         Ok(Self {
@@ -85,16 +88,13 @@ impl DeviceSilhouetteTree {
         let mut points = Vec::with_capacity(queries.len());
         self.run(shape, queries, |queries, edges, values| {
             let values = values.as_chunks::<4>().0;
-            let answers = edges.iter().zip(values);
-            let found = queries
-                .iter()
-                .zip(answers)
-                .map(|(query, (&edge, &[t, x, y, z]))| {
-                    (edge != NONE)
-                        .then(|| self.point(query, edge, t, Vec3::new(x, y, z)))
-                        .flatten()
-                });
-            points.extend(found);
+            let answers = queries.par_iter().zip(edges).zip(values);
+            points.par_extend(answers.map(|((query, &edge), &[t, x, y, z])| {
+                let is_found = edge != NONE;
+                is_found
+                    .then(|| self.point(query, edge, t, Vec3::new(x, y, z)))
+                    .flatten()
+            }));
         })?;
         points.resize(queries.len(), None);
         Ok(points)
@@ -214,6 +214,23 @@ impl DeviceSilhouetteTree {
         let prepare = |query: &Q, view: &mut [u32], numbers: &mut [f64]| {
             local_cone::write(&self.frame, cone(query), precision, view, numbers);
         };
-        launch::run(&self.gpu, tree, shape, queries, prepare, finish)
+        batch::ask(&self.gpu, tree, shape, queries, prepare, finish)
     }
+}
+
+/// What kernels read of edges before they test them: an end and the groups, the vector to the
+/// other end and the edge's number, and both normals.
+fn rough(local: &[f32], tags: &[u32]) -> Vec<u32> {
+    let edges = local
+        .as_chunks::<EDGE>()
+        .0
+        .iter()
+        .zip(tags.as_chunks::<2>().0);
+    let row = |row: usize| {
+        edges.clone().flat_map(move |(edge, &[number, groups])| {
+            let [x, y, z] = [0, 1, 2].map(|axis| edge[3 * row + axis].to_bits());
+            [x, y, z, [groups, number, 0, 0][row]]
+        })
+    };
+    (0..4).flat_map(row).collect()
 }

@@ -45,8 +45,10 @@ pub const LEVELS: usize = MAX_DEPTH;
 pub const RAY_NODE: usize = 7 * WIDTH;
 /// Numbers per triangle.
 pub const TRIANGLE: usize = 9;
-/// Words per child in [`SilhouetteBuffers::nodes`].
-pub const CONE_CHILD: usize = 16;
+/// Words per node of [`SilhouetteBuffers::nodes`].
+pub const CONE_NODE: usize = CONE_CHILD * WIDTH;
+/// Words per child there.
+const CONE_CHILD: usize = 16;
 /// Numbers per edge.
 pub const EDGE: usize = 14;
 
@@ -103,7 +105,8 @@ impl RayTree {
 pub struct SilhouetteBuffers {
     /// The coordinates of the nodes.
     pub frame: LocalFrame,
-    /// [`CONE_CHILD`] words per child, eight children per node; bits of `f32` but for the
+    /// [`CONE_NODE`] words per node: the first row of each of eight children, then the second
+    /// row of each, and so on. A child has four rows of four words, bits of `f32` but for the
     /// last two:
     ///
     /// ```text
@@ -175,10 +178,9 @@ impl SilhouetteBuffers {
 impl SilhouetteTree {
     /// The tree as flat arrays.
     pub fn buffers(&self) -> SilhouetteBuffers {
-        let slots = |node: &ConeNode| {
-            (0..WIDTH)
-                .flat_map(|slot| cone_child(node, slot))
-                .collect::<Vec<_>>()
+        let rows = |node: &ConeNode| {
+            let slots: [_; WIDTH] = std::array::from_fn(|slot| cone_child(node, slot));
+            (0..4).flat_map(move |row| slots.map(|child| child.as_chunks::<4>().0[row]))
         };
         let edges = self.edges.iter().zip(&self.sources);
         let numbers = self.edges.iter().flat_map(|edge| {
@@ -190,7 +192,7 @@ impl SilhouetteTree {
         });
         SilhouetteBuffers {
             frame: self.frame,
-            nodes: self.nodes.iter().flat_map(slots).collect(),
+            nodes: self.nodes.iter().flat_map(rows).flatten().collect(),
             leaf_starts: self.hierarchy.leaf_starts.clone(),
             edges: edges
                 .flat_map(|(edge, source)| [edge.id, u32::from(source.groups)])

@@ -1,7 +1,7 @@
 //! The flat arrays hold what their documentation says: read as a device reads them.
 
 use super::meshes;
-use crate::buffers::{CONE_CHILD, EDGE, LEAF, NONE, RAY_NODE, TRIANGLE};
+use crate::buffers::{CONE_NODE, EDGE, LEAF, NONE, RAY_NODE, TRIANGLE};
 use crate::edge::separates;
 use crate::{RayTree, SilhouetteTree, topology};
 use capwalk_math::Vec3;
@@ -99,7 +99,10 @@ proptest! {
         let edges = topology::edges(&mesh);
         let buffers = SilhouetteTree::build(&mesh, &edges).buffers();
         let mut times = vec![0; edges.len()];
-        let child = |node: usize, slot: usize| buffers.nodes[CONE_CHILD * (8 * node + slot) + 14];
+        let row = |node: usize, slot: usize, row: usize| {
+            buffers.nodes[CONE_NODE * node + 32 * row + 4 * slot..][..4].to_vec()
+        };
+        let child = |node: usize, slot: usize| row(node, slot, 3)[2];
         let local_edges = buffers.local_edges();
         let visit = &mut |i: usize, above: &[[usize; 2]]| {
             let id = buffers.edges[2 * i] as usize;
@@ -120,7 +123,7 @@ proptest! {
             assert!((vector(&local) - ends[0]).length() < ROUNDING);
             assert!((vector(&local) + vector(&local[3..]) - ends[1]).length() < ROUNDING);
             for &[node, slot] in above {
-                let words = &buffers.nodes[CONE_CHILD * (8 * node + slot)..][..CONE_CHILD];
+                let words: Vec<u32> = (0..4).flat_map(|i| row(node, slot, i)).collect();
                 assert_eq!(words[15] & u32::from(edge.groups), u32::from(edge.groups));
                 let child = numbers(&words[..14]);
                 let [centre, first, second] = [0, 4, 8].map(|at| vector(&child[at..]));

@@ -1,14 +1,14 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d5a1ca4ec11ac0e8
-// result: 4f2a9a2a367c97e2
+// source: 4b314026baf89c39
+// result: e0d40bbe1f360525
 
 struct Batch_std140_0
 {
-    @align(16) count_0 : u32,
-    @align(4) capacity_0 : u32,
-    @align(8) unused_0_0 : u32,
-    @align(4) unused_1_0 : u32,
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) capacity_0 : u32,
+    @align(4) primitives_0 : u32,
 };
 
 @binding(8) @group(0) var<uniform> batch_0 : Batch_std140_0;
@@ -20,13 +20,18 @@ struct Batch_std140_0
 
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
-@binding(3) @group(0) var<storage, read> tags_0 : array<u32>;
+@binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
 
-@binding(2) @group(0) var<storage, read> primitives_0 : array<f32>;
+@binding(2) @group(0) var<storage, read> primitives_1 : array<f32>;
 
 @binding(6) @group(0) var<storage, read_write> answers_0 : array<u32>;
 
 @binding(7) @group(0) var<storage, read_write> values_0 : array<f32>;
+
+fn cone_query_0( thread_0 : u32) -> u32
+{
+    return batch_0.first_0 + thread_0 / u32(8);
+}
 
 struct ConeView_0
 {
@@ -70,6 +75,7 @@ struct Cone_0
      on_plane_0 : f32,
      size_0 : f32,
      limit_1 : f32,
+     largest_0 : f32,
      all_edges_1 : bool,
 };
 
@@ -84,6 +90,7 @@ fn cone_at_0( query_1 : u32,  all_edges_2 : bool) -> Cone_0
     cone_0.on_plane_0 = queries_0[at_1 + u32(12)];
     cone_0.size_0 = queries_0[at_1 + u32(13)];
     cone_0.limit_1 = queries_0[at_1 + u32(14)];
+    cone_0.largest_0 = queries_0[at_1 + u32(15)];
     cone_0.all_edges_1 = all_edges_2;
     return cone_0;
 }
@@ -107,9 +114,17 @@ fn at_point_0( cone_1 : Cone_0,  t_1 : f32,  position_1 : vec3<f32>) -> Nearest_
     return nearest_0;
 }
 
+var<private> _S2 : u32;
+
+fn lane_0() -> u32
+{
+    ;
+    return (_S2 & (u32(7)));
+}
+
 struct Box_0
 {
-     first_0 : vec3<f32>,
+     first_1 : vec3<f32>,
      second_0 : vec3<f32>,
      third_0 : vec3<f32>,
      half_size_0 : vec3<f32>,
@@ -117,32 +132,32 @@ struct Box_0
 
 fn reach_0( box_0 : Box_0,  v_0 : vec3<f32>) -> f32
 {
-    return abs(dot(box_0.first_0, v_0)) * box_0.half_size_0.x + abs(dot(box_0.second_0, v_0)) * box_0.half_size_0.y + abs(dot(box_0.third_0, v_0)) * box_0.half_size_0.z;
+    return abs(dot(box_0.first_1, v_0)) * box_0.half_size_0.x + abs(dot(box_0.second_0, v_0)) * box_0.half_size_0.y + abs(dot(box_0.third_0, v_0)) * box_0.half_size_0.z;
 }
 
 fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : u32) -> f32
 {
-    var at_2 : u32 = u32(4) * (u32(8) * node_0 + slot_0);
+    var at_2 : u32 = u32(32) * node_0 + slot_0;
     var a_1 : vec4<u32> = nodes_0[at_2];
-    var b_1 : vec4<u32> = nodes_0[at_2 + u32(1)];
-    var c_1 : vec4<u32> = nodes_0[at_2 + u32(2)];
-    var d_0 : vec4<u32> = nodes_0[at_2 + u32(3)];
+    var b_1 : vec4<u32> = nodes_0[at_2 + u32(8)];
+    var c_1 : vec4<u32> = nodes_0[at_2 + u32(16)];
+    var d_0 : vec4<u32> = nodes_0[at_2 + u32(24)];
     if((((d_0.w) & ((view_1.groups_0)))) == u32(0))
     {
         return 3.00000000549775576e+38f;
     }
     var centre_0 : vec3<f32> = (bitcast<vec3<f32>>((a_1.xyz))) - view_1.apex_0;
     var box_1 : Box_0;
-    var _S2 : vec3<f32> = (bitcast<vec3<f32>>((b_1.xyz)));
-    box_1.first_0 = _S2;
-    var _S3 : vec3<f32> = (bitcast<vec3<f32>>((c_1.xyz)));
-    box_1.second_0 = _S3;
-    box_1.third_0 = cross(_S2, _S3);
+    var _S3 : vec3<f32> = (bitcast<vec3<f32>>((b_1.xyz)));
+    box_1.first_1 = _S3;
+    var _S4 : vec3<f32> = (bitcast<vec3<f32>>((c_1.xyz)));
+    box_1.second_0 = _S4;
+    box_1.third_0 = cross(_S3, _S4);
     box_1.half_size_0 = vec3<f32>((bitcast<f32>((b_1.w))), (bitcast<f32>((c_1.w))), (bitcast<f32>((d_0.y))));
     var has_tangent_0 : bool;
     if(!view_1.all_edges_0)
     {
-        var clearance_0 : f32 = abs(dot(box_1.first_0, centre_0)) - (bitcast<f32>((d_0.x))) - view_1.plane_margin_0;
+        var clearance_0 : f32 = abs(dot(box_1.first_1, centre_0)) - (bitcast<f32>((d_0.x))) - view_1.plane_margin_0;
         var sin_1 : f32 = (bitcast<f32>((a_1.w)));
         if(clearance_0 > 0.0f)
         {
@@ -160,11 +175,11 @@ fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : 
     var any_reach_0 : f32 = (box_1.half_size_0.x + box_1.half_size_0.y + box_1.half_size_0.z) * 1.00999999046325684f;
     var z_0 : f32 = dot(view_1.axis_0, centre_0);
     var radial_0 : vec3<f32> = centre_0 - view_1.axis_0 * vec3<f32>(z_0);
-    var _S4 : f32 = max(dot(radial_0, radial_0), 1.00000000317107685e-30f);
-    var distance_0 : f32 = sqrt(_S4);
-    var _S5 : bool = limit_2 < 1.0f;
+    var _S5 : f32 = max(dot(radial_0, radial_0), 1.00000000317107685e-30f);
+    var distance_0 : f32 = sqrt(_S5);
+    var _S6 : bool = limit_2 < 1.0f;
     var tangent_0 : f32;
-    if(_S5)
+    if(_S6)
     {
         tangent_0 = limit_2 / max(1.0f - limit_2, 9.99999997475242708e-07f);
     }
@@ -172,7 +187,7 @@ fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : 
     {
         tangent_0 = 8.0f;
     }
-    if(_S5)
+    if(_S6)
     {
         has_tangent_0 = tangent_0 <= 8.0f;
     }
@@ -184,25 +199,25 @@ fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : 
     var slope_0 : f32;
     if(z_0 > 9.99999968265522539e-21f)
     {
-        slope_0 = min(_S4 / z_0, limit_slope_0);
+        slope_0 = min(_S5 / z_0, limit_slope_0);
     }
     else
     {
         slope_0 = limit_slope_0;
     }
-    var _S6 : f32 = distance_0 + any_reach_0;
-    var at_zero_0 : f32 = _S4 - reach_0(box_1, radial_0) - view_1.margin_0 * _S6;
-    var at_slope_0 : f32 = _S4 - slope_0 * z_0 - reach_0(box_1, radial_0 - view_1.axis_0 * vec3<f32>(slope_0)) - view_1.margin_0 * (distance_0 + slope_0 + any_reach_0);
-    var _S7 : bool;
+    var _S7 : f32 = distance_0 + any_reach_0;
+    var at_zero_0 : f32 = _S5 - reach_0(box_1, radial_0) - view_1.margin_0 * _S7;
+    var at_slope_0 : f32 = _S5 - slope_0 * z_0 - reach_0(box_1, radial_0 - view_1.axis_0 * vec3<f32>(slope_0)) - view_1.margin_0 * (distance_0 + slope_0 + any_reach_0);
+    var _S8 : bool;
     if(at_slope_0 > 0.0f)
     {
-        _S7 = limit_slope_0 <= slope_0;
+        _S8 = limit_slope_0 <= slope_0;
     }
     else
     {
-        _S7 = false;
+        _S8 = false;
     }
-    if(_S7)
+    if(_S8)
     {
     }
     else
@@ -217,13 +232,13 @@ fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : 
     var bound_0 : f32;
     if(highest_0 < 0.0f)
     {
-        bound_0 = 1.0f - highest_0 / (_S6 + view_1.margin_0 - highest_0);
+        bound_0 = 1.0f - highest_0 / (_S7 + view_1.margin_0 - highest_0);
     }
     else
     {
-        var _S8 : f32 = max(at_zero_0, 0.0f);
-        var in_front_0 : f32 = slope_0 * _S8;
-        var sum_0 : f32 = distance_0 * (_S8 - min(at_slope_0, 0.0f)) + in_front_0;
+        var _S9 : f32 = max(at_zero_0, 0.0f);
+        var in_front_0 : f32 = slope_0 * _S9;
+        var sum_0 : f32 = distance_0 * (_S9 - min(at_slope_0, 0.0f)) + in_front_0;
         if(sum_0 > 0.0f)
         {
             tangent_0 = in_front_0 / sum_0;
@@ -237,92 +252,50 @@ fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : 
     return bound_0 * 0.9990234375f;
 }
 
-fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_3 : f32) -> u32
+fn cone_child_0( node_1 : u32,  slot_1 : u32) -> u32
 {
-    var k_0 : u32 = u32(0);
-    var order_0 : u32 = u32(0);
-    for(;;)
+    return nodes_0[u32(32) * node_1 + slot_1 + u32(24)].z;
+}
+
+fn own_child_0( view_2 : ConeView_0,  limit_3 : f32,  node_2 : u32) -> vec2<u32>
+{
+    var slot_2 : u32 = lane_0();
+    var bound_1 : f32 = child_bound_0(view_2, limit_3, node_2, slot_2);
+    var _S10 : u32;
+    if(bound_1 > limit_3)
     {
-        if(k_0 < u32(8))
-        {
-        }
-        else
-        {
-            break;
-        }
-        var _S9 : u32 = k_0;
-        if((bounds_0[k_0]) > limit_3)
-        {
-            k_0 = k_0 + u32(1);
-            continue;
-        }
-        var j_0 : u32 = u32(0);
-        var rank_0 : u32 = u32(0);
-        for(;;)
-        {
-            if(j_0 < u32(8))
-            {
-            }
-            else
-            {
-                break;
-            }
-            var _S10 : u32 = j_0;
-            var _S11 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S9]))
-            {
-                _S11 = true;
-            }
-            else
-            {
-                if((bounds_0[_S10]) == (bounds_0[_S9]))
-                {
-                    _S11 = j_0 < k_0;
-                }
-                else
-                {
-                    _S11 = false;
-                }
-            }
-            if(_S11)
-            {
-                rank_0 = rank_0 + u32(1);
-            }
-            j_0 = j_0 + u32(1);
-        }
-        order_0 = (order_0 | ((((k_0 + u32(1)) << ((u32(4) * rank_0))))));
-        k_0 = k_0 + u32(1);
+        _S10 = u32(4294967295);
     }
-    return order_0;
-}
-
-fn reached_0( view_2 : ConeView_0,  limit_4 : f32,  node_1 : u32) -> u32
-{
-    var bounds_1 : array<f32, i32(8)>;
-    var slot_1 : u32 = u32(0);
-    for(;;)
+    else
     {
-        if(slot_1 < u32(8))
-        {
-        }
-        else
-        {
-            break;
-        }
-        bounds_1[slot_1] = child_bound_0(view_2, limit_4, node_1, slot_1);
-        slot_1 = slot_1 + u32(1);
+        _S10 = ((((bitcast<u32>((bound_1))) & (u32(4294967288)))) | (slot_2));
     }
-    return nearest_first_0(bounds_1, limit_4);
+    return vec2<u32>(_S10, cone_child_0(node_2, slot_2));
 }
 
-fn cone_child_0( node_2 : u32,  slot_2 : u32) -> u32
+fn of_lane_0( value_0 : u32,  other_0 : u32) -> u32
 {
-    return nodes_0[u32(4) * (u32(8) * node_2 + slot_2) + u32(3)].z;
+    ;
+    var _S11 : u32 = subgroupShuffle(value_0, u32((((_S2 & (u32(4294967288)))) | (other_0))));
+    return _S11;
 }
 
-fn primitive_vector_0( at_3 : u32) -> vec3<f32>
+fn least_0( value_1 : u32) -> u32
 {
-    return vec3<f32>(primitives_0[at_3], primitives_0[at_3 + u32(1)], primitives_0[at_3 + u32(2)]);
+    var _S12 : u32 = lane_0();
+    var _S13 : u32 = of_lane_0(value_1, (_S12 ^ (u32(1))));
+    var _S14 : u32 = min(value_1, _S13);
+    var _S15 : u32 = lane_0();
+    var _S16 : u32 = of_lane_0(_S14, (_S15 ^ (u32(2))));
+    var _S17 : u32 = min(_S14, _S16);
+    var _S18 : u32 = lane_0();
+    var _S19 : u32 = of_lane_0(_S17, (_S18 ^ (u32(4))));
+    return min(_S17, _S19);
+}
+
+fn is_beyond_0( nearest_1 : u32,  limit_4 : f32) -> bool
+{
+    return nearest_1 > (((bitcast<u32>((limit_4))) | (u32(7))));
 }
 
 fn sum_of_sizes_0( v_1 : vec3<f32>) -> f32
@@ -330,29 +303,85 @@ fn sum_of_sizes_0( v_1 : vec3<f32>) -> f32
     return abs(v_1.x) + abs(v_1.y) + abs(v_1.z);
 }
 
+fn may_count_0( view_3 : ConeView_0,  limit_5 : f32,  edge_0 : u32,  number_0 : ptr<function, u32>) -> bool
+{
+    var a_2 : vec4<u32> = rough_0[edge_0];
+    var b_2 : vec4<u32> = rough_0[batch_0.primitives_0 + edge_0];
+    (*number_0) = b_2.w;
+    if((((a_2.w) & ((view_3.groups_0)))) == u32(0))
+    {
+        return false;
+    }
+    var start_0 : vec3<f32> = (bitcast<vec3<f32>>((a_2.xyz))) - view_3.apex_0;
+    var along_0 : vec3<f32> = (bitcast<vec3<f32>>((b_2.xyz)));
+    if(!view_3.all_edges_0)
+    {
+        var first_2 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(2) * batch_0.primitives_0 + edge_0].xyz))), start_0);
+        var second_1 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(3) * batch_0.primitives_0 + edge_0].xyz))), start_0);
+        var _S20 : bool;
+        if((min(first_2, second_1)) > (view_3.plane_margin_0))
+        {
+            _S20 = true;
+        }
+        else
+        {
+            _S20 = (max(first_2, second_1)) < (- view_3.plane_margin_0);
+        }
+        if(_S20)
+        {
+            return false;
+        }
+    }
+    var tangent_1 : f32;
+    if(limit_5 < 1.0f)
+    {
+        tangent_1 = limit_5 / max(1.0f - limit_5, 9.99999997475242708e-07f) * 1.0009765625f;
+    }
+    else
+    {
+        tangent_1 = 3.00000000549775576e+38f;
+    }
+    if(tangent_1 > 8.0f)
+    {
+        return true;
+    }
+    var middle_0 : vec3<f32> = start_0 + vec3<f32>(0.5f) * along_0;
+    var z_1 : f32 = dot(view_3.axis_0, middle_0);
+    var radial_1 : vec3<f32> = middle_0 - view_3.axis_0 * vec3<f32>(z_1);
+    var _S21 : f32 = max(dot(radial_1, radial_1), 1.00000000317107685e-30f);
+    var distance_1 : f32 = sqrt(_S21);
+    var slope_1 : f32 = distance_1 * tangent_1;
+    return (_S21 - slope_1 * z_1 - 0.5f * abs(dot(radial_1 - view_3.axis_0 * vec3<f32>(slope_1), along_0))) <= (view_3.margin_0 * (distance_1 + slope_1 + sum_of_sizes_0(along_0)));
+}
+
+fn primitive_vector_0( at_3 : u32) -> vec3<f32>
+{
+    return vec3<f32>(primitives_1[at_3], primitives_1[at_3 + u32(1)], primitives_1[at_3 + u32(2)]);
+}
+
 fn side_seen_0( cone_2 : Cone_0,  from_0 : vec3<f32>,  size_1 : f32,  normal_0 : vec3<f32>,  length_0 : f32) -> i32
 {
     var height_0 : f32 = dot(normal_0, from_0);
     var tolerance_0 : f32 = cone_2.on_plane_0 * size_1 * length_0;
-    var _S12 : i32;
+    var _S22 : i32;
     if(height_0 > tolerance_0)
     {
-        _S12 = i32(1);
+        _S22 = i32(1);
     }
     else
     {
-        _S12 = i32(0);
+        _S22 = i32(0);
     }
-    var _S13 : i32;
+    var _S23 : i32;
     if(height_0 < (- tolerance_0))
     {
-        _S13 = i32(1);
+        _S23 = i32(1);
     }
     else
     {
-        _S13 = i32(0);
+        _S23 = i32(0);
     }
-    return _S12 - _S13;
+    return _S22 - _S23;
 }
 
 fn beyond_0() -> f32
@@ -360,265 +389,362 @@ fn beyond_0() -> f32
     return 4.0f;
 }
 
+fn rounded_0( product_0 : f32,  largest_1 : f32) -> f32
+{
+    return min(product_0, largest_1);
+}
+
+fn exact_cross_0( a_3 : vec3<f32>,  b_3 : vec3<f32>,  largest_2 : f32) -> vec3<f32>
+{
+    var _S24 : f32 = a_3.y;
+    var _S25 : f32 = b_3.z;
+    var _S26 : f32 = a_3.z;
+    var _S27 : f32 = b_3.y;
+    var _S28 : f32 = b_3.x;
+    var _S29 : f32 = a_3.x;
+    return vec3<f32>(rounded_0(_S24 * _S25, largest_2) - rounded_0(_S26 * _S27, largest_2), rounded_0(_S26 * _S28, largest_2) - rounded_0(_S29 * _S25, largest_2), rounded_0(_S29 * _S27, largest_2) - rounded_0(_S24 * _S28, largest_2));
+}
+
 fn is_nearer_0( p_0 : Nearest_0,  q_0 : Nearest_0) -> bool
 {
     return (p_0.sin_0 * q_0.cos_0) < (q_0.sin_0 * p_0.cos_0);
 }
 
-fn closest_on_edge_0( cone_3 : Cone_0,  at_4 : u32,  nearest_1 : ptr<function, Nearest_0>) -> f32
+fn closest_on_edge_0( cone_3 : Cone_0,  at_4 : u32,  nearest_2 : ptr<function, Nearest_0>) -> f32
 {
-    (*nearest_1) = at_point_0(cone_3, 0.0f, cone_3.axis_1);
-    var start_0 : vec3<f32> = primitive_vector_0(at_4);
-    var a_2 : vec3<f32> = start_0 - cone_3.apex_1;
-    var along_0 : vec3<f32> = primitive_vector_0(at_4 + u32(3));
-    var finish_0 : vec3<f32> = start_0 + along_0;
-    var b_2 : vec3<f32> = a_2 + along_0;
+    (*nearest_2) = at_point_0(cone_3, 0.0f, cone_3.axis_1);
+    var start_1 : vec3<f32> = primitive_vector_0(at_4);
+    var a_4 : vec3<f32> = start_1 - cone_3.apex_1;
+    var along_1 : vec3<f32> = primitive_vector_0(at_4 + u32(3));
+    var finish_0 : vec3<f32> = start_1 + along_1;
+    var b_4 : vec3<f32> = a_4 + along_1;
     if(!cone_3.all_edges_1)
     {
-        var size_2 : f32 = cone_3.size_0 + sum_of_sizes_0(start_0);
-        var from_1 : vec3<f32> = cone_3.apex_1 - start_0;
-        if((side_seen_0(cone_3, from_1, size_2, primitive_vector_0(at_4 + u32(6)), primitives_0[at_4 + u32(12)]) * side_seen_0(cone_3, from_1, size_2, primitive_vector_0(at_4 + u32(9)), primitives_0[at_4 + u32(13)])) > i32(0))
+        var size_2 : f32 = cone_3.size_0 + sum_of_sizes_0(start_1);
+        var from_1 : vec3<f32> = cone_3.apex_1 - start_1;
+        if((side_seen_0(cone_3, from_1, size_2, primitive_vector_0(at_4 + u32(6)), primitives_1[at_4 + u32(12)]) * side_seen_0(cone_3, from_1, size_2, primitive_vector_0(at_4 + u32(9)), primitives_1[at_4 + u32(13)])) > i32(0))
         {
             return beyond_0();
         }
     }
-    var _S14 : bool;
-    if((dot(start_0 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f)
+    var _S30 : bool;
+    if((dot(start_1 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f)
     {
-        _S14 = (dot(finish_0 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f;
+        _S30 = (dot(finish_0 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f;
     }
     else
     {
-        _S14 = false;
+        _S30 = false;
     }
-    if(_S14)
+    if(_S30)
     {
         return beyond_0();
     }
-    var normal_1 : vec3<f32> = cross(a_2, along_0);
+    var normal_1 : vec3<f32> = exact_cross_0(a_4, along_1, cone_3.largest_0);
     if((normal_1.x) == 0.0f)
     {
-        _S14 = (normal_1.y) == 0.0f;
+        _S30 = (normal_1.y) == 0.0f;
     }
     else
     {
-        _S14 = false;
+        _S30 = false;
     }
-    if(_S14)
+    if(_S30)
     {
-        _S14 = (normal_1.z) == 0.0f;
+        _S30 = (normal_1.z) == 0.0f;
     }
     else
     {
-        _S14 = false;
+        _S30 = false;
     }
-    if(_S14)
+    if(_S30)
     {
-        _S14 = (dot(a_2, b_2)) <= 0.0f;
+        _S30 = (dot(a_4, b_4)) <= 0.0f;
     }
     else
     {
-        _S14 = false;
+        _S30 = false;
     }
-    if(_S14)
+    if(_S30)
     {
         return beyond_0();
     }
-    var _S15 : Nearest_0 = at_point_0(cone_3, 0.0f, a_2);
-    (*nearest_1) = _S15;
-    var other_0 : Nearest_0 = at_point_0(cone_3, 1.0f, b_2);
-    if(is_nearer_0(other_0, _S15))
+    var _S31 : Nearest_0 = at_point_0(cone_3, 0.0f, a_4);
+    (*nearest_2) = _S31;
+    var other_1 : Nearest_0 = at_point_0(cone_3, 1.0f, b_4);
+    if(is_nearer_0(other_1, _S31))
     {
-        (*nearest_1) = other_0;
+        (*nearest_2) = other_1;
     }
     var w_0 : vec3<f32> = cross(cone_3.axis_1, normal_1);
-    var falls_0 : f32 = dot(along_0, w_0);
+    var falls_0 : f32 = dot(along_1, w_0);
     if(falls_0 != 0.0f)
     {
-        var t_2 : f32 = - dot(a_2, w_0) / falls_0;
+        var t_2 : f32 = - dot(a_4, w_0) / falls_0;
         if(t_2 > 0.0f)
         {
-            _S14 = t_2 < 1.0f;
+            _S30 = t_2 < 1.0f;
         }
         else
         {
-            _S14 = false;
+            _S30 = false;
         }
-        if(_S14)
+        if(_S30)
         {
-            var other_1 : Nearest_0 = at_point_0(cone_3, t_2, a_2 + along_0 * vec3<f32>(t_2));
-            if(is_nearer_0(other_1, (*nearest_1)))
+            var other_2 : Nearest_0 = at_point_0(cone_3, t_2, a_4 + along_1 * vec3<f32>(t_2));
+            if(is_nearer_0(other_2, (*nearest_2)))
             {
-                (*nearest_1) = other_1;
+                (*nearest_2) = other_2;
             }
         }
     }
-    var total_0 : f32 = (*nearest_1).sin_0 + abs((*nearest_1).cos_0);
+    var total_0 : f32 = (*nearest_2).sin_0 + abs((*nearest_2).cos_0);
     if(!(total_0 > 0.0f))
     {
         return beyond_0();
     }
-    var _S16 : f32;
-    if(((*nearest_1).cos_0) >= 0.0f)
+    var _S32 : f32;
+    if(((*nearest_2).cos_0) >= 0.0f)
     {
-        _S16 = (*nearest_1).sin_0 / total_0;
+        _S32 = (*nearest_2).sin_0 / total_0;
     }
     else
     {
-        _S16 = 1.0f - (*nearest_1).cos_0 / total_0;
+        _S32 = 1.0f - (*nearest_2).cos_0 / total_0;
     }
-    return _S16;
+    return _S32;
+}
+
+fn real_of_lane_0( value_2 : f32,  other_3 : u32) -> f32
+{
+    ;
+    var _S33 : f32 = subgroupShuffle(value_2, u32((((_S2 & (u32(4294967288)))) | (other_3))));
+    return _S33;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn closest(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+fn closest(@builtin(global_invocation_id) thread_1 : vec3<u32>, @builtin(subgroup_invocation_id) _builtinWaveLaneIndex_0 : u32)
 {
-    var query_2 : u32 = thread_0.x;
-    if(query_2 >= (batch_0.count_0))
+    var angle_0 : f32;
+    var winner_0 : u32;
+    var bit_0 : u32;
+    var _S34 : bool;
+    var _S35 : bool;
+    _S2 = _builtinWaveLaneIndex_0;
+    var query_2 : u32 = cone_query_0(thread_1.x);
+    if(query_2 >= (batch_0.end_0))
     {
         return;
     }
-    var view_3 : ConeView_0 = cone_view_0(query_2);
-    var _S17 : Cone_0 = cone_at_0(query_2, view_3.all_edges_0);
-    var cone_4 : Cone_0 = _S17;
-    var _S18 : Nearest_0 = at_point_0(_S17, 0.0f, cone_4.axis_1);
+    var view_4 : ConeView_0 = cone_view_0(query_2);
+    var _S36 : Cone_0 = cone_at_0(query_2, view_4.all_edges_0);
+    var cone_4 : Cone_0 = _S36;
+    var _S37 : Nearest_0 = at_point_0(_S36, 0.0f, cone_4.axis_1);
     var way_0 : array<vec2<u32>, i32(40)>;
-    var found_0 : u32;
-    if((view_3.limit_0) >= 0.0f)
+    var here_0 : vec2<u32>;
+    var _S38 : vec2<u32>;
+    if((view_4.limit_0) >= 0.0f)
     {
-        found_0 = reached_0(view_3, view_3.limit_0, u32(0));
+        var _S39 : vec2<u32> = own_child_0(view_4, view_4.limit_0, u32(0));
+        _S38 = _S39;
     }
     else
     {
-        found_0 = u32(0);
+        _S38 = vec2<u32>(u32(4294967295), u32(4294967295));
     }
-    way_0[i32(0)] = vec2<u32>(u32(0), found_0);
-    var is_new_0 : bool = true;
-    var limit_5 : f32 = view_3.limit_0;
-    found_0 = u32(4294967295);
-    var best_0 : Nearest_0 = _S18;
+    here_0 = _S38;
+    way_0[i32(0)] = _S38;
+    var limit_6 : f32 = view_4.limit_0;
+    var found_0 : u32 = u32(4294967295);
+    var best_0 : Nearest_0 = _S37;
     var level_0 : u32 = u32(0);
     for(;;)
     {
-        var here_0 : vec2<u32> = way_0[level_0];
-        var _S19 : u32 = way_0[level_0].y;
-        if(_S19 == u32(0))
+        var nearest_3 : u32 = least_0(here_0.x);
+        if(is_beyond_0(nearest_3, limit_6))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            level_0 = level_0 - u32(1);
-            continue;
-        }
-        var slot_3 : u32 = ((_S19 & (u32(15)))) - u32(1);
-        way_0[level_0][i32(1)] = (_S19 >> (u32(4)));
-        var _S20 : bool;
-        if(!is_new_0)
-        {
-            _S20 = (child_bound_0(view_3, limit_5, here_0.x, slot_3)) > limit_5;
-        }
-        else
-        {
-            _S20 = false;
-        }
-        if(_S20)
-        {
-            continue;
-        }
-        var child_0 : u32 = cone_child_0(here_0.x, slot_3);
-        if(((child_0 & (u32(2147483648)))) == u32(0))
-        {
-            var level_1 : u32 = level_0 + u32(1);
-            way_0[level_1] = vec2<u32>(child_0, reached_0(view_3, limit_5, child_0));
-            is_new_0 = true;
+            var level_1 : u32 = level_0 - u32(1);
+            here_0 = way_0[level_1];
             level_0 = level_1;
             continue;
         }
+        var _S40 : u32 = (nearest_3 & (u32(7)));
+        var child_0 : u32 = of_lane_0(here_0.y, _S40);
+        var _S41 : u32 = lane_0();
+        if(_S41 == _S40)
+        {
+            here_0[i32(0)] = u32(4294967295);
+        }
+        if(((child_0 & (u32(2147483648)))) == u32(0))
+        {
+            way_0[level_0] = here_0;
+            var _S42 : u32 = level_0 + u32(1);
+            var _S43 : vec2<u32> = own_child_0(view_4, limit_6, child_0);
+            here_0 = _S43;
+            level_0 = _S42;
+            continue;
+        }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S21 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S22 : u32 = leaf_starts_0[leaf_0];
-        var found_1 : u32 = found_0;
-        var limit_6 : f32 = limit_5;
+        var _S44 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S45 : u32 = leaf_starts_0[leaf_0];
+        var _S46 : u32 = lane_0();
+        var _S47 : u32 = _S45 + _S46;
+        angle_0 = limit_6;
+        winner_0 = found_0;
         var best_1 : Nearest_0 = best_0;
-        var i_0 : u32 = _S22;
+        bit_0 = _S47;
         for(;;)
         {
-            if(i_0 < _S21)
+            if(bit_0 < _S44)
             {
             }
             else
             {
                 break;
             }
-            var _S23 : u32 = u32(2) * i_0;
-            if(((tags_0[_S23 + u32(1)] & ((view_3.groups_0)))) == u32(0))
+            var edge_1 : u32;
+            var _S48 : bool = may_count_0(view_4, angle_0, bit_0, &(edge_1));
+            if(!_S48)
             {
-                i_0 = i_0 + u32(1);
+                bit_0 = bit_0 + u32(8);
                 continue;
             }
-            var nearest_2 : Nearest_0;
-            var angle_0 : f32 = closest_on_edge_0(cone_4, u32(14) * i_0, &(nearest_2));
-            var edge_0 : u32 = tags_0[_S23];
-            var _S24 : bool;
-            if(angle_0 < (cone_4.limit_1))
+            var nearest_there_0 : Nearest_0;
+            var angle_1 : f32 = closest_on_edge_0(cone_4, u32(14) * bit_0, &(nearest_there_0));
+            if(angle_1 < (cone_4.limit_1))
             {
-                _S24 = true;
+                _S34 = true;
             }
             else
             {
-                if(angle_0 == (cone_4.limit_1))
+                if(angle_1 == (cone_4.limit_1))
                 {
-                    _S24 = found_1 != u32(4294967295);
+                    _S34 = winner_0 != u32(4294967295);
                 }
                 else
                 {
-                    _S24 = false;
+                    _S34 = false;
                 }
-                var _S25 : bool;
-                if(_S24)
+                if(_S34)
                 {
-                    _S25 = edge_0 < found_1;
+                    _S35 = edge_1 < winner_0;
                 }
                 else
                 {
-                    _S25 = false;
+                    _S35 = false;
                 }
-                _S24 = _S25;
+                _S34 = _S35;
             }
-            var found_2 : u32;
             var limit_7 : f32;
+            var found_1 : u32;
             var best_2 : Nearest_0;
-            if(_S24)
+            if(_S34)
             {
-                cone_4.limit_1 = angle_0;
-                var _S26 : f32 = min(limit_6, angle_0 * 1.0009765625f);
-                found_2 = edge_0;
-                limit_7 = _S26;
-                best_2 = nearest_2;
+                cone_4.limit_1 = angle_1;
+                limit_7 = min(angle_0, angle_1 * 1.0009765625f);
+                found_1 = edge_1;
+                best_2 = nearest_there_0;
             }
             else
             {
-                found_2 = found_1;
-                limit_7 = limit_6;
+                limit_7 = angle_0;
+                found_1 = winner_0;
                 best_2 = best_1;
             }
-            found_1 = found_2;
-            limit_6 = limit_7;
+            angle_0 = limit_7;
+            winner_0 = found_1;
             best_1 = best_2;
-            i_0 = i_0 + u32(1);
+            bit_0 = bit_0 + u32(8);
         }
-        is_new_0 = false;
-        limit_5 = limit_6;
-        found_0 = found_1;
+        var _S49 : u32 = least_0((bitcast<u32>((angle_0))));
+        limit_6 = (bitcast<f32>((_S49)));
+        found_0 = winner_0;
         best_0 = best_1;
     }
+    winner_0 = found_0;
+    angle_0 = cone_4.limit_1;
+    bit_0 = u32(1);
+    for(;;)
+    {
+        if(bit_0 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S50 : u32 = lane_0();
+        var other_4 : u32 = of_lane_0(winner_0, (_S50 ^ (bit_0)));
+        var _S51 : u32 = lane_0();
+        var its_0 : f32 = real_of_lane_0(angle_0, (_S51 ^ (bit_0)));
+        if(other_4 != u32(4294967295))
+        {
+            if(winner_0 == u32(4294967295))
+            {
+                _S34 = true;
+            }
+            else
+            {
+                _S34 = its_0 < angle_0;
+            }
+            if(_S34)
+            {
+                _S35 = true;
+            }
+            else
+            {
+                if(its_0 == angle_0)
+                {
+                    _S35 = other_4 < winner_0;
+                }
+                else
+                {
+                    _S35 = false;
+                }
+            }
+            _S34 = _S35;
+        }
+        else
+        {
+            _S34 = false;
+        }
+        if(_S34)
+        {
+            winner_0 = other_4;
+            angle_0 = its_0;
+        }
+        bit_0 = bit_0 * u32(2);
+    }
+    if(found_0 != winner_0)
+    {
+        _S34 = true;
+    }
+    else
+    {
+        if(winner_0 == u32(4294967295))
+        {
+            var _S52 : u32 = lane_0();
+            _S34 = _S52 != u32(0);
+        }
+        else
+        {
+            _S34 = false;
+        }
+    }
+    if(_S34)
+    {
+        return;
+    }
     answers_0[query_2] = found_0;
-    var _S27 : u32 = u32(4) * query_2;
-    values_0[_S27] = best_0.t_0;
-    values_0[_S27 + u32(1)] = best_0.position_0.x;
-    values_0[_S27 + u32(2)] = best_0.position_0.y;
-    values_0[_S27 + u32(3)] = best_0.position_0.z;
+    var _S53 : u32 = u32(4) * query_2;
+    values_0[_S53] = best_0.t_0;
+    values_0[_S53 + u32(1)] = best_0.position_0.x;
+    values_0[_S53 + u32(2)] = best_0.position_0.y;
+    values_0[_S53 + u32(3)] = best_0.position_0.z;
     return;
 }

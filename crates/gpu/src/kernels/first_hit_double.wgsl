@@ -1,14 +1,14 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d5a1ca4ec11ac0e8
-// result: 1f9bd372d0ef83b5
+// source: 4b314026baf89c39
+// result: 76676f7d5d8a0fd2
 
 struct Batch_std140_0
 {
-    @align(16) count_0 : u32,
-    @align(4) capacity_0 : u32,
-    @align(8) unused_0_0 : u32,
-    @align(4) unused_1_0 : u32,
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) capacity_0 : u32,
+    @align(4) primitives_0 : u32,
 };
 
 @binding(8) @group(0) var<uniform> batch_0 : Batch_std140_0;
@@ -20,9 +20,9 @@ struct Batch_std140_0
 
 @binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
 
-@binding(2) @group(0) var<storage, read> primitives_0 : array<f64>;
+@binding(2) @group(0) var<storage, read> primitives_1 : array<f64>;
 
-@binding(3) @group(0) var<storage, read> tags_0 : array<u32>;
+@binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
 
 @binding(6) @group(0) var<storage, read_write> answers_0 : array<u32>;
 
@@ -240,7 +240,7 @@ fn crossed_0( view_2 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f64>
 {
-    return vec3<f64>(primitives_0[at_2], primitives_0[at_2 + u32(1)], primitives_0[at_2 + u32(2)]);
+    return vec3<f64>(primitives_1[at_2], primitives_1[at_2 + u32(1)], primitives_1[at_2 + u32(2)]);
 }
 
 fn component_0( v_0 : vec3<f64>,  axis_1 : u32) -> f64
@@ -360,6 +360,11 @@ fn intersect_0( ray_2 : Ray_0,  axes_2 : u32,  at_4 : u32) -> Crossing_0
     return crossing_0;
 }
 
+fn face_0( triangle_0 : u32) -> u32
+{
+    return rough_0[triangle_0 / u32(4)][triangle_0 % u32(4)];
+}
+
 fn trace_0( query_2 : u32,  any_0 : bool)
 {
     var found_0 : u32;
@@ -463,7 +468,7 @@ fn trace_0( query_2 : u32,  any_0 : bool)
             }
             else
             {
-                _S31 = tags_0[i_0] < found_0;
+                _S31 = (face_0(i_0)) < found_0;
             }
             var found_2 : u32;
             var limit_6 : f32;
@@ -471,7 +476,7 @@ fn trace_0( query_2 : u32,  any_0 : bool)
             var w_4 : f64;
             if(_S31)
             {
-                var _S32 : u32 = tags_0[i_0];
+                var _S32 : u32 = face_0(i_0);
                 ray_3.t_max_0 = crossing_1.t_0;
                 var _S33 : f32 = min(limit_5, f32(crossing_1.t_0 * ray_3.local_per_t_0 - ray_3.enter_0) + 2.0f * view_3.margin_0);
                 found_2 = _S32;
@@ -525,10 +530,10 @@ fn trace_0( query_2 : u32,  any_0 : bool)
 @workgroup_size(64, 1, 1)
 fn first_hit(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var _S35 : u32 = thread_0.x;
-    if(_S35 < (batch_0.count_0))
+    var query_3 : u32 = batch_0.first_0 + thread_0.x;
+    if(query_3 < (batch_0.end_0))
     {
-        trace_0(_S35, false);
+        trace_0(query_3, false);
     }
     return;
 }

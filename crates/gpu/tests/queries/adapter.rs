@@ -3,7 +3,7 @@
 use std::io::Write;
 use std::sync::{Arc, Mutex, MutexGuard, Once};
 
-use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
+use capwalk_gpu::{Gpu, GpuError, GpuOptions, Interface, Precision};
 
 /// One test at a time: drivers of software share the processor's cores anyway.
 static TURN: Mutex<()> = Mutex::new(());
@@ -12,33 +12,57 @@ static TURN: Mutex<()> = Mutex::new(());
 static NOTE: Once = Once::new();
 
 /// The device opened with these options, for as long as nobody else uses one; `None`,
-/// after a note, on a machine without an adapter, and where it has not this precision.
+/// after a note, on a machine without an adapter.
 pub fn open(options: &GpuOptions) -> Option<(Arc<Gpu>, MutexGuard<'static, ()>)> {
     let turn = TURN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
-    let is_required = std::env::var("CAPWALK_GPU_TESTS").is_ok_and(|value| value == "require");
     match Gpu::new(options) {
-        Ok(gpu) => return Some((Arc::new(gpu), turn)),
+        Ok(gpu) => Some((Arc::new(gpu), turn)),
         Err(GpuError::NoAdapter { reason }) => {
-            assert!(!is_required, "CAPWALK_GPU_TESTS=require, but {reason}");
-            NOTE.call_once(|| note(&format!("no adapter ({reason})")));
-        }
-        Err(GpuError::Unusable { adapter, reason })
-            if options.precision == Some(Precision::Double) =>
-        {
-            NOTE.call_once(|| note(&format!("no double precision on {adapter} ({reason})")));
+            skip(&reason);
+            None
         }
         Err(error) => panic!("{error}"),
     }
-    None
 }
 
-/// Both precisions that the tests are done in.
+/// Every interface that is there, in both precisions.
 pub fn each(test: impl Fn(&Arc<Gpu>)) {
-    for precision in [Precision::Double, Precision::Single] {
-        if let Some((gpu, _turn)) = open(&with(|options| options.precision = Some(precision))) {
-            test(&gpu);
+    let _turn = TURN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+    let mut missing = Vec::new();
+    for interface in [Interface::Wgpu, Interface::Cuda] {
+        for precision in [Precision::Double, Precision::Single] {
+            let gpu = Gpu::new(&with(|options| {
+                options.interface = Some(interface);
+                options.precision = Some(precision);
+            }));
+            match gpu {
+                Ok(gpu) => test(&Arc::new(gpu)),
+                Err(GpuError::NoAdapter { reason }) => missing.push(reason),
+                Err(GpuError::Unusable { adapter, reason }) if precision == Precision::Double => {
+                    NOTE.call_once(|| {
+                        note(&format!("no double precision on {adapter} ({reason})"))
+                    });
+                }
+                Err(error) => panic!("{error}"),
+            }
         }
     }
+    if missing.len() == 4 {
+        skip(&missing[0]);
+    }
+}
+
+/// True if the device divides and takes roots as exactly as the processor, and fuses nothing:
+/// in double precision its answers are the same to the last bit.
+pub fn is_exact(gpu: &Gpu) -> bool {
+    gpu.is_software() || gpu.interface() == Interface::Cuda
+}
+
+/// Where tests are skipped for want of an adapter, a note says so once.
+fn skip(reason: &str) {
+    let is_required = std::env::var("CAPWALK_GPU_TESTS").is_ok_and(|value| value == "require");
+    assert!(!is_required, "CAPWALK_GPU_TESTS=require, but {reason}");
+    NOTE.call_once(|| note(&format!("no adapter ({reason})")));
 }
 
 /// Options changed.

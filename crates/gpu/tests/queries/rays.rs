@@ -48,10 +48,10 @@ fn rays(placed: &Placed, random: &mut Random, count: usize) -> Vec<Ray> {
     rays
 }
 
-/// In double precision: as brute force, up to divisions. Software divides exactly.
+/// In double precision: as brute force, up to divisions.
 fn check_double(gpu: &Gpu, ray: &Ray, found: Option<Hit>, expected: Option<Hit>) -> bool {
     match (found, expected) {
-        (Some(found), Some(expected)) if !gpu.is_software() => {
+        (Some(found), Some(expected)) if !adapter::is_exact(gpu) => {
             (found.t - expected.t).abs() <= DIVISION * expected.t.abs()
         }
         _ => found == expected,
@@ -61,7 +61,7 @@ fn check_double(gpu: &Gpu, ray: &Ray, found: Option<Hit>, expected: Option<Hit>)
         // At the very end of the ray an ulp decides.
         let t = found.or(expected)?.t;
         let at_end = |end: f64| (t - end).abs() <= DIVISION * end.abs();
-        (!gpu.is_software() && (at_end(ray.t_min) || at_end(ray.t_max))).then_some(())
+        (!adapter::is_exact(gpu) && (at_end(ray.t_min) || at_end(ray.t_max))).then_some(())
     })
     .is_some()
 }

@@ -1,95 +1,73 @@
-//! The adapter that everything runs on, chosen once, and what it can do.
+//! Devices through wgpu: Vulkan, Metal and DX12, and Vulkan in software.
 
-use std::sync::{Arc, Mutex, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, mpsc};
 use std::time::Duration;
 
+use crate::driver::{ARRAYS, Fault, Launch};
 use crate::error::GpuError;
-use crate::kernels::{KERNELS, Kernel};
+use crate::kernels::{IN_STEP, KERNELS, Kernel};
 use crate::precision::Precision;
 
-/// How the device is opened and used.
-#[derive(Clone, Debug)]
-#[non_exhaustive]
-pub struct GpuOptions {
-    /// Part of the name of the adapter, in any case; the fastest kind if `None`.
-    pub adapter: Option<String>,
-    /// The precision of the tests; the best that the device has if `None`.
-    pub precision: Option<Precision>,
-    /// No buffer is larger than this, bytes; the device's own limit if `None`. Batches are
-    /// cut to fit.
-    pub largest_buffer: Option<u64>,
-    /// A launch should take about this long: screens of a GPU that also shows a desktop
-    /// stand still meanwhile.
-    pub launch: Duration,
-    /// A launch that takes longer than this is an error.
-    pub timeout: Duration,
-}
-
-impl Default for GpuOptions {
-    fn default() -> Self {
-        Self {
-            adapter: None,
-            precision: None,
-            largest_buffer: None,
-            launch: Duration::from_millis(50),
-            timeout: Duration::from_secs(60),
-        }
-    }
-}
-
-/// An open device. Trees are uploaded to it (`DeviceRayTree`, `DeviceSilhouetteTree`).
+/// An open device.
 #[derive(Debug)]
-pub struct Gpu {
-    pub(crate) device: wgpu::Device,
-    pub(crate) queue: wgpu::Queue,
-    pub(crate) layout: wgpu::BindGroupLayout,
-    pub(crate) options: GpuOptions,
+pub struct WgpuDriver {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    layout: wgpu::BindGroupLayout,
     info: wgpu::AdapterInfo,
-    precision: Precision,
-    largest_buffer: u64,
+    largest: u64,
     pipelines: [OnceLock<wgpu::ComputePipeline>; KERNELS],
     lost: Arc<Mutex<Option<String>>>,
 }
 
-impl Gpu {
-    /// Opens the adapter that is asked for, or else the fastest kind there is: a GPU of
-    /// its own before one that shares the processor's memory before software.
-    pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
+impl WgpuDriver {
+    /// Opens the adapter whose name contains `wanted`, or else the fastest kind there is: a
+    /// GPU of its own before one that shares the processor's memory before software. With
+    /// it comes the precision: the wanted one, or the best that it has.
+    pub fn open(
+        wanted: Option<&str>,
+        precision: Option<Precision>,
+    ) -> Result<(Self, Precision), GpuError> {
         let mut descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
         descriptor.backends = wgpu::Backends::VULKAN | wgpu::Backends::METAL | wgpu::Backends::DX12;
         descriptor.flags = wgpu::InstanceFlags::empty();
         let instance = wgpu::Instance::new(descriptor);
-        let adapter = choose(&instance, options.adapter.as_deref())?;
+        let adapter = choose(&instance, wanted)?;
         let info = adapter.get_info();
         let unusable = |reason: String| GpuError::Unusable {
             adapter: info.name.clone(),
             reason,
         };
         let has_double = adapter.features().contains(wgpu::Features::SHADER_F64);
-        let precision = match (options.precision, has_double) {
+        let precision = match (precision, has_double) {
             (Some(Precision::Single), _) | (None, false) => Precision::Single,
             (_, true) => Precision::Double,
             (Some(Precision::Double), false) => {
                 return Err(unusable("it has no double precision".to_owned()));
             }
         };
+        if !adapter.features().contains(wgpu::Features::SUBGROUP)
+            || info.subgroup_min_size < IN_STEP
+        {
+            return Err(unusable(format!(
+                "it does not run groups of {IN_STEP} threads in step"
+            )));
+        }
         let of_adapter = adapter.limits();
         let limits = wgpu::Limits {
             max_buffer_size: of_adapter.max_buffer_size,
             max_storage_buffer_binding_size: of_adapter.max_storage_buffer_binding_size,
+            // What queries need beyond the least that wgpu demands of any device.
+            max_storage_buffers_per_shader_stage: ARRAYS as u32,
             ..wgpu::Limits::downlevel_defaults()
-        };
-        // What queries need beyond the least that wgpu demands of any device.
-        let limits = wgpu::Limits {
-            max_storage_buffers_per_shader_stage: 8,
-            ..limits
         };
         let request = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("capwalk"),
-            required_features: match precision {
-                Precision::Single => wgpu::Features::empty(),
-                Precision::Double => wgpu::Features::SHADER_F64,
-            },
+            required_features: wgpu::Features::SUBGROUP
+                | match precision {
+                    Precision::Single => wgpu::Features::empty(),
+                    Precision::Double => wgpu::Features::SHADER_F64,
+                },
             required_limits: limits.clone(),
             ..Default::default()
         });
@@ -108,43 +86,36 @@ impl Gpu {
         });
         // Errors are fetched where they arise; one that is not is still no reason to panic.
         device.on_uncaptured_error(Arc::new(|error| log::error!("GPU: {error}")));
-        let own = limits
-            .max_buffer_size
-            .min(limits.max_storage_buffer_binding_size);
-        Ok(Self {
+        let driver = Self {
             layout: layout(&device),
             device,
             queue,
             info,
-            precision,
-            largest_buffer: own.min(options.largest_buffer.unwrap_or(u64::MAX)),
-            options: options.clone(),
+            largest: limits
+                .max_buffer_size
+                .min(limits.max_storage_buffer_binding_size),
             pipelines: Default::default(),
             lost,
-        })
+        };
+        Ok((driver, precision))
     }
 
-    /// The adapter's name.
     pub fn name(&self) -> &str {
         &self.info.name
     }
 
-    /// The driver and its version, as it calls itself.
-    pub fn driver(&self) -> String {
+    pub fn version(&self) -> String {
         format!("{} {}", self.info.driver, self.info.driver_info)
     }
 
-    /// True if the adapter is a program on the processor, so that no figure is a GPU's.
     pub fn is_software(&self) -> bool {
         self.info.device_type == wgpu::DeviceType::Cpu
     }
 
-    /// The precision of the tests of triangles and edges.
-    pub fn precision(&self) -> Precision {
-        self.precision
+    pub fn largest(&self) -> u64 {
+        self.largest
     }
 
-    /// Gives the device up, as if it were unplugged: every later call is an error.
     pub fn destroy(&self) {
         self.device.destroy();
         let mut lost = self
@@ -154,34 +125,126 @@ impl Gpu {
         lost.get_or_insert_with(|| "it was given up".to_owned());
     }
 
-    /// The largest buffer, bytes.
-    pub(crate) fn largest_buffer(&self) -> u64 {
-        self.largest_buffer
-    }
-
-    /// An error if the device is lost.
-    pub(crate) fn check(&self) -> Result<(), GpuError> {
+    pub fn check(&self) -> Result<(), Fault> {
         let lost = self
             .lost
             .lock()
             .unwrap_or_else(|poisoned| poisoned.into_inner());
         match &*lost {
             None => Ok(()),
-            Some(reason) => Err(GpuError::DeviceLost {
-                adapter: self.name().to_owned(),
-                reason: reason.clone(),
-            }),
+            Some(reason) => Err(Fault::Lost(reason.clone())),
         }
     }
 
-    /// The result of calls of wgpu; or the error that came up in them. `bytes` is how much
-    /// memory they ask for.
-    pub(crate) fn guarded<T>(
+    pub fn allocate(&self, bytes: u64) -> Result<wgpu::Buffer, Fault> {
+        use wgpu::BufferUsages as Use;
+        self.buffer(bytes, Use::STORAGE | Use::COPY_DST | Use::COPY_SRC)
+    }
+
+    fn buffer(&self, size: u64, usage: wgpu::BufferUsages) -> Result<wgpu::Buffer, Fault> {
+        self.guarded(|| {
+            self.device.create_buffer(&wgpu::BufferDescriptor {
+                label: None,
+                size,
+                usage,
+                mapped_at_creation: false,
+            })
+        })
+    }
+
+    pub fn upload(&self, to: &wgpu::Buffer, bytes: &[u8]) -> Result<(), Fault> {
+        self.guarded(|| self.queue.write_buffer(to, 0, bytes))
+    }
+
+    pub fn launch(
         &self,
-        what: &str,
+        kernel: Kernel,
+        precision: Precision,
+        arrays: [&wgpu::Buffer; ARRAYS],
+        launch: Launch,
+        timeout: Duration,
+    ) -> Result<(), Fault> {
+        use wgpu::BufferUsages as Use;
+        let pipeline = self.pipeline(kernel, precision)?;
+        let batch = self.buffer(16, Use::UNIFORM | Use::COPY_DST)?;
+        self.guarded(|| {
+            self.queue
+                .write_buffer(&batch, 0, bytemuck::cast_slice(&launch.words()));
+            let entries: Vec<_> = arrays
+                .into_iter()
+                .chain([&batch])
+                .enumerate()
+                .map(|(binding, buffer)| wgpu::BindGroupEntry {
+                    binding: binding as u32,
+                    resource: buffer.as_entire_binding(),
+                })
+                .collect();
+            let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &self.layout,
+                entries: &entries,
+            });
+            let mut encoder = self.device.create_command_encoder(&Default::default());
+            {
+                let mut pass = encoder.begin_compute_pass(&Default::default());
+                pass.set_pipeline(pipeline);
+                pass.set_bind_group(0, &group, &[]);
+                pass.dispatch_workgroups(launch.queries().div_ceil(kernel.group()) as u32, 1, 1);
+            }
+            self.queue.submit([encoder.finish()]);
+        })?;
+        self.wait(timeout)
+    }
+
+    pub fn download(
+        &self,
+        from: &wgpu::Buffer,
         bytes: u64,
-        calls: impl FnOnce() -> T,
-    ) -> Result<T, GpuError> {
+        timeout: Duration,
+    ) -> Result<Vec<u8>, Fault> {
+        use wgpu::BufferUsages as Use;
+        let back = self.buffer(bytes, Use::MAP_READ | Use::COPY_DST)?;
+        let (sender, receiver) = mpsc::channel();
+        self.guarded(|| {
+            let mut encoder = self.device.create_command_encoder(&Default::default());
+            encoder.copy_buffer_to_buffer(from, 0, &back, 0, bytes);
+            self.queue.submit([encoder.finish()]);
+            back.map_async(wgpu::MapMode::Read, .., move |mapped| {
+                // Nobody listens any more if the wait failed meanwhile.
+                let _ = sender.send(mapped.map_err(|error| error.to_string()));
+            });
+        })?;
+        self.wait(timeout)?;
+        let mapped = receiver
+            .recv()
+            .unwrap_or_else(|error| Err(error.to_string()));
+        mapped.map_err(|reason| self.refused(reason))?;
+        let range = back
+            .get_mapped_range(..)
+            .map_err(|error| self.refused(error.to_string()))?;
+        Ok(range.to_vec())
+    }
+
+    /// Waits until all work is done.
+    fn wait(&self, timeout: Duration) -> Result<(), Fault> {
+        let waited = self.device.poll(wgpu::PollType::Wait {
+            submission_index: None,
+            timeout: Some(timeout),
+        });
+        self.check()?;
+        match waited {
+            Ok(_) => Ok(()),
+            Err(wgpu::PollError::Timeout) => Err(Fault::Timeout),
+            Err(error) => Err(Fault::Refused(error.to_string())),
+        }
+    }
+
+    fn refused(&self, reason: String) -> Fault {
+        self.check().err().unwrap_or(Fault::Refused(reason))
+    }
+
+    /// The result of calls of wgpu; or the error that came up in them.
+    fn guarded<T>(&self, calls: impl FnOnce() -> T) -> Result<T, Fault> {
         self.check()?;
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let internal = self.device.push_error_scope(wgpu::ErrorFilter::Internal);
@@ -190,28 +253,27 @@ impl Gpu {
         let refused = pollster::block_on(validation.pop()).or(pollster::block_on(internal.pop()));
         let memory = pollster::block_on(memory.pop());
         self.check()?;
-        let adapter = self.name().to_owned();
         if memory.is_some() {
-            return Err(GpuError::OutOfMemory { adapter, bytes });
+            return Err(Fault::OutOfMemory);
         }
         match refused {
             None => Ok(result),
-            Some(error) => Err(GpuError::Refused {
-                adapter,
-                what: what.to_owned(),
-                reason: error.to_string(),
-            }),
+            Some(error) => Err(Fault::Refused(error.to_string())),
         }
     }
 
     /// The kernel, compiled when it is first asked for.
-    pub(crate) fn pipeline(&self, kernel: Kernel) -> Result<&wgpu::ComputePipeline, GpuError> {
+    fn pipeline(
+        &self,
+        kernel: Kernel,
+        precision: Precision,
+    ) -> Result<&wgpu::ComputePipeline, Fault> {
         let slot = &self.pipelines[kernel as usize];
         if let Some(pipeline) = slot.get() {
             return Ok(pipeline);
         }
-        let compiled = self.guarded("a kernel", 0, || {
-            let source = kernel.source(self.precision);
+        let compiled = self.guarded(|| {
+            let source = kernel.wgsl(precision);
             let module = self
                 .device
                 .create_shader_module(wgpu::ShaderModuleDescriptor {

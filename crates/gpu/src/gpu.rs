@@ -1,0 +1,224 @@
+//! The device that everything runs on, chosen once.
+
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use crate::cuda_driver::CudaDriver;
+use crate::driver::{ARRAYS, Driver, Fault, Launch, Memory};
+use crate::error::GpuError;
+use crate::kernels::{KERNELS, Kernel};
+use crate::precision::Precision;
+use crate::wgpu_driver::WgpuDriver;
+
+/// Queries of the first launch of a kernel, when it is not known yet how long they take.
+const FIRST: usize = 1 << 12;
+
+/// How the device is reached.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Interface {
+    /// Vulkan, Metal or DX12, through wgpu: GPUs of every vendor, and software.
+    Wgpu,
+    /// The driver of NVIDIA.
+    Cuda,
+}
+
+/// How the device is opened and used.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct GpuOptions {
+    /// Part of the name of the adapter, in any case; the fastest kind if `None`.
+    pub adapter: Option<String>,
+    /// How it is reached; if `None`, through wgpu, or by CUDA where wgpu finds no GPU.
+    pub interface: Option<Interface>,
+    /// The precision of the tests; the best that the device has if `None`.
+    pub precision: Option<Precision>,
+    /// No buffer is larger than this, bytes; the device's own limit if `None`. Batches are
+    /// cut to fit.
+    pub largest_buffer: Option<u64>,
+    /// A launch should take about this long: screens of a GPU that also shows a desktop
+    /// stand still meanwhile.
+    pub launch: Duration,
+    /// A launch that takes longer than this is an error.
+    pub timeout: Duration,
+}
+
+impl Default for GpuOptions {
+    fn default() -> Self {
+        Self {
+            adapter: None,
+            interface: None,
+            precision: None,
+            largest_buffer: None,
+            launch: Duration::from_millis(50),
+            timeout: Duration::from_secs(60),
+        }
+    }
+}
+
+/// An open device. Trees are uploaded to it (`DeviceRayTree`, `DeviceSilhouetteTree`).
+#[derive(Debug)]
+pub struct Gpu {
+    driver: Driver,
+    options: GpuOptions,
+    precision: Precision,
+    /// Of each kernel, the queries that a launch should have.
+    pace: [AtomicUsize; KERNELS],
+    /// Nanoseconds that launches took.
+    busy: AtomicU64,
+}
+
+impl Gpu {
+    /// Opens the adapter that is asked for, or else the fastest kind there is: a GPU of
+    /// its own before one that shares the processor's memory before software.
+    pub fn new(options: &GpuOptions) -> Result<Self, GpuError> {
+        let (driver, precision) = open(options)?;
+        Ok(Self {
+            driver,
+            precision,
+            options: options.clone(),
+            pace: [const { AtomicUsize::new(FIRST) }; KERNELS],
+            busy: AtomicU64::new(0),
+        })
+    }
+
+    /// The adapter's name.
+    pub fn name(&self) -> &str {
+        self.driver.name()
+    }
+
+    /// The driver and its version, as it calls itself.
+    pub fn driver(&self) -> String {
+        self.driver.version()
+    }
+
+    /// How it is reached.
+    pub fn interface(&self) -> Interface {
+        match self.driver {
+            Driver::Wgpu(_) => Interface::Wgpu,
+            Driver::Cuda(_) => Interface::Cuda,
+        }
+    }
+
+    /// True if the adapter is a program on the processor, so that no figure is a GPU's.
+    pub fn is_software(&self) -> bool {
+        self.driver.is_software()
+    }
+
+    /// The precision of the tests of triangles and edges.
+    pub fn precision(&self) -> Precision {
+        self.precision
+    }
+
+    /// How long kernels have run so far, by the processor's clock: from each launch until it
+    /// was known to be done, without what was copied before and after it.
+    pub fn busy(&self) -> Duration {
+        Duration::from_nanos(self.busy.load(Ordering::Relaxed))
+    }
+
+    /// Gives the device up, as if it were unplugged: every later call is an error.
+    pub fn destroy(&self) {
+        self.driver.destroy();
+    }
+
+    /// The largest buffer, bytes.
+    pub(crate) fn largest_buffer(&self) -> u64 {
+        let wanted = self.options.largest_buffer.unwrap_or(u64::MAX);
+        self.driver.largest().min(wanted)
+    }
+
+    /// An error if the device is lost.
+    pub(crate) fn check(&self) -> Result<(), GpuError> {
+        self.driver.check().map_err(|fault| self.error(fault, 0, 0))
+    }
+
+    /// A new piece of memory; nobody knows what is in it.
+    pub(crate) fn allocate(&self, bytes: u64) -> Result<Memory, GpuError> {
+        let memory = self.driver.allocate(bytes);
+        memory.map_err(|fault| self.error(fault, bytes, 0))
+    }
+
+    /// Fills the first bytes of a piece.
+    pub(crate) fn upload(&self, to: &Memory, bytes: &[u8]) -> Result<(), GpuError> {
+        let copied = self.driver.upload(to, bytes);
+        copied.map_err(|fault| self.error(fault, bytes.len() as u64, 0))
+    }
+
+    /// The first bytes of a piece.
+    pub(crate) fn download(&self, from: &Memory, bytes: u64) -> Result<Vec<u8>, GpuError> {
+        let read = self.driver.download(from, bytes, self.options.timeout);
+        read.map_err(|fault| self.error(fault, bytes, 0))
+    }
+
+    /// Runs a kernel for some queries, cut into launches each of which takes about as long as
+    /// the options say.
+    pub(crate) fn run(
+        &self,
+        kernel: Kernel,
+        arrays: [&Memory; ARRAYS],
+        whole: Launch,
+    ) -> Result<(), GpuError> {
+        let (pace, timeout) = (&self.pace[kernel as usize], self.options.timeout);
+        let mut rest = whole;
+        while rest.first < whole.end {
+            let size = pace.load(Ordering::Relaxed);
+            let launch = Launch {
+                end: whole.end.min(rest.first + size as u32),
+                ..rest
+            };
+            let started = Instant::now();
+            let done = self
+                .driver
+                .launch(kernel, self.precision, arrays, launch, timeout);
+            done.map_err(|fault| self.error(fault, 0, launch.queries()))?;
+            let took = started.elapsed();
+            self.busy
+                .fetch_add(took.as_nanos() as u64, Ordering::Relaxed);
+            if took > self.options.launch {
+                pace.store((size / 2).max(kernel.group()), Ordering::Relaxed);
+            } else if 3 * took < self.options.launch && launch.queries() == size {
+                pace.store((2 * size).min(kernel.most()), Ordering::Relaxed);
+            }
+            rest.first = launch.end;
+        }
+        Ok(())
+    }
+
+    /// `bytes` is how much memory was asked for, `queries` how many a launch had.
+    fn error(&self, fault: Fault, bytes: u64, queries: usize) -> GpuError {
+        let adapter = self.name().to_owned();
+        match fault {
+            Fault::OutOfMemory => GpuError::OutOfMemory { adapter, bytes },
+            Fault::Lost(reason) => GpuError::DeviceLost { adapter, reason },
+            Fault::Timeout => GpuError::Timeout {
+                adapter,
+                queries,
+                allowed: self.options.timeout,
+            },
+            Fault::Refused(reason) => GpuError::Refused { adapter, reason },
+        }
+    }
+}
+
+/// By the interface that is asked for; or else through wgpu, or by CUDA where that finds no
+/// GPU.
+fn open(options: &GpuOptions) -> Result<(Driver, Precision), GpuError> {
+    let wanted = options.adapter.as_deref();
+    let by_wgpu = || {
+        WgpuDriver::open(wanted, options.precision)
+            .map(|(driver, precision)| (Driver::Wgpu(driver), precision))
+    };
+    let by_cuda = || {
+        // All of NVIDIA's have double precision.
+        let precision = options.precision.unwrap_or(Precision::Double);
+        CudaDriver::open(wanted).map(|driver| (Driver::Cuda(driver), precision))
+    };
+    match options.interface {
+        Some(Interface::Wgpu) => by_wgpu(),
+        Some(Interface::Cuda) => by_cuda(),
+        None => match by_wgpu() {
+            Ok(found) if !found.0.is_software() => Ok(found),
+            found => by_cuda().or(found),
+        },
+    }
+}
