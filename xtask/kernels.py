@@ -19,6 +19,9 @@ import slangpy
 
 ENTRIES = ["first_hit", "occluded", "closest", "gather"]
 PRECISIONS = ["single", "double"]
+# Of kernels that would take too many registers in double precision, how many groups of
+# `GROUP` threads a multiprocessor must have room for (docs/benchmarks.md).
+BOUNDS = dict.fromkeys(["closest", "gather"], ".maxntid 64, 1, 1\n.minnctapersm 12\n")
 # Volta, 2017; drivers compile it for what there is.
 LEAST_ARCHITECTURE = "compute_70"
 
@@ -93,6 +96,8 @@ def ptx(library, compiler, source, entry, precision):
         sys.exit(f"error: {entry} in {precision} precision was not compiled to PTX: {result}")
     result = re.sub(r"\b(add|sub|mul)\.rn\.f32\b", r"\1.f32", result)
     result = re.sub(r"\b(div|sqrt)\.rn\.f32\b", r"\1.approx.f32", result)
+    if precision == "double":
+        result = re.sub(r"(\.visible \.entry \w+\(\)\n)", r"\1" + BOUNDS.get(entry, ""), result)
     # What the headers declare and no kernel uses.
     result = re.sub(r"^\.global .*\n", "", result, flags=re.M)
     lines = [line.rstrip() for line in result.rstrip("\0").splitlines()]

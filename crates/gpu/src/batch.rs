@@ -12,8 +12,9 @@ use crate::resident::Resident;
 /// Words of a query for the bounds.
 pub const VIEW: usize = 12;
 
-/// No buffer of a batch is larger than this, bytes: more would not make it faster.
-const LARGEST: u64 = 1 << 28;
+/// No buffer of a batch is larger than this, bytes: enough for a GPU to be busy, and little
+/// enough for the processor's copies to stay in its caches, or nearly.
+const LARGEST: u64 = 1 << 25;
 
 /// Queries that are prepared by one thread.
 const CHUNK: usize = 256;
@@ -49,40 +50,94 @@ pub fn ask<Q: Sync>(
     shape: Shape,
     queries: &[Q],
     prepare: impl Fn(&Q, &mut [u32], &mut [f64]) + Sync,
+    finish: impl FnMut(&[Q], &[u32], &[f64]),
+) -> Result<(), GpuError> {
+    let mut copies = gpu.take_copies();
+    let asked = ask_with(gpu, tree, shape, queries, prepare, finish, &mut copies);
+    gpu.keep_copies(copies);
+    asked
+}
+
+fn ask_with<Q: Sync>(
+    gpu: &Gpu,
+    tree: &Resident,
+    shape: Shape,
+    queries: &[Q],
+    prepare: impl Fn(&Q, &mut [u32], &mut [f64]) + Sync,
     mut finish: impl FnMut(&[Q], &[u32], &[f64]),
+    copies: &mut Copies,
 ) -> Result<(), GpuError> {
     let largest = shape.sizes(gpu.precision()).into_iter().max().unwrap_or(1) as u64;
-    let mut most = gpu.largest_buffer().min(LARGEST.max(largest)) / largest;
+    let most = gpu.largest_buffer().min(LARGEST.max(largest)) / largest;
     if most == 0 {
         return Err(GpuError::OutOfMemory {
             adapter: gpu.name().to_owned(),
             bytes: largest,
         });
     }
+    let mut size = queries.len().min(most as usize);
     let mut rest = queries;
     while !rest.is_empty() {
-        let (now, later) = rest.split_at(rest.len().min(most as usize));
-        let answered = Batch::new(gpu, shape, now, &prepare).and_then(|batch| {
-            batch.ask(gpu, tree)?;
-            batch.read(gpu)
-        });
-        match answered {
-            Ok((answers, values)) => finish(now, &answers, &values),
-            Err(GpuError::OutOfMemory { .. }) if now.len() > GROUP => {
-                most = now.len() as u64 / 2;
+        let batch = match Batch::new(gpu, shape, size) {
+            Err(GpuError::OutOfMemory { .. }) if size > GROUP => {
+                size /= 2;
                 continue;
             }
-            Err(error) => return Err(error),
+            batch => batch?,
+        };
+        while !rest.is_empty() {
+            let (now, later) = rest.split_at(size.min(rest.len()));
+            copies.prepare(shape, now, &prepare);
+            match batch.answer(gpu, tree, now.len(), copies) {
+                Err(GpuError::OutOfMemory { .. }) if size > GROUP => {
+                    size /= 2;
+                    break;
+                }
+                answered => answered?,
+            }
+            finish(now, &copies.answers, &copies.values);
+            rest = later;
         }
-        rest = later;
     }
     Ok(())
 }
 
-/// Queries prepared for one tree.
+/// The processor's copies of a batch. They are kept from one to the next: new memory costs
+/// as much as all that is written to it.
+#[derive(Debug, Default)]
+pub struct Copies {
+    views: Vec<u32>,
+    numbers: Vec<f64>,
+    answers: Vec<u32>,
+    values: Vec<f64>,
+    /// Numbers, and then values, in single precision.
+    single: Vec<f32>,
+}
+
+impl Copies {
+    /// Words and numbers of the queries, on all threads.
+    fn prepare<Q: Sync>(
+        &mut self,
+        shape: Shape,
+        queries: &[Q],
+        prepare: &(impl Fn(&Q, &mut [u32], &mut [f64]) + Sync),
+    ) {
+        self.views.resize(VIEW * queries.len(), 0);
+        self.numbers.resize(shape.numbers * queries.len(), 0.0);
+        (
+            queries,
+            self.views.par_chunks_exact_mut(VIEW),
+            self.numbers.par_chunks_exact_mut(shape.numbers),
+        )
+            .into_par_iter()
+            .with_min_len(CHUNK)
+            .for_each(|(query, views, numbers)| prepare(query, views, numbers));
+    }
+}
+
+/// Room on the device for queries and their answers.
 struct Batch {
     shape: Shape,
-    count: usize,
     views: Memory,
     numbers: Memory,
     answers: Memory,
@@ -90,89 +145,73 @@ struct Batch {
 }
 
 impl Batch {
-    /// Prepares the queries, on all threads, and uploads them.
-    fn new<Q: Sync>(
-        gpu: &Gpu,
-        shape: Shape,
-        queries: &[Q],
-        prepare: &(impl Fn(&Q, &mut [u32], &mut [f64]) + Sync),
-    ) -> Result<Self, GpuError> {
-        let bytes = shape
+    fn new(gpu: &Gpu, shape: Shape, size: usize) -> Result<Self, GpuError> {
+        let memory = shape
             .sizes(gpu.precision())
-            .map(|size| (size * queries.len()) as u64);
-        let [views, numbers, answers, values] = bytes.map(|bytes| gpu.allocate(bytes));
-        let batch = Self {
+            .map(|bytes| gpu.allocate((bytes * size) as u64));
+        let [views, numbers, answers, values] = memory;
+        Ok(Self {
             shape,
-            count: queries.len(),
             views: views?,
             numbers: numbers?,
             answers: answers?,
             values: values?,
-        };
-        let mut views = vec![0_u32; VIEW * queries.len()];
-        let mut numbers = vec![0.0; shape.numbers * queries.len()];
-        (
-            queries,
-            views.par_chunks_exact_mut(VIEW),
-            numbers.par_chunks_exact_mut(shape.numbers),
-        )
-            .into_par_iter()
-            .with_min_len(CHUNK)
-            .for_each(|(query, views, numbers)| prepare(query, views, numbers));
-        gpu.upload(&batch.views, bytemuck::cast_slice(&views))?;
-        match gpu.precision() {
-            Precision::Double => gpu.upload(&batch.numbers, bytemuck::cast_slice(&numbers))?,
-            Precision::Single => {
-                let single: Vec<f32> = numbers.par_iter().map(|&number| number as f32).collect();
-                gpu.upload(&batch.numbers, bytemuck::cast_slice(&single))?;
-            }
-        }
-        Ok(batch)
+        })
     }
 
-    /// Runs the kernel for all of them.
-    fn ask(&self, gpu: &Gpu, tree: &Resident) -> Result<(), GpuError> {
+    /// Uploads the prepared queries, runs the kernel, and fetches answers and values.
+    fn answer(
+        &self,
+        gpu: &Gpu,
+        tree: &Resident,
+        count: usize,
+        copies: &mut Copies,
+    ) -> Result<(), GpuError> {
+        gpu.upload(&self.views, bytemuck::cast_slice(&copies.views))?;
+        match gpu.precision() {
+            Precision::Double => {
+                gpu.upload(&self.numbers, bytemuck::cast_slice(&copies.numbers))?;
+            }
+            Precision::Single => {
+                let rounded = copies.numbers.par_iter().map(|&number| number as f32);
+                rounded.collect_into_vec(&mut copies.single);
+                gpu.upload(&self.numbers, bytemuck::cast_slice(&copies.single))?;
+            }
+        }
         let [nodes, leaf_starts, primitives, rough] = tree.arrays();
-        let own = [&self.views, &self.numbers, &self.answers, &self.values];
-        let [views, numbers, answers, values] = own;
         let arrays = [
             nodes,
             leaf_starts,
             primitives,
             rough,
-            views,
-            numbers,
-            answers,
-            values,
+            &self.views,
+            &self.numbers,
+            &self.answers,
+            &self.values,
         ];
-        let capacity = self.shape.answers - 1;
         let whole = Launch {
             first: 0,
-            end: self.count as u32,
-            capacity: capacity as u32,
+            end: count as u32,
+            capacity: (self.shape.answers - 1) as u32,
             primitives: tree.primitives() as u32,
         };
-        gpu.run(self.shape.kernel, arrays, whole)
-    }
-
-    /// Answers and values of all of them.
-    fn read(&self, gpu: &Gpu) -> Result<(Vec<u32>, Vec<f64>), GpuError> {
-        let [_, _, answers, values] = self
-            .shape
-            .sizes(gpu.precision())
-            .map(|size| (size * self.count) as u64);
-        let answers = bytemuck::pod_collect_to_vec(&gpu.download(&self.answers, answers)?);
-        if self.shape.values == 0 {
-            return Ok((answers, Vec::new()));
-        }
-        let values = gpu.download(&self.values, values)?;
-        let values = match gpu.precision() {
-            Precision::Double => bytemuck::pod_collect_to_vec(&values),
-            Precision::Single => {
-                let values: Vec<f32> = bytemuck::pod_collect_to_vec(&values);
-                values.into_iter().map(f64::from).collect()
+        gpu.run(self.shape.kernel, arrays, whole)?;
+        copies.answers.resize(self.shape.answers * count, 0);
+        gpu.download(&self.answers, bytemuck::cast_slice_mut(&mut copies.answers))?;
+        let values = self.shape.values * count;
+        copies.values.resize(values, 0.0);
+        match gpu.precision() {
+            _ if values == 0 => {}
+            Precision::Double => {
+                gpu.download(&self.values, bytemuck::cast_slice_mut(&mut copies.values))?;
             }
-        };
-        Ok((answers, values))
+            Precision::Single => {
+                copies.single.resize(values, 0.0);
+                gpu.download(&self.values, bytemuck::cast_slice_mut(&mut copies.single))?;
+                let exact = copies.single.par_iter().map(|&value| f64::from(value));
+                exact.collect_into_vec(&mut copies.values);
+            }
+        }
+        Ok(())
     }
 }

@@ -3,7 +3,7 @@
 //! needed to build or to run elsewhere.
 #![allow(unsafe_code)]
 
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 use std::time::{Duration, Instant};
 
 use cudarc::driver::sys::CUresult;
@@ -13,7 +13,7 @@ use cudarc::driver::{
 };
 use cudarc::nvrtc::Ptx;
 
-use crate::driver::{ARRAYS, Fault, Launch};
+use crate::driver::{ARRAYS, Fault, Launch, locked};
 use crate::error::GpuError;
 use crate::kernels::{GROUP, KERNELS, Kernel};
 use crate::precision::Precision;
@@ -201,15 +201,13 @@ impl CudaDriver {
         Ok(())
     }
 
-    pub fn download(&self, from: &CudaMemory, bytes: u64) -> Result<Vec<u8>, Fault> {
+    pub fn download(&self, from: &CudaMemory, to: &mut [u8]) -> Result<(), Fault> {
         self.check()?;
         let from = locked(&from.0);
-        let mut read = vec![0; bytes as usize];
         self.stream
-            .memcpy_dtoh(&from.slice(..read.len()), &mut read)
+            .memcpy_dtoh(&from.slice(..to.len()), to)
             .and_then(|()| self.stream.synchronize())
-            .map_err(|error| self.fault(error))?;
-        Ok(read)
+            .map_err(|error| self.fault(error))
     }
 
     /// Waits until all work is done.
@@ -272,11 +270,4 @@ fn reason(error: DriverError) -> String {
         Ok(text) => text.to_string_lossy().into_owned(),
         Err(_) => format!("{:?}", error.0),
     }
-}
-
-/// Nothing is left half done under a lock, so one that a panic left is as good as any.
-fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex
-        .lock()
-        .unwrap_or_else(|poisoned| poisoned.into_inner())
 }

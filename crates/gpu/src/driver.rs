@@ -1,6 +1,7 @@
 //! What the queries need of a device, whichever interface it is reached through: memory,
 //! and launches of kernels over it.
 
+use std::sync::{Mutex, MutexGuard};
 use std::time::Duration;
 
 use crate::cuda_driver::{CudaDriver, CudaMemory};
@@ -141,11 +142,11 @@ impl Driver {
         }
     }
 
-    /// The first bytes of a piece.
-    pub fn download(&self, from: &Memory, bytes: u64, timeout: Duration) -> Result<Vec<u8>, Fault> {
+    /// Reads the first bytes of a piece.
+    pub fn download(&self, from: &Memory, to: &mut [u8], timeout: Duration) -> Result<(), Fault> {
         match self {
-            Self::Wgpu(driver) => driver.download(of_wgpu(from), bytes, timeout),
-            Self::Cuda(driver) => driver.download(of_cuda(from), bytes),
+            Self::Wgpu(driver) => driver.download(of_wgpu(from), to, timeout),
+            Self::Cuda(driver) => driver.download(of_cuda(from), to),
         }
     }
 }
@@ -163,4 +164,12 @@ fn of_cuda(memory: &Memory) -> &CudaMemory {
         Memory::Cuda(memory) => memory,
         Memory::Wgpu(_) => unreachable!("memory of another device"),
     }
+}
+
+/// What a mutex holds. Nothing is left half done under a lock, so what a panic left is as good
+/// as any.
+pub fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex
+        .lock()
+        .unwrap_or_else(|poisoned| poisoned.into_inner())
 }

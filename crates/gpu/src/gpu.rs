@@ -1,10 +1,12 @@
 //! The device that everything runs on, chosen once.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
+use crate::batch::Copies;
 use crate::cuda_driver::CudaDriver;
-use crate::driver::{ARRAYS, Driver, Fault, Launch, Memory};
+use crate::driver::{ARRAYS, Driver, Fault, Launch, Memory, locked};
 use crate::error::GpuError;
 use crate::kernels::{KERNELS, Kernel};
 use crate::precision::Precision;
@@ -66,6 +68,7 @@ pub struct Gpu {
     pace: [AtomicUsize; KERNELS],
     /// Nanoseconds that launches took.
     busy: AtomicU64,
+    copies: Mutex<Copies>,
 }
 
 impl Gpu {
@@ -79,6 +82,7 @@ impl Gpu {
             options: options.clone(),
             pace: [const { AtomicUsize::new(FIRST) }; KERNELS],
             busy: AtomicU64::new(0),
+            copies: Mutex::default(),
         })
     }
 
@@ -144,10 +148,21 @@ impl Gpu {
         copied.map_err(|fault| self.error(fault, bytes.len() as u64, 0))
     }
 
-    /// The first bytes of a piece.
-    pub(crate) fn download(&self, from: &Memory, bytes: u64) -> Result<Vec<u8>, GpuError> {
-        let read = self.driver.download(from, bytes, self.options.timeout);
+    /// Reads the first bytes of a piece.
+    pub(crate) fn download(&self, from: &Memory, to: &mut [u8]) -> Result<(), GpuError> {
+        let bytes = to.len() as u64;
+        let read = self.driver.download(from, to, self.options.timeout);
         read.map_err(|fault| self.error(fault, bytes, 0))
+    }
+
+    /// The processor's copies of batches; new ones while another caller has them.
+    pub(crate) fn take_copies(&self) -> Copies {
+        std::mem::take(&mut *locked(&self.copies))
+    }
+
+    /// Keeps them for the next caller.
+    pub(crate) fn keep_copies(&self, copies: Copies) {
+        *locked(&self.copies) = copies;
     }
 
     /// Runs a kernel for some queries, cut into launches each of which takes about as long as

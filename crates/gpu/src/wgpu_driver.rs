@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, OnceLock, mpsc};
 use std::time::Duration;
 
-use crate::driver::{ARRAYS, Fault, Launch};
+use crate::driver::{ARRAYS, Fault, Launch, locked};
 use crate::error::GpuError;
 use crate::kernels::{IN_STEP, KERNELS, Kernel};
 use crate::precision::Precision;
@@ -18,6 +18,8 @@ pub struct WgpuDriver {
     largest: u64,
     pipelines: [OnceLock<wgpu::ComputePipeline>; KERNELS],
     lost: Arc<Mutex<Option<String>>>,
+    /// What the last download came through: new memory would cost more than the copy.
+    back: Mutex<Option<wgpu::Buffer>>,
 }
 
 impl WgpuDriver {
@@ -80,9 +82,7 @@ impl WgpuDriver {
                 true => format!("{reason:?}").to_lowercase(),
                 false => message,
             };
-            if let Ok(mut lost) = noted.lock() {
-                *lost = Some(text);
-            }
+            *locked(&noted) = Some(text);
         });
         // Errors are fetched where they arise; one that is not is still no reason to panic.
         device.on_uncaptured_error(Arc::new(|error| log::error!("GPU: {error}")));
@@ -96,6 +96,7 @@ impl WgpuDriver {
                 .min(limits.max_storage_buffer_binding_size),
             pipelines: Default::default(),
             lost,
+            back: Mutex::new(None),
         };
         Ok((driver, precision))
     }
@@ -118,19 +119,11 @@ impl WgpuDriver {
 
     pub fn destroy(&self) {
         self.device.destroy();
-        let mut lost = self
-            .lost
-            .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner());
-        lost.get_or_insert_with(|| "it was given up".to_owned());
+        locked(&self.lost).get_or_insert_with(|| "it was given up".to_owned());
     }
 
     pub fn check(&self) -> Result<(), Fault> {
-        let lost = self
-            .lost
-            .lock()
-            .unwrap_or_else(|poisoned| poisoned.into_inner());
-        match &*lost {
+        match &*locked(&self.lost) {
             None => Ok(()),
             Some(reason) => Err(Fault::Lost(reason.clone())),
         }
@@ -199,17 +192,22 @@ impl WgpuDriver {
     pub fn download(
         &self,
         from: &wgpu::Buffer,
-        bytes: u64,
+        to: &mut [u8],
         timeout: Duration,
-    ) -> Result<Vec<u8>, Fault> {
+    ) -> Result<(), Fault> {
         use wgpu::BufferUsages as Use;
-        let back = self.buffer(bytes, Use::MAP_READ | Use::COPY_DST)?;
+        let bytes = to.len() as u64;
+        let kept = locked(&self.back).take();
+        let back = match kept.filter(|back| back.size() >= bytes) {
+            Some(back) => back,
+            None => self.buffer(bytes, Use::MAP_READ | Use::COPY_DST)?,
+        };
         let (sender, receiver) = mpsc::channel();
         self.guarded(|| {
             let mut encoder = self.device.create_command_encoder(&Default::default());
             encoder.copy_buffer_to_buffer(from, 0, &back, 0, bytes);
             self.queue.submit([encoder.finish()]);
-            back.map_async(wgpu::MapMode::Read, .., move |mapped| {
+            back.map_async(wgpu::MapMode::Read, ..bytes, move |mapped| {
                 // Nobody listens any more if the wait failed meanwhile.
                 let _ = sender.send(mapped.map_err(|error| error.to_string()));
             });
@@ -220,9 +218,13 @@ impl WgpuDriver {
             .unwrap_or_else(|error| Err(error.to_string()));
         mapped.map_err(|reason| self.refused(reason))?;
         let range = back
-            .get_mapped_range(..)
+            .get_mapped_range(..bytes)
             .map_err(|error| self.refused(error.to_string()))?;
-        Ok(range.to_vec())
+        to.copy_from_slice(&range);
+        drop(range);
+        back.unmap();
+        *locked(&self.back) = Some(back);
+        Ok(())
     }
 
     /// Waits until all work is done.

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4b314026baf89c39
-// result: 8716a9f2f5727ae4
+// source: cff3358cc5f05b5c
+// result: cd2e4aa663d4f89b
 
 struct Batch_std140_0
 {
@@ -28,7 +28,7 @@ struct Batch_std140_0
 
 fn cone_query_0( thread_0 : u32) -> u32
 {
-    return batch_0.first_0 + thread_0 / u32(8);
+    return min(batch_0.first_0 + thread_0 / u32(8), batch_0.end_0 - u32(1));
 }
 
 struct ConeView_0
@@ -91,6 +91,11 @@ fn cone_at_0( query_1 : u32,  all_edges_2 : bool) -> Cone_0
     cone_0.largest_0 = queries_0[at_1 + u32(15)];
     cone_0.all_edges_1 = all_edges_2;
     return cone_0;
+}
+
+fn is_asked_0( thread_1 : u32) -> bool
+{
+    return (batch_0.first_0 + thread_1 / u32(8)) < (batch_0.end_0);
 }
 
 var<private> _S2 : u32;
@@ -252,24 +257,150 @@ fn own_child_0( view_2 : ConeView_0,  limit_3 : f32,  node_2 : u32) -> vec2<u32>
     return vec2<u32>(_S10, cone_child_0(node_2, slot_2));
 }
 
+struct Way_0
+{
+     levels_0 : array<vec2<u32>, i32(40)>,
+     here_0 : vec2<u32>,
+     level_0 : u32,
+     child_0 : u32,
+     is_over_0 : bool,
+};
+
+fn start_0( view_3 : ConeView_0,  is_asked_1 : bool) -> Way_0
+{
+    var way_0 : Way_0;
+    var _S11 : bool;
+    if(!is_asked_1)
+    {
+        _S11 = true;
+    }
+    else
+    {
+        _S11 = !((view_3.limit_0) >= 0.0f);
+    }
+    way_0.is_over_0 = _S11;
+    var _S12 : vec2<u32>;
+    if(_S11)
+    {
+        _S12 = vec2<u32>(u32(4294967295), u32(4294967295));
+    }
+    else
+    {
+        var _S13 : vec2<u32> = own_child_0(view_3, view_3.limit_0, u32(0));
+        _S12 = _S13;
+    }
+    way_0.here_0 = _S12;
+    way_0.levels_0[i32(0)] = _S12;
+    way_0.level_0 = u32(0);
+    way_0.child_0 = u32(4294967295);
+    return way_0;
+}
+
+fn any_in_step_0( condition_0 : bool) -> bool
+{
+    var _S14 : bool = subgroupAny(condition_0);
+    return _S14;
+}
+
 fn of_lane_0( value_0 : u32,  other_0 : u32) -> u32
 {
     ;
-    var _S11 : u32 = subgroupShuffle(value_0, u32((((_S2 & (u32(4294967288)))) | (other_0))));
-    return _S11;
+    var _S15 : u32 = subgroupShuffle(value_0, u32((((_S2 & (u32(4294967288)))) | (other_0))));
+    return _S15;
 }
 
 fn least_0( value_1 : u32) -> u32
 {
-    var _S12 : u32 = lane_0();
-    var _S13 : u32 = of_lane_0(value_1, (_S12 ^ (u32(1))));
-    var _S14 : u32 = min(value_1, _S13);
-    var _S15 : u32 = lane_0();
-    var _S16 : u32 = of_lane_0(_S14, (_S15 ^ (u32(2))));
-    var _S17 : u32 = min(_S14, _S16);
-    var _S18 : u32 = lane_0();
-    var _S19 : u32 = of_lane_0(_S17, (_S18 ^ (u32(4))));
-    return min(_S17, _S19);
+    var _S16 : u32 = lane_0();
+    var _S17 : u32 = of_lane_0(value_1, (_S16 ^ (u32(1))));
+    var _S18 : u32 = min(value_1, _S17);
+    var _S19 : u32 = lane_0();
+    var _S20 : u32 = of_lane_0(_S18, (_S19 ^ (u32(2))));
+    var _S21 : u32 = min(_S18, _S20);
+    var _S22 : u32 = lane_0();
+    var _S23 : u32 = of_lane_0(_S21, (_S22 ^ (u32(4))));
+    return min(_S21, _S23);
+}
+
+fn reach_leaf_0( way_1 : ptr<function, Way_0>,  view_4 : ConeView_0,  limit_4 : f32) -> bool
+{
+    for(;;)
+    {
+        var _S24 : bool;
+        if(!(*way_1).is_over_0)
+        {
+            _S24 = ((*way_1).child_0) == u32(4294967295);
+        }
+        else
+        {
+            _S24 = false;
+        }
+        var _S25 : bool = any_in_step_0(_S24);
+        if(_S25)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var is_moving_0 : bool;
+        if(!(*way_1).is_over_0)
+        {
+            is_moving_0 = ((*way_1).child_0) == u32(4294967295);
+        }
+        else
+        {
+            is_moving_0 = false;
+        }
+        var nearest_0 : u32 = least_0((*way_1).here_0.x);
+        var is_done_0 : bool = nearest_0 > (((bitcast<u32>((limit_4))) | (u32(7))));
+        var _S26 : u32 = (nearest_0 & (u32(7)));
+        var child_1 : u32 = of_lane_0((*way_1).here_0.y, _S26);
+        var _S27 : bool;
+        if(is_moving_0)
+        {
+            _S27 = is_done_0;
+        }
+        else
+        {
+            _S27 = false;
+        }
+        if(_S27)
+        {
+            var _S28 : bool = ((*way_1).level_0) == u32(0);
+            (*way_1).is_over_0 = _S28;
+            if(!_S28)
+            {
+                var _S29 : u32 = (*way_1).level_0 - u32(1);
+                (*way_1).level_0 = _S29;
+                (*way_1).here_0 = (*way_1).levels_0[_S29];
+            }
+        }
+        else
+        {
+            if(is_moving_0)
+            {
+                var _S30 : u32 = lane_0();
+                if(_S30 == _S26)
+                {
+                    (*way_1).here_0[i32(0)] = u32(4294967295);
+                }
+                if(((child_1 & (u32(2147483648)))) != u32(0))
+                {
+                    (*way_1).child_0 = child_1;
+                }
+                else
+                {
+                    (*way_1).levels_0[(*way_1).level_0] = (*way_1).here_0;
+                    (*way_1).level_0 = (*way_1).level_0 + u32(1);
+                    var _S31 : vec2<u32> = own_child_0(view_4, limit_4, child_1);
+                    (*way_1).here_0 = _S31;
+                }
+            }
+        }
+    }
+    var _S32 : bool = any_in_step_0(!(*way_1).is_over_0);
+    return _S32;
 }
 
 fn sum_of_sizes_0( v_1 : vec3<f32>) -> f32
@@ -277,39 +408,39 @@ fn sum_of_sizes_0( v_1 : vec3<f32>) -> f32
     return abs(v_1.x) + abs(v_1.y) + abs(v_1.z);
 }
 
-fn may_count_0( view_3 : ConeView_0,  limit_4 : f32,  edge_0 : u32,  number_0 : ptr<function, u32>) -> bool
+fn may_count_0( view_5 : ConeView_0,  limit_5 : f32,  edge_0 : u32,  number_0 : ptr<function, u32>) -> bool
 {
     var a_2 : vec4<u32> = rough_0[edge_0];
     var b_2 : vec4<u32> = rough_0[batch_0.primitives_0 + edge_0];
     (*number_0) = b_2.w;
-    if((((a_2.w) & ((view_3.groups_0)))) == u32(0))
+    if((((a_2.w) & ((view_5.groups_0)))) == u32(0))
     {
         return false;
     }
-    var start_0 : vec3<f32> = (bitcast<vec3<f32>>((a_2.xyz))) - view_3.apex_0;
+    var start_1 : vec3<f32> = (bitcast<vec3<f32>>((a_2.xyz))) - view_5.apex_0;
     var along_0 : vec3<f32> = (bitcast<vec3<f32>>((b_2.xyz)));
-    if(!view_3.all_edges_0)
+    if(!view_5.all_edges_0)
     {
-        var first_2 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(2) * batch_0.primitives_0 + edge_0].xyz))), start_0);
-        var second_1 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(3) * batch_0.primitives_0 + edge_0].xyz))), start_0);
-        var _S20 : bool;
-        if((min(first_2, second_1)) > (view_3.plane_margin_0))
+        var first_2 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(2) * batch_0.primitives_0 + edge_0].xyz))), start_1);
+        var second_1 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(3) * batch_0.primitives_0 + edge_0].xyz))), start_1);
+        var _S33 : bool;
+        if((min(first_2, second_1)) > (view_5.plane_margin_0))
         {
-            _S20 = true;
+            _S33 = true;
         }
         else
         {
-            _S20 = (max(first_2, second_1)) < (- view_3.plane_margin_0);
+            _S33 = (max(first_2, second_1)) < (- view_5.plane_margin_0);
         }
-        if(_S20)
+        if(_S33)
         {
             return false;
         }
     }
     var tangent_1 : f32;
-    if(limit_4 < 1.0f)
+    if(limit_5 < 1.0f)
     {
-        tangent_1 = limit_4 / max(1.0f - limit_4, 9.99999997475242708e-07f) * 1.0009765625f;
+        tangent_1 = limit_5 / max(1.0f - limit_5, 9.99999997475242708e-07f) * 1.0009765625f;
     }
     else
     {
@@ -319,13 +450,13 @@ fn may_count_0( view_3 : ConeView_0,  limit_4 : f32,  edge_0 : u32,  number_0 : 
     {
         return true;
     }
-    var middle_0 : vec3<f32> = start_0 + vec3<f32>(0.5f) * along_0;
-    var z_1 : f32 = dot(view_3.axis_0, middle_0);
-    var radial_1 : vec3<f32> = middle_0 - view_3.axis_0 * vec3<f32>(z_1);
-    var _S21 : f32 = max(dot(radial_1, radial_1), 1.00000000317107685e-30f);
-    var distance_1 : f32 = sqrt(_S21);
+    var middle_0 : vec3<f32> = start_1 + vec3<f32>(0.5f) * along_0;
+    var z_1 : f32 = dot(view_5.axis_0, middle_0);
+    var radial_1 : vec3<f32> = middle_0 - view_5.axis_0 * vec3<f32>(z_1);
+    var _S34 : f32 = max(dot(radial_1, radial_1), 1.00000000317107685e-30f);
+    var distance_1 : f32 = sqrt(_S34);
     var slope_1 : f32 = distance_1 * tangent_1;
-    return (_S21 - slope_1 * z_1 - 0.5f * abs(dot(radial_1 - view_3.axis_0 * vec3<f32>(slope_1), along_0))) <= (view_3.margin_0 * (distance_1 + slope_1 + sum_of_sizes_0(along_0)));
+    return (_S34 - slope_1 * z_1 - 0.5f * abs(dot(radial_1 - view_5.axis_0 * vec3<f32>(slope_1), along_0))) <= (view_5.margin_0 * (distance_1 + slope_1 + sum_of_sizes_0(along_0)));
 }
 
 struct Nearest_0
@@ -338,13 +469,13 @@ struct Nearest_0
 
 fn at_point_0( cone_1 : Cone_0,  t_1 : f32,  position_1 : vec3<f32>) -> Nearest_0
 {
-    var nearest_0 : Nearest_0;
-    nearest_0.t_0 = t_1;
-    nearest_0.position_0 = position_1;
+    var nearest_1 : Nearest_0;
+    nearest_1.t_0 = t_1;
+    nearest_1.position_0 = position_1;
     var across_0 : vec3<f32> = cross(cone_1.axis_1, position_1);
-    nearest_0.sin_1 = sqrt(dot(across_0, across_0));
-    nearest_0.cos_0 = dot(cone_1.axis_1, position_1);
-    return nearest_0;
+    nearest_1.sin_1 = sqrt(dot(across_0, across_0));
+    nearest_1.cos_0 = dot(cone_1.axis_1, position_1);
+    return nearest_1;
 }
 
 fn primitive_vector_0( at_3 : u32) -> vec3<f32>
@@ -356,25 +487,25 @@ fn side_seen_0( cone_2 : Cone_0,  from_0 : vec3<f32>,  size_1 : f32,  normal_0 :
 {
     var height_0 : f32 = dot(normal_0, from_0);
     var tolerance_0 : f32 = cone_2.on_plane_0 * size_1 * length_0;
-    var _S22 : i32;
+    var _S35 : i32;
     if(height_0 > tolerance_0)
     {
-        _S22 = i32(1);
+        _S35 = i32(1);
     }
     else
     {
-        _S22 = i32(0);
+        _S35 = i32(0);
     }
-    var _S23 : i32;
+    var _S36 : i32;
     if(height_0 < (- tolerance_0))
     {
-        _S23 = i32(1);
+        _S36 = i32(1);
     }
     else
     {
-        _S23 = i32(0);
+        _S36 = i32(0);
     }
-    return _S22 - _S23;
+    return _S35 - _S36;
 }
 
 fn beyond_0() -> f32
@@ -389,13 +520,13 @@ fn rounded_0( product_0 : f32,  largest_1 : f32) -> f32
 
 fn exact_cross_0( a_3 : vec3<f32>,  b_3 : vec3<f32>,  largest_2 : f32) -> vec3<f32>
 {
-    var _S24 : f32 = a_3.y;
-    var _S25 : f32 = b_3.z;
-    var _S26 : f32 = a_3.z;
-    var _S27 : f32 = b_3.y;
-    var _S28 : f32 = b_3.x;
-    var _S29 : f32 = a_3.x;
-    return vec3<f32>(rounded_0(_S24 * _S25, largest_2) - rounded_0(_S26 * _S27, largest_2), rounded_0(_S26 * _S28, largest_2) - rounded_0(_S29 * _S25, largest_2), rounded_0(_S29 * _S27, largest_2) - rounded_0(_S24 * _S28, largest_2));
+    var _S37 : f32 = a_3.y;
+    var _S38 : f32 = b_3.z;
+    var _S39 : f32 = a_3.z;
+    var _S40 : f32 = b_3.y;
+    var _S41 : f32 = b_3.x;
+    var _S42 : f32 = a_3.x;
+    return vec3<f32>(rounded_0(_S37 * _S38, largest_2) - rounded_0(_S39 * _S40, largest_2), rounded_0(_S39 * _S41, largest_2) - rounded_0(_S42 * _S38, largest_2), rounded_0(_S42 * _S40, largest_2) - rounded_0(_S37 * _S41, largest_2));
 }
 
 fn is_nearer_0( p_0 : Nearest_0,  q_0 : Nearest_0) -> bool
@@ -403,71 +534,71 @@ fn is_nearer_0( p_0 : Nearest_0,  q_0 : Nearest_0) -> bool
     return (p_0.sin_1 * q_0.cos_0) < (q_0.sin_1 * p_0.cos_0);
 }
 
-fn closest_on_edge_0( cone_3 : Cone_0,  at_4 : u32,  nearest_1 : ptr<function, Nearest_0>) -> f32
+fn closest_on_edge_0( cone_3 : Cone_0,  at_4 : u32,  nearest_2 : ptr<function, Nearest_0>) -> f32
 {
-    (*nearest_1) = at_point_0(cone_3, 0.0f, cone_3.axis_1);
-    var start_1 : vec3<f32> = primitive_vector_0(at_4);
-    var a_4 : vec3<f32> = start_1 - cone_3.apex_1;
+    (*nearest_2) = at_point_0(cone_3, 0.0f, cone_3.axis_1);
+    var start_2 : vec3<f32> = primitive_vector_0(at_4);
+    var a_4 : vec3<f32> = start_2 - cone_3.apex_1;
     var along_1 : vec3<f32> = primitive_vector_0(at_4 + u32(3));
-    var finish_0 : vec3<f32> = start_1 + along_1;
+    var finish_0 : vec3<f32> = start_2 + along_1;
     var b_4 : vec3<f32> = a_4 + along_1;
     if(!cone_3.all_edges_1)
     {
-        var size_2 : f32 = cone_3.size_0 + sum_of_sizes_0(start_1);
-        var from_1 : vec3<f32> = cone_3.apex_1 - start_1;
+        var size_2 : f32 = cone_3.size_0 + sum_of_sizes_0(start_2);
+        var from_1 : vec3<f32> = cone_3.apex_1 - start_2;
         if((side_seen_0(cone_3, from_1, size_2, primitive_vector_0(at_4 + u32(6)), primitives_1[at_4 + u32(12)]) * side_seen_0(cone_3, from_1, size_2, primitive_vector_0(at_4 + u32(9)), primitives_1[at_4 + u32(13)])) > i32(0))
         {
             return beyond_0();
         }
     }
-    var _S30 : bool;
-    if((dot(start_1 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f)
+    var _S43 : bool;
+    if((dot(start_2 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f)
     {
-        _S30 = (dot(finish_0 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f;
+        _S43 = (dot(finish_0 - cone_3.plane_point_0, cone_3.plane_normal_0)) < 0.0f;
     }
     else
     {
-        _S30 = false;
+        _S43 = false;
     }
-    if(_S30)
+    if(_S43)
     {
         return beyond_0();
     }
     var normal_1 : vec3<f32> = exact_cross_0(a_4, along_1, cone_3.largest_0);
     if((normal_1.x) == 0.0f)
     {
-        _S30 = (normal_1.y) == 0.0f;
+        _S43 = (normal_1.y) == 0.0f;
     }
     else
     {
-        _S30 = false;
+        _S43 = false;
     }
-    if(_S30)
+    if(_S43)
     {
-        _S30 = (normal_1.z) == 0.0f;
+        _S43 = (normal_1.z) == 0.0f;
     }
     else
     {
-        _S30 = false;
+        _S43 = false;
     }
-    if(_S30)
+    if(_S43)
     {
-        _S30 = (dot(a_4, b_4)) <= 0.0f;
+        _S43 = (dot(a_4, b_4)) <= 0.0f;
     }
     else
     {
-        _S30 = false;
+        _S43 = false;
     }
-    if(_S30)
+    if(_S43)
     {
         return beyond_0();
     }
-    var _S31 : Nearest_0 = at_point_0(cone_3, 0.0f, a_4);
-    (*nearest_1) = _S31;
+    var _S44 : Nearest_0 = at_point_0(cone_3, 0.0f, a_4);
+    (*nearest_2) = _S44;
     var other_1 : Nearest_0 = at_point_0(cone_3, 1.0f, b_4);
-    if(is_nearer_0(other_1, _S31))
+    if(is_nearer_0(other_1, _S44))
     {
-        (*nearest_1) = other_1;
+        (*nearest_2) = other_1;
     }
     var w_0 : vec3<f32> = cross(cone_3.axis_1, normal_1);
     var falls_0 : f32 = dot(along_1, w_0);
@@ -476,130 +607,114 @@ fn closest_on_edge_0( cone_3 : Cone_0,  at_4 : u32,  nearest_1 : ptr<function, N
         var t_2 : f32 = - dot(a_4, w_0) / falls_0;
         if(t_2 > 0.0f)
         {
-            _S30 = t_2 < 1.0f;
+            _S43 = t_2 < 1.0f;
         }
         else
         {
-            _S30 = false;
+            _S43 = false;
         }
-        if(_S30)
+        if(_S43)
         {
             var other_2 : Nearest_0 = at_point_0(cone_3, t_2, a_4 + along_1 * vec3<f32>(t_2));
-            if(is_nearer_0(other_2, (*nearest_1)))
+            if(is_nearer_0(other_2, (*nearest_2)))
             {
-                (*nearest_1) = other_2;
+                (*nearest_2) = other_2;
             }
         }
     }
-    var total_0 : f32 = (*nearest_1).sin_1 + abs((*nearest_1).cos_0);
+    var total_0 : f32 = (*nearest_2).sin_1 + abs((*nearest_2).cos_0);
     if(!(total_0 > 0.0f))
     {
         return beyond_0();
     }
-    var _S32 : f32;
-    if(((*nearest_1).cos_0) >= 0.0f)
+    var _S45 : f32;
+    if(((*nearest_2).cos_0) >= 0.0f)
     {
-        _S32 = (*nearest_1).sin_1 / total_0;
+        _S45 = (*nearest_2).sin_1 / total_0;
     }
     else
     {
-        _S32 = 1.0f - (*nearest_1).cos_0 / total_0;
+        _S45 = 1.0f - (*nearest_2).cos_0 / total_0;
     }
-    return _S32;
+    return _S45;
 }
 
 fn united_0( bits_0 : u32) -> u32
 {
-    var _S33 : u32 = lane_0();
-    var _S34 : u32 = of_lane_0(bits_0, (_S33 ^ (u32(1))));
-    var _S35 : u32 = (bits_0 | (_S34));
-    var _S36 : u32 = lane_0();
-    var _S37 : u32 = of_lane_0(_S35, (_S36 ^ (u32(2))));
-    var _S38 : u32 = (_S35 | (_S37));
-    var _S39 : u32 = lane_0();
-    var _S40 : u32 = of_lane_0(_S38, (_S39 ^ (u32(4))));
-    return (_S38 | (_S40));
+    var _S46 : u32 = lane_0();
+    var _S47 : u32 = of_lane_0(bits_0, (_S46 ^ (u32(1))));
+    var _S48 : u32 = (bits_0 | (_S47));
+    var _S49 : u32 = lane_0();
+    var _S50 : u32 = of_lane_0(_S48, (_S49 ^ (u32(2))));
+    var _S51 : u32 = (_S48 | (_S50));
+    var _S52 : u32 = lane_0();
+    var _S53 : u32 = of_lane_0(_S51, (_S52 ^ (u32(4))));
+    return (_S51 | (_S53));
 }
 
 @compute
 @workgroup_size(64, 1, 1)
-fn gather(@builtin(global_invocation_id) thread_1 : vec3<u32>, @builtin(subgroup_invocation_id) _builtinWaveLaneIndex_0 : u32)
+fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup_invocation_id) _builtinWaveLaneIndex_0 : u32)
 {
+    var meets_0 : bool;
     _S2 = _builtinWaveLaneIndex_0;
-    var query_2 : u32 = cone_query_0(thread_1.x);
-    if(query_2 >= (batch_0.end_0))
-    {
-        return;
-    }
-    var view_4 : ConeView_0 = cone_view_0(query_2);
-    var _S41 : Cone_0 = cone_at_0(query_2, view_4.all_edges_0);
+    var _S54 : u32 = thread_2.x;
+    var query_2 : u32 = cone_query_0(_S54);
+    var view_6 : ConeView_0 = cone_view_0(query_2);
+    var _S55 : Cone_0 = cone_at_0(query_2, view_6.all_edges_0);
     var room_0 : u32 = (batch_0.capacity_0 + u32(1)) * query_2;
-    var way_0 : array<vec2<u32>, i32(40)>;
-    var here_0 : vec2<u32>;
-    var _S42 : vec2<u32>;
-    if((view_4.limit_0) >= 0.0f)
-    {
-        var _S43 : vec2<u32> = own_child_0(view_4, view_4.limit_0, u32(0));
-        _S42 = _S43;
-    }
-    else
-    {
-        _S42 = vec2<u32>(u32(4294967295), u32(4294967295));
-    }
-    here_0 = _S42;
-    way_0[i32(0)] = _S42;
-    var level_0 : u32 = u32(0);
+    var _S56 : bool = is_asked_0(_S54);
+    var _S57 : Way_0 = start_0(view_6, _S56);
+    var way_2 : Way_0 = _S57;
     var count_0 : u32 = u32(0);
     for(;;)
     {
-        var nearest_2 : u32 = least_0(here_0.x);
-        if(nearest_2 == u32(4294967295))
+        var _S58 : bool = reach_leaf_0(&(way_2), view_6, view_6.limit_0);
+        if(_S58)
         {
-            if(level_0 == u32(0))
-            {
-                break;
-            }
-            var level_1 : u32 = level_0 - u32(1);
-            here_0 = way_0[level_1];
-            level_0 = level_1;
-            continue;
         }
-        var _S44 : u32 = (nearest_2 & (u32(7)));
-        var child_0 : u32 = of_lane_0(here_0.y, _S44);
-        var _S45 : u32 = lane_0();
-        if(_S45 == _S44)
+        else
         {
-            here_0[i32(0)] = u32(4294967295);
+            break;
         }
-        if(((child_0 & (u32(2147483648)))) == u32(0))
+        var leaf_0 : u32;
+        if(way_2.is_over_0)
         {
-            way_0[level_0] = here_0;
-            var _S46 : u32 = level_0 + u32(1);
-            var _S47 : vec2<u32> = own_child_0(view_4, view_4.limit_0, child_0);
-            here_0 = _S47;
-            level_0 = _S46;
-            continue;
+            leaf_0 = u32(0);
         }
-        var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S48 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        else
+        {
+            leaf_0 = ((way_2.child_0) & (u32(2147483647)));
+        }
         var first_3 : u32 = leaf_starts_0[leaf_0];
+        var _S59 : u32;
+        if(way_2.is_over_0)
+        {
+            _S59 = first_3;
+        }
+        else
+        {
+            _S59 = leaf_starts_0[leaf_0 + u32(1)];
+        }
+        way_2.child_0 = u32(4294967295);
+        var first_4 : u32 = first_3;
         for(;;)
         {
-            if(first_3 < _S48)
+            var _S60 : bool = any_in_step_0(first_4 < _S59);
+            if(_S60)
             {
             }
             else
             {
                 break;
             }
-            var _S49 : u32 = lane_0();
-            var i_0 : u32 = first_3 + _S49;
+            var _S61 : u32 = lane_0();
+            var i_0 : u32 = first_4 + _S61;
             var edge_1 : u32 = u32(4294967295);
-            var meets_0 : bool;
-            if(i_0 < _S48)
+            if(i_0 < _S59)
             {
-                var _S50 : bool = may_count_0(view_4, view_4.limit_0, i_0, &(edge_1));
-                meets_0 = _S50;
+                var _S62 : bool = may_count_0(view_6, view_6.limit_0, i_0, &(edge_1));
+                meets_0 = _S62;
             }
             else
             {
@@ -608,46 +723,54 @@ fn gather(@builtin(global_invocation_id) thread_1 : vec3<u32>, @builtin(subgroup
             var meets_1 : bool;
             if(meets_0)
             {
-                var nearest_there_0 : Nearest_0;
-                meets_1 = (closest_on_edge_0(_S41, u32(14) * i_0, &(nearest_there_0))) < (_S41.limit_1);
+                var nearest_3 : Nearest_0;
+                meets_1 = (closest_on_edge_0(_S55, u32(14) * i_0, &(nearest_3))) < (_S55.limit_1);
             }
             else
             {
                 meets_1 = meets_0;
             }
-            var _S51 : u32;
+            var _S63 : u32;
             if(meets_1)
             {
-                var _S52 : u32 = lane_0();
-                _S51 = (u32(1) << (_S52));
+                var _S64 : u32 = lane_0();
+                _S63 = (u32(1) << (_S64));
             }
             else
             {
-                _S51 = u32(0);
+                _S63 = u32(0);
             }
-            var meeting_0 : u32 = united_0(_S51);
-            var _S53 : u32 = lane_0();
-            var place_0 : u32 = count_0 + countOneBits((meeting_0 & ((((u32(1) << (_S53))) - u32(1)))));
-            var _S54 : bool;
+            var meeting_0 : u32 = united_0(_S63);
+            var _S65 : u32 = lane_0();
+            var place_0 : u32 = count_0 + countOneBits((meeting_0 & ((((u32(1) << (_S65))) - u32(1)))));
+            var _S66 : bool;
             if(meets_1)
             {
-                _S54 = place_0 < (batch_0.capacity_0);
+                _S66 = place_0 < (batch_0.capacity_0);
             }
             else
             {
-                _S54 = false;
+                _S66 = false;
             }
-            if(_S54)
+            if(_S66)
             {
                 answers_0[room_0 + u32(1) + place_0] = edge_1;
             }
             var count_1 : u32 = count_0 + countOneBits(meeting_0);
-            first_3 = first_3 + u32(8);
+            first_4 = first_4 + u32(8);
             count_0 = count_1;
         }
     }
-    var _S55 : u32 = lane_0();
-    if(_S55 == u32(0))
+    if(_S56)
+    {
+        var _S67 : u32 = lane_0();
+        meets_0 = _S67 == u32(0);
+    }
+    else
+    {
+        meets_0 = false;
+    }
+    if(meets_0)
     {
         answers_0[room_0] = count_0;
     }

@@ -1,6 +1,6 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4b314026baf89c39
+// source: cff3358cc5f05b5c
 // result: 9af459db98c0f57e
 
 struct Batch_std140_0

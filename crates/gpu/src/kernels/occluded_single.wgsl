@@ -1,6 +1,6 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 4b314026baf89c39
+// source: cff3358cc5f05b5c
 // result: b0198cdd469dbf7a
 
 struct Batch_std140_0
