@@ -56,8 +56,8 @@ pub enum Memory {
 /// An open device.
 #[derive(Debug)]
 pub enum Driver {
-    Wgpu(WgpuDriver),
-    Cuda(CudaDriver),
+    Wgpu(Box<WgpuDriver>),
+    Cuda(Box<CudaDriver>),
 }
 
 impl Driver {

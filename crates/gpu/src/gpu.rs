@@ -221,12 +221,12 @@ fn open(options: &GpuOptions) -> Result<(Driver, Precision), GpuError> {
     let wanted = options.adapter.as_deref();
     let by_wgpu = || {
         WgpuDriver::open(wanted, options.precision)
-            .map(|(driver, precision)| (Driver::Wgpu(driver), precision))
+            .map(|(driver, precision)| (Driver::Wgpu(Box::new(driver)), precision))
     };
     let by_cuda = || {
         // All of NVIDIA's have double precision.
         let precision = options.precision.unwrap_or(Precision::Double);
-        CudaDriver::open(wanted).map(|driver| (Driver::Cuda(driver), precision))
+        CudaDriver::open(wanted).map(|driver| (Driver::Cuda(Box::new(driver)), precision))
     };
     match options.interface {
         Some(Interface::Wgpu) => by_wgpu(),

@@ -129,90 +129,74 @@ impl DeviceSilhouetteTree {
     /// `capacity` edges of each; what finds no more room is counted, and those cones are
     /// asked again with room for all.
     pub fn gather(&self, queries: &[ConeQuery], capacity: usize) -> Result<Gathered, GpuError> {
-        let mut found: Vec<Vec<u32>> = vec![Vec::new(); queries.len()];
-        let mut again: Vec<(usize, ConeQuery)> = Vec::new();
-        let mut largest = 0;
-        let numbered: Vec<(usize, ConeQuery)> = queries.iter().copied().enumerate().collect();
-        self.gather_once(&numbered, capacity, |number, count, edges| {
-            if count > edges.len() {
-                again.push((number, queries[number]));
-                largest = largest.max(count);
-            } else {
-                found[number] = edges.to_vec();
-            }
-        })?;
-        self.gather_once(&again, largest, |number, _, edges| {
-            found[number] = edges.to_vec()
-        })?;
+        // No cone meets more edges than there are.
+        let capacity = capacity.min(self.edges);
+        let (counts, first) = self.gather_once(queries, capacity)?;
+        let has_more = |&query: &usize| counts[query] > capacity;
+        let again: Vec<_> = (0..queries.len()).filter(has_more).collect();
+        let largest = again.iter().map(|&query| counts[query]).max().unwrap_or(0);
+        let cones: Vec<_> = again.iter().map(|&query| queries[query]).collect();
+        let (_, second) = self.gather_once(&cones, largest)?;
         let mut gathered = Gathered {
             starts: vec![0],
-            edges: Vec::new(),
+            edges: Vec::with_capacity(counts.iter().sum()),
             overflowed: again.len(),
         };
-        for edges in found {
-            gathered.edges.extend(edges);
+        let (mut first, mut second) = (&first[..], &second[..]);
+        for count in counts {
+            let (taken, later) = first.split_at(count.min(capacity));
+            first = later;
+            if count > capacity {
+                let (all, later) = second.split_at(count);
+                second = later;
+                gathered.edges.extend(all);
+            } else {
+                gathered.edges.extend(taken);
+            }
             gathered.starts.push(gathered.edges.len());
         }
         Ok(gathered)
     }
 
-    /// Calls `visit` with each query's number, how many edges it has, and as many of them
-    /// as there was room for.
+    /// How many edges each cone meets, and the first `capacity` of each, one cone after the
+    /// other.
     fn gather_once(
         &self,
-        queries: &[(usize, ConeQuery)],
+        queries: &[ConeQuery],
         capacity: usize,
-        mut visit: impl FnMut(usize, usize, &[u32]),
-    ) -> Result<(), GpuError> {
-        // No cone meets more edges than there are.
-        let capacity = capacity.min(self.edges);
+    ) -> Result<(Vec<usize>, Vec<u32>), GpuError> {
         let shape = Shape {
             kernel: Kernel::Gather,
             numbers: CONE,
             answers: capacity + 1,
             values: 0,
         };
-        self.run_numbered(shape, queries, |queries, answers, _| {
-            for (&(number, _), answer) in queries.iter().zip(answers.chunks_exact(capacity + 1)) {
-                let (count, edges) = (answer[0] as usize, &answer[1..]);
-                visit(number, count, &edges[..count.min(capacity)]);
+        let (mut counts, mut edges) = (Vec::with_capacity(queries.len()), Vec::new());
+        self.run(shape, queries, |_, answers, _| {
+            for answer in answers.chunks_exact(capacity + 1) {
+                let count = answer[0] as usize;
+                counts.push(count);
+                edges.extend(&answer[1..=count.min(capacity)]);
             }
-        })
+        })?;
+        counts.resize(queries.len(), 0);
+        Ok((counts, edges))
     }
 
+    /// Nothing comes back from a tree without edges.
     fn run(
         &self,
         shape: Shape,
         queries: &[ConeQuery],
         finish: impl FnMut(&[ConeQuery], &[u32], &[f64]),
     ) -> Result<(), GpuError> {
-        self.launch(shape, queries, |query| query, finish)
-    }
-
-    fn run_numbered(
-        &self,
-        shape: Shape,
-        queries: &[(usize, ConeQuery)],
-        finish: impl FnMut(&[(usize, ConeQuery)], &[u32], &[f64]),
-    ) -> Result<(), GpuError> {
-        self.launch(shape, queries, |(_, query)| query, finish)
-    }
-
-    /// Nothing comes back from a tree without edges.
-    fn launch<Q: Sync>(
-        &self,
-        shape: Shape,
-        queries: &[Q],
-        cone: impl Fn(&Q) -> &ConeQuery + Sync,
-        finish: impl FnMut(&[Q], &[u32], &[f64]),
-    ) -> Result<(), GpuError> {
         self.gpu.check()?;
         let Some(tree) = &self.tree else {
             return Ok(());
         };
         let precision = self.gpu.precision();
-        let prepare = |query: &Q, view: &mut [u32], numbers: &mut [f64]| {
-            local_cone::write(&self.frame, cone(query), precision, view, numbers);
+        let prepare = |cone: &ConeQuery, view: &mut [u32], numbers: &mut [f64]| {
+            local_cone::write(&self.frame, cone, precision, view, numbers);
         };
         batch::ask(&self.gpu, tree, shape, queries, prepare, finish)
     }

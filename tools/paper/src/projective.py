@@ -39,4 +39,6 @@ with open(output, "wb") as derivatives, open(output + ".picture", "wb") as pictu
         write(derivatives, dr.grad(picture))
         write(pictures, dr.detach(picture))
 
+# On a line of its own: Mitsuba's warnings end with a colour and no line feed.
+print()
 print(time.process_time())
