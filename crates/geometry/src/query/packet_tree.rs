@@ -147,12 +147,12 @@ impl PacketTree {
 
     /// The nearest face that each ray meets, in those it is asked for; `u32::MAX` is none. Of
     /// equally near ones the lowest.
-    pub fn first_hits(&self, packet: &Packet) -> [u32; RAYS] {
+    pub fn first_hits(&self, packet: &Packet<'_>) -> [u32; RAYS] {
         self.instructions.run(FirstHits { tree: self, packet })
     }
 
     /// One bit for each ray that meets something.
-    pub fn occluded(&self, packet: &Packet) -> u32 {
+    pub fn occluded(&self, packet: &Packet<'_>) -> u32 {
         self.instructions.run(Occluded { tree: self, packet })
     }
 
@@ -210,7 +210,7 @@ impl<S: Simd> Nearest<S> {
 
 struct FirstHits<'a> {
     tree: &'a PacketTree,
-    packet: &'a Packet,
+    packet: &'a Packet<'a>,
 }
 
 impl Computation for FirstHits<'_> {
@@ -285,7 +285,7 @@ impl<S: Simd> Unhidden<S> {
 
 struct Occluded<'a> {
     tree: &'a PacketTree,
-    packet: &'a Packet,
+    packet: &'a Packet<'a>,
 }
 
 impl Computation for Occluded<'_> {
