@@ -67,7 +67,7 @@ pub use mirror::{MAX_EVENTS, Mirrors};
 pub use mirror_image::{MirrorImage, moving_image};
 pub use mirror_planes::MirrorPlanes;
 pub use motion::Motion;
-pub use random::{Sampler, Stream};
+pub use random::{Sampler, Stream, Streams};
 pub use refusal::{Refusal, SpecularCause};
 pub use silhouette_pieces::{EdgePoint, SilhouettePieces, beside, clip, place};
 pub use viewpoint::{EMITTED, SEEN, Viewpoint, Visibility};

@@ -72,15 +72,8 @@ impl Stream {
     #[inline]
     pub fn number(&self, dimension: u32) -> f64 {
         match self.sobol {
-            Some((index, seed)) if dimension < SOBOL_DIMENSIONS => {
-                f64::from(sobol_burley::sample(index, dimension, seed))
-            }
-            _ => {
-                let bits = mix(self
-                    .key
-                    .wrapping_add(u64::from(dimension + 1).wrapping_mul(GOLDEN)));
-                (bits >> 11) as f64 / (1u64 << 53) as f64
-            }
+            Some(point) if dimension < SOBOL_DIMENSIONS => sobol(point, dimension),
+            _ => independent(self.key, dimension),
         }
     }
 
@@ -103,6 +96,63 @@ impl Stream {
     }
 }
 
+/// The random numbers of several samples that one sampler draws.
+#[derive(Clone, Copy, Debug)]
+pub struct Streams<const N: usize> {
+    keys: [u64; N],
+    sobol: Option<[(u32, u32); N]>,
+}
+
+impl<const N: usize> Streams<N> {
+    /// The same in all of them.
+    pub fn splat(stream: Stream) -> Self {
+        Self {
+            keys: [stream.key; N],
+            sobol: stream.sobol.map(|point| [point; N]),
+        }
+    }
+
+    /// Sets those of a sample.
+    #[inline]
+    pub fn set(&mut self, sample: usize, stream: Stream) {
+        self.keys[sample] = stream.key;
+        if let (Some(points), Some(point)) = (&mut self.sobol, stream.sobol) {
+            points[sample] = point;
+        }
+    }
+
+    /// The number of a dimension in each, [`Stream::number`]: independent ones in a loop without a
+    /// branch, of which the compiler makes vectors.
+    #[inline(always)]
+    pub fn numbers(&self, dimension: u32) -> [f64; N] {
+        match self.sobol {
+            Some(points) if dimension < SOBOL_DIMENSIONS => {
+                points.map(|point| sobol(point, dimension))
+            }
+            _ => {
+                let mut numbers = [0.0; N];
+                for (number, key) in numbers.iter_mut().zip(self.keys) {
+                    *number = independent(key, dimension);
+                }
+                numbers
+            }
+        }
+    }
+}
+
+/// A coordinate of a Sobol point, given by its index and scramble.
+#[inline(never)]
+fn sobol((index, seed): (u32, u32), dimension: u32) -> f64 {
+    f64::from(sobol_burley::sample(index, dimension, seed))
+}
+
+/// A number of a sample by its key.
+#[inline(always)]
+fn independent(key: u64, dimension: u32) -> f64 {
+    let bits = mix(key.wrapping_add(u64::from(dimension + 1).wrapping_mul(GOLDEN)));
+    (bits >> 11) as f64 / (1u64 << 53) as f64
+}
+
 /// 2^64 over the golden ratio: consecutive multiples are well spread.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
@@ -111,7 +161,7 @@ const BRANCH: u64 = 0x243f_6a88_85a3_08d3;
 
 /// A bijection of 64 bits that looks random (the finaliser of SplitMix64,
 /// Steele et al. 2014).
-#[inline]
+#[inline(always)]
 fn mix(mut x: u64) -> u64 {
     x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -170,6 +220,24 @@ mod tests {
                     sum.mean,
                     sum.standard_error()
                 );
+            }
+        }
+    }
+
+    /// Several samples have the numbers that each of them has, to the bit.
+    #[test]
+    fn several_samples_have_the_numbers_of_each() {
+        for kind in [SamplerKind::Independent, SamplerKind::Sobol] {
+            let sampler = Sampler::new(&settings(kind), 5, 64);
+            let all: [Stream; 8] =
+                std::array::from_fn(|i| sampler.stream(7 + i as u64 / 3, i as u32));
+            let mut streams = Streams::<8>::splat(all[0]);
+            (0..)
+                .zip(all)
+                .for_each(|(i, stream)| streams.set(i, stream));
+            for dimension in [0, 1, 17, SOBOL_DIMENSIONS - 1, SOBOL_DIMENSIONS, 1 << 20] {
+                let expected = all.map(|stream| stream.number(dimension));
+                assert_eq!(streams.numbers(dimension), expected, "{kind:?}");
             }
         }
     }

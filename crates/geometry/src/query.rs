@@ -29,7 +29,7 @@ mod validate;
 
 pub use cone_query::{ConeQuery, EdgeSelection, HalfSpace, SilhouettePoint};
 pub use edge_subset::EdgeSubset;
-pub use packet::Packet;
+pub use packet::{Packet, RAYS};
 pub use packet_tree::PacketTree;
 pub use ray_tree::RayTree;
 pub use silhouette_tree::SilhouetteTree;

@@ -101,18 +101,18 @@ pub fn angle_of([x, y]: [f64; 2]) -> f64 {
     if y < 0.0 { -from_x } else { from_x }
 }
 
+/// Numbers that are not below this are integers. Added to a smaller one and taken away again, it
+/// leaves the nearest integer.
+const INTEGERS: f64 = 4_503_599_627_370_496.0;
+
 /// The largest integer that is not above `x`, without a call of the library where processors are
 /// not known to have an instruction for it.
 #[inline]
 pub fn floor(x: f64) -> f64 {
-    let nearest = (x + TO_INTEGER) - TO_INTEGER;
+    let nearest = ((x.abs() + INTEGERS) - INTEGERS).copysign(x);
     let below = if nearest > x { nearest - 1.0 } else { nearest };
     // False for NaN.
-    if x.abs() < 0.25 * TO_INTEGER {
-        below
-    } else {
-        x.floor()
-    }
+    if x.abs() < INTEGERS { below } else { x }
 }
 
 /// What ln 2 is in two parts, of which multiples of the first are exact.
@@ -299,7 +299,7 @@ mod tests {
     fn integers_below_are_those_of_the_library() {
         let around = |x: f64| [x.next_down(), x, x.next_up(), x + 0.5];
         let small = (-2000..2000).map(|i| f64::from(i) * 0.25);
-        let large = [1e15, 1.6e15, 1.7e15, 1e16, 1e300].map(|x: f64| [x, -x]);
+        let large = [1e15, 2.3e15, 4.4e15, INTEGERS, 1e16, 1e300].map(|x: f64| [x, -x]);
         for x in small.chain(large.into_iter().flatten()).flat_map(around) {
             assert_eq!(floor(x), x.floor(), "{x:e}");
         }

@@ -27,8 +27,8 @@ pub struct SphericalRectangle {
     pub solid_angle: f64,
     /// Ureña's `k`, as cosine and sine: where the angles `k + u · solid_angle` start.
     start: [f64; 2],
-    /// Distances of the viewpoint from the lines `y = y0` and `y = y1` of its plane.
-    to_line: [f64; 2],
+    /// One over the distances of the viewpoint from the lines `y = y0` and `y = y1` of its plane.
+    inverse_to_line: [f64; 2],
 }
 
 /// The product of two complex numbers.
@@ -68,15 +68,21 @@ impl SphericalRectangle {
         let is_near = x0 < 0.0 && x1 > 0.0 && y0 < 0.0 && y1 > 0.0 && z2 < (x1 - x0) * (y1 - y0);
         let if_negative = if is_near { angle + TAU } else { 0.0 };
         let solid_angle = if angle < 0.0 { if_negative } else { angle };
-        let [cos, sin] = at_first;
-        let length = (cos * cos + sin * sin).sqrt();
+        // The length of `at_first` is `x0² + z²` times the distances of both lines: all quotients come
+        // from one division.
+        let to_line = [(yy0 + z2).sqrt(), (yy1 + z2).sqrt()];
+        let between = xx0 + z2;
+        let inverse = 1.0 / (between * to_line[0] * to_line[1]);
         let seen = Self {
             x,
             y,
             z,
             solid_angle: if is_in_front { solid_angle } else { 0.0 },
-            start: [cos / length, -sin / length],
-            to_line: [(yy0 + z2).sqrt(), (yy1 + z2).sqrt()],
+            start: [at_first[0] * inverse, -at_first[1] * inverse],
+            inverse_to_line: [
+                between * to_line[1] * inverse,
+                between * to_line[0] * inverse,
+            ],
         };
         (seen, is_in_front)
     }
@@ -91,20 +97,19 @@ impl SphericalRectangle {
         // x = z / √(fu² + b0² - 1), of the sign of fu.
         let (sin, cos) = sin_cos(u[0] * self.solid_angle);
         let [cos, sin] = times(self.start, [cos, sin]);
-        let [to_first, to_last] = self.to_line;
-        let b0 = -y0 / to_first;
-        let n = cos * b0 - y1 / to_last;
-        let flat = sin * (z / to_first);
+        let [first, last] = self.inverse_to_line;
+        let b0 = -y0 * first;
+        let n = cos * b0 - y1 * last;
+        let flat = sin * (z * first);
         let x = z * sin.abs().copysign(n * sin) / (n * n - flat * flat).max(0.0).sqrt();
         // At an end that is seen at a grazing angle rounding may leave nothing of `n`; the bounds
         // are where it belongs then.
         let x = x.max(x0).min(x1);
         // Along the line of this x, the sine of the angle from its foot is uniform.
         let squared = x * x + z * z;
-        let [h0, h1] = [
-            y0 / (squared + y0 * y0).sqrt(),
-            y1 / (squared + y1 * y1).sqrt(),
-        ];
+        let [first, last] = [y0, y1].map(|y| (squared + y * y).sqrt());
+        let inverse = 1.0 / (first * last);
+        let [h0, h1] = [y0 * (last * inverse), y1 * (first * inverse)];
         let h = h0 + u[1] * (h1 - h0);
         let y = h * (squared / ((1.0 - h) * (1.0 + h))).sqrt();
         [x, y.max(y0).min(y1)]

@@ -1,4 +1,4 @@
-//! Eight samples of the primal image at a time, where scenes allow it: all light comes from one
+//! Sixteen samples of the primal image at a time, where scenes allow it: all light comes from one
 //! rectangle, and what surfaces do to it is the same all over them, but for textures of what is
 //! diffuse.
 //!
@@ -16,14 +16,15 @@
 mod facets;
 mod frames;
 mod lobes;
+mod rays;
 mod scene;
 mod step;
 #[cfg(test)]
 mod tests;
 mod vectors;
 
-use capwalk_boundary::{Accel, Stream};
-use capwalk_geometry::{Packet, PacketTree};
+use capwalk_boundary::{Accel, Stream, Streams};
+use capwalk_geometry::PacketTree;
 use capwalk_math::Rgb;
 
 use crate::film::FILM;
@@ -34,6 +35,7 @@ use crate::radiance::RR_MAX;
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
 use lobes::LaneLobes;
+use rays::{ALL_BEHIND, Rays};
 use scene::{LaneScene, NOTHING};
 use step::{Brdf, Lit, Vertices};
 use vectors::{LANES, Vectors, lanes_of, mask_of};
@@ -49,7 +51,7 @@ const NEAREST: f64 = 2e-3;
 const EFFORT_OF_LANE: u64 = 10;
 const LEVELS_PER_EFFORT: u64 = 3;
 
-/// Takes samples of the pixels of a scene, eight at a time.
+/// Takes samples of the pixels of a scene, sixteen at a time.
 pub struct LaneTracer<'a> {
     accel: &'a Accel,
     supports: Supports,
@@ -59,9 +61,9 @@ pub struct LaneTracer<'a> {
     levels: u64,
 }
 
-/// Eight paths.
+/// Sixteen paths.
 struct Paths<'a> {
-    streams: [Stream; LANES],
+    streams: Streams<LANES>,
     light: Vectors,
     throughput: Vectors,
     vertices: Vertices,
@@ -77,7 +79,7 @@ impl Paths<'_> {
     /// None yet.
     fn new(stream: Stream) -> Self {
         Self {
-            streams: [stream; LANES],
+            streams: Streams::splat(stream),
             light: Vectors::ZERO,
             throughput: Vectors::ZERO,
             vertices: Vertices::NONE,
@@ -135,25 +137,43 @@ impl<'a> LaneTracer<'a> {
         taken: &mut Vec<Sample<3>>,
     ) {
         // Samples of the film, and the camera's rays through them.
-        let mut packet = Packet::EMPTY;
-        let mut weights = [0.0; LANES];
-        let view = &self.accel.view;
+        let instructions = self.packets.instructions();
         for (lane, place) in places.iter().enumerate() {
-            paths.streams[lane] = place.stream;
-            let support = self.supports.pixel(place.pixel);
-            let s = support.sample(0.0, 0.0, place.stream.pair(FILM));
-            weights[lane] = support.weight_over_pdf(s);
-            let ray = view.ray(view.direction(s));
-            packet.set(lane, ray.origin, ray.direction, ray.range);
+            paths.streams.set(lane, place.stream);
         }
+        let mut film = [[0.0; LANES]; 2];
+        instructions.run(step::Random {
+            streams: &paths.streams,
+            first: FILM,
+            numbers: &mut film,
+        });
+        let mut weights = [0.0; LANES];
+        for (lane, place) in places.iter().enumerate() {
+            let support = self.supports.pixel(place.pixel);
+            let s = support.sample(0.0, 0.0, film.map(|numbers| numbers[lane]));
+            (film[0][lane], film[1][lane]) = (s[0], s[1]);
+            weights[lane] = support.weight_over_pdf(s);
+        }
+        let mut range = ALL_BEHIND;
+        instructions.run(step::FilmRays {
+            view: &self.accel.view,
+            film: &film,
+            vertices: &mut paths.vertices,
+            range: &mut range,
+        });
         paths.light = Vectors::ZERO;
         paths.throughput = Vectors::splat([1.0; 3]);
-        paths.vertices.origin = Vectors(packet.origin);
-        paths.vertices.direction = Vectors(packet.direction);
-        paths.faces = self.packets.first_hits(&packet);
+        let mask = (1 << places.len()) - 1;
+        let rays = Rays {
+            origin: &paths.vertices.origin,
+            direction: &paths.vertices.direction,
+            range: &range,
+            mask,
+        };
+        paths.faces = rays.first_hits(&self.packets);
         paths.rays = [1; LANES];
-        self.add_seen(paths, packet.mask);
-        self.reflect(paths, packet.mask);
+        self.add_seen(paths, mask);
+        self.reflect(paths, mask);
         taken.extend((0..places.len()).map(|lane| Sample {
             numbers: (paths.light.colour(lane) * weights[lane]).to_array(),
             effort: EFFORT_OF_LANE + paths.rays[lane] * self.levels / LEVELS_PER_EFFORT,
@@ -190,7 +210,6 @@ impl<'a> LaneTracer<'a> {
             let goes_on = plan.reaches(depth + 3);
             let first = plan.vertex_numbers(depth);
             let instructions = self.packets.instructions();
-            instructions.run(step::Surfaces(&mut paths.vertices));
             let Paths {
                 vertices, lobes, ..
             } = &mut *paths;
@@ -198,10 +217,13 @@ impl<'a> LaneTracer<'a> {
             // Where directions are drawn from the surface: see `sample_lights`.
             let of_brdf = match goes_on {
                 true => active,
-                false => mask_of(active, |lane| {
-                    let is_diffuse = paths.lobes.get(lane).is_none_or(|lobes| lobes.is_diffuse);
-                    !is_diffuse || !self.scene.is_narrow(paths.vertices.position.get(lane))
-                }),
+                false => {
+                    let narrow = instructions.run(step::Narrow {
+                        vertices: &paths.vertices,
+                        emitter: self.scene.triangles,
+                    });
+                    active & !narrow | paths.lobes.which(active, |lobes| !lobes.is_diffuse)
+                }
             };
             self.add_light(paths, active, first, of_brdf);
             if of_brdf == 0 {
@@ -215,14 +237,23 @@ impl<'a> LaneTracer<'a> {
         }
     }
 
-    /// Looks up the surfaces that were hit; one bit for each that scatters something.
+    /// Finds where surfaces were hit, and looks them up; one bit for each that scatters something.
     fn find_surfaces<'s>(&'s self, paths: &mut Paths<'s>, active: u32) -> u32 {
+        let Paths {
+            vertices,
+            lobes,
+            faces,
+            ..
+        } = paths;
+        let active = mask_of(active, |lane| faces[lane] != NOTHING);
+        for lane in lanes_of(active) {
+            self.scene.set_plane(faces[lane], lane, vertices);
+        }
+        let instructions = self.packets.instructions();
+        instructions.run(step::Surfaces(vertices));
         mask_of(active, |lane| {
-            let found = match paths.faces[lane] {
-                NOTHING => None,
-                face => self.scene.look_up(face, lane, &mut paths.vertices),
-            };
-            paths.lobes.set(lane, found.flatten());
+            let found = self.scene.look_up(faces[lane], lane, vertices);
+            lobes.set(lane, found.flatten());
             found.is_some()
         })
     }
@@ -230,21 +261,15 @@ impl<'a> LaneTracer<'a> {
     /// Adds light from a point sampled on the emitter.
     fn add_light(&self, paths: &mut Paths<'_>, active: u32, first: u32, of_brdf: u32) {
         let lobes = &paths.lobes;
-        let is_smooth = |lane| lobes.get(lane).is_none_or(|lobes| lobes.has_smooth);
-        let transmits = |lane| lobes.get(lane).is_some_and(|lobes| lobes.transmits);
-        let (active, transmits) = (mask_of(active, is_smooth), mask_of(active, transmits));
-        let mut u = [[0.0; LANES]; 2];
-        for lane in lanes_of(active) {
-            // The first number would choose among several emitters.
-            let pair = paths.streams[lane].pair(first + 1);
-            (u[0][lane], u[1][lane]) = (pair[0], pair[1]);
-        }
+        let active = active & !lobes.which(active, |lobes| !lobes.has_smooth);
+        let transmits = lobes.which(active, |lobes| lobes.transmits);
         let instructions = self.packets.instructions();
         let mut lit = Lit::default();
         instructions.run(step::Light {
             vertices: &mut paths.vertices,
             rectangle: self.scene.rectangle,
-            u: &u,
+            streams: &paths.streams,
+            first,
             of_brdf,
             transmits,
             lit: &mut lit,
@@ -253,62 +278,64 @@ impl<'a> LaneTracer<'a> {
         if wanted == 0 {
             return;
         }
-        let packet = Packet {
-            origin: paths.vertices.position.0,
-            direction: lit.direction.0,
-            range: [[0.0; LANES], lit.distance],
+        let rays = Rays {
+            origin: &paths.vertices.position,
+            direction: &lit.direction,
+            range: &[[0.0; LANES], lit.distance],
             mask: wanted,
         };
         for lane in lanes_of(wanted) {
             paths.rays[lane] += 1;
         }
-        let seen = wanted & !self.packets.occluded(&packet);
+        let seen = wanted & !rays.occluded(&self.packets);
         paths.lobes.light_from(instructions, &lit.direction, seen);
-        for lane in lanes_of(seen) {
-            let scattered = match paths.lobes.get(lane) {
-                None => paths.vertices.albedo.colour(lane) * lit.weight[lane],
-                Some(lobes) => {
-                    let solid_angle = paths.vertices.solid_angle[lane];
-                    let has_other = of_brdf >> lane & 1 == 1;
-                    paths.lobes.scattered(lobes, lane, solid_angle, has_other)
-                }
+        let mut scattered = paths.vertices.albedo;
+        for lane in lanes_of(seen & paths.lobes.with_lobes) {
+            let Some(lobes) = paths.lobes.get(lane) else {
+                continue;
             };
-            let reflected = scattered * self.scene.radiance;
-            let light = paths.light.colour(lane) + paths.throughput.colour(lane) * reflected;
-            paths.light.set_colour(lane, light);
+            let solid_angle = paths.vertices.solid_angle[lane];
+            let has_other = of_brdf >> lane & 1 == 1;
+            let (colour, weight) = paths.lobes.scattered(lobes, lane, solid_angle, has_other);
+            scattered.set_colour(lane, colour);
+            lit.weight[lane] = weight;
         }
+        instructions.run(step::Gather {
+            light: &mut paths.light,
+            throughput: &paths.throughput,
+            scattered: &scattered,
+            weight: &lit.weight,
+            radiance: self.scene.radiance,
+            lanes: seen,
+        });
     }
 
     /// Draws directions from the surfaces, adds what the emitter sends from there, and goes on
     /// along them; one bit for each that does.
     fn draw_brdf(&self, paths: &mut Paths<'_>, active: u32, first: u32) -> u32 {
-        let mut u = [[0.0; LANES]; 2];
-        for lane in lanes_of(active) {
-            let pair = paths.streams[lane].pair(first + 1);
-            (u[0][lane], u[1][lane]) = (pair[0], pair[1]);
-        }
         let instructions = self.packets.instructions();
+        let mut numbers = [[0.0; LANES]; BSDF_NUMBERS as usize];
+        instructions.run(step::Random {
+            streams: &paths.streams,
+            first,
+            numbers: &mut numbers,
+        });
+        let [choice, u @ ..] = numbers;
         let mut drawn = Brdf::default();
-        instructions.run(step::Draw {
-            vertices: &paths.vertices,
-            u: &u,
-            drawn: &mut drawn,
-        });
+        if active & !paths.lobes.with_lobes != 0 {
+            instructions.run(step::Draw {
+                vertices: &paths.vertices,
+                u: &u,
+                drawn: &mut drawn,
+            });
+        }
         let Paths {
-            streams,
-            vertices,
-            lobes,
-            ..
+            vertices, lobes, ..
         } = &mut *paths;
-        let mut of_lobes = 0;
-        let active = mask_of(active, |lane| {
-            lobes.get(lane).is_none() || {
-                of_lobes |= 1 << lane;
-                let choice = streams[lane].number(first);
-                lobes.draw(lane, choice, u.map(|numbers| numbers[lane]))
-            }
+        let of_lobes = mask_of(active & lobes.with_lobes, |lane| {
+            lobes.draw(lane, choice[lane], u.map(|numbers| numbers[lane]))
         });
-        let of_lobes = of_lobes & active;
+        let active = active & !lobes.with_lobes | of_lobes;
         let mut factors = vertices.albedo;
         let mut ended = 0;
         if of_lobes != 0 {
@@ -331,25 +358,30 @@ impl<'a> LaneTracer<'a> {
         let vertices = &mut paths.vertices;
         vertices.direction = drawn.direction;
         vertices.origin = vertices.position;
-        paths.faces = self.packets.first_hits(&Packet {
-            origin: vertices.origin.0,
-            direction: vertices.direction.0,
+        let rays = Rays {
+            origin: &vertices.origin,
+            direction: &vertices.direction,
+            range: &ALL_BEHIND,
             mask: active,
-            ..Packet::EMPTY
-        });
+        };
+        paths.faces = rays.first_hits(&self.packets);
+        let faces = &paths.faces;
+        let emits = |lane| self.scene.emits(faces[lane], drawn.direction.get(lane));
+        let seen = mask_of(active, emits);
+        if seen != 0 {
+            instructions.run(step::Gather {
+                light: &mut paths.light,
+                throughput: &paths.throughput,
+                scattered: &factors,
+                weight: &drawn.weight,
+                radiance: self.scene.radiance,
+                lanes: seen,
+            });
+        }
         for lane in lanes_of(active) {
             paths.rays[lane] += 1;
-            let next = paths.throughput.colour(lane) * factors.colour(lane);
-            if self
-                .scene
-                .emits(paths.faces[lane], drawn.direction.get(lane))
-            {
-                let seen = next * self.scene.radiance * drawn.weight[lane];
-                let light = paths.light.colour(lane) + seen;
-                paths.light.set_colour(lane, light);
-            }
-            paths.throughput.set_colour(lane, next);
         }
+        paths.throughput = paths.throughput.times(&factors);
         active
     }
 
@@ -357,6 +389,10 @@ impl<'a> LaneTracer<'a> {
     fn roulette(&self, paths: &mut Paths<'_>, active: u32, depth: u32) -> u32 {
         let is_long = depth + 1 >= self.plan.rr_depth;
         let last = self.plan.vertex_numbers(depth + 1) - 1;
+        let numbers = match is_long {
+            true => paths.streams.numbers(last),
+            false => [0.0; LANES],
+        };
         let mut alive = 0;
         for lane in lanes_of(active) {
             let throughput = paths.throughput.colour(lane);
@@ -365,7 +401,7 @@ impl<'a> LaneTracer<'a> {
             }
             if is_long {
                 let survival = throughput.max_component().clamp(0.0, RR_MAX);
-                if paths.streams[lane].number(last) >= survival {
+                if numbers[lane] >= survival {
                     continue;
                 }
                 paths

@@ -34,7 +34,7 @@ pub struct TriangleSampler {
 
 /// Neighbours in the order of triangles, and bounds of them.
 #[derive(Clone, Debug)]
-struct Node {
+pub struct Node {
     /// Their places in that order.
     places: Range<usize>,
     /// The nodes of both halves; none in a leaf.
@@ -126,7 +126,12 @@ impl TriangleSampler {
 
     /// About the solid angle under which the front of the mesh is seen, steradians.
     pub fn solid_angle(&self, viewpoint: Vec3) -> f64 {
-        self.nodes[0].seen(viewpoint)
+        self.root().seen(viewpoint)
+    }
+
+    /// All triangles of the mesh.
+    pub fn root(&self) -> &Node {
+        &self.nodes[0]
     }
 
     /// A point that is seen from the front, and its density. `None` if there is none where
@@ -325,16 +330,13 @@ impl Node {
         }
     }
 
-    /// About the solid angle under which the front of its triangles is seen; 0 only if none
-    /// of it is.
-    fn seen(&self, viewpoint: Vec3) -> f64 {
+    /// About the solid angle under which the front of its triangles is seen, steradians; 0 only if
+    /// none of it is. Without a branch, for several viewpoints.
+    #[inline(always)]
+    pub fn seen(&self, viewpoint: Vec3) -> f64 {
         let offset = viewpoint - self.centre;
         let squared = offset.length_squared();
         let distance = squared.sqrt();
-        // From inside of the ball all directions are possible.
-        if distance <= self.radius {
-            return 0.25 * self.area / (self.radius * self.radius).max(f64::MIN_POSITIVE);
-        }
         // Bounds of the cosine between the normals and the way to the viewpoint: the cone of
         // normals, and for other points than the centre the ball.
         let cos = (self.axis.dot(offset) / distance).clamp(-1.0, 1.0);
@@ -348,15 +350,19 @@ impl Node {
             true => -1.0,
             false => cos * self.cos_spread - sin * self.sin_spread - tilt,
         };
-        if highest <= 0.0 {
-            0.0
-        } else if lowest >= 0.0 {
-            // All of it is seen from the front: its vector area is what is seen of it.
-            (self.vector_area.dot(offset) / distance).max(0.0) / squared
+        // From inside of the ball all directions are possible.
+        let inside = 0.25 * self.area / (self.radius * self.radius).max(f64::MIN_POSITIVE);
+        // All of it is seen from the front: its vector area is what is seen of it.
+        let front = (self.vector_area.dot(offset) / distance).max(0.0) / squared;
+        // The mean of what is above 0 if cosines are uniform between the bounds.
+        let [most, least] = [highest.min(1.0), lowest.max(-1.0)];
+        let partly = self.area * most * most / (2.0 * (most - least) * squared);
+        let outside = if lowest >= 0.0 { front } else { partly };
+        let outside = if highest <= 0.0 { 0.0 } else { outside };
+        if distance <= self.radius {
+            inside
         } else {
-            // The mean of what is above 0 if cosines are uniform between the bounds.
-            let [highest, lowest] = [highest.min(1.0), lowest.max(-1.0)];
-            self.area * highest * highest / (2.0 * (highest - lowest) * squared)
+            outside
         }
     }
 }

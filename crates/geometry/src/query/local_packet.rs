@@ -23,7 +23,7 @@ pub struct LocalPacket<S: Simd> {
 
 impl<S: Simd> LocalPacket<S> {
     #[inline(always)]
-    pub fn new(simd: S, frame: &LocalFrame, packet: &Packet) -> Self {
+    pub fn new(simd: S, frame: &LocalFrame, packet: &Packet<'_>) -> Self {
         let centre = frame.centre.to_array();
         let mut local = [[0.0; RAYS]; 3];
         let mut farthest: [f64; RAYS] = [0.0; RAYS];
@@ -81,7 +81,7 @@ impl<S: Simd> LocalPacket<S> {
 #[inline(always)]
 fn clip(
     rays: u32,
-    packet: &Packet,
+    packet: &Packet<'_>,
     local: &[[f64; RAYS]; 3],
     [enter, exit]: [&mut [f64; RAYS]; 2],
 ) {

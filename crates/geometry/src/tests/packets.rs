@@ -14,8 +14,43 @@ fn spread(i: u64) -> f64 {
     (i as f64 * 0.618_033_988_749_894_9).fract()
 }
 
+/// The rays of a packet.
+struct Rays {
+    origin: [[f64; RAYS]; 3],
+    direction: [[f64; RAYS]; 3],
+    range: [[f64; RAYS]; 2],
+    mask: u32,
+}
+
+impl Rays {
+    const NONE: Self = Self {
+        origin: [[0.0; RAYS]; 3],
+        direction: [[0.0; RAYS]; 3],
+        range: [[0.0; RAYS]; 2],
+        mask: 0,
+    };
+
+    fn set(&mut self, ray: usize, origin: Vec3, direction: Vec3, most: f64) {
+        for axis in 0..3 {
+            self.origin[axis][ray] = origin.to_array()[axis];
+            self.direction[axis][ray] = direction.to_array()[axis];
+        }
+        self.range[1][ray] = most;
+        self.mask |= 1 << ray;
+    }
+
+    fn packet(&self) -> Packet<'_> {
+        Packet {
+            origin: self.origin.each_ref(),
+            direction: self.direction.each_ref(),
+            range: self.range.each_ref(),
+            mask: self.mask,
+        }
+    }
+}
+
 /// Rays between points in and around a mesh, some of which start on it, and some of which end.
-fn packets(mesh: &Mesh, seed: u64) -> Vec<Packet> {
+fn packets(mesh: &Mesh, seed: u64) -> Vec<Rays> {
     let (low, high) = mesh.bounds();
     let size = high - low;
     let point = |i: u64| {
@@ -31,8 +66,8 @@ fn packets(mesh: &Mesh, seed: u64) -> Vec<Packet> {
         ];
         a + (b - a) * u + (c - a) * v
     };
-    let packet = |number: u64| {
-        let mut packet = Packet::EMPTY;
+    let of_packet = |number: u64| {
+        let mut rays = Rays::NONE;
         for ray in 0..RAYS {
             let i = 8 * number + ray as u64;
             let from = if i.is_multiple_of(3) {
@@ -54,12 +89,12 @@ fn packets(mesh: &Mesh, seed: u64) -> Vec<Packet> {
                 } else {
                     f64::INFINITY
                 };
-                packet.set(ray, from, offset / distance, [0.0, most]);
+                rays.set(ray, from, offset / distance, most);
             }
         }
-        packet
+        rays
     };
-    (0..24).map(packet).collect()
+    (0..24).map(of_packet).collect()
 }
 
 /// Two balls above a floor.
@@ -90,7 +125,8 @@ proptest! {
         let tree = PacketTree::new(&rays, &mesh);
         let slower = Instructions::slower().into_iter().map(|it| tree.clone().with(it));
         let others: Vec<_> = slower.chain(tree.deep_and_flat(&rays, &mesh)).collect();
-        for packet in packets(&mesh, seed) {
+        for rays in packets(&mesh, seed) {
+            let packet = rays.packet();
             let (faces, hidden) = (tree.first_hits(&packet), tree.occluded(&packet));
             for other in &others {
                 prop_assert_eq!(faces, other.first_hits(&packet));
@@ -114,15 +150,16 @@ fn packets_find_what_rays_do() {
     let tree = PacketTree::new(&RayTree::build(&mesh), &mesh);
     let (mut asked, mut differ) = (0, 0);
     for seed in 0..400 {
-        for packet in packets(&mesh, seed) {
+        for rays in packets(&mesh, seed) {
+            let packet = rays.packet();
             let (faces, hidden) = (tree.first_hits(&packet), tree.occluded(&packet));
             for lane in (0..RAYS).filter(|&lane| packet.mask >> lane & 1 == 1) {
                 let of =
-                    |vectors: &[[f64; RAYS]; 3]| Vec3::from([0, 1, 2].map(|k| vectors[k][lane]));
+                    |vectors: [&[f64; RAYS]; 3]| Vec3::from([0, 1, 2].map(|k| vectors[k][lane]));
                 let ray = Ray {
                     t_min: 10.0 * tree.in_plane(),
                     t_max: packet.range[1][lane] - 10.0 * tree.in_plane(),
-                    ..Ray::new(of(&packet.origin), of(&packet.direction))
+                    ..Ray::new(of(packet.origin), of(packet.direction))
                 };
                 let expected = oracle::first_hit(&mesh, &ray).map(|hit| hit.face);
                 asked += 1;

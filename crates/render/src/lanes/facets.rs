@@ -1,4 +1,4 @@
-//! Rough surfaces of lanes: what their facets do to light, eight at a time.
+//! Rough surfaces of lanes: what their facets do to light, all lanes at a time.
 
 use capwalk_geometry::simd::{Computation, Simd};
 use capwalk_math::Vec3;
@@ -7,7 +7,7 @@ use capwalk_scene::lobe::{Distribution, Microfacets, Mirrored, branchless};
 use crate::lanes::frames::LaneFrames;
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 
-/// The facets of eight surfaces.
+/// The facets of the surfaces.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneFacets {
     alpha: [Numbers; 2],
@@ -30,6 +30,12 @@ impl LaneFacets {
         self.alpha[0][lane] = facets.alpha_u;
         self.alpha[1][lane] = facets.alpha_v;
         self.distribution[lane] = facets.distribution;
+    }
+
+    /// [`Microfacets::visible_over_cos`] of the direction to the viewer of a lane.
+    #[inline]
+    pub fn visible(&self, lane: usize) -> f64 {
+        self.visible[lane]
     }
 
     #[inline(always)]

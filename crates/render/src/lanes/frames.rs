@@ -6,7 +6,7 @@ use capwalk_math::{Frame, Vec3};
 use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Vectors};
 
-/// The frames in which the lobes of eight surfaces are, and there the directions to the viewer.
+/// The frames in which the lobes of surfaces are, and there the directions to the viewer.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneFrames {
     s: Vectors,

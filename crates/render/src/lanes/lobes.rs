@@ -8,9 +8,8 @@ use capwalk_scene::lobe::{BsdfDirection, LocalBsdf, Microfacets, Specular};
 
 use crate::lanes::facets::{LaneFacets, LaneMirrored, Mirror, Seen};
 use crate::lanes::frames::{FindFrames, LaneFrames, ToLocal, ToWorld};
-use crate::lanes::step::{Vertices, density};
+use crate::lanes::step::{Vertices, weight_beside_points, weight_over_density};
 use crate::lanes::vectors::{LANES, Vectors, lanes_of, mask_of};
-use crate::light::power_heuristic;
 
 /// The lobes of one side of a surface, the same all over it.
 pub struct Lobes {
@@ -51,9 +50,12 @@ pub struct Turned<'a> {
     pub tangent: Option<Vec3>,
 }
 
-/// The lobes of those of eight surfaces that are not diffuse, and light that they scatter.
+/// The lobes of those surfaces that are not diffuse, and light that they scatter.
 pub struct LaneLobes<'a> {
     turned: [Option<Turned<'a>>; LANES],
+    /// One bit for each that has lobes, and for each that has facets.
+    pub with_lobes: u32,
+    with_facets: u32,
     frames: LaneFrames,
     facets: LaneFacets,
     /// Unit directions of light in the frames, and what facets do to it.
@@ -68,6 +70,8 @@ impl<'a> LaneLobes<'a> {
     pub fn new() -> Self {
         Self {
             turned: [None; LANES],
+            with_lobes: 0,
+            with_facets: 0,
             frames: LaneFrames::NONE,
             facets: LaneFacets::ANY,
             light: Vectors::ZERO,
@@ -77,8 +81,13 @@ impl<'a> LaneLobes<'a> {
     }
 
     /// Sets those of a lane; `None` if its surface is diffuse.
+    #[inline]
     pub fn set(&mut self, lane: usize, turned: Option<Turned<'a>>) {
         self.turned[lane] = turned;
+        let facets = turned.and_then(|turned| turned.lobes.facets);
+        let others = !(1 << lane);
+        self.with_lobes = self.with_lobes & others | u32::from(turned.is_some()) << lane;
+        self.with_facets = self.with_facets & others | u32::from(facets.is_some()) << lane;
     }
 
     /// Those of a lane.
@@ -86,16 +95,16 @@ impl<'a> LaneLobes<'a> {
         self.turned[lane].map(|turned| turned.lobes)
     }
 
-    /// Which of some lanes have lobes, and which have facets.
-    fn masks(&self, lanes: u32) -> [u32; 2] {
-        let lobes = mask_of(lanes, |lane| self.turned[lane].is_some());
-        let has = |lane| self.get(lane).is_some_and(|lobes| lobes.facets.is_some());
-        [lobes, mask_of(lobes, has)]
+    /// One bit for each of some lanes that has any of which something holds.
+    #[inline]
+    pub fn which(&self, lanes: u32, holds: impl Fn(&Lobes) -> bool) -> u32 {
+        let of_lane = |lane| self.get(lane).is_some_and(&holds);
+        mask_of(self.with_lobes & lanes, of_lane)
     }
 
     /// Finds the frames of some lanes, and what is seen of their facets.
     pub fn face_viewers(&mut self, instructions: Instructions, vertices: &Vertices, lanes: u32) {
-        let [with_lobes, with_facets] = self.masks(lanes);
+        let with_lobes = self.with_lobes & lanes;
         if with_lobes == 0 {
             return;
         }
@@ -115,7 +124,7 @@ impl<'a> LaneLobes<'a> {
                 self.facets.set(lane, own);
             }
         }
-        if with_facets != 0 {
+        if self.with_facets & lanes != 0 {
             let facets = &mut self.facets;
             instructions.run(Seen { frames, facets });
         }
@@ -123,7 +132,7 @@ impl<'a> LaneLobes<'a> {
 
     /// Sends light to some lanes, from unit directions of the world.
     pub fn light_from(&mut self, instructions: Instructions, world: &Vectors, lanes: u32) {
-        if self.masks(lanes)[0] != 0 {
+        if self.with_lobes & lanes != 0 {
             self.light = *world;
             instructions.run(ToLocal {
                 frames: &self.frames,
@@ -138,7 +147,14 @@ impl<'a> LaneLobes<'a> {
     pub fn draw(&mut self, lane: usize, choice: f64, u: [f64; 2]) -> bool {
         let drawn = self.get(lane).and_then(|lobes| {
             let wi = self.frames.wi.get(lane);
-            lobes.bsdf.draw(wi, choice, u)
+            match lobes.facets {
+                None => lobes.bsdf.draw(wi, choice, u),
+                Some(_) => {
+                    let visible = self.facets.visible(lane);
+                    let wo = lobes.bsdf.draw_visible(wi, visible, choice, u);
+                    wo.map(|wo| BsdfDirection { wo, specular: None })
+                }
+            }
         });
         drawn.is_some_and(|BsdfDirection { wo, specular }| {
             self.light.set(lane, wo);
@@ -159,7 +175,7 @@ impl<'a> LaneLobes<'a> {
     }
 
     fn mirror(&mut self, instructions: Instructions, lanes: u32) {
-        if self.masks(lanes)[1] != 0 {
+        if self.with_facets & lanes != 0 {
             instructions.run(Mirror {
                 frames: &self.frames,
                 facets: &self.facets,
@@ -170,13 +186,18 @@ impl<'a> LaneLobes<'a> {
     }
 
     /// What the lobes of a lane scatter of light that comes from a point on the emitter, which is
-    /// seen under a solid angle, times its weight over its density. `has_other` if directions are
+    /// seen under a solid angle, and its weight over its density. `has_other` if directions are
     /// drawn from the lobes, too.
-    pub fn scattered(&self, lobes: &Lobes, lane: usize, solid_angle: f64, has_other: bool) -> Rgb {
-        let own = density(solid_angle);
+    pub fn scattered(
+        &self,
+        lobes: &Lobes,
+        lane: usize,
+        solid_angle: f64,
+        has_other: bool,
+    ) -> (Rgb, f64) {
         let (scattered, pdf) = self.eval_and_pdf(lobes, lane);
         let other = if has_other { pdf } else { 0.0 };
-        scattered * (power_heuristic(own, other) / own)
+        (scattered, weight_over_density(solid_angle, other))
     }
 
     /// What becomes of light from the direction drawn from the lobes of a lane; `None` if the path
@@ -189,7 +210,7 @@ impl<'a> LaneLobes<'a> {
             return Some((fraction / probability, 1.0));
         }
         let (scattered, pdf) = self.eval_and_pdf(lobes, lane);
-        let weight = power_heuristic(pdf, density(solid_angle));
+        let weight = weight_beside_points(solid_angle, pdf);
         (pdf > 0.0).then(|| (scattered / pdf, weight))
     }
 

@@ -1,4 +1,4 @@
-//! What of a scene eight paths need, and which scenes allow them.
+//! What of a scene lanes need, and which scenes allow them.
 
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_math::{Rgb, Vec3};
@@ -9,10 +9,9 @@ use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, ShapeId, SurfacePoint, 
 use crate::emitter_sampler::DirectionSampler;
 use crate::lanes::lobes::{Lobes, Turned};
 use crate::lanes::step::Vertices;
-use crate::light::NARROW;
 use crate::prepared::PreparedScene;
 use crate::rectangle_sampler::RectangleSampler;
-use crate::triangle_sampler::TriangleSampler;
+use crate::triangle_sampler::Node;
 
 /// No face.
 pub const NOTHING: u32 = u32::MAX;
@@ -25,8 +24,9 @@ pub struct LaneScene<'a> {
     shapes: Vec<ShapeOfLanes>,
     /// The rectangle, its shape, and its radiance.
     pub rectangle: &'a RectangleSampler,
-    triangles: &'a TriangleSampler,
     emitter: ShapeId,
+    /// All its triangles.
+    pub triangles: &'a Node,
     pub radiance: Rgb,
 }
 
@@ -64,10 +64,9 @@ impl Face {
         }
     }
 
-    /// Weights of the corners where a ray meets the plane of the face.
-    fn barycentric(&self, origin: Vec3, direction: Vec3) -> [f64; 3] {
-        let t = (self.corner - origin).dot(self.normal) / direction.dot(self.normal);
-        let offset = origin + direction * t - self.corner;
+    /// Weights of the corners at a point of its plane.
+    fn barycentric(&self, position: Vec3) -> [f64; 3] {
+        let offset = position - self.corner;
         let [wb, wc] = self.weights.map(|weight| weight.dot(offset));
         [1.0 - wb - wc, wb, wc]
     }
@@ -76,7 +75,6 @@ impl Face {
 /// What a shape's sides scatter: the one that its normal points to, and the other.
 struct ShapeOfLanes {
     sides: [Option<Scattering>; 2],
-    needs_place: bool,
     has_normals: bool,
 }
 
@@ -112,7 +110,6 @@ impl<'a> LaneScene<'a> {
             .map(|(i, shape)| {
                 Some(ShapeOfLanes {
                     sides: sides(accel, shape, accel.needs_tangent[i])?,
-                    needs_place: accel.needs_place[i],
                     has_normals: shape.normals.per_vertex().is_some(),
                 })
             })
@@ -126,15 +123,10 @@ impl<'a> LaneScene<'a> {
             shapes,
             faces: faces.collect(),
             rectangle,
-            triangles,
             emitter: *shape,
+            triangles: triangles.root(),
             radiance: texture.texel(0),
         })
-    }
-
-    /// True if the emitter is so narrow, seen from a point, that points on it are enough.
-    pub fn is_narrow(&self, position: Vec3) -> bool {
-        self.triangles.solid_angle(position) < NARROW
     }
 
     /// How far the box around the nearest face is from a point, at least.
@@ -157,8 +149,16 @@ impl<'a> LaneScene<'a> {
         }
     }
 
-    /// Looks up the face that a path hits; `None` if it scatters nothing, else what does if it is
-    /// not diffuse.
+    /// Looks up where the plane of the face is that a path hits.
+    #[inline]
+    pub fn set_plane(&self, face: u32, lane: usize, vertices: &mut Vertices) {
+        let Face { corner, normal, .. } = self.faces[face as usize];
+        vertices.corner.set(lane, corner);
+        vertices.face_normal.set(lane, normal);
+    }
+
+    /// Looks up what the face scatters that a path hits, where its position is known; `None` if
+    /// nothing, else what does if it is not diffuse.
     #[inline]
     pub fn look_up(
         &self,
@@ -168,35 +168,24 @@ impl<'a> LaneScene<'a> {
     ) -> Option<Option<Turned<'_>>> {
         let found = &self.faces[face as usize];
         let shape = &self.shapes[found.shape.0 as usize];
-        let direction = vertices.direction.get(lane);
-        let seen = if found.normal.dot(direction) > 0.0 {
-            -1.0
-        } else {
-            1.0
-        };
-        let barycentric = match shape.needs_place {
-            true => found.barycentric(vertices.origin.get(lane), direction),
-            false => [1.0, 0.0, 0.0],
-        };
+        let barycentric = || found.barycentric(vertices.position.get(lane));
         let (outward, out) = match shape.has_normals {
             false => (found.normal, 1.0),
-            true => self.normal(face, found, barycentric),
+            true => self.normal(face, found, barycentric()),
         };
-        let (place, side) = if seen * out > 0.0 {
+        let (place, side) = if vertices.seen[lane] * out > 0.0 {
             (0, 1.0)
         } else {
             (1, -1.0)
         };
         let (side, albedo, lobes) = match shape.sides[place].as_ref()? {
             Scattering::Diffuse(albedo) => (side, *albedo, None),
-            Scattering::Textured(id) => (side, self.texture(*id, face, found, barycentric), None),
+            Scattering::Textured(id) => (side, self.texture(*id, face, found, barycentric()), None),
             Scattering::Lobes(lobes) => {
                 let tangent = found.tangent;
                 (lobes.front, Rgb::zero(), Some(Turned { lobes, tangent }))
             }
         };
-        vertices.corner.set(lane, found.corner);
-        vertices.face_normal.set(lane, found.normal);
         vertices.outward.set(lane, outward);
         vertices.side[lane] = side;
         vertices.albedo.set_colour(lane, albedo);

@@ -1,17 +1,65 @@
-//! The steps of eight paths: loops over the lanes without a branch, compiled for the processor's
+//! The steps of paths: loops over the lanes without a branch, compiled for the processor's
 //! vectors.
 
 use std::f64::consts::FRAC_1_PI;
 
+use capwalk_boundary::Streams;
 use capwalk_geometry::simd::{Computation, Simd};
-use capwalk_math::{Frame, Vec3};
+use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::sample_cosine;
+use capwalk_scene::sensor::view::View;
 
-use crate::lanes::vectors::{LANES, Numbers, Vectors};
-use crate::light::power_heuristic;
+use crate::lanes::vectors::{ALL, LANES, Numbers, Vectors, mask_of};
+use crate::light::NARROW;
 use crate::rectangle_sampler::RectangleSampler;
+use crate::triangle_sampler::Node;
 
-/// Where eight paths hit surfaces.
+/// Random numbers of consecutive dimensions.
+pub struct Random<'a, const K: usize> {
+    pub streams: &'a Streams<LANES>,
+    pub first: u32,
+    pub numbers: &'a mut [Numbers; K],
+}
+
+impl<const K: usize> Computation for Random<'_, K> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        for (dimension, numbers) in (self.first..).zip(self.numbers) {
+            *numbers = self.streams.numbers(dimension);
+        }
+    }
+}
+
+/// Rays through points of the film.
+pub struct FilmRays<'a> {
+    pub view: &'a View<f64>,
+    pub film: &'a [Numbers; 2],
+    pub vertices: &'a mut Vertices,
+    /// Distances between which the rays meet something.
+    pub range: &'a mut [Numbers; 2],
+}
+
+impl Computation for FilmRays<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let (view, film) = (*self.view, *self.film);
+        let (mut origins, mut directions) = (Vectors::ZERO, Vectors::ZERO);
+        let mut range = [[0.0; LANES]; 2];
+        for lane in 0..LANES {
+            let direction = view.direction([film[0][lane], film[1][lane]]);
+            let ray = view.ray(direction);
+            origins.set(lane, ray.origin);
+            directions.set(lane, ray.direction);
+            (range[0][lane], range[1][lane]) = (ray.range[0], ray.range[1]);
+        }
+        (self.vertices.origin, self.vertices.direction) = (origins, directions);
+        *self.range = range;
+    }
+}
+
+/// Where paths hit surfaces.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertices {
     /// The rays that led there.
@@ -26,8 +74,10 @@ pub struct Vertices {
     pub side: Numbers,
     /// Fractions of light that are reflected, where surfaces are diffuse.
     pub albedo: Vectors,
-    /// Where they are; known after [`Surfaces`].
+    /// Where they are, and 1 or -1 for the side of the face that is seen; known after
+    /// [`Surfaces`].
     pub position: Vectors,
+    pub seen: Numbers,
     /// The solid angle under which the emitter is seen; known after [`Light`].
     pub solid_angle: Numbers,
 }
@@ -43,6 +93,7 @@ impl Vertices {
         side: [1.0; LANES],
         albedo: Vectors::ZERO,
         position: Vectors::ZERO,
+        seen: [1.0; LANES],
         solid_angle: [0.0; LANES],
     };
 }
@@ -68,25 +119,57 @@ impl Computation for Surfaces<'_> {
             face_normal,
             ..
         } = *self.0;
-        let mut position = origin;
-        for lane in 0..LANES {
+        let (mut position, mut seen) = (origin, [1.0; LANES]);
+        for (lane, seen) in seen.iter_mut().enumerate() {
             let (origin, direction) = (origin.get(lane), direction.get(lane));
             let normal = face_normal.get(lane);
-            let t = (corner.get(lane) - origin).dot(normal) / direction.dot(normal);
+            let rise = direction.dot(normal);
+            let t = (corner.get(lane) - origin).dot(normal) / rise;
             position.set(lane, origin + direction * t);
+            *seen = if rise > 0.0 { -1.0 } else { 1.0 };
         }
-        self.0.position = position;
+        (self.0.position, self.0.seen) = (position, seen);
     }
 }
 
-/// Density of points sampled on an emitter that is seen under a solid angle. Where it is not seen
-/// from the front, none of it is hit.
+/// One bit for each vertex from which the emitter is seen so narrow that points on it are enough.
+pub struct Narrow<'a> {
+    pub vertices: &'a Vertices,
+    /// All triangles of the emitter.
+    pub emitter: &'a Node,
+}
+
+impl Computation for Narrow<'_> {
+    type Output = u32;
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> u32 {
+        let (position, emitter) = (self.vertices.position, self.emitter);
+        let mut solid_angles = [0.0; LANES];
+        for (lane, solid_angle) in solid_angles.iter_mut().enumerate() {
+            *solid_angle = emitter.seen(position.get(lane));
+        }
+        mask_of(ALL, |lane| solid_angles[lane] < NARROW)
+    }
+}
+
+/// The power heuristic's weight of a point sampled on the emitter, which is seen under a solid
+/// angle, over its density; `other` is the density with which else its direction is drawn.
 #[inline(always)]
-pub fn density(solid_angle: f64) -> f64 {
+pub fn weight_over_density(solid_angle: f64, other: f64) -> f64 {
+    let ratio = other * solid_angle;
+    solid_angle / (1.0 + ratio * ratio)
+}
+
+/// The power heuristic's weight of a direction drawn with the density `own`, in which the emitter is
+/// seen. Where that is not seen from the front, nothing else draws it.
+#[inline(always)]
+pub fn weight_beside_points(solid_angle: f64, own: f64) -> f64 {
+    let ratio = own * solid_angle;
+    let squared = ratio * ratio;
     if solid_angle > 0.0 {
-        1.0 / solid_angle
+        squared / (1.0 + squared)
     } else {
-        0.0
+        1.0
     }
 }
 
@@ -117,7 +200,9 @@ impl Default for Lit {
 pub struct Light<'a> {
     pub vertices: &'a mut Vertices,
     pub rectangle: &'a RectangleSampler,
-    pub u: &'a [Numbers; 2],
+    pub streams: &'a Streams<LANES>,
+    /// The first of three random numbers, which would choose among several emitters.
+    pub first: u32,
     /// One bit for each where directions are drawn from the surface, too.
     pub of_brdf: u32,
     /// One bit for each where light comes through the surface, too.
@@ -132,13 +217,15 @@ impl Computation for Light<'_> {
         let Self {
             vertices,
             rectangle,
-            u,
+            streams,
+            first,
             of_brdf,
             transmits,
             lit,
         } = self;
         let (position, outward, side) = (vertices.position, vertices.outward, vertices.side);
-        let (u, rectangle) = (*u, rectangle.clone());
+        let u = [streams.numbers(first + 1), streams.numbers(first + 2)];
+        let rectangle = rectangle.clone();
         let (mut directions, mut distances) = (lit.direction, [0.0; LANES]);
         let (mut weights, mut solid_angles) = ([0.0; LANES], [0.0; LANES]);
         let mut cosines = [0.0; LANES];
@@ -151,10 +238,9 @@ impl Computation for Light<'_> {
             solid_angles[lane] = seen.solid_angle;
             directions.set(lane, direction);
             distances[lane] = distance;
-            let own = 1.0 / seen.solid_angle;
             let has_other = of_brdf >> lane & 1 == 1;
             let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
-            weights[lane] = cos * FRAC_1_PI * (power_heuristic(own, other) / own);
+            weights[lane] = cos * FRAC_1_PI * weight_over_density(seen.solid_angle, other);
             cosines[lane] = cos;
         }
         let mut mask = 0;
@@ -171,6 +257,36 @@ impl Computation for Light<'_> {
             weight: weights,
             mask,
         };
+    }
+}
+
+/// Adds light from the emitter to what some paths bring: the product of their throughputs, of what
+/// is scattered, its weights, and the radiance.
+pub struct Gather<'a> {
+    pub light: &'a mut Vectors,
+    pub throughput: &'a Vectors,
+    pub scattered: &'a Vectors,
+    pub weight: &'a Numbers,
+    pub radiance: Rgb,
+    pub lanes: u32,
+}
+
+impl Computation for Gather<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let (throughput, scattered) = (*self.throughput, *self.scattered);
+        let (mut light, weight) = (*self.light, *self.weight);
+        for (axis, radiance) in self.radiance.to_array().into_iter().enumerate() {
+            for (lane, weight) in weight.iter().enumerate() {
+                let reflected = scattered.0[axis][lane] * weight * radiance;
+                let more = throughput.0[axis][lane] * reflected;
+                let is_asked = self.lanes >> lane & 1 == 1;
+                // What is not a number must not get into other lanes.
+                light.0[axis][lane] += if is_asked { more } else { 0.0 };
+            }
+        }
+        *self.light = light;
     }
 }
 
@@ -213,8 +329,131 @@ impl Computation for Draw<'_> {
             let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
             directions.set(lane, direction);
             let own = wo.z * FRAC_1_PI;
-            weights[lane] = power_heuristic(own, density(solid_angle[lane]));
+            weights[lane] = weight_beside_points(solid_angle[lane], own);
         }
         (drawn.direction, drawn.weight) = (directions, weights);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_boundary::Sampler;
+    use capwalk_geometry::simd::Instructions;
+    use capwalk_math::Affine;
+    use capwalk_scene::builtin;
+    use capwalk_scene::primitive::rectangle;
+
+    use super::*;
+    use crate::light::power_heuristic;
+    use crate::prepared::PreparedScene;
+    use crate::triangle_sampler::TriangleSampler;
+
+    /// Points between -2 and 2.
+    fn points() -> impl Iterator<Item = Vectors> {
+        let number = |i: usize, k: f64| 4.0 * (i as f64 * k).fract() - 2.0;
+        (0..50).map(move |i| {
+            let mut points = Vectors::ZERO;
+            for lane in 0..LANES {
+                let [x, y, z] = [0.618_034, 0.414_214, 0.259_921].map(|k| number(16 * i + lane, k));
+                points.set(lane, Vec3::new(x, y, z));
+            }
+            points
+        })
+    }
+
+    #[test]
+    fn rays_are_those_of_the_view() {
+        let scene = builtin::scene("box-room").expect("built in");
+        let sampler = Sampler::new(&scene.settings, 3, 64);
+        let mut streams = Streams::splat(sampler.stream(7, 0));
+        (0..LANES).for_each(|lane| streams.set(lane, sampler.stream(7, lane as u32)));
+        let prepared = PreparedScene::new(scene);
+        let view = &prepared.accel().view;
+        let instructions = Instructions::detect();
+        let mut film = [[0.0; LANES]; 2];
+        instructions.run(Random {
+            streams: &streams,
+            first: 4,
+            numbers: &mut film,
+        });
+        let (mut vertices, mut range) = (Vertices::NONE, [[0.0; LANES]; 2]);
+        instructions.run(FilmRays {
+            view,
+            film: &film,
+            vertices: &mut vertices,
+            range: &mut range,
+        });
+        for lane in 0..LANES {
+            let s = sampler.stream(7, lane as u32).pair(4);
+            let expected = view.ray(view.direction(s));
+            assert_eq!(vertices.origin.get(lane), expected.origin);
+            assert_eq!(vertices.direction.get(lane), expected.direction);
+            assert_eq!(range.map(|range| range[lane]), expected.range);
+        }
+    }
+
+    /// Around the emitter, where it is wide, narrow, and seen from behind.
+    #[test]
+    fn narrow_emitters_are_those_of_the_sampler() {
+        let (mesh, _) = rectangle(Affine::scale(Vec3::splat(0.9)));
+        let sampler = TriangleSampler::new(&mesh);
+        let mut counts = [0; 2];
+        for position in points() {
+            let mut vertices = Vertices::NONE;
+            vertices.position = position;
+            let narrow = Instructions::detect().run(Narrow {
+                vertices: &vertices,
+                emitter: sampler.root(),
+            });
+            for lane in 0..LANES {
+                let expected = sampler.solid_angle(position.get(lane)) < NARROW;
+                assert_eq!(narrow >> lane & 1 == 1, expected);
+                counts[usize::from(expected)] += 1;
+            }
+        }
+        assert!(counts[0] > 5 && counts[1] > 5, "{counts:?}");
+    }
+
+    /// Only lanes that are asked for get light, whatever is in the others.
+    #[test]
+    fn light_is_gathered_lane_by_lane() {
+        let all: Vec<Vectors> = points().take(3).collect();
+        let [before, throughput, mut scattered] = all[..] else {
+            unreachable!("there are three");
+        };
+        scattered.set(1, Vec3::splat(f64::NAN));
+        let (radiance, lanes) = (Rgb::new(15.0, 14.0, 12.0), 0b1010_1100_0101_1101);
+        let weight = std::array::from_fn(|lane| 0.1 * lane as f64);
+        let mut light = before;
+        Instructions::detect().run(Gather {
+            light: &mut light,
+            throughput: &throughput,
+            scattered: &scattered,
+            weight: &weight,
+            radiance,
+            lanes,
+        });
+        for (lane, &weight) in weight.iter().enumerate() {
+            let reflected = scattered.colour(lane) * weight * radiance;
+            let lit = before.colour(lane) + throughput.colour(lane) * reflected;
+            let is_asked = lanes >> lane & 1 == 1;
+            let expected = if is_asked { lit } else { before.colour(lane) };
+            assert_eq!(light.colour(lane), expected, "{lane}");
+        }
+    }
+
+    #[test]
+    fn weights_are_those_of_the_power_heuristic() {
+        for solid_angle in [1e-9, 0.3, 2.0, 6.0] {
+            for pdf in [0.0, 1e-3, 0.4, 7.0, 1e9] {
+                let own = 1.0 / solid_angle;
+                let close = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b;
+                let expected = power_heuristic(own, pdf) / own;
+                assert!(close(weight_over_density(solid_angle, pdf), expected));
+                let expected = power_heuristic(pdf, own);
+                assert!(close(weight_beside_points(solid_angle, pdf), expected));
+            }
+        }
+        assert_eq!(weight_beside_points(0.0, 0.4), 1.0);
     }
 }

@@ -91,7 +91,7 @@ fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
             stream: sampler.stream(u64::from(pixel), i % 64),
         }
     };
-    // Not a multiple of eight.
+    // Not a multiple of the lanes.
     let places: Vec<SamplePlace> = (0..20_005).map(place).collect();
     let mut taken = Vec::new();
     lanes.take(&places, &mut taken);

@@ -1,9 +1,12 @@
-//! Numbers and vectors of eight lanes.
+//! Numbers and vectors of lanes.
 
 use capwalk_math::{Rgb, Vec3};
 
 /// Samples that are taken together.
-pub const LANES: usize = 8;
+pub const LANES: usize = 16;
+
+/// One bit for each lane.
+pub const ALL: u32 = (1 << LANES) - 1;
 
 /// A number of each lane.
 pub type Numbers = [f64; LANES];
@@ -14,14 +17,14 @@ pub struct Vectors(pub [Numbers; 3]);
 
 impl Vectors {
     /// Zero in all lanes.
-    pub const ZERO: Self = Self([[0.0; LANES]; 3]);
+    pub const ZERO: Self = Self::splat([0.0; 3]);
 
     /// The third axis in all lanes.
-    pub const UP: Self = Self([[0.0; LANES], [0.0; LANES], [1.0; LANES]]);
+    pub const UP: Self = Self::splat([0.0, 0.0, 1.0]);
 
     /// The same in all lanes.
-    pub fn splat(v: [f64; 3]) -> Self {
-        Self(v.map(|number| [number; LANES]))
+    pub const fn splat([x, y, z]: [f64; 3]) -> Self {
+        Self([[x; LANES], [y; LANES], [z; LANES]])
     }
 
     /// That of a lane.
@@ -29,6 +32,18 @@ impl Vectors {
     pub fn get(&self, lane: usize) -> Vec3 {
         let [x, y, z] = &self.0;
         Vec3::new(x[lane], y[lane], z[lane])
+    }
+
+    /// The products of coordinates.
+    #[inline]
+    pub fn times(&self, other: &Self) -> Self {
+        let mut product = *self;
+        for (product, other) in product.0.iter_mut().zip(&other.0) {
+            for (product, other) in product.iter_mut().zip(other) {
+                *product *= other;
+            }
+        }
+        product
     }
 
     /// That of a lane as a colour.

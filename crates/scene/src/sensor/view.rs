@@ -185,9 +185,11 @@ impl<R: Real> View<R> {
     }
 
     /// The unit direction in which a film point looks.
+    #[inline(always)]
     pub fn direction(&self, [x, y]: [R; 2]) -> Vec3<R> {
         let [cx, cy] = self.centre;
-        let (x, y) = ((cx - x) / self.focal, (cy - y) / self.focal);
+        let scale = R::constant(1.0) / self.focal;
+        let (x, y) = ((cx - x) * scale, (cy - y) * scale);
         match self.is_parallel {
             true => Vec3::new(x, y, R::constant(1.0)).normalized(),
             false => (self.axes[0] * x + self.axes[1] * y + self.axes[2]).normalized(),
@@ -195,6 +197,7 @@ impl<R: Real> View<R> {
     }
 
     /// The ray in a unit direction.
+    #[inline(always)]
     pub fn ray(&self, direction: Vec3<R>) -> ViewRay<R> {
         if self.is_parallel {
             let [left, up, forward] = self.axes;
@@ -205,11 +208,11 @@ impl<R: Real> View<R> {
                 range: self.clip,
             };
         }
-        let depth = self.rows[2].value().dot(direction.value());
+        let per_depth = 1.0 / self.rows[2].value().dot(direction.value());
         ViewRay {
             origin: self.origin,
             direction,
-            range: self.clip.map(|clip| clip / depth),
+            range: self.clip.map(|clip| clip * per_depth),
         }
     }
 }

@@ -95,6 +95,27 @@ fn eval_and_pdf_are_the_same_together() {
     }
 }
 
+/// The same directions are drawn where it is known what is seen of facets.
+#[test]
+fn known_facets_draw_the_same() {
+    let mut random = Random::new(5);
+    for (name, lobe) in lobes() {
+        let bsdf = LocalBsdf::from(lobe);
+        let Some(facets) = bsdf.facets() else {
+            continue;
+        };
+        for wi in directions() {
+            let visible = facets.visible_over_cos(wi);
+            for _ in 0..20 {
+                let (choice, u) = (random.next(), random.pair());
+                let expected = bsdf.draw(wi, choice, u).map(|drawn| drawn.wo);
+                let found = bsdf.draw_visible(wi, visible, choice, u);
+                assert_eq!(found, expected, "{name}: {wi:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn samples_are_finite() {
     const ALMOST_ONE: f64 = 1.0 - f64::EPSILON / 2.0;

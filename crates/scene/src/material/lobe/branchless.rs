@@ -1,7 +1,7 @@
 //! Microfacets without a branch: in a loop over several, the compiler computes as many at a time as
 //! registers hold. For one alone, [`Microfacets`]' own functions are faster.
 
-use std::f64::consts::PI;
+use std::f64::consts::FRAC_1_PI;
 
 use capwalk_math::Vec3;
 use capwalk_math::elementary::{erf_and_gaussian, exp};
@@ -14,34 +14,38 @@ pub fn visible_over_cos(facets: &Microfacets, w: Vec3) -> f64 {
     let (alpha_u, alpha_v) = facets.alphas();
     let z = w.z.abs();
     let [x, y] = [alpha_u * w.x, alpha_v * w.y];
-    let spread2 = x * x + y * y;
-    let spread = spread2.sqrt();
-    let is_shadowless = z * z >= SHADOWLESS * SHADOWLESS * spread2;
-    let slope = z / if is_shadowless { 1.0 } else { spread };
+    let (z2, spread2) = (z * z, x * x + y * y);
+    let length = choose(facets, spread2, z2 + spread2).sqrt();
+    let is_shadowless = z2 >= SHADOWLESS * SHADOWLESS * spread2;
+    let slope = z / if is_shadowless { 1.0 } else { length };
     let [erf, derivative] = erf_and_gaussian(slope);
-    let beckmann = z * (1.0 + erf) + 0.5 * spread * derivative;
+    let beckmann = z * (1.0 + erf) + 0.5 * length * derivative;
     let beckmann = if is_shadowless { 2.0 * z } else { beckmann };
-    let ggx = z + (z * z + spread2).sqrt();
-    2.0 / choose(facets, beckmann, ggx)
+    2.0 / choose(facets, beckmann, z + length)
 }
 
 /// What facets do, as perfect mirrors, to light between `wi` and `wo`, both in front; `visible` is
 /// [`visible_over_cos`] of `wi`.
 #[inline(always)]
 pub fn mirrored(facets: &Microfacets, wi: Vec3, visible: f64, wo: Vec3) -> Mirrored {
+    // The normal halfway is this over its length.
     let sum = wi + wo;
-    let h = sum * (1.0 / sum.length());
+    let squared = sum.length_squared();
+    let length = squared.sqrt();
     let (alpha_u, alpha_v) = facets.alphas();
-    let [x, y, cos2] = [h.x / alpha_u, h.y / alpha_v, h.z * h.z];
-    let spread = x * x + y * y;
+    let area = alpha_u * alpha_v;
+    let [x, y, z] = [sum.x * alpha_v, sum.y * alpha_u, sum.z * area];
+    let (spread, cos2) = (x * x + y * y, z * z);
+    // Both quotients from one division.
+    let below = choose(facets, cos2, spread + cos2);
+    let product = 1.0 / (below * length);
+    let inverse = product * length;
+    let falls = area * squared * inverse;
     // Far out, the exponential function is zero.
-    let inverse = 1.0 / cos2;
-    let beckmann = exp(-spread * inverse) * (inverse * inverse);
-    let falls = 1.0 / (spread + cos2);
-    let density = choose(facets, beckmann, falls * falls) / (PI * alpha_u * alpha_v);
-    let pdf = 0.25 * density * visible;
+    let tail = choose(facets, exp(-spread * inverse), 1.0);
+    let pdf = 0.25 * FRAC_1_PI * area * tail * (falls * falls) * visible;
     Mirrored {
-        cos: wi.dot(h),
+        cos: wi.dot(sum) * (product * below),
         pdf,
         scattered: pdf * (visible_over_cos(facets, wo) * wo.z),
     }

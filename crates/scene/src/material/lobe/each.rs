@@ -225,6 +225,22 @@ impl Lobe {
         }
     }
 
+    /// [`Lobe::sample`] from in front, where what is seen of the facets is known.
+    #[inline]
+    pub(crate) fn sample_visible(
+        &self,
+        wi: Vec3,
+        visible: f64,
+        choice: f64,
+        u: [f64; 2],
+    ) -> Option<Drawn> {
+        match self {
+            Lobe::RoughConductor(lobe) => lobe.sample_visible(wi, || visible, u),
+            Lobe::RoughPlastic(lobe) => lobe.sample_visible(wi, || visible, choice, u),
+            other => other.sample(wi, choice, u),
+        }
+    }
+
     /// Draws a direction or an event; `None` if the light ends here. `choice`
     /// and `u` are uniform in `[0, 1)`.
     #[inline]

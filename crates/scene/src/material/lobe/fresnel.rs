@@ -18,11 +18,19 @@ pub fn cos_refracted<R: Real>(cos_i: R, eta: R) -> Option<R> {
 /// reflection, zero if the two sides are the same.
 #[inline]
 pub fn fresnel_dielectric<R: Real>(cos_i: R, eta: R) -> R {
-    let Some(cos_t) = cos_refracted(cos_i, eta) else {
-        return R::constant(1.0);
-    };
-    let senkrecht = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-    let parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t);
+    let one = R::constant(1.0);
+    // Snell's law: `eta` times the refracted cosine.
+    let eta2 = eta.squared();
+    let squared = eta2 - (one - cos_i.squared());
+    if squared.value() <= 0.0 {
+        return one;
+    }
+    let refracted = squared.sqrt();
+    // Both quotients from one division.
+    let (s_sum, p_sum) = (cos_i + refracted, eta2 * cos_i + refracted);
+    let inverse = one / (s_sum * p_sum);
+    let senkrecht = (cos_i - refracted) * p_sum * inverse;
+    let parallel = (eta2 * cos_i - refracted) * s_sum * inverse;
     R::constant(0.5) * (senkrecht.squared() + parallel.squared())
 }
 
@@ -40,7 +48,6 @@ pub fn fresnel_conductor<R: Real>(cos_i: R, eta: Rgb<R>, k: Rgb<R>) -> Rgb<R> {
 fn conductor_channel<R: Real>(cos_i: R, eta: R, k: R) -> R {
     let one = R::constant(1.0);
     let half = R::constant(0.5);
-    let two = R::constant(2.0);
     let cos2 = cos_i.squared();
     let sin2 = one - cos2;
     // (a + i b)² = (eta + i k)² - sin². The root of the larger of a² and b²
@@ -52,18 +59,18 @@ fn conductor_channel<R: Real>(cos_i: R, eta: R, k: R) -> R {
         return one; // the critical angle, or an index of zero: all is reflected
     }
     let modulus = (real.squared() + R::constant(4.0) * product.squared()).sqrt();
-    let a = if real.value() < 0.0 {
-        product / (half * (modulus - real)).sqrt()
+    // `a` over `scale`, so that all of it takes one division.
+    let (a, scale) = if real.value() < 0.0 {
+        (product, (half * (modulus - real)).sqrt())
     } else {
-        (half * (modulus + real)).sqrt()
+        ((half * (modulus + real)).sqrt(), one)
     };
-    let s_sum = modulus + cos2;
-    let s_difference = two * a * cos_i;
-    let senkrecht = (s_sum - s_difference) / (s_sum + s_difference);
-    let p_sum = modulus * cos2 + sin2.squared();
-    let p_difference = s_difference * sin2;
-    let parallel_ratio = (p_sum - p_difference) / (p_sum + p_difference);
-    half * senkrecht * (one + parallel_ratio)
+    // Of the perpendicular polarization `(s_sum - s) / (s_sum + s)` is reflected, of the parallel one
+    // that times `(p_sum - p) / (p_sum + p)`, where `p = s sin²`: their mean.
+    let s = R::constant(2.0) * a * cos_i;
+    let s_sum = (modulus + cos2) * scale;
+    let p_sum = (modulus * cos2 + sin2.squared()) * scale;
+    (s_sum - s) * p_sum / ((s_sum + s) * (p_sum + s * sin2))
 }
 
 /// Fraction of diffuse light reflected by the surface of a dielectric, for

@@ -64,5 +64,5 @@ pub fn lerp<R: Real>(a: R, b: R, t: R) -> R {
 /// Mean of the channels.
 #[inline]
 pub fn mean(c: Rgb) -> f64 {
-    (c.r + c.g + c.b) / 3.0
+    (c.r + c.g + c.b) * (1.0 / 3.0)
 }

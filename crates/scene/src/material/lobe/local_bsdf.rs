@@ -342,6 +342,17 @@ impl LocalBsdf {
         }
     }
 
+    /// [`LocalBsdf::draw`] from a surface with [`LocalBsdf::facets`], where what is seen of these is
+    /// known: `visible` is [`Microfacets::visible_over_cos`] of `wi`.
+    #[inline]
+    pub fn draw_visible(&self, wi: Vec3, visible: f64, u_choice: f64, u: [f64; 2]) -> Option<Vec3> {
+        let (_, lobe) = self.only_lobe()?;
+        match lobe.sample_visible(local::raised(wi), visible, u_choice, u)? {
+            Drawn::Smooth(wo) => Some(wo),
+            Drawn::Specular(..) => None,
+        }
+    }
+
     /// [`LocalBsdf::pdf`] of any lobes.
     fn pdf_of_all(&self, wi: Vec3, wo: Vec3) -> f64 {
         let total = self.total_chance();

@@ -153,23 +153,31 @@ impl<R: Real> Microfacets<R> {
 impl Microfacets {
     /// Draws a normal as seen from `wi`, which is in front (`wi.z >= 0`).
     pub fn sample(&self, wi: Vec3, u: [f64; 2]) -> Vec3 {
+        self.sample_visible(wi, || self.visible_over_cos(wi), u)
+    }
+
+    /// The same from [`Microfacets::visible_over_cos`] of `wi`.
+    pub(super) fn sample_visible(
+        &self,
+        wi: Vec3,
+        visible: impl FnOnce() -> f64,
+        u: [f64; 2],
+    ) -> Vec3 {
         let (alpha_u, alpha_v) = self.alphas();
         // Stretched until the roughness is one.
         let longer = Vec3::new(alpha_u * wi.x, alpha_v * wi.y, wi.z);
         let length = longer.length();
-        let stretched = longer / length;
+        let stretched = longer * (1.0 / length);
         let sin = (stretched.x.squared() + stretched.y.squared()).sqrt();
         let (sin_phi, cos_phi) = if sin > 0.0 {
-            (stretched.y / sin, stretched.x / sin)
+            let inverse = 1.0 / sin;
+            (stretched.y * inverse, stretched.x * inverse)
         } else {
             (0.0, 1.0)
         };
         // A normal up to its length, with x along the view.
         let (x, y, z) = match self.distribution {
-            Distribution::Beckmann => {
-                let visible = self.visible_over_cos(wi) * length;
-                beckmann_normal(sin, stretched.z, visible, u)
-            }
+            Distribution::Beckmann => beckmann_normal(sin, stretched.z, visible() * length, u),
             Distribution::Ggx => ggx_normal(sin, stretched.z, u),
         };
         Vec3::new(

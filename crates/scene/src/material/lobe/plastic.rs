@@ -28,14 +28,10 @@ pub struct Plastic<R = f64> {
 #[inline]
 pub(super) fn base<R: Real>(diffuse: Rgb<R>, internal_reflectance: R, nonlinear: bool) -> Rgb<R> {
     let one = R::constant(1.0);
-    diffuse.map(|diffuse| {
-        let round = if nonlinear {
-            diffuse * internal_reflectance
-        } else {
-            internal_reflectance
-        };
-        diffuse / (one - round)
-    })
+    match nonlinear {
+        true => diffuse.map(|diffuse| diffuse / (one - diffuse * internal_reflectance)),
+        false => diffuse * (one / (one - internal_reflectance)),
+    }
 }
 
 /// Probability of choosing the base and not the coat, where the coat lets the

@@ -48,7 +48,19 @@ impl RoughConductor {
     #[inline]
     pub(super) fn sample(&self, wi: Vec3, _choice: f64, u: [f64; 2]) -> Option<Drawn> {
         let wi = local::raised(wi);
-        let wo = local::reflected_about(wi, self.microfacets.sample(wi, u));
+        self.sample_visible(wi, || self.microfacets.visible_over_cos(wi), u)
+    }
+
+    /// The same from in front, from what is seen of the facets.
+    #[inline]
+    pub(super) fn sample_visible(
+        &self,
+        wi: Vec3,
+        visible: impl FnOnce() -> f64,
+        u: [f64; 2],
+    ) -> Option<Drawn> {
+        let normal = self.microfacets.sample_visible(wi, visible, u);
+        let wo = local::reflected_about(wi, normal);
         (wo.z > 0.0).then_some(Drawn::Smooth(wo))
     }
 

@@ -89,10 +89,23 @@ impl RoughPlastic {
     #[inline]
     pub(super) fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
         let wi = local::raised(wi);
+        self.sample_visible(wi, || self.facets().visible_over_cos(wi), choice, u)
+    }
+
+    /// The same from in front, from what is seen of the coat's facets.
+    #[inline]
+    pub(super) fn sample_visible(
+        &self,
+        wi: Vec3,
+        visible: impl FnOnce() -> f64,
+        choice: f64,
+        u: [f64; 2],
+    ) -> Option<Drawn> {
         if choice < self.base_probability(self.transmittance(wi.z)) {
             return Some(Drawn::Smooth(local::sample_cosine(u)));
         }
-        let wo = local::reflected_about(wi, self.facets().sample(wi, u));
+        let normal = self.facets().sample_visible(wi, visible, u);
+        let wo = local::reflected_about(wi, normal);
         (wo.z > 0.0).then_some(Drawn::Smooth(wo))
     }
 
