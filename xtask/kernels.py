@@ -17,7 +17,7 @@ import sys
 import nvidia.cuda_nvrtc
 import slangpy
 
-ENTRIES = ["first_hit", "occluded", "closest", "gather"]
+ENTRIES = ["first_hit", "occluded", "closest", "gather", "eights"]
 PRECISIONS = ["single", "double"]
 # Of kernels that would take too many registers in double precision, how many groups of
 # `GROUP` threads a multiprocessor must have room for (docs/benchmarks.md).
@@ -87,7 +87,8 @@ def ptx(library, compiler, source, entry, precision):
     real = "float" if precision == "single" else "double"
     code = slang(library, source, entry, precision, "cuda", real)
     program = ctypes.c_void_p()
-    compiler.nvrtcCreateProgram(ctypes.byref(program), code.encode(), entry.encode(), 0, None, None)
+    if compiler.nvrtcCreateProgram(ctypes.byref(program), code.encode(), entry.encode(), 0, None, None):
+        sys.exit("error: NVIDIA's compiler does not start")
     words = ["--gpu-architecture=" + LEAST_ARCHITECTURE, "--std=c++17", "-default-device", "--fmad=false", "-w"]
     options = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = compiler.nvrtcCompileProgram(program, len(words), options)
@@ -106,8 +107,11 @@ def ptx(library, compiler, source, entry, precision):
 
 def nvrtc():
     """NVIDIA's compiler, which needs no device."""
-    pattern = os.path.join(os.path.dirname(nvidia.cuda_nvrtc.__file__), "lib", "libnvrtc.so.*")
-    return ctypes.CDLL(sorted(glob.glob(pattern))[0])
+    folder = os.path.dirname(nvidia.cuda_nvrtc.__file__)
+    paths = [path for name in ("lib/libnvrtc.so.*", "bin/nvrtc64_*.dll") for path in sorted(glob.glob(os.path.join(folder, name)))]
+    if not paths:
+        sys.exit("error: nvidia-cuda-nvrtc-cu12 has no library in its folder; run this on Linux or Windows")
+    return ctypes.CDLL(paths[0])
 
 
 def nvrtc_text(compiler, program, what):

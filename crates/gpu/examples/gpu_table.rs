@@ -1,6 +1,6 @@
 //! Queries per second on the adapter that is found, through each interface that reaches it
 //! and in both precisions, beside the processor's own, with how far the answers agree:
-//! tables for docs/benchmarks.md.
+//! what the tables of docs/benchmarks.md are made of.
 //!
 //! `cargo xtask gpu [ADAPTER]`, where part of an adapter's name chooses it. The meshes are
 //! bumpy spheres of 100,352 triangles and of 871,200, as many as the Stanford dragon has; the
@@ -58,10 +58,10 @@ fn run() -> Result<(), GpuError> {
             options.precision = Some(precision);
             match Gpu::new(&options) {
                 Ok(gpu) => gpus.push(Arc::new(gpu)),
-                Err(GpuError::Unusable { adapter, reason }) => {
-                    println!("{adapter}, {precision:?}: left out, {reason}");
+                Err(error) => {
+                    println!("{interface:?}, {precision:?}: left out, {error}");
+                    missing = Some(error);
                 }
-                Err(error) => missing = Some(error),
             }
         }
     }

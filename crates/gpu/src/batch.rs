@@ -12,7 +12,7 @@ use crate::resident::Resident;
 /// Words of a query for the bounds.
 pub const VIEW: usize = 12;
 
-/// No buffer of a batch is larger than this, bytes: enough for a GPU to be busy, and little
+/// No buffer of a part is larger than this, bytes, unless one query needs more: enough for a GPU to be busy, and little
 /// enough for the processor's copies to stay in its caches, or nearly.
 const LARGEST: u64 = 1 << 25;
 
@@ -42,8 +42,8 @@ impl Shape {
     }
 }
 
-/// Asks the queries, as many at once as there is memory for. `prepare` writes a query's
-/// words and numbers, `finish` gets the answers and values of one batch after the other.
+/// Asks the queries, in parts of as many as there is memory for. `prepare` writes a query's
+/// words and numbers, `finish` gets the answers and values of one part after the other.
 pub fn ask<Q: Sync>(
     gpu: &Gpu,
     tree: &Resident,
@@ -78,17 +78,17 @@ fn ask_with<Q: Sync>(
     let mut size = queries.len().min(most as usize);
     let mut rest = queries;
     while !rest.is_empty() {
-        let batch = match Batch::new(gpu, shape, size) {
+        let part = match Part::new(gpu, shape, size) {
             Err(GpuError::OutOfMemory { .. }) if size > GROUP => {
                 size /= 2;
                 continue;
             }
-            batch => batch?,
+            part => part?,
         };
         while !rest.is_empty() {
             let (now, later) = rest.split_at(size.min(rest.len()));
             copies.prepare(shape, now, &prepare);
-            match batch.answer(gpu, tree, now.len(), copies) {
+            match part.answer(gpu, tree, now.len(), copies) {
                 Err(GpuError::OutOfMemory { .. }) if size > GROUP => {
                     size /= 2;
                     break;
@@ -102,7 +102,7 @@ fn ask_with<Q: Sync>(
     Ok(())
 }
 
-/// The processor's copies of a batch. They are kept from one to the next: new memory costs
+/// The processor's copies of a part. They are kept from one to the next: new memory costs
 /// as much as all that is written to it.
 #[derive(Debug, Default)]
 pub struct Copies {
@@ -136,7 +136,7 @@ impl Copies {
 }
 
 /// Room on the device for queries and their answers.
-struct Batch {
+struct Part {
     shape: Shape,
     views: Memory,
     numbers: Memory,
@@ -144,7 +144,7 @@ struct Batch {
     values: Memory,
 }
 
-impl Batch {
+impl Part {
     fn new(gpu: &Gpu, shape: Shape, size: usize) -> Result<Self, GpuError> {
         let memory = shape
             .sizes(gpu.precision())

@@ -21,11 +21,18 @@ use crate::precision::Precision;
 /// The least that the kernels are compiled for: Volta, 2017.
 const LEAST_CAPABILITY: (i32, i32) = (7, 0);
 
+/// The least release of CUDA whose drivers read the kernels, as drivers count: 12.1, which
+/// came with driver 530.
+const LEAST_RELEASE: i32 = 12010;
+
+/// No piece of memory is larger, bytes: kernels count words in 32 bits.
+const LARGEST: u64 = 4 << 32;
+
 /// The name that Slang gives to what a kernel is given: of each array its place and its
 /// length (which nothing reads), then the place of the launch's words.
 const PARAMETERS: &str = "SLANG_globalParams";
 
-/// How long a wait asks again and again before it lets others have the processor.
+/// How long a wait asks again and again before it sleeps in between.
 const SPIN: Duration = Duration::from_millis(2);
 
 /// An open device.
@@ -66,7 +73,29 @@ impl CudaDriver {
             adapter: "NVIDIA's driver".to_owned(),
             reason: reason(error),
         };
-        result::init().map_err(refused)?;
+        match result::init() {
+            Err(DriverError(
+                CUresult::CUDA_ERROR_NO_DEVICE
+                | CUresult::CUDA_ERROR_STUB_LIBRARY
+                | CUresult::CUDA_ERROR_SYSTEM_DRIVER_MISMATCH
+                | CUresult::CUDA_ERROR_SYSTEM_NOT_READY,
+            )) => return Err(none("NVIDIA's driver has no device")),
+            outcome => outcome.map_err(refused)?,
+        }
+        let mut release = 0;
+        // SAFETY: it writes one number to where it is told to.
+        let asked = unsafe { sys::cuDriverGetVersion(&mut release) };
+        asked.result().map_err(refused)?;
+        if release < LEAST_RELEASE {
+            return Err(GpuError::Unusable {
+                adapter: "NVIDIA's driver".to_owned(),
+                reason: format!(
+                    "it is for CUDA {}.{}, and 12.1 (driver 530) is the least",
+                    release / 1000,
+                    release % 1000 / 10
+                ),
+            });
+        }
         let count = CudaContext::device_count().map_err(refused)?;
         let mut names = Vec::new();
         for ordinal in 0..count {
@@ -106,7 +135,7 @@ impl CudaDriver {
         let launch = stream.alloc_zeros(4).map_err(refused)?;
         Ok(Self {
             version: format!("CUDA, compute capability {major}.{minor}"),
-            largest: context.total_mem().map_err(refused)? as u64,
+            largest: LARGEST.min(context.total_mem().map_err(refused)? as u64),
             context,
             stream,
             name,
@@ -141,15 +170,16 @@ impl CudaDriver {
 
     pub fn allocate(&self, bytes: u64) -> Result<CudaMemory, Fault> {
         self.check()?;
-        // SAFETY: kernels and copies write what is read later, and bytes have no wrong value.
+        // SAFETY: bytes have no wrong value, and what nobody wrote means nothing to anybody.
         let slice = unsafe { self.stream.alloc(bytes as usize) };
         slice
             .map(|slice| CudaMemory(Mutex::new(slice)))
             .map_err(|error| self.fault(error))
     }
 
-    pub fn upload(&self, to: &CudaMemory, bytes: &[u8]) -> Result<(), Fault> {
+    pub fn upload(&self, to: &CudaMemory, bytes: &[u8], timeout: Duration) -> Result<(), Fault> {
         self.check()?;
+        self.wait(timeout)?;
         let mut to = locked(&to.0);
         let copied = self.stream.memcpy_htod(bytes, &mut *to);
         copied.map_err(|error| self.fault(error))
@@ -162,23 +192,26 @@ impl CudaDriver {
         arrays: [&CudaMemory; ARRAYS],
         launch: Launch,
         timeout: Duration,
-    ) -> Result<(), Fault> {
+    ) -> Result<Duration, Fault> {
         self.check()?;
+        let fault = |error| self.fault(error);
+        let loaded = self.loaded(kernel, precision).map_err(fault)?;
         let mut words = locked(&self.launch);
-        self.launch_now(kernel, precision, arrays, launch, &mut words)
-            .map_err(|error| self.fault(error))?;
-        self.wait(timeout)
+        let started = Instant::now();
+        self.launch_now(kernel, loaded, arrays, launch, &mut words)
+            .map_err(fault)?;
+        self.wait(timeout)?;
+        Ok(started.elapsed())
     }
 
     fn launch_now(
         &self,
         kernel: Kernel,
-        precision: Precision,
+        loaded: &Loaded,
         arrays: [&CudaMemory; ARRAYS],
         launch: Launch,
         words: &mut CudaSlice<u32>,
     ) -> Result<(), DriverError> {
-        let loaded = self.loaded(kernel, precision)?;
         self.stream.memcpy_htod(&launch.words(), words)?;
         let mut parameters = [0_u64; 2 * ARRAYS + 1];
         for (parameters, memory) in parameters.chunks_exact_mut(2).zip(arrays) {
@@ -194,15 +227,23 @@ impl CudaDriver {
             block_dim: (GROUP as u32, 1, 1),
             shared_mem_bytes: 0,
         };
-        // SAFETY: the kernels take no arguments but the parameters, which were set just now
-        // to memory that the caller keeps until the launch is done, with room for all that a
-        // kernel reads and writes of these queries.
+        // SAFETY: the kernels take no arguments but the parameters, which were set just now,
+        // under the lock that `words` is from, to memory with room for all that a kernel reads
+        // and writes of these queries. It is there until the launch is done: the caller keeps
+        // it while it waits, and if a wait ends before, memory is given back in the order of
+        // the one stream that everything here goes through.
         unsafe { self.stream.launch_builder(&loaded.function).launch(shape)? };
         Ok(())
     }
 
-    pub fn download(&self, from: &CudaMemory, to: &mut [u8]) -> Result<(), Fault> {
+    pub fn download(
+        &self,
+        from: &CudaMemory,
+        to: &mut [u8],
+        timeout: Duration,
+    ) -> Result<(), Fault> {
         self.check()?;
+        self.wait(timeout)?;
         let from = locked(&from.0);
         self.stream
             .memcpy_dtoh(&from.slice(..to.len()), to)
@@ -210,7 +251,8 @@ impl CudaDriver {
             .map_err(|error| self.fault(error))
     }
 
-    /// Waits until all work is done.
+    /// Waits until all work is done. A device that does not get that far is lost: whatever came
+    /// next would wait for it.
     fn wait(&self, timeout: Duration) -> Result<(), Fault> {
         let started = Instant::now();
         let done = self.stream.record_event(None);
@@ -218,6 +260,7 @@ impl CudaDriver {
         while !done.try_is_complete().map_err(|error| self.fault(error))? {
             let waited = started.elapsed();
             if waited > timeout {
+                locked(&self.lost).get_or_insert_with(|| "it did not end a launch".to_owned());
                 return Err(Fault::Timeout);
             }
             match waited < SPIN {
@@ -250,6 +293,12 @@ impl CudaDriver {
             | CUresult::CUDA_ERROR_LAUNCH_FAILED
             | CUresult::CUDA_ERROR_LAUNCH_TIMEOUT
             | CUresult::CUDA_ERROR_HARDWARE_STACK_ERROR
+            | CUresult::CUDA_ERROR_ILLEGAL_INSTRUCTION
+            | CUresult::CUDA_ERROR_INVALID_PC
+            | CUresult::CUDA_ERROR_INVALID_ADDRESS_SPACE
+            | CUresult::CUDA_ERROR_ASSERT
+            | CUresult::CUDA_ERROR_NO_DEVICE
+            | CUresult::CUDA_ERROR_UNKNOWN
             | CUresult::CUDA_ERROR_ECC_UNCORRECTABLE
             | CUresult::CUDA_ERROR_DEINITIALIZED
             | CUresult::CUDA_ERROR_CONTEXT_IS_DESTROYED

@@ -24,7 +24,7 @@ pub enum Fault {
     Refused(String),
 }
 
-/// What one launch does. The words are `Batch` in the kernels.
+/// What one launch does: `Launch` in the kernels as well.
 #[derive(Clone, Copy, Debug)]
 pub struct Launch {
     /// The first query, and the one after the last.
@@ -91,6 +91,14 @@ impl Driver {
         }
     }
 
+    /// Whether threads can exchange numbers without memory.
+    pub fn has_exchange(&self) -> bool {
+        match self {
+            Self::Wgpu(driver) => driver.has_exchange(),
+            Self::Cuda(_) => true,
+        }
+    }
+
     /// Gives the device up.
     pub fn destroy(&self) {
         match self {
@@ -116,14 +124,14 @@ impl Driver {
     }
 
     /// Fills the first bytes of a piece.
-    pub fn upload(&self, to: &Memory, bytes: &[u8]) -> Result<(), Fault> {
+    pub fn upload(&self, to: &Memory, bytes: &[u8], timeout: Duration) -> Result<(), Fault> {
         match self {
             Self::Wgpu(driver) => driver.upload(of_wgpu(to), bytes),
-            Self::Cuda(driver) => driver.upload(of_cuda(to), bytes),
+            Self::Cuda(driver) => driver.upload(of_cuda(to), bytes, timeout),
         }
     }
 
-    /// Runs a kernel and waits until it is done.
+    /// Runs a kernel, waits until it is done, and tells how long that took.
     pub fn launch(
         &self,
         kernel: Kernel,
@@ -131,7 +139,7 @@ impl Driver {
         arrays: [&Memory; ARRAYS],
         launch: Launch,
         timeout: Duration,
-    ) -> Result<(), Fault> {
+    ) -> Result<Duration, Fault> {
         match self {
             Self::Wgpu(driver) => {
                 driver.launch(kernel, precision, arrays.map(of_wgpu), launch, timeout)
@@ -146,7 +154,7 @@ impl Driver {
     pub fn download(&self, from: &Memory, to: &mut [u8], timeout: Duration) -> Result<(), Fault> {
         match self {
             Self::Wgpu(driver) => driver.download(of_wgpu(from), to, timeout),
-            Self::Cuda(driver) => driver.download(of_cuda(from), to),
+            Self::Cuda(driver) => driver.download(of_cuda(from), to, timeout),
         }
     }
 }

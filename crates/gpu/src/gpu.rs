@@ -1,14 +1,14 @@
 //! The device that everything runs on, chosen once.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
-use std::time::{Duration, Instant};
+use std::sync::{Mutex, OnceLock};
+use std::time::Duration;
 
 use crate::batch::Copies;
 use crate::cuda_driver::CudaDriver;
 use crate::driver::{ARRAYS, Driver, Fault, Launch, Memory, locked};
 use crate::error::GpuError;
-use crate::kernels::{KERNELS, Kernel};
+use crate::kernels::{GROUP, KERNELS, Kernel};
 use crate::precision::Precision;
 use crate::wgpu_driver::WgpuDriver;
 
@@ -69,6 +69,8 @@ pub struct Gpu {
     /// Nanoseconds that launches took.
     busy: AtomicU64,
     copies: Mutex<Copies>,
+    /// Whether the eight threads of a cone are neighbours.
+    eights: OnceLock<bool>,
 }
 
 impl Gpu {
@@ -83,6 +85,7 @@ impl Gpu {
             pace: [const { AtomicUsize::new(FIRST) }; KERNELS],
             busy: AtomicU64::new(0),
             copies: Mutex::default(),
+            eights: OnceLock::new(),
         })
     }
 
@@ -115,7 +118,7 @@ impl Gpu {
     }
 
     /// How long kernels have run so far, by the processor's clock: from each launch until it
-    /// was known to be done, without what was copied before and after it.
+    /// was known to be done, without queries and answers on their way.
     pub fn busy(&self) -> Duration {
         Duration::from_nanos(self.busy.load(Ordering::Relaxed))
     }
@@ -136,6 +139,42 @@ impl Gpu {
         self.driver.check().map_err(|fault| self.error(fault, 0, 0))
     }
 
+    /// An error if cones cannot be asked: threads exchange nothing, or run in step in fewer
+    /// than eight, or are not counted as they run.
+    pub(crate) fn check_eights(&self) -> Result<(), GpuError> {
+        if !self.driver.has_exchange() || !self.has_eights()? {
+            return Err(GpuError::Unusable {
+                adapter: self.name().to_owned(),
+                reason: "its threads do not run in step in eights, which cones need (rays do not)"
+                    .to_owned(),
+            });
+        }
+        Ok(())
+    }
+
+    /// Found out by a launch, once: what drivers say of it is often a guess.
+    fn has_eights(&self) -> Result<bool, GpuError> {
+        if let Some(&known) = self.eights.get() {
+            return Ok(known);
+        }
+        let threads = 4 * GROUP;
+        let [read, answers, values] = [(); 3].map(|()| self.allocate(4 * threads as u64));
+        let (read, answers, values) = (read?, answers?, values?);
+        let arrays = [&read, &read, &read, &read, &read, &read, &answers, &values];
+        let whole = Launch {
+            first: 0,
+            end: threads as u32,
+            capacity: 0,
+            primitives: 0,
+        };
+        self.run(Kernel::Eights, arrays, whole)?;
+        let mut right = vec![0_u32; threads];
+        self.download(&answers, bytemuck::cast_slice_mut(&mut right))?;
+        Ok(*self
+            .eights
+            .get_or_init(|| right.iter().all(|&right| right == 8)))
+    }
+
     /// A new piece of memory; nobody knows what is in it.
     pub(crate) fn allocate(&self, bytes: u64) -> Result<Memory, GpuError> {
         let memory = self.driver.allocate(bytes);
@@ -144,7 +183,7 @@ impl Gpu {
 
     /// Fills the first bytes of a piece.
     pub(crate) fn upload(&self, to: &Memory, bytes: &[u8]) -> Result<(), GpuError> {
-        let copied = self.driver.upload(to, bytes);
+        let copied = self.driver.upload(to, bytes, self.options.timeout);
         copied.map_err(|fault| self.error(fault, bytes.len() as u64, 0))
     }
 
@@ -181,12 +220,10 @@ impl Gpu {
                 end: whole.end.min(rest.first + size as u32),
                 ..rest
             };
-            let started = Instant::now();
             let done = self
                 .driver
                 .launch(kernel, self.precision, arrays, launch, timeout);
-            done.map_err(|fault| self.error(fault, 0, launch.queries()))?;
-            let took = started.elapsed();
+            let took = done.map_err(|fault| self.error(fault, 0, launch.queries()))?;
             self.busy
                 .fetch_add(took.as_nanos() as u64, Ordering::Relaxed);
             if took > self.options.launch {
@@ -233,7 +270,11 @@ fn open(options: &GpuOptions) -> Result<(Driver, Precision), GpuError> {
         Some(Interface::Cuda) => by_cuda(),
         None => match by_wgpu() {
             Ok(found) if !found.0.is_software() => Ok(found),
-            found => by_cuda().or(found),
+            found => by_cuda().or_else(|of_cuda| match (&found, &of_cuda) {
+                // A device that is there and cannot be used is worth more words than none.
+                (Err(_), GpuError::Unusable { .. }) => Err(of_cuda),
+                _ => found,
+            }),
         },
     }
 }

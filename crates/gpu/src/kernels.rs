@@ -9,19 +9,18 @@ pub enum Kernel {
     Occluded,
     Closest,
     Gather,
+    /// Whether cones can be asked at all.
+    Eights,
 }
 
 /// How many there are.
-pub const KERNELS: usize = 4;
+pub const KERNELS: usize = 5;
 
 /// How many threads there are in a group.
 pub const GROUP: usize = 64;
 
 /// How many groups a launch may have, which are counted in one dimension.
 const MOST_GROUPS: usize = 1 << 15;
-
-/// What devices run in step must be a multiple of this, as it is of all GPUs.
-pub const IN_STEP: u32 = 8;
 
 impl Kernel {
     /// Its entry point.
@@ -31,13 +30,14 @@ impl Kernel {
             Self::Occluded => "occluded",
             Self::Closest => "closest",
             Self::Gather => "gather",
+            Self::Eights => "eights",
         }
     }
 
     /// How many queries a group works on: cones have eight threads each.
     pub fn group(self) -> usize {
         match self {
-            Self::FirstHit | Self::Occluded => GROUP,
+            Self::FirstHit | Self::Occluded | Self::Eights => GROUP,
             Self::Closest | Self::Gather => GROUP / 8,
         }
     }
@@ -58,10 +58,13 @@ impl Kernel {
             (Self::Closest, Precision::Double) => include_str!("kernels/closest_double.wgsl"),
             (Self::Gather, Precision::Single) => include_str!("kernels/gather_single.wgsl"),
             (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.wgsl"),
+            (Self::Eights, Precision::Single) => include_str!("kernels/eights_single.wgsl"),
+            (Self::Eights, Precision::Double) => include_str!("kernels/eights_double.wgsl"),
         }
     }
 
     /// In PTX, NVIDIA's language between compilers and drivers.
+    #[cfg_attr(not(any(target_os = "linux", target_os = "windows")), allow(dead_code))]
     pub fn ptx(self, precision: Precision) -> &'static str {
         match (self, precision) {
             (Self::FirstHit, Precision::Single) => include_str!("kernels/first_hit_single.ptx"),
@@ -72,6 +75,8 @@ impl Kernel {
             (Self::Closest, Precision::Double) => include_str!("kernels/closest_double.ptx"),
             (Self::Gather, Precision::Single) => include_str!("kernels/gather_single.ptx"),
             (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.ptx"),
+            (Self::Eights, Precision::Single) => include_str!("kernels/eights_single.ptx"),
+            (Self::Eights, Precision::Double) => include_str!("kernels/eights_double.ptx"),
         }
     }
 }
@@ -99,6 +104,7 @@ mod tests {
             Kernel::Occluded,
             Kernel::Closest,
             Kernel::Gather,
+            Kernel::Eights,
         ] {
             for (compiled, precision) in [Precision::Single, Precision::Double]
                 .into_iter()

@@ -29,6 +29,11 @@
 //! than [`SINGLE_ERROR`] times their distance, or so: its documentation says which.
 
 mod batch;
+// NVIDIA makes no drivers for other systems.
+#[cfg_attr(
+    not(any(target_os = "linux", target_os = "windows")),
+    path = "no_cuda_driver.rs"
+)]
 mod cuda_driver;
 mod driver;
 mod error;

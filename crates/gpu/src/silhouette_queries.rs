@@ -33,8 +33,8 @@ pub struct Gathered {
 }
 
 impl Gathered {
-    /// The edges that meet the cone with this number, in an order that depends on the
-    /// tree alone.
+    /// The edges that meet the cone with this number, in an order that depends on the tree,
+    /// the cone and the device.
     pub fn of(&self, query: usize) -> &[u32] {
         &self.edges[self.starts[query]..self.starts[query + 1]]
     }
@@ -47,8 +47,9 @@ impl Gathered {
 }
 
 impl DeviceSilhouetteTree {
-    /// Uploads the tree.
+    /// Uploads the tree. [`GpuError::Unusable`] where threads do not run in step in eights.
     pub fn new(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Result<Self, GpuError> {
+        gpu.check_eights()?;
         let buffers = tree.buffers();
         let local = buffers.local_edges();
         let tree = Resident::new(

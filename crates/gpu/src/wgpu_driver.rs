@@ -1,11 +1,11 @@
 //! Devices through wgpu: Vulkan, Metal and DX12, and Vulkan in software.
 
 use std::sync::{Arc, Mutex, OnceLock, mpsc};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::driver::{ARRAYS, Fault, Launch, locked};
 use crate::error::GpuError;
-use crate::kernels::{IN_STEP, KERNELS, Kernel};
+use crate::kernels::{KERNELS, Kernel};
 use crate::precision::Precision;
 
 /// An open device.
@@ -48,13 +48,6 @@ impl WgpuDriver {
                 return Err(unusable("it has no double precision".to_owned()));
             }
         };
-        if !adapter.features().contains(wgpu::Features::SUBGROUP)
-            || info.subgroup_min_size < IN_STEP
-        {
-            return Err(unusable(format!(
-                "it does not run groups of {IN_STEP} threads in step"
-            )));
-        }
         let of_adapter = adapter.limits();
         let limits = wgpu::Limits {
             max_buffer_size: of_adapter.max_buffer_size,
@@ -65,7 +58,7 @@ impl WgpuDriver {
         };
         let request = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("capwalk"),
-            required_features: wgpu::Features::SUBGROUP
+            required_features: (adapter.features() & wgpu::Features::SUBGROUP)
                 | match precision {
                     Precision::Single => wgpu::Features::empty(),
                     Precision::Double => wgpu::Features::SHADER_F64,
@@ -117,6 +110,11 @@ impl WgpuDriver {
         self.largest
     }
 
+    /// Whether threads can exchange numbers without memory.
+    pub fn has_exchange(&self) -> bool {
+        self.device.features().contains(wgpu::Features::SUBGROUP)
+    }
+
     pub fn destroy(&self) {
         self.device.destroy();
         locked(&self.lost).get_or_insert_with(|| "it was given up".to_owned());
@@ -156,16 +154,17 @@ impl WgpuDriver {
         arrays: [&wgpu::Buffer; ARRAYS],
         launch: Launch,
         timeout: Duration,
-    ) -> Result<(), Fault> {
+    ) -> Result<Duration, Fault> {
         use wgpu::BufferUsages as Use;
         let pipeline = self.pipeline(kernel, precision)?;
-        let batch = self.buffer(16, Use::UNIFORM | Use::COPY_DST)?;
+        let words = self.buffer(16, Use::UNIFORM | Use::COPY_DST)?;
+        let started = Instant::now();
         self.guarded(|| {
             self.queue
-                .write_buffer(&batch, 0, bytemuck::cast_slice(&launch.words()));
+                .write_buffer(&words, 0, bytemuck::cast_slice(&launch.words()));
             let entries: Vec<_> = arrays
                 .into_iter()
-                .chain([&batch])
+                .chain([&words])
                 .enumerate()
                 .map(|(binding, buffer)| wgpu::BindGroupEntry {
                     binding: binding as u32,
@@ -186,7 +185,8 @@ impl WgpuDriver {
             }
             self.queue.submit([encoder.finish()]);
         })?;
-        self.wait(timeout)
+        self.wait(timeout)?;
+        Ok(started.elapsed())
     }
 
     pub fn download(

@@ -1,9 +1,9 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cff3358cc5f05b5c
-// result: 76676f7d5d8a0fd2
+// source: e2a09a697d6bdd11
+// result: 75f82b34ea12889f
 
-struct Batch_std140_0
+struct Launch_std140_0
 {
     @align(16) first_0 : u32,
     @align(4) end_0 : u32,
@@ -11,7 +11,7 @@ struct Batch_std140_0
     @align(4) primitives_0 : u32,
 };
 
-@binding(8) @group(0) var<uniform> batch_0 : Batch_std140_0;
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
 @binding(4) @group(0) var<storage, read> views_0 : array<vec4<u32>>;
 
 @binding(5) @group(0) var<storage, read> queries_0 : array<f64>;
@@ -530,8 +530,8 @@ fn trace_0( query_2 : u32,  any_0 : bool)
 @workgroup_size(64, 1, 1)
 fn first_hit(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var query_3 : u32 = batch_0.first_0 + thread_0.x;
-    if(query_3 < (batch_0.end_0))
+    var query_3 : u32 = launch_0.first_0 + thread_0.x;
+    if(query_3 < (launch_0.end_0))
     {
         trace_0(query_3, false);
     }

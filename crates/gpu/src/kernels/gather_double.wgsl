@@ -1,9 +1,9 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cff3358cc5f05b5c
-// result: 9f35938e845edcf2
+// source: e2a09a697d6bdd11
+// result: 2ac69f59eb2972da
 
-struct Batch_std140_0
+struct Launch_std140_0
 {
     @align(16) first_0 : u32,
     @align(4) end_0 : u32,
@@ -11,7 +11,7 @@ struct Batch_std140_0
     @align(4) primitives_0 : u32,
 };
 
-@binding(8) @group(0) var<uniform> batch_0 : Batch_std140_0;
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
 @binding(4) @group(0) var<storage, read> views_0 : array<vec4<u32>>;
 
 @binding(5) @group(0) var<storage, read> queries_0 : array<f64>;
@@ -28,7 +28,7 @@ struct Batch_std140_0
 
 fn cone_query_0( thread_0 : u32) -> u32
 {
-    return min(batch_0.first_0 + thread_0 / u32(8), batch_0.end_0 - u32(1));
+    return min(launch_0.first_0 + thread_0 / u32(8), launch_0.end_0 - u32(1));
 }
 
 struct ConeView_0
@@ -95,7 +95,7 @@ fn cone_at_0( query_1 : u32,  all_edges_2 : bool) -> Cone_0
 
 fn is_asked_0( thread_1 : u32) -> bool
 {
-    return (batch_0.first_0 + thread_1 / u32(8)) < (batch_0.end_0);
+    return (launch_0.first_0 + thread_1 / u32(8)) < (launch_0.end_0);
 }
 
 var<private> _S2 : u32;
@@ -160,6 +160,10 @@ fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : 
     var z_0 : f32 = dot(view_1.axis_0, centre_0);
     var radial_0 : vec3<f32> = centre_0 - view_1.axis_0 * vec3<f32>(z_0);
     var _S5 : f32 = max(dot(radial_0, radial_0), 1.00000000317107685e-30f);
+    if(!(_S5 < 9.99999993381581251e+36f))
+    {
+        return 0.0f;
+    }
     var distance_0 : f32 = sqrt(_S5);
     var _S6 : bool = limit_2 < 1.0f;
     var tangent_0 : f32;
@@ -221,8 +225,8 @@ fn child_bound_0( view_1 : ConeView_0,  limit_2 : f32,  node_0 : u32,  slot_0 : 
     else
     {
         var _S9 : f32 = max(at_zero_0, 0.0f);
-        var in_front_0 : f32 = slope_0 * _S9;
-        var sum_0 : f32 = distance_0 * (_S9 - min(at_slope_0, 0.0f)) + in_front_0;
+        var in_front_0 : f32 = slope_0 / distance_0 * _S9;
+        var sum_0 : f32 = _S9 - min(at_slope_0, 0.0f) + in_front_0;
         if(sum_0 > 0.0f)
         {
             tangent_0 = in_front_0 / sum_0;
@@ -411,7 +415,7 @@ fn sum_of_sizes_0( v_1 : vec3<f32>) -> f32
 fn may_count_0( view_5 : ConeView_0,  limit_5 : f32,  edge_0 : u32,  number_0 : ptr<function, u32>) -> bool
 {
     var a_2 : vec4<u32> = rough_0[edge_0];
-    var b_2 : vec4<u32> = rough_0[batch_0.primitives_0 + edge_0];
+    var b_2 : vec4<u32> = rough_0[launch_0.primitives_0 + edge_0];
     (*number_0) = b_2.w;
     if((((a_2.w) & ((view_5.groups_0)))) == u32(0))
     {
@@ -421,8 +425,8 @@ fn may_count_0( view_5 : ConeView_0,  limit_5 : f32,  edge_0 : u32,  number_0 : 
     var along_0 : vec3<f32> = (bitcast<vec3<f32>>((b_2.xyz)));
     if(!view_5.all_edges_0)
     {
-        var first_2 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(2) * batch_0.primitives_0 + edge_0].xyz))), start_1);
-        var second_1 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(3) * batch_0.primitives_0 + edge_0].xyz))), start_1);
+        var first_2 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(2) * launch_0.primitives_0 + edge_0].xyz))), start_1);
+        var second_1 : f32 = dot((bitcast<vec3<f32>>((rough_0[u32(3) * launch_0.primitives_0 + edge_0].xyz))), start_1);
         var _S33 : bool;
         if((min(first_2, second_1)) > (view_5.plane_margin_0))
         {
@@ -454,6 +458,10 @@ fn may_count_0( view_5 : ConeView_0,  limit_5 : f32,  edge_0 : u32,  number_0 : 
     var z_1 : f32 = dot(view_5.axis_0, middle_0);
     var radial_1 : vec3<f32> = middle_0 - view_5.axis_0 * vec3<f32>(z_1);
     var _S34 : f32 = max(dot(radial_1, radial_1), 1.00000000317107685e-30f);
+    if(!(_S34 < 9.99999993381581251e+36f))
+    {
+        return true;
+    }
     var distance_1 : f32 = sqrt(_S34);
     var slope_1 : f32 = distance_1 * tangent_1;
     return (_S34 - slope_1 * z_1 - 0.5f * abs(dot(radial_1 - view_5.axis_0 * vec3<f32>(slope_1), along_0))) <= (view_5.margin_0 * (distance_1 + slope_1 + sum_of_sizes_0(along_0)));
@@ -667,7 +675,7 @@ fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup
     var query_2 : u32 = cone_query_0(_S54);
     var view_6 : ConeView_0 = cone_view_0(query_2);
     var _S55 : Cone_0 = cone_at_0(query_2, view_6.all_edges_0);
-    var room_0 : u32 = (batch_0.capacity_0 + u32(1)) * query_2;
+    var room_0 : u32 = (launch_0.capacity_0 + u32(1)) * query_2;
     var _S56 : bool = is_asked_0(_S54);
     var _S57 : Way_0 = start_0(view_6, _S56);
     var way_2 : Way_0 = _S57;
@@ -751,7 +759,7 @@ fn gather(@builtin(global_invocation_id) thread_2 : vec3<u32>, @builtin(subgroup
             var _S66 : bool;
             if(meets_1)
             {
-                _S66 = place_0 < (batch_0.capacity_0);
+                _S66 = place_0 < (launch_0.capacity_0);
             }
             else
             {

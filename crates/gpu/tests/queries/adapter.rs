@@ -58,11 +58,11 @@ pub fn is_exact(gpu: &Gpu) -> bool {
     gpu.is_software() || gpu.interface() == Interface::Cuda
 }
 
-/// Where tests are skipped for want of an adapter, a note says so once.
-fn skip(reason: &str) {
+/// Where tests are skipped for want of a device that can do them, a note says so once.
+pub fn skip(reason: &str) {
     let is_required = std::env::var("CAPWALK_GPU_TESTS").is_ok_and(|value| value == "require");
     assert!(!is_required, "CAPWALK_GPU_TESTS=require, but {reason}");
-    NOTE.call_once(|| note(&format!("no adapter ({reason})")));
+    NOTE.call_once(|| note(reason));
 }
 
 /// Options changed.
