@@ -2,22 +2,18 @@
 
 use rayon::prelude::*;
 
-use crate::driver::{Launch, Memory};
+use crate::copies::{Copies, VIEW};
+use crate::driver::Memory;
 use crate::error::GpuError;
 use crate::gpu::Gpu;
 use crate::kernels::{GROUP, Kernel};
+use crate::launch::Launch;
 use crate::precision::Precision;
 use crate::resident::Resident;
-
-/// Words of a query for the bounds.
-pub const VIEW: usize = 12;
 
 /// No buffer of a part is larger than this, bytes, unless one query needs more: enough for a GPU to be busy, and little
 /// enough for the processor's copies to stay in its caches, or nearly.
 const LARGEST: u64 = 1 << 25;
-
-/// Queries that are prepared by one thread.
-const CHUNK: usize = 256;
 
 /// What is asked of each query of a kernel: `numbers` for the exact tests, and so many
 /// words and numbers come back.
@@ -87,7 +83,7 @@ fn ask_with<Q: Sync>(
         };
         while !rest.is_empty() {
             let (now, later) = rest.split_at(size.min(rest.len()));
-            copies.prepare(shape, now, &prepare);
+            copies.prepare(shape.numbers, now, &prepare);
             match part.answer(gpu, tree, now.len(), copies) {
                 Err(GpuError::OutOfMemory { .. }) if size > GROUP => {
                     size /= 2;
@@ -100,39 +96,6 @@ fn ask_with<Q: Sync>(
         }
     }
     Ok(())
-}
-
-/// The processor's copies of a part. They are kept from one to the next: new memory costs
-/// as much as all that is written to it.
-#[derive(Debug, Default)]
-pub struct Copies {
-    views: Vec<u32>,
-    numbers: Vec<f64>,
-    answers: Vec<u32>,
-    values: Vec<f64>,
-    /// Numbers, and then values, in single precision.
-    single: Vec<f32>,
-}
-
-impl Copies {
-    /// Words and numbers of the queries, on all threads.
-    fn prepare<Q: Sync>(
-        &mut self,
-        shape: Shape,
-        queries: &[Q],
-        prepare: &(impl Fn(&Q, &mut [u32], &mut [f64]) + Sync),
-    ) {
-        self.views.resize(VIEW * queries.len(), 0);
-        self.numbers.resize(shape.numbers * queries.len(), 0.0);
-        (
-            queries,
-            self.views.par_chunks_exact_mut(VIEW),
-            self.numbers.par_chunks_exact_mut(shape.numbers),
-        )
-            .into_par_iter()
-            .with_min_len(CHUNK)
-            .for_each(|(query, views, numbers)| prepare(query, views, numbers));
-    }
 }
 
 /// Room on the device for queries and their answers.

@@ -13,9 +13,9 @@ use cudarc::driver::{
 };
 use cudarc::nvrtc::Ptx;
 
-use crate::driver::{ARRAYS, Fault, Launch, locked};
 use crate::error::GpuError;
 use crate::kernels::{GROUP, KERNELS, Kernel};
+use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 
 /// The least that the kernels are compiled for: Volta, 2017.

@@ -4,11 +4,12 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
 
-use crate::batch::Copies;
+use crate::copies::Copies;
 use crate::cuda_driver::CudaDriver;
-use crate::driver::{ARRAYS, Driver, Fault, Launch, Memory, locked};
+use crate::driver::{Driver, Memory};
 use crate::error::GpuError;
 use crate::kernels::{GROUP, KERNELS, Kernel};
+use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 use crate::wgpu_driver::WgpuDriver;
 

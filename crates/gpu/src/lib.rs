@@ -29,6 +29,7 @@
 //! than [`SINGLE_ERROR`] times their distance, or so: its documentation says which.
 
 mod batch;
+mod copies;
 // NVIDIA makes no drivers for other systems.
 #[cfg_attr(
     not(any(target_os = "linux", target_os = "windows")),
@@ -39,6 +40,7 @@ mod driver;
 mod error;
 mod gpu;
 mod kernels;
+mod launch;
 mod local_cone;
 mod local_ray;
 mod precision;

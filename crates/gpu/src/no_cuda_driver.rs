@@ -3,9 +3,9 @@
 
 use std::time::Duration;
 
-use crate::driver::{ARRAYS, Fault, Launch};
 use crate::error::GpuError;
 use crate::kernels::Kernel;
+use crate::launch::{ARRAYS, Fault, Launch};
 use crate::precision::Precision;
 
 /// None there is.

@@ -3,9 +3,9 @@
 use std::sync::{Arc, Mutex, OnceLock, mpsc};
 use std::time::{Duration, Instant};
 
-use crate::driver::{ARRAYS, Fault, Launch, locked};
 use crate::error::GpuError;
 use crate::kernels::{KERNELS, Kernel};
+use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 
 /// An open device.
