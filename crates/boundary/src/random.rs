@@ -116,18 +116,23 @@ impl<const N: usize> Streams<N> {
     #[inline]
     pub fn set(&mut self, sample: usize, stream: Stream) {
         self.keys[sample] = stream.key;
+        debug_assert_eq!(self.sobol.is_some(), stream.sobol.is_some());
         if let (Some(points), Some(point)) = (&mut self.sobol, stream.sobol) {
             points[sample] = point;
         }
     }
 
-    /// The number of a dimension in each, [`Stream::number`]: independent ones in a loop without a
-    /// branch, of which the compiler makes vectors.
+    /// The number of a dimension in each that has its bit in `asked`, [`Stream::number`]; anything
+    /// in the others. Independent ones are made in a loop without a branch, of which the compiler
+    /// makes vectors; Sobol's one by one.
     #[inline(always)]
-    pub fn numbers(&self, dimension: u32) -> [f64; N] {
+    pub fn numbers(&self, dimension: u32, asked: u32) -> [f64; N] {
         match self.sobol {
             Some(points) if dimension < SOBOL_DIMENSIONS => {
-                points.map(|point| sobol(point, dimension))
+                std::array::from_fn(|i| match asked >> i & 1 {
+                    1 => sobol(points[i], dimension),
+                    _ => 0.0,
+                })
             }
             _ => {
                 let mut numbers = [0.0; N];
@@ -237,7 +242,11 @@ mod tests {
                 .for_each(|(i, stream)| streams.set(i, stream));
             for dimension in [0, 1, 17, SOBOL_DIMENSIONS - 1, SOBOL_DIMENSIONS, 1 << 20] {
                 let expected = all.map(|stream| stream.number(dimension));
-                assert_eq!(streams.numbers(dimension), expected, "{kind:?}");
+                assert_eq!(streams.numbers(dimension, 255), expected, "{kind:?}");
+                let some = streams.numbers(dimension, 0b0110_0001);
+                for i in [0, 5, 6] {
+                    assert_eq!(some[i], expected[i], "{kind:?}");
+                }
             }
         }
     }

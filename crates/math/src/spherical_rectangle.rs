@@ -111,7 +111,8 @@ impl SphericalRectangle {
         let inverse = 1.0 / (first * last);
         let [h0, h1] = [y0 * (last * inverse), y1 * (first * inverse)];
         let h = h0 + u[1] * (h1 - h0);
-        let y = h * (squared / ((1.0 - h) * (1.0 + h))).sqrt();
+        // Rounding may leave a sine above one where the line is all but in the rectangle's plane.
+        let y = h * (squared / ((1.0 - h) * (1.0 + h)).max(0.0)).sqrt();
         [x, y.max(y0).min(y1)]
     }
 }

@@ -35,7 +35,7 @@ use crate::radiance::RR_MAX;
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
 use lobes::LaneLobes;
-use rays::{ALL_BEHIND, Rays};
+use rays::{ALL_BEHIND, LaneRays};
 use scene::{LaneScene, NOTHING};
 use step::{Brdf, Lit, Vertices};
 use vectors::{LANES, Vectors, lanes_of, mask_of};
@@ -47,7 +47,7 @@ const MOST_FACES: usize = 1024;
 const NEAREST: f64 = 2e-3;
 
 /// The effort of a sample besides its rays, and how many levels of the tree take a ray an effort of
-/// one: measured on a diffuse room of 36 triangles.
+/// one: measured on a diffuse room of 36 triangles when there were eight lanes.
 const EFFORT_OF_LANE: u64 = 10;
 const LEVELS_PER_EFFORT: u64 = 3;
 
@@ -142,9 +142,11 @@ impl<'a> LaneTracer<'a> {
             paths.streams.set(lane, place.stream);
         }
         let mut film = [[0.0; LANES]; 2];
-        instructions.run(step::Random {
+        let mask = (1 << places.len()) - 1;
+        instructions.run(step::RandomNumbers {
             streams: &paths.streams,
             first: FILM,
+            lanes: mask,
             numbers: &mut film,
         });
         let mut weights = [0.0; LANES];
@@ -163,8 +165,7 @@ impl<'a> LaneTracer<'a> {
         });
         paths.light = Vectors::ZERO;
         paths.throughput = Vectors::splat([1.0; 3]);
-        let mask = (1 << places.len()) - 1;
-        let rays = Rays {
+        let rays = LaneRays {
             origin: &paths.vertices.origin,
             direction: &paths.vertices.direction,
             range: &range,
@@ -246,6 +247,9 @@ impl<'a> LaneTracer<'a> {
             ..
         } = paths;
         let active = mask_of(active, |lane| faces[lane] != NOTHING);
+        if active == 0 {
+            return 0;
+        }
         for lane in lanes_of(active) {
             self.scene.set_plane(faces[lane], lane, vertices);
         }
@@ -270,6 +274,7 @@ impl<'a> LaneTracer<'a> {
             rectangle: self.scene.rectangle,
             streams: &paths.streams,
             first,
+            lanes: active,
             of_brdf,
             transmits,
             lit: &mut lit,
@@ -278,7 +283,7 @@ impl<'a> LaneTracer<'a> {
         if wanted == 0 {
             return;
         }
-        let rays = Rays {
+        let rays = LaneRays {
             origin: &paths.vertices.position,
             direction: &lit.direction,
             range: &[[0.0; LANES], lit.distance],
@@ -314,13 +319,23 @@ impl<'a> LaneTracer<'a> {
     /// along them; one bit for each that does.
     fn draw_brdf(&self, paths: &mut Paths<'_>, active: u32, first: u32) -> u32 {
         let instructions = self.packets.instructions();
-        let mut numbers = [[0.0; LANES]; BSDF_NUMBERS as usize];
-        instructions.run(step::Random {
+        // The first one chooses among lobes.
+        let with_lobes = active & paths.lobes.with_lobes;
+        let (mut choice, mut u) = ([[0.0; LANES]; 1], [[0.0; LANES]; 2]);
+        if with_lobes != 0 {
+            instructions.run(step::RandomNumbers {
+                streams: &paths.streams,
+                first,
+                lanes: with_lobes,
+                numbers: &mut choice,
+            });
+        }
+        instructions.run(step::RandomNumbers {
             streams: &paths.streams,
-            first,
-            numbers: &mut numbers,
+            first: first + 1,
+            lanes: active,
+            numbers: &mut u,
         });
-        let [choice, u @ ..] = numbers;
         let mut drawn = Brdf::default();
         if active & !paths.lobes.with_lobes != 0 {
             instructions.run(step::Draw {
@@ -333,7 +348,7 @@ impl<'a> LaneTracer<'a> {
             vertices, lobes, ..
         } = &mut *paths;
         let of_lobes = mask_of(active & lobes.with_lobes, |lane| {
-            lobes.draw(lane, choice[lane], u.map(|numbers| numbers[lane]))
+            lobes.draw(lane, choice[0][lane], u.map(|numbers| numbers[lane]))
         });
         let active = active & !lobes.with_lobes | of_lobes;
         let mut factors = vertices.albedo;
@@ -358,7 +373,7 @@ impl<'a> LaneTracer<'a> {
         let vertices = &mut paths.vertices;
         vertices.direction = drawn.direction;
         vertices.origin = vertices.position;
-        let rays = Rays {
+        let rays = LaneRays {
             origin: &vertices.origin,
             direction: &vertices.direction,
             range: &ALL_BEHIND,
@@ -390,7 +405,7 @@ impl<'a> LaneTracer<'a> {
         let is_long = depth + 1 >= self.plan.rr_depth;
         let last = self.plan.vertex_numbers(depth + 1) - 1;
         let numbers = match is_long {
-            true => paths.streams.numbers(last),
+            true => paths.streams.numbers(last, active),
             false => [0.0; LANES],
         };
         let mut alive = 0;

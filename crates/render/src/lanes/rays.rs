@@ -13,7 +13,7 @@ const _: () = assert!(LANES.is_multiple_of(RAYS));
 pub const ALL_BEHIND: [Numbers; 2] = [[0.0; LANES], [f64::INFINITY; LANES]];
 
 /// A ray of each lane. Those without a bit in the mask are not asked for.
-pub struct Rays<'a> {
+pub struct LaneRays<'a> {
     pub origin: &'a Vectors,
     /// Unit directions.
     pub direction: &'a Vectors,
@@ -22,7 +22,7 @@ pub struct Rays<'a> {
     pub mask: u32,
 }
 
-impl Rays<'_> {
+impl LaneRays<'_> {
     /// The nearest face that each ray meets, in those it is asked for.
     pub fn first_hits(&self, tree: &PacketTree) -> [u32; LANES] {
         let mut faces = [NOTHING; LANES];

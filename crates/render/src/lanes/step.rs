@@ -15,18 +15,20 @@ use crate::rectangle_sampler::RectangleSampler;
 use crate::triangle_sampler::Node;
 
 /// Random numbers of consecutive dimensions.
-pub struct Random<'a, const K: usize> {
+pub struct RandomNumbers<'a, const K: usize> {
     pub streams: &'a Streams<LANES>,
     pub first: u32,
+    /// One bit for each lane that needs them.
+    pub lanes: u32,
     pub numbers: &'a mut [Numbers; K],
 }
 
-impl<const K: usize> Computation for Random<'_, K> {
+impl<const K: usize> Computation for RandomNumbers<'_, K> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
         for (dimension, numbers) in (self.first..).zip(self.numbers) {
-            *numbers = self.streams.numbers(dimension);
+            *numbers = self.streams.numbers(dimension, self.lanes);
         }
     }
 }
@@ -179,7 +181,8 @@ pub struct Lit {
     /// Unit directions to them, and their distances.
     pub direction: Vectors,
     pub distance: Numbers,
-    /// Where surfaces are diffuse, the cosine over π, times the weight, over the density.
+    /// Where surfaces are diffuse, the cosine over π, times the weight, over the density; where
+    /// they have lobes, the weight over the density.
     pub weight: Numbers,
     /// One bit for each that may be seen.
     pub mask: u32,
@@ -203,6 +206,8 @@ pub struct Light<'a> {
     pub streams: &'a Streams<LANES>,
     /// The first of three random numbers, which would choose among several emitters.
     pub first: u32,
+    /// One bit for each that needs a point.
+    pub lanes: u32,
     /// One bit for each where directions are drawn from the surface, too.
     pub of_brdf: u32,
     /// One bit for each where light comes through the surface, too.
@@ -219,12 +224,13 @@ impl Computation for Light<'_> {
             rectangle,
             streams,
             first,
+            lanes,
             of_brdf,
             transmits,
             lit,
         } = self;
         let (position, outward, side) = (vertices.position, vertices.outward, vertices.side);
-        let u = [streams.numbers(first + 1), streams.numbers(first + 2)];
+        let u = [first + 1, first + 2].map(|dimension| streams.numbers(dimension, lanes));
         let rectangle = rectangle.clone();
         let (mut directions, mut distances) = (lit.direction, [0.0; LANES]);
         let (mut weights, mut solid_angles) = ([0.0; LANES], [0.0; LANES]);
@@ -282,7 +288,7 @@ impl Computation for Gather<'_> {
                 let reflected = scattered.0[axis][lane] * weight * radiance;
                 let more = throughput.0[axis][lane] * reflected;
                 let is_asked = self.lanes >> lane & 1 == 1;
-                // What is not a number must not get into other lanes.
+                // What is not a number must not get into sums of lanes that are not asked.
                 light.0[axis][lane] += if is_asked { more } else { 0.0 };
             }
         }
@@ -371,9 +377,10 @@ mod tests {
         let view = &prepared.accel().view;
         let instructions = Instructions::detect();
         let mut film = [[0.0; LANES]; 2];
-        instructions.run(Random {
+        instructions.run(RandomNumbers {
             streams: &streams,
             first: 4,
+            lanes: ALL,
             numbers: &mut film,
         });
         let (mut vertices, mut range) = (Vertices::NONE, [[0.0; LANES]; 2]);

@@ -371,7 +371,9 @@ fn lanes_sample_other_materials() {
 fn samples_do_not_depend_on_each_other() {
     let room = || scene("box-room", path(None));
     let rough = [("box", 1, true), ("floor", 7, false), ("lamp", 0, false)];
-    for scene in [room(), of_all_materials(room(), &rough)] {
+    let mut by_sobol = room();
+    by_sobol.settings.sampler = SamplerKind::Sobol;
+    for scene in [room(), of_all_materials(room(), &rough), by_sobol] {
         samples_are_the_same_in_other_packets(scene);
     }
 }

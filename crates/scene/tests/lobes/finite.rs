@@ -99,11 +99,13 @@ fn eval_and_pdf_are_the_same_together() {
 #[test]
 fn known_facets_draw_the_same() {
     let mut random = Random::new(5);
+    let mut known = 0;
     for (name, lobe) in lobes() {
         let bsdf = LocalBsdf::from(lobe);
         let Some(facets) = bsdf.facets() else {
             continue;
         };
+        known += 1;
         for wi in directions() {
             let visible = facets.visible_over_cos(wi);
             for _ in 0..20 {
@@ -114,6 +116,7 @@ fn known_facets_draw_the_same() {
             }
         }
     }
+    assert!(known >= 4, "{known} lobes with facets prove little");
 }
 
 #[test]

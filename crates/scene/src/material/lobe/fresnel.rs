@@ -14,8 +14,8 @@ pub fn cos_refracted<R: Real>(cos_i: R, eta: R) -> Option<R> {
 
 /// Fraction of light reflected by the surface of a dielectric, Fresnel's
 /// equations. `cos_i` at least 0, `eta` the refractive index of the far side
-/// relative to the near one. One at grazing incidence and for total internal
-/// reflection, zero if the two sides are the same.
+/// relative to the near one. One for total internal reflection and, up to
+/// rounding, at grazing incidence; zero if the two sides are the same.
 #[inline]
 pub fn fresnel_dielectric<R: Real>(cos_i: R, eta: R) -> R {
     let one = R::constant(1.0);
