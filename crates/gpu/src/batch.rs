@@ -11,8 +11,8 @@ use crate::launch::Launch;
 use crate::precision::Precision;
 use crate::resident::Resident;
 
-/// No buffer of a part is larger than this, bytes, unless one query needs more: enough for a GPU to be busy, and little
-/// enough for the processor's copies to stay in its caches, or nearly.
+/// No buffer of a part is larger than this, bytes, unless one query needs more: enough for a GPU
+/// to be busy, and little enough for the processor's copies to stay in its caches, or nearly.
 const LARGEST: u64 = 1 << 25;
 
 /// What is asked of each query of a kernel: `numbers` for the exact tests, and so many

@@ -305,7 +305,7 @@ impl<'a> LaneTracer<'a> {
             scattered.set_colour(lane, colour);
             lit.weight[lane] = weight;
         }
-        instructions.run(step::Gather {
+        instructions.run(step::SumLight {
             light: &mut paths.light,
             throughput: &paths.throughput,
             scattered: &scattered,
@@ -384,7 +384,7 @@ impl<'a> LaneTracer<'a> {
         let emits = |lane| self.scene.emits(faces[lane], drawn.direction.get(lane));
         let seen = mask_of(active, emits);
         if seen != 0 {
-            instructions.run(step::Gather {
+            instructions.run(step::SumLight {
                 light: &mut paths.light,
                 throughput: &paths.throughput,
                 scattered: &factors,

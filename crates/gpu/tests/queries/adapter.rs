@@ -38,6 +38,10 @@ pub fn each(test: impl Fn(&Arc<Gpu>)) {
             match gpu {
                 Ok(gpu) => test(&Arc::new(gpu)),
                 Err(GpuError::NoAdapter { reason }) => missing.push(reason),
+                // A driver or a device that is too old.
+                Err(GpuError::Unusable { reason, .. }) if interface == Interface::Cuda => {
+                    missing.push(reason);
+                }
                 Err(GpuError::Unusable { adapter, reason }) if precision == Precision::Double => {
                     NOTE.call_once(|| {
                         note(&format!("no double precision on {adapter} ({reason})"))

@@ -268,7 +268,7 @@ impl Computation for Light<'_> {
 
 /// Adds light from the emitter to what some paths bring: the product of their throughputs, of what
 /// is scattered, its weights, and the radiance.
-pub struct Gather<'a> {
+pub struct SumLight<'a> {
     pub light: &'a mut Vectors,
     pub throughput: &'a Vectors,
     pub scattered: &'a Vectors,
@@ -277,7 +277,7 @@ pub struct Gather<'a> {
     pub lanes: u32,
 }
 
-impl Computation for Gather<'_> {
+impl Computation for SumLight<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
@@ -432,7 +432,7 @@ mod tests {
         let (radiance, lanes) = (Rgb::new(15.0, 14.0, 12.0), 0b1010_1100_0101_1101);
         let weight = std::array::from_fn(|lane| 0.1 * lane as f64);
         let mut light = before;
-        Instructions::detect().run(Gather {
+        Instructions::detect().run(SumLight {
             light: &mut light,
             throughput: &throughput,
             scattered: &scattered,
