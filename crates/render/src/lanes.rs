@@ -13,10 +13,10 @@
 //! camera so near that it is more than two thousandths of a pixel ([`PacketTree::resolves`],
 //! [`NEAREST`]).
 
-mod facets;
 mod frames;
 mod lobes;
 mod rays;
+mod rough;
 mod scene;
 mod step;
 #[cfg(test)]
@@ -293,18 +293,16 @@ impl<'a> LaneTracer<'a> {
             paths.rays[lane] += 1;
         }
         let seen = wanted & !rays.occluded(&self.packets);
-        paths.lobes.light_from(instructions, &lit.direction, seen);
         let mut scattered = paths.vertices.albedo;
-        for lane in lanes_of(seen & paths.lobes.with_lobes) {
-            let Some(lobes) = paths.lobes.get(lane) else {
-                continue;
-            };
-            let solid_angle = paths.vertices.solid_angle[lane];
-            let has_other = of_brdf >> lane & 1 == 1;
-            let (colour, weight) = paths.lobes.scattered(lobes, lane, solid_angle, has_other);
-            scattered.set_colour(lane, colour);
-            lit.weight[lane] = weight;
-        }
+        let solid_angle = &paths.vertices.solid_angle;
+        let lobes = &mut paths.lobes;
+        lobes.weigh_points(
+            instructions,
+            solid_angle,
+            &mut lit,
+            &mut scattered,
+            [seen, of_brdf],
+        );
         instructions.run(step::SumLight {
             light: &mut paths.light,
             throughput: &paths.throughput,
@@ -337,39 +335,28 @@ impl<'a> LaneTracer<'a> {
             numbers: &mut u,
         });
         let mut drawn = Brdf::default();
-        if active & !paths.lobes.with_lobes != 0 {
-            instructions.run(step::Draw {
-                vertices: &paths.vertices,
-                u: &u,
-                drawn: &mut drawn,
-            });
-        }
+        instructions.run(step::Draw {
+            vertices: &paths.vertices,
+            u: &u,
+            drawn: &mut drawn,
+        });
         let Paths {
             vertices, lobes, ..
         } = &mut *paths;
-        let of_lobes = mask_of(active & lobes.with_lobes, |lane| {
-            lobes.draw(lane, choice[0][lane], u.map(|numbers| numbers[lane]))
-        });
-        let active = active & !lobes.with_lobes | of_lobes;
         let mut factors = vertices.albedo;
-        let mut ended = 0;
-        if of_lobes != 0 {
-            let directions = lobes.drawn(instructions, of_lobes);
-            for lane in lanes_of(of_lobes) {
-                let own = lobes
-                    .get(lane)
-                    .and_then(|own| lobes.weighed(own, lane, vertices.solid_angle[lane]));
-                match own {
-                    None => ended |= 1 << lane,
-                    Some((factor, weight)) => {
-                        drawn.direction.set(lane, directions.get(lane));
-                        drawn.weight[lane] = weight;
-                        factors.set_colour(lane, factor);
-                    }
-                }
-            }
+        let mut of_lobes = 0;
+        if with_lobes != 0 {
+            of_lobes = lobes.draw(with_lobes, &choice[0], &u, &drawn.local);
+            let solid_angle = &vertices.solid_angle;
+            of_lobes = lobes.weigh_drawn(
+                instructions,
+                solid_angle,
+                &mut drawn,
+                &mut factors,
+                of_lobes,
+            );
         }
-        let active = active & !ended;
+        let active = active & !with_lobes | of_lobes;
         let vertices = &mut paths.vertices;
         vertices.direction = drawn.direction;
         vertices.origin = vertices.position;

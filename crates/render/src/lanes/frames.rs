@@ -89,21 +89,26 @@ impl Computation for ToLocal<'_> {
     }
 }
 
-/// Brings directions from the frames into the world.
+/// Brings directions from the frames of some lanes into the world.
 pub struct ToWorld<'a> {
     pub frames: &'a LaneFrames,
-    pub directions: &'a mut Vectors,
+    pub directions: &'a Vectors,
+    pub lanes: u32,
+    pub world: &'a mut Vectors,
 }
 
 impl Computation for ToWorld<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let (frames, mut directions) = (*self.frames, *self.directions);
+        let (frames, directions) = (*self.frames, *self.directions);
+        let mut world = *self.world;
         for lane in 0..LANES {
-            let world = frames.get(lane).to_world(directions.get(lane));
-            directions.set(lane, world.normalized());
+            let found = frames.get(lane).to_world(directions.get(lane)).normalized();
+            let before = world.get(lane);
+            let is_asked = self.lanes >> lane & 1 == 1;
+            world.set(lane, if is_asked { found } else { before });
         }
-        *self.directions = directions;
+        *self.world = world;
     }
 }

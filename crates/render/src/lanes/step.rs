@@ -230,7 +230,11 @@ impl Computation for Light<'_> {
             lit,
         } = self;
         let (position, outward, side) = (vertices.position, vertices.outward, vertices.side);
-        let u = [first + 1, first + 2].map(|dimension| streams.numbers(dimension, lanes));
+        // One after the other: a call of `map` would not be compiled for the same instructions.
+        let u = [
+            streams.numbers(first + 1, lanes),
+            streams.numbers(first + 2, lanes),
+        ];
         let rectangle = rectangle.clone();
         let (mut directions, mut distances) = (lit.direction, [0.0; LANES]);
         let (mut weights, mut solid_angles) = ([0.0; LANES], [0.0; LANES]);
@@ -300,6 +304,8 @@ impl Computation for SumLight<'_> {
 #[derive(Clone, Copy, Debug)]
 pub struct Brdf {
     pub direction: Vectors,
+    /// The same in the frames of the surfaces.
+    pub local: Vectors,
     /// That of light from the emitter, if it is seen there.
     pub weight: Numbers,
 }
@@ -308,6 +314,7 @@ impl Default for Brdf {
     fn default() -> Self {
         Self {
             direction: Vectors::UP,
+            local: Vectors::UP,
             weight: [0.0; LANES],
         }
     }
@@ -327,17 +334,23 @@ impl Computation for Draw<'_> {
         let Self { vertices, u, drawn } = self;
         let (outward, side) = (vertices.outward, vertices.side);
         let (solid_angle, u) = (vertices.solid_angle, *u);
-        let (mut directions, mut weights) = (drawn.direction, [0.0; LANES]);
+        let (mut directions, mut local) = (drawn.direction, drawn.local);
+        let mut weights = [0.0; LANES];
         for lane in 0..LANES {
             let frame = Frame::from_normal(outward.get(lane));
             let wo = sample_cosine([u[0][lane], u[1][lane]]);
             let up = frame.n * (side[lane] * wo.z);
             let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
             directions.set(lane, direction);
+            local.set(lane, wo);
             let own = wo.z * FRAC_1_PI;
             weights[lane] = weight_beside_points(solid_angle[lane], own);
         }
-        (drawn.direction, drawn.weight) = (directions, weights);
+        *drawn = Brdf {
+            direction: directions,
+            local,
+            weight: weights,
+        };
     }
 }
 

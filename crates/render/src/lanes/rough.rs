@@ -1,0 +1,299 @@
+//! Rough metal and rough plastic of lanes: what they do to light, all lanes at a time but for
+//! tables, metals' Fresnel terms, and facets that are drawn.
+
+use std::f64::consts::FRAC_1_PI;
+
+use capwalk_geometry::simd::{Computation, Simd};
+use capwalk_math::Vec3;
+use capwalk_scene::lobe::{Distribution, Microfacets, RoughSurface, branchless};
+
+use crate::lanes::frames::LaneFrames;
+use crate::lanes::step::{weight_beside_points, weight_over_density};
+use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
+
+/// The rough surfaces, coordinate by coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct LaneRough<'a> {
+    surfaces: [Option<&'a RoughSurface>; LANES],
+    alpha: [Numbers; 2],
+    distribution: [Distribution; LANES],
+    specular: Vectors,
+    base: Vectors,
+    eta2: Numbers,
+    chances: [Numbers; 2],
+    /// What is seen of the facets, how much passes the coat on the way to the viewer, and how
+    /// probably the base is drawn; known after [`Seen`].
+    visible: Numbers,
+    enters: Numbers,
+    base_chance: Numbers,
+}
+
+impl<'a> LaneRough<'a> {
+    /// None yet.
+    pub const NONE: Self = Self {
+        surfaces: [None; LANES],
+        alpha: [[1.0; LANES]; 2],
+        distribution: [Distribution::Ggx; LANES],
+        specular: Vectors::ZERO,
+        base: Vectors::ZERO,
+        eta2: [1.0; LANES],
+        chances: [[1.0; LANES]; 2],
+        visible: [0.0; LANES],
+        enters: [0.0; LANES],
+        base_chance: [0.0; LANES],
+    };
+
+    /// Sets that of a lane.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, surface: &'a RoughSurface) {
+        self.surfaces[lane] = Some(surface);
+        self.alpha[0][lane] = surface.facets.alpha_u;
+        self.alpha[1][lane] = surface.facets.alpha_v;
+        self.distribution[lane] = surface.facets.distribution;
+        self.specular.set_colour(lane, surface.specular);
+        self.base.set_colour(lane, surface.base);
+        self.eta2[lane] = surface.eta2;
+        [self.chances[0][lane], self.chances[1][lane]] = surface.chances;
+    }
+
+    /// Draws a facet in each lane that draws no base, and the direction in which it mirrors the
+    /// viewer; one bit for each of some lanes where the path goes on.
+    pub fn draw_facets(
+        &self,
+        frames: &LaneFrames,
+        lanes: u32,
+        choice: &Numbers,
+        u: &[Numbers; 2],
+        directions: &mut Vectors,
+    ) -> u32 {
+        mask_of(lanes, |lane| {
+            if choice[lane] < self.base_chance[lane] {
+                return true;
+            }
+            let (wi, u) = (raised(&frames.wi, lane), [u[0][lane], u[1][lane]]);
+            let drawn = self.surfaces[lane]
+                .and_then(|surface| surface.draw_mirrored(wi, self.visible[lane], u));
+            drawn.is_some_and(|wo| {
+                directions.set(lane, wo);
+                true
+            })
+        })
+    }
+}
+
+/// The direction to the viewer, on the side of the front.
+#[inline(always)]
+fn raised(wi: &Vectors, lane: usize) -> Vec3 {
+    let wi = wi.get(lane);
+    Vec3::new(wi.x, wi.y, wi.z.abs())
+}
+
+/// The facets of a lane.
+#[inline(always)]
+fn facets(alpha: &[Numbers; 2], distribution: &[Distribution; LANES], lane: usize) -> Microfacets {
+    Microfacets {
+        distribution: distribution[lane],
+        alpha_u: alpha[0][lane],
+        alpha_v: alpha[1][lane],
+    }
+}
+
+/// Finds what the viewers see of some lanes.
+pub struct Seen<'a, 's> {
+    pub frames: &'a LaneFrames,
+    pub rough: &'a mut LaneRough<'s>,
+    pub lanes: u32,
+}
+
+impl Computation for Seen<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let Self {
+            frames,
+            rough,
+            lanes,
+        } = self;
+        let (wi, alpha, distribution) = (frames.wi, rough.alpha, rough.distribution);
+        let chances = rough.chances;
+        let (mut visible, mut enters) = ([0.0; LANES], [0.0; LANES]);
+        for (lane, visible) in visible.iter_mut().enumerate() {
+            let facets = facets(&alpha, &distribution, lane);
+            *visible = branchless::visible_over_cos(&facets, raised(&wi, lane));
+        }
+        for lane in lanes_of(lanes) {
+            let passes = rough.surfaces[lane].map(|surface| surface.passes(wi.0[2][lane].abs()));
+            enters[lane] = passes.unwrap_or(0.0);
+        }
+        let mut base_chance = [0.0; LANES];
+        for (lane, chance) in base_chance.iter_mut().enumerate() {
+            let chances = [chances[0][lane], chances[1][lane]];
+            *chance = branchless::base_probability(enters[lane], chances);
+        }
+        (rough.visible, rough.enters, rough.base_chance) = (visible, enters, base_chance);
+    }
+}
+
+/// What rough surfaces scatter.
+#[derive(Clone, Copy, Debug)]
+pub struct LaneScattered {
+    /// `f |cos|`.
+    colour: Vectors,
+    /// The density with which the direction is drawn from the surface.
+    pdf: Numbers,
+}
+
+impl LaneScattered {
+    /// Nothing.
+    pub const NOTHING: Self = Self {
+        colour: Vectors::ZERO,
+        pdf: [0.0; LANES],
+    };
+}
+
+/// Scatters light from directions in the frames at some lanes.
+pub struct Scatter<'a, 's> {
+    pub frames: &'a LaneFrames,
+    pub rough: &'a LaneRough<'s>,
+    pub directions: &'a Vectors,
+    pub lanes: u32,
+    pub scattered: &'a mut LaneScattered,
+}
+
+impl Computation for Scatter<'_, '_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let Self {
+            frames,
+            rough,
+            directions,
+            lanes,
+            scattered,
+        } = self;
+        // What facets that are perfect mirrors do, and which part of that a coat does.
+        let (wi, wo) = (frames.wi, *directions);
+        let (alpha, distribution) = (rough.alpha, rough.distribution);
+        let (visible, eta2) = (rough.visible, rough.eta2);
+        let (mut cos, mut pdf) = ([0.0; LANES], [0.0; LANES]);
+        let (mut mirrored, mut fresnel) = ([0.0; LANES], [0.0; LANES]);
+        for lane in 0..LANES {
+            let facets = facets(&alpha, &distribution, lane);
+            let (wi, wo) = (raised(&wi, lane), wo.get(lane));
+            let found = branchless::mirrored(&facets, wi, visible[lane], wo);
+            cos[lane] = found.cos;
+            pdf[lane] = found.pdf;
+            mirrored[lane] = found.scattered;
+            fresnel[lane] = branchless::fresnel_dielectric(found.cos, eta2[lane]);
+        }
+        // What leaves the coat, and metals.
+        let mut specular = rough.specular;
+        let mut leaves = [0.0; LANES];
+        for lane in lanes_of(lanes) {
+            let Some(surface) = rough.surfaces[lane] else {
+                continue;
+            };
+            leaves[lane] = surface.passes(wo.0[2][lane]);
+            if let Some(colour) = surface.metal(cos[lane]) {
+                specular.set_colour(lane, colour);
+                fresnel[lane] = 1.0;
+            }
+        }
+        // Coat and base together; nothing goes below the surface.
+        let (base, enters, base_chance) = (rough.base, rough.enters, rough.base_chance);
+        let mut colour = Vectors::ZERO;
+        for lane in 0..LANES {
+            let is_above = wo.0[2][lane] > 0.0;
+            let rise = if is_above { wo.0[2][lane] } else { 0.0 };
+            let coat = if is_above {
+                fresnel[lane] * mirrored[lane]
+            } else {
+                0.0
+            };
+            let passes = enters[lane] * leaves[lane] * rise;
+            for axis in 0..3 {
+                colour.0[axis][lane] = specular.0[axis][lane] * coat + base.0[axis][lane] * passes;
+            }
+            let chance = base_chance[lane];
+            let both = chance * (rise * FRAC_1_PI) + (1.0 - chance) * pdf[lane];
+            pdf[lane] = if is_above { both } else { 0.0 };
+        }
+        *scattered = LaneScattered { colour, pdf };
+    }
+}
+
+/// Weighs what is scattered at some lanes of light from points sampled on the emitter, which is
+/// seen under solid angles.
+pub struct WeighPoints<'a> {
+    pub scattered: &'a LaneScattered,
+    pub solid_angle: &'a Numbers,
+    pub lanes: u32,
+    /// One bit for each where directions are drawn from the surface, too.
+    pub of_brdf: u32,
+    pub colours: &'a mut Vectors,
+    /// Weights over densities.
+    pub weights: &'a mut Numbers,
+}
+
+impl Computation for WeighPoints<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let LaneScattered { colour, pdf } = *self.scattered;
+        let solid_angle = *self.solid_angle;
+        let (mut colours, mut weights) = (*self.colours, *self.weights);
+        for lane in 0..LANES {
+            let is_asked = self.lanes >> lane & 1 == 1;
+            let has_other = self.of_brdf >> lane & 1 == 1;
+            let other = if has_other { pdf[lane] } else { 0.0 };
+            let weight = weight_over_density(solid_angle[lane], other);
+            weights[lane] = if is_asked { weight } else { weights[lane] };
+            for (colours, colour) in colours.0.iter_mut().zip(&colour.0) {
+                colours[lane] = if is_asked {
+                    colour[lane]
+                } else {
+                    colours[lane]
+                };
+            }
+        }
+        (*self.colours, *self.weights) = (colours, weights);
+    }
+}
+
+/// Weighs what is scattered at some lanes of light from directions drawn from the surfaces; one bit
+/// for each that may be drawn.
+pub struct WeighDrawn<'a> {
+    pub scattered: &'a LaneScattered,
+    pub solid_angle: &'a Numbers,
+    pub lanes: u32,
+    /// What is scattered over densities.
+    pub colours: &'a mut Vectors,
+    /// Weights of light from the emitter, if it is seen there.
+    pub weights: &'a mut Numbers,
+}
+
+impl Computation for WeighDrawn<'_> {
+    type Output = u32;
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> u32 {
+        let LaneScattered { colour, pdf } = *self.scattered;
+        let solid_angle = *self.solid_angle;
+        let (mut colours, mut weights) = (*self.colours, *self.weights);
+        for lane in 0..LANES {
+            let is_asked = self.lanes >> lane & 1 == 1;
+            let inverse = 1.0 / pdf[lane];
+            let weight = weight_beside_points(solid_angle[lane], pdf[lane]);
+            weights[lane] = if is_asked { weight } else { weights[lane] };
+            for (colours, colour) in colours.0.iter_mut().zip(&colour.0) {
+                let factor = colour[lane] * inverse;
+                colours[lane] = if is_asked { factor } else { colours[lane] };
+            }
+        }
+        (*self.colours, *self.weights) = (colours, weights);
+        let mut drawn = 0;
+        for (lane, pdf) in pdf.iter().enumerate() {
+            drawn |= u32::from(*pdf > 0.0) << lane;
+        }
+        drawn & self.lanes
+    }
+}
