@@ -346,7 +346,7 @@ impl<'a> LaneTracer<'a> {
         let mut factors = vertices.albedo;
         let mut of_lobes = 0;
         if with_lobes != 0 {
-            of_lobes = lobes.draw(with_lobes, &choice[0], &u, &drawn.local);
+            of_lobes = lobes.draw(instructions, with_lobes, &choice[0], &u, &drawn.local);
             let solid_angle = &vertices.solid_angle;
             of_lobes = lobes.weigh_drawn(
                 instructions,

@@ -7,7 +7,9 @@ use capwalk_scene::Resolved;
 use capwalk_scene::lobe::{BsdfDirection, LocalBsdf, RoughSurface, Specular};
 
 use crate::lanes::frames::{FindFrames, LaneFrames, ToLocal, ToWorld};
-use crate::lanes::rough::{LaneRough, LaneScattered, Scatter, Seen, WeighDrawn, WeighPoints};
+use crate::lanes::rough::{
+    DrawFacets, LaneRough, LaneScattered, Scatter, Seen, WeighDrawn, WeighPoints,
+};
 use crate::lanes::step::{Brdf, Lit, Vertices, weight_beside_points, weight_over_density};
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
@@ -180,15 +182,24 @@ impl<'a> LaneLobes<'a> {
     /// from the same numbers.
     pub fn draw(
         &mut self,
+        instructions: Instructions,
         lanes: u32,
         choice: &Numbers,
         u: &[Numbers; 2],
         cosine: &Vectors,
     ) -> u32 {
-        let Self { frames, light, .. } = self;
-        *light = *cosine;
-        let rough = lanes & self.is_rough;
-        let rough = self.rough.draw_facets(frames, rough, choice, u, light);
+        self.light = *cosine;
+        let mut rough = lanes & self.is_rough;
+        if rough != 0 {
+            rough = instructions.run(DrawFacets {
+                frames: &self.frames,
+                rough: &self.rough,
+                choice,
+                u,
+                lanes: rough,
+                directions: &mut self.light,
+            });
+        }
         let others = mask_of(lanes & !self.is_rough, |lane| {
             let (wi, u) = (self.frames.wi.get(lane), u.map(|numbers| numbers[lane]));
             let lobes = self.get(lane);

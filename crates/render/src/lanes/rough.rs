@@ -5,7 +5,8 @@ use std::f64::consts::FRAC_1_PI;
 
 use capwalk_geometry::simd::{Computation, Simd};
 use capwalk_math::Vec3;
-use capwalk_scene::lobe::{Distribution, Microfacets, RoughSurface, branchless};
+use capwalk_scene::lobe::branchless::{self, Stretched};
+use capwalk_scene::lobe::{Distribution, Microfacets, RoughSurface};
 
 use crate::lanes::frames::LaneFrames;
 use crate::lanes::step::{weight_beside_points, weight_over_density};
@@ -54,30 +55,6 @@ impl<'a> LaneRough<'a> {
         self.base.set_colour(lane, surface.base);
         self.eta2[lane] = surface.eta2;
         [self.chances[0][lane], self.chances[1][lane]] = surface.chances;
-    }
-
-    /// Draws a facet in each lane that draws no base, and the direction in which it mirrors the
-    /// viewer; one bit for each of some lanes where the path goes on.
-    pub fn draw_facets(
-        &self,
-        frames: &LaneFrames,
-        lanes: u32,
-        choice: &Numbers,
-        u: &[Numbers; 2],
-        directions: &mut Vectors,
-    ) -> u32 {
-        mask_of(lanes, |lane| {
-            if choice[lane] < self.base_chance[lane] {
-                return true;
-            }
-            let (wi, u) = (raised(&frames.wi, lane), [u[0][lane], u[1][lane]]);
-            let drawn = self.surfaces[lane]
-                .and_then(|surface| surface.draw_mirrored(wi, self.visible[lane], u));
-            drawn.is_some_and(|wo| {
-                directions.set(lane, wo);
-                true
-            })
-        })
     }
 }
 
@@ -131,6 +108,89 @@ impl Computation for Seen<'_, '_> {
             *chance = branchless::base_probability(enters[lane], chances);
         }
         (rough.visible, rough.enters, rough.base_chance) = (visible, enters, base_chance);
+    }
+}
+
+/// Directions in front of stretched facets, coordinate by coordinate.
+struct LaneStretched([Numbers; 5]);
+
+impl LaneStretched {
+    #[inline(always)]
+    fn get(&self, lane: usize) -> Stretched {
+        let [sin, cos, sin_phi, cos_phi, length] = &self.0;
+        Stretched {
+            sin: sin[lane],
+            cos: cos[lane],
+            sin_phi: sin_phi[lane],
+            cos_phi: cos_phi[lane],
+            length: length[lane],
+        }
+    }
+
+    #[inline(always)]
+    fn set(&mut self, lane: usize, view: Stretched) {
+        let [sin, cos, sin_phi, cos_phi, length] = &mut self.0;
+        (sin[lane], cos[lane]) = (view.sin, view.cos);
+        (sin_phi[lane], cos_phi[lane]) = (view.sin_phi, view.cos_phi);
+        length[lane] = view.length;
+    }
+}
+
+/// Draws facets in those of some lanes that draw no base, and the directions in which they mirror the
+/// viewers; one bit for each of the lanes where the path goes on.
+pub struct DrawFacets<'a, 's> {
+    pub frames: &'a LaneFrames,
+    pub rough: &'a LaneRough<'s>,
+    pub choice: &'a Numbers,
+    pub u: &'a [Numbers; 2],
+    pub lanes: u32,
+    pub directions: &'a mut Vectors,
+}
+
+impl Computation for DrawFacets<'_, '_> {
+    type Output = u32;
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) -> u32 {
+        let Self {
+            frames,
+            rough,
+            choice,
+            u,
+            lanes,
+            directions,
+        } = self;
+        let drawn = mask_of(lanes, |lane| choice[lane] >= rough.base_chance[lane]);
+        if drawn == 0 {
+            return lanes;
+        }
+        let (wi, alpha, distribution) = (frames.wi, rough.alpha, rough.distribution);
+        let mut views = LaneStretched([[0.0; LANES]; 5]);
+        for lane in 0..LANES {
+            let facets = facets(&alpha, &distribution, lane);
+            views.set(lane, branchless::stretched(&facets, raised(&wi, lane)));
+        }
+        let mut normals = Vectors::UP;
+        for lane in lanes_of(drawn) {
+            let (visible, u) = (rough.visible[lane], [u[0][lane], u[1][lane]]);
+            let distribution = distribution[lane];
+            let normal = branchless::stretched_normal(distribution, &views.get(lane), visible, u);
+            normals.set(lane, normal);
+        }
+        let mut all = *directions;
+        let mut up = 0;
+        for lane in 0..LANES {
+            let facets = facets(&alpha, &distribution, lane);
+            let wi = raised(&wi, lane);
+            let wo = branchless::mirrored_at(&facets, &views.get(lane), normals.get(lane), wi);
+            let is_drawn = drawn >> lane & 1 == 1;
+            let kept = all.get(lane);
+            all.set(lane, if is_drawn { wo } else { kept });
+        }
+        for lane in 0..LANES {
+            up |= u32::from(all.0[2][lane] > 0.0) << lane;
+        }
+        *directions = all;
+        lanes & (up | !drawn)
     }
 }
 

@@ -7,7 +7,10 @@ use std::f64::consts::FRAC_1_PI;
 use capwalk_math::Vec3;
 use capwalk_math::elementary::{erf_and_gaussian, exp};
 
-use super::microfacets::{Distribution, Microfacets, Mirrored, SHADOWLESS};
+pub use super::microfacets::Stretched;
+use super::microfacets::{
+    Distribution, Microfacets, Mirrored, SHADOWLESS, beckmann_normal, ggx_normal,
+};
 pub use super::plastic::base_probability;
 
 /// [`Microfacets::visible_over_cos`].
@@ -51,6 +54,35 @@ pub fn mirrored(facets: &Microfacets, wi: Vec3, visible: f64, wo: Vec3) -> Mirro
         pdf,
         scattered: pdf * (visible_over_cos(facets, wo) * wo.z),
     }
+}
+
+/// What [`Microfacets::sample`] does, in three steps, of which the first and the last have no branch:
+/// stretches a direction in front, draws a normal of the stretched facets, and mirrors the direction
+/// at what that was before it was stretched.
+#[inline(always)]
+pub fn stretched(facets: &Microfacets, wi: Vec3) -> Stretched {
+    facets.stretched(wi)
+}
+
+/// The second step; `visible` is [`visible_over_cos`] of the direction.
+#[inline(always)]
+pub fn stretched_normal(
+    distribution: Distribution,
+    view: &Stretched,
+    visible: f64,
+    u: [f64; 2],
+) -> Vec3 {
+    match distribution {
+        Distribution::Beckmann => beckmann_normal(view, visible, u, erf_and_gaussian),
+        Distribution::Ggx => ggx_normal(view, u),
+    }
+}
+
+/// The third step.
+#[inline(always)]
+pub fn mirrored_at(facets: &Microfacets, view: &Stretched, normal: Vec3, wi: Vec3) -> Vec3 {
+    let normal = facets.unstretched(view, normal);
+    normal * (2.0 * wi.dot(normal) / normal.length_squared()) - wi
 }
 
 /// [`fresnel_dielectric`](super::fresnel_dielectric) by the square of the refractive index.

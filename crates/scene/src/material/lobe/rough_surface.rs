@@ -3,10 +3,9 @@
 use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
 
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::Rgb;
 
 use super::branchless::fresnel_conductor;
-use super::local;
 use super::microfacets::Microfacets;
 use super::plastic::{base, base_chances};
 use super::rough_conductor::RoughConductor;
@@ -84,14 +83,6 @@ impl RoughSurface {
             Kind::Metal(_) => 0.0,
             Kind::Plastic(table) => table.passes(cos),
         }
-    }
-
-    /// Where a facet that is drawn sends `wi`, which is in front, by uniform numbers `u`; `None` if
-    /// that leads below the surface. `visible` is [`Microfacets::visible_over_cos`] of `wi`.
-    #[inline]
-    pub fn draw_mirrored(&self, wi: Vec3, visible: f64, u: [f64; 2]) -> Option<Vec3> {
-        let wo = local::reflected_about(wi, self.facets.sample_visible(wi, || visible, u));
-        (wo.z > 0.0).then_some(wo)
     }
 
     /// What a metal's facets reflect of light that is seen under the cosine `cos`; `None` for a coat.
