@@ -224,61 +224,68 @@ impl Computation for Scatter<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let Self {
-            frames,
-            rough,
-            directions,
-            lanes,
-            scattered,
-        } = self;
-        // What facets that are perfect mirrors do, and which part of that a coat does.
-        let (wi, wo) = (frames.wi, *directions);
-        let (alpha, distribution) = (rough.alpha, rough.distribution);
-        let (visible, eta2) = (rough.visible, rough.eta2);
-        let (mut cos, mut pdf) = ([0.0; LANES], [0.0; LANES]);
-        let (mut mirrored, mut fresnel) = ([0.0; LANES], [0.0; LANES]);
-        for lane in 0..LANES {
-            let facets = facets(&alpha, &distribution, lane);
-            let (wi, wo) = (raised(&wi, lane), wo.get(lane));
-            let found = branchless::mirrored(&facets, wi, visible[lane], wo);
-            cos[lane] = found.cos;
-            pdf[lane] = found.pdf;
-            mirrored[lane] = found.scattered;
-            fresnel[lane] = branchless::fresnel_dielectric(found.cos, eta2[lane]);
+        scatter(
+            self.frames,
+            self.rough,
+            self.directions,
+            self.lanes,
+            self.scattered,
+        );
+    }
+}
+
+/// A function, since references that are its arguments are known to refer to different things: no
+/// copies are needed.
+#[inline(always)]
+fn scatter(
+    frames: &LaneFrames,
+    rough: &LaneRough<'_>,
+    wo: &Vectors,
+    lanes: u32,
+    scattered: &mut LaneScattered,
+) {
+    // What facets that are perfect mirrors do, and which part of that a coat does.
+    let (mut cos, mut pdf) = ([0.0; LANES], [0.0; LANES]);
+    let (mut mirrored, mut fresnel) = ([0.0; LANES], [0.0; LANES]);
+    for lane in 0..LANES {
+        let facets = facets(&rough.alpha, &rough.distribution, lane);
+        let (wi, wo) = (raised(&frames.wi, lane), wo.get(lane));
+        let found = branchless::mirrored(&facets, wi, rough.visible[lane], wo);
+        cos[lane] = found.cos;
+        pdf[lane] = found.pdf;
+        mirrored[lane] = found.scattered;
+        fresnel[lane] = branchless::fresnel_dielectric(found.cos, rough.eta2[lane]);
+    }
+    // What leaves the coat, and metals.
+    let mut specular = rough.specular;
+    let mut leaves = [0.0; LANES];
+    for lane in lanes_of(lanes) {
+        let Some(surface) = rough.surfaces[lane] else {
+            continue;
+        };
+        leaves[lane] = surface.passes(wo.0[2][lane]);
+        if let Some(colour) = surface.metal(cos[lane]) {
+            specular.set_colour(lane, colour);
+            fresnel[lane] = 1.0;
         }
-        // What leaves the coat, and metals.
-        let mut specular = rough.specular;
-        let mut leaves = [0.0; LANES];
-        for lane in lanes_of(lanes) {
-            let Some(surface) = rough.surfaces[lane] else {
-                continue;
-            };
-            leaves[lane] = surface.passes(wo.0[2][lane]);
-            if let Some(colour) = surface.metal(cos[lane]) {
-                specular.set_colour(lane, colour);
-                fresnel[lane] = 1.0;
-            }
+    }
+    // Coat and base together; nothing goes below the surface.
+    for lane in 0..LANES {
+        let is_above = wo.0[2][lane] > 0.0;
+        let rise = if is_above { wo.0[2][lane] } else { 0.0 };
+        let coat = if is_above {
+            fresnel[lane] * mirrored[lane]
+        } else {
+            0.0
+        };
+        let passes = rough.enters[lane] * leaves[lane] * rise;
+        for axis in 0..3 {
+            let base = rough.base.0[axis][lane] * passes;
+            scattered.colour.0[axis][lane] = specular.0[axis][lane] * coat + base;
         }
-        // Coat and base together; nothing goes below the surface.
-        let (base, enters, base_chance) = (rough.base, rough.enters, rough.base_chance);
-        let mut colour = Vectors::ZERO;
-        for lane in 0..LANES {
-            let is_above = wo.0[2][lane] > 0.0;
-            let rise = if is_above { wo.0[2][lane] } else { 0.0 };
-            let coat = if is_above {
-                fresnel[lane] * mirrored[lane]
-            } else {
-                0.0
-            };
-            let passes = enters[lane] * leaves[lane] * rise;
-            for axis in 0..3 {
-                colour.0[axis][lane] = specular.0[axis][lane] * coat + base.0[axis][lane] * passes;
-            }
-            let chance = base_chance[lane];
-            let both = chance * (rise * FRAC_1_PI) + (1.0 - chance) * pdf[lane];
-            pdf[lane] = if is_above { both } else { 0.0 };
-        }
-        *scattered = LaneScattered { colour, pdf };
+        let chance = rough.base_chance[lane];
+        let both = chance * (rise * FRAC_1_PI) + (1.0 - chance) * pdf[lane];
+        scattered.pdf[lane] = if is_above { both } else { 0.0 };
     }
 }
 

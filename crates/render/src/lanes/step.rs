@@ -229,45 +229,52 @@ impl Computation for Light<'_> {
             transmits,
             lit,
         } = self;
-        let (position, outward, side) = (vertices.position, vertices.outward, vertices.side);
         // One after the other: a call of `map` would not be compiled for the same instructions.
         let u = [
             streams.numbers(first + 1, lanes),
             streams.numbers(first + 2, lanes),
         ];
-        let rectangle = rectangle.clone();
-        let (mut directions, mut distances) = (lit.direction, [0.0; LANES]);
-        let (mut weights, mut solid_angles) = ([0.0; LANES], [0.0; LANES]);
-        let mut cosines = [0.0; LANES];
-        for lane in 0..LANES {
-            let (seen, _) = rectangle.seen(position.get(lane));
-            let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
-            let distance = offset.length();
-            let direction = offset * (1.0 / distance);
-            let cos = direction.dot(normal(&outward, &side, lane));
-            solid_angles[lane] = seen.solid_angle;
-            directions.set(lane, direction);
-            distances[lane] = distance;
-            let has_other = of_brdf >> lane & 1 == 1;
-            let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
-            weights[lane] = cos * FRAC_1_PI * weight_over_density(seen.solid_angle, other);
-            cosines[lane] = cos;
-        }
+        let mut solid_angle = [0.0; LANES];
+        let cosines = light(vertices, rectangle, &u, of_brdf, lit, &mut solid_angle);
         let mut mask = 0;
         for lane in 0..LANES {
             // What is not a number is not dark: the pixel counts it.
             let is_behind = cosines[lane] <= 0.0 && transmits >> lane & 1 == 0;
-            let is_dark = solid_angles[lane] <= 0.0 || is_behind;
+            let is_dark = solid_angle[lane] <= 0.0 || is_behind;
             mask |= u32::from(!is_dark) << lane;
         }
-        vertices.solid_angle = solid_angles;
-        *lit = Lit {
-            direction: directions,
-            distance: distances,
-            weight: weights,
-            mask,
-        };
+        vertices.solid_angle = solid_angle;
+        lit.mask = mask;
     }
+}
+
+/// Finds all but the mask, and the cosines at the surfaces. A function, since references that are its
+/// arguments are known to refer to different things: no copies are needed.
+#[inline(always)]
+fn light(
+    vertices: &Vertices,
+    rectangle: &RectangleSampler,
+    u: &[Numbers; 2],
+    of_brdf: u32,
+    lit: &mut Lit,
+    solid_angle: &mut Numbers,
+) -> Numbers {
+    let mut cosines = [0.0; LANES];
+    for lane in 0..LANES {
+        let (seen, _) = rectangle.seen(vertices.position.get(lane));
+        let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
+        let distance = offset.length();
+        let direction = offset * (1.0 / distance);
+        let cos = direction.dot(normal(&vertices.outward, &vertices.side, lane));
+        solid_angle[lane] = seen.solid_angle;
+        lit.direction.set(lane, direction);
+        lit.distance[lane] = distance;
+        let has_other = of_brdf >> lane & 1 == 1;
+        let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
+        lit.weight[lane] = cos * FRAC_1_PI * weight_over_density(seen.solid_angle, other);
+        cosines[lane] = cos;
+    }
+    cosines
 }
 
 /// Adds light from the emitter to what some paths bring: the product of their throughputs, of what
@@ -331,26 +338,21 @@ impl Computation for Draw<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let Self { vertices, u, drawn } = self;
-        let (outward, side) = (vertices.outward, vertices.side);
-        let (solid_angle, u) = (vertices.solid_angle, *u);
-        let (mut directions, mut local) = (drawn.direction, drawn.local);
-        let mut weights = [0.0; LANES];
-        for lane in 0..LANES {
-            let frame = Frame::from_normal(outward.get(lane));
-            let wo = sample_cosine([u[0][lane], u[1][lane]]);
-            let up = frame.n * (side[lane] * wo.z);
-            let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
-            directions.set(lane, direction);
-            local.set(lane, wo);
-            let own = wo.z * FRAC_1_PI;
-            weights[lane] = weight_beside_points(solid_angle[lane], own);
-        }
-        *drawn = Brdf {
-            direction: directions,
-            local,
-            weight: weights,
-        };
+        draw(self.vertices, self.u, self.drawn);
+    }
+}
+
+#[inline(always)]
+fn draw(vertices: &Vertices, u: &[Numbers; 2], drawn: &mut Brdf) {
+    for lane in 0..LANES {
+        let frame = Frame::from_normal(vertices.outward.get(lane));
+        let wo = sample_cosine([u[0][lane], u[1][lane]]);
+        let up = frame.n * (vertices.side[lane] * wo.z);
+        let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
+        drawn.direction.set(lane, direction);
+        drawn.local.set(lane, wo);
+        let own = wo.z * FRAC_1_PI;
+        drawn.weight[lane] = weight_beside_points(vertices.solid_angle[lane], own);
     }
 }
 

@@ -55,13 +55,15 @@ pub struct Mirrored {
 /// A direction in front of facets that were stretched until their roughness is one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Stretched {
-    /// Of its angle to the axis.
+    /// Sine of its angle to the axis.
     pub sin: f64,
+    /// Cosine of its angle to the axis.
     pub cos: f64,
-    /// Of its angle around the axis.
+    /// Sine of its angle around the axis.
     pub sin_phi: f64,
+    /// Cosine of its angle around the axis.
     pub cos_phi: f64,
-    /// Of a unit vector that was stretched.
+    /// What became of the length of a unit vector.
     pub length: f64,
 }
 
