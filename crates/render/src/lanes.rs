@@ -69,6 +69,9 @@ struct Paths<'a> {
     vertices: Vertices,
     /// What scatters light there, if it is not diffuse.
     lobes: LaneLobes<'a>,
+    /// Points on the emitter, and directions drawn from the surfaces.
+    lit: Lit,
+    drawn: Brdf,
     /// What they hit, or [`NOTHING`].
     faces: [u32; LANES],
     /// How many rays each has taken.
@@ -84,6 +87,8 @@ impl Paths<'_> {
             throughput: Vectors::ZERO,
             vertices: Vertices::NONE,
             lobes: LaneLobes::new(),
+            lit: Lit::default(),
+            drawn: Brdf::default(),
             faces: [NOTHING; LANES],
             rays: [0; LANES],
         }
@@ -268,45 +273,37 @@ impl<'a> LaneTracer<'a> {
         let active = active & !lobes.which(active, |lobes| !lobes.has_smooth);
         let transmits = lobes.which(active, |lobes| lobes.transmits);
         let instructions = self.packets.instructions();
-        let mut lit = Lit::default();
+        let (vertices, lobes) = (&mut paths.vertices, &mut paths.lobes);
+        let lit = &mut paths.lit;
         instructions.run(step::Light {
-            vertices: &mut paths.vertices,
+            vertices,
             rectangle: self.scene.rectangle,
             streams: &paths.streams,
             first,
             lanes: active,
             of_brdf,
             transmits,
-            lit: &mut lit,
+            lit,
         });
         let wanted = active & lit.mask;
         if wanted == 0 {
             return;
         }
         let rays = LaneRays {
-            origin: &paths.vertices.position,
+            origin: &vertices.position,
             direction: &lit.direction,
-            range: &[[0.0; LANES], lit.distance],
+            range: &lit.range,
             mask: wanted,
         };
         for lane in lanes_of(wanted) {
             paths.rays[lane] += 1;
         }
         let seen = wanted & !rays.occluded(&self.packets);
-        let mut scattered = paths.vertices.albedo;
-        let solid_angle = &paths.vertices.solid_angle;
-        let lobes = &mut paths.lobes;
-        lobes.weigh_points(
-            instructions,
-            solid_angle,
-            &mut lit,
-            &mut scattered,
-            [seen, of_brdf],
-        );
+        lobes.weigh_points(instructions, vertices, lit, [seen, of_brdf]);
         instructions.run(step::SumLight {
             light: &mut paths.light,
             throughput: &paths.throughput,
-            scattered: &scattered,
+            scattered: &vertices.scattered,
             weight: &lit.weight,
             radiance: self.scene.radiance,
             lanes: seen,
@@ -334,30 +331,19 @@ impl<'a> LaneTracer<'a> {
             lanes: active,
             numbers: &mut u,
         });
-        let mut drawn = Brdf::default();
+        let (vertices, lobes) = (&mut paths.vertices, &mut paths.lobes);
+        let drawn = &mut paths.drawn;
         instructions.run(step::Draw {
-            vertices: &paths.vertices,
+            vertices,
             u: &u,
-            drawn: &mut drawn,
+            drawn,
         });
-        let Paths {
-            vertices, lobes, ..
-        } = &mut *paths;
-        let mut factors = vertices.albedo;
         let mut of_lobes = 0;
         if with_lobes != 0 {
             of_lobes = lobes.draw(instructions, with_lobes, &choice[0], &u, &drawn.local);
-            let solid_angle = &vertices.solid_angle;
-            of_lobes = lobes.weigh_drawn(
-                instructions,
-                solid_angle,
-                &mut drawn,
-                &mut factors,
-                of_lobes,
-            );
+            of_lobes = lobes.weigh_drawn(instructions, vertices, drawn, of_lobes);
         }
         let active = active & !with_lobes | of_lobes;
-        let vertices = &mut paths.vertices;
         vertices.direction = drawn.direction;
         vertices.origin = vertices.position;
         let rays = LaneRays {
@@ -374,7 +360,7 @@ impl<'a> LaneTracer<'a> {
             instructions.run(step::SumLight {
                 light: &mut paths.light,
                 throughput: &paths.throughput,
-                scattered: &factors,
+                scattered: &vertices.scattered,
                 weight: &drawn.weight,
                 radiance: self.scene.radiance,
                 lanes: seen,
@@ -383,7 +369,7 @@ impl<'a> LaneTracer<'a> {
         for lane in lanes_of(active) {
             paths.rays[lane] += 1;
         }
-        paths.throughput = paths.throughput.times(&factors);
+        paths.throughput = paths.throughput.times(&vertices.scattered);
         active
     }
 

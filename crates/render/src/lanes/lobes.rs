@@ -140,9 +140,8 @@ impl<'a> LaneLobes<'a> {
     pub fn weigh_points(
         &mut self,
         instructions: Instructions,
-        solid_angle: &Numbers,
+        vertices: &mut Vertices,
         lit: &mut Lit,
-        colours: &mut Vectors,
         [lanes, of_brdf]: [u32; 2],
     ) {
         let lanes = lanes & self.with_lobes;
@@ -158,10 +157,10 @@ impl<'a> LaneLobes<'a> {
         if rough != 0 {
             instructions.run(WeighPoints {
                 scattered: &self.scattered,
-                solid_angle,
+                solid_angle: &vertices.solid_angle,
                 lanes: rough,
                 of_brdf,
-                colours,
+                colours: &mut vertices.scattered,
                 weights: &mut lit.weight,
             });
         }
@@ -172,8 +171,8 @@ impl<'a> LaneLobes<'a> {
             let (wi, wo) = (self.frames.wi.get(lane), self.light.get(lane));
             let (colour, pdf) = lobes.bsdf.eval_and_pdf(wi, wo);
             let other = if of_brdf >> lane & 1 == 1 { pdf } else { 0.0 };
-            colours.set_colour(lane, colour);
-            lit.weight[lane] = weight_over_density(solid_angle[lane], other);
+            vertices.scattered.set_colour(lane, colour);
+            lit.weight[lane] = weight_over_density(vertices.solid_angle[lane], other);
         }
     }
 
@@ -220,9 +219,8 @@ impl<'a> LaneLobes<'a> {
     pub fn weigh_drawn(
         &mut self,
         instructions: Instructions,
-        solid_angle: &Numbers,
+        vertices: &mut Vertices,
         drawn: &mut Brdf,
-        factors: &mut Vectors,
         lanes: u32,
     ) -> u32 {
         if lanes == 0 {
@@ -232,18 +230,18 @@ impl<'a> LaneLobes<'a> {
         if rough != 0 {
             rough = instructions.run(WeighDrawn {
                 scattered: &self.scattered,
-                solid_angle,
+                solid_angle: &vertices.solid_angle,
                 lanes: rough,
-                colours: factors,
+                colours: &mut vertices.scattered,
                 weights: &mut drawn.weight,
             });
         }
         let others = mask_of(lanes & !self.is_rough, |lane| {
             let weighed = self
                 .get(lane)
-                .and_then(|lobes| self.weighed(lobes, lane, solid_angle[lane]));
+                .and_then(|lobes| self.weighed(lobes, lane, vertices.solid_angle[lane]));
             weighed.is_some_and(|(factor, weight)| {
-                factors.set_colour(lane, factor);
+                vertices.scattered.set_colour(lane, factor);
                 drawn.weight[lane] = weight;
                 true
             })

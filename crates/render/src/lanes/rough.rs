@@ -91,23 +91,22 @@ impl Computation for Seen<'_, '_> {
             rough,
             lanes,
         } = self;
-        let (wi, alpha, distribution) = (frames.wi, rough.alpha, rough.distribution);
-        let chances = rough.chances;
-        let (mut visible, mut enters) = ([0.0; LANES], [0.0; LANES]);
-        for (lane, visible) in visible.iter_mut().enumerate() {
-            let facets = facets(&alpha, &distribution, lane);
-            *visible = branchless::visible_over_cos(&facets, raised(&wi, lane));
-        }
         for lane in lanes_of(lanes) {
-            let passes = rough.surfaces[lane].map(|surface| surface.passes(wi.0[2][lane].abs()));
-            enters[lane] = passes.unwrap_or(0.0);
+            let passes =
+                rough.surfaces[lane].map(|surface| surface.passes(frames.wi.0[2][lane].abs()));
+            rough.enters[lane] = passes.unwrap_or(0.0);
         }
-        let mut base_chance = [0.0; LANES];
-        for (lane, chance) in base_chance.iter_mut().enumerate() {
-            let chances = [chances[0][lane], chances[1][lane]];
-            *chance = branchless::base_probability(enters[lane], chances);
-        }
-        (rough.visible, rough.enters, rough.base_chance) = (visible, enters, base_chance);
+        see(&frames.wi, rough);
+    }
+}
+
+#[inline(always)]
+fn see(wi: &Vectors, rough: &mut LaneRough<'_>) {
+    for lane in 0..LANES {
+        let facets = facets(&rough.alpha, &rough.distribution, lane);
+        rough.visible[lane] = branchless::visible_over_cos(&facets, raised(wi, lane));
+        let chances = [rough.chances[0][lane], rough.chances[1][lane]];
+        rough.base_chance[lane] = branchless::base_probability(rough.enters[lane], chances);
     }
 }
 
@@ -163,34 +162,42 @@ impl Computation for DrawFacets<'_, '_> {
         if drawn == 0 {
             return lanes;
         }
-        let (wi, alpha, distribution) = (frames.wi, rough.alpha, rough.distribution);
-        let mut views = LaneStretched([[0.0; LANES]; 5]);
-        for lane in 0..LANES {
-            let facets = facets(&alpha, &distribution, lane);
-            views.set(lane, branchless::stretched(&facets, raised(&wi, lane)));
-        }
-        let mut normals = Vectors::UP;
-        for lane in lanes_of(drawn) {
-            let (visible, u) = (rough.visible[lane], [u[0][lane], u[1][lane]]);
-            let distribution = distribution[lane];
-            let normal = branchless::stretched_normal(distribution, &views.get(lane), visible, u);
-            normals.set(lane, normal);
-        }
-        let mut all = *directions;
+        draw_facets(&frames.wi, rough, u, drawn, directions);
         let mut up = 0;
         for lane in 0..LANES {
-            let facets = facets(&alpha, &distribution, lane);
-            let wi = raised(&wi, lane);
-            let wo = branchless::mirrored_at(&facets, &views.get(lane), normals.get(lane), wi);
-            let is_drawn = drawn >> lane & 1 == 1;
-            let kept = all.get(lane);
-            all.set(lane, if is_drawn { wo } else { kept });
+            up |= u32::from(directions.0[2][lane] > 0.0) << lane;
         }
-        for lane in 0..LANES {
-            up |= u32::from(all.0[2][lane] > 0.0) << lane;
-        }
-        *directions = all;
         lanes & (up | !drawn)
+    }
+}
+
+#[inline(always)]
+fn draw_facets(
+    wi: &Vectors,
+    rough: &LaneRough<'_>,
+    u: &[Numbers; 2],
+    drawn: u32,
+    directions: &mut Vectors,
+) {
+    let mut views = LaneStretched([[0.0; LANES]; 5]);
+    for lane in 0..LANES {
+        let facets = facets(&rough.alpha, &rough.distribution, lane);
+        views.set(lane, branchless::stretched(&facets, raised(wi, lane)));
+    }
+    let mut normals = Vectors::UP;
+    for lane in lanes_of(drawn) {
+        let (visible, u) = (rough.visible[lane], [u[0][lane], u[1][lane]]);
+        let distribution = rough.distribution[lane];
+        let normal = branchless::stretched_normal(distribution, &views.get(lane), visible, u);
+        normals.set(lane, normal);
+    }
+    for lane in 0..LANES {
+        let facets = facets(&rough.alpha, &rough.distribution, lane);
+        let (view, wi) = (views.get(lane), raised(wi, lane));
+        let wo = branchless::mirrored_at(&facets, &view, normals.get(lane), wi);
+        let kept = directions.get(lane);
+        let is_drawn = drawn >> lane & 1 == 1;
+        directions.set(lane, if is_drawn { wo } else { kept });
     }
 }
 
@@ -234,8 +241,6 @@ impl Computation for Scatter<'_, '_> {
     }
 }
 
-/// A function, since references that are its arguments are known to refer to different things: no
-/// copies are needed.
 #[inline(always)]
 fn scatter(
     frames: &LaneFrames,
@@ -306,24 +311,42 @@ impl Computation for WeighPoints<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let LaneScattered { colour, pdf } = *self.scattered;
-        let solid_angle = *self.solid_angle;
-        let (mut colours, mut weights) = (*self.colours, *self.weights);
-        for lane in 0..LANES {
-            let is_asked = self.lanes >> lane & 1 == 1;
-            let has_other = self.of_brdf >> lane & 1 == 1;
-            let other = if has_other { pdf[lane] } else { 0.0 };
-            let weight = weight_over_density(solid_angle[lane], other);
-            weights[lane] = if is_asked { weight } else { weights[lane] };
-            for (colours, colour) in colours.0.iter_mut().zip(&colour.0) {
-                colours[lane] = if is_asked {
-                    colour[lane]
-                } else {
-                    colours[lane]
-                };
-            }
-        }
-        (*self.colours, *self.weights) = (colours, weights);
+        let Self {
+            scattered,
+            solid_angle,
+            lanes,
+            of_brdf,
+            colours,
+            weights,
+        } = self;
+        weigh_points(&scattered.pdf, solid_angle, [lanes, of_brdf], weights);
+        replace(colours, &scattered.colour, lanes);
+    }
+}
+
+#[inline(always)]
+fn weigh_points(
+    pdf: &Numbers,
+    solid_angle: &Numbers,
+    [lanes, of_brdf]: [u32; 2],
+    weights: &mut Numbers,
+) {
+    for lane in 0..LANES {
+        let is_asked = lanes >> lane & 1 == 1;
+        let has_other = of_brdf >> lane & 1 == 1;
+        let other = if has_other { pdf[lane] } else { 0.0 };
+        let weight = weight_over_density(solid_angle[lane], other);
+        weights[lane] = if is_asked { weight } else { weights[lane] };
+    }
+}
+
+/// Replaces those of some lanes.
+#[inline(always)]
+fn replace(all: &mut Vectors, new: &Vectors, lanes: u32) {
+    for lane in 0..LANES {
+        let is_asked = lanes >> lane & 1 == 1;
+        let kept = all.get(lane);
+        all.set(lane, if is_asked { new.get(lane) } else { kept });
     }
 }
 
@@ -343,24 +366,36 @@ impl Computation for WeighDrawn<'_> {
     type Output = u32;
     #[inline(always)]
     fn run<S: Simd>(self, _: S) -> u32 {
-        let LaneScattered { colour, pdf } = *self.scattered;
-        let solid_angle = *self.solid_angle;
-        let (mut colours, mut weights) = (*self.colours, *self.weights);
-        for lane in 0..LANES {
-            let is_asked = self.lanes >> lane & 1 == 1;
-            let inverse = 1.0 / pdf[lane];
-            let weight = weight_beside_points(solid_angle[lane], pdf[lane]);
-            weights[lane] = if is_asked { weight } else { weights[lane] };
-            for (colours, colour) in colours.0.iter_mut().zip(&colour.0) {
-                let factor = colour[lane] * inverse;
-                colours[lane] = if is_asked { factor } else { colours[lane] };
-            }
-        }
-        (*self.colours, *self.weights) = (colours, weights);
+        let Self {
+            scattered,
+            solid_angle,
+            lanes,
+            colours,
+            weights,
+        } = self;
+        weigh_drawn(scattered, solid_angle, lanes, colours, weights);
         let mut drawn = 0;
-        for (lane, pdf) in pdf.iter().enumerate() {
+        for (lane, pdf) in scattered.pdf.iter().enumerate() {
             drawn |= u32::from(*pdf > 0.0) << lane;
         }
-        drawn & self.lanes
+        drawn & lanes
+    }
+}
+
+#[inline(always)]
+fn weigh_drawn(
+    scattered: &LaneScattered,
+    solid_angle: &Numbers,
+    lanes: u32,
+    colours: &mut Vectors,
+    weights: &mut Numbers,
+) {
+    for lane in 0..LANES {
+        let is_asked = lanes >> lane & 1 == 1;
+        let pdf = scattered.pdf[lane];
+        let weight = weight_beside_points(solid_angle[lane], pdf);
+        weights[lane] = if is_asked { weight } else { weights[lane] };
+        let (factor, kept) = (scattered.colour.get(lane) * (1.0 / pdf), colours.get(lane));
+        colours.set(lane, if is_asked { factor } else { kept });
     }
 }

@@ -1,5 +1,6 @@
 //! The steps of paths: loops over the lanes without a branch, compiled for the processor's
-//! vectors.
+//! vectors. Where they read and write arrays behind references they are functions: arguments that are
+//! references are known to refer to different things, others would have to be copied.
 
 use std::f64::consts::FRAC_1_PI;
 
@@ -46,18 +47,23 @@ impl Computation for FilmRays<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let (view, film) = (*self.view, *self.film);
-        let (mut origins, mut directions) = (Vectors::ZERO, Vectors::ZERO);
-        let mut range = [[0.0; LANES]; 2];
-        for lane in 0..LANES {
-            let direction = view.direction([film[0][lane], film[1][lane]]);
-            let ray = view.ray(direction);
-            origins.set(lane, ray.origin);
-            directions.set(lane, ray.direction);
-            (range[0][lane], range[1][lane]) = (ray.range[0], ray.range[1]);
-        }
-        (self.vertices.origin, self.vertices.direction) = (origins, directions);
-        *self.range = range;
+        film_rays(self.view, self.film, self.vertices, self.range);
+    }
+}
+
+#[inline(always)]
+fn film_rays(
+    view: &View<f64>,
+    film: &[Numbers; 2],
+    vertices: &mut Vertices,
+    range: &mut [Numbers; 2],
+) {
+    for lane in 0..LANES {
+        let direction = view.direction([film[0][lane], film[1][lane]]);
+        let ray = view.ray(direction);
+        vertices.origin.set(lane, ray.origin);
+        vertices.direction.set(lane, ray.direction);
+        (range[0][lane], range[1][lane]) = (ray.range[0], ray.range[1]);
     }
 }
 
@@ -74,8 +80,9 @@ pub struct Vertices {
     /// the material that is seen.
     pub outward: Vectors,
     pub side: Numbers,
-    /// Fractions of light that are reflected, where surfaces are diffuse.
-    pub albedo: Vectors,
+    /// Fractions of light that are reflected, where surfaces are diffuse; else what their lobes
+    /// scatter of the light that came last.
+    pub scattered: Vectors,
     /// Where they are, and 1 or -1 for the side of the face that is seen; known after
     /// [`Surfaces`].
     pub position: Vectors,
@@ -93,7 +100,7 @@ impl Vertices {
         face_normal: Vectors::UP,
         outward: Vectors::UP,
         side: [1.0; LANES],
-        albedo: Vectors::ZERO,
+        scattered: Vectors::ZERO,
         position: Vectors::ZERO,
         seen: [1.0; LANES],
         solid_angle: [0.0; LANES],
@@ -113,24 +120,19 @@ impl Computation for Surfaces<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        // Copies, which nothing else refers to; so in all steps.
-        let Vertices {
-            origin,
-            direction,
-            corner,
-            face_normal,
-            ..
-        } = *self.0;
-        let (mut position, mut seen) = (origin, [1.0; LANES]);
-        for (lane, seen) in seen.iter_mut().enumerate() {
-            let (origin, direction) = (origin.get(lane), direction.get(lane));
-            let normal = face_normal.get(lane);
-            let rise = direction.dot(normal);
-            let t = (corner.get(lane) - origin).dot(normal) / rise;
-            position.set(lane, origin + direction * t);
-            *seen = if rise > 0.0 { -1.0 } else { 1.0 };
-        }
-        (self.0.position, self.0.seen) = (position, seen);
+        surfaces(self.0);
+    }
+}
+
+#[inline(always)]
+fn surfaces(vertices: &mut Vertices) {
+    for lane in 0..LANES {
+        let (origin, direction) = (vertices.origin.get(lane), vertices.direction.get(lane));
+        let normal = vertices.face_normal.get(lane);
+        let rise = direction.dot(normal);
+        let t = (vertices.corner.get(lane) - origin).dot(normal) / rise;
+        vertices.position.set(lane, origin + direction * t);
+        vertices.seen[lane] = if rise > 0.0 { -1.0 } else { 1.0 };
     }
 }
 
@@ -145,10 +147,10 @@ impl Computation for Narrow<'_> {
     type Output = u32;
     #[inline(always)]
     fn run<S: Simd>(self, _: S) -> u32 {
-        let (position, emitter) = (self.vertices.position, self.emitter);
+        let Self { vertices, emitter } = self;
         let mut solid_angles = [0.0; LANES];
         for (lane, solid_angle) in solid_angles.iter_mut().enumerate() {
-            *solid_angle = emitter.seen(position.get(lane));
+            *solid_angle = emitter.seen(vertices.position.get(lane));
         }
         mask_of(ALL, |lane| solid_angles[lane] < NARROW)
     }
@@ -178,9 +180,10 @@ pub fn weight_beside_points(solid_angle: f64, own: f64) -> f64 {
 /// Points sampled on the emitter.
 #[derive(Clone, Copy, Debug)]
 pub struct Lit {
-    /// Unit directions to them, and their distances.
+    /// Unit directions to them, and the distances between which something hides them: zero and
+    /// their own.
     pub direction: Vectors,
-    pub distance: Numbers,
+    pub range: [Numbers; 2],
     /// Where surfaces are diffuse, the cosine over π, times the weight, over the density; where
     /// they have lobes, the weight over the density.
     pub weight: Numbers,
@@ -192,7 +195,7 @@ impl Default for Lit {
     fn default() -> Self {
         Self {
             direction: Vectors::UP,
-            distance: [0.0; LANES],
+            range: [[0.0; LANES]; 2],
             weight: [0.0; LANES],
             mask: 0,
         }
@@ -248,8 +251,7 @@ impl Computation for Light<'_> {
     }
 }
 
-/// Finds all but the mask, and the cosines at the surfaces. A function, since references that are its
-/// arguments are known to refer to different things: no copies are needed.
+/// Finds all but the mask, and the cosines at the surfaces.
 #[inline(always)]
 fn light(
     vertices: &Vertices,
@@ -268,7 +270,7 @@ fn light(
         let cos = direction.dot(normal(&vertices.outward, &vertices.side, lane));
         solid_angle[lane] = seen.solid_angle;
         lit.direction.set(lane, direction);
-        lit.distance[lane] = distance;
+        lit.range[1][lane] = distance;
         let has_other = of_brdf >> lane & 1 == 1;
         let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
         lit.weight[lane] = cos * FRAC_1_PI * weight_over_density(seen.solid_angle, other);
@@ -292,18 +294,42 @@ impl Computation for SumLight<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let (throughput, scattered) = (*self.throughput, *self.scattered);
-        let (mut light, weight) = (*self.light, *self.weight);
-        for (axis, radiance) in self.radiance.to_array().into_iter().enumerate() {
-            for (lane, weight) in weight.iter().enumerate() {
-                let reflected = scattered.0[axis][lane] * weight * radiance;
-                let more = throughput.0[axis][lane] * reflected;
-                let is_asked = self.lanes >> lane & 1 == 1;
-                // What is not a number must not get into sums of lanes that are not asked.
-                light.0[axis][lane] += if is_asked { more } else { 0.0 };
-            }
+        let Self {
+            light,
+            throughput,
+            scattered,
+            weight,
+            radiance,
+            lanes,
+        } = self;
+        for (axis, radiance) in radiance.to_array().into_iter().enumerate() {
+            let [throughput, scattered] = [throughput, scattered].map(|v| &v.0[axis]);
+            sum_light(
+                &mut light.0[axis],
+                throughput,
+                scattered,
+                weight,
+                radiance,
+                lanes,
+            );
         }
-        *self.light = light;
+    }
+}
+
+#[inline(always)]
+fn sum_light(
+    light: &mut Numbers,
+    throughput: &Numbers,
+    scattered: &Numbers,
+    weight: &Numbers,
+    radiance: f64,
+    lanes: u32,
+) {
+    for lane in 0..LANES {
+        let more = throughput[lane] * (scattered[lane] * weight[lane] * radiance);
+        let is_asked = lanes >> lane & 1 == 1;
+        // What is not a number must not get into sums of lanes that are not asked.
+        light[lane] += if is_asked { more } else { 0.0 };
     }
 }
 
