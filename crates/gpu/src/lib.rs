@@ -45,6 +45,7 @@ mod local_cone;
 mod local_ray;
 mod precision;
 mod ray_queries;
+mod refit;
 mod resident;
 mod silhouette_queries;
 mod wgpu_driver;

@@ -6,4 +6,5 @@ mod adapter;
 mod faults;
 mod meshes;
 mod rays;
+mod refit;
 mod silhouettes;
