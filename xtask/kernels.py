@@ -23,6 +23,7 @@ ENTRIES = {
     "queries": ["first_hit", "occluded", "closest", "gather", "eights"],
     "moved": ["moved_triangles", "moved_edges"],
     "bounds": ["bound_triangles", "bound_edges"],
+    "sampled": ["sample_edges"],
 }
 PRECISIONS = ["single", "double"]
 # Of kernels that would take too many registers in double precision, how many groups of
@@ -128,6 +129,12 @@ def nvrtc_text(compiler, program, what):
     return buffer.value.decode()
 
 
+def content(folder, name):
+    """A source with what it includes in the place of the lines that say so."""
+    with open(os.path.join(folder, name), "rb") as file:
+        return re.sub(rb'#include "(.*)"\n', lambda line: content(folder, line[1].decode()), file.read())
+
+
 def checksum(content):
     """FNV-1a with 64 bits, as a test of the crate computes it."""
     value = 0xCBF29CE484222325
@@ -144,8 +151,7 @@ def main():
     by_both = f"{by_slang}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
     for name, entries in ENTRIES.items():
         source = os.path.join(folder, f"{name}.slang")
-        with open(source, "rb") as file:
-            of_source = checksum(file.read())
+        of_source = checksum(content(folder, f"{name}.slang"))
         for entry, precision in itertools.product(entries, PRECISIONS):
             for language, by, code in [
                 ("wgsl", by_slang, wgsl(library, source, entry, precision)),

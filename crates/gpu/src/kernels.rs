@@ -17,10 +17,12 @@ pub enum Kernel {
     /// Bounds of the children of nodes around these.
     BoundTriangles,
     BoundEdges,
+    /// Edges sampled in cones.
+    SampleEdges,
 }
 
 /// How many there are.
-pub const KERNELS: usize = 9;
+pub const KERNELS: usize = 10;
 
 /// How many threads there are in a group.
 pub const GROUP: usize = 64;
@@ -41,6 +43,7 @@ impl Kernel {
             Self::MovedEdges => "moved_edges",
             Self::BoundTriangles => "bound_triangles",
             Self::BoundEdges => "bound_edges",
+            Self::SampleEdges => "sample_edges",
         }
     }
 
@@ -49,7 +52,7 @@ impl Kernel {
     pub fn group(self) -> usize {
         match self {
             Self::FirstHit | Self::Occluded | Self::Eights => GROUP,
-            Self::MovedTriangles | Self::MovedEdges => GROUP,
+            Self::MovedTriangles | Self::MovedEdges | Self::SampleEdges => GROUP,
             Self::Closest | Self::Gather => GROUP / 8,
             Self::BoundTriangles | Self::BoundEdges => 1,
         }
@@ -97,6 +100,12 @@ impl Kernel {
             (Self::BoundEdges, Precision::Double) => {
                 include_str!("kernels/bound_edges_double.wgsl")
             }
+            (Self::SampleEdges, Precision::Single) => {
+                include_str!("kernels/sample_edges_single.wgsl")
+            }
+            (Self::SampleEdges, Precision::Double) => {
+                include_str!("kernels/sample_edges_double.wgsl")
+            }
         }
     }
 
@@ -130,6 +139,12 @@ impl Kernel {
             }
             (Self::BoundEdges, Precision::Single) => include_str!("kernels/bound_edges_single.ptx"),
             (Self::BoundEdges, Precision::Double) => include_str!("kernels/bound_edges_double.ptx"),
+            (Self::SampleEdges, Precision::Single) => {
+                include_str!("kernels/sample_edges_single.ptx")
+            }
+            (Self::SampleEdges, Precision::Double) => {
+                include_str!("kernels/sample_edges_double.ptx")
+            }
         }
     }
 }
@@ -157,6 +172,8 @@ mod tests {
             include_str!("kernels/bounds.slang"),
         ];
         let [queries, moved, bounds] = sources.map(checksum);
+        let sampled = include_str!("kernels/sampled.slang");
+        let sampled = checksum(&sampled.replace("#include \"queries.slang\"\n", sources[0]));
         for (kernel, source) in [
             (Kernel::FirstHit, &queries),
             (Kernel::Occluded, &queries),
@@ -167,6 +184,7 @@ mod tests {
             (Kernel::MovedEdges, &moved),
             (Kernel::BoundTriangles, &bounds),
             (Kernel::BoundEdges, &bounds),
+            (Kernel::SampleEdges, &sampled),
         ] {
             for (compiled, precision) in [Precision::Single, Precision::Double]
                 .into_iter()

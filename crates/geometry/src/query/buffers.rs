@@ -160,36 +160,8 @@ impl SilhouetteBuffers {
         let edges = self.ends_and_normals.as_chunks::<EDGE>().0;
         edges
             .iter()
-            .flat_map(|edge| self.local_edge(edge))
+            .flat_map(|edge| local_edge(&self.frame, edge))
             .collect()
-    }
-
-    fn local_edge(&self, edge: &[f64; EDGE]) -> [f32; EDGE] {
-        let vector = |at: usize| Vec3::new(edge[at], edge[at + 1], edge[at + 2]);
-        let [a, b, first, second] = [0, 3, 6, 9].map(vector);
-        let along = (b - a) * self.frame.inverse_scale;
-        let normals = [first, second].map(|cross| {
-            let normal = cross.normalized();
-            if normal.is_finite() {
-                normal
-            } else {
-                Vec3::zero()
-            }
-        });
-        let parts = [
-            self.frame.local_from_world(a),
-            along,
-            normals[0],
-            normals[1],
-        ];
-        let mut numbers = [0.0; EDGE];
-        for (numbers, part) in numbers.chunks_exact_mut(3).zip(parts) {
-            numbers.copy_from_slice(&single(part));
-        }
-        for (length, normal) in numbers[12..].iter_mut().zip(normals) {
-            *length = if normal == Vec3::zero() { 0.0 } else { 1.0 };
-        }
-        numbers
     }
 }
 
@@ -257,6 +229,30 @@ fn cone_child(node: &ConeNode, slot: usize) -> [u32; CONE_CHILD] {
         u32::from(node.groups[slot]),
     ]);
     words
+}
+
+/// The numbers of an edge in the frame's coordinates.
+pub(crate) fn local_edge(frame: &LocalFrame, edge: &[f64; EDGE]) -> [f32; EDGE] {
+    let vector = |at: usize| Vec3::new(edge[at], edge[at + 1], edge[at + 2]);
+    let [a, b, first, second] = [0, 3, 6, 9].map(vector);
+    let along = (b - a) * frame.inverse_scale;
+    let normals = [first, second].map(|cross| {
+        let normal = cross.normalized();
+        if normal.is_finite() {
+            normal
+        } else {
+            Vec3::zero()
+        }
+    });
+    let parts = [frame.local_from_world(a), along, normals[0], normals[1]];
+    let mut numbers = [0.0; EDGE];
+    for (numbers, part) in numbers.chunks_exact_mut(3).zip(parts) {
+        numbers.copy_from_slice(&single(part));
+    }
+    for (length, normal) in numbers[12..].iter_mut().zip(normals) {
+        *length = if normal == Vec3::zero() { 0.0 } else { 1.0 };
+    }
+    numbers
 }
 
 /// The words of an edge in [`SilhouetteBuffers::sides`].

@@ -7,4 +7,5 @@ mod faults;
 mod meshes;
 mod rays;
 mod refit;
+mod samples;
 mod silhouettes;
