@@ -60,7 +60,7 @@ pub enum GpuError {
     },
     /// A tree follows only the vertices of the mesh that it was built from.
     #[error(
-        "the tree cannot be refitted: {reason}. Give it the mesh that it was built from, with other \
+        "the tree cannot be refitted: {reason}. Give it the mesh it was built from, with other \
          positions, or upload a new tree"
     )]
     OtherMesh {
