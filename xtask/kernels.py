@@ -1,5 +1,5 @@
 """Compiles the kernels of capwalk-gpu by the Slang compiler inside PyPI's slangpy, without a
-device: `kernels.py FOLDER`, where FOLDER has `queries.slang`. For wgpu they become WGSL, for
+device: `kernels.py FOLDER`, where FOLDER has the sources. For wgpu they become WGSL, for
 NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
 
 Slang writes no `double` in WGSL ("unexpected: 'double' type emitted", 2026.12), which wgpu
@@ -10,6 +10,7 @@ and here that becomes `f64`.
 import ctypes
 import glob
 import importlib.metadata
+import itertools
 import os
 import re
 import sys
@@ -17,7 +18,13 @@ import sys
 import nvidia.cuda_nvrtc
 import slangpy
 
-ENTRIES = ["first_hit", "occluded", "closest", "gather", "eights"]
+# Of each source its kernels.
+ENTRIES = {
+    "queries": ["first_hit", "occluded", "closest", "gather", "eights"],
+    "moved": ["moved_triangles", "moved_edges"],
+    "bounds": ["bound_triangles", "bound_edges"],
+    "sampled": ["sample_edges"],
+}
 PRECISIONS = ["single", "double"]
 # Of kernels that would take too many registers in double precision, how many groups of
 # `GROUP` threads a multiprocessor must have room for (docs/benchmarks.md).
@@ -122,6 +129,12 @@ def nvrtc_text(compiler, program, what):
     return buffer.value.decode()
 
 
+def content(folder, name):
+    """A source with what it includes in the place of the lines that say so."""
+    with open(os.path.join(folder, name), "rb") as file:
+        return re.sub(rb'#include "(.*)"\n', lambda line: content(folder, line[1].decode()), file.read())
+
+
 def checksum(content):
     """FNV-1a with 64 bits, as a test of the crate computes it."""
     value = 0xCBF29CE484222325
@@ -132,22 +145,21 @@ def checksum(content):
 
 def main():
     folder = sys.argv[1]
-    source = os.path.join(folder, "queries.slang")
-    with open(source, "rb") as file:
-        of_source = checksum(file.read())
     library = compiler()
     nvidia_compiler = nvrtc()
     by_slang = f"Slang {text(library.spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
     by_both = f"{by_slang}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
-    for entry in ENTRIES:
-        for precision in PRECISIONS:
+    for name, entries in ENTRIES.items():
+        source = os.path.join(folder, f"{name}.slang")
+        of_source = checksum(content(folder, f"{name}.slang"))
+        for entry, precision in itertools.product(entries, PRECISIONS):
             for language, by, code in [
                 ("wgsl", by_slang, wgsl(library, source, entry, precision)),
                 ("ptx", by_both, ptx(library, nvidia_compiler, source, entry, precision)),
             ]:
                 code = code.strip() + "\n"
                 head = (
-                    "// Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.\n"
+                    f"// Compiled from {name}.slang by `cargo xtask kernels`. Not to be edited.\n"
                     f"// compiler: {by}\n"
                     f"// source: {of_source}\n"
                     f"// result: {checksum(code.encode())}\n"

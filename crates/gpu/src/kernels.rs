@@ -1,4 +1,4 @@
-//! The kernels as `cargo xtask kernels` compiled them from `kernels/queries.slang`.
+//! The kernels as `cargo xtask kernels` compiled them from the sources in `kernels`.
 
 use crate::precision::Precision;
 
@@ -11,10 +11,18 @@ pub enum Kernel {
     Gather,
     /// Whether cones can be asked at all.
     Eights,
+    /// Triangles and edges at new positions.
+    MovedTriangles,
+    MovedEdges,
+    /// Bounds of the children of nodes around these.
+    BoundTriangles,
+    BoundEdges,
+    /// Edges sampled in cones.
+    SampleEdges,
 }
 
 /// How many there are.
-pub const KERNELS: usize = 5;
+pub const KERNELS: usize = 10;
 
 /// How many threads there are in a group.
 pub const GROUP: usize = 64;
@@ -31,14 +39,22 @@ impl Kernel {
             Self::Closest => "closest",
             Self::Gather => "gather",
             Self::Eights => "eights",
+            Self::MovedTriangles => "moved_triangles",
+            Self::MovedEdges => "moved_edges",
+            Self::BoundTriangles => "bound_triangles",
+            Self::BoundEdges => "bound_edges",
+            Self::SampleEdges => "sample_edges",
         }
     }
 
-    /// How many queries a group works on: cones have eight threads each.
+    /// How many queries a group works on: cones have eight threads each, children of nodes a
+    /// group.
     pub fn group(self) -> usize {
         match self {
             Self::FirstHit | Self::Occluded | Self::Eights => GROUP,
+            Self::MovedTriangles | Self::MovedEdges | Self::SampleEdges => GROUP,
             Self::Closest | Self::Gather => GROUP / 8,
+            Self::BoundTriangles | Self::BoundEdges => 1,
         }
     }
 
@@ -60,6 +76,36 @@ impl Kernel {
             (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.wgsl"),
             (Self::Eights, Precision::Single) => include_str!("kernels/eights_single.wgsl"),
             (Self::Eights, Precision::Double) => include_str!("kernels/eights_double.wgsl"),
+            (Self::MovedTriangles, Precision::Single) => {
+                include_str!("kernels/moved_triangles_single.wgsl")
+            }
+            (Self::MovedTriangles, Precision::Double) => {
+                include_str!("kernels/moved_triangles_double.wgsl")
+            }
+            (Self::MovedEdges, Precision::Single) => {
+                include_str!("kernels/moved_edges_single.wgsl")
+            }
+            (Self::MovedEdges, Precision::Double) => {
+                include_str!("kernels/moved_edges_double.wgsl")
+            }
+            (Self::BoundTriangles, Precision::Single) => {
+                include_str!("kernels/bound_triangles_single.wgsl")
+            }
+            (Self::BoundTriangles, Precision::Double) => {
+                include_str!("kernels/bound_triangles_double.wgsl")
+            }
+            (Self::BoundEdges, Precision::Single) => {
+                include_str!("kernels/bound_edges_single.wgsl")
+            }
+            (Self::BoundEdges, Precision::Double) => {
+                include_str!("kernels/bound_edges_double.wgsl")
+            }
+            (Self::SampleEdges, Precision::Single) => {
+                include_str!("kernels/sample_edges_single.wgsl")
+            }
+            (Self::SampleEdges, Precision::Double) => {
+                include_str!("kernels/sample_edges_double.wgsl")
+            }
         }
     }
 
@@ -77,6 +123,28 @@ impl Kernel {
             (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.ptx"),
             (Self::Eights, Precision::Single) => include_str!("kernels/eights_single.ptx"),
             (Self::Eights, Precision::Double) => include_str!("kernels/eights_double.ptx"),
+            (Self::MovedTriangles, Precision::Single) => {
+                include_str!("kernels/moved_triangles_single.ptx")
+            }
+            (Self::MovedTriangles, Precision::Double) => {
+                include_str!("kernels/moved_triangles_double.ptx")
+            }
+            (Self::MovedEdges, Precision::Single) => include_str!("kernels/moved_edges_single.ptx"),
+            (Self::MovedEdges, Precision::Double) => include_str!("kernels/moved_edges_double.ptx"),
+            (Self::BoundTriangles, Precision::Single) => {
+                include_str!("kernels/bound_triangles_single.ptx")
+            }
+            (Self::BoundTriangles, Precision::Double) => {
+                include_str!("kernels/bound_triangles_double.ptx")
+            }
+            (Self::BoundEdges, Precision::Single) => include_str!("kernels/bound_edges_single.ptx"),
+            (Self::BoundEdges, Precision::Double) => include_str!("kernels/bound_edges_double.ptx"),
+            (Self::SampleEdges, Precision::Single) => {
+                include_str!("kernels/sample_edges_single.ptx")
+            }
+            (Self::SampleEdges, Precision::Double) => {
+                include_str!("kernels/sample_edges_double.ptx")
+            }
         }
     }
 }
@@ -98,13 +166,25 @@ mod tests {
     /// Whoever changes the source must compile it again, and nobody edits the result.
     #[test]
     fn compiled_kernels_are_current() {
-        let source = checksum(include_str!("kernels/queries.slang"));
-        for kernel in [
-            Kernel::FirstHit,
-            Kernel::Occluded,
-            Kernel::Closest,
-            Kernel::Gather,
-            Kernel::Eights,
+        let sources = [
+            include_str!("kernels/queries.slang"),
+            include_str!("kernels/moved.slang"),
+            include_str!("kernels/bounds.slang"),
+        ];
+        let [queries, moved, bounds] = sources.map(checksum);
+        let sampled = include_str!("kernels/sampled.slang");
+        let sampled = checksum(&sampled.replace("#include \"queries.slang\"\n", sources[0]));
+        for (kernel, source) in [
+            (Kernel::FirstHit, &queries),
+            (Kernel::Occluded, &queries),
+            (Kernel::Closest, &queries),
+            (Kernel::Gather, &queries),
+            (Kernel::Eights, &queries),
+            (Kernel::MovedTriangles, &moved),
+            (Kernel::MovedEdges, &moved),
+            (Kernel::BoundTriangles, &bounds),
+            (Kernel::BoundEdges, &bounds),
+            (Kernel::SampleEdges, &sampled),
         ] {
             for (compiled, precision) in [Precision::Single, Precision::Double]
                 .into_iter()
@@ -117,7 +197,7 @@ mod tests {
                 };
                 let name = kernel.name();
                 assert_eq!(
-                    of("// source: "),
+                    &of("// source: "),
                     source,
                     "{name} {precision:?} is old: run `cargo xtask kernels`"
                 );
