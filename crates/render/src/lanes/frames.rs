@@ -7,7 +7,7 @@ use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Vectors};
 
 /// The frames in which the lobes of surfaces are, and there the directions to the viewer.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct LaneFrames {
     s: Vectors,
     t: Vectors,

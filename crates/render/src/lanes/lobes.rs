@@ -57,7 +57,7 @@ pub struct LaneLobes<'a> {
     turned: [Option<Turned<'a>>; LANES],
     /// One bit for each that has lobes, and for each that is rough metal or plastic.
     pub with_lobes: u32,
-    is_rough: u32,
+    rough_lanes: u32,
     frames: LaneFrames,
     rough: LaneRough<'a>,
     /// Unit directions of light in the frames.
@@ -74,11 +74,11 @@ impl<'a> LaneLobes<'a> {
         Self {
             turned: [None; LANES],
             with_lobes: 0,
-            is_rough: 0,
+            rough_lanes: 0,
             frames: LaneFrames::NONE,
             rough: LaneRough::NONE,
             light: Vectors::ZERO,
-            scattered: LaneScattered::NOTHING,
+            scattered: LaneScattered::NONE,
             specular: [None; LANES],
         }
     }
@@ -90,7 +90,7 @@ impl<'a> LaneLobes<'a> {
         let rough = turned.and_then(|turned| turned.lobes.rough.as_ref());
         let others = !(1 << lane);
         self.with_lobes = self.with_lobes & others | u32::from(turned.is_some()) << lane;
-        self.is_rough = self.is_rough & others | u32::from(rough.is_some()) << lane;
+        self.rough_lanes = self.rough_lanes & others | u32::from(rough.is_some()) << lane;
         if let Some(rough) = rough {
             self.rough.set(lane, rough);
         }
@@ -124,7 +124,7 @@ impl<'a> LaneLobes<'a> {
                 frames.set(lane, frame, vertices.side[lane], direction);
             }
         }
-        let lanes = self.is_rough & lanes;
+        let lanes = self.rough_lanes & lanes;
         if lanes != 0 {
             instructions.run(Seen {
                 frames,
@@ -134,9 +134,9 @@ impl<'a> LaneLobes<'a> {
         }
     }
 
-    /// What some lanes, the first, scatter of light that comes from points on the emitter, which is
-    /// seen under solid angles, and its weights over densities; the second are those where
-    /// directions are drawn from the surface, too.
+    /// Sets `vertices.scattered` of some lanes, the first, to what their lobes scatter of light that
+    /// comes from points on the emitter, and `lit.weight` to its weight over its density; the second
+    /// are those where directions are drawn from the surface, too.
     pub fn weigh_points(
         &mut self,
         instructions: Instructions,
@@ -164,7 +164,7 @@ impl<'a> LaneLobes<'a> {
                 weights: &mut lit.weight,
             });
         }
-        for lane in lanes_of(lanes & !self.is_rough) {
+        for lane in lanes_of(lanes & !self.rough_lanes) {
             let Some(lobes) = self.get(lane) else {
                 continue;
             };
@@ -188,7 +188,7 @@ impl<'a> LaneLobes<'a> {
         cosine: &Vectors,
     ) -> u32 {
         self.light = *cosine;
-        let mut rough = lanes & self.is_rough;
+        let mut rough = lanes & self.rough_lanes;
         if rough != 0 {
             rough = instructions.run(DrawFacets {
                 frames: &self.frames,
@@ -199,7 +199,7 @@ impl<'a> LaneLobes<'a> {
                 directions: &mut self.light,
             });
         }
-        let others = mask_of(lanes & !self.is_rough, |lane| {
+        let others = mask_of(lanes & !self.rough_lanes, |lane| {
             let (wi, u) = (self.frames.wi.get(lane), u.map(|numbers| numbers[lane]));
             let lobes = self.get(lane);
             let drawn = lobes.and_then(|lobes| lobes.bsdf.draw(wi, choice[lane], u));
@@ -212,10 +212,11 @@ impl<'a> LaneLobes<'a> {
         rough | others
     }
 
-    /// What becomes of light from the directions drawn from the lobes of some lanes: where it comes
-    /// from in the world, what is scattered over the density, or the fraction of light over the
-    /// probability of a specular event, and the weight of light from the emitter, if it is seen
-    /// there. One bit for each lane where the path goes on.
+    /// Weighs light from the directions drawn from the lobes of some lanes; one bit for each where the
+    /// path goes on. Sets `drawn.direction` to where it comes from in the world, `vertices.scattered`
+    /// to what is scattered over the density, or the fraction of light over the probability of a
+    /// specular event, and `drawn.weight` to the weight of light from the emitter, if it is seen
+    /// there.
     pub fn weigh_drawn(
         &mut self,
         instructions: Instructions,
@@ -236,7 +237,7 @@ impl<'a> LaneLobes<'a> {
                 weights: &mut drawn.weight,
             });
         }
-        let others = mask_of(lanes & !self.is_rough, |lane| {
+        let others = mask_of(lanes & !self.rough_lanes, |lane| {
             let weighed = self
                 .get(lane)
                 .and_then(|lobes| self.weighed(lobes, lane, vertices.solid_angle[lane]));
@@ -257,7 +258,7 @@ impl<'a> LaneLobes<'a> {
 
     /// Scatters light at the rough ones among some lanes; one bit for each.
     fn scatter(&mut self, instructions: Instructions, lanes: u32) -> u32 {
-        let lanes = lanes & self.is_rough;
+        let lanes = lanes & self.rough_lanes;
         if lanes != 0 {
             instructions.run(Scatter {
                 frames: &self.frames,

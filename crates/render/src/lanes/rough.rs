@@ -13,7 +13,7 @@ use crate::lanes::step::{weight_beside_points, weight_over_density};
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
 /// The rough surfaces, coordinate by coordinate.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct LaneRough<'a> {
     surfaces: [Option<&'a RoughSurface>; LANES],
     alpha: [Numbers; 2],
@@ -21,12 +21,12 @@ pub struct LaneRough<'a> {
     specular: Vectors,
     base: Vectors,
     eta2: Numbers,
-    chances: [Numbers; 2],
+    choice_weights: [Numbers; 2],
     /// What is seen of the facets, how much passes the coat on the way to the viewer, and how
     /// probably the base is drawn; known after [`Seen`].
     visible: Numbers,
     enters: Numbers,
-    base_chance: Numbers,
+    base_probability: Numbers,
 }
 
 impl<'a> LaneRough<'a> {
@@ -38,10 +38,10 @@ impl<'a> LaneRough<'a> {
         specular: Vectors::ZERO,
         base: Vectors::ZERO,
         eta2: [1.0; LANES],
-        chances: [[1.0; LANES]; 2],
+        choice_weights: [[1.0; LANES]; 2],
         visible: [0.0; LANES],
         enters: [0.0; LANES],
-        base_chance: [0.0; LANES],
+        base_probability: [0.0; LANES],
     };
 
     /// Sets that of a lane.
@@ -54,7 +54,7 @@ impl<'a> LaneRough<'a> {
         self.specular.set_colour(lane, surface.specular);
         self.base.set_colour(lane, surface.base);
         self.eta2[lane] = surface.eta2;
-        [self.chances[0][lane], self.chances[1][lane]] = surface.chances;
+        [self.choice_weights[0][lane], self.choice_weights[1][lane]] = surface.choice_weights;
     }
 }
 
@@ -105,8 +105,8 @@ fn see(wi: &Vectors, rough: &mut LaneRough<'_>) {
     for lane in 0..LANES {
         let facets = facets(&rough.alpha, &rough.distribution, lane);
         rough.visible[lane] = branchless::visible_over_cos(&facets, raised(wi, lane));
-        let chances = [rough.chances[0][lane], rough.chances[1][lane]];
-        rough.base_chance[lane] = branchless::base_probability(rough.enters[lane], chances);
+        let weights = [rough.choice_weights[0][lane], rough.choice_weights[1][lane]];
+        rough.base_probability[lane] = branchless::base_probability(rough.enters[lane], weights);
     }
 }
 
@@ -158,7 +158,7 @@ impl Computation for DrawFacets<'_, '_> {
             lanes,
             directions,
         } = self;
-        let drawn = mask_of(lanes, |lane| choice[lane] >= rough.base_chance[lane]);
+        let drawn = mask_of(lanes, |lane| choice[lane] >= rough.base_probability[lane]);
         if drawn == 0 {
             return lanes;
         }
@@ -202,7 +202,7 @@ fn draw_facets(
 }
 
 /// What rough surfaces scatter.
-#[derive(Clone, Copy, Debug)]
+#[derive(Debug)]
 pub struct LaneScattered {
     /// `f |cos|`.
     colour: Vectors,
@@ -211,8 +211,8 @@ pub struct LaneScattered {
 }
 
 impl LaneScattered {
-    /// Nothing.
-    pub const NOTHING: Self = Self {
+    /// None yet.
+    pub const NONE: Self = Self {
         colour: Vectors::ZERO,
         pdf: [0.0; LANES],
     };
@@ -288,8 +288,8 @@ fn scatter(
             let base = rough.base.0[axis][lane] * passes;
             scattered.colour.0[axis][lane] = specular.0[axis][lane] * coat + base;
         }
-        let chance = rough.base_chance[lane];
-        let both = chance * (rise * FRAC_1_PI) + (1.0 - chance) * pdf[lane];
+        let probability = rough.base_probability[lane];
+        let both = probability * (rise * FRAC_1_PI) + (1.0 - probability) * pdf[lane];
         scattered.pdf[lane] = if is_above { both } else { 0.0 };
     }
 }
@@ -351,7 +351,7 @@ fn replace(all: &mut Vectors, new: &Vectors, lanes: u32) {
 }
 
 /// Weighs what is scattered at some lanes of light from directions drawn from the surfaces; one bit
-/// for each that may be drawn.
+/// for each whose density is positive.
 pub struct WeighDrawn<'a> {
     pub scattered: &'a LaneScattered,
     pub solid_angle: &'a Numbers,

@@ -81,7 +81,7 @@ pub struct Vertices {
     pub outward: Vectors,
     pub side: Numbers,
     /// Fractions of light that are reflected, where surfaces are diffuse; else what their lobes
-    /// scatter of the light that came last.
+    /// scatter of the light that was weighed last, over its density if it was drawn from them.
     pub scattered: Vectors,
     /// Where they are, and 1 or -1 for the side of the face that is seen; known after
     /// [`Surfaces`].
@@ -337,7 +337,7 @@ fn sum_light(
 #[derive(Clone, Copy, Debug)]
 pub struct Brdf {
     pub direction: Vectors,
-    /// The same in the frames of the surfaces.
+    /// Directions drawn by the cosine, around the third axis.
     pub local: Vectors,
     /// That of light from the emitter, if it is seen there.
     pub weight: Numbers,
@@ -353,7 +353,7 @@ impl Default for Brdf {
     }
 }
 
-/// Draws directions by the cosine, for surfaces that are diffuse.
+/// Draws directions by the cosine, for surfaces that are diffuse or have a diffuse base.
 pub struct Draw<'a> {
     pub vertices: &'a Vertices,
     pub u: &'a [Numbers; 2],
@@ -369,10 +369,10 @@ impl Computation for Draw<'_> {
 }
 
 #[inline(always)]
-fn draw(vertices: &Vertices, u: &[Numbers; 2], drawn: &mut Brdf) {
-    for lane in 0..LANES {
+fn draw(vertices: &Vertices, [first, second]: &[Numbers; 2], drawn: &mut Brdf) {
+    for (lane, (&first, &second)) in first.iter().zip(second).enumerate() {
         let frame = Frame::from_normal(vertices.outward.get(lane));
-        let wo = sample_cosine([u[0][lane], u[1][lane]]);
+        let wo = sample_cosine([first, second]);
         let up = frame.n * (vertices.side[lane] * wo.z);
         let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
         drawn.direction.set(lane, direction);

@@ -292,6 +292,17 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
             },
         },
         Bsdf::Null,
+        // The other distributions, and a coat that is thinner inside.
+        Bsdf::RoughConductor(metal, facets(Distribution::Beckmann)),
+        Bsdf::RoughPlastic {
+            coat: Coat {
+                int_ior: one,
+                ext_ior: index,
+                ..coat
+            },
+            distribution: Distribution::Ggx,
+            alpha,
+        },
     ];
     for (i, bsdf) in materials.into_iter().enumerate() {
         let id = format!("material {i}");
@@ -345,6 +356,18 @@ fn lanes_sample_other_materials() {
         ("back", 1, false),
     ];
     samples_are_those_of_the_tracer("ball and mirror", of_all_materials(room, &shown));
+    // Rough surfaces of all kinds, also where interpolated normals turn away.
+    for ball in [0, 1, 17, 18] {
+        let room = with_ball(scene("box-room", path(Some(4))));
+        let shown = [
+            ("ball", ball, false),
+            ("floor", 17, false),
+            ("back", 18, false),
+            ("left", 0, false),
+            ("box", 1, false),
+        ];
+        samples_are_those_of_the_tracer("rough", of_all_materials(room, &shown));
+    }
     // Lobes that are diffuse, where the emitter alone is sampled.
     let shown = [
         ("floor", 14, false),
@@ -370,7 +393,13 @@ fn lanes_sample_other_materials() {
 #[test]
 fn samples_do_not_depend_on_each_other() {
     let room = || scene("box-room", path(None));
-    let rough = [("box", 1, true), ("floor", 7, false), ("lamp", 0, false)];
+    let rough = [
+        ("box", 1, true),
+        ("floor", 7, false),
+        ("back", 0, false),
+        ("left", 18, false),
+        ("lamp", 0, false),
+    ];
     let mut by_sobol = room();
     by_sobol.settings.sampler = SamplerKind::Sobol;
     for scene in [room(), of_all_materials(room(), &rough), by_sobol] {

@@ -111,7 +111,7 @@ fn rough_surfaces_are_the_same_in_plain_numbers() {
             let raised = Vec3::new(wi.x, wi.y, wi.z.abs());
             let visible = branchless::visible_over_cos(&surface.facets, raised);
             let enters = surface.passes(raised.z);
-            let base = branchless::base_probability(enters, surface.chances);
+            let base = branchless::base_probability(enters, surface.choice_weights);
             for _ in 0..20 {
                 let (choice, u) = (random.next(), random.pair());
                 if choice >= base {

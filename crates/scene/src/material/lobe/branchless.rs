@@ -1,6 +1,6 @@
-//! Microfacets and what reflects by them without a branch: in a loop over several, the compiler
-//! computes as many at a time as registers hold. For one alone, [`Microfacets`]' own functions are
-//! faster.
+//! Microfacets and what reflects by them without a branch, but for [`stretched_normal`]: in a loop over
+//! several, the compiler computes as many at a time as registers hold. For one alone,
+//! [`Microfacets`]' own functions are faster.
 
 use std::f64::consts::FRAC_1_PI;
 
@@ -56,15 +56,15 @@ pub fn mirrored(facets: &Microfacets, wi: Vec3, visible: f64, wo: Vec3) -> Mirro
     }
 }
 
-/// What [`Microfacets::sample`] does, in three steps, of which the first and the last have no branch:
-/// stretches a direction in front, draws a normal of the stretched facets, and mirrors the direction
-/// at what that was before it was stretched.
+/// A direction in front, stretched until the roughness is one: the first of three steps that do what
+/// [`Microfacets::sample`] and a mirror do.
 #[inline(always)]
 pub fn stretched(facets: &Microfacets, wi: Vec3) -> Stretched {
     facets.stretched(wi)
 }
 
-/// The second step; `visible` is [`visible_over_cos`] of the direction.
+/// A normal of stretched facets, drawn as it is seen, with `x` along the view and not of unit length:
+/// the second step. `visible` is [`visible_over_cos`] of the direction.
 #[inline(always)]
 pub fn stretched_normal(
     distribution: Distribution,
@@ -78,7 +78,7 @@ pub fn stretched_normal(
     }
 }
 
-/// The third step.
+/// Where a facet sends the direction, whose normal was stretched: the third step.
 #[inline(always)]
 pub fn mirrored_at(facets: &Microfacets, view: &Stretched, normal: Vec3, wi: Vec3) -> Vec3 {
     let normal = facets.unstretched(view, normal);

@@ -206,7 +206,7 @@ impl Lobe {
         }
     }
 
-    /// The same, with a weight, in plain numbers, if it is one of these.
+    /// The lobe with a weight, as plain numbers; `None` unless it is a rough metal or a rough plastic.
     pub(super) fn rough_surface(&self, weight: f64) -> Option<RoughSurface> {
         match self {
             Lobe::RoughConductor(lobe) => Some(RoughSurface::metal_of(weight, lobe)),

@@ -321,7 +321,8 @@ impl LocalBsdf {
         }
     }
 
-    /// The only lobe, if its facets decide everything but a diffuse base.
+    /// The only lobe as plain numbers; `None` if there are others, or if it is neither a rough metal nor
+    /// a rough plastic.
     pub fn rough_surface(&self) -> Option<RoughSurface> {
         let (weight, lobe) = self.only_lobe().filter(|(weight, _)| *weight > 0.0)?;
         lobe.rough_surface(*weight)

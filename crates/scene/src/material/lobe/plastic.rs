@@ -36,17 +36,17 @@ pub(super) fn base<R: Real>(diffuse: Rgb<R>, internal_reflectance: R, nonlinear:
 
 /// Base and coat are chosen in proportion to these, times what passes the coat and what does not.
 #[inline]
-pub(super) fn base_chances(diffuse: Rgb, specular: Rgb) -> [f64; 2] {
+pub(super) fn choice_weights(diffuse: Rgb, specular: Rgb) -> [f64; 2] {
     // What is black may have a derivative: it is sampled a little.
-    const LEAST_CHANCE: f64 = 0.05;
-    [diffuse, specular].map(|colour| local::mean(colour).max(LEAST_CHANCE))
+    const LEAST_WEIGHT: f64 = 0.05;
+    [diffuse, specular].map(|colour| local::mean(colour).max(LEAST_WEIGHT))
 }
 
 /// Probability of choosing the base and not the coat, which lets the fraction `transmittance` pass.
 #[inline(always)]
-pub fn base_probability(transmittance: f64, chances: [f64; 2]) -> f64 {
-    let base = transmittance * chances[0];
-    let coat = (1.0 - transmittance) * chances[1];
+pub fn base_probability(transmittance: f64, weights: [f64; 2]) -> f64 {
+    let base = transmittance * weights[0];
+    let coat = (1.0 - transmittance) * weights[1];
     base / (base + coat)
 }
 
@@ -89,8 +89,8 @@ impl Plastic {
     #[inline]
     fn base_probability(&self, wi: Vec3) -> f64 {
         let transmittance = 1.0 - fresnel_dielectric(wi.z.abs(), self.eta);
-        let chances = base_chances(self.diffuse_reflectance, self.specular_reflectance);
-        base_probability(transmittance, chances)
+        let weights = choice_weights(self.diffuse_reflectance, self.specular_reflectance);
+        base_probability(transmittance, weights)
     }
 
     /// The mirror image or a direction by the cosine.

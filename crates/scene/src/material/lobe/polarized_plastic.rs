@@ -10,7 +10,7 @@ use super::event::Drawn;
 use super::fresnel::fresnel_dielectric;
 use super::local;
 use super::microfacets::Microfacets;
-use super::plastic::base_chances;
+use super::plastic::choice_weights;
 
 /// Clear facets, and a diffuse base below a smooth interface: light that the interface
 /// throws back from inside is lost.
@@ -58,7 +58,7 @@ impl PolarizedPlastic {
     /// sampled a little.
     #[inline]
     fn base_probability(&self) -> f64 {
-        let [base, facets] = base_chances(self.diffuse_reflectance, self.specular_reflectance);
+        let [base, facets] = choice_weights(self.diffuse_reflectance, self.specular_reflectance);
         base / (base + facets)
     }
 

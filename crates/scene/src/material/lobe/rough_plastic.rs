@@ -9,7 +9,7 @@ use super::event::Drawn;
 use super::fresnel::fresnel_dielectric;
 use super::local;
 use super::microfacets::Microfacets;
-use super::plastic::{base, base_chances, base_probability};
+use super::plastic::{base, base_probability, choice_weights};
 use super::rough_transmittance::RoughTransmittance;
 
 /// A rough dielectric over a diffuse base. The coat's facets are isotropic.
@@ -87,8 +87,8 @@ impl RoughPlastic {
     /// Probability of choosing the base, if the fraction `enters` passes the coat.
     #[inline]
     fn base_probability(&self, enters: f64) -> f64 {
-        let chances = base_chances(self.diffuse_reflectance, self.specular_reflectance);
-        base_probability(enters, chances)
+        let weights = choice_weights(self.diffuse_reflectance, self.specular_reflectance);
+        base_probability(enters, weights)
     }
 
     /// A direction by the cosine, or a reflection at a visible normal.

@@ -7,7 +7,7 @@ use capwalk_math::Rgb;
 
 use super::branchless::fresnel_conductor;
 use super::microfacets::Microfacets;
-use super::plastic::{base, base_chances};
+use super::plastic::{base, choice_weights};
 use super::rough_conductor::RoughConductor;
 use super::rough_plastic::RoughPlastic;
 use super::rough_transmittance::RoughTransmittance;
@@ -26,7 +26,7 @@ pub struct RoughSurface {
     /// `f` of the base, if all light passed the coat.
     pub base: Rgb,
     /// Base and coat are chosen in proportion to these, times what passes and what does not.
-    pub chances: [f64; 2],
+    pub choice_weights: [f64; 2],
     kind: Kind,
 }
 
@@ -45,7 +45,7 @@ impl RoughSurface {
             specular: metal.specular_reflectance * weight,
             eta2: 1.0,
             base: Rgb::zero(),
-            chances: [0.0, 1.0],
+            choice_weights: [0.0, 1.0],
             kind: Kind::Metal([metal.eta, metal.k].map(|Rgb { r, g, b }| [r, g, b, b])),
         }
     }
@@ -70,7 +70,7 @@ impl RoughSurface {
             eta2,
             // Radiance shrinks by `1 / eta²` on the way out.
             base: base * (weight * FRAC_1_PI / eta2),
-            chances: base_chances(diffuse_reflectance, specular_reflectance),
+            choice_weights: choice_weights(diffuse_reflectance, specular_reflectance),
             kind: Kind::Plastic(Arc::clone(&plastic.transmittance)),
         }
     }
