@@ -1,6 +1,6 @@
-"""Compiles the kernels of capwalk-gpu by the Slang compiler inside PyPI's slangpy, without a
-device: `kernels.py FOLDER`, where FOLDER has `queries.slang`. For wgpu they become WGSL, for
-NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
+"""Compiles the kernels of a crate by the Slang compiler inside PyPI's slangpy, without a
+device: `kernels.py FOLDER`, where FOLDER has one of the sources below. For wgpu they become WGSL,
+for NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
 
 Slang writes no `double` in WGSL ("unexpected: 'double' type emitted", 2026.12), which wgpu
 reads as `f64`. So the source is compiled with `half` for it, which it uses for nothing else,
@@ -17,7 +17,13 @@ import sys
 import nvidia.cuda_nvrtc
 import slangpy
 
-ENTRIES = ["first_hit", "occluded", "closest", "gather", "eights"]
+# The kernels of each source.
+SOURCES = {
+    "queries.slang": ["first_hit", "occluded", "closest", "gather", "eights"],
+    "render.slang": ["begin_paths", "go_on"],
+}
+# Where files are that sources include.
+SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")
 PRECISIONS = ["single", "double"]
 # Of kernels that would take too many registers in double precision, how many groups of
 # `GROUP` threads a multiprocessor must have room for (docs/benchmarks.md).
@@ -48,7 +54,7 @@ def slang(library, source, entry, precision, target, real):
     """The kernel in WGSL or CUDA's C++, where `real` is the type of exact tests."""
     session = ctypes.c_void_p(library.spCreateSession(ctypes.c_char_p(None)))
     request = ctypes.c_void_p(library.spCreateCompileRequest(session))
-    words = [source, "-D" + precision.upper(), "-D" + target.upper(), "-DREAL=" + real, "-target", target, "-entry", entry,
+    words = [source, "-D" + precision.upper(), "-D" + target.upper(), "-DREAL=" + real, "-I", SHARED, "-target", target, "-entry", entry,
              "-stage", "compute", "-line-directive-mode", "none"]
     arguments = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = library.spProcessCommandLineArguments(request, arguments, len(words)) < 0
@@ -130,16 +136,26 @@ def checksum(content):
     return f"{value:016x}"
 
 
+def whole(source):
+    """A source, and behind it the files that it includes."""
+    with open(source, "rb") as file:
+        content = file.read()
+    for name in re.findall(rb'^#include "(.+)"', content, flags=re.M):
+        with open(os.path.join(SHARED, name.decode()), "rb") as file:
+            content += file.read()
+    return content
+
+
 def main():
     folder = sys.argv[1]
-    source = os.path.join(folder, "queries.slang")
-    with open(source, "rb") as file:
-        of_source = checksum(file.read())
+    [name] = [name for name in SOURCES if os.path.exists(os.path.join(folder, name))]
+    source = os.path.join(folder, name)
+    of_source = checksum(whole(source))
     library = compiler()
     nvidia_compiler = nvrtc()
     by_slang = f"Slang {text(library.spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
     by_both = f"{by_slang}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
-    for entry in ENTRIES:
+    for entry in SOURCES[name]:
         for precision in PRECISIONS:
             for language, by, code in [
                 ("wgsl", by_slang, wgsl(library, source, entry, precision)),
