@@ -141,7 +141,9 @@ def whole(source):
     with open(source, "rb") as file:
         content = file.read()
     for name in re.findall(rb'^#include "(.+)"', content, flags=re.M):
-        with open(os.path.join(SHARED, name.decode()), "rb") as file:
+        paths = [os.path.join(folder, name.decode()) for folder in (os.path.dirname(source), SHARED)]
+        [path] = filter(os.path.exists, paths)
+        with open(path, "rb") as file:
             content += file.read()
     return content
 
