@@ -142,8 +142,7 @@ def whole(source):
         content = file.read()
     for name in re.findall(rb'^#include "(.+)"', content, flags=re.M):
         paths = [os.path.join(folder, name.decode()) for folder in (os.path.dirname(source), SHARED)]
-        [path] = filter(os.path.exists, paths)
-        with open(path, "rb") as file:
+        with open(next(filter(os.path.exists, paths)), "rb") as file:
             content += file.read()
     return content
 

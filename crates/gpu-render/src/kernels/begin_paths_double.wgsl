@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cfd39f4cc08c26a6
-// result: 7ee582bf1e17d3fe
+// source: 6e174aaf73061732
+// result: 52376ae789dc2708
 
 struct Launch_std140_0
 {
@@ -353,22 +353,31 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     found_0.triangle_1 = u32(4294967295);
     found_0.v_3 = 0.0lf;
     found_0.w_2 = 0.0lf;
+    if(!((view_2.limit_0) >= 0.0f))
+    {
+        return found_0;
+    }
     var way_0 : array<vec2<u32>, i32(40)>;
-    var level_0 : u32;
-    if((view_2.limit_0) >= 0.0f)
-    {
-        level_0 = crossed_0(view_2, view_2.limit_0, u32(0));
-    }
-    else
-    {
-        level_0 = u32(0);
-    }
-    way_0[i32(0)] = vec2<u32>(u32(0), level_0);
-    var is_new_0 : bool = true;
+    way_0[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_2.limit_0;
-    level_0 = u32(0);
+    var is_new_0 : bool = true;
+    var level_0 : u32 = u32(0);
     for(;;)
     {
+        var entered_1 : u32;
+        var is_new_1 : bool;
+        if(entered_0 != u32(4294967295))
+        {
+            way_0[level_0] = vec2<u32>(entered_0, crossed_0(view_2, limit_4, entered_0));
+            is_new_1 = true;
+            entered_1 = u32(4294967295);
+        }
+        else
+        {
+            is_new_1 = is_new_0;
+            entered_1 = entered_0;
+        }
         var here_0 : vec2<u32> = way_0[level_0];
         var _S26 : u32 = way_0[level_0].y;
         if(_S26 == u32(0))
@@ -377,41 +386,46 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             {
                 break;
             }
-            level_0 = level_0 - u32(1);
+            var _S27 : u32 = level_0 - u32(1);
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            level_0 = _S27;
             continue;
         }
         var slot_3 : u32 = ((_S26 & (u32(15)))) - u32(1);
         way_0[level_0][i32(1)] = (_S26 >> (u32(4)));
-        var _S27 : bool;
-        if(!is_new_0)
+        var _S28 : bool;
+        if(!is_new_1)
         {
-            _S27 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+            _S28 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S27 = false;
+            _S28 = false;
         }
-        if(_S27)
+        if(_S28)
         {
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
             continue;
         }
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var level_1 : u32 = level_0 + u32(1);
-            way_0[level_1] = vec2<u32>(child_0, crossed_0(view_2, limit_4, child_0));
-            is_new_0 = true;
-            level_0 = level_1;
+            var _S29 : u32 = level_0 + u32(1);
+            entered_0 = child_0;
+            is_new_0 = false;
+            level_0 = _S29;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S28 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S29 : u32 = leaf_starts_0[leaf_0];
+        var _S30 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S31 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S29;
+        var i_0 : u32 = _S31;
         for(;;)
         {
-            if(i_0 < _S28)
+            if(i_0 < _S30)
             {
             }
             else
@@ -432,17 +446,17 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             {
                 _S25 = (crossing_1.t_0) < ((*ray_2).t_max_0);
             }
-            var _S30 : bool;
+            var _S32 : bool;
             if(_S25)
             {
-                _S30 = true;
+                _S32 = true;
             }
             else
             {
-                _S30 = (face_0(i_0)) < (found_0.face_1);
+                _S32 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S30)
+            if(_S32)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
@@ -470,8 +484,9 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         {
             break;
         }
-        is_new_0 = false;
+        entered_0 = entered_1;
         limit_4 = limit_5;
+        is_new_0 = false;
     }
     return found_0;
 }
@@ -479,34 +494,34 @@ fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
 {
     var size_0 : vec3<f32> = abs(vec3<f32>(direction_0));
-    var _S31 : f32 = size_0.x;
-    var _S32 : f32 = size_0.y;
-    var _S33 : bool;
-    if(_S31 >= _S32)
+    var _S33 : f32 = size_0.x;
+    var _S34 : f32 = size_0.y;
+    var _S35 : bool;
+    if(_S33 >= _S34)
     {
-        _S33 = _S31 >= (size_0.z);
+        _S35 = _S33 >= (size_0.z);
     }
     else
     {
-        _S33 = false;
+        _S35 = false;
     }
-    var _S34 : i32;
-    if(_S33)
+    var _S36 : i32;
+    if(_S35)
     {
-        _S34 = i32(0);
+        _S36 = i32(0);
     }
     else
     {
-        if(_S32 >= (size_0.z))
+        if(_S34 >= (size_0.z))
         {
-            _S34 = i32(1);
+            _S36 = i32(1);
         }
         else
         {
-            _S34 = i32(2);
+            _S36 = i32(2);
         }
     }
-    var z_1 : u32 = u32(_S34);
+    var z_1 : u32 = u32(_S36);
     var x_0 : u32 = (z_1 + u32(1)) % u32(3);
     var y_0 : u32 = (z_1 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -517,13 +532,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_ma
     ray_3.shear_y_0 = component_0(direction_0, y_0) / along_0;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S35 : f64 = abs(along_0);
-    ray_3.local_per_t_0 = _S35;
+    var _S37 : f64 = abs(along_0);
+    ray_3.local_per_t_0 = _S37;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_3 : RayView_0;
-    var _S36 : vec3<f32> = vec3<f32>(direction_0 / vec3<f64>(_S35));
+    var _S38 : vec3<f32> = vec3<f32>(direction_0 / vec3<f64>(_S37));
     var axis_2 : u32 = u32(0);
     for(;;)
     {
@@ -534,17 +549,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_ma
         {
             break;
         }
-        var _S37 : f32 = max(abs(_S36[axis_2]), 8.67361737988403547e-19f);
-        var _S38 : f32;
-        if((_S36[axis_2]) < 0.0f)
+        var _S39 : f32 = max(abs(_S38[axis_2]), 8.67361737988403547e-19f);
+        var _S40 : f32;
+        if((_S38[axis_2]) < 0.0f)
         {
-            _S38 = -1.0f / _S37;
+            _S40 = -1.0f / _S39;
         }
         else
         {
-            _S38 = 1.0f / _S37;
+            _S40 = 1.0f / _S39;
         }
-        view_3.inverse_0[axis_2] = _S38;
+        view_3.inverse_0[axis_2] = _S40;
         axis_2 = axis_2 + u32(1);
     }
     var offset_0 : vec3<f32> = vec3<f32>(origin_1) * view_3.inverse_0;
@@ -599,25 +614,25 @@ fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
-    var _S39 : bool;
+    var _S41 : bool;
     if(emitter_0 != u32(4294967295))
     {
-        _S39 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
+        _S41 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
     }
     else
     {
-        _S39 = false;
+        _S41 = false;
     }
-    var _S40 : u32;
-    if(_S39)
+    var _S42 : u32;
+    if(_S41)
     {
-        _S40 = emitter_0;
+        _S42 = emitter_0;
     }
     else
     {
-        _S40 = u32(4294967295);
+        _S42 = u32(4294967295);
     }
-    return _S40;
+    return _S42;
 }
 
 fn emitter_record_0( emitter_1 : u32) -> u32
@@ -639,16 +654,16 @@ fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
 {
     var channels_0 : u32 = word_0(texture_0 + u32(1));
     var at_7 : u32 = texture_0 + u32(13) + channels_0 * index_0;
-    var _S41 : vec3<f32>;
+    var _S43 : vec3<f32>;
     if(channels_0 == u32(1))
     {
-        _S41 = vec3<f32>(number_0(at_7));
+        _S43 = vec3<f32>(number_0(at_7));
     }
     else
     {
-        _S41 = vector_at_0(at_7);
+        _S43 = vector_at_0(at_7);
     }
-    return _S41;
+    return _S43;
 }
 
 fn uv_of_0( place_1 : Place_0) -> vec2<f32>
@@ -712,23 +727,23 @@ fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
     if((word_0(texture_1 + u32(5))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S42 : u32 = row_0 * u32(width_0);
-        var _S43 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return texel_0(texture_1, _S42 + _S43);
+        var _S44 : u32 = row_0 * u32(width_0);
+        var _S45 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return texel_0(texture_1, _S44 + _S45);
     }
     var place_3 : vec2<f32> = place_2 - vec2<f32>(0.5f);
     var x_2 : i32 = floor_of_0(place_3.x);
     var y_1 : i32 = floor_of_0(place_3.y);
     var way_1 : vec2<f32> = place_3 - floor(place_3);
-    var _S44 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S45 : u32 = u32(width_0);
-    var first_1 : u32 = _S44 * _S45;
-    var _S46 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S46 * _S45;
+    var _S46 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S47 : u32 = u32(width_0);
+    var first_1 : u32 = _S46 * _S47;
+    var _S48 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S48 * _S47;
     var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
-    var _S47 : vec3<f32> = vec3<f32>(way_1.x);
-    return mix(mix(texel_0(texture_1, first_1 + left_0), texel_0(texture_1, first_1 + right_0), _S47), mix(texel_0(texture_1, second_0 + left_0), texel_0(texture_1, second_0 + right_0), _S47), vec3<f32>(way_1.y));
+    var _S49 : vec3<f32> = vec3<f32>(way_1.x);
+    return mix(mix(texel_0(texture_1, first_1 + left_0), texel_0(texture_1, first_1 + right_0), _S49), mix(texel_0(texture_1, second_0 + left_0), texel_0(texture_1, second_0 + right_0), _S49), vec3<f32>(way_1.y));
 }
 
 fn texture_at_0( texture_2 : u32,  place_4 : Place_0) -> vec3<f32>
@@ -748,30 +763,30 @@ fn texture_at_0( texture_2 : u32,  place_4 : Place_0) -> vec3<f32>
         return (texel_0(texture_2, word_0(record_0 + u32(1))) * vec3<f32>((1.0f - place_4.v_4 - place_4.w_3)) + texel_0(texture_2, word_0(record_0 + u32(2))) * vec3<f32>(place_4.v_4) + texel_0(texture_2, word_0(record_0 + u32(3))) * vec3<f32>(place_4.w_3)) * vec3<f32>(number_0(texture_2 + u32(2)));
     }
     var rows_0 : u32 = texture_2 + u32(7);
-    var _S48 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S48, vector_at_0(rows_0)), dot(_S48, vector_at_0(rows_0 + u32(3))));
+    var _S50 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S50, vector_at_0(rows_0)), dot(_S50, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S49 : vec3<f32> = bitmap_0(texture_2, uv_1);
-        return _S49;
+        var _S51 : vec3<f32> = bitmap_0(texture_2, uv_1);
+        return _S51;
     }
     var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S50 : i32;
+    var _S52 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S50 = i32(1);
+        _S52 = i32(1);
     }
     else
     {
-        _S50 = i32(0);
+        _S52 = i32(0);
     }
-    return texel_0(texture_2, u32(_S50));
+    return texel_0(texture_2, u32(_S52));
 }
 
 fn radiance_of_0( emitter_2 : u32,  place_5 : Place_0) -> vec3<f32>
 {
-    var _S51 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_2) + u32(1)), place_5);
-    return _S51;
+    var _S53 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_2) + u32(1)), place_5);
+    return _S53;
 }
 
 fn set_word_0( path_0 : u32,  which_1 : u32,  value_0 : u32)
@@ -854,38 +869,38 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     path_3.place_6 = place_of_0(found_4);
     var emitter_3 : u32 = emitter_seen_0(found_4, path_3.direction_2);
-    var _S52 : bool;
+    var _S54 : bool;
     if(emitter_3 != u32(4294967295))
     {
-        _S52 = (word_0(u32(4))) != u32(0);
+        _S54 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S52 = false;
+        _S54 = false;
     }
-    if(_S52)
+    if(_S54)
     {
-        var _S53 : vec3<f32> = radiance_of_0(emitter_3, path_3.place_6);
-        path_3.light_0 = _S53;
+        var _S55 : vec3<f32> = radiance_of_0(emitter_3, path_3.place_6);
+        path_3.light_0 = _S55;
     }
     store_0(number_of_path_1, path_3);
     if((found_4.face_1) != u32(4294967295))
     {
-        _S52 = reaches_0(u32(2));
+        _S54 = reaches_0(u32(2));
     }
     else
     {
-        _S52 = false;
+        _S54 = false;
     }
-    var _S54 : u32;
-    if(_S52)
+    var _S56 : u32;
+    if(_S54)
     {
-        _S54 = number_of_path_1;
+        _S56 = number_of_path_1;
     }
     else
     {
-        _S54 = u32(4294967295);
+        _S56 = u32(4294967295);
     }
-    going_on_0[number_of_path_1] = _S54;
+    going_on_0[number_of_path_1] = _S56;
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: cfd39f4cc08c26a6
-// result: 9d404e7964bf8ada
+// source: 6e174aaf73061732
+// result: 2200fe04e9fa3121
 
 struct Launch_std140_0
 {
@@ -1489,22 +1489,31 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     found_3.triangle_5 = u32(4294967295);
     found_3.v_6 = 0.0f;
     found_3.w_4 = 0.0f;
+    if(!((view_4.limit_0) >= 0.0f))
+    {
+        return found_3;
+    }
     var way_1 : array<vec2<u32>, i32(40)>;
-    var level_0 : u32;
-    if((view_4.limit_0) >= 0.0f)
-    {
-        level_0 = crossed_0(view_4, view_4.limit_0, u32(0));
-    }
-    else
-    {
-        level_0 = u32(0);
-    }
-    way_1[i32(0)] = vec2<u32>(u32(0), level_0);
-    var is_new_0 : bool = true;
+    way_1[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_4.limit_0;
-    level_0 = u32(0);
+    var is_new_0 : bool = true;
+    var level_0 : u32 = u32(0);
     for(;;)
     {
+        var entered_1 : u32;
+        var is_new_1 : bool;
+        if(entered_0 != u32(4294967295))
+        {
+            way_1[level_0] = vec2<u32>(entered_0, crossed_0(view_4, limit_4, entered_0));
+            is_new_1 = true;
+            entered_1 = u32(4294967295);
+        }
+        else
+        {
+            is_new_1 = is_new_0;
+            entered_1 = entered_0;
+        }
         var here_0 : vec2<u32> = way_1[level_0];
         var _S98 : u32 = way_1[level_0].y;
         if(_S98 == u32(0))
@@ -1513,41 +1522,46 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             {
                 break;
             }
-            level_0 = level_0 - u32(1);
+            var _S99 : u32 = level_0 - u32(1);
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            level_0 = _S99;
             continue;
         }
         var slot_3 : u32 = ((_S98 & (u32(15)))) - u32(1);
         way_1[level_0][i32(1)] = (_S98 >> (u32(4)));
-        var _S99 : bool;
-        if(!is_new_0)
+        var _S100 : bool;
+        if(!is_new_1)
         {
-            _S99 = (ray_bound_0(view_4, limit_4, here_0.x, slot_3)) > limit_4;
+            _S100 = (ray_bound_0(view_4, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S99 = false;
+            _S100 = false;
         }
-        if(_S99)
+        if(_S100)
         {
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
             continue;
         }
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var level_1 : u32 = level_0 + u32(1);
-            way_1[level_1] = vec2<u32>(child_0, crossed_0(view_4, limit_4, child_0));
-            is_new_0 = true;
-            level_0 = level_1;
+            var _S101 : u32 = level_0 + u32(1);
+            entered_0 = child_0;
+            is_new_0 = false;
+            level_0 = _S101;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S100 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S101 : u32 = leaf_starts_0[leaf_0];
+        var _S102 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S103 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S101;
+        var i_3 : u32 = _S103;
         for(;;)
         {
-            if(i_3 < _S100)
+            if(i_3 < _S102)
             {
             }
             else
@@ -1568,17 +1582,17 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             {
                 _S97 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S102 : bool;
+            var _S104 : bool;
             if(_S97)
             {
-                _S102 = true;
+                _S104 = true;
             }
             else
             {
-                _S102 = (face_6(i_3)) < (found_3.face_7);
+                _S104 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S102)
+            if(_S104)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_5 = i_3;
@@ -1606,8 +1620,9 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         {
             break;
         }
-        is_new_0 = false;
+        entered_0 = entered_1;
         limit_4 = limit_5;
+        is_new_0 = false;
     }
     return found_3;
 }
@@ -1615,34 +1630,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f32>,  direction_5 : vec3<f32>,  t_min_1 : f32,  t_max_1 : f32,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var size_1 : vec3<f32> = abs(direction_5);
-    var _S103 : f32 = size_1.x;
-    var _S104 : f32 = size_1.y;
-    var _S105 : bool;
-    if(_S103 >= _S104)
+    var _S105 : f32 = size_1.x;
+    var _S106 : f32 = size_1.y;
+    var _S107 : bool;
+    if(_S105 >= _S106)
     {
-        _S105 = _S103 >= (size_1.z);
+        _S107 = _S105 >= (size_1.z);
     }
     else
     {
-        _S105 = false;
+        _S107 = false;
     }
-    var _S106 : i32;
-    if(_S105)
+    var _S108 : i32;
+    if(_S107)
     {
-        _S106 = i32(0);
+        _S108 = i32(0);
     }
     else
     {
-        if(_S104 >= (size_1.z))
+        if(_S106 >= (size_1.z))
         {
-            _S106 = i32(1);
+            _S108 = i32(1);
         }
         else
         {
-            _S106 = i32(2);
+            _S108 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S106);
+    var z_4 : u32 = u32(_S108);
     var x_8 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -1653,13 +1668,13 @@ fn cast_0( origin_1 : vec3<f32>,  direction_5 : vec3<f32>,  t_min_1 : f32,  t_ma
     ray_3.shear_y_0 = component_0(direction_5, y_3) / along_1;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S107 : f32 = abs(along_1);
-    ray_3.local_per_t_0 = _S107;
+    var _S109 : f32 = abs(along_1);
+    ray_3.local_per_t_0 = _S109;
     ray_3.enter_0 = 0.0f;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S108 : vec3<f32> = direction_5 / vec3<f32>(_S107);
+    var _S110 : vec3<f32> = direction_5 / vec3<f32>(_S109);
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -1670,17 +1685,17 @@ fn cast_0( origin_1 : vec3<f32>,  direction_5 : vec3<f32>,  t_min_1 : f32,  t_ma
         {
             break;
         }
-        var _S109 : f32 = max(abs(_S108[axis_4]), 8.67361737988403547e-19f);
-        var _S110 : f32;
-        if((_S108[axis_4]) < 0.0f)
+        var _S111 : f32 = max(abs(_S110[axis_4]), 8.67361737988403547e-19f);
+        var _S112 : f32;
+        if((_S110[axis_4]) < 0.0f)
         {
-            _S110 = -1.0f / _S109;
+            _S112 = -1.0f / _S111;
         }
         else
         {
-            _S110 = 1.0f / _S109;
+            _S112 = 1.0f / _S111;
         }
-        view_5.inverse_0[axis_4] = _S110;
+        view_5.inverse_0[axis_4] = _S112;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = origin_1 * view_5.inverse_0;
@@ -1698,34 +1713,34 @@ fn cast_0( origin_1 : vec3<f32>,  direction_5 : vec3<f32>,  t_min_1 : f32,  t_ma
 fn cast_1( origin_2 : vec3<f32>,  direction_6 : vec3<f32>,  t_min_2 : f32,  t_max_2 : f32,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var size_2 : vec3<f32> = abs(direction_6);
-    var _S111 : f32 = size_2.x;
-    var _S112 : f32 = size_2.y;
-    var _S113 : bool;
-    if(_S111 >= _S112)
+    var _S113 : f32 = size_2.x;
+    var _S114 : f32 = size_2.y;
+    var _S115 : bool;
+    if(_S113 >= _S114)
     {
-        _S113 = _S111 >= (size_2.z);
+        _S115 = _S113 >= (size_2.z);
     }
     else
     {
-        _S113 = false;
+        _S115 = false;
     }
-    var _S114 : i32;
-    if(_S113)
+    var _S116 : i32;
+    if(_S115)
     {
-        _S114 = i32(0);
+        _S116 = i32(0);
     }
     else
     {
-        if(_S112 >= (size_2.z))
+        if(_S114 >= (size_2.z))
         {
-            _S114 = i32(1);
+            _S116 = i32(1);
         }
         else
         {
-            _S114 = i32(2);
+            _S116 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S114);
+    var z_5 : u32 = u32(_S116);
     var x_9 : u32 = (z_5 + u32(1)) % u32(3);
     var y_4 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -1736,13 +1751,13 @@ fn cast_1( origin_2 : vec3<f32>,  direction_6 : vec3<f32>,  t_min_2 : f32,  t_ma
     ray_4.shear_y_0 = component_0(direction_6, y_4) / along_2;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S115 : f32 = abs(along_2);
-    ray_4.local_per_t_0 = _S115;
+    var _S117 : f32 = abs(along_2);
+    ray_4.local_per_t_0 = _S117;
     ray_4.enter_0 = 0.0f;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S116 : vec3<f32> = direction_6 / vec3<f32>(_S115);
+    var _S118 : vec3<f32> = direction_6 / vec3<f32>(_S117);
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -1753,17 +1768,17 @@ fn cast_1( origin_2 : vec3<f32>,  direction_6 : vec3<f32>,  t_min_2 : f32,  t_ma
         {
             break;
         }
-        var _S117 : f32 = max(abs(_S116[axis_5]), 8.67361737988403547e-19f);
-        var _S118 : f32;
-        if((_S116[axis_5]) < 0.0f)
+        var _S119 : f32 = max(abs(_S118[axis_5]), 8.67361737988403547e-19f);
+        var _S120 : f32;
+        if((_S118[axis_5]) < 0.0f)
         {
-            _S118 = -1.0f / _S117;
+            _S120 = -1.0f / _S119;
         }
         else
         {
-            _S118 = 1.0f / _S117;
+            _S120 = 1.0f / _S119;
         }
-        view_6.inverse_0[axis_5] = _S118;
+        view_6.inverse_0[axis_5] = _S120;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = origin_2 * view_6.inverse_0;
@@ -1780,8 +1795,8 @@ fn cast_1( origin_2 : vec3<f32>,  direction_6 : vec3<f32>,  t_min_2 : f32,  t_ma
 
 fn radiance_of_0( emitter_5 : u32,  place_10 : Place_0) -> vec3<f32>
 {
-    var _S119 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_5) + u32(1)), place_10);
-    return _S119;
+    var _S121 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_5) + u32(1)), place_10);
+    return _S121;
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -1820,9 +1835,9 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
             return vec3<f32>(0.0f);
         }
         var nearest_2 : f32 = nearest_0 / distance_4;
-        var _S120 : f32 = limit_at_0(u32(3));
+        var _S122 : f32 = limit_at_0(u32(3));
         way_2 = way_3;
-        farthest_0 = _S120;
+        farthest_0 = _S122;
         direction_7 = direction_8;
         nearest_1 = nearest_2;
     }
@@ -1831,9 +1846,9 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
         var direction_9 : vec3<f32> = sample_cosine_0(axes_6, random_pair_0(key_6, first_3 + u32(1)));
         point_1.pdf_0 = cosine_pdf_0(axes_6, direction_9);
         point_1.place_9 = surface_2.place_2;
-        var _S121 : f32 = limit_at_0(u32(1));
+        var _S123 : f32 = limit_at_0(u32(1));
         way_2 = direction_9;
-        farthest_0 = _S121;
+        farthest_0 = _S123;
         direction_7 = direction_9;
         nearest_1 = nearest_0;
     }
@@ -1848,14 +1863,14 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
     {
         return vec3<f32>(0.0f);
     }
-    var _S122 : vec3<f32> = radiance_of_0(emitter_6, point_1.place_9);
-    return _S122 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1)));
+    var _S124 : vec3<f32> = radiance_of_0(emitter_6, point_1.place_9);
+    return _S124 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1)));
 }
 
 fn first_from_0( position_6 : vec3<f32>,  direction_10 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var _S123 : Found_0 = cast_1(position_6, direction_10, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S123;
+    var _S125 : Found_0 = cast_1(position_6, direction_10, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
+    return _S125;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -1874,25 +1889,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_11 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S124 : bool;
+    var _S126 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S124 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
+        _S126 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
     }
     else
     {
-        _S124 = false;
+        _S126 = false;
     }
-    var _S125 : u32;
-    if(_S124)
+    var _S127 : u32;
+    if(_S126)
     {
-        _S125 = emitter_7;
+        _S127 = emitter_7;
     }
     else
     {
-        _S125 = u32(4294967295);
+        _S127 = u32(4294967295);
     }
-    return _S125;
+    return _S127;
 }
 
 fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12 : vec3<f32>,  distance_5 : f32) -> f32
@@ -1901,17 +1916,17 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
     var rectangle_1 : u32 = word_0(record_9 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S126 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S126.solid_angle_0) > 0.0f))
+        var _S128 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S128.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S126.solid_angle_0) >= 0.00100000004749745f)
+        if((_S128.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S126.solid_angle_0;
+            return 1.0f / _S128.solid_angle_0;
         }
     }
-    var _S127 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
+    var _S129 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_9 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -1925,7 +1940,7 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S127 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S129 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_4 = shares_1.y;
@@ -1935,22 +1950,22 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             own_4 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_4;
-        var _S128 : i32;
+        var _S130 : i32;
         if(is_second_1)
         {
-            _S128 = i32(3);
+            _S130 = i32(3);
         }
         else
         {
-            _S128 = i32(2);
+            _S130 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S128));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S130));
         chosen_2 = chosen_3;
     }
-    var _S129 : u32 = word_0(record_9 + u32(6));
-    var _S130 : u32 = word_0(node_6);
+    var _S131 : u32 = word_0(record_9 + u32(6));
+    var _S132 : u32 = word_0(node_6);
     own_4 = 0.0f;
-    var k_2 : u32 = _S130;
+    var k_2 : u32 = _S132;
     var total_2 : f32 = 0.0f;
     for(;;)
     {
@@ -1961,9 +1976,9 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S129 + k_2), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S131 + k_2), from_2.exact_0);
         var total_3 : f32 = total_2 + angle_4;
-        if(k_2 == _S127)
+        if(k_2 == _S129)
         {
             own_4 = angle_4;
         }
@@ -1992,16 +2007,16 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     var depth_2 : u32 = launch_0.depth_0;
     var first_4 : u32 = vertex_numbers_0(launch_0.depth_0);
     var surface_4 : Surface_0 = surface_at_0((*path_3).place_0, (*path_3).direction_0);
-    var _S131 : i32;
+    var _S133 : i32;
     if(surface_4.is_front_0)
     {
-        _S131 = i32(2);
+        _S133 = i32(2);
     }
     else
     {
-        _S131 = i32(3);
+        _S133 = i32(3);
     }
-    var texture_3 : u32 = word_0(surface_4.shape_0 + u32(_S131));
+    var texture_3 : u32 = word_0(surface_4.shape_0 + u32(_S133));
     if(texture_3 == u32(4294967295))
     {
         return false;
@@ -2009,10 +2024,10 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     var reflectance_0 : vec3<f32> = texture_at_0(texture_3, (*path_3).place_0);
     var axes_8 : Axes_0 = axes_at_0(surface_4);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S132 : u32 = word_0(u32(3));
-    var _S133 : bool = !reaches_0(depth_2 + u32(3));
+    var _S134 : u32 = word_0(u32(3));
+    var _S135 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S133)
+    if(_S135)
     {
         goes_on_0 = is_sampled_well_0(surface_4.position_0);
     }
@@ -2027,12 +2042,12 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     }
     else
     {
-        bsdf_samples_1 = _S132;
+        bsdf_samples_1 = _S134;
     }
-    var _S134 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
-    var _S135 : vec3<f32> = vec3<f32>(0.0f);
+    var _S136 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
+    var _S137 : vec3<f32> = vec3<f32>(0.0f);
     var i_4 : u32 = u32(0);
-    var light_2 : vec3<f32> = _S135;
+    var light_2 : vec3<f32> = _S137;
     for(;;)
     {
         if(i_4 < emitter_samples_0)
@@ -2042,8 +2057,8 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         {
             break;
         }
-        var _S136 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, _S134, (*path_3).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1));
-        var light_3 : vec3<f32> = light_2 + _S136;
+        var _S138 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, _S136, (*path_3).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1));
+        var light_3 : vec3<f32> = light_2 + _S138;
         i_4 = i_4 + u32(1);
         light_2 = light_3;
     }
@@ -2075,9 +2090,9 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         var next_1 : Place_0;
         if(k_3 == u32(0))
         {
-            var _S137 : Place_0 = place_of_0(found_9);
+            var _S139 : Place_0 = place_of_0(found_9);
             goes_on_1 = (found_9.face_7) != u32(4294967295);
-            next_1 = _S137;
+            next_1 = _S139;
             next_direction_1 = direction_14;
         }
         else
@@ -2103,10 +2118,10 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         }
         else
         {
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S134) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S136) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
         }
-        var _S138 : vec3<f32> = radiance_of_0(emitter_9, place_of_0(found_9));
-        var light_4 : vec3<f32> = light_2 + _S138 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1)));
+        var _S140 : vec3<f32> = radiance_of_0(emitter_9, place_of_0(found_9));
+        var light_4 : vec3<f32> = light_2 + _S140 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1)));
         goes_on_0 = goes_on_1;
         next_0 = next_1;
         next_direction_0 = next_direction_1;
@@ -2114,7 +2129,7 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         k_3 = k_3 + u32(1);
     }
     (*path_3).light_0 = (*path_3).light_0 + (*path_3).throughput_0 * reflectance_0 * light_2;
-    if(_S133)
+    if(_S135)
     {
         goes_on_0 = true;
     }
@@ -2126,22 +2141,22 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     {
         return false;
     }
-    var _S139 : vec3<f32> = (*path_3).throughput_0 * reflectance_0;
-    (*path_3).throughput_0 = _S139;
-    var _S140 : f32 = max(max(_S139.x, _S139.y), _S139.z);
-    if(!(_S140 > 0.0f))
+    var _S141 : vec3<f32> = (*path_3).throughput_0 * reflectance_0;
+    (*path_3).throughput_0 = _S141;
+    var _S142 : f32 = max(max(_S141.x, _S141.y), _S141.z);
+    if(!(_S142 > 0.0f))
     {
         return false;
     }
-    var _S141 : u32 = depth_2 + u32(1);
-    if(_S141 >= (word_0(u32(1))))
+    var _S143 : u32 = depth_2 + u32(1);
+    if(_S143 >= (word_0(u32(1))))
     {
-        var _S142 : f32 = min(_S140, 0.94999998807907104f);
-        if((random_0((*path_3).key_0, vertex_numbers_0(_S141) - u32(1))) >= _S142)
+        var _S144 : f32 = min(_S142, 0.94999998807907104f);
+        if((random_0((*path_3).key_0, vertex_numbers_0(_S143) - u32(1))) >= _S144)
         {
             return false;
         }
-        (*path_3).throughput_0 = (*path_3).throughput_0 / vec3<f32>(_S142);
+        (*path_3).throughput_0 = (*path_3).throughput_0 / vec3<f32>(_S144);
     }
     (*path_3).place_0 = next_0;
     (*path_3).direction_0 = next_direction_0;
@@ -2198,15 +2213,15 @@ fn go_on(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0 = load_0(number_of_path_2);
     var goes_on_2 : bool = take_further_0(&(path_7));
     store_0(number_of_path_2, path_7);
-    var _S143 : u32;
+    var _S145 : u32;
     if(goes_on_2)
     {
-        _S143 = number_of_path_2;
+        _S145 = number_of_path_2;
     }
     else
     {
-        _S143 = u32(4294967295);
+        _S145 = u32(4294967295);
     }
-    going_on_0[at_14] = _S143;
+    going_on_0[at_14] = _S145;
     return;
 }

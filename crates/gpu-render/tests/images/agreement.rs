@@ -1,22 +1,16 @@
 //! Sample by sample beside the processor, with the same random numbers.
 
 use capwalk_gpu::Precision;
-use capwalk_gpu_render::DeviceScene;
+use capwalk_gpu_render::{DeviceScene, unsupported};
 use capwalk_render::{PreparedScene, RenderOptions, Unwatched, render};
 use capwalk_scene::{Scene, builtin};
 
 use crate::device;
 
-fn file(name: &str) -> Scene {
-    let path = format!("{}/../../tests/{name}", env!("CARGO_MANIFEST_DIR"));
-    let loaded = capwalk_scene_io::load_scene(path.as_ref(), &[]).expect("a scene");
-    loaded.scene
-}
-
-/// The share of samples of the two images that differ, and by how much their sums do, relatively.
 fn compare(scene: Scene, precision: Precision, spp: u32) -> Option<[f64; 2]> {
     let (gpu, _turn) = device::open(precision)?;
     let prepared = PreparedScene::new(scene);
+    if let Some(x) = unsupported(&prepared) { println!("    {x}"); return None; }
     let options = RenderOptions::new(spp, 7);
     let start = std::time::Instant::now();
     let ours = DeviceScene::new(gpu, &prepared)
@@ -29,20 +23,23 @@ fn compare(scene: Scene, precision: Precision, spp: u32) -> Option<[f64; 2]> {
     let differs = pairs().filter(|(a, b)| (**a - **b).map(f64::abs).max_component() > 2e-4 * b.max_component().max(1e-3));
     let share = differs.count() as f64 / ours.value.mean.pixels.len() as f64;
     let sums = pairs().fold([0.0; 2], |[a, b], (x, y)| [a + x.mean(), b + y.mean()]);
-    println!("{share} {sums:?} {took:?}");
+    println!("    {share:.6} {sums:?} {took:?}");
     Some([share, sums[0] / sums[1] - 1.0])
 }
 
 #[test]
-fn colour_bleeding() {
-    for precision in [Precision::Double, Precision::Single] {
-        compare(file("parity/colour_bleeding.xml"), precision, 1);
-    }
+fn survey() {
     for name in builtin::names() {
         println!("{name}");
         let scene = builtin::scene(name).expect("built in");
-        if name != "x" {
-            compare(scene, Precision::Double, 1);
-        }
+        compare(scene, Precision::Double, 1);
+    }
+    let root = format!("{}/../../tests", env!("CARGO_MANIFEST_DIR"));
+    let mut files: Vec<_> = std::fs::read_dir(format!("{root}/parity")).unwrap().map(|f| f.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "xml")).collect();
+    files.extend(std::fs::read_dir(format!("{root}/scenes")).unwrap().map(|f| f.unwrap().path().join("scene.xml")).filter(|p| p.exists()));
+    files.sort();
+    for f in files {
+        println!("{}", f.display());
+        match capwalk_scene_io::load_scene(&f, &[]) { Ok(l) => { compare(l.scene, Precision::Double, 1); } Err(e) => println!("{e}") }
     }
 }

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: f8990efe122fadfc
-// result: 08c5f1c4995e7f01
+// source: 95dc5e454a1a85cc
+// result: 25ef868656eff360
 
 struct Launch_std140_0
 {
@@ -381,22 +381,31 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
     found_0.triangle_1 = u32(4294967295);
     found_0.v_3 = 0.0f;
     found_0.w_2 = 0.0f;
+    if(!((view_3.limit_0) >= 0.0f))
+    {
+        return found_0;
+    }
     var way_0 : array<vec2<u32>, i32(40)>;
-    var level_0 : u32;
-    if((view_3.limit_0) >= 0.0f)
-    {
-        level_0 = crossed_0(view_3, view_3.limit_0, u32(0));
-    }
-    else
-    {
-        level_0 = u32(0);
-    }
-    way_0[i32(0)] = vec2<u32>(u32(0), level_0);
-    var is_new_0 : bool = true;
+    way_0[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_3.limit_0;
-    level_0 = u32(0);
+    var is_new_0 : bool = true;
+    var level_0 : u32 = u32(0);
     for(;;)
     {
+        var entered_1 : u32;
+        var is_new_1 : bool;
+        if(entered_0 != u32(4294967295))
+        {
+            way_0[level_0] = vec2<u32>(entered_0, crossed_0(view_3, limit_4, entered_0));
+            is_new_1 = true;
+            entered_1 = u32(4294967295);
+        }
+        else
+        {
+            is_new_1 = is_new_0;
+            entered_1 = entered_0;
+        }
         var here_0 : vec2<u32> = way_0[level_0];
         var _S27 : u32 = way_0[level_0].y;
         if(_S27 == u32(0))
@@ -405,41 +414,46 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             {
                 break;
             }
-            level_0 = level_0 - u32(1);
+            var _S28 : u32 = level_0 - u32(1);
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            level_0 = _S28;
             continue;
         }
         var slot_3 : u32 = ((_S27 & (u32(15)))) - u32(1);
         way_0[level_0][i32(1)] = (_S27 >> (u32(4)));
-        var _S28 : bool;
-        if(!is_new_0)
+        var _S29 : bool;
+        if(!is_new_1)
         {
-            _S28 = (ray_bound_0(view_3, limit_4, here_0.x, slot_3)) > limit_4;
+            _S29 = (ray_bound_0(view_3, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S28 = false;
+            _S29 = false;
         }
-        if(_S28)
+        if(_S29)
         {
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
             continue;
         }
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var level_1 : u32 = level_0 + u32(1);
-            way_0[level_1] = vec2<u32>(child_0, crossed_0(view_3, limit_4, child_0));
-            is_new_0 = true;
-            level_0 = level_1;
+            var _S30 : u32 = level_0 + u32(1);
+            entered_0 = child_0;
+            is_new_0 = false;
+            level_0 = _S30;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S29 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S30 : u32 = leaf_starts_0[leaf_0];
+        var _S31 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S32 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_0 : u32 = _S30;
+        var i_0 : u32 = _S32;
         for(;;)
         {
-            if(i_0 < _S29)
+            if(i_0 < _S31)
             {
             }
             else
@@ -460,17 +474,17 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
             {
                 _S26 = (crossing_1.t_0) < ((*ray_3).t_max_0);
             }
-            var _S31 : bool;
+            var _S33 : bool;
             if(_S26)
             {
-                _S31 = true;
+                _S33 = true;
             }
             else
             {
-                _S31 = (face_0(i_0)) < (found_0.face_1);
+                _S33 = (face_0(i_0)) < (found_0.face_1);
             }
             var limit_6 : f32;
-            if(_S31)
+            if(_S33)
             {
                 found_0.face_1 = face_0(i_0);
                 found_0.triangle_1 = i_0;
@@ -498,8 +512,9 @@ fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bo
         {
             break;
         }
-        is_new_0 = false;
+        entered_0 = entered_1;
         limit_4 = limit_5;
+        is_new_0 = false;
     }
     return found_0;
 }
@@ -511,10 +526,10 @@ fn trace_0( query_2 : u32,  any_1 : bool)
     answers_0[query_2] = found_1.face_1;
     if(!any_1)
     {
-        var _S32 : u32 = u32(3) * query_2;
-        values_0[_S32] = ray_4.t_max_0;
-        values_0[_S32 + u32(1)] = found_1.v_3;
-        values_0[_S32 + u32(2)] = found_1.w_2;
+        var _S34 : u32 = u32(3) * query_2;
+        values_0[_S34] = ray_4.t_max_0;
+        values_0[_S34 + u32(1)] = found_1.v_3;
+        values_0[_S34 + u32(2)] = found_1.w_2;
     }
     return;
 }
