@@ -10,8 +10,13 @@ use crate::device::{Device, DeviceFailure};
 
 /// An image, or that the processor has to render it.
 pub enum Found {
-    Image { rendering: Rendering, adapter: String },
-    Processor { remark: Option<String> },
+    Image {
+        rendering: Rendering,
+        adapter: String,
+    },
+    Processor {
+        remark: Option<String>,
+    },
 }
 
 /// The image of a scene from the GPU that is found. The processor, for [`Device::Auto`], where there

@@ -7,8 +7,13 @@ use crate::device::{Device, DeviceFailure};
 /// No image: there is no GPU.
 pub enum Found {
     #[allow(dead_code, reason = "with the feature there is one")]
-    Image { rendering: Rendering, adapter: String },
-    Processor { remark: Option<String> },
+    Image {
+        rendering: Rendering,
+        adapter: String,
+    },
+    Processor {
+        remark: Option<String>,
+    },
 }
 
 /// The processor, unless a GPU is asked for.

@@ -44,9 +44,17 @@ pub fn write_camera_ray(
         true => origin[axis] + direction[axis] * enter,
         false => 0.0,
     });
-    let length = if is_inside { (until - enter).min(ENDLESS) } else { -1.0 };
+    let length = if is_inside {
+        (until - enter).min(ENDLESS)
+    } else {
+        -1.0
+    };
     let key = place.stream.independent_key().unwrap_or_default();
-    let numbers = start.into_iter().chain(direction).chain([length]).map(float);
+    let numbers = start
+        .into_iter()
+        .chain(direction)
+        .chain([length])
+        .map(float);
     let key = [key as u32, (key >> 32) as u32];
     for (word, value) in words.iter_mut().zip(numbers.chain(key)) {
         *word = value;

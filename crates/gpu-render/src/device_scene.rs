@@ -5,9 +5,7 @@ use std::sync::Arc;
 use capwalk_geometry::LocalFrame;
 use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
 use capwalk_render::tiles::SamplePlace;
-use capwalk_render::{
-    PreparedScene, RenderOptions, Rendering, Tracer, Watch, average_elsewhere,
-};
+use capwalk_render::{PreparedScene, RenderOptions, Rendering, Tracer, Watch, average_elsewhere};
 use rayon::prelude::*;
 
 use crate::camera_rays::write_camera_ray;

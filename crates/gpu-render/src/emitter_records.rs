@@ -43,7 +43,9 @@ pub fn emitter_record(
     let first_face = accel.emitter_face(id, 0);
     let radius = float(radius * frame.inverse_scale);
     let rank = rank as u32;
-    [1, radiance, brightness, first_face, rectangle, nodes, order, rank, x, y, z, radius]
+    [
+        1, radiance, brightness, first_face, rectangle, nodes, order, rank, x, y, z, radius,
+    ]
 }
 
 /// A place in the tree's coordinates.
@@ -57,7 +59,11 @@ fn add_rectangle(rectangle: &RectangleSampler, frame: &LocalFrame, words: &mut V
     for v in rectangle.sides.into_iter().chain([rectangle.normal]) {
         words.extend(v.to_array().map(float));
     }
-    words.extend(rectangle.lengths.map(|length| float(length * frame.inverse_scale)));
+    words.extend(
+        rectangle
+            .lengths
+            .map(|length| float(length * frame.inverse_scale)),
+    );
     for [c, a, b] in rectangle.weights.into_iter().flatten() {
         words.extend([c, a * frame.scale, b * frame.scale].map(float));
     }
@@ -73,7 +79,10 @@ fn add_nodes(triangles: &TriangleSampler, frame: &LocalFrame, words: &mut Vec<u3
     for node in triangles.nodes() {
         let start = words.len();
         words.extend([node.places.start, node.places.end].map(|place| place as u32));
-        words.extend(node.halves.map_or([NONE; 2], |halves| halves.map(|half| half as u32)));
+        words.extend(
+            node.halves
+                .map_or([NONE; 2], |halves| halves.map(|half| half as u32)),
+        );
         words.extend(local(frame, node.centre));
         words.push(float(node.radius * frame.inverse_scale));
         words.extend((node.vector_area * to_area).to_array().map(float));

@@ -45,7 +45,16 @@ impl Paths {
         let count = rays.len() / CAMERA_RAY;
         let [nodes, leaf_starts, primitives, faces, records] = scene;
         let (input, state, going_on) = (&self.input, &self.state, &self.going_on);
-        let arrays = [nodes, leaf_starts, primitives, faces, records, input, state, going_on];
+        let arrays = [
+            nodes,
+            leaf_starts,
+            primitives,
+            faces,
+            records,
+            input,
+            state,
+            going_on,
+        ];
         gpu.write(input, bytemuck::cast_slice(rays))?;
         gpu.launch(&BEGIN_PATHS, arrays, count as u32, [self.room as u32, 0])?;
         let mut list = vec![0_u32; count];

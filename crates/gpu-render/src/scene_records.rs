@@ -136,7 +136,9 @@ fn shape_record(scene: &Scene, shape: &Shape, words: &mut Vec<u32>) -> [u32; SHA
     });
     let [front, back] = [true, false].map(|is_front| {
         let texture = reflectance(scene, shape.bsdf, is_front);
-        texture.map_or(NONE, |texture| add_texture(scene, texture, Some(shape), words))
+        texture.map_or(NONE, |texture| {
+            add_texture(scene, texture, Some(shape), words)
+        })
     });
     let emitter = shape.emitter.map_or(NONE, |emitter| emitter.0);
     [normals, uvs, front, back, emitter]

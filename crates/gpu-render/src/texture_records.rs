@@ -28,7 +28,13 @@ pub fn add_texture(
         // An attribute is one of the last two; no shape has the texels of the environment.
         Pattern::Constant | Pattern::MeshAttribute { .. } | Pattern::Environment => (0, plain),
         Pattern::Bitmap(bitmap) => (1, bitmap.clone()),
-        Pattern::Checkerboard { to_uv } => (2, Bitmap { to_uv: *to_uv, ..plain }),
+        Pattern::Checkerboard { to_uv } => (
+            2,
+            Bitmap {
+                to_uv: *to_uv,
+                ..plain
+            },
+        ),
         Pattern::PerVertex => (3, plain),
         Pattern::PerFace => (4, plain),
     };

@@ -5,7 +5,7 @@ use capwalk_scene::{Bsdf, BsdfId, Emitter, Integrator, SamplerKind, Scene};
 
 /// Something of a scene or of options that the device's renderer does not have.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{what}: not on the GPU yet; use the CPU")]
+#[error("{what}: not on the GPU yet; use the CPU (`--device cpu`)")]
 pub struct Unsupported {
     /// What it is, and where.
     pub what: String,
@@ -54,9 +54,10 @@ fn of_emitter(emitter: &Emitter) -> Option<String> {
         | Emitter::Point { id, .. }
         | Emitter::Spot { id, .. }
         | Emitter::Projector { id, .. }
-        | Emitter::Directional { id, .. } => {
-            Some(format!("the emitter \"{id}\" is of the type {}", emitter.plugin()))
-        }
+        | Emitter::Directional { id, .. } => Some(format!(
+            "the emitter \"{id}\" is of the type {}",
+            emitter.plugin()
+        )),
     }
 }
 

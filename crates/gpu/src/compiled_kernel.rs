@@ -44,7 +44,10 @@ impl CompiledKernel {
             } else {
                 continue;
             };
-            return Err(format!("{} {problem}: run `cargo xtask kernels`", self.name));
+            return Err(format!(
+                "{} {problem}: run `cargo xtask kernels`",
+                self.name
+            ));
         }
         Ok(())
     }

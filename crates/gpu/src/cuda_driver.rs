@@ -274,11 +274,7 @@ impl CudaDriver {
     }
 
     /// The kernel, compiled for this device when it is first asked for.
-    fn loaded(
-        &self,
-        kernel: &CompiledKernel,
-        precision: Precision,
-    ) -> Result<Loaded, DriverError> {
+    fn loaded(&self, kernel: &CompiledKernel, precision: Precision) -> Result<Loaded, DriverError> {
         let mut kernels = locked(&self.kernels);
         if let Some(loaded) = kernels.get(kernel.name) {
             return Ok(loaded.clone());

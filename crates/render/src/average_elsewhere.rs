@@ -29,7 +29,8 @@ pub fn average_elsewhere<E>(
         rows.start * width..rows.end * width
     };
     // Of each pixel, its band and its place there.
-    let in_band = (0..grid.bands).flat_map(|band| pixels_of(band).zip(0..).map(move |(_, i)| (band, i)));
+    let in_band =
+        (0..grid.bands).flat_map(|band| pixels_of(band).zip(0..).map(move |(_, i)| (band, i)));
     let in_band: Vec<(u32, usize)> = in_band.collect();
     let pixels = width * height;
     let (mut done, total) = (0, u64::from(pixels) * u64::from(options.spp));

@@ -3,3 +3,7 @@
 
 mod agreement;
 mod device;
+mod faults;
+mod parts;
+mod scenes;
+mod unsupported;
