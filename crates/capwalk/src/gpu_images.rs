@@ -19,8 +19,8 @@ pub enum Found {
     },
 }
 
-/// The image of a scene from the GPU that is found. The processor, for [`Device::Auto`], where there
-/// is none, or where it has not all that the scene needs.
+/// The image of a scene from the GPU that is found. The processor, for [`Device::Auto`], where
+/// there is none, or where it has not all that the scene needs.
 pub fn image(
     prepared: &PreparedScene,
     device: Device,

@@ -33,7 +33,7 @@ impl Paths {
         })
     }
 
-    /// Follows paths to their ends, given their camera rays, and returns the light that each of them
+    /// Follows paths to their ends, given their camera rays, and returns the light that each one
     /// carries; `None` if the watch stopped it. `scene` are the five arrays of a scene.
     pub fn light(
         &self,

@@ -11,9 +11,9 @@ pub struct Unsupported {
     pub what: String,
 }
 
-/// The first thing of a scene that the device's renderer does not have; `None` if it has all. It has
-/// diffuse surfaces, also two-sided ones, with any texture; area emitters and light from everywhere;
-/// every sensor and filter; independent random numbers.
+/// The first thing of a scene that the device's renderer does not have; `None` if it has all. It
+/// has diffuse surfaces, also two-sided ones, with any texture; area emitters and light from
+/// everywhere; every sensor and filter; independent random numbers.
 pub fn unsupported(prepared: &PreparedScene) -> Option<Unsupported> {
     let what = of_scene(prepared)?;
     Some(Unsupported { what })

@@ -1,6 +1,6 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6e174aaf73061732
+// source: 690f188523efa8e6
 // result: 2200fe04e9fa3121
 
 struct Launch_std140_0

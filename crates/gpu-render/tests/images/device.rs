@@ -8,8 +8,8 @@ use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
 /// One test at a time: drivers of software share the processor's cores anyway.
 static TURN: Mutex<()> = Mutex::new(());
 
-/// The device in a precision, for as long as nobody else uses one; `None`, after a note, where there
-/// is none, or none that has it. Opened once: kernels take long to compile.
+/// The device in a precision, for as long as nobody else uses one; `None`, after a note, where
+/// there is none, or none that has it. Opened once: kernels take long to compile.
 pub fn open(precision: Precision) -> Option<(&'static Arc<Gpu>, MutexGuard<'static, ()>)> {
     static DEVICES: [OnceLock<Option<Arc<Gpu>>>; 2] = [const { OnceLock::new() }; 2];
     let turn = TURN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
