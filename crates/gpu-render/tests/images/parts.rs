@@ -12,9 +12,9 @@ fn parts_of_any_size_give_the_same_bits() {
         return;
     };
     let mut scene = scenes::scene("parity/colour_bleeding.xml");
-    scene.film.resize([20, 13]);
+    scene.film.resize([12, 9]);
     let prepared = PreparedScene::new(scene);
-    let options = RenderOptions::new(20, 3);
+    let options = RenderOptions::new(96, 3);
     let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
     let image = |most| {
         on_device
@@ -23,9 +23,9 @@ fn parts_of_any_size_give_the_same_bits() {
     };
     let whole = image(1 << 18);
     assert!(whole.statistics.complete);
-    assert_eq!(whole.statistics.samples, 20 * 13 * 20);
-    assert_eq!(whole.statistics.samples_per_pixel, vec![20; 260]);
-    for most in [97, 1000] {
+    assert_eq!(whole.statistics.samples, 12 * 9 * 96);
+    assert_eq!(whole.statistics.samples_per_pixel, vec![96; 108]);
+    for most in [97, 250] {
         let parts = image(most);
         assert_eq!(parts.value, whole.value, "{most}");
         assert_eq!(parts.statistics, whole.statistics);
@@ -35,6 +35,6 @@ fn parts_of_any_size_give_the_same_bits() {
     let pixels = |image: &capwalk_render::Rendering| image.value.standard_error.pixels.clone();
     let pairs = pixels(&whole).into_iter().zip(pixels(&theirs));
     let near =
-        pairs.filter(|(a, b)| (*a - *b).map(f64::abs).max_component() < 1e-3 * b.max_component());
-    assert!(near.count() > 230);
+        pairs.filter(|(a, b)| (*a - *b).map(f64::abs).max_component() < 2e-2 * b.max_component());
+    assert!(near.count() >= 100);
 }
