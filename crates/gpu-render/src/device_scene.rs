@@ -1,7 +1,10 @@
 //! A scene on the device, and its image.
 
+use std::cell::Cell;
 use std::sync::Arc;
+use std::time::Duration;
 
+use capwalk_boundary::pool;
 use capwalk_geometry::LocalFrame;
 use capwalk_gpu::{DeviceArray, Gpu, GpuError, Precision};
 use capwalk_render::tiles::SamplePlace;
@@ -17,6 +20,13 @@ use crate::unsupported::{unsupported, unsupported_options};
 
 /// Most samples that are on the device at a time: enough for a GPU to be busy.
 const MOST_PATHS: usize = 1 << 18;
+
+/// Samples of the first part, when it is not known yet how long they take.
+const FIRST_PATHS: usize = 1 << 14;
+
+/// Kernels should take about this long for a part: progress is seen after each, and what of one is
+/// done when the work is stopped is lost.
+const PART: Duration = Duration::from_millis(500);
 
 /// With no room for so many paths, there is none for the image.
 const FEWEST_PATHS: usize = 64;
@@ -104,27 +114,46 @@ impl<'a> DeviceScene<'a> {
         if let Some(unsupported) = unsupported_options(options) {
             return Err(unsupported.into());
         }
+        pool::install(|| self.average(options, most, watch))
+    }
+
+    fn average(
+        &self,
+        options: &RenderOptions,
+        most: usize,
+        watch: &dyn Watch,
+    ) -> Result<Rendering, DeviceError> {
         let tracer = Tracer::primal(self.prepared);
         let allowed = self.gpu.largest_buffer() / Paths::BYTES as u64;
-        let mut room = most.min(allowed as usize).max(1);
+        let most = most.min(allowed as usize).max(1);
+        let size = Cell::new(most.min(FIRST_PATHS));
         let mut paths = None;
-        average_elsewhere(self.prepared.scene(), options, most, watch, |places| {
+        let take = |places: &[SamplePlace]| {
             let mut taken = Vec::with_capacity(places.len());
             while taken.len() < places.len() {
                 let rest = &places[taken.len()..];
-                let some = &rest[..rest.len().min(room)];
-                match self.take(&tracer, some, room, &mut paths, watch) {
+                let some = &rest[..rest.len().min(size.get())];
+                let before = self.gpu.busy();
+                match self.take(&tracer, some, size.get(), &mut paths, watch) {
                     Ok(Some(samples)) => taken.extend(samples),
                     Ok(None) => return Ok(None),
-                    Err(GpuError::OutOfMemory { .. }) if room > FEWEST_PATHS => {
-                        room /= 2;
+                    Err(GpuError::OutOfMemory { .. }) if size.get() > FEWEST_PATHS => {
+                        size.set(size.get() / 2);
                         paths = None;
+                        continue;
                     }
                     Err(error) => return Err(error.into()),
                 }
+                let took = self.gpu.busy().saturating_sub(before);
+                if took > PART {
+                    size.set((size.get() / 2).max(FEWEST_PATHS.min(most)));
+                } else if 3 * took < PART && some.len() == size.get() {
+                    size.set((2 * size.get()).min(most));
+                }
             }
             Ok(Some(taken))
-        })
+        };
+        average_elsewhere(self.prepared.scene(), options, || size.get(), watch, take)
     }
 
     /// The colours of some samples; `None` if the watch stopped the work.
@@ -137,8 +166,11 @@ impl<'a> DeviceScene<'a> {
         watch: &dyn Watch,
     ) -> Result<Option<Vec<[f64; 3]>>, GpuError> {
         let paths = match paths {
-            Some(paths) => paths,
-            none => none.insert(Paths::new(&self.gpu, room)?),
+            Some(paths) if paths.room() >= room => paths,
+            other => {
+                *other = None;
+                other.insert(Paths::new(&self.gpu, room)?)
+            }
         };
         let mut rays = vec![0; CAMERA_RAY * places.len()];
         let weights = (places, rays.par_chunks_exact_mut(CAMERA_RAY))

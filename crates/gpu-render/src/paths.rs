@@ -22,6 +22,11 @@ impl Paths {
     /// Bytes of the largest array, per path.
     pub const BYTES: usize = 4 * PATH;
 
+    /// How many there is room for.
+    pub fn room(&self) -> usize {
+        self.room
+    }
+
     /// Room for so many paths.
     pub fn new(gpu: &Gpu, room: usize) -> Result<Self, GpuError> {
         let array = |words: usize| gpu.array((4 * words * room) as u64);

@@ -10,14 +10,14 @@ use crate::options::{RenderOptions, Watch};
 use crate::ordered_sum::OrderedSum;
 use crate::tiles::{self, Averages, PixelSums, SamplePlace};
 
-/// The image whose samples `take` gives for some places, at most `most` at a time, in their order:
-/// each one's colour, or `None` if the watch stopped the work before all of them were there. They
-/// are added as those of the processor are, so that equal samples give equal bits, whatever `most`
-/// is. Independent numbers only, and as many samples of each pixel as the options say.
+/// The image whose samples `take` gives for some places, as many at a time as `most` says each time,
+/// in their order: each one's colour, or `None` if the watch stopped the work before all of them
+/// were there. They are added as those of the processor are, so that equal samples give equal bits,
+/// whatever `most` is. Independent numbers only, and as many samples of each pixel as the options say.
 pub fn average_elsewhere<E>(
     scene: &Scene,
     options: &RenderOptions,
-    most: usize,
+    most: impl Fn() -> usize,
     watch: &dyn Watch,
     mut take: impl FnMut(&[SamplePlace]) -> Result<Option<Vec<[f64; 3]>>, E>,
 ) -> Result<Rendering, E> {
@@ -43,7 +43,7 @@ pub fn average_elsewhere<E>(
         // One sample of every pixel, then the next one.
         let mut rest = samples.flat_map(|sample| (0..pixels).map(move |pixel| (pixel, sample)));
         while !watch.should_stop() {
-            let some: Vec<(u32, u32)> = rest.by_ref().take(most.max(1)).collect();
+            let some: Vec<(u32, u32)> = rest.by_ref().take(most().max(1)).collect();
             if some.is_empty() {
                 break;
             }

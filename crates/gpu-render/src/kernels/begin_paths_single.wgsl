@@ -1,6 +1,6 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 690f188523efa8e6
+// source: 90498aeb291573ba
 // result: 759120e05ecdebf5
 
 struct Launch_std140_0

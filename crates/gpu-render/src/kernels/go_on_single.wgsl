@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 690f188523efa8e6
-// result: 2200fe04e9fa3121
+// source: 90498aeb291573ba
+// result: e933b5ca532f679e
 
 struct Launch_std140_0
 {
@@ -106,6 +106,11 @@ fn cross_of_0( triangle_3 : u32) -> vec3<f32>
     return cross(primitive_vector_0(at_3 + u32(3)) - a_1, primitive_vector_0(at_3 + u32(6)) - a_1);
 }
 
+fn unit_0( v_1 : vec3<f32>) -> vec3<f32>
+{
+    return normalize(v_1 / vec3<f32>(max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z))));
+}
+
 fn number_0( at_4 : u32) -> f32
 {
     return (bitcast<f32>((scene_0[at_4])));
@@ -135,7 +140,7 @@ fn surface_at_0( place_3 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var _S1 : vec3<f32> = position_of_0(place_3);
     surface_0.exact_0 = _S1;
     surface_0.position_0 = _S1;
-    var _S2 : vec3<f32> = normalize(cross_of_0(place_3.triangle_0));
+    var _S2 : vec3<f32> = unit_0(cross_of_0(place_3.triangle_0));
     surface_0.face_normal_0 = _S2;
     surface_0.outward_0 = _S2;
     var seen_0 : f32;
@@ -877,12 +882,12 @@ fn rectangle_face_0( at_10 : u32,  place_8 : vec2<f32>,  weights_0 : ptr<functio
         var row_1 : u32 = at_10 + u32(14) + u32(6) * face_0;
         var _S49 : f32 = place_8.x;
         var _S50 : f32 = place_8.y;
-        var v_1 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S49 + number_0(row_1 + u32(2)) * _S50;
+        var v_2 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S49 + number_0(row_1 + u32(2)) * _S50;
         var w_1 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S49 + number_0(row_1 + u32(5)) * _S50;
-        var _S51 : f32 = min(min(v_1, w_1), 1.0f - v_1 - w_1);
+        var _S51 : f32 = min(min(v_2, w_1), 1.0f - v_2 - w_1);
         if(_S51 > best_0)
         {
-            (*weights_0)[i32(0)] = clamp(v_1, 0.0f, 1.0f);
+            (*weights_0)[i32(0)] = clamp(v_2, 0.0f, 1.0f);
             (*weights_0)[i32(1)] = clamp(w_1, 0.0f, 1.0f - (*weights_0).x);
             best_0 = _S51;
             found_2 = face_0;
@@ -943,9 +948,9 @@ fn face_solid_angle_0( record_6 : u32,  face_3 : u32,  viewpoint_4 : vec3<f32>) 
     return solid_angle_of_0(corners_1.a_10, corners_1.b_8, corners_1.c_3);
 }
 
-fn unit_across_0( v_2 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_3 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_2 - axis_1 * vec3<f32>(dot(v_2, axis_1)));
+    return normalize(v_3 - axis_1 * vec3<f32>(dot(v_3, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
@@ -1179,22 +1184,22 @@ fn cosine_pdf_0( axes_2 : Axes_0,  direction_4 : vec3<f32>) -> f32
     return max(dot(axes_2.n_1, direction_4), 0.0f) * 0.31830987334251404f;
 }
 
-fn component_0( v_3 : vec3<f32>,  axis_2 : u32) -> f32
+fn component_0( v_4 : vec3<f32>,  axis_2 : u32) -> f32
 {
     var _S73 : f32;
     if(axis_2 == u32(0))
     {
-        _S73 = v_3.x;
+        _S73 = v_4.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S73 = v_3.y;
+            _S73 = v_4.y;
         }
         else
         {
-            _S73 = v_3.z;
+            _S73 = v_4.z;
         }
     }
     return _S73;
@@ -1388,7 +1393,7 @@ struct Crossing_0
 {
      is_hit_0 : bool,
      t_2 : f32,
-     v_4 : f32,
+     v_5 : f32,
      w_2 : f32,
 };
 
@@ -1397,7 +1402,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_13 : u32) -> Crossing_0
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0f;
-    crossing_0.v_4 = 0.0f;
+    crossing_0.v_5 = 0.0f;
     crossing_0.w_2 = 0.0f;
     var a_12 : vec3<f32> = corner_0(ray_1, axes_5, at_13);
     var b_10 : vec3<f32> = corner_0(ray_1, axes_5, at_13 + u32(3));
@@ -1415,10 +1420,10 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_13 : u32) -> Crossing_0
     var bx_ay_0 : f32 = rounded_0(_S91 * _S93, ray_1.largest_1);
     var by_ax_0 : f32 = rounded_0(_S89 * _S92, ray_1.largest_1);
     var u_5 : f32 = cx_by_0 - cy_bx_0;
-    var v_5 : f32 = ax_cy_0 - ay_cx_0;
+    var v_6 : f32 = ax_cy_0 - ay_cx_0;
     var w_3 : f32 = bx_ay_0 - by_ax_0;
-    var _S94 : f32 = min(min(u_5, v_5), w_3);
-    var _S95 : f32 = max(max(u_5, v_5), w_3);
+    var _S94 : f32 = min(min(u_5, v_6), w_3);
+    var _S95 : f32 = max(max(u_5, v_6), w_3);
     var _S96 : bool;
     if(_S94 < 0.0f)
     {
@@ -1432,7 +1437,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_13 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var determinant_0 : f32 = u_5 + v_5 + w_3;
+    var determinant_0 : f32 = u_5 + v_6 + w_3;
     if(_S94 <= 0.0f)
     {
         _S96 = _S95 >= 0.0f;
@@ -1452,7 +1457,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_13 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f32 = (rounded_0(u_5 * a_12.z, ray_1.largest_1) + rounded_0(v_5 * b_10.z, ray_1.largest_1) + rounded_0(w_3 * c_5.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_3 : f32 = (rounded_0(u_5 * a_12.z, ray_1.largest_1) + rounded_0(v_6 * b_10.z, ray_1.largest_1) + rounded_0(w_3 * c_5.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
         _S96 = t_3 <= (ray_1.t_max_0);
@@ -1463,7 +1468,7 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_13 : u32) -> Crossing_0
     }
     crossing_0.is_hit_0 = _S96;
     crossing_0.t_2 = t_3;
-    crossing_0.v_4 = v_5 / determinant_0;
+    crossing_0.v_5 = v_6 / determinant_0;
     crossing_0.w_2 = w_3 / determinant_0;
     return crossing_0;
 }
@@ -1477,7 +1482,7 @@ struct Found_0
 {
      face_7 : u32,
      triangle_5 : u32,
-     v_6 : f32,
+     v_7 : f32,
      w_4 : f32,
 };
 
@@ -1487,7 +1492,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_5 = u32(4294967295);
-    found_3.v_6 = 0.0f;
+    found_3.v_7 = 0.0f;
     found_3.w_4 = 0.0f;
     if(!((view_4.limit_0) >= 0.0f))
     {
@@ -1597,7 +1602,7 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_5 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_6 = crossing_1.v_4;
+                found_3.v_7 = crossing_1.v_5;
                 found_3.w_4 = crossing_1.w_2;
                 limit_6 = min(limit_5, crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0 + 2.0f * view_4.margin_0);
             }
@@ -1801,8 +1806,8 @@ fn radiance_of_0( emitter_5 : u32,  place_10 : Place_0) -> vec3<f32>
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
 {
-    var ratio_0 : f32 = other_0 / own_2;
-    return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
+    var _S122 : f32 = min(other_0 / own_2, 9.9999998430674944e+17f);
+    return 1.0f / (own_2 * (1.0f + _S122 * _S122));
 }
 
 fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Choice_0,  key_6 : vec2<u32>,  first_3 : u32,  bsdf_samples_0 : f32) -> vec3<f32>
@@ -1835,9 +1840,9 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
             return vec3<f32>(0.0f);
         }
         var nearest_2 : f32 = nearest_0 / distance_4;
-        var _S122 : f32 = limit_at_0(u32(3));
+        var _S123 : f32 = limit_at_0(u32(3));
         way_2 = way_3;
-        farthest_0 = _S122;
+        farthest_0 = _S123;
         direction_7 = direction_8;
         nearest_1 = nearest_2;
     }
@@ -1846,9 +1851,9 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
         var direction_9 : vec3<f32> = sample_cosine_0(axes_6, random_pair_0(key_6, first_3 + u32(1)));
         point_1.pdf_0 = cosine_pdf_0(axes_6, direction_9);
         point_1.place_9 = surface_2.place_2;
-        var _S123 : f32 = limit_at_0(u32(1));
+        var _S124 : f32 = limit_at_0(u32(1));
         way_2 = direction_9;
-        farthest_0 = _S123;
+        farthest_0 = _S124;
         direction_7 = direction_9;
         nearest_1 = nearest_0;
     }
@@ -1863,21 +1868,21 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
     {
         return vec3<f32>(0.0f);
     }
-    var _S124 : vec3<f32> = radiance_of_0(emitter_6, point_1.place_9);
-    return _S124 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1)));
+    var _S125 : vec3<f32> = radiance_of_0(emitter_6, point_1.place_9);
+    return _S125 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1)));
 }
 
 fn first_from_0( position_6 : vec3<f32>,  direction_10 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var _S125 : Found_0 = cast_1(position_6, direction_10, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S125;
+    var _S126 : Found_0 = cast_1(position_6, direction_10, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
+    return _S126;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
     var place_11 : Place_0;
     place_11.triangle_0 = found_6.triangle_5;
-    place_11.v_0 = found_6.v_6;
+    place_11.v_0 = found_6.v_7;
     place_11.w_0 = found_6.w_4;
     return place_11;
 }
@@ -1889,25 +1894,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_11 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S126 : bool;
+    var _S127 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S126 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
+        _S127 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
     }
     else
     {
-        _S126 = false;
+        _S127 = false;
     }
-    var _S127 : u32;
-    if(_S126)
+    var _S128 : u32;
+    if(_S127)
     {
-        _S127 = emitter_7;
+        _S128 = emitter_7;
     }
     else
     {
-        _S127 = u32(4294967295);
+        _S128 = u32(4294967295);
     }
-    return _S127;
+    return _S128;
 }
 
 fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12 : vec3<f32>,  distance_5 : f32) -> f32
@@ -1916,17 +1921,17 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
     var rectangle_1 : u32 = word_0(record_9 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S128 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S128.solid_angle_0) > 0.0f))
+        var _S129 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S129.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S128.solid_angle_0) >= 0.00100000004749745f)
+        if((_S129.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S128.solid_angle_0;
+            return 1.0f / _S129.solid_angle_0;
         }
     }
-    var _S129 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
+    var _S130 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_9 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -1940,7 +1945,7 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S129 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S130 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_4 = shares_1.y;
@@ -1950,22 +1955,22 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             own_4 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_4;
-        var _S130 : i32;
+        var _S131 : i32;
         if(is_second_1)
         {
-            _S130 = i32(3);
+            _S131 = i32(3);
         }
         else
         {
-            _S130 = i32(2);
+            _S131 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S130));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S131));
         chosen_2 = chosen_3;
     }
-    var _S131 : u32 = word_0(record_9 + u32(6));
-    var _S132 : u32 = word_0(node_6);
+    var _S132 : u32 = word_0(record_9 + u32(6));
+    var _S133 : u32 = word_0(node_6);
     own_4 = 0.0f;
-    var k_2 : u32 = _S132;
+    var k_2 : u32 = _S133;
     var total_2 : f32 = 0.0f;
     for(;;)
     {
@@ -1976,9 +1981,9 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S131 + k_2), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S132 + k_2), from_2.exact_0);
         var total_3 : f32 = total_2 + angle_4;
-        if(k_2 == _S129)
+        if(k_2 == _S130)
         {
             own_4 = angle_4;
         }
@@ -2007,16 +2012,16 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     var depth_2 : u32 = launch_0.depth_0;
     var first_4 : u32 = vertex_numbers_0(launch_0.depth_0);
     var surface_4 : Surface_0 = surface_at_0((*path_3).place_0, (*path_3).direction_0);
-    var _S133 : i32;
+    var _S134 : i32;
     if(surface_4.is_front_0)
     {
-        _S133 = i32(2);
+        _S134 = i32(2);
     }
     else
     {
-        _S133 = i32(3);
+        _S134 = i32(3);
     }
-    var texture_3 : u32 = word_0(surface_4.shape_0 + u32(_S133));
+    var texture_3 : u32 = word_0(surface_4.shape_0 + u32(_S134));
     if(texture_3 == u32(4294967295))
     {
         return false;
@@ -2024,10 +2029,10 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     var reflectance_0 : vec3<f32> = texture_at_0(texture_3, (*path_3).place_0);
     var axes_8 : Axes_0 = axes_at_0(surface_4);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S134 : u32 = word_0(u32(3));
-    var _S135 : bool = !reaches_0(depth_2 + u32(3));
+    var _S135 : u32 = word_0(u32(3));
+    var _S136 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S135)
+    if(_S136)
     {
         goes_on_0 = is_sampled_well_0(surface_4.position_0);
     }
@@ -2042,12 +2047,12 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     }
     else
     {
-        bsdf_samples_1 = _S134;
+        bsdf_samples_1 = _S135;
     }
-    var _S136 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
-    var _S137 : vec3<f32> = vec3<f32>(0.0f);
+    var _S137 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
+    var _S138 : vec3<f32> = vec3<f32>(0.0f);
     var i_4 : u32 = u32(0);
-    var light_2 : vec3<f32> = _S137;
+    var light_2 : vec3<f32> = _S138;
     for(;;)
     {
         if(i_4 < emitter_samples_0)
@@ -2057,8 +2062,8 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         {
             break;
         }
-        var _S138 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, _S136, (*path_3).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1));
-        var light_3 : vec3<f32> = light_2 + _S138;
+        var _S139 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, _S137, (*path_3).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1));
+        var light_3 : vec3<f32> = light_2 + _S139;
         i_4 = i_4 + u32(1);
         light_2 = light_3;
     }
@@ -2090,9 +2095,9 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         var next_1 : Place_0;
         if(k_3 == u32(0))
         {
-            var _S139 : Place_0 = place_of_0(found_9);
+            var _S140 : Place_0 = place_of_0(found_9);
             goes_on_1 = (found_9.face_7) != u32(4294967295);
-            next_1 = _S139;
+            next_1 = _S140;
             next_direction_1 = direction_14;
         }
         else
@@ -2118,10 +2123,10 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         }
         else
         {
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S136) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S137) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
         }
-        var _S140 : vec3<f32> = radiance_of_0(emitter_9, place_of_0(found_9));
-        var light_4 : vec3<f32> = light_2 + _S140 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1)));
+        var _S141 : vec3<f32> = radiance_of_0(emitter_9, place_of_0(found_9));
+        var light_4 : vec3<f32> = light_2 + _S141 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1)));
         goes_on_0 = goes_on_1;
         next_0 = next_1;
         next_direction_0 = next_direction_1;
@@ -2129,7 +2134,7 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         k_3 = k_3 + u32(1);
     }
     (*path_3).light_0 = (*path_3).light_0 + (*path_3).throughput_0 * reflectance_0 * light_2;
-    if(_S135)
+    if(_S136)
     {
         goes_on_0 = true;
     }
@@ -2141,22 +2146,22 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     {
         return false;
     }
-    var _S141 : vec3<f32> = (*path_3).throughput_0 * reflectance_0;
-    (*path_3).throughput_0 = _S141;
-    var _S142 : f32 = max(max(_S141.x, _S141.y), _S141.z);
-    if(!(_S142 > 0.0f))
+    var _S142 : vec3<f32> = (*path_3).throughput_0 * reflectance_0;
+    (*path_3).throughput_0 = _S142;
+    var _S143 : f32 = max(max(_S142.x, _S142.y), _S142.z);
+    if(!(_S143 > 0.0f))
     {
         return false;
     }
-    var _S143 : u32 = depth_2 + u32(1);
-    if(_S143 >= (word_0(u32(1))))
+    var _S144 : u32 = depth_2 + u32(1);
+    if(_S144 >= (word_0(u32(1))))
     {
-        var _S144 : f32 = min(_S142, 0.94999998807907104f);
-        if((random_0((*path_3).key_0, vertex_numbers_0(_S143) - u32(1))) >= _S144)
+        var _S145 : f32 = min(_S143, 0.94999998807907104f);
+        if((random_0((*path_3).key_0, vertex_numbers_0(_S144) - u32(1))) >= _S145)
         {
             return false;
         }
-        (*path_3).throughput_0 = (*path_3).throughput_0 / vec3<f32>(_S144);
+        (*path_3).throughput_0 = (*path_3).throughput_0 / vec3<f32>(_S145);
     }
     (*path_3).place_0 = next_0;
     (*path_3).direction_0 = next_direction_0;
@@ -2213,15 +2218,15 @@ fn go_on(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0 = load_0(number_of_path_2);
     var goes_on_2 : bool = take_further_0(&(path_7));
     store_0(number_of_path_2, path_7);
-    var _S145 : u32;
+    var _S146 : u32;
     if(goes_on_2)
     {
-        _S145 = number_of_path_2;
+        _S146 = number_of_path_2;
     }
     else
     {
-        _S145 = u32(4294967295);
+        _S146 = u32(4294967295);
     }
-    going_on_0[at_14] = _S145;
+    going_on_0[at_14] = _S146;
     return;
 }
