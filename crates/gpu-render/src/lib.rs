@@ -20,7 +20,7 @@
 //! own: in a fixed order, in double precision, with standard errors. So the same scene, options and
 //! device give the same bits.
 //!
-//! What a scene may have is little yet: see [`unsupported`].
+//! What a scene may have is little yet: see [`unsupported()`].
 
 mod camera_rays;
 mod device_error;

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 90498aeb291573ba
-// result: 52376ae789dc2708
+// source: 50868aa0682dbd0d
+// result: 43f0091bfe7bf85e
 
 struct Launch_std140_0
 {
@@ -28,6 +28,11 @@ struct Launch_std140_0
 
 @binding(7) @group(0) var<storage, read_write> going_on_0 : array<u32>;
 
+fn word_0( at_0 : u32) -> u32
+{
+    return scene_0[at_0];
+}
+
 fn component_0( v_0 : vec3<f64>,  axis_0 : u32) -> f64
 {
     var _S1 : f64;
@@ -47,11 +52,6 @@ fn component_0( v_0 : vec3<f64>,  axis_0 : u32) -> f64
         }
     }
     return _S1;
-}
-
-fn word_0( at_0 : u32) -> u32
-{
-    return scene_0[at_0];
 }
 
 fn limit_at_0( which_0 : u32) -> f64
@@ -863,13 +863,21 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
+    var _S54 : bool;
     if(length_of_ray_0 >= 0.0f)
+    {
+        _S54 = (word_0(u32(13))) != u32(0);
+    }
+    else
+    {
+        _S54 = false;
+    }
+    if(_S54)
     {
         found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>(path_3.direction_2), 0.0lf, f64(length_of_ray_0), false, &(t_3));
     }
     path_3.place_6 = place_of_0(found_4);
     var emitter_3 : u32 = emitter_seen_0(found_4, path_3.direction_2);
-    var _S54 : bool;
     if(emitter_3 != u32(4294967295))
     {
         _S54 = (word_0(u32(4))) != u32(0);

@@ -1,6 +1,6 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 90498aeb291573ba
+// source: 50868aa0682dbd0d
 // result: df6e2e2c90df8bf5
 
 struct Launch_std140_0

@@ -104,6 +104,18 @@ fn single_precision_is_enough() {
     }
 }
 
+/// A scene without shapes, whose tree has no nodes, shows its environment.
+#[test]
+fn nothing_is_seen_where_nothing_is() {
+    let mut scene = scenes::scene("parity/cube_sky.xml");
+    scene.shapes.clear();
+    scene.emitters.retain(|emitter| emitter.shape().is_none());
+    let prepared = PreparedScene::new(scene);
+    if let Some(compared) = compare(&prepared, Precision::Double) {
+        assert_eq!(compared, Ok(()));
+    }
+}
+
 /// Means over nine parts of an image are the processor's, which has other random numbers. Three
 /// scenes and one that is built in, three channels: 108 numbers, of which one is beyond 4.5
 /// standard errors by accident in one run of 1300, and the seeds are fixed.
