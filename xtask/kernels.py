@@ -1,5 +1,5 @@
 """Compiles the kernels of a crate by the Slang compiler inside PyPI's slangpy, without a
-device: `kernels.py FOLDER`, where FOLDER has one of the sources below. For wgpu they become WGSL,
+device: `kernels.py FOLDER`, where FOLDER has some of the sources below. For wgpu they become WGSL,
 for NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
 
 Slang writes no `double` in WGSL ("unexpected: 'double' type emitted", 2026.12), which wgpu
@@ -10,6 +10,7 @@ and here that becomes `f64`.
 import ctypes
 import glob
 import importlib.metadata
+import itertools
 import os
 import re
 import sys
@@ -17,10 +18,13 @@ import sys
 import nvidia.cuda_nvrtc
 import slangpy
 
-# The kernels of each source.
-SOURCES = {
-    "queries.slang": ["first_hit", "occluded", "closest", "gather", "eights"],
-    "render.slang": ["begin_paths", "go_on"],
+# Of each source its kernels.
+ENTRIES = {
+    "queries": ["first_hit", "occluded", "closest", "gather", "eights"],
+    "moved": ["moved_triangles", "moved_edges"],
+    "bounds": ["bound_triangles", "bound_edges"],
+    "sampled": ["sample_edges"],
+    "render": ["begin_paths", "go_on"],
 }
 # Where files are that sources include.
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")
@@ -128,6 +132,13 @@ def nvrtc_text(compiler, program, what):
     return buffer.value.decode()
 
 
+def content(folder, name):
+    """A source with what it includes in the place of the lines that say so."""
+    paths = [os.path.join(place, name) for place in (folder, SHARED)]
+    with open(next(filter(os.path.exists, paths)), "rb") as file:
+        return re.sub(rb'#include "(.*)"\n', lambda line: content(folder, line[1].decode()), file.read())
+
+
 def checksum(content):
     """FNV-1a with 64 bits, as a test of the crate computes it."""
     value = 0xCBF29CE484222325
@@ -136,35 +147,25 @@ def checksum(content):
     return f"{value:016x}"
 
 
-def whole(source):
-    """A source, and behind it the files that it includes."""
-    with open(source, "rb") as file:
-        content = file.read()
-    for name in re.findall(rb'^#include "(.+)"', content, flags=re.M):
-        paths = [os.path.join(folder, name.decode()) for folder in (os.path.dirname(source), SHARED)]
-        with open(next(filter(os.path.exists, paths)), "rb") as file:
-            content += file.read()
-    return content
-
-
 def main():
     folder = sys.argv[1]
-    [name] = [name for name in SOURCES if os.path.exists(os.path.join(folder, name))]
-    source = os.path.join(folder, name)
-    of_source = checksum(whole(source))
     library = compiler()
     nvidia_compiler = nvrtc()
     by_slang = f"Slang {text(library.spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
     by_both = f"{by_slang}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
-    for entry in SOURCES[name]:
-        for precision in PRECISIONS:
+    for name, entries in ENTRIES.items():
+        source = os.path.join(folder, f"{name}.slang")
+        if not os.path.exists(source):
+            continue
+        of_source = checksum(content(folder, f"{name}.slang"))
+        for entry, precision in itertools.product(entries, PRECISIONS):
             for language, by, code in [
                 ("wgsl", by_slang, wgsl(library, source, entry, precision)),
                 ("ptx", by_both, ptx(library, nvidia_compiler, source, entry, precision)),
             ]:
                 code = code.strip() + "\n"
                 head = (
-                    "// Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.\n"
+                    f"// Compiled from {name}.slang by `cargo xtask kernels`. Not to be edited.\n"
                     f"// compiler: {by}\n"
                     f"// source: {of_source}\n"
                     f"// result: {checksum(code.encode())}\n"

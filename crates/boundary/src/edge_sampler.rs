@@ -2,8 +2,11 @@
 //! at random to a few of them; where only silhouettes count, past all that certainly has none.
 //! The time grows with the logarithm of the edges.
 
+mod in_cone;
+
 use std::ops::Range;
 
+use capwalk_geometry::sampler_buffers::CLEAR;
 use capwalk_geometry::{Edge, EdgeSelection, NormalCone, add_effort};
 use capwalk_math::Vec3;
 
@@ -23,10 +26,6 @@ fn leaf_size(selection: EdgeSelection) -> usize {
 
 /// The effort of a step down: two importances.
 const EFFORT_OF_STEP: u64 = 5;
-
-/// Distance by which a viewpoint must clear a plane, as a fraction of the size of
-/// coordinates: ten times the tolerance within which it counts as lying in it.
-const CLEAR: f64 = 1e-10;
 
 /// The edges of a scene, for sampling those that count.
 #[derive(Debug)]
@@ -320,11 +319,17 @@ impl EdgeBounds {
         self.length * self.visibility.from(viewpoint - self.centre)
     }
 
+    /// Distance by which a viewpoint must clear a plane: more than what rounding adds up to, world
+    /// units.
+    fn clear(&self, viewpoint: Vec3) -> f64 {
+        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
+        CLEAR * (sum(viewpoint) + sum(self.centre) + 2.0 * self.radius)
+    }
+
     /// False if certainly none of the edges is a silhouette as seen from the viewpoint.
     fn may_have_silhouette(&self, viewpoint: Vec3) -> bool {
         let offset = self.centre - viewpoint;
-        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
-        let clear = CLEAR * (sum(viewpoint) + sum(self.centre) + 2.0 * self.radius);
+        let clear = self.clear(viewpoint);
         let margin = self
             .normals
             .view_margin(self.radius + clear, self.height + clear);

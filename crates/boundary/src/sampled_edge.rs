@@ -226,6 +226,13 @@ impl SampledEdge {
         normals.map_or([None; 2], |normals| normals.map(Some))
     }
 
+    /// Normals of its faces, of any length, as if both were wound alike; zero if it always
+    /// counts.
+    pub fn outward_crosses(&self) -> [Vec3; 2] {
+        let [first, second] = self.crosses.unwrap_or([Vec3::zero(); 2]);
+        [first, if self.flipped { -second } else { second }]
+    }
+
     /// What [`Edge::is_silhouette`] says.
     #[inline]
     pub fn is_silhouette(&self, viewpoint: Vec3) -> bool {

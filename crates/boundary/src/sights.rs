@@ -3,6 +3,7 @@
 //! nothing else.
 
 use capwalk_geometry::Ray;
+use capwalk_geometry::sampler_buffers::DIRECTIONS;
 use capwalk_math::{Frame, Vec3, sphere};
 use capwalk_scene::ShapeId;
 
@@ -21,9 +22,6 @@ const GOLDEN: f64 = 0.618_033_988_749_894_9;
 /// Surfaces within this distance hide an edge, as a fraction of its shape's size; closer
 /// viewpoints see it.
 const REACH: f64 = 0.25;
-
-/// The quarters of the six sides of a cube, through which directions pass.
-const DIRECTIONS: usize = 24;
 
 /// Share of edges that counts as visible where no ray says so.
 const LEAST: f64 = 0.1;
@@ -127,7 +125,7 @@ fn hides(shape: ShapeId, ray: &Ray, accel: &Accel) -> bool {
     hit.is_some_and(|hit| accel.shape_of(&hit) == shape)
 }
 
-/// The quarter of a cube's side through which a direction passes.
+/// The quarter of a cube's side through which a direction passes: one of [`DIRECTIONS`].
 fn number(direction: Vec3) -> u8 {
     let d = direction.to_array();
     let larger = |most: usize, i: usize| if d[i].abs() > d[most].abs() { i } else { most };
@@ -200,6 +198,16 @@ impl LearnedVisibility {
             shares: edges.lengths.map(share),
             reach: edges.reach,
         }
+    }
+
+    /// The share in each direction.
+    pub fn shares(&self) -> [f32; DIRECTIONS] {
+        self.shares
+    }
+
+    /// From closer than this, world units, everything is visible.
+    pub fn reach(&self) -> f64 {
+        self.reach
     }
 
     /// The share that is visible from a viewpoint at an offset from the edges.

@@ -19,6 +19,7 @@ mod mesh;
 pub mod oracle;
 mod query;
 pub mod ray;
+pub mod sampler_buffers;
 pub mod simd;
 #[cfg(test)]
 mod tests;

@@ -80,9 +80,9 @@ fn run() -> Result<(), GpuError> {
 
 /// The trees, the queries, and the processor's answers to the first of them.
 struct Own {
+    mesh: Mesh,
     rays_there: RayTree,
     edges_there: SilhouetteTree,
-    faces: usize,
     rays: Vec<Ray>,
     all: Vec<ConeQuery>,
     narrow: Vec<ConeQuery>,
@@ -126,7 +126,7 @@ impl Own {
             closest: [&all, &narrow, &shaded]
                 .map(|cones| timed(cones, |cone| edges_there.closest(cone))),
             gathered: timed(&narrow, gather),
-            faces: mesh.faces.len(),
+            mesh,
             rays_there,
             edges_there,
             rays,
@@ -151,7 +151,7 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
         gpu.name(),
         gpu.driver().trim(),
         gpu.interface(),
-        own.faces,
+        own.mesh.faces.len(),
         own.rays.len(),
         gpu.precision(),
         match gpu.is_software() {
@@ -212,6 +212,45 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
         |a, b| (a == b).then_some(0.0),
     );
     println!("\nOf the last, {overflowed} met more than {CAPACITY} edges and were asked twice.");
+    refits(gpu, own, rays_there, edges_there)
+}
+
+/// How long it takes to follow vertices, and how the queries' times change with bounds from the
+/// device.
+fn refits(
+    gpu: &Gpu,
+    own: &Own,
+    mut rays_there: DeviceRayTree,
+    mut edges_there: DeviceSilhouetteTree,
+) -> Result<(), GpuError> {
+    let milliseconds = |time: Duration| time.as_secs_f64() * 1e3;
+    println!("\n| refit | kernels, ms | whole way, ms | processor, ms |\n|---|---|---|---|");
+    let row = |name: &str, refit: &mut dyn FnMut() -> Result<(), GpuError>, own: Duration| {
+        let found = fastest(gpu, refit)?;
+        println!(
+            "| {name} | {:.2} | {:.2} | {:.2} |",
+            milliseconds(found.kernels),
+            milliseconds(found.whole),
+            milliseconds(own)
+        );
+        Ok(())
+    };
+    let (mut ray_tree, mut edge_tree) = (own.rays_there.clone(), own.edges_there.clone());
+    let started = Instant::now();
+    ray_tree.refit(&own.mesh);
+    let of_rays = started.elapsed();
+    row("triangles", &mut || rays_there.refit(&own.mesh), of_rays)?;
+    let started = Instant::now();
+    edge_tree.refit(&own.mesh);
+    let of_edges = started.elapsed();
+    row("edges", &mut || edges_there.refit(&own.mesh), of_edges)?;
+    let hits = fastest(gpu, || rays_there.first_hits(&own.rays))?;
+    let closest = fastest(gpu, || edges_there.closest(&own.all))?;
+    println!(
+        "\nAfter that, kernels take {:.2} ms for the first hits and {:.2} ms for the closest silhouettes.",
+        milliseconds(hits.kernels),
+        milliseconds(closest.kernels)
+    );
     Ok(())
 }
 
@@ -264,7 +303,10 @@ struct Fastest<T> {
 }
 
 /// After one round that compiles the kernel and finds how many queries a launch should have.
-fn fastest<T>(gpu: &Gpu, work: impl Fn() -> Result<T, GpuError>) -> Result<Fastest<T>, GpuError> {
+fn fastest<T>(
+    gpu: &Gpu,
+    mut work: impl FnMut() -> Result<T, GpuError>,
+) -> Result<Fastest<T>, GpuError> {
     let mut result = Fastest {
         answers: work()?,
         kernels: Duration::MAX,

@@ -25,8 +25,8 @@ pub struct CompiledKernel {
 }
 
 impl CompiledKernel {
-    /// An error, in words, if it was compiled from another source than this one (the files that it
-    /// includes behind it), or was edited. For tests: the first lines of a compiled kernel end
+    /// An error, in words, if it was compiled from another source than this one (with what it
+    /// includes in the place of the lines that say so), or was edited. For tests: the first lines of a compiled kernel end
     /// with checksums of its source and of what follows.
     pub fn check(&self, source: &str) -> Result<(), String> {
         for compiled in self.wgsl.into_iter().chain(self.ptx) {

@@ -58,6 +58,15 @@ pub enum GpuError {
         /// The largest buffer of the device.
         limit: u64,
     },
+    /// A tree follows only the vertices of the mesh that it was built from.
+    #[error(
+        "the tree cannot be refitted: {reason}. Give it the mesh it was built from, with other \
+         positions, or upload a new tree"
+    )]
+    OtherMesh {
+        /// What is wrong with the mesh.
+        reason: String,
+    },
     /// The device did not answer in time. Its work cannot be taken back: it may go on.
     #[error(
         "{adapter} did not finish {queries} queries within {} s. Allow more (`GpuOptions::timeout`), or use \

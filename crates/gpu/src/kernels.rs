@@ -1,4 +1,4 @@
-//! The kernels as `cargo xtask kernels` compiled them from `kernels/queries.slang`.
+//! The kernels as `cargo xtask kernels` compiled them from the sources in `kernels`.
 
 use crate::compiled_kernel::{CompiledKernel, GROUP};
 use crate::precision::Precision;
@@ -12,6 +12,14 @@ pub enum Kernel {
     Gather,
     /// Whether cones can be asked at all.
     Eights,
+    /// Triangles and edges at new positions.
+    MovedTriangles,
+    MovedEdges,
+    /// Bounds of the children of nodes around these.
+    BoundTriangles,
+    BoundEdges,
+    /// Edges sampled in cones.
+    SampleEdges,
 }
 
 impl Kernel {
@@ -34,14 +42,22 @@ impl Kernel {
             Self::Closest => "closest",
             Self::Gather => "gather",
             Self::Eights => "eights",
+            Self::MovedTriangles => "moved_triangles",
+            Self::MovedEdges => "moved_edges",
+            Self::BoundTriangles => "bound_triangles",
+            Self::BoundEdges => "bound_edges",
+            Self::SampleEdges => "sample_edges",
         }
     }
 
-    /// How many queries a group works on: cones have eight threads each.
+    /// How many queries a group works on: cones have eight threads each, children of nodes a
+    /// group.
     fn group(self) -> usize {
         match self {
             Self::FirstHit | Self::Occluded | Self::Eights => GROUP,
+            Self::MovedTriangles | Self::MovedEdges | Self::SampleEdges => GROUP,
             Self::Closest | Self::Gather => GROUP / 8,
+            Self::BoundTriangles | Self::BoundEdges => 1,
         }
     }
 
@@ -58,6 +74,36 @@ impl Kernel {
             (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.wgsl"),
             (Self::Eights, Precision::Single) => include_str!("kernels/eights_single.wgsl"),
             (Self::Eights, Precision::Double) => include_str!("kernels/eights_double.wgsl"),
+            (Self::MovedTriangles, Precision::Single) => {
+                include_str!("kernels/moved_triangles_single.wgsl")
+            }
+            (Self::MovedTriangles, Precision::Double) => {
+                include_str!("kernels/moved_triangles_double.wgsl")
+            }
+            (Self::MovedEdges, Precision::Single) => {
+                include_str!("kernels/moved_edges_single.wgsl")
+            }
+            (Self::MovedEdges, Precision::Double) => {
+                include_str!("kernels/moved_edges_double.wgsl")
+            }
+            (Self::BoundTriangles, Precision::Single) => {
+                include_str!("kernels/bound_triangles_single.wgsl")
+            }
+            (Self::BoundTriangles, Precision::Double) => {
+                include_str!("kernels/bound_triangles_double.wgsl")
+            }
+            (Self::BoundEdges, Precision::Single) => {
+                include_str!("kernels/bound_edges_single.wgsl")
+            }
+            (Self::BoundEdges, Precision::Double) => {
+                include_str!("kernels/bound_edges_double.wgsl")
+            }
+            (Self::SampleEdges, Precision::Single) => {
+                include_str!("kernels/sample_edges_single.wgsl")
+            }
+            (Self::SampleEdges, Precision::Double) => {
+                include_str!("kernels/sample_edges_double.wgsl")
+            }
         }
     }
 
@@ -74,6 +120,28 @@ impl Kernel {
             (Self::Gather, Precision::Double) => include_str!("kernels/gather_double.ptx"),
             (Self::Eights, Precision::Single) => include_str!("kernels/eights_single.ptx"),
             (Self::Eights, Precision::Double) => include_str!("kernels/eights_double.ptx"),
+            (Self::MovedTriangles, Precision::Single) => {
+                include_str!("kernels/moved_triangles_single.ptx")
+            }
+            (Self::MovedTriangles, Precision::Double) => {
+                include_str!("kernels/moved_triangles_double.ptx")
+            }
+            (Self::MovedEdges, Precision::Single) => include_str!("kernels/moved_edges_single.ptx"),
+            (Self::MovedEdges, Precision::Double) => include_str!("kernels/moved_edges_double.ptx"),
+            (Self::BoundTriangles, Precision::Single) => {
+                include_str!("kernels/bound_triangles_single.ptx")
+            }
+            (Self::BoundTriangles, Precision::Double) => {
+                include_str!("kernels/bound_triangles_double.ptx")
+            }
+            (Self::BoundEdges, Precision::Single) => include_str!("kernels/bound_edges_single.ptx"),
+            (Self::BoundEdges, Precision::Double) => include_str!("kernels/bound_edges_double.ptx"),
+            (Self::SampleEdges, Precision::Single) => {
+                include_str!("kernels/sample_edges_single.ptx")
+            }
+            (Self::SampleEdges, Precision::Double) => {
+                include_str!("kernels/sample_edges_double.ptx")
+            }
         }
     }
 }
@@ -87,15 +155,28 @@ mod tests {
     /// Whoever changes the source must compile it again, and nobody edits the result.
     #[test]
     fn compiled_kernels_are_current() {
-        let source = [include_str!("kernels/queries.slang"), RAYS_SOURCE].concat();
-        for kernel in [
-            Kernel::FirstHit,
-            Kernel::Occluded,
-            Kernel::Closest,
-            Kernel::Gather,
-            Kernel::Eights,
+        let included = |source: &str, name: &str, content: &str| {
+            source.replace(&format!("#include \"{name}\"\n"), content)
+        };
+        let queries = include_str!("kernels/queries.slang");
+        let queries = &*included(queries, "rays.slang", RAYS_SOURCE);
+        let sampled = include_str!("kernels/sampled.slang");
+        let sampled = &*included(sampled, "queries.slang", queries);
+        let moved = include_str!("kernels/moved.slang");
+        let bounds = include_str!("kernels/bounds.slang");
+        for (kernel, source) in [
+            (Kernel::FirstHit, queries),
+            (Kernel::Occluded, queries),
+            (Kernel::Closest, queries),
+            (Kernel::Gather, queries),
+            (Kernel::Eights, queries),
+            (Kernel::MovedTriangles, moved),
+            (Kernel::MovedEdges, moved),
+            (Kernel::BoundTriangles, bounds),
+            (Kernel::BoundEdges, bounds),
+            (Kernel::SampleEdges, sampled),
         ] {
-            assert_eq!(kernel.compiled().check(&source), Ok(()));
+            assert_eq!(kernel.compiled().check(source), Ok(()));
         }
     }
 

@@ -1,5 +1,5 @@
 //! Geometry queries in batches on a GPU: first hits, occlusion, closest silhouettes and
-//! all silhouettes in a cone, over the trees of `capwalk-geometry`.
+//! all silhouettes in a cone, over the trees of `capwalk-geometry`, and edges sampled in cones.
 //!
 //! ```no_run
 //! use std::sync::Arc;
@@ -47,7 +47,9 @@ mod local_cone;
 mod local_ray;
 mod precision;
 mod ray_queries;
+mod refit;
 mod resident;
+mod sampler_queries;
 mod silhouette_queries;
 mod wgpu_driver;
 
@@ -58,4 +60,5 @@ pub use gpu::{Gpu, GpuOptions, Interface};
 pub use local_cone::SINGLE_ERROR;
 pub use precision::Precision;
 pub use ray_queries::DeviceRayTree;
+pub use sampler_queries::DeviceEdgeSampler;
 pub use silhouette_queries::{DeviceSilhouetteTree, Gathered};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use capwalk_geometry::buffers::NONE;
-use capwalk_geometry::{Hit, LocalFrame, Ray, RayTree};
+use capwalk_geometry::{Hit, LocalFrame, Mesh, Ray, RayTree};
 use rayon::prelude::*;
 
 use crate::batch::{self, Shape};
@@ -11,6 +11,7 @@ use crate::error::GpuError;
 use crate::gpu::Gpu;
 use crate::kernels::Kernel;
 use crate::local_ray::{LocalRay, RAY, write_miss};
+use crate::refit::{Primitives, Refit};
 use crate::resident::{Arrays, Resident};
 
 /// A [`RayTree`] on the device.
@@ -19,6 +20,9 @@ pub struct DeviceRayTree {
     gpu: Arc<Gpu>,
     frame: LocalFrame,
     tree: Option<Resident>,
+    /// What is below each child, for the first refit.
+    below: Vec<u32>,
+    refit: Option<Refit>,
 }
 
 impl DeviceRayTree {
@@ -40,12 +44,36 @@ impl DeviceRayTree {
             gpu: gpu.clone(),
             frame: buffers.frame,
             tree,
+            below: buffers.below,
+            refit: None,
         })
     }
 
-    /// Follows a tree that was refitted: its arrays are uploaded anew.
-    pub fn refit(&mut self, tree: &RayTree) -> Result<(), GpuError> {
-        *self = Self::new(&self.gpu, tree)?;
+    /// Follows moved vertices, as [`RayTree::refit`] does on the processor: the mesh must be the
+    /// one that the tree was built from, with any other finite positions. Positions are uploaded,
+    /// all else is done on the device; the first call also uploads the faces, and takes memory
+    /// for a second copy of the tree. Answers are those of a new tree; they only take longer the
+    /// less the mesh resembles the one that the tree was built for. To build anew, or to follow a
+    /// tree that the processor has refitted anyway, there is [`new`](Self::new).
+    ///
+    /// After an error the tree is what it was: [`GpuError::OtherMesh`] if vertices or faces are
+    /// not as many as they were, or a position is not finite.
+    pub fn refit(&mut self, mesh: &Mesh) -> Result<(), GpuError> {
+        self.gpu.check()?;
+        let Some(tree) = &mut self.tree else {
+            return Ok(());
+        };
+        let refit = match &mut self.refit {
+            Some(refit) => refit,
+            none => none.insert(Refit::new(
+                &self.gpu,
+                tree,
+                &Primitives::Triangles,
+                &self.below,
+                mesh,
+            )?),
+        };
+        self.frame = refit.follow(&self.gpu, tree, mesh)?;
         Ok(())
     }
 

@@ -25,7 +25,30 @@ pub struct Arrays<'a> {
 #[derive(Debug)]
 pub struct Resident {
     arrays: [Memory; 4],
+    /// Their sizes, bytes.
+    sizes: [u64; 4],
     primitives: usize,
+}
+
+/// Uploads an array, which one buffer must hold.
+pub fn uploaded(gpu: &Gpu, bytes: &[u8]) -> Result<Memory, GpuError> {
+    let memory = room(gpu, bytes.len() as u64)?;
+    gpu.upload(&memory, bytes)?;
+    Ok(memory)
+}
+
+/// Room for an array, which one buffer must hold.
+pub fn room(gpu: &Gpu, bytes: u64) -> Result<Memory, GpuError> {
+    let limit = gpu.largest_buffer();
+    if bytes > limit {
+        return Err(GpuError::TreeTooLarge {
+            adapter: gpu.name().to_owned(),
+            bytes,
+            limit,
+        });
+    }
+    // A buffer of no bytes cannot be bound.
+    gpu.allocate(bytes.max(16))
 }
 
 impl Resident {
@@ -48,23 +71,11 @@ impl Resident {
             primitives,
             bytemuck::cast_slice(&rough),
         ];
-        let limit = gpu.largest_buffer();
-        let largest = contents.map(|bytes| bytes.len() as u64).into_iter().max();
-        if let Some(bytes) = largest.filter(|&bytes| bytes > limit) {
-            return Err(GpuError::TreeTooLarge {
-                adapter: gpu.name().to_owned(),
-                bytes,
-                limit,
-            });
-        }
-        let upload = |bytes: &[u8]| -> Result<Memory, GpuError> {
-            let memory = gpu.allocate(bytes.len() as u64)?;
-            gpu.upload(&memory, bytes)?;
-            Ok(memory)
-        };
-        let [nodes, leaf_starts, exact, rough] = contents.map(upload);
+        let sizes = contents.map(|bytes| bytes.len() as u64);
+        let [nodes, leaf_starts, exact, rough] = contents.map(|bytes| uploaded(gpu, bytes));
         Ok(Some(Self {
             arrays: [nodes?, leaf_starts?, exact?, rough?],
+            sizes,
             primitives: arrays.primitives,
         }))
     }
@@ -72,6 +83,22 @@ impl Resident {
     /// Nodes, starts of leaves, primitives, and what is read of them before.
     pub fn arrays(&self) -> [&Memory; 4] {
         self.arrays.each_ref()
+    }
+
+    /// Room for nodes, primitives, and what is read of them before: a second copy of each.
+    pub fn spare(&self, gpu: &Gpu) -> Result<[Memory; 3], GpuError> {
+        let [nodes, _, primitives, rough] = self.sizes;
+        let [nodes, primitives, rough] = [nodes, primitives, rough].map(|bytes| room(gpu, bytes));
+        Ok([nodes?, primitives?, rough?])
+    }
+
+    /// Exchanges nodes, primitives, and what is read of them before unless that stays.
+    pub fn exchange(&mut self, [nodes, primitives, rough]: &mut [Memory; 3], rough_stays: bool) {
+        std::mem::swap(&mut self.arrays[0], nodes);
+        std::mem::swap(&mut self.arrays[2], primitives);
+        if !rough_stays {
+            std::mem::swap(&mut self.arrays[3], rough);
+        }
     }
 
     /// How many primitives there are.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use capwalk_geometry::buffers::{EDGE, NONE};
-use capwalk_geometry::{ConeQuery, LocalFrame, SilhouettePoint, SilhouetteTree};
+use capwalk_geometry::{ConeQuery, LocalFrame, Mesh, SilhouettePoint, SilhouetteTree};
 use capwalk_math::{Vec3, sphere};
 use rayon::prelude::*;
 
@@ -13,6 +13,7 @@ use crate::gpu::Gpu;
 use crate::kernels::Kernel;
 use crate::local_cone::{self, CONE};
 use crate::precision::Precision;
+use crate::refit::{Primitives, Refit};
 use crate::resident::{Arrays, Resident};
 
 /// A [`SilhouetteTree`] on the device.
@@ -22,6 +23,10 @@ pub struct DeviceSilhouetteTree {
     frame: LocalFrame,
     tree: Option<Resident>,
     edges: usize,
+    /// What is below each child, and what edges are of, for the first refit.
+    below: Vec<u32>,
+    primitives: Primitives,
+    refit: Option<Refit>,
 }
 
 /// Which edges meet each cone of a batch.
@@ -68,12 +73,38 @@ impl DeviceSilhouetteTree {
             frame: buffers.frame,
             tree,
             edges: buffers.edges.len() / 2,
+            below: buffers.below,
+            primitives: Primitives::Edges(buffers.sides),
+            refit: None,
         })
     }
 
-    /// Follows a tree that was refitted: its arrays are uploaded anew.
-    pub fn refit(&mut self, tree: &SilhouetteTree) -> Result<(), GpuError> {
-        *self = Self::new(&self.gpu, tree)?;
+    /// Follows moved vertices, as [`SilhouetteTree::refit`] does on the processor: the mesh must
+    /// be the one that the tree was built from, with any other finite positions. Positions are
+    /// uploaded, all else is done on the device (but for the normals of faces in single
+    /// precision); the first call also uploads the faces, and takes memory for a second copy of
+    /// the tree. Answers are those of a new tree over the same edges; they only take longer the
+    /// less the mesh resembles the one that the tree was built for. To build anew, or to follow a
+    /// tree that the processor has refitted anyway, there is [`new`](Self::new).
+    ///
+    /// After an error the tree is what it was: [`GpuError::OtherMesh`] if vertices or faces are
+    /// not as many as they were, or a position is not finite.
+    pub fn refit(&mut self, mesh: &Mesh) -> Result<(), GpuError> {
+        self.gpu.check()?;
+        let Some(tree) = &mut self.tree else {
+            return Ok(());
+        };
+        let refit = match &mut self.refit {
+            Some(refit) => refit,
+            none => none.insert(Refit::new(
+                &self.gpu,
+                tree,
+                &self.primitives,
+                &self.below,
+                mesh,
+            )?),
+        };
+        self.frame = refit.follow(&self.gpu, tree, mesh)?;
         Ok(())
     }
 

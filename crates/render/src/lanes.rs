@@ -13,10 +13,10 @@
 //! camera so near that it is more than two thousandths of a pixel ([`PacketTree::resolves`],
 //! [`NEAREST`]).
 
-mod facets;
 mod frames;
 mod lobes;
 mod rays;
+mod rough;
 mod scene;
 mod step;
 #[cfg(test)]
@@ -69,6 +69,9 @@ struct Paths<'a> {
     vertices: Vertices,
     /// What scatters light there, if it is not diffuse.
     lobes: LaneLobes<'a>,
+    /// Points on the emitter, and directions drawn from the surfaces.
+    lit: Lit,
+    drawn: Brdf,
     /// What they hit, or [`NOTHING`].
     faces: [u32; LANES],
     /// How many rays each has taken.
@@ -84,6 +87,8 @@ impl Paths<'_> {
             throughput: Vectors::ZERO,
             vertices: Vertices::NONE,
             lobes: LaneLobes::new(),
+            lit: Lit::default(),
+            drawn: Brdf::default(),
             faces: [NOTHING; LANES],
             rays: [0; LANES],
         }
@@ -268,47 +273,37 @@ impl<'a> LaneTracer<'a> {
         let active = active & !lobes.which(active, |lobes| !lobes.has_smooth);
         let transmits = lobes.which(active, |lobes| lobes.transmits);
         let instructions = self.packets.instructions();
-        let mut lit = Lit::default();
+        let (vertices, lobes) = (&mut paths.vertices, &mut paths.lobes);
+        let lit = &mut paths.lit;
         instructions.run(step::Light {
-            vertices: &mut paths.vertices,
+            vertices,
             rectangle: self.scene.rectangle,
             streams: &paths.streams,
             first,
             lanes: active,
             of_brdf,
             transmits,
-            lit: &mut lit,
+            lit,
         });
         let wanted = active & lit.mask;
         if wanted == 0 {
             return;
         }
         let rays = LaneRays {
-            origin: &paths.vertices.position,
+            origin: &vertices.position,
             direction: &lit.direction,
-            range: &[[0.0; LANES], lit.distance],
+            range: &lit.range,
             mask: wanted,
         };
         for lane in lanes_of(wanted) {
             paths.rays[lane] += 1;
         }
         let seen = wanted & !rays.occluded(&self.packets);
-        paths.lobes.light_from(instructions, &lit.direction, seen);
-        let mut scattered = paths.vertices.albedo;
-        for lane in lanes_of(seen & paths.lobes.with_lobes) {
-            let Some(lobes) = paths.lobes.get(lane) else {
-                continue;
-            };
-            let solid_angle = paths.vertices.solid_angle[lane];
-            let has_other = of_brdf >> lane & 1 == 1;
-            let (colour, weight) = paths.lobes.scattered(lobes, lane, solid_angle, has_other);
-            scattered.set_colour(lane, colour);
-            lit.weight[lane] = weight;
-        }
+        lobes.weigh_points(instructions, vertices, lit, [seen, of_brdf]);
         instructions.run(step::SumLight {
             light: &mut paths.light,
             throughput: &paths.throughput,
-            scattered: &scattered,
+            scattered: &vertices.scattered,
             weight: &lit.weight,
             radiance: self.scene.radiance,
             lanes: seen,
@@ -336,41 +331,19 @@ impl<'a> LaneTracer<'a> {
             lanes: active,
             numbers: &mut u,
         });
-        let mut drawn = Brdf::default();
-        if active & !paths.lobes.with_lobes != 0 {
-            instructions.run(step::Draw {
-                vertices: &paths.vertices,
-                u: &u,
-                drawn: &mut drawn,
-            });
-        }
-        let Paths {
-            vertices, lobes, ..
-        } = &mut *paths;
-        let of_lobes = mask_of(active & lobes.with_lobes, |lane| {
-            lobes.draw(lane, choice[0][lane], u.map(|numbers| numbers[lane]))
+        let (vertices, lobes) = (&mut paths.vertices, &mut paths.lobes);
+        let drawn = &mut paths.drawn;
+        instructions.run(step::Draw {
+            vertices,
+            u: &u,
+            drawn,
         });
-        let active = active & !lobes.with_lobes | of_lobes;
-        let mut factors = vertices.albedo;
-        let mut ended = 0;
-        if of_lobes != 0 {
-            let directions = lobes.drawn(instructions, of_lobes);
-            for lane in lanes_of(of_lobes) {
-                let own = lobes
-                    .get(lane)
-                    .and_then(|own| lobes.weighed(own, lane, vertices.solid_angle[lane]));
-                match own {
-                    None => ended |= 1 << lane,
-                    Some((factor, weight)) => {
-                        drawn.direction.set(lane, directions.get(lane));
-                        drawn.weight[lane] = weight;
-                        factors.set_colour(lane, factor);
-                    }
-                }
-            }
+        let mut of_lobes = 0;
+        if with_lobes != 0 {
+            of_lobes = lobes.draw(instructions, with_lobes, &choice[0], &u, &drawn.local);
+            of_lobes = lobes.weigh_drawn(instructions, vertices, drawn, of_lobes);
         }
-        let active = active & !ended;
-        let vertices = &mut paths.vertices;
+        let active = active & !with_lobes | of_lobes;
         vertices.direction = drawn.direction;
         vertices.origin = vertices.position;
         let rays = LaneRays {
@@ -387,7 +360,7 @@ impl<'a> LaneTracer<'a> {
             instructions.run(step::SumLight {
                 light: &mut paths.light,
                 throughput: &paths.throughput,
-                scattered: &factors,
+                scattered: &vertices.scattered,
                 weight: &drawn.weight,
                 radiance: self.scene.radiance,
                 lanes: seen,
@@ -396,7 +369,7 @@ impl<'a> LaneTracer<'a> {
         for lane in lanes_of(active) {
             paths.rays[lane] += 1;
         }
-        paths.throughput = paths.throughput.times(&factors);
+        paths.throughput = paths.throughput.times(&vertices.scattered);
         active
     }
 

@@ -6,6 +6,8 @@
 //! after their parents, and slots in use come first. A child is one word ([`NONE`], or
 //! [`LEAF`] and the number of a leaf, or the number of a node); leaf `i` has the
 //! primitives `leaf_starts[i]..leaf_starts[i + 1]`. Without primitives there are no nodes.
+//! What is below a child is consecutive: slot `s` of node `n` has the primitives
+//! `below[i]..below[i + 1]` with `i = 2 (8 n + s)`, none if it is empty.
 //!
 //! Bounds are in single precision and in the coordinates of the tree's frame: `(p -
 //! frame.centre) * frame.inverse_scale`, all between -1 and 1. They are rounded outward,
@@ -22,8 +24,10 @@
 //! [`local_edges`](SilhouetteBuffers::local_edges) give them in the frame's coordinates,
 //! rounded once: a corner, an end and a vector are off by at most 2⁻²⁴ per axis.
 //!
-//! A tree that was refitted has new numbers in all arrays but `leaf_starts` and those of
-//! the primitives, and a new frame.
+//! A tree that was refitted has new bounds in `nodes`, new coordinates in `triangles` or
+//! `ends_and_normals`, and a new frame; all else stays. So whoever has the vertices of the
+//! primitives can refit the arrays by itself: the frame is [`LocalFrame::around`] the corners
+//! of the triangles or the ends of the edges, and bounds may be looser than a tree's own.
 
 use capwalk_math::Vec3;
 
@@ -31,7 +35,8 @@ use super::cone_node::{ConeNode, SIN_STEP};
 use super::oriented_box::{FIRST_SCALE, SECOND_SCALE};
 use super::ray_tree::RayTree;
 use super::silhouette_tree::SilhouetteTree;
-use crate::bvh::{Child, MAX_DEPTH, WIDTH};
+use crate::bvh::{Child, Hierarchy, MAX_DEPTH, WIDTH, child_leaves};
+use crate::edge::{Edge, Sides};
 use crate::local_frame::LocalFrame;
 
 /// An empty slot of a node.
@@ -51,6 +56,8 @@ pub const CONE_NODE: usize = CONE_CHILD * WIDTH;
 const CONE_CHILD: usize = 16;
 /// Numbers per edge.
 pub const EDGE: usize = 14;
+/// The bit of an edge's second face whose normal counts reversed.
+pub const FLIPPED: u32 = 1 << 31;
 
 /// The tree of triangles.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,6 +69,9 @@ pub struct RayBuffers {
     pub nodes: Vec<u32>,
     /// Where the primitives of each leaf start, and at last where they all end.
     pub leaf_starts: Vec<u32>,
+    /// What is below each child: two words each, the first primitive and the one after the
+    /// last.
+    pub below: Vec<u32>,
     /// The number of each triangle in the mesh.
     pub faces: Vec<u32>,
     /// [`TRIANGLE`] numbers each: three corners, in world coordinates.
@@ -94,6 +104,7 @@ impl RayTree {
             frame: self.frame,
             nodes: nodes.collect(),
             leaf_starts: self.hierarchy.leaf_starts.clone(),
+            below: below(&self.hierarchy),
             faces: self.hierarchy.order.clone(),
             triangles: triangles.flat_map(Vec3::to_array).collect(),
         }
@@ -124,9 +135,16 @@ pub struct SilhouetteBuffers {
     pub nodes: Vec<u32>,
     /// Where the primitives of each leaf start, and at last where they all end.
     pub leaf_starts: Vec<u32>,
+    /// What is below each child: two words each, the first primitive and the one after the
+    /// last.
+    pub below: Vec<u32>,
     /// Two words per edge: its number in the list that the tree was built with, and its
     /// groups.
     pub edges: Vec<u32>,
+    /// Four words per edge: the vertices at its ends and the faces on its sides, numbers in
+    /// the mesh. The second face has the bit [`FLIPPED`] if its normal counts reversed; open
+    /// edges have [`NONE`] twice.
+    pub sides: Vec<u32>,
     /// [`EDGE`] numbers each: both ends in world coordinates, `Mesh::face_cross` of the two
     /// faces, towards the same side of the surface, and the lengths of these. The normals
     /// of open edges are zero, which `separates` takes for edges that are silhouettes
@@ -142,36 +160,8 @@ impl SilhouetteBuffers {
         let edges = self.ends_and_normals.as_chunks::<EDGE>().0;
         edges
             .iter()
-            .flat_map(|edge| self.local_edge(edge))
+            .flat_map(|edge| local_edge(&self.frame, edge))
             .collect()
-    }
-
-    fn local_edge(&self, edge: &[f64; EDGE]) -> [f32; EDGE] {
-        let vector = |at: usize| Vec3::new(edge[at], edge[at + 1], edge[at + 2]);
-        let [a, b, first, second] = [0, 3, 6, 9].map(vector);
-        let along = (b - a) * self.frame.inverse_scale;
-        let normals = [first, second].map(|cross| {
-            let normal = cross.normalized();
-            if normal.is_finite() {
-                normal
-            } else {
-                Vec3::zero()
-            }
-        });
-        let parts = [
-            self.frame.local_from_world(a),
-            along,
-            normals[0],
-            normals[1],
-        ];
-        let mut numbers = [0.0; EDGE];
-        for (numbers, part) in numbers.chunks_exact_mut(3).zip(parts) {
-            numbers.copy_from_slice(&single(part));
-        }
-        for (length, normal) in numbers[12..].iter_mut().zip(normals) {
-            *length = if normal == Vec3::zero() { 0.0 } else { 1.0 };
-        }
-        numbers
     }
 }
 
@@ -194,9 +184,11 @@ impl SilhouetteTree {
             frame: self.frame,
             nodes: self.nodes.iter().flat_map(rows).flatten().collect(),
             leaf_starts: self.hierarchy.leaf_starts.clone(),
+            below: below(&self.hierarchy),
             edges: edges
                 .flat_map(|(edge, source)| [edge.id, u32::from(source.groups)])
                 .collect(),
+            sides: self.sources.iter().flat_map(sides_of).collect(),
             ends_and_normals: numbers.collect(),
         }
     }
@@ -237,6 +229,51 @@ fn cone_child(node: &ConeNode, slot: usize) -> [u32; CONE_CHILD] {
         u32::from(node.groups[slot]),
     ]);
     words
+}
+
+/// The numbers of an edge in the frame's coordinates.
+pub(crate) fn local_edge(frame: &LocalFrame, edge: &[f64; EDGE]) -> [f32; EDGE] {
+    let vector = |at: usize| Vec3::new(edge[at], edge[at + 1], edge[at + 2]);
+    let [a, b, first, second] = [0, 3, 6, 9].map(vector);
+    let along = (b - a) * frame.inverse_scale;
+    let normals = [first, second].map(|cross| {
+        let normal = cross.normalized();
+        if normal.is_finite() {
+            normal
+        } else {
+            Vec3::zero()
+        }
+    });
+    let parts = [frame.local_from_world(a), along, normals[0], normals[1]];
+    let mut numbers = [0.0; EDGE];
+    for (numbers, part) in numbers.chunks_exact_mut(3).zip(parts) {
+        numbers.copy_from_slice(&single(part));
+    }
+    for (length, normal) in numbers[12..].iter_mut().zip(normals) {
+        *length = if normal == Vec3::zero() { 0.0 } else { 1.0 };
+    }
+    numbers
+}
+
+/// The words of an edge in [`SilhouetteBuffers::sides`].
+fn sides_of(edge: &Edge) -> [u32; 4] {
+    let [a, b] = edge.vertices;
+    match edge.sides {
+        Sides::Open => [a, b, NONE, NONE],
+        Sides::Between { faces, flipped } => {
+            let [first, second] = faces;
+            [a, b, first, second | if flipped { FLIPPED } else { 0 }]
+        }
+    }
+}
+
+/// The primitives below each child.
+fn below(hierarchy: &Hierarchy) -> Vec<u32> {
+    let leaves = child_leaves(hierarchy).into_iter().flatten();
+    let starts = leaves.flat_map(|leaves| [leaves.start, leaves.end]);
+    starts
+        .map(|leaf| hierarchy.leaf_starts[leaf as usize])
+        .collect()
 }
 
 /// Children as words.

@@ -1,8 +1,8 @@
 //! The flat arrays hold what their documentation says: read as a device reads them.
 
 use super::meshes;
-use crate::buffers::{CONE_NODE, EDGE, LEAF, NONE, RAY_NODE, TRIANGLE};
-use crate::edge::separates;
+use crate::buffers::{CONE_NODE, EDGE, FLIPPED, LEAF, NONE, RAY_NODE, TRIANGLE};
+use crate::edge::{Sides, separates};
 use crate::{RayTree, SilhouetteTree, topology};
 use capwalk_math::Vec3;
 use proptest::prelude::*;
@@ -44,6 +44,12 @@ fn walk(
     }
 }
 
+/// The primitive is among those that are said to be below a child.
+fn is_below(below: &[u32], [node, slot]: [usize; 2], primitive: usize) -> bool {
+    let range = &below[2 * (8 * node + slot)..][..2];
+    (range[0] as usize..range[1] as usize).contains(&primitive)
+}
+
 fn numbers(words: &[u32]) -> Vec<f64> {
     words
         .iter()
@@ -73,6 +79,7 @@ proptest! {
                 assert_eq!(corner, expected);
                 let local = buffers.frame.local_from_world(corner).to_array();
                 for &[node, slot] in above {
+                    assert!(is_below(&buffers.below, [node, slot], i));
                     let planes = numbers(&buffers.nodes[RAY_NODE * node..][..48]);
                     let is_inside = |axis: usize| {
                         let [low, high] = [axis, axis + 3].map(|plane| planes[8 * plane + slot]);
@@ -122,7 +129,15 @@ proptest! {
             let ends = [a, b].map(|p| buffers.frame.local_from_world(p));
             assert!((vector(&local) - ends[0]).length() < ROUNDING);
             assert!((vector(&local) + vector(&local[3..]) - ends[1]).length() < ROUNDING);
+            let sides = match edge.sides {
+                Sides::Open => [NONE; 2],
+                Sides::Between { faces: [first, second], flipped } => {
+                    [first, second + u32::from(flipped) * FLIPPED]
+                }
+            };
+            assert_eq!(buffers.sides[4 * i..][..4], [edge.vertices, sides].concat());
             for &[node, slot] in above {
+                assert!(is_below(&buffers.below, [node, slot], i));
                 let words: Vec<u32> = (0..4).flat_map(|i| row(node, slot, i)).collect();
                 assert_eq!(words[15] & u32::from(edge.groups), u32::from(edge.groups));
                 let child = numbers(&words[..14]);

@@ -1,6 +1,6 @@
-// Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
+// Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 50868aa0682dbd0d
+// source: 8cf5e278cab077d3
 // result: 012448eee691f8d7
 
 struct Launch_std140_0

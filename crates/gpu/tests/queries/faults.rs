@@ -34,7 +34,7 @@ fn lost_device() {
     };
     let mesh = meshes::grid(12, 10, true, &mut Random(4));
     let tree = RayTree::build(&mesh);
-    let device = DeviceRayTree::new(&gpu, &tree).expect("room");
+    let mut device = DeviceRayTree::new(&gpu, &tree).expect("room");
     assert_eq!(device.first_hits(&rays(100)).expect("answers").len(), 100);
     gpu.destroy();
     let lost = |error: GpuError| {
@@ -42,6 +42,7 @@ fn lost_device() {
     };
     lost(device.first_hits(&rays(100)).expect_err("it is lost"));
     lost(device.occluded(&[]).expect_err("it is lost"));
+    lost(device.refit(&mesh).expect_err("it is lost"));
     lost(DeviceRayTree::new(&gpu, &tree).expect_err("it is lost"));
     let edges = topology::edges(&mesh);
     let tree = SilhouetteTree::build(&mesh, &edges);
@@ -87,9 +88,14 @@ fn timeout() {
     }
     let mesh = meshes::grid(60, 50, true, &mut Random(4));
     let tree = RayTree::build(&mesh);
-    let device = DeviceRayTree::new(&gpu, &tree).expect("room");
-    let error = device.first_hits(&rays(4096)).expect_err("no time");
-    assert!(matches!(error, GpuError::Timeout { .. }), "{error}");
+    let mut device = DeviceRayTree::new(&gpu, &tree).expect("room");
+    let errors = [
+        device.first_hits(&rays(4096)).expect_err("no time"),
+        device.refit(&mesh).expect_err("no time"),
+    ];
+    for error in errors {
+        assert!(matches!(error, GpuError::Timeout { .. }), "{error}");
+    }
 }
 
 /// Rays that are no rays hit nothing.

@@ -6,4 +6,6 @@ mod adapter;
 mod faults;
 mod meshes;
 mod rays;
+mod refit;
+mod samples;
 mod silhouettes;

@@ -17,7 +17,7 @@ const RAYS: usize = 400;
 /// Relative error of distances by divisions that are off by some ulp.
 const DIVISION: f64 = 1e-14;
 
-fn rays(placed: &Placed, random: &mut Random, count: usize) -> Vec<Ray> {
+pub fn rays(placed: &Placed, random: &mut Random, count: usize) -> Vec<Ray> {
     let mut rays = Vec::new();
     for i in 0..count {
         let from = placed.spot(random);
@@ -131,7 +131,8 @@ fn distance(p: Vec3, [a, b, c]: [Vec3; 3]) -> f64 {
     sides.into_iter().map(to_side).fold(f64::INFINITY, f64::min)
 }
 
-fn check(
+/// Compares the answers with brute force, and returns how many hits there are.
+pub fn check(
     gpu: &Arc<Gpu>,
     placed: &Placed,
     tree: &RayTree,
@@ -188,7 +189,7 @@ fn rays_hit_what_brute_force_hits() {
                 *p += random.point() * (0.1 * placed.size);
             }
             tree.refit(&placed.mesh);
-            device.refit(&tree).expect("room");
+            device.refit(&placed.mesh).expect("room");
             let some = rays(&placed, &mut random, RAYS / 4);
             found += check(gpu, &placed, &tree, &device, &some);
             asked += RAYS + RAYS / 4;

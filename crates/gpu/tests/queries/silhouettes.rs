@@ -19,7 +19,7 @@ const CONES: usize = 300;
 /// Error of angles by divisions and roots that are off by some ulp, radians.
 const DOUBLE_ERROR: f64 = 1e-14;
 
-fn cones(placed: &Placed, random: &mut Random, count: usize) -> Vec<ConeQuery> {
+pub fn cones(placed: &Placed, random: &mut Random, count: usize) -> Vec<ConeQuery> {
     let mut cones = Vec::new();
     while cones.len() < count {
         let apex = placed.spot(random);
@@ -58,7 +58,7 @@ fn cones(placed: &Placed, random: &mut Random, count: usize) -> Vec<ConeQuery> {
 }
 
 /// The edges of a mesh, in several groups.
-fn edges_of(mesh: &Mesh) -> Vec<Edge> {
+pub fn edges_of(mesh: &Mesh) -> Vec<Edge> {
     let mut edges = topology::edges(mesh);
     for (i, edge) in edges.iter_mut().enumerate() {
         edge.groups = [1, 2, 4, u8::MAX][i % 4];
@@ -230,7 +230,7 @@ fn check_gathered(
 }
 
 /// The tree on the device; `None`, after a note, where cones cannot be asked.
-fn there(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Option<DeviceSilhouetteTree> {
+pub fn there(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Option<DeviceSilhouetteTree> {
     match DeviceSilhouetteTree::new(gpu, tree) {
         Ok(there) => Some(there),
         Err(error @ GpuError::Unusable { .. }) => {
@@ -241,17 +241,16 @@ fn there(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Option<DeviceSilhouetteTree> 
     }
 }
 
-/// How many answers are those of brute force, to the last bit.
-fn check(
-    gpu: &Arc<Gpu>,
+/// Compares the answers with brute force, and returns how many silhouettes are found, and how
+/// many of them are those of brute force to the last bit. `tree` is what the device's should be.
+pub fn check(
+    gpu: &Gpu,
     placed: &Placed,
     edges: &[Edge],
     tree: &SilhouetteTree,
+    device: &DeviceSilhouetteTree,
     cones: &[ConeQuery],
 ) -> [usize; 2] {
-    let Some(device) = there(gpu, tree) else {
-        return [cones.len(); 2];
-    };
     let points = device.closest(cones).expect("answers");
     assert_eq!(
         device.closest(cones).expect("answers"),
@@ -297,14 +296,18 @@ fn cones_find_what_brute_force_finds() {
         for mut placed in meshes::all() {
             let edges = edges_of(&placed.mesh);
             let mut tree = SilhouetteTree::build(&placed.mesh, &edges);
+            let Some(mut device) = there(gpu, &tree) else {
+                return;
+            };
             let some = cones(&placed, &mut random, CONES);
-            let first = check(gpu, &placed, &edges, &tree, &some);
+            let first = check(gpu, &placed, &edges, &tree, &device, &some);
             for p in &mut placed.mesh.positions {
                 *p += random.point() * (0.05 * placed.size);
             }
             tree.refit(&placed.mesh);
             let some = cones(&placed, &mut random, CONES / 4);
-            let second = check(gpu, &placed, &edges, &tree, &some);
+            device.refit(&placed.mesh).expect("room");
+            let second = check(gpu, &placed, &edges, &tree, &device, &some);
             counts = [0, 1].map(|i| counts[i] + first[i] + second[i]);
             asked += CONES + CONES / 4;
         }
@@ -356,7 +359,10 @@ fn far_apexes() {
                 });
             }
         }
-        let [found, _] = check(gpu, &placed, &edges, &tree, &far);
+        let Some(device) = there(gpu, &tree) else {
+            return;
+        };
+        let [found, _] = check(gpu, &placed, &edges, &tree, &device, &far);
         assert!(found > far.len() / 2, "{found} of {} cones", far.len());
     });
 }

@@ -55,18 +55,16 @@ impl Computation for FindFrames<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let Vertices {
-            outward,
-            side,
-            direction,
-            ..
-        } = *self.vertices;
-        let mut frames = LaneFrames::NONE;
-        for (lane, &side) in side.iter().enumerate() {
-            let frame = Frame::from_normal(outward.get(lane));
-            frames.set(lane, frame, side, direction.get(lane));
-        }
-        *self.frames = frames;
+        find_frames(self.vertices, self.frames);
+    }
+}
+
+#[inline(always)]
+fn find_frames(vertices: &Vertices, frames: &mut LaneFrames) {
+    for lane in 0..LANES {
+        let frame = Frame::from_normal(vertices.outward.get(lane));
+        let direction = vertices.direction.get(lane);
+        frames.set(lane, frame, vertices.side[lane], direction);
     }
 }
 
@@ -80,30 +78,40 @@ impl Computation for ToLocal<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let (frames, mut directions) = (*self.frames, *self.directions);
-        for lane in 0..LANES {
-            let local = frames.get(lane).to_local(directions.get(lane));
-            directions.set(lane, local);
-        }
-        *self.directions = directions;
+        to_local(self.frames, self.directions);
     }
 }
 
-/// Brings directions from the frames into the world.
+#[inline(always)]
+fn to_local(frames: &LaneFrames, directions: &mut Vectors) {
+    for lane in 0..LANES {
+        let local = frames.get(lane).to_local(directions.get(lane));
+        directions.set(lane, local);
+    }
+}
+
+/// Brings directions from the frames of some lanes into the world.
 pub struct ToWorld<'a> {
     pub frames: &'a LaneFrames,
-    pub directions: &'a mut Vectors,
+    pub directions: &'a Vectors,
+    pub lanes: u32,
+    pub world: &'a mut Vectors,
 }
 
 impl Computation for ToWorld<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let (frames, mut directions) = (*self.frames, *self.directions);
-        for lane in 0..LANES {
-            let world = frames.get(lane).to_world(directions.get(lane));
-            directions.set(lane, world.normalized());
-        }
-        *self.directions = directions;
+        to_world(self.frames, self.directions, self.lanes, self.world);
+    }
+}
+
+#[inline(always)]
+fn to_world(frames: &LaneFrames, directions: &Vectors, lanes: u32, world: &mut Vectors) {
+    for lane in 0..LANES {
+        let found = frames.get(lane).to_world(directions.get(lane)).normalized();
+        let kept = world.get(lane);
+        let is_asked = lanes >> lane & 1 == 1;
+        world.set(lane, if is_asked { found } else { kept });
     }
 }

@@ -1,15 +1,17 @@
-//! Surfaces of lanes that are not diffuse: their lobes are drawn from one by one, and evaluated one
-//! by one but for what their facets do.
+//! Surfaces of lanes that are not diffuse. Rough metal and rough plastic scatter light all lanes at a
+//! time (`rough.rs`), other lobes one by one.
 
 use capwalk_geometry::simd::Instructions;
 use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::Resolved;
-use capwalk_scene::lobe::{BsdfDirection, LocalBsdf, Microfacets, Specular};
+use capwalk_scene::lobe::{BsdfDirection, LocalBsdf, RoughSurface, Specular};
 
-use crate::lanes::facets::{LaneFacets, LaneMirrored, Mirror, Seen};
 use crate::lanes::frames::{FindFrames, LaneFrames, ToLocal, ToWorld};
-use crate::lanes::step::{Vertices, weight_beside_points, weight_over_density};
-use crate::lanes::vectors::{LANES, Vectors, lanes_of, mask_of};
+use crate::lanes::rough::{
+    DrawFacets, LaneRough, LaneScattered, Scatter, Seen, WeighDrawn, WeighPoints,
+};
+use crate::lanes::step::{Brdf, Lit, Vertices, weight_beside_points, weight_over_density};
+use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
 /// The lobes of one side of a surface, the same all over it.
 pub struct Lobes {
@@ -22,8 +24,8 @@ pub struct Lobes {
     pub transmits: bool,
     /// True if all of them are diffuse.
     pub is_diffuse: bool,
-    /// What decides nearly all of them, if anything does.
-    pub facets: Option<Microfacets>,
+    /// All of them, if they are those of rough metal or rough plastic.
+    pub rough: Option<RoughSurface>,
 }
 
 impl Lobes {
@@ -35,7 +37,7 @@ impl Lobes {
             has_smooth: bsdf.has_smooth(),
             transmits: bsdf.transmits(),
             is_diffuse: bsdf.is_diffuse(),
-            facets: bsdf.facets(),
+            rough: bsdf.rough_surface(),
             bsdf,
         }
     }
@@ -53,14 +55,15 @@ pub struct Turned<'a> {
 /// The lobes of those surfaces that are not diffuse, and light that they scatter.
 pub struct LaneLobes<'a> {
     turned: [Option<Turned<'a>>; LANES],
-    /// One bit for each that has lobes, and for each that has facets.
+    /// One bit for each that has lobes, and for each that is rough metal or plastic.
     pub with_lobes: u32,
-    with_facets: u32,
+    is_rough: u32,
     frames: LaneFrames,
-    facets: LaneFacets,
-    /// Unit directions of light in the frames, and what facets do to it.
+    rough: LaneRough<'a>,
+    /// Unit directions of light in the frames.
     light: Vectors,
-    mirrored: LaneMirrored,
+    /// What rough surfaces scatter of it.
+    scattered: LaneScattered,
     /// Perfectly specular events that send it there, and their probabilities.
     specular: [Option<(Specular, f64)>; LANES],
 }
@@ -71,11 +74,11 @@ impl<'a> LaneLobes<'a> {
         Self {
             turned: [None; LANES],
             with_lobes: 0,
-            with_facets: 0,
+            is_rough: 0,
             frames: LaneFrames::NONE,
-            facets: LaneFacets::ANY,
+            rough: LaneRough::NONE,
             light: Vectors::ZERO,
-            mirrored: LaneMirrored::default(),
+            scattered: LaneScattered::NOTHING,
             specular: [None; LANES],
         }
     }
@@ -84,14 +87,17 @@ impl<'a> LaneLobes<'a> {
     #[inline]
     pub fn set(&mut self, lane: usize, turned: Option<Turned<'a>>) {
         self.turned[lane] = turned;
-        let facets = turned.and_then(|turned| turned.lobes.facets);
+        let rough = turned.and_then(|turned| turned.lobes.rough.as_ref());
         let others = !(1 << lane);
         self.with_lobes = self.with_lobes & others | u32::from(turned.is_some()) << lane;
-        self.with_facets = self.with_facets & others | u32::from(facets.is_some()) << lane;
+        self.is_rough = self.is_rough & others | u32::from(rough.is_some()) << lane;
+        if let Some(rough) = rough {
+            self.rough.set(lane, rough);
+        }
     }
 
     /// Those of a lane.
-    pub fn get(&self, lane: usize) -> Option<&'a Lobes> {
+    fn get(&self, lane: usize) -> Option<&'a Lobes> {
         self.turned[lane].map(|turned| turned.lobes)
     }
 
@@ -102,7 +108,7 @@ impl<'a> LaneLobes<'a> {
         mask_of(self.with_lobes & lanes, of_lane)
     }
 
-    /// Finds the frames of some lanes, and what is seen of their facets.
+    /// Finds the frames of some lanes, and what the viewers see of rough surfaces.
     pub fn face_viewers(&mut self, instructions: Instructions, vertices: &Vertices, lanes: u32) {
         let with_lobes = self.with_lobes & lanes;
         if with_lobes == 0 {
@@ -111,114 +117,169 @@ impl<'a> LaneLobes<'a> {
         let frames = &mut self.frames;
         instructions.run(FindFrames { vertices, frames });
         for lane in lanes_of(with_lobes) {
-            let Some(Turned { lobes, tangent }) = self.turned[lane] else {
-                continue;
-            };
-            if let Some(tangent) = tangent {
+            if let Some(tangent) = self.turned[lane].and_then(|turned| turned.tangent) {
                 let outward = vertices.outward.get(lane);
                 let frame = Frame::from_normal_and_tangent(outward, tangent);
                 let direction = vertices.direction.get(lane);
                 frames.set(lane, frame, vertices.side[lane], direction);
             }
-            if let Some(own) = &lobes.facets {
-                self.facets.set(lane, own);
-            }
         }
-        if self.with_facets & lanes != 0 {
-            let facets = &mut self.facets;
-            instructions.run(Seen { frames, facets });
+        let lanes = self.is_rough & lanes;
+        if lanes != 0 {
+            instructions.run(Seen {
+                frames,
+                rough: &mut self.rough,
+                lanes,
+            });
         }
     }
 
-    /// Sends light to some lanes, from unit directions of the world.
-    pub fn light_from(&mut self, instructions: Instructions, world: &Vectors, lanes: u32) {
-        if self.with_lobes & lanes != 0 {
-            self.light = *world;
-            instructions.run(ToLocal {
+    /// What some lanes, the first, scatter of light that comes from points on the emitter, which is
+    /// seen under solid angles, and its weights over densities; the second are those where
+    /// directions are drawn from the surface, too.
+    pub fn weigh_points(
+        &mut self,
+        instructions: Instructions,
+        vertices: &mut Vertices,
+        lit: &mut Lit,
+        [lanes, of_brdf]: [u32; 2],
+    ) {
+        let lanes = lanes & self.with_lobes;
+        if lanes == 0 {
+            return;
+        }
+        self.light = lit.direction;
+        instructions.run(ToLocal {
+            frames: &self.frames,
+            directions: &mut self.light,
+        });
+        let rough = self.scatter(instructions, lanes);
+        if rough != 0 {
+            instructions.run(WeighPoints {
+                scattered: &self.scattered,
+                solid_angle: &vertices.solid_angle,
+                lanes: rough,
+                of_brdf,
+                colours: &mut vertices.scattered,
+                weights: &mut lit.weight,
+            });
+        }
+        for lane in lanes_of(lanes & !self.is_rough) {
+            let Some(lobes) = self.get(lane) else {
+                continue;
+            };
+            let (wi, wo) = (self.frames.wi.get(lane), self.light.get(lane));
+            let (colour, pdf) = lobes.bsdf.eval_and_pdf(wi, wo);
+            let other = if of_brdf >> lane & 1 == 1 { pdf } else { 0.0 };
+            vertices.scattered.set_colour(lane, colour);
+            lit.weight[lane] = weight_over_density(vertices.solid_angle[lane], other);
+        }
+    }
+
+    /// Draws directions from the lobes of some lanes, which are to have some, and sends light from
+    /// there; one bit for each where the path goes on. `cosine` are directions drawn by the cosine
+    /// from the same numbers.
+    pub fn draw(
+        &mut self,
+        instructions: Instructions,
+        lanes: u32,
+        choice: &Numbers,
+        u: &[Numbers; 2],
+        cosine: &Vectors,
+    ) -> u32 {
+        self.light = *cosine;
+        let mut rough = lanes & self.is_rough;
+        if rough != 0 {
+            rough = instructions.run(DrawFacets {
                 frames: &self.frames,
+                rough: &self.rough,
+                choice,
+                u,
+                lanes: rough,
                 directions: &mut self.light,
             });
         }
-        self.mirror(instructions, lanes);
-    }
-
-    /// Draws a direction from the lobes of a lane, which is to have some, and sends light from
-    /// there; false if the path ends.
-    pub fn draw(&mut self, lane: usize, choice: f64, u: [f64; 2]) -> bool {
-        let drawn = self.get(lane).and_then(|lobes| {
-            let wi = self.frames.wi.get(lane);
-            match lobes.facets {
-                None => lobes.bsdf.draw(wi, choice, u),
-                Some(_) => {
-                    let visible = self.facets.visible(lane);
-                    let wo = lobes.bsdf.draw_visible(wi, visible, choice, u);
-                    wo.map(|wo| BsdfDirection { wo, specular: None })
-                }
-            }
+        let others = mask_of(lanes & !self.is_rough, |lane| {
+            let (wi, u) = (self.frames.wi.get(lane), u.map(|numbers| numbers[lane]));
+            let lobes = self.get(lane);
+            let drawn = lobes.and_then(|lobes| lobes.bsdf.draw(wi, choice[lane], u));
+            drawn.is_some_and(|BsdfDirection { wo, specular }| {
+                self.light.set(lane, wo);
+                self.specular[lane] = specular;
+                true
+            })
         });
-        drawn.is_some_and(|BsdfDirection { wo, specular }| {
-            self.light.set(lane, wo);
-            self.specular[lane] = specular;
-            true
-        })
+        rough | others
     }
 
-    /// Where the light of some lanes comes from in the world, and what facets do to it.
-    pub fn drawn(&mut self, instructions: Instructions, lanes: u32) -> Vectors {
-        self.mirror(instructions, lanes);
-        let mut directions = self.light;
-        instructions.run(ToWorld {
-            frames: &self.frames,
-            directions: &mut directions,
-        });
-        directions
-    }
-
-    fn mirror(&mut self, instructions: Instructions, lanes: u32) {
-        if self.with_facets & lanes != 0 {
-            instructions.run(Mirror {
-                frames: &self.frames,
-                facets: &self.facets,
-                directions: &self.light,
-                mirrored: &mut self.mirrored,
+    /// What becomes of light from the directions drawn from the lobes of some lanes: where it comes
+    /// from in the world, what is scattered over the density, or the fraction of light over the
+    /// probability of a specular event, and the weight of light from the emitter, if it is seen
+    /// there. One bit for each lane where the path goes on.
+    pub fn weigh_drawn(
+        &mut self,
+        instructions: Instructions,
+        vertices: &mut Vertices,
+        drawn: &mut Brdf,
+        lanes: u32,
+    ) -> u32 {
+        if lanes == 0 {
+            return 0;
+        }
+        let mut rough = self.scatter(instructions, lanes);
+        if rough != 0 {
+            rough = instructions.run(WeighDrawn {
+                scattered: &self.scattered,
+                solid_angle: &vertices.solid_angle,
+                lanes: rough,
+                colours: &mut vertices.scattered,
+                weights: &mut drawn.weight,
             });
         }
+        let others = mask_of(lanes & !self.is_rough, |lane| {
+            let weighed = self
+                .get(lane)
+                .and_then(|lobes| self.weighed(lobes, lane, vertices.solid_angle[lane]));
+            weighed.is_some_and(|(factor, weight)| {
+                vertices.scattered.set_colour(lane, factor);
+                drawn.weight[lane] = weight;
+                true
+            })
+        });
+        instructions.run(ToWorld {
+            frames: &self.frames,
+            directions: &self.light,
+            lanes: rough | others,
+            world: &mut drawn.direction,
+        });
+        rough | others
     }
 
-    /// What the lobes of a lane scatter of light that comes from a point on the emitter, which is
-    /// seen under a solid angle, and its weight over its density. `has_other` if directions are
-    /// drawn from the lobes, too.
-    pub fn scattered(
-        &self,
-        lobes: &Lobes,
-        lane: usize,
-        solid_angle: f64,
-        has_other: bool,
-    ) -> (Rgb, f64) {
-        let (scattered, pdf) = self.eval_and_pdf(lobes, lane);
-        let other = if has_other { pdf } else { 0.0 };
-        (scattered, weight_over_density(solid_angle, other))
+    /// Scatters light at the rough ones among some lanes; one bit for each.
+    fn scatter(&mut self, instructions: Instructions, lanes: u32) -> u32 {
+        let lanes = lanes & self.is_rough;
+        if lanes != 0 {
+            instructions.run(Scatter {
+                frames: &self.frames,
+                rough: &self.rough,
+                directions: &self.light,
+                lanes,
+                scattered: &mut self.scattered,
+            });
+        }
+        lanes
     }
 
-    /// What becomes of light from the direction drawn from the lobes of a lane; `None` if the path
-    /// ends. What is scattered over the density, or the fraction of light over the probability of
-    /// a specular event, and the weight of light from the emitter, if it is seen there.
-    pub fn weighed(&self, lobes: &Lobes, lane: usize, solid_angle: f64) -> Option<(Rgb, f64)> {
+    /// [`LaneLobes::weigh_drawn`] of a lane that is not rough; `None` if the path ends.
+    fn weighed(&self, lobes: &Lobes, lane: usize, solid_angle: f64) -> Option<(Rgb, f64)> {
+        let wi = self.frames.wi.get(lane);
         // Nothing else samples a specular direction.
         if let Some((event, probability)) = self.specular[lane] {
-            let fraction = lobes.bsdf.specular(event, self.frames.wi.get(lane)).1;
+            let fraction = lobes.bsdf.specular(event, wi).1;
             return Some((fraction / probability, 1.0));
         }
-        let (scattered, pdf) = self.eval_and_pdf(lobes, lane);
+        let (scattered, pdf) = lobes.bsdf.eval_and_pdf(wi, self.light.get(lane));
         let weight = weight_beside_points(solid_angle, pdf);
         (pdf > 0.0).then(|| (scattered / pdf, weight))
-    }
-
-    fn eval_and_pdf(&self, lobes: &Lobes, lane: usize) -> (Rgb, f64) {
-        let (wi, wo) = (self.frames.wi.get(lane), self.light.get(lane));
-        match lobes.facets {
-            Some(_) => lobes.bsdf.eval_and_pdf_of(wi, wo, self.mirrored.get(lane)),
-            None => lobes.bsdf.eval_and_pdf(wi, wo),
-        }
     }
 }

@@ -188,7 +188,7 @@ impl<'a> LaneScene<'a> {
         };
         vertices.outward.set(lane, outward);
         vertices.side[lane] = side;
-        vertices.albedo.set_colour(lane, albedo);
+        vertices.scattered.set_colour(lane, albedo);
         Some(lobes)
     }
 

@@ -1,5 +1,6 @@
 //! The steps of paths: loops over the lanes without a branch, compiled for the processor's
-//! vectors.
+//! vectors. Where they read and write arrays behind references they are functions: arguments that are
+//! references are known to refer to different things, others would have to be copied.
 
 use std::f64::consts::FRAC_1_PI;
 
@@ -46,18 +47,23 @@ impl Computation for FilmRays<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let (view, film) = (*self.view, *self.film);
-        let (mut origins, mut directions) = (Vectors::ZERO, Vectors::ZERO);
-        let mut range = [[0.0; LANES]; 2];
-        for lane in 0..LANES {
-            let direction = view.direction([film[0][lane], film[1][lane]]);
-            let ray = view.ray(direction);
-            origins.set(lane, ray.origin);
-            directions.set(lane, ray.direction);
-            (range[0][lane], range[1][lane]) = (ray.range[0], ray.range[1]);
-        }
-        (self.vertices.origin, self.vertices.direction) = (origins, directions);
-        *self.range = range;
+        film_rays(self.view, self.film, self.vertices, self.range);
+    }
+}
+
+#[inline(always)]
+fn film_rays(
+    view: &View<f64>,
+    film: &[Numbers; 2],
+    vertices: &mut Vertices,
+    range: &mut [Numbers; 2],
+) {
+    for lane in 0..LANES {
+        let direction = view.direction([film[0][lane], film[1][lane]]);
+        let ray = view.ray(direction);
+        vertices.origin.set(lane, ray.origin);
+        vertices.direction.set(lane, ray.direction);
+        (range[0][lane], range[1][lane]) = (ray.range[0], ray.range[1]);
     }
 }
 
@@ -74,8 +80,9 @@ pub struct Vertices {
     /// the material that is seen.
     pub outward: Vectors,
     pub side: Numbers,
-    /// Fractions of light that are reflected, where surfaces are diffuse.
-    pub albedo: Vectors,
+    /// Fractions of light that are reflected, where surfaces are diffuse; else what their lobes
+    /// scatter of the light that came last.
+    pub scattered: Vectors,
     /// Where they are, and 1 or -1 for the side of the face that is seen; known after
     /// [`Surfaces`].
     pub position: Vectors,
@@ -93,7 +100,7 @@ impl Vertices {
         face_normal: Vectors::UP,
         outward: Vectors::UP,
         side: [1.0; LANES],
-        albedo: Vectors::ZERO,
+        scattered: Vectors::ZERO,
         position: Vectors::ZERO,
         seen: [1.0; LANES],
         solid_angle: [0.0; LANES],
@@ -113,24 +120,19 @@ impl Computation for Surfaces<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        // Copies, which nothing else refers to; so in all steps.
-        let Vertices {
-            origin,
-            direction,
-            corner,
-            face_normal,
-            ..
-        } = *self.0;
-        let (mut position, mut seen) = (origin, [1.0; LANES]);
-        for (lane, seen) in seen.iter_mut().enumerate() {
-            let (origin, direction) = (origin.get(lane), direction.get(lane));
-            let normal = face_normal.get(lane);
-            let rise = direction.dot(normal);
-            let t = (corner.get(lane) - origin).dot(normal) / rise;
-            position.set(lane, origin + direction * t);
-            *seen = if rise > 0.0 { -1.0 } else { 1.0 };
-        }
-        (self.0.position, self.0.seen) = (position, seen);
+        surfaces(self.0);
+    }
+}
+
+#[inline(always)]
+fn surfaces(vertices: &mut Vertices) {
+    for lane in 0..LANES {
+        let (origin, direction) = (vertices.origin.get(lane), vertices.direction.get(lane));
+        let normal = vertices.face_normal.get(lane);
+        let rise = direction.dot(normal);
+        let t = (vertices.corner.get(lane) - origin).dot(normal) / rise;
+        vertices.position.set(lane, origin + direction * t);
+        vertices.seen[lane] = if rise > 0.0 { -1.0 } else { 1.0 };
     }
 }
 
@@ -145,10 +147,10 @@ impl Computation for Narrow<'_> {
     type Output = u32;
     #[inline(always)]
     fn run<S: Simd>(self, _: S) -> u32 {
-        let (position, emitter) = (self.vertices.position, self.emitter);
+        let Self { vertices, emitter } = self;
         let mut solid_angles = [0.0; LANES];
         for (lane, solid_angle) in solid_angles.iter_mut().enumerate() {
-            *solid_angle = emitter.seen(position.get(lane));
+            *solid_angle = emitter.seen(vertices.position.get(lane));
         }
         mask_of(ALL, |lane| solid_angles[lane] < NARROW)
     }
@@ -178,9 +180,10 @@ pub fn weight_beside_points(solid_angle: f64, own: f64) -> f64 {
 /// Points sampled on the emitter.
 #[derive(Clone, Copy, Debug)]
 pub struct Lit {
-    /// Unit directions to them, and their distances.
+    /// Unit directions to them, and the distances between which something hides them: zero and
+    /// their own.
     pub direction: Vectors,
-    pub distance: Numbers,
+    pub range: [Numbers; 2],
     /// Where surfaces are diffuse, the cosine over π, times the weight, over the density; where
     /// they have lobes, the weight over the density.
     pub weight: Numbers,
@@ -192,7 +195,7 @@ impl Default for Lit {
     fn default() -> Self {
         Self {
             direction: Vectors::UP,
-            distance: [0.0; LANES],
+            range: [[0.0; LANES]; 2],
             weight: [0.0; LANES],
             mask: 0,
         }
@@ -229,41 +232,51 @@ impl Computation for Light<'_> {
             transmits,
             lit,
         } = self;
-        let (position, outward, side) = (vertices.position, vertices.outward, vertices.side);
-        let u = [first + 1, first + 2].map(|dimension| streams.numbers(dimension, lanes));
-        let rectangle = rectangle.clone();
-        let (mut directions, mut distances) = (lit.direction, [0.0; LANES]);
-        let (mut weights, mut solid_angles) = ([0.0; LANES], [0.0; LANES]);
-        let mut cosines = [0.0; LANES];
-        for lane in 0..LANES {
-            let (seen, _) = rectangle.seen(position.get(lane));
-            let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
-            let distance = offset.length();
-            let direction = offset * (1.0 / distance);
-            let cos = direction.dot(normal(&outward, &side, lane));
-            solid_angles[lane] = seen.solid_angle;
-            directions.set(lane, direction);
-            distances[lane] = distance;
-            let has_other = of_brdf >> lane & 1 == 1;
-            let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
-            weights[lane] = cos * FRAC_1_PI * weight_over_density(seen.solid_angle, other);
-            cosines[lane] = cos;
-        }
+        // One after the other: a call of `map` would not be compiled for the same instructions.
+        let u = [
+            streams.numbers(first + 1, lanes),
+            streams.numbers(first + 2, lanes),
+        ];
+        let mut solid_angle = [0.0; LANES];
+        let cosines = light(vertices, rectangle, &u, of_brdf, lit, &mut solid_angle);
         let mut mask = 0;
         for lane in 0..LANES {
             // What is not a number is not dark: the pixel counts it.
             let is_behind = cosines[lane] <= 0.0 && transmits >> lane & 1 == 0;
-            let is_dark = solid_angles[lane] <= 0.0 || is_behind;
+            let is_dark = solid_angle[lane] <= 0.0 || is_behind;
             mask |= u32::from(!is_dark) << lane;
         }
-        vertices.solid_angle = solid_angles;
-        *lit = Lit {
-            direction: directions,
-            distance: distances,
-            weight: weights,
-            mask,
-        };
+        vertices.solid_angle = solid_angle;
+        lit.mask = mask;
     }
+}
+
+/// Finds all but the mask, and the cosines at the surfaces.
+#[inline(always)]
+fn light(
+    vertices: &Vertices,
+    rectangle: &RectangleSampler,
+    u: &[Numbers; 2],
+    of_brdf: u32,
+    lit: &mut Lit,
+    solid_angle: &mut Numbers,
+) -> Numbers {
+    let mut cosines = [0.0; LANES];
+    for lane in 0..LANES {
+        let (seen, _) = rectangle.seen(vertices.position.get(lane));
+        let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
+        let distance = offset.length();
+        let direction = offset * (1.0 / distance);
+        let cos = direction.dot(normal(&vertices.outward, &vertices.side, lane));
+        solid_angle[lane] = seen.solid_angle;
+        lit.direction.set(lane, direction);
+        lit.range[1][lane] = distance;
+        let has_other = of_brdf >> lane & 1 == 1;
+        let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
+        lit.weight[lane] = cos * FRAC_1_PI * weight_over_density(seen.solid_angle, other);
+        cosines[lane] = cos;
+    }
+    cosines
 }
 
 /// Adds light from the emitter to what some paths bring: the product of their throughputs, of what
@@ -281,18 +294,42 @@ impl Computation for SumLight<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let (throughput, scattered) = (*self.throughput, *self.scattered);
-        let (mut light, weight) = (*self.light, *self.weight);
-        for (axis, radiance) in self.radiance.to_array().into_iter().enumerate() {
-            for (lane, weight) in weight.iter().enumerate() {
-                let reflected = scattered.0[axis][lane] * weight * radiance;
-                let more = throughput.0[axis][lane] * reflected;
-                let is_asked = self.lanes >> lane & 1 == 1;
-                // What is not a number must not get into sums of lanes that are not asked.
-                light.0[axis][lane] += if is_asked { more } else { 0.0 };
-            }
+        let Self {
+            light,
+            throughput,
+            scattered,
+            weight,
+            radiance,
+            lanes,
+        } = self;
+        for (axis, radiance) in radiance.to_array().into_iter().enumerate() {
+            let [throughput, scattered] = [throughput, scattered].map(|v| &v.0[axis]);
+            sum_light(
+                &mut light.0[axis],
+                throughput,
+                scattered,
+                weight,
+                radiance,
+                lanes,
+            );
         }
-        *self.light = light;
+    }
+}
+
+#[inline(always)]
+fn sum_light(
+    light: &mut Numbers,
+    throughput: &Numbers,
+    scattered: &Numbers,
+    weight: &Numbers,
+    radiance: f64,
+    lanes: u32,
+) {
+    for lane in 0..LANES {
+        let more = throughput[lane] * (scattered[lane] * weight[lane] * radiance);
+        let is_asked = lanes >> lane & 1 == 1;
+        // What is not a number must not get into sums of lanes that are not asked.
+        light[lane] += if is_asked { more } else { 0.0 };
     }
 }
 
@@ -300,6 +337,8 @@ impl Computation for SumLight<'_> {
 #[derive(Clone, Copy, Debug)]
 pub struct Brdf {
     pub direction: Vectors,
+    /// The same in the frames of the surfaces.
+    pub local: Vectors,
     /// That of light from the emitter, if it is seen there.
     pub weight: Numbers,
 }
@@ -308,6 +347,7 @@ impl Default for Brdf {
     fn default() -> Self {
         Self {
             direction: Vectors::UP,
+            local: Vectors::UP,
             weight: [0.0; LANES],
         }
     }
@@ -324,20 +364,21 @@ impl Computation for Draw<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
-        let Self { vertices, u, drawn } = self;
-        let (outward, side) = (vertices.outward, vertices.side);
-        let (solid_angle, u) = (vertices.solid_angle, *u);
-        let (mut directions, mut weights) = (drawn.direction, [0.0; LANES]);
-        for lane in 0..LANES {
-            let frame = Frame::from_normal(outward.get(lane));
-            let wo = sample_cosine([u[0][lane], u[1][lane]]);
-            let up = frame.n * (side[lane] * wo.z);
-            let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
-            directions.set(lane, direction);
-            let own = wo.z * FRAC_1_PI;
-            weights[lane] = weight_beside_points(solid_angle[lane], own);
-        }
-        (drawn.direction, drawn.weight) = (directions, weights);
+        draw(self.vertices, self.u, self.drawn);
+    }
+}
+
+#[inline(always)]
+fn draw(vertices: &Vertices, u: &[Numbers; 2], drawn: &mut Brdf) {
+    for lane in 0..LANES {
+        let frame = Frame::from_normal(vertices.outward.get(lane));
+        let wo = sample_cosine([u[0][lane], u[1][lane]]);
+        let up = frame.n * (vertices.side[lane] * wo.z);
+        let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
+        drawn.direction.set(lane, direction);
+        drawn.local.set(lane, wo);
+        let own = wo.z * FRAC_1_PI;
+        drawn.weight[lane] = weight_beside_points(vertices.solid_angle[lane], own);
     }
 }
 

@@ -1,12 +1,17 @@
-//! Microfacets without a branch: in a loop over several, the compiler computes as many at a time as
-//! registers hold. For one alone, [`Microfacets`]' own functions are faster.
+//! Microfacets and what reflects by them without a branch: in a loop over several, the compiler
+//! computes as many at a time as registers hold. For one alone, [`Microfacets`]' own functions are
+//! faster.
 
 use std::f64::consts::FRAC_1_PI;
 
 use capwalk_math::Vec3;
 use capwalk_math::elementary::{erf_and_gaussian, exp};
 
-use super::microfacets::{Distribution, Microfacets, Mirrored, SHADOWLESS};
+pub use super::microfacets::Stretched;
+use super::microfacets::{
+    Distribution, Microfacets, Mirrored, SHADOWLESS, beckmann_normal, ggx_normal,
+};
+pub use super::plastic::base_probability;
 
 /// [`Microfacets::visible_over_cos`].
 #[inline(always)]
@@ -51,6 +56,73 @@ pub fn mirrored(facets: &Microfacets, wi: Vec3, visible: f64, wo: Vec3) -> Mirro
     }
 }
 
+/// What [`Microfacets::sample`] does, in three steps, of which the first and the last have no branch:
+/// stretches a direction in front, draws a normal of the stretched facets, and mirrors the direction
+/// at what that was before it was stretched.
+#[inline(always)]
+pub fn stretched(facets: &Microfacets, wi: Vec3) -> Stretched {
+    facets.stretched(wi)
+}
+
+/// The second step; `visible` is [`visible_over_cos`] of the direction.
+#[inline(always)]
+pub fn stretched_normal(
+    distribution: Distribution,
+    view: &Stretched,
+    visible: f64,
+    u: [f64; 2],
+) -> Vec3 {
+    match distribution {
+        Distribution::Beckmann => beckmann_normal(view, visible, u, erf_and_gaussian),
+        Distribution::Ggx => ggx_normal(view, u),
+    }
+}
+
+/// The third step.
+#[inline(always)]
+pub fn mirrored_at(facets: &Microfacets, view: &Stretched, normal: Vec3, wi: Vec3) -> Vec3 {
+    let normal = facets.unstretched(view, normal);
+    normal * (2.0 * wi.dot(normal) / normal.length_squared()) - wi
+}
+
+/// [`fresnel_dielectric`](super::fresnel_dielectric) by the square of the refractive index.
+#[inline(always)]
+pub fn fresnel_dielectric(cos: f64, eta2: f64) -> f64 {
+    let squared = eta2 - (1.0 - cos * cos);
+    let refracted = squared.abs().sqrt();
+    let (s_sum, p_sum) = (cos + refracted, eta2 * cos + refracted);
+    let inverse = 1.0 / (s_sum * p_sum);
+    let senkrecht = (cos - refracted) * p_sum * inverse;
+    let parallel = (eta2 * cos - refracted) * s_sum * inverse;
+    let reflected = 0.5 * (senkrecht * senkrecht + parallel * parallel);
+    // Total reflection.
+    if squared <= 0.0 { 1.0 } else { reflected }
+}
+
+/// [`fresnel_conductor`](super::fresnel_conductor) of several channels.
+#[inline(always)]
+pub fn fresnel_conductor<const N: usize>(cos: f64, eta: &[f64; N], k: &[f64; N]) -> [f64; N] {
+    let cos2 = cos * cos;
+    let sin2 = 1.0 - cos2;
+    let mut reflected = [0.0; N];
+    for channel in 0..N {
+        let (eta, k) = (eta[channel], k[channel]);
+        let (real, product) = (eta * eta - k * k - sin2, eta * k);
+        let modulus = (real * real + 4.0 * (product * product)).sqrt();
+        let root = (0.5 * (modulus + real.abs())).sqrt();
+        let is_metal = real < 0.0;
+        let a = if is_metal { product } else { root };
+        let scale = if is_metal { root } else { 1.0 };
+        let s = 2.0 * a * cos;
+        let s_sum = (modulus + cos2) * scale;
+        let p_sum = (modulus * cos2 + sin2 * sin2) * scale;
+        let quotient = (s_sum - s) * p_sum / ((s_sum + s) * (p_sum + s * sin2));
+        // At the critical angle, and for an index of zero, all is reflected.
+        reflected[channel] = if modulus == 0.0 { 1.0 } else { quotient };
+    }
+    reflected
+}
+
 /// That of the distribution of the two.
 #[inline(always)]
 fn choose(facets: &Microfacets, beckmann: f64, ggx: f64) -> f64 {
@@ -62,6 +134,8 @@ fn choose(facets: &Microfacets, beckmann: f64, ggx: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use capwalk_math::Rgb;
+
     use super::*;
 
     /// Both are the functions with branches, over all directions in front and roughnesses, down to
@@ -98,6 +172,30 @@ mod tests {
                         let most = 1e-12 * expected.abs() + 1e-250;
                         assert!(error <= most, "{wi:?} {wo:?}: {found:e} {expected:e}");
                     }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn fresnels_equations_are_those_with_branches() {
+        for i in 0..=1000 {
+            let cos = f64::from(i) * 1e-3;
+            for eta in [0.4, 0.7, 1.0, 1.0001, 1.5, 3.0] {
+                let found = fresnel_dielectric(cos, eta * eta);
+                let expected = super::super::fresnel_dielectric(cos, eta);
+                assert!((found - expected).abs() < 1e-15, "{eta} {cos}: {found:e}");
+            }
+            for (eta, k) in [(0.2, 3.9), (1.5, 0.0), (0.6, 0.0), (0.0, 1.0), (0.0, 0.0)] {
+                let (etas, ks) = ([eta, 2.0 * eta], [k, 0.5 * k]);
+                let found = fresnel_conductor(cos, &etas, &ks);
+                for ((found, eta), k) in found.into_iter().zip(etas).zip(ks) {
+                    let [eta, k] = [eta, k].map(Rgb::splat);
+                    let expected = super::super::fresnel_conductor(cos, eta, k).r;
+                    assert!(
+                        (found - expected).abs() < 1e-15,
+                        "{eta:?} {k:?} {cos}: {found:e}"
+                    );
                 }
             }
         }

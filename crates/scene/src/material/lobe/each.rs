@@ -6,7 +6,6 @@ use super::conductor::Conductor;
 use super::dielectric::Dielectric;
 use super::diffuse::Diffuse;
 use super::event::{Drawn, Event, Specular};
-use super::microfacets::{Microfacets, Mirrored};
 use super::null::Null;
 use super::plastic::Plastic;
 use super::polarized_plastic::PolarizedPlastic;
@@ -15,6 +14,7 @@ use super::principled_thin::PrincipledThin;
 use super::rough_conductor::RoughConductor;
 use super::rough_dielectric::RoughDielectric;
 use super::rough_plastic::RoughPlastic;
+use super::rough_surface::RoughSurface;
 use super::thin_dielectric::ThinDielectric;
 
 /// One way in which a surface scatters light, with its numbers.
@@ -206,39 +206,12 @@ impl Lobe {
         }
     }
 
-    /// The facets, if what they do decides everything but a diffuse base.
-    pub(crate) fn facets(&self) -> Option<Microfacets> {
+    /// The same, with a weight, in plain numbers, if it is one of these.
+    pub(super) fn rough_surface(&self, weight: f64) -> Option<RoughSurface> {
         match self {
-            Lobe::RoughConductor(lobe) => Some(lobe.microfacets),
-            Lobe::RoughPlastic(lobe) => Some(lobe.facets()),
+            Lobe::RoughConductor(lobe) => Some(RoughSurface::metal_of(weight, lobe)),
+            Lobe::RoughPlastic(lobe) => Some(RoughSurface::plastic_of(weight, lobe)),
             _ => None,
-        }
-    }
-
-    /// [`Lobe::eval_and_pdf`] for directions in front, from what the facets do.
-    #[inline]
-    pub(crate) fn eval_and_pdf_of(&self, wi: Vec3, wo: Vec3, mirrored: Mirrored) -> (Rgb, f64) {
-        match self {
-            Lobe::RoughConductor(lobe) => lobe.eval_and_pdf_of(mirrored),
-            Lobe::RoughPlastic(lobe) => lobe.eval_and_pdf_of(wi, wo, mirrored),
-            other => other.eval_and_pdf(wi, wo),
-        }
-    }
-
-    /// [`Lobe::sample`] from in front, where what is seen of the facets is known.
-    #[inline]
-    pub(crate) fn sample_visible(
-        &self,
-        wi: Vec3,
-        visible: f64,
-        choice: f64,
-        u: [f64; 2],
-    ) -> Option<Drawn> {
-        match self {
-            Lobe::RoughConductor(lobe) => lobe.sample_visible(wi, || visible, u),
-            Lobe::RoughPlastic(lobe) => lobe.sample_visible(wi, || visible, choice, u),
-            // `facets` names no others.
-            _ => unreachable!("what is seen of facets is known of other lobes"),
         }
     }
 

@@ -4,8 +4,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 
 use super::each::Lobe;
 use super::event::{Drawn, Event, Side, Specular};
-use super::local;
-use super::microfacets::{Microfacets, Mirrored};
+use super::rough_surface::RoughSurface;
 use super::tilt::Tilt;
 
 /// Up to [`LocalBsdf::MAX_LOBES`] lobes with weights: what a surface does to light
@@ -322,35 +321,10 @@ impl LocalBsdf {
         }
     }
 
-    /// The facets of a surface with one lobe, if what they do to light decides everything but a
-    /// diffuse base: for [`LocalBsdf::eval_and_pdf_of`].
-    pub fn facets(&self) -> Option<Microfacets> {
-        let (weight, lobe) = self.only_lobe()?;
-        lobe.facets().filter(|_| *weight > 0.0)
-    }
-
-    /// [`LocalBsdf::eval_and_pdf`] of a surface with [`LocalBsdf::facets`], from what these do:
-    /// `mirrored` is that of the two directions, the first of them raised to the front (`|wi.z|`).
-    #[inline]
-    pub fn eval_and_pdf_of(&self, wi: Vec3, wo: Vec3, mirrored: Mirrored) -> (Rgb, f64) {
-        match self.only_lobe() {
-            Some((weight, lobe)) if wo.z > 0.0 => {
-                let (f, pdf) = lobe.eval_and_pdf_of(local::raised(wi), wo, mirrored);
-                (f * *weight, pdf)
-            }
-            _ => (Rgb::zero(), 0.0),
-        }
-    }
-
-    /// [`LocalBsdf::draw`] from a surface with [`LocalBsdf::facets`], where what is seen of these is
-    /// known: `visible` is [`Microfacets::visible_over_cos`] of `wi`.
-    #[inline]
-    pub fn draw_visible(&self, wi: Vec3, visible: f64, u_choice: f64, u: [f64; 2]) -> Option<Vec3> {
-        let (_, lobe) = self.only_lobe()?;
-        match lobe.sample_visible(local::raised(wi), visible, u_choice, u)? {
-            Drawn::Smooth(wo) => Some(wo),
-            Drawn::Specular(..) => None,
-        }
+    /// The only lobe, if its facets decide everything but a diffuse base.
+    pub fn rough_surface(&self) -> Option<RoughSurface> {
+        let (weight, lobe) = self.only_lobe().filter(|(weight, _)| *weight > 0.0)?;
+        lobe.rough_surface(*weight)
     }
 
     /// [`LocalBsdf::pdf`] of any lobes.

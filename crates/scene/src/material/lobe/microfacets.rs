@@ -52,6 +52,21 @@ pub struct Mirrored {
     pub scattered: f64,
 }
 
+/// A direction in front of facets that were stretched until their roughness is one.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Stretched {
+    /// Sine of its angle to the axis.
+    pub sin: f64,
+    /// Cosine of its angle to the axis.
+    pub cos: f64,
+    /// Sine of its angle around the axis.
+    pub sin_phi: f64,
+    /// Cosine of its angle around the axis.
+    pub cos_phi: f64,
+    /// What became of the length of a unit vector.
+    pub length: f64,
+}
+
 impl<R: Real> Microfacets<R> {
     /// The same roughness in all directions.
     pub fn isotropic(distribution: Distribution, alpha: R) -> Self {
@@ -153,39 +168,52 @@ impl<R: Real> Microfacets<R> {
 impl Microfacets {
     /// Draws a normal as seen from `wi`, which is in front (`wi.z >= 0`).
     pub fn sample(&self, wi: Vec3, u: [f64; 2]) -> Vec3 {
-        self.sample_visible(wi, || self.visible_over_cos(wi), u)
+        let view = self.stretched(wi);
+        let normal = match self.distribution {
+            Distribution::Beckmann => {
+                let visible = self.visible_over_cos(wi);
+                beckmann_normal(&view, visible, u, erf_and_derivative)
+            }
+            Distribution::Ggx => ggx_normal(&view, u),
+        };
+        self.unstretched(&view, normal).normalized()
     }
 
-    /// The same from [`Microfacets::visible_over_cos`] of `wi`.
-    pub(super) fn sample_visible(
-        &self,
-        wi: Vec3,
-        visible: impl FnOnce() -> f64,
-        u: [f64; 2],
-    ) -> Vec3 {
+    /// A direction, stretched until the roughness is one.
+    #[inline(always)]
+    pub(super) fn stretched(&self, wi: Vec3) -> Stretched {
         let (alpha_u, alpha_v) = self.alphas();
-        // Stretched until the roughness is one.
         let longer = Vec3::new(alpha_u * wi.x, alpha_v * wi.y, wi.z);
         let length = longer.length();
         let stretched = longer * (1.0 / length);
-        let sin = (stretched.x.squared() + stretched.y.squared()).sqrt();
-        let (sin_phi, cos_phi) = if sin > 0.0 {
-            let inverse = 1.0 / sin;
-            (stretched.y * inverse, stretched.x * inverse)
-        } else {
-            (0.0, 1.0)
-        };
-        // A normal up to its length, with x along the view.
-        let (x, y, z) = match self.distribution {
-            Distribution::Beckmann => beckmann_normal(sin, stretched.z, visible() * length, u),
-            Distribution::Ggx => ggx_normal(sin, stretched.z, u),
-        };
+        let sin = (stretched.x * stretched.x + stretched.y * stretched.y).sqrt();
+        let is_upright = sin <= 0.0;
+        let inverse = 1.0 / if is_upright { 1.0 } else { sin };
+        Stretched {
+            sin,
+            cos: stretched.z,
+            sin_phi: stretched.y * inverse,
+            cos_phi: if is_upright {
+                1.0
+            } else {
+                stretched.x * inverse
+            },
+            length,
+        }
+    }
+
+    /// A normal of facets of roughness one, which has `x` along the view, not of unit length.
+    #[inline(always)]
+    pub(super) fn unstretched(&self, view: &Stretched, normal: Vec3) -> Vec3 {
+        let (alpha_u, alpha_v) = self.alphas();
+        let Stretched {
+            sin_phi, cos_phi, ..
+        } = *view;
         Vec3::new(
-            (cos_phi * x - sin_phi * y) * alpha_u,
-            (sin_phi * x + cos_phi * y) * alpha_v,
-            z,
+            (cos_phi * normal.x - sin_phi * normal.y) * alpha_u,
+            (sin_phi * normal.x + cos_phi * normal.y) * alpha_v,
+            normal.z,
         )
-        .normalized()
     }
 
     /// Density of [`Microfacets::sample`] per solid angle of normals.
@@ -214,10 +242,18 @@ impl Microfacets {
     }
 }
 
-/// A normal (not of unit length) of a Beckmann surface of roughness one, seen from the angle with
-/// the given sine (towards x) and cosine; `visible` is the fraction that is not hidden, over the
-/// cosine.
-fn beckmann_normal(sin: f64, cos: f64, visible: f64, u: [f64; 2]) -> (f64, f64, f64) {
+/// A normal (not of unit length, with `x` along the view) of a Beckmann surface of roughness one,
+/// drawn as it is seen; `visible` is [`Microfacets::visible_over_cos`] of what was stretched, `erf` the
+/// error function and its derivative.
+#[inline(always)]
+pub(super) fn beckmann_normal(
+    view: &Stretched,
+    visible: f64,
+    u: [f64; 2],
+    erf: impl Fn(f64) -> [f64; 2],
+) -> Vec3 {
+    let Stretched { sin, cos, .. } = *view;
+    let visible = visible * view.length;
     // Up to a factor, the probability of a slope of less (the normal of a slope
     // is `(-slope, ., 1)`); it grows up to the slope that hides its facet.
     let steepest = if sin * SHADOWLESS > cos {
@@ -241,8 +277,8 @@ fn beckmann_normal(sin: f64, cos: f64, visible: f64, u: [f64; 2]) -> (f64, f64, 
     const LAST_STEP: f64 = 3e-4;
     for _ in 0..MOST_STEPS {
         // This probability, its derivative, the density, and the density's.
-        let [erf, gaussian] = erf_and_derivative(slope);
-        let value = cos * (1.0 + erf) + 0.5 * sin * gaussian;
+        let [below, gaussian] = erf(slope);
+        let value = cos * (1.0 + below) + 0.5 * sin * gaussian;
         let density = gaussian * (cos - slope * sin);
         let bend = -2.0 * slope * density - gaussian * sin;
         let error = value - target;
@@ -263,12 +299,14 @@ fn beckmann_normal(sin: f64, cos: f64, visible: f64, u: [f64; 2]) -> (f64, f64, 
     }
     // The slope across the view is Gaussian. `u` of exactly zero has no slope.
     let across = erf_inverse((2.0 * u[1] - 1.0).max(-1.0 + f64::EPSILON));
-    (-slope, across, 1.0)
+    Vec3::new(-slope, across, 1.0)
 }
 
 /// As [`beckmann_normal`] for GGX, whose facets of roughness one are those of a
 /// hemisphere: a point of the hemisphere's projection towards the view.
-fn ggx_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
+#[inline(always)]
+pub(super) fn ggx_normal(view: &Stretched, u: [f64; 2]) -> Vec3 {
+    let Stretched { sin, cos, .. } = *view;
     let radius = u[0].sqrt();
     let (sin_phi, cos_phi) = sin_cos(2.0 * PI * u[1]);
     let across = radius * cos_phi;
@@ -277,7 +315,7 @@ fn ggx_normal(sin: f64, cos: f64, u: [f64; 2]) -> (f64, f64, f64) {
     let edge = (1.0 - across * across).max(0.0).sqrt();
     let up = (1.0 - visible) * edge + visible * radius * sin_phi;
     let towards = (1.0 - across * across - up * up).max(0.0).sqrt();
-    (
+    Vec3::new(
         towards * sin - up * cos,
         across,
         (towards * cos + up * sin).max(0.0),

@@ -34,14 +34,19 @@ pub(super) fn base<R: Real>(diffuse: Rgb<R>, internal_reflectance: R, nonlinear:
     }
 }
 
-/// Probability of choosing the base and not the coat, where the coat lets the
-/// fraction `transmittance` pass.
+/// Base and coat are chosen in proportion to these, times what passes the coat and what does not.
 #[inline]
-pub(super) fn base_probability(transmittance: f64, diffuse: Rgb, specular: Rgb) -> f64 {
+pub(super) fn base_chances(diffuse: Rgb, specular: Rgb) -> [f64; 2] {
     // What is black may have a derivative: it is sampled a little.
-    const LEAST_WEIGHT: f64 = 0.05;
-    let base = transmittance * local::mean(diffuse).max(LEAST_WEIGHT);
-    let coat = (1.0 - transmittance) * local::mean(specular).max(LEAST_WEIGHT);
+    const LEAST_CHANCE: f64 = 0.05;
+    [diffuse, specular].map(|colour| local::mean(colour).max(LEAST_CHANCE))
+}
+
+/// Probability of choosing the base and not the coat, which lets the fraction `transmittance` pass.
+#[inline(always)]
+pub fn base_probability(transmittance: f64, chances: [f64; 2]) -> f64 {
+    let base = transmittance * chances[0];
+    let coat = (1.0 - transmittance) * chances[1];
     base / (base + coat)
 }
 
@@ -84,11 +89,8 @@ impl Plastic {
     #[inline]
     fn base_probability(&self, wi: Vec3) -> f64 {
         let transmittance = 1.0 - fresnel_dielectric(wi.z.abs(), self.eta);
-        base_probability(
-            transmittance,
-            self.diffuse_reflectance,
-            self.specular_reflectance,
-        )
+        let chances = base_chances(self.diffuse_reflectance, self.specular_reflectance);
+        base_probability(transmittance, chances)
     }
 
     /// The mirror image or a direction by the cosine.

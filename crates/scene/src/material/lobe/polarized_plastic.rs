@@ -10,6 +10,7 @@ use super::event::Drawn;
 use super::fresnel::fresnel_dielectric;
 use super::local;
 use super::microfacets::Microfacets;
+use super::plastic::base_chances;
 
 /// Clear facets, and a diffuse base below a smooth interface: light that the interface
 /// throws back from inside is lost.
@@ -57,9 +58,7 @@ impl PolarizedPlastic {
     /// sampled a little.
     #[inline]
     fn base_probability(&self) -> f64 {
-        const LEAST_WEIGHT: f64 = 0.05;
-        let base = local::mean(self.diffuse_reflectance).max(LEAST_WEIGHT);
-        let facets = local::mean(self.specular_reflectance).max(LEAST_WEIGHT);
+        let [base, facets] = base_chances(self.diffuse_reflectance, self.specular_reflectance);
         base / (base + facets)
     }
 

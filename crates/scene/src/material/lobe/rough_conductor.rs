@@ -5,7 +5,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 use super::event::Drawn;
 use super::fresnel::fresnel_conductor;
 use super::local;
-use super::microfacets::{Microfacets, Mirrored};
+use super::microfacets::Microfacets;
 
 /// Metal mirrors as microfacets.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,19 +48,7 @@ impl RoughConductor {
     #[inline]
     pub(super) fn sample(&self, wi: Vec3, _choice: f64, u: [f64; 2]) -> Option<Drawn> {
         let wi = local::raised(wi);
-        self.sample_visible(wi, || self.microfacets.visible_over_cos(wi), u)
-    }
-
-    /// The same from in front, from what is seen of the facets.
-    #[inline]
-    pub(super) fn sample_visible(
-        &self,
-        wi: Vec3,
-        visible: impl FnOnce() -> f64,
-        u: [f64; 2],
-    ) -> Option<Drawn> {
-        let normal = self.microfacets.sample_visible(wi, visible, u);
-        let wo = local::reflected_about(wi, normal);
+        let wo = local::reflected_about(wi, self.microfacets.sample(wi, u));
         (wo.z > 0.0).then_some(Drawn::Smooth(wo))
     }
 
@@ -79,12 +67,7 @@ impl RoughConductor {
         if wo.z <= 0.0 {
             return (Rgb::zero(), 0.0);
         }
-        self.eval_and_pdf_of(self.microfacets.mirrored(local::raised(wi), wo))
-    }
-
-    /// The same from what the facets do.
-    #[inline]
-    pub(super) fn eval_and_pdf_of(&self, mirrored: Mirrored) -> (Rgb, f64) {
+        let mirrored = self.microfacets.mirrored(local::raised(wi), wo);
         let reflectance = fresnel_conductor(mirrored.cos, self.eta, self.k);
         let colour = reflectance * self.specular_reflectance;
         (colour * mirrored.scattered, mirrored.pdf)

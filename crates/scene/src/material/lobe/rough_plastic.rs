@@ -8,8 +8,8 @@ use capwalk_math::{Real, Rgb, Vec3};
 use super::event::Drawn;
 use super::fresnel::fresnel_dielectric;
 use super::local;
-use super::microfacets::{Microfacets, Mirrored};
-use super::plastic::{base, base_probability};
+use super::microfacets::Microfacets;
+use super::plastic::{base, base_chances, base_probability};
 use super::rough_transmittance::RoughTransmittance;
 
 /// A rough dielectric over a diffuse base. The coat's facets are isotropic.
@@ -41,6 +41,13 @@ impl<R: Real> RoughPlastic<R> {
         self.transmittance.transmittance(cos, self.alpha, self.eta)
     }
 
+    /// Fraction of the base's light that the coat throws back.
+    #[inline]
+    pub(super) fn internal_reflectance(&self) -> R {
+        let table = &self.transmittance;
+        table.internal_reflectance(self.alpha, self.eta)
+    }
+
     #[inline]
     pub(super) fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
         if wo.z.value() <= 0.0 {
@@ -57,9 +64,7 @@ impl<R: Real> RoughPlastic<R> {
     #[inline]
     fn scattered(&self, mirrored: R, cos: R, enters: R, wo: Vec3<R>) -> Rgb<R> {
         let coat = self.specular_reflectance * (fresnel_dielectric(cos, self.eta) * mirrored);
-        let internal = self
-            .transmittance
-            .internal_reflectance(self.alpha, self.eta);
+        let internal = self.internal_reflectance();
         let passes = enters * self.transmittance(wo.z);
         // Radiance shrinks by `1 / eta²` on the way out.
         let scale = passes * wo.z * R::constant(FRAC_1_PI) / self.eta.squared();
@@ -82,30 +87,18 @@ impl RoughPlastic {
     /// Probability of choosing the base, if the fraction `enters` passes the coat.
     #[inline]
     fn base_probability(&self, enters: f64) -> f64 {
-        base_probability(enters, self.diffuse_reflectance, self.specular_reflectance)
+        let chances = base_chances(self.diffuse_reflectance, self.specular_reflectance);
+        base_probability(enters, chances)
     }
 
     /// A direction by the cosine, or a reflection at a visible normal.
     #[inline]
     pub(super) fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
         let wi = local::raised(wi);
-        self.sample_visible(wi, || self.facets().visible_over_cos(wi), choice, u)
-    }
-
-    /// The same from in front, from what is seen of the coat's facets.
-    #[inline]
-    pub(super) fn sample_visible(
-        &self,
-        wi: Vec3,
-        visible: impl FnOnce() -> f64,
-        choice: f64,
-        u: [f64; 2],
-    ) -> Option<Drawn> {
         if choice < self.base_probability(self.transmittance(wi.z)) {
             return Some(Drawn::Smooth(local::sample_cosine(u)));
         }
-        let normal = self.facets().sample_visible(wi, visible, u);
-        let wo = local::reflected_about(wi, normal);
+        let wo = local::reflected_about(wi, self.facets().sample(wi, u));
         (wo.z > 0.0).then_some(Drawn::Smooth(wo))
     }
 
@@ -133,12 +126,7 @@ impl RoughPlastic {
             return (Rgb::zero(), 0.0);
         }
         let wi = local::raised(wi);
-        self.eval_and_pdf_of(wi, wo, self.facets().mirrored(wi, wo))
-    }
-
-    /// The same for directions in front, from what the coat's facets do.
-    #[inline]
-    pub(super) fn eval_and_pdf_of(&self, wi: Vec3, wo: Vec3, mirrored: Mirrored) -> (Rgb, f64) {
+        let mirrored = self.facets().mirrored(wi, wo);
         let enters = self.transmittance(wi.z);
         let scattered = self.scattered(mirrored.scattered, mirrored.cos, enters, wo);
         (scattered, self.mixed_pdf(enters, mirrored.pdf, wo))

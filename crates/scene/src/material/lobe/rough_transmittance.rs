@@ -106,6 +106,15 @@ impl RoughTransmittance {
         local::lerp(below, above, place - R::constant(index as f64))
     }
 
+    /// [`RoughTransmittance::transmittance`] without derivatives.
+    #[inline(always)]
+    pub fn passes(&self, cos: f64) -> f64 {
+        let place = cos * (NODES - 1) as f64;
+        let index = (place as usize).min(NODES - 2);
+        let [below, above] = [index, index + 1].map(|node| self.transmittance[node].value);
+        local::lerp(below, above, place - index as f64)
+    }
+
     /// Fraction of diffuse light from inside that does not get out.
     #[inline]
     pub fn internal_reflectance<R: Real>(&self, alpha: R, eta: R) -> R {
