@@ -1,6 +1,6 @@
-"""Compiles the kernels of capwalk-gpu by the Slang compiler inside PyPI's slangpy, without a
-device: `kernels.py FOLDER`, where FOLDER has the sources. For wgpu they become WGSL, for
-NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
+"""Compiles the kernels of a crate by the Slang compiler inside PyPI's slangpy, without a
+device: `kernels.py FOLDER`, where FOLDER has some of the sources below. For wgpu they become WGSL,
+for NVIDIA's driver PTX, by NVIDIA's own compiler of PyPI.
 
 Slang writes no `double` in WGSL ("unexpected: 'double' type emitted", 2026.12), which wgpu
 reads as `f64`. So the source is compiled with `half` for it, which it uses for nothing else,
@@ -24,7 +24,10 @@ ENTRIES = {
     "moved": ["moved_triangles", "moved_edges"],
     "bounds": ["bound_triangles", "bound_edges"],
     "sampled": ["sample_edges"],
+    "render": ["begin_paths", "go_on"],
 }
+# Where files are that sources include.
+SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")
 PRECISIONS = ["single", "double"]
 # Of kernels that would take too many registers in double precision, how many groups of
 # `GROUP` threads a multiprocessor must have room for (docs/benchmarks.md).
@@ -55,7 +58,7 @@ def slang(library, source, entry, precision, target, real):
     """The kernel in WGSL or CUDA's C++, where `real` is the type of exact tests."""
     session = ctypes.c_void_p(library.spCreateSession(ctypes.c_char_p(None)))
     request = ctypes.c_void_p(library.spCreateCompileRequest(session))
-    words = [source, "-D" + precision.upper(), "-D" + target.upper(), "-DREAL=" + real, "-target", target, "-entry", entry,
+    words = [source, "-D" + precision.upper(), "-D" + target.upper(), "-DREAL=" + real, "-I", SHARED, "-target", target, "-entry", entry,
              "-stage", "compute", "-line-directive-mode", "none"]
     arguments = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = library.spProcessCommandLineArguments(request, arguments, len(words)) < 0
@@ -131,7 +134,8 @@ def nvrtc_text(compiler, program, what):
 
 def content(folder, name):
     """A source with what it includes in the place of the lines that say so."""
-    with open(os.path.join(folder, name), "rb") as file:
+    paths = [os.path.join(place, name) for place in (folder, SHARED)]
+    with open(next(filter(os.path.exists, paths)), "rb") as file:
         return re.sub(rb'#include "(.*)"\n', lambda line: content(folder, line[1].decode()), file.read())
 
 
@@ -151,6 +155,8 @@ def main():
     by_both = f"{by_slang}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
     for name, entries in ENTRIES.items():
         source = os.path.join(folder, f"{name}.slang")
+        if not os.path.exists(source):
+            continue
         of_source = checksum(content(folder, f"{name}.slang"))
         for entry, precision in itertools.product(entries, PRECISIONS):
             for language, by, code in [

@@ -1,5 +1,5 @@
-//! `cargo xtask kernels`: compiles the kernels of `capwalk-gpu`, whose results are checked
-//! in. A test of the crate fails where they are not those of the source.
+//! `cargo xtask kernels`: compiles the kernels of `capwalk-gpu` and `capwalk-gpu-render`, whose
+//! results are checked in. Tests of the crates fail where they are not those of the source.
 
 use std::process::Command;
 
@@ -19,8 +19,11 @@ pub fn run() -> Result<()> {
         "slangpy, nvidia.cuda_nvrtc",
         &COMPILERS,
     )?;
-    let mut compile = Command::new(python);
-    compile.args(["xtask/kernels.py", "crates/gpu/src/kernels"]);
-    compile.current_dir(root());
-    start("kernels", compile)
+    for folder in ["crates/gpu/src/kernels", "crates/gpu-render/src/kernels"] {
+        let mut compile = Command::new(&python);
+        compile.args(["xtask/kernels.py", folder]);
+        compile.current_dir(root());
+        start("kernels", compile)?;
+    }
+    Ok(())
 }

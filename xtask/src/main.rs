@@ -8,7 +8,7 @@
 //! | `bench` | the benchmarks |
 //! | `soak` | random scenes and damaged files, for a minute each |
 //! | `parity` | renders `tests/parity/*.xml` with Mitsuba too and compares, or makes golden images of them |
-//! | `kernels` | compiles the kernels of `capwalk-gpu`, which are checked in |
+//! | `kernels` | compiles the kernels of the GPU, which are checked in |
 //! | `gpu` | the queries on the GPU: how many per second, and whether they agree with the processor |
 //! | `peers` | measures capwalk and Mitsuba side by side: noise after a second of one thread |
 

@@ -15,9 +15,13 @@ pub fn root() -> PathBuf {
     here.parent().unwrap_or(Path::new(".")).to_owned()
 }
 
-/// Cargo's words for all crates with all that they can do, also the baselines of the
-/// command line, which are off otherwise.
-pub const EVERYTHING: [&str; 3] = ["--workspace", "--features", "capwalk-cli/paper"];
+/// Cargo's words for all crates with all that they can do, also what the command line has
+/// only if it is asked for: the baselines, and the GPU.
+pub const EVERYTHING: [&str; 3] = [
+    "--workspace",
+    "--features",
+    "capwalk-cli/paper,capwalk-cli/gpu",
+];
 
 /// A call of the cargo that runs this task, in the root of the workspace.
 pub fn cargo(arguments: &[&str]) -> Command {

@@ -77,6 +77,11 @@ impl Stream {
         }
     }
 
+    /// The key from which a device makes the same numbers; `None` for Sobol's points.
+    pub fn independent_key(&self) -> Option<u64> {
+        self.sobol.is_none().then_some(self.key)
+    }
+
     /// Independent numbers without end, for what takes a random number of them in
     /// the place of one dimension.
     pub fn branch(&self, dimension: u32) -> Self {

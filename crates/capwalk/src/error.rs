@@ -9,6 +9,7 @@ use capwalk_scene::{BytesError, SceneError, builtin};
 use capwalk_scene_io::image::ImageError;
 use capwalk_scene_io::{LoadError, VelocityFileError};
 
+use crate::device::DeviceFailure;
 use crate::folder_error::FolderError;
 use crate::method::OptionError;
 
@@ -130,6 +131,9 @@ pub enum Error {
     /// The derivative cannot be estimated without bias.
     #[error(transparent)]
     Refused(#[from] Refusal),
+    /// There is no image from a GPU.
+    #[error(transparent)]
+    Device(#[from] DeviceFailure),
     /// Parts of a work that make no whole.
     #[error("{0}")]
     Part(PartError),

@@ -33,6 +33,7 @@
 //! | [`Prepared`] | a scene that is ready for any number of images and gradients |
 //! | [`Views`] | the same for all sensors of a scene, and for what they show besides light |
 //! | [`Prepared::render`] | an image with its standard errors |
+//! | [`Prepared::render_on`] | the same on a GPU, with the feature `gpu` |
 //! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |
 //! | [`Prepared::backward`] | the gradient of a loss with respect to everything named (reverse mode) |
 //! | [`Prepared::loss`] | how far an image is from a target, and the adjoint for `backward` |
@@ -59,10 +60,13 @@
 mod backward;
 mod check;
 mod coplanar;
+mod device;
 mod direction;
 mod engine;
 mod error;
 mod folder_error;
+#[cfg_attr(not(feature = "gpu"), path = "no_gpu_images.rs")]
+mod gpu_images;
 mod images;
 mod load;
 mod loss;
@@ -70,6 +74,7 @@ mod method;
 pub mod optimize;
 mod options;
 mod prepared;
+mod render_on;
 mod setting;
 mod step;
 pub mod text;
@@ -103,6 +108,7 @@ pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
 pub use check::{Check, CheckOptions, Reference, comparison_text, coplanar_text, missing_text};
+pub use device::{Device, DeviceFailure, DeviceRendering};
 pub use direction::Direction;
 pub use error::{Error, UnusableImage};
 pub use folder_error::FolderError;

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use capwalk_diff::{
-    Chosen, GradientImage, GradientOptions, GradientWork, Method, Refusal, RenderOptions,
-    RenderWork, Rendering, Watch,
+    Chosen, GradientImage, GradientOptions, GradientWork, Method, PreparedScene, Refusal,
+    RenderOptions, RenderWork, Rendering, Watch,
 };
 use capwalk_scene::params::Registry;
 use capwalk_scene::{Image, Scene, SceneError, Tangent};
@@ -76,6 +76,10 @@ impl Prepared {
     /// The scene as it is now.
     pub fn scene(&self) -> &Arc<Scene> {
         self.engine.scene()
+    }
+
+    pub(crate) fn prepared_scene(&self) -> &PreparedScene {
+        self.engine.prepared()
     }
 
     /// The names of all parameters of the scene; made by the first call.

@@ -291,8 +291,23 @@ pub struct Render {
     /// take, from 16 on
     #[arg(long)]
     pub adaptive: bool,
+    /// Where to render: equal seeds give equal bits on one device
+    #[arg(long, value_name = "DEVICE", default_value = "cpu")]
+    pub device: DeviceName,
     #[command(flatten)]
     pub output: OutputArgs,
+}
+
+/// Devices by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DeviceName {
+    /// The GPU if there is one and it has all that the scene needs, else the processor
+    Auto,
+    /// The processor
+    Cpu,
+    /// The GPU, or software Vulkan; refused if it has not all that the scene needs (a build with
+    /// --features gpu)
+    Gpu,
 }
 
 #[derive(Args, Debug)]

@@ -2,11 +2,12 @@
 
 use rayon::prelude::*;
 
+use crate::compiled_kernel::GROUP;
 use crate::copies::{Copies, VIEW};
 use crate::driver::Memory;
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::kernels::{GROUP, Kernel};
+use crate::kernels::Kernel;
 use crate::launch::Launch;
 use crate::precision::Precision;
 use crate::resident::Resident;

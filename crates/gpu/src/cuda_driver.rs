@@ -3,7 +3,8 @@
 //! needed to build or to run elsewhere.
 #![allow(unsafe_code)]
 
-use std::sync::{Arc, Mutex, OnceLock};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use cudarc::driver::sys::CUresult;
@@ -13,8 +14,8 @@ use cudarc::driver::{
 };
 use cudarc::nvrtc::Ptx;
 
+use crate::compiled_kernel::{CompiledKernel, GROUP};
 use crate::error::GpuError;
-use crate::kernels::{GROUP, KERNELS, Kernel};
 use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 
@@ -43,7 +44,8 @@ pub struct CudaDriver {
     name: String,
     version: String,
     largest: u64,
-    kernels: [OnceLock<Loaded>; KERNELS],
+    /// Those that were asked for, by their names.
+    kernels: Mutex<BTreeMap<&'static str, Loaded>>,
     /// The words of a launch; one launch at a time has them, and the kernel's parameters.
     launch: Mutex<CudaSlice<u32>>,
     lost: Mutex<Option<String>>,
@@ -53,7 +55,7 @@ pub struct CudaDriver {
 #[derive(Debug)]
 pub struct CudaMemory(Mutex<CudaSlice<u8>>);
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct Loaded {
     module: Arc<CudaModule>,
     function: CudaFunction,
@@ -187,7 +189,7 @@ impl CudaDriver {
 
     pub fn launch(
         &self,
-        kernel: Kernel,
+        kernel: &CompiledKernel,
         precision: Precision,
         arrays: [&CudaMemory; ARRAYS],
         launch: Launch,
@@ -198,7 +200,7 @@ impl CudaDriver {
         let loaded = self.loaded(kernel, precision).map_err(fault)?;
         let mut words = locked(&self.launch);
         let started = Instant::now();
-        self.launch_now(kernel, loaded, arrays, launch, &mut words)
+        self.launch_now(kernel, &loaded, arrays, launch, &mut words)
             .map_err(fault)?;
         self.wait(timeout)?;
         Ok(started.elapsed())
@@ -206,7 +208,7 @@ impl CudaDriver {
 
     fn launch_now(
         &self,
-        kernel: Kernel,
+        kernel: &CompiledKernel,
         loaded: &Loaded,
         arrays: [&CudaMemory; ARRAYS],
         launch: Launch,
@@ -223,7 +225,7 @@ impl CudaDriver {
         self.stream
             .memcpy_htod(bytemuck::cast_slice::<_, u8>(&parameters), &mut there)?;
         let shape = LaunchConfig {
-            grid_dim: (launch.queries().div_ceil(kernel.group()) as u32, 1, 1),
+            grid_dim: (launch.queries().div_ceil(kernel.group) as u32, 1, 1),
             block_dim: (GROUP as u32, 1, 1),
             shared_mem_bytes: 0,
         };
@@ -272,16 +274,18 @@ impl CudaDriver {
     }
 
     /// The kernel, compiled for this device when it is first asked for.
-    fn loaded(&self, kernel: Kernel, precision: Precision) -> Result<&Loaded, DriverError> {
-        let slot = &self.kernels[kernel as usize];
-        if let Some(loaded) = slot.get() {
-            return Ok(loaded);
+    fn loaded(&self, kernel: &CompiledKernel, precision: Precision) -> Result<Loaded, DriverError> {
+        let mut kernels = locked(&self.kernels);
+        if let Some(loaded) = kernels.get(kernel.name) {
+            return Ok(loaded.clone());
         }
         let module = self
             .context
-            .load_module(Ptx::from_src(kernel.ptx(precision)))?;
-        let function = module.load_function(kernel.name())?;
-        Ok(slot.get_or_init(|| Loaded { module, function }))
+            .load_module(Ptx::from_src(kernel.ptx_in(precision)))?;
+        let function = module.load_function(kernel.name)?;
+        let loaded = Loaded { module, function };
+        kernels.insert(kernel.name, loaded.clone());
+        Ok(loaded)
     }
 
     /// What an error means. After those of a kernel, the driver answers nothing any more.

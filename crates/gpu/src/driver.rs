@@ -3,8 +3,8 @@
 
 use std::time::Duration;
 
+use crate::compiled_kernel::CompiledKernel;
 use crate::cuda_driver::{CudaDriver, CudaMemory};
-use crate::kernels::Kernel;
 use crate::launch::{ARRAYS, Fault, Launch};
 use crate::precision::Precision;
 use crate::wgpu_driver::WgpuDriver;
@@ -97,7 +97,7 @@ impl Driver {
     /// Runs a kernel, waits until it is done, and tells how long that took.
     pub fn launch(
         &self,
-        kernel: Kernel,
+        kernel: &CompiledKernel,
         precision: Precision,
         arrays: [&Memory; ARRAYS],
         launch: Launch,

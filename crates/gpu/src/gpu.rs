@@ -1,14 +1,16 @@
 //! The device that everything runs on, chosen once.
 
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
 
+use crate::compiled_kernel::{CompiledKernel, GROUP};
 use crate::copies::Copies;
 use crate::cuda_driver::CudaDriver;
 use crate::driver::{Driver, Memory};
 use crate::error::GpuError;
-use crate::kernels::{GROUP, KERNELS, Kernel};
+use crate::kernels::Kernel;
 use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 use crate::wgpu_driver::WgpuDriver;
@@ -65,8 +67,8 @@ pub struct Gpu {
     driver: Driver,
     options: GpuOptions,
     precision: Precision,
-    /// Of each kernel, the queries that a launch should have.
-    pace: [AtomicUsize; KERNELS],
+    /// Of each kernel that has run, the queries that a launch should have.
+    pace: Mutex<BTreeMap<&'static str, usize>>,
     /// Nanoseconds that launches took.
     busy: AtomicU64,
     copies: Mutex<Copies>,
@@ -83,7 +85,7 @@ impl Gpu {
             driver,
             precision,
             options: options.clone(),
-            pace: [const { AtomicUsize::new(FIRST) }; KERNELS],
+            pace: Mutex::default(),
             busy: AtomicU64::new(0),
             copies: Mutex::default(),
             eights: OnceLock::new(),
@@ -130,13 +132,13 @@ impl Gpu {
     }
 
     /// The largest buffer, bytes.
-    pub(crate) fn largest_buffer(&self) -> u64 {
+    pub fn largest_buffer(&self) -> u64 {
         let wanted = self.options.largest_buffer.unwrap_or(u64::MAX);
         self.driver.largest().min(wanted)
     }
 
     /// An error if the device is lost.
-    pub(crate) fn check(&self) -> Result<(), GpuError> {
+    pub fn check(&self) -> Result<(), GpuError> {
         self.driver.check().map_err(|fault| self.error(fault, 0, 0))
     }
 
@@ -213,10 +215,20 @@ impl Gpu {
         arrays: [&Memory; ARRAYS],
         whole: Launch,
     ) -> Result<(), GpuError> {
-        let (pace, timeout) = (&self.pace[kernel as usize], self.options.timeout);
+        self.run_compiled(&kernel.compiled(), arrays, whole)
+    }
+
+    /// The same for a kernel of any crate.
+    pub(crate) fn run_compiled(
+        &self,
+        kernel: &CompiledKernel,
+        arrays: [&Memory; ARRAYS],
+        whole: Launch,
+    ) -> Result<(), GpuError> {
+        let timeout = self.options.timeout;
         let mut rest = whole;
         while rest.first < whole.end {
-            let size = pace.load(Ordering::Relaxed);
+            let size = *locked(&self.pace).entry(kernel.name).or_insert(FIRST);
             let launch = Launch {
                 end: whole.end.min(rest.first + size as u32),
                 ..rest
@@ -227,11 +239,14 @@ impl Gpu {
             let took = done.map_err(|fault| self.error(fault, 0, launch.queries()))?;
             self.busy
                 .fetch_add(took.as_nanos() as u64, Ordering::Relaxed);
-            if took > self.options.launch {
-                pace.store((size / 2).max(kernel.group()), Ordering::Relaxed);
+            let next = if took > self.options.launch {
+                (size / 2).max(kernel.group)
             } else if 3 * took < self.options.launch && launch.queries() == size {
-                pace.store((2 * size).min(kernel.most()), Ordering::Relaxed);
-            }
+                (2 * size).min(kernel.most())
+            } else {
+                size
+            };
+            locked(&self.pace).insert(kernel.name, next);
             rest.first = launch.end;
         }
         Ok(())

@@ -1,5 +1,6 @@
 //! The kernels as `cargo xtask kernels` compiled them from the sources in `kernels`.
 
+use crate::compiled_kernel::{CompiledKernel, GROUP};
 use crate::precision::Precision;
 
 /// A kernel.
@@ -21,18 +22,20 @@ pub enum Kernel {
     SampleEdges,
 }
 
-/// How many there are.
-pub const KERNELS: usize = 10;
-
-/// How many threads there are in a group.
-pub const GROUP: usize = 64;
-
-/// How many groups a launch may have, which are counted in one dimension.
-const MOST_GROUPS: usize = 1 << 15;
-
 impl Kernel {
+    /// All that a driver needs of it.
+    pub fn compiled(self) -> CompiledKernel {
+        let precisions = [Precision::Single, Precision::Double];
+        CompiledKernel {
+            name: self.name(),
+            group: self.group(),
+            wgsl: precisions.map(|precision| self.wgsl(precision)),
+            ptx: precisions.map(|precision| self.ptx(precision)),
+        }
+    }
+
     /// Its entry point.
-    pub fn name(self) -> &'static str {
+    fn name(self) -> &'static str {
         match self {
             Self::FirstHit => "first_hit",
             Self::Occluded => "occluded",
@@ -49,7 +52,7 @@ impl Kernel {
 
     /// How many queries a group works on: cones have eight threads each, children of nodes a
     /// group.
-    pub fn group(self) -> usize {
+    fn group(self) -> usize {
         match self {
             Self::FirstHit | Self::Occluded | Self::Eights => GROUP,
             Self::MovedTriangles | Self::MovedEdges | Self::SampleEdges => GROUP,
@@ -58,13 +61,8 @@ impl Kernel {
         }
     }
 
-    /// No launch has more queries.
-    pub fn most(self) -> usize {
-        MOST_GROUPS * self.group()
-    }
-
     /// In WGSL.
-    pub fn wgsl(self, precision: Precision) -> &'static str {
+    fn wgsl(self, precision: Precision) -> &'static str {
         match (self, precision) {
             (Self::FirstHit, Precision::Single) => include_str!("kernels/first_hit_single.wgsl"),
             (Self::FirstHit, Precision::Double) => include_str!("kernels/first_hit_double.wgsl"),
@@ -110,8 +108,7 @@ impl Kernel {
     }
 
     /// In PTX, NVIDIA's language between compilers and drivers.
-    #[cfg_attr(not(any(target_os = "linux", target_os = "windows")), allow(dead_code))]
-    pub fn ptx(self, precision: Precision) -> &'static str {
+    fn ptx(self, precision: Precision) -> &'static str {
         match (self, precision) {
             (Self::FirstHit, Precision::Single) => include_str!("kernels/first_hit_single.ptx"),
             (Self::FirstHit, Precision::Double) => include_str!("kernels/first_hit_double.ptx"),
@@ -152,62 +149,34 @@ impl Kernel {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::compiled_kernel::RAYS_SOURCE;
     use capwalk_geometry::buffers;
-
-    /// FNV-1a with 64 bits. The first lines of a compiled kernel end with those of its source
-    /// and of what follows.
-    fn checksum(text: &str) -> String {
-        let hash = text.bytes().fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-        });
-        format!("{hash:016x}")
-    }
 
     /// Whoever changes the source must compile it again, and nobody edits the result.
     #[test]
     fn compiled_kernels_are_current() {
-        let sources = [
-            include_str!("kernels/queries.slang"),
-            include_str!("kernels/moved.slang"),
-            include_str!("kernels/bounds.slang"),
-        ];
-        let [queries, moved, bounds] = sources.map(checksum);
+        let included = |source: &str, name: &str, content: &str| {
+            source.replace(&format!("#include \"{name}\"\n"), content)
+        };
+        let queries = include_str!("kernels/queries.slang");
+        let queries = &*included(queries, "rays.slang", RAYS_SOURCE);
         let sampled = include_str!("kernels/sampled.slang");
-        let sampled = checksum(&sampled.replace("#include \"queries.slang\"\n", sources[0]));
+        let sampled = &*included(sampled, "queries.slang", queries);
+        let moved = include_str!("kernels/moved.slang");
+        let bounds = include_str!("kernels/bounds.slang");
         for (kernel, source) in [
-            (Kernel::FirstHit, &queries),
-            (Kernel::Occluded, &queries),
-            (Kernel::Closest, &queries),
-            (Kernel::Gather, &queries),
-            (Kernel::Eights, &queries),
-            (Kernel::MovedTriangles, &moved),
-            (Kernel::MovedEdges, &moved),
-            (Kernel::BoundTriangles, &bounds),
-            (Kernel::BoundEdges, &bounds),
-            (Kernel::SampleEdges, &sampled),
+            (Kernel::FirstHit, queries),
+            (Kernel::Occluded, queries),
+            (Kernel::Closest, queries),
+            (Kernel::Gather, queries),
+            (Kernel::Eights, queries),
+            (Kernel::MovedTriangles, moved),
+            (Kernel::MovedEdges, moved),
+            (Kernel::BoundTriangles, bounds),
+            (Kernel::BoundEdges, bounds),
+            (Kernel::SampleEdges, sampled),
         ] {
-            for (compiled, precision) in [Precision::Single, Precision::Double]
-                .into_iter()
-                .flat_map(|p| [(kernel.wgsl(p), p), (kernel.ptx(p), p)])
-            {
-                let (head, body) = compiled.split_once("\n\n").expect("a head");
-                let of = |what: &str| {
-                    let line = head.lines().find_map(|line| line.strip_prefix(what));
-                    line.unwrap_or_default().to_owned()
-                };
-                let name = kernel.name();
-                assert_eq!(
-                    &of("// source: "),
-                    source,
-                    "{name} {precision:?} is old: run `cargo xtask kernels`"
-                );
-                assert_eq!(
-                    of("// result: "),
-                    checksum(body),
-                    "{name} {precision:?} was edited: run `cargo xtask kernels`"
-                );
-                assert!(!of("// compiler: ").is_empty());
-            }
+            assert_eq!(kernel.compiled().check(source), Ok(()));
         }
     }
 
@@ -215,6 +184,6 @@ mod tests {
     #[test]
     fn trees_are_not_too_deep() {
         let room = format!("static const uint LEVELS = {};", buffers::LEVELS);
-        assert!(include_str!("kernels/queries.slang").contains(&room));
+        assert!(RAYS_SOURCE.contains(&room));
     }
 }

@@ -29,6 +29,7 @@
 //! than [`SINGLE_ERROR`] times their distance, or so: its documentation says which.
 
 mod batch;
+mod compiled_kernel;
 mod copies;
 // NVIDIA makes no drivers for other systems.
 #[cfg_attr(
@@ -38,6 +39,7 @@ mod copies;
 mod cuda_driver;
 mod driver;
 mod error;
+mod foreign_kernels;
 mod gpu;
 mod kernels;
 mod launch;
@@ -51,7 +53,9 @@ mod sampler_queries;
 mod silhouette_queries;
 mod wgpu_driver;
 
+pub use compiled_kernel::{CompiledKernel, RAYS_SOURCE};
 pub use error::GpuError;
+pub use foreign_kernels::DeviceArray;
 pub use gpu::{Gpu, GpuOptions, Interface};
 pub use local_cone::SINGLE_ERROR;
 pub use precision::Precision;

@@ -3,8 +3,8 @@
 
 use std::time::Duration;
 
+use crate::compiled_kernel::CompiledKernel;
 use crate::error::GpuError;
-use crate::kernels::Kernel;
 use crate::launch::{ARRAYS, Fault, Launch};
 use crate::precision::Precision;
 
@@ -53,7 +53,7 @@ impl CudaDriver {
 
     pub fn launch(
         &self,
-        _: Kernel,
+        _: &CompiledKernel,
         _: Precision,
         _: [&CudaMemory; ARRAYS],
         _: Launch,

@@ -3,6 +3,7 @@
 /// The precision of the tests of triangles and edges, and their coordinates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Precision {
+    // In this order in a `CompiledKernel`.
     /// Single precision, in the tree's coordinates.
     Single,
     /// Double precision, in the world's coordinates.

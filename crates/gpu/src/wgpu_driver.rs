@@ -1,10 +1,11 @@
 //! Devices through wgpu: Vulkan, Metal and DX12, and Vulkan in software.
 
-use std::sync::{Arc, Mutex, OnceLock, mpsc};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, mpsc};
 use std::time::{Duration, Instant};
 
+use crate::compiled_kernel::CompiledKernel;
 use crate::error::GpuError;
-use crate::kernels::{KERNELS, Kernel};
 use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 
@@ -16,7 +17,8 @@ pub struct WgpuDriver {
     layout: wgpu::BindGroupLayout,
     info: wgpu::AdapterInfo,
     largest: u64,
-    pipelines: [OnceLock<wgpu::ComputePipeline>; KERNELS],
+    /// Those that were asked for, by the names of their kernels.
+    pipelines: Mutex<BTreeMap<&'static str, wgpu::ComputePipeline>>,
     lost: Arc<Mutex<Option<String>>>,
     /// What the last download came through: new memory would cost more than the copy.
     back: Mutex<Option<wgpu::Buffer>>,
@@ -149,7 +151,7 @@ impl WgpuDriver {
 
     pub fn launch(
         &self,
-        kernel: Kernel,
+        kernel: &CompiledKernel,
         precision: Precision,
         arrays: [&wgpu::Buffer; ARRAYS],
         launch: Launch,
@@ -179,9 +181,9 @@ impl WgpuDriver {
             let mut encoder = self.device.create_command_encoder(&Default::default());
             {
                 let mut pass = encoder.begin_compute_pass(&Default::default());
-                pass.set_pipeline(pipeline);
+                pass.set_pipeline(&pipeline);
                 pass.set_bind_group(0, &group, &[]);
-                pass.dispatch_workgroups(launch.queries().div_ceil(kernel.group()) as u32, 1, 1);
+                pass.dispatch_workgroups(launch.queries().div_ceil(kernel.group) as u32, 1, 1);
             }
             self.queue.submit([encoder.finish()]);
         })?;
@@ -267,39 +269,40 @@ impl WgpuDriver {
     /// The kernel, compiled when it is first asked for.
     fn pipeline(
         &self,
-        kernel: Kernel,
+        kernel: &CompiledKernel,
         precision: Precision,
-    ) -> Result<&wgpu::ComputePipeline, Fault> {
-        let slot = &self.pipelines[kernel as usize];
-        if let Some(pipeline) = slot.get() {
-            return Ok(pipeline);
+    ) -> Result<wgpu::ComputePipeline, Fault> {
+        let mut pipelines = locked(&self.pipelines);
+        if let Some(pipeline) = pipelines.get(kernel.name) {
+            return Ok(pipeline.clone());
         }
         let compiled = self.guarded(|| {
-            let source = kernel.wgsl(precision);
+            let source = kernel.wgsl_in(precision);
             let module = self
                 .device
                 .create_shader_module(wgpu::ShaderModuleDescriptor {
-                    label: Some(kernel.name()),
+                    label: Some(kernel.name),
                     source: wgpu::ShaderSource::Wgsl(source.into()),
                 });
             let layout = self
                 .device
                 .create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                    label: Some(kernel.name()),
+                    label: Some(kernel.name),
                     bind_group_layouts: &[Some(&self.layout)],
                     ..Default::default()
                 });
             self.device
                 .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-                    label: Some(kernel.name()),
+                    label: Some(kernel.name),
                     layout: Some(&layout),
                     module: &module,
-                    entry_point: Some(kernel.name()),
+                    entry_point: Some(kernel.name),
                     compilation_options: Default::default(),
                     cache: None,
                 })
         })?;
-        Ok(slot.get_or_init(|| compiled))
+        pipelines.insert(kernel.name, compiled.clone());
+        Ok(compiled)
     }
 }
 

@@ -11,7 +11,7 @@
 
 use std::f64::consts::PI;
 
-use capwalk_boundary::{Draw, Viewpoint};
+use capwalk_boundary::{Counts, Draw, Stream, Viewpoint};
 use capwalk_math::{Real, Rgb};
 use capwalk_scene::sensor::view::{View, ViewRay};
 
@@ -72,6 +72,18 @@ impl Tracer<'_> {
             true => light + self.pixel_border_term(eval, &camera, &support, draw),
             false => light,
         }
+    }
+
+    /// The camera's ray of a sample of the primal image, and its weight in the pixel.
+    pub fn camera_ray(&self, pixel: [u32; 2], stream: &Stream) -> (ViewRay<f64>, f64) {
+        let draw = Draw {
+            stream,
+            counts: &Counts::default(),
+        };
+        let support = self.supports.pixel(pixel);
+        let view = self.view(&Primal(self.accel), draw);
+        let s = support.sample(0.0, 0.0, stream.pair(FILM));
+        (view.ray(view.direction(s)), support.weight_over_pdf(s))
     }
 
     /// What the camera sees from a point sampled on its lens.

@@ -10,6 +10,7 @@
 
 pub mod adaptive;
 mod aov;
+mod average_elsewhere;
 mod camera;
 mod direct_edge_term;
 mod emitter_choice;
@@ -47,6 +48,7 @@ mod tracer;
 mod triangle_sampler;
 mod vertex;
 
+pub use average_elsewhere::average_elsewhere;
 pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Estimate, GradientImage, Missing, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
@@ -59,8 +61,10 @@ pub use partial::{Along, Partial};
 pub use plan::{FIRST_VERTEX, LightSampling, Plan};
 pub use prepared::PreparedScene;
 pub use radiance::{Emitted, SpecularChain};
+pub use rectangle_sampler::RectangleSampler;
 pub use scene_eval::{Primal, SceneEval, Warped, vertex_normal};
 pub use surroundings::Surroundings;
 pub use tiles::PixelSums;
 pub use tracer::{LeavesOut, Moving, Tracer, Walks};
+pub use triangle_sampler::TriangleSampler;
 pub use vertex::Vertex;

@@ -13,15 +13,16 @@ const OFF_BY: [f64; 2] = [1e-12, 16.0 * f64::EPSILON];
 #[derive(Clone, Debug)]
 pub struct RectangleSampler {
     /// A corner.
-    corner: Vec3,
-    /// Unit vectors along the sides from there, and the normal of the front.
-    sides: [Vec3; 2],
-    normal: Vec3,
+    pub corner: Vec3,
+    /// Unit vectors along the sides from there.
+    pub sides: [Vec3; 2],
+    /// Unit normal of the front.
+    pub normal: Vec3,
     /// Lengths of the sides.
-    lengths: [f64; 2],
+    pub lengths: [f64; 2],
     /// For each triangle, what gives the weights of its second and third corner at a point:
     /// one number, and two that are multiplied by the place along the sides.
-    weights: [[[f64; 3]; 2]; 2],
+    pub weights: [[[f64; 3]; 2]; 2],
 }
 
 /// A point sampled on a rectangle.

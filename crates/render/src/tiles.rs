@@ -91,7 +91,7 @@ struct Tally {
 
 impl PixelSums {
     /// Nothing taken yet, of so many samples that are wanted of each pixel.
-    fn new(wanted: impl Iterator<Item = u32>, channels: usize) -> Self {
+    pub(crate) fn new(wanted: impl Iterator<Item = u32>, channels: usize) -> Self {
         let tally = |wanted| Tally {
             wanted,
             ..Tally::default()
@@ -102,6 +102,26 @@ impl PixelSums {
             tallies,
         }
     }
+
+    /// Adds a sample of a pixel, the next one, that depends on no other.
+    pub(crate) fn add_sample<const C: usize>(&mut self, pixel: usize, numbers: [f64; C]) {
+        let tally = &mut self.tallies[pixel];
+        tally.samples += 1;
+        let numbers = match is_finite(&numbers) {
+            true => numbers,
+            false => {
+                tally.non_finite += 1;
+                [0.0; C]
+            }
+        };
+        let moments = self.moments[pixel * C..].iter_mut();
+        moments.zip(numbers).for_each(|(moments, x)| moments.add(x));
+    }
+}
+
+/// True if a sample's numbers can be averaged.
+fn is_finite(numbers: &[f64]) -> bool {
+    numbers.iter().all(|x| x.abs() <= LARGEST_NUMBER)
 }
 
 impl Accumulate for PixelSums {
@@ -260,7 +280,7 @@ pub fn average<const C: usize>(
                     tally.cone_queries += sample.cone_queries;
                     tally.uncovered += sample.uncovered;
                     tally.effort += sample.effort;
-                    if sample.numbers.iter().all(|x| x.abs() <= LARGEST_NUMBER) {
+                    if is_finite(&sample.numbers) {
                         let sums = sum.iter_mut().zip(sample.numbers);
                         sums.for_each(|(s, x)| *s += x);
                     } else {

@@ -36,19 +36,19 @@ pub struct TriangleSampler {
 #[derive(Clone, Debug)]
 pub struct Node {
     /// Their places in that order.
-    places: Range<usize>,
+    pub places: Range<usize>,
     /// The nodes of both halves; none in a leaf.
-    halves: Option<[usize; 2]>,
+    pub halves: Option<[usize; 2]>,
     /// A ball around them.
-    centre: Vec3,
-    radius: f64,
+    pub centre: Vec3,
+    pub radius: f64,
     /// The sum of their areas, with and without their directions.
-    vector_area: Vec3,
-    area: f64,
+    pub vector_area: Vec3,
+    pub area: f64,
     /// A cone of all their normals: its axis, and cosine and sine of its angle.
-    axis: Vec3,
-    cos_spread: f64,
-    sin_spread: f64,
+    pub axis: Vec3,
+    pub cos_spread: f64,
+    pub sin_spread: f64,
 }
 
 /// What of a triangle the tree is made by.
@@ -117,6 +117,16 @@ impl TriangleSampler {
     /// All of it, if it is a rectangle.
     pub fn rectangle(&self) -> Option<&RectangleSampler> {
         self.rectangle.as_ref()
+    }
+
+    /// The nodes of its tree; the root is the first.
+    pub fn nodes(&self) -> &[Node] {
+        &self.nodes
+    }
+
+    /// The triangles in the order of the tree's leaves.
+    pub fn order(&self) -> &[u32] {
+        &self.order
     }
 
     /// Centre and radius of a ball around the mesh.

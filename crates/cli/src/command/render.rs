@@ -1,10 +1,10 @@
 //! `capwalk render`: an image.
 
 use anyhow::Result;
-use capwalk::RenderOptions;
+use capwalk::{Device, RenderOptions};
 use serde_json::json;
 
-use crate::args::Render;
+use crate::args::{DeviceName, Render};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::{self, Files};
@@ -23,11 +23,23 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
     let progress = Progress::new("render", args.sampling.time_limit);
-    let rendering = prepared.render(&options, &progress)?;
+    let device = match args.device {
+        DeviceName::Auto => Device::Auto,
+        DeviceName::Cpu => Device::Cpu,
+        DeviceName::Gpu => Device::Gpu,
+    };
+    let found = prepared.render_on(device, &options, &progress)?;
     let elapsed = progress.finish().as_secs_f64();
+    if let Some(remark) = &found.remark {
+        console::remark(&format!("{remark}\n"));
+    }
+    let (rendering, adapter) = (found.rendering, found.adapter);
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
     let mut layered = output::layered("render", &args.scene, None, &options);
+    if let Some(adapter) = &adapter {
+        output::note(&mut layered, "device", adapter);
+    }
     output::push_statistics(&mut layered, &[statistics]);
     output::push_estimate(&mut layered, "value", "stderr", value);
     let written = files.write(&layered, &[])?;
@@ -39,6 +51,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
+            "device": adapter.as_deref().unwrap_or("cpu"),
             "mean": report::mean_colour(&value.mean),
             "statistics": report::statistics_json(statistics, elapsed),
             "files": written,

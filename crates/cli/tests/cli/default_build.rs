@@ -1,4 +1,4 @@
-//! What a program that was built without the feature `paper` says about its methods.
+//! What a program that was built without features says about what they add.
 
 use crate::methods::LEAF;
 use crate::{Capwalk, assert_has};
@@ -23,4 +23,20 @@ fn baselines_are_left_out_and_say_so() {
             .any(|line| line.contains(&format!("- {name}:")));
         assert!(!is_offered, "{option} {name} in:\n{help}");
     }
+}
+
+#[cfg(not(feature = "gpu"))]
+#[test]
+fn without_the_feature_a_gpu_is_an_error_that_says_how_to_build_it() {
+    let capwalk = Capwalk::new("device_not_built");
+    let render = "render leaf --spp 1 --size 8x6 -o image.exr";
+    let message = capwalk.error(&format!("{render} --device gpu"));
+    assert_has(
+        &message,
+        &["built without the GPU", "--features gpu", "--device cpu"],
+    );
+    assert!(!capwalk.folder.join("image.exr").exists());
+    // Without a GPU, any is as good as another.
+    let json = capwalk.json(&format!("{render} --device auto --json"));
+    assert_eq!(json["device"], "cpu");
 }

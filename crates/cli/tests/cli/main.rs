@@ -8,6 +8,8 @@ mod compare;
 #[cfg(not(feature = "paper"))]
 mod default_build;
 mod demo;
+#[cfg(feature = "gpu")]
+mod device;
 mod help;
 mod images;
 mod methods;

@@ -1,7 +1,7 @@
 // Compiled from queries.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e2a09a697d6bdd11
-// result: d26f06306c3306d9
+// source: a8d5e6c5f5b70297
+// result: 25ef868656eff360
 
 struct Launch_std140_0
 {
@@ -12,9 +12,9 @@ struct Launch_std140_0
 };
 
 @binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
-@binding(4) @group(0) var<storage, read> views_0 : array<vec4<u32>>;
-
 @binding(5) @group(0) var<storage, read> queries_0 : array<f32>;
+
+@binding(4) @group(0) var<storage, read> views_0 : array<vec4<u32>>;
 
 @binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
 
@@ -27,32 +27,6 @@ struct Launch_std140_0
 @binding(6) @group(0) var<storage, read_write> answers_0 : array<u32>;
 
 @binding(7) @group(0) var<storage, read_write> values_0 : array<f32>;
-
-struct RayView_0
-{
-     inverse_0 : vec3<f32>,
-     offset_near_0 : vec3<f32>,
-     offset_far_0 : vec3<f32>,
-     limit_0 : f32,
-     margin_0 : f32,
-     axes_0 : u32,
-};
-
-fn ray_view_0( query_0 : u32) -> RayView_0
-{
-    var _S1 : u32 = u32(3) * query_0;
-    var a_0 : vec4<u32> = views_0[_S1];
-    var b_0 : vec4<u32> = views_0[_S1 + u32(1)];
-    var c_0 : vec4<u32> = views_0[_S1 + u32(2)];
-    var view_0 : RayView_0;
-    view_0.inverse_0 = (bitcast<vec3<f32>>((a_0.xyz)));
-    view_0.offset_near_0 = (bitcast<vec3<f32>>((b_0.xyz)));
-    view_0.offset_far_0 = (bitcast<vec3<f32>>((c_0.xyz)));
-    view_0.limit_0 = (bitcast<f32>((a_0.w)));
-    view_0.margin_0 = (bitcast<f32>((b_0.w)));
-    view_0.axes_0 = c_0.w;
-    return view_0;
-}
 
 fn query_vector_0( at_0 : u32) -> vec3<f32>
 {
@@ -73,9 +47,9 @@ struct Ray_0
      largest_0 : f32,
 };
 
-fn ray_at_0( query_1 : u32) -> Ray_0
+fn ray_at_0( query_0 : u32) -> Ray_0
 {
-    var at_1 : u32 = u32(12) * query_1;
+    var at_1 : u32 = u32(12) * query_0;
     var ray_0 : Ray_0;
     ray_0.origin_0 = query_vector_0(at_1);
     ray_0.shear_x_0 = queries_0[at_1 + u32(3)];
@@ -88,6 +62,32 @@ fn ray_at_0( query_1 : u32) -> Ray_0
     ray_0.edge_on_0 = queries_0[at_1 + u32(10)];
     ray_0.largest_0 = queries_0[at_1 + u32(11)];
     return ray_0;
+}
+
+struct RayView_0
+{
+     inverse_0 : vec3<f32>,
+     offset_near_0 : vec3<f32>,
+     offset_far_0 : vec3<f32>,
+     limit_0 : f32,
+     margin_0 : f32,
+     axes_0 : u32,
+};
+
+fn ray_view_0( query_1 : u32) -> RayView_0
+{
+    var _S1 : u32 = u32(3) * query_1;
+    var a_0 : vec4<u32> = views_0[_S1];
+    var b_0 : vec4<u32> = views_0[_S1 + u32(1)];
+    var c_0 : vec4<u32> = views_0[_S1 + u32(2)];
+    var view_0 : RayView_0;
+    view_0.inverse_0 = (bitcast<vec3<f32>>((a_0.xyz)));
+    view_0.offset_near_0 = (bitcast<vec3<f32>>((b_0.xyz)));
+    view_0.offset_far_0 = (bitcast<vec3<f32>>((c_0.xyz)));
+    view_0.limit_0 = (bitcast<f32>((a_0.w)));
+    view_0.margin_0 = (bitcast<f32>((b_0.w)));
+    view_0.axes_0 = c_0.w;
+    return view_0;
 }
 
 fn ray_child_0( node_0 : u32,  slot_0 : u32) -> u32
@@ -365,141 +365,144 @@ fn face_0( triangle_0 : u32) -> u32
     return rough_0[triangle_0 / u32(4)][triangle_0 % u32(4)];
 }
 
-fn trace_0( query_2 : u32,  any_0 : bool)
+struct Found_0
 {
-    var found_0 : u32;
-    var v_3 : f32;
-    var w_2 : f32;
+     face_1 : u32,
+     triangle_1 : u32,
+     v_3 : f32,
+     w_2 : f32,
+};
+
+fn first_found_0( view_3 : RayView_0,  ray_3 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+{
     var _S26 : bool;
-    var view_3 : RayView_0 = ray_view_0(query_2);
-    var ray_3 : Ray_0 = ray_at_0(query_2);
+    var found_0 : Found_0;
+    found_0.face_1 = u32(4294967295);
+    found_0.triangle_1 = u32(4294967295);
+    found_0.v_3 = 0.0f;
+    found_0.w_2 = 0.0f;
+    if(!((view_3.limit_0) >= 0.0f))
+    {
+        return found_0;
+    }
     var way_0 : array<vec2<u32>, i32(40)>;
-    var found_1 : u32;
-    if((view_3.limit_0) >= 0.0f)
-    {
-        found_1 = crossed_0(view_3, view_3.limit_0, u32(0));
-    }
-    else
-    {
-        found_1 = u32(0);
-    }
-    way_0[i32(0)] = vec2<u32>(u32(0), found_1);
-    var is_new_0 : bool = true;
+    way_0[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var entered_0 : u32 = u32(0);
     var limit_4 : f32 = view_3.limit_0;
-    found_1 = u32(4294967295);
-    var v_4 : f32 = 0.0f;
-    var w_3 : f32 = 0.0f;
+    var is_new_0 : bool = true;
     var level_0 : u32 = u32(0);
     for(;;)
     {
+        var entered_1 : u32;
+        var is_new_1 : bool;
+        if(entered_0 != u32(4294967295))
+        {
+            way_0[level_0] = vec2<u32>(entered_0, crossed_0(view_3, limit_4, entered_0));
+            is_new_1 = true;
+            entered_1 = u32(4294967295);
+        }
+        else
+        {
+            is_new_1 = is_new_0;
+            entered_1 = entered_0;
+        }
         var here_0 : vec2<u32> = way_0[level_0];
         var _S27 : u32 = way_0[level_0].y;
         if(_S27 == u32(0))
         {
             if(level_0 == u32(0))
             {
-                found_0 = found_1;
-                v_3 = v_4;
-                w_2 = w_3;
                 break;
             }
-            level_0 = level_0 - u32(1);
+            var _S28 : u32 = level_0 - u32(1);
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            level_0 = _S28;
             continue;
         }
         var slot_3 : u32 = ((_S27 & (u32(15)))) - u32(1);
         way_0[level_0][i32(1)] = (_S27 >> (u32(4)));
-        var _S28 : bool;
-        if(!is_new_0)
+        var _S29 : bool;
+        if(!is_new_1)
         {
-            _S28 = (ray_bound_0(view_3, limit_4, here_0.x, slot_3)) > limit_4;
+            _S29 = (ray_bound_0(view_3, limit_4, here_0.x, slot_3)) > limit_4;
         }
         else
         {
-            _S28 = false;
+            _S29 = false;
         }
-        if(_S28)
+        if(_S29)
         {
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
             continue;
         }
         var child_0 : u32 = ray_child_0(here_0.x, slot_3);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var level_1 : u32 = level_0 + u32(1);
-            way_0[level_1] = vec2<u32>(child_0, crossed_0(view_3, limit_4, child_0));
-            is_new_0 = true;
-            level_0 = level_1;
+            var _S30 : u32 = level_0 + u32(1);
+            entered_0 = child_0;
+            is_new_0 = false;
+            level_0 = _S30;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S29 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S30 : u32 = leaf_starts_0[leaf_0];
-        found_0 = found_1;
+        var _S31 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S32 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        v_3 = v_4;
-        w_2 = w_3;
-        var i_0 : u32 = _S30;
+        var i_0 : u32 = _S32;
         for(;;)
         {
-            if(i_0 < _S29)
+            if(i_0 < _S31)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0(ray_3, view_3.axes_0, u32(9) * i_0);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_3), view_3.axes_0, u32(9) * i_0);
             if(!crossing_1.is_hit_0)
             {
                 i_0 = i_0 + u32(1);
                 continue;
             }
-            if(found_0 == u32(4294967295))
+            if((found_0.face_1) == u32(4294967295))
             {
                 _S26 = true;
             }
             else
             {
-                _S26 = (crossing_1.t_0) < (ray_3.t_max_0);
+                _S26 = (crossing_1.t_0) < ((*ray_3).t_max_0);
             }
-            var _S31 : bool;
+            var _S33 : bool;
             if(_S26)
             {
-                _S31 = true;
+                _S33 = true;
             }
             else
             {
-                _S31 = (face_0(i_0)) < found_0;
+                _S33 = (face_0(i_0)) < (found_0.face_1);
             }
-            var found_2 : u32;
             var limit_6 : f32;
-            var v_5 : f32;
-            var w_4 : f32;
-            if(_S31)
+            if(_S33)
             {
-                var _S32 : u32 = face_0(i_0);
-                ray_3.t_max_0 = crossing_1.t_0;
-                var _S33 : f32 = min(limit_5, crossing_1.t_0 * ray_3.local_per_t_0 - ray_3.enter_0 + 2.0f * view_3.margin_0);
-                found_2 = _S32;
-                limit_6 = _S33;
-                v_5 = crossing_1.v_1;
-                w_4 = crossing_1.w_0;
+                found_0.face_1 = face_0(i_0);
+                found_0.triangle_1 = i_0;
+                (*ray_3).t_max_0 = crossing_1.t_0;
+                found_0.v_3 = crossing_1.v_1;
+                found_0.w_2 = crossing_1.w_0;
+                limit_6 = min(limit_5, crossing_1.t_0 * (*ray_3).local_per_t_0 - (*ray_3).enter_0 + 2.0f * view_3.margin_0);
             }
             else
             {
-                found_2 = found_0;
                 limit_6 = limit_5;
-                v_5 = v_3;
-                w_4 = w_2;
             }
-            found_0 = found_2;
             limit_5 = limit_6;
-            v_3 = v_5;
-            w_2 = w_4;
             i_0 = i_0 + u32(1);
         }
         if(any_0)
         {
-            _S26 = found_0 != u32(4294967295);
+            _S26 = (found_0.face_1) != u32(4294967295);
         }
         else
         {
@@ -509,19 +512,24 @@ fn trace_0( query_2 : u32,  any_0 : bool)
         {
             break;
         }
-        is_new_0 = false;
+        entered_0 = entered_1;
         limit_4 = limit_5;
-        found_1 = found_0;
-        v_4 = v_3;
-        w_3 = w_2;
+        is_new_0 = false;
     }
-    answers_0[query_2] = found_0;
-    if(!any_0)
+    return found_0;
+}
+
+fn trace_0( query_2 : u32,  any_1 : bool)
+{
+    var ray_4 : Ray_0 = ray_at_0(query_2);
+    var found_1 : Found_0 = first_found_0(ray_view_0(query_2), &(ray_4), any_1);
+    answers_0[query_2] = found_1.face_1;
+    if(!any_1)
     {
         var _S34 : u32 = u32(3) * query_2;
-        values_0[_S34] = ray_3.t_max_0;
-        values_0[_S34 + u32(1)] = v_3;
-        values_0[_S34 + u32(2)] = w_2;
+        values_0[_S34] = ray_4.t_max_0;
+        values_0[_S34 + u32(1)] = found_1.v_3;
+        values_0[_S34 + u32(2)] = found_1.w_2;
     }
     return;
 }

@@ -1,0 +1,44 @@
+//! Where images are rendered, and why not there.
+
+use capwalk_diff::Rendering;
+
+/// Where an image is rendered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Device {
+    /// On the processor.
+    #[default]
+    Cpu,
+    /// On a GPU if there is one that has all that the scene needs, else on the processor. Software
+    /// Vulkan is none.
+    Auto,
+    /// On a GPU, or on software Vulkan; an error if there is neither, or if the scene needs what it
+    /// does not have.
+    Gpu,
+}
+
+/// An image, and where it was rendered.
+#[derive(Clone, Debug)]
+pub struct DeviceRendering {
+    /// The image.
+    pub rendering: Rendering,
+    /// The name of the GPU; `None` for the processor.
+    pub adapter: Option<String>,
+    /// Why it was the processor, where a GPU was there and could have been meant.
+    pub remark: Option<String>,
+}
+
+/// Why there is no image from a GPU.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DeviceFailure {
+    /// The feature `gpu` was not built.
+    #[error(
+        "this program was built without the GPU: build it with `cargo build --release -p \
+         capwalk-cli --features gpu`, or use the CPU (--device cpu)"
+    )]
+    NotBuilt,
+    /// The scene needs what the GPU does not have, or the GPU fails.
+    #[cfg(feature = "gpu")]
+    #[error(transparent)]
+    Failed(#[from] capwalk_gpu_render::DeviceError),
+}

@@ -1,0 +1,54 @@
+//! Images from a GPU.
+
+use std::sync::Arc;
+
+use capwalk_diff::{PreparedScene, RenderOptions, Rendering, Watch};
+use capwalk_gpu::{Gpu, GpuError, GpuOptions};
+use capwalk_gpu_render::{DeviceError, DeviceScene};
+
+use crate::device::{Device, DeviceFailure};
+
+/// An image, or that the processor has to render it.
+pub enum Found {
+    Image {
+        rendering: Rendering,
+        adapter: String,
+    },
+    Processor {
+        remark: Option<String>,
+    },
+}
+
+/// The image of a scene from the GPU that is found. The processor, for [`Device::Auto`], where
+/// there is none, or where it has not all that the scene needs.
+pub fn image(
+    prepared: &PreparedScene,
+    device: Device,
+    options: &RenderOptions,
+    watch: &dyn Watch,
+) -> Result<Found, DeviceFailure> {
+    let may_fall_back = device == Device::Auto;
+    let on_processor = |remark: Option<String>| Ok(Found::Processor { remark });
+    let gpu = match Gpu::new(&GpuOptions::default()) {
+        Ok(gpu) if may_fall_back && gpu.is_software() => return on_processor(None),
+        Ok(gpu) => Arc::new(gpu),
+        Err(GpuError::NoAdapter { .. }) if may_fall_back => return on_processor(None),
+        Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
+        Err(error) => return Err(DeviceError::Gpu(error).into()),
+    };
+    let scene = DeviceScene::new(&gpu, prepared);
+    match scene.and_then(|scene| scene.render(options, watch)) {
+        Ok(rendering) => Ok(Found::Image {
+            rendering,
+            adapter: gpu.name().to_owned(),
+        }),
+        Err(DeviceError::Unsupported(missing)) if may_fall_back => {
+            on_processor(Some(remark(&missing.what)))
+        }
+        Err(error) => Err(error.into()),
+    }
+}
+
+fn remark(why: &dyn std::fmt::Display) -> String {
+    format!("rendered on the CPU, not on the GPU: {why}")
+}

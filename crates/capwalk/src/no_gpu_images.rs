@@ -1,0 +1,30 @@
+//! `gpu_images.rs` where the feature `gpu` was not built.
+
+use capwalk_diff::{PreparedScene, RenderOptions, Rendering, Watch};
+
+use crate::device::{Device, DeviceFailure};
+
+/// No image: there is no GPU.
+pub enum Found {
+    #[allow(dead_code, reason = "with the feature there is one")]
+    Image {
+        rendering: Rendering,
+        adapter: String,
+    },
+    Processor {
+        remark: Option<String>,
+    },
+}
+
+/// The processor, unless a GPU is asked for.
+pub fn image(
+    _: &PreparedScene,
+    device: Device,
+    _: &RenderOptions,
+    _: &dyn Watch,
+) -> Result<Found, DeviceFailure> {
+    match device {
+        Device::Gpu => Err(DeviceFailure::NotBuilt),
+        Device::Auto | Device::Cpu => Ok(Found::Processor { remark: None }),
+    }
+}

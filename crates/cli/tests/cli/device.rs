@@ -1,0 +1,36 @@
+//! `render --device` with the feature `gpu`.
+
+use crate::{Capwalk, assert_has};
+
+/// On software Vulkan, if that is all there is; skipped where there is nothing.
+#[test]
+fn images_come_from_the_device_that_is_asked_for() {
+    let capwalk = Capwalk::new("device");
+    let render = "render leaf --spp 4 --size 16x12 --json";
+    let cpu = capwalk.json(&format!("{render} -o cpu.exr"));
+    assert_eq!(cpu["device"], "cpu");
+    let gpu = capwalk.run(&format!("{render} --device gpu -o gpu.exr"));
+    if gpu.status != 0 && gpu.stderr.contains("no GPU") {
+        let is_required = std::env::var("CAPWALK_GPU_TESTS").is_ok_and(|value| value == "require");
+        assert!(!is_required, "{}", gpu.stderr);
+        return;
+    }
+    let gpu: serde_json::Value = serde_json::from_str(&gpu.stdout).expect("JSON");
+    assert_ne!(gpu["device"], "cpu");
+    assert_eq!(gpu["statistics"]["samples"], cpu["statistics"]["samples"]);
+    for channel in 0..3 {
+        let [a, b] = [&gpu, &cpu].map(|json| json["mean"][channel].as_f64().expect("a number"));
+        assert!((a - b).abs() < 1e-4 * b, "{a} {b}");
+    }
+    // What has no record is named, and nothing is written.
+    let scene = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../tests/parity/dielectric.xml"
+    );
+    let message = capwalk.error(&format!("render {scene} --spp 1 --device gpu -o glass.exr"));
+    assert_has(
+        &message,
+        &["shape \"block\" is a dielectric", "--device cpu"],
+    );
+    assert!(!capwalk.folder.join("glass.exr").exists());
+}

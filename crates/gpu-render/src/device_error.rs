@@ -1,0 +1,17 @@
+//! Why there is no image.
+
+use capwalk_gpu::GpuError;
+
+use crate::unsupported::Unsupported;
+
+/// Why there is no image from a device.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DeviceError {
+    /// The scene or the options have something that the device's renderer has not.
+    #[error(transparent)]
+    Unsupported(#[from] Unsupported),
+    /// The device fails.
+    #[error(transparent)]
+    Gpu(#[from] GpuError),
+}

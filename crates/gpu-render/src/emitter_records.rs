@@ -1,0 +1,95 @@
+//! Emitters as the kernels read them: `emitters.slang` says which word is what.
+
+use capwalk_boundary::Accel;
+use capwalk_geometry::LocalFrame;
+use capwalk_geometry::buffers::NONE;
+use capwalk_math::Vec3;
+use capwalk_render::{DirectionSampler, EmitterSampler, RectangleSampler, TriangleSampler};
+use capwalk_scene::{Emitter, EmitterId};
+
+use crate::texture_records::{add_texture, float};
+
+/// Words of a record.
+pub const EMITTER_RECORD: usize = 12;
+
+/// The record of an emitter; what it refers to is appended to `words`.
+pub fn emitter_record(
+    accel: &Accel,
+    id: EmitterId,
+    sampler: &EmitterSampler,
+    frame: &LocalFrame,
+    words: &mut Vec<u32>,
+) -> [u32; EMITTER_RECORD] {
+    let scene = &accel.scene;
+    let emitter: &Emitter = scene.emitter(id);
+    let shape = emitter.shape().map(|shape| scene.shape(shape));
+    let radiance = add_texture(scene, emitter.radiance(), shape, words);
+    let brightness = float(sampler.brightness);
+    let DirectionSampler::Area(triangles) = &sampler.directions else {
+        return [0, radiance, brightness, 0, NONE, 0, 0, 0, 0, 0, 0, 0];
+    };
+    let rectangle = triangles.rectangle();
+    let rectangle = rectangle.map_or(NONE, |rectangle| add_rectangle(rectangle, frame, words));
+    let nodes = add_nodes(triangles, frame, words);
+    let order = words.len() as u32;
+    words.extend(triangles.order());
+    let rank = words.len();
+    words.resize(rank + triangles.order().len(), 0);
+    for (place, &face) in (0..).zip(triangles.order()) {
+        words[rank + face as usize] = place;
+    }
+    let (centre, radius) = triangles.ball();
+    let [x, y, z] = local(frame, centre);
+    let first_face = accel.emitter_face(id, 0);
+    let radius = float(radius * frame.inverse_scale);
+    let rank = rank as u32;
+    [
+        1, radiance, brightness, first_face, rectangle, nodes, order, rank, x, y, z, radius,
+    ]
+}
+
+/// A place in the tree's coordinates.
+fn local(frame: &LocalFrame, point: Vec3) -> [u32; 3] {
+    frame.local_from_world(point).to_array().map(float)
+}
+
+fn add_rectangle(rectangle: &RectangleSampler, frame: &LocalFrame, words: &mut Vec<u32>) -> u32 {
+    let at = words.len() as u32;
+    words.extend(local(frame, rectangle.corner));
+    for v in rectangle.sides.into_iter().chain([rectangle.normal]) {
+        words.extend(v.to_array().map(float));
+    }
+    words.extend(
+        rectangle
+            .lengths
+            .map(|length| float(length * frame.inverse_scale)),
+    );
+    for [c, a, b] in rectangle.weights.into_iter().flatten() {
+        words.extend([c, a * frame.scale, b * frame.scale].map(float));
+    }
+    at
+}
+
+/// Words of a node.
+const NODE: usize = 17;
+
+fn add_nodes(triangles: &TriangleSampler, frame: &LocalFrame, words: &mut Vec<u32>) -> u32 {
+    let at = words.len() as u32;
+    let to_area = frame.inverse_scale * frame.inverse_scale;
+    for node in triangles.nodes() {
+        let start = words.len();
+        words.extend([node.places.start, node.places.end].map(|place| place as u32));
+        words.extend(
+            node.halves
+                .map_or([NONE; 2], |halves| halves.map(|half| half as u32)),
+        );
+        words.extend(local(frame, node.centre));
+        words.push(float(node.radius * frame.inverse_scale));
+        words.extend((node.vector_area * to_area).to_array().map(float));
+        words.push(float(node.area * to_area));
+        words.extend(node.axis.to_array().map(float));
+        words.extend([node.cos_spread, node.sin_spread].map(float));
+        debug_assert_eq!(words.len(), start + NODE);
+    }
+    at
+}

@@ -1,0 +1,914 @@
+// Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: 8cf5e278cab077d3
+// result: 43f0091bfe7bf85e
+
+struct Launch_std140_0
+{
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) room_0 : u32,
+    @align(4) depth_0 : u32,
+};
+
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
+@binding(5) @group(0) var<storage, read> input_0 : array<u32>;
+
+@binding(4) @group(0) var<storage, read> scene_0 : array<u32>;
+
+@binding(2) @group(0) var<storage, read> primitives_0 : array<f64>;
+
+@binding(0) @group(0) var<storage, read> nodes_0 : array<vec4<u32>>;
+
+@binding(1) @group(0) var<storage, read> leaf_starts_0 : array<u32>;
+
+@binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
+
+@binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(7) @group(0) var<storage, read_write> going_on_0 : array<u32>;
+
+fn word_0( at_0 : u32) -> u32
+{
+    return scene_0[at_0];
+}
+
+fn component_0( v_0 : vec3<f64>,  axis_0 : u32) -> f64
+{
+    var _S1 : f64;
+    if(axis_0 == u32(0))
+    {
+        _S1 = v_0.x;
+    }
+    else
+    {
+        if(axis_0 == u32(1))
+        {
+            _S1 = v_0.y;
+        }
+        else
+        {
+            _S1 = v_0.z;
+        }
+    }
+    return _S1;
+}
+
+fn limit_at_0( which_0 : u32) -> f64
+{
+    return primitives_0[word_0(u32(13)) + which_0];
+}
+
+fn ray_child_0( node_0 : u32,  slot_0 : u32) -> u32
+{
+    return nodes_0[u32(14) * node_0 + u32(12) + slot_0 / u32(4)][slot_0 % u32(4)];
+}
+
+struct RayView_0
+{
+     inverse_0 : vec3<f32>,
+     offset_near_0 : vec3<f32>,
+     offset_far_0 : vec3<f32>,
+     limit_0 : f32,
+     margin_0 : f32,
+     axes_0 : u32,
+};
+
+fn ray_bound_0( view_0 : RayView_0,  limit_1 : f32,  node_1 : u32,  slot_1 : u32) -> f32
+{
+    var _S2 : u32 = u32(14) * node_1 + slot_1 / u32(4);
+    var near_0 : f32 = 0.0f;
+    var far_0 : f32 = limit_1;
+    var axis_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_1 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S3 : u32 = axis_1;
+        var _S4 : u32 = _S2 + u32(2) * axis_1;
+        var _S5 : u32 = slot_1 % u32(4);
+        var low_0 : f32 = (bitcast<f32>((nodes_0[_S4][_S5])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S4 + u32(6)][_S5])));
+        var _S6 : bool = (view_0.inverse_0[axis_1]) < 0.0f;
+        var _S7 : f32;
+        if(_S6)
+        {
+            _S7 = high_0;
+        }
+        else
+        {
+            _S7 = low_0;
+        }
+        var _S8 : f32 = max(near_0, _S7 * view_0.inverse_0[_S3] - view_0.offset_near_0[axis_1]);
+        var _S9 : f32;
+        if(_S6)
+        {
+            _S9 = low_0;
+        }
+        else
+        {
+            _S9 = high_0;
+        }
+        var _S10 : f32 = min(far_0, _S9 * view_0.inverse_0[_S3] - view_0.offset_far_0[axis_1]);
+        var _S11 : u32 = axis_1 + u32(1);
+        near_0 = _S8;
+        far_0 = _S10;
+        axis_1 = _S11;
+    }
+    if(near_0 <= far_0)
+    {
+    }
+    else
+    {
+        near_0 = 3.00000000549775576e+38f;
+    }
+    return near_0;
+}
+
+fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
+{
+    var k_0 : u32 = u32(0);
+    var order_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_0 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S12 : u32 = k_0;
+        if((bounds_0[k_0]) > limit_2)
+        {
+            k_0 = k_0 + u32(1);
+            continue;
+        }
+        var j_0 : u32 = u32(0);
+        var rank_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(j_0 < u32(8))
+            {
+            }
+            else
+            {
+                break;
+            }
+            var _S13 : u32 = j_0;
+            var _S14 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S12]))
+            {
+                _S14 = true;
+            }
+            else
+            {
+                if((bounds_0[_S13]) == (bounds_0[_S12]))
+                {
+                    _S14 = j_0 < k_0;
+                }
+                else
+                {
+                    _S14 = false;
+                }
+            }
+            if(_S14)
+            {
+                rank_0 = rank_0 + u32(1);
+            }
+            j_0 = j_0 + u32(1);
+        }
+        order_0 = (order_0 | ((((k_0 + u32(1)) << ((u32(4) * rank_0))))));
+        k_0 = k_0 + u32(1);
+    }
+    return order_0;
+}
+
+fn crossed_0( view_1 : RayView_0,  limit_3 : f32,  node_2 : u32) -> u32
+{
+    var bounds_1 : array<f32, i32(8)>;
+    var slot_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(slot_2 < u32(8))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S15 : f32;
+        if((ray_child_0(node_2, slot_2)) == u32(4294967295))
+        {
+            _S15 = 3.00000000549775576e+38f;
+        }
+        else
+        {
+            _S15 = ray_bound_0(view_1, limit_3, node_2, slot_2);
+        }
+        bounds_1[slot_2] = _S15;
+        slot_2 = slot_2 + u32(1);
+    }
+    return nearest_first_0(bounds_1, limit_3);
+}
+
+fn primitive_vector_0( at_1 : u32) -> vec3<f64>
+{
+    return vec3<f64>(primitives_0[at_1], primitives_0[at_1 + u32(1)], primitives_0[at_1 + u32(2)]);
+}
+
+fn rounded_0( product_0 : f64,  largest_0 : f64) -> f64
+{
+    return min(product_0, largest_0);
+}
+
+struct Ray_0
+{
+     origin_0 : vec3<f64>,
+     shear_x_0 : f64,
+     shear_y_0 : f64,
+     inverse_z_0 : f64,
+     t_min_0 : f64,
+     t_max_0 : f64,
+     local_per_t_0 : f64,
+     enter_0 : f64,
+     edge_on_0 : f64,
+     largest_1 : f64,
+};
+
+fn corner_0( ray_0 : Ray_0,  axes_1 : u32,  at_2 : u32) -> vec3<f64>
+{
+    var relative_0 : vec3<f64> = primitive_vector_0(at_2) - ray_0.origin_0;
+    var z_0 : f64 = component_0(relative_0, (axes_1 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_1 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_0, ray_0.largest_1), component_0(relative_0, (((axes_1 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_0, ray_0.largest_1), z_0);
+}
+
+struct Crossing_0
+{
+     is_hit_0 : bool,
+     t_0 : f64,
+     v_1 : f64,
+     w_0 : f64,
+};
+
+fn intersect_0( ray_1 : Ray_0,  axes_2 : u32,  at_3 : u32) -> Crossing_0
+{
+    var crossing_0 : Crossing_0;
+    crossing_0.is_hit_0 = false;
+    crossing_0.t_0 = 0.0lf;
+    crossing_0.v_1 = 0.0lf;
+    crossing_0.w_0 = 0.0lf;
+    var a_0 : vec3<f64> = corner_0(ray_1, axes_2, at_3);
+    var b_0 : vec3<f64> = corner_0(ray_1, axes_2, at_3 + u32(3));
+    var c_0 : vec3<f64> = corner_0(ray_1, axes_2, at_3 + u32(6));
+    var _S16 : f64 = c_0.x;
+    var _S17 : f64 = b_0.y;
+    var cx_by_0 : f64 = rounded_0(_S16 * _S17, ray_1.largest_1);
+    var _S18 : f64 = c_0.y;
+    var _S19 : f64 = b_0.x;
+    var cy_bx_0 : f64 = rounded_0(_S18 * _S19, ray_1.largest_1);
+    var _S20 : f64 = a_0.x;
+    var ax_cy_0 : f64 = rounded_0(_S20 * _S18, ray_1.largest_1);
+    var _S21 : f64 = a_0.y;
+    var ay_cx_0 : f64 = rounded_0(_S21 * _S16, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S19 * _S21, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S17 * _S20, ray_1.largest_1);
+    var u_0 : f64 = cx_by_0 - cy_bx_0;
+    var v_2 : f64 = ax_cy_0 - ay_cx_0;
+    var w_1 : f64 = bx_ay_0 - by_ax_0;
+    var _S22 : f64 = min(min(u_0, v_2), w_1);
+    var _S23 : f64 = max(max(u_0, v_2), w_1);
+    var _S24 : bool;
+    if(_S22 < 0.0lf)
+    {
+        _S24 = _S23 > 0.0lf;
+    }
+    else
+    {
+        _S24 = false;
+    }
+    if(_S24)
+    {
+        return crossing_0;
+    }
+    var determinant_0 : f64 = u_0 + v_2 + w_1;
+    if(_S22 <= 0.0lf)
+    {
+        _S24 = _S23 >= 0.0lf;
+    }
+    else
+    {
+        _S24 = false;
+    }
+    if(_S24)
+    {
+        if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
+        {
+            return crossing_0;
+        }
+    }
+    if(determinant_0 == 0.0lf)
+    {
+        return crossing_0;
+    }
+    var t_1 : f64 = (rounded_0(u_0 * a_0.z, ray_1.largest_1) + rounded_0(v_2 * b_0.z, ray_1.largest_1) + rounded_0(w_1 * c_0.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    if((ray_1.t_min_0) <= t_1)
+    {
+        _S24 = t_1 <= (ray_1.t_max_0);
+    }
+    else
+    {
+        _S24 = false;
+    }
+    crossing_0.is_hit_0 = _S24;
+    crossing_0.t_0 = t_1;
+    crossing_0.v_1 = v_2 / determinant_0;
+    crossing_0.w_0 = w_1 / determinant_0;
+    return crossing_0;
+}
+
+fn face_0( triangle_0 : u32) -> u32
+{
+    return rough_0[triangle_0 / u32(4)][triangle_0 % u32(4)];
+}
+
+struct Found_0
+{
+     face_1 : u32,
+     triangle_1 : u32,
+     v_3 : f64,
+     w_2 : f64,
+};
+
+fn first_found_0( view_2 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
+{
+    var _S25 : bool;
+    var found_0 : Found_0;
+    found_0.face_1 = u32(4294967295);
+    found_0.triangle_1 = u32(4294967295);
+    found_0.v_3 = 0.0lf;
+    found_0.w_2 = 0.0lf;
+    if(!((view_2.limit_0) >= 0.0f))
+    {
+        return found_0;
+    }
+    var way_0 : array<vec2<u32>, i32(40)>;
+    way_0[i32(0)] = vec2<u32>(u32(0), u32(0));
+    var entered_0 : u32 = u32(0);
+    var limit_4 : f32 = view_2.limit_0;
+    var is_new_0 : bool = true;
+    var level_0 : u32 = u32(0);
+    for(;;)
+    {
+        var entered_1 : u32;
+        var is_new_1 : bool;
+        if(entered_0 != u32(4294967295))
+        {
+            way_0[level_0] = vec2<u32>(entered_0, crossed_0(view_2, limit_4, entered_0));
+            is_new_1 = true;
+            entered_1 = u32(4294967295);
+        }
+        else
+        {
+            is_new_1 = is_new_0;
+            entered_1 = entered_0;
+        }
+        var here_0 : vec2<u32> = way_0[level_0];
+        var _S26 : u32 = way_0[level_0].y;
+        if(_S26 == u32(0))
+        {
+            if(level_0 == u32(0))
+            {
+                break;
+            }
+            var _S27 : u32 = level_0 - u32(1);
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            level_0 = _S27;
+            continue;
+        }
+        var slot_3 : u32 = ((_S26 & (u32(15)))) - u32(1);
+        way_0[level_0][i32(1)] = (_S26 >> (u32(4)));
+        var _S28 : bool;
+        if(!is_new_1)
+        {
+            _S28 = (ray_bound_0(view_2, limit_4, here_0.x, slot_3)) > limit_4;
+        }
+        else
+        {
+            _S28 = false;
+        }
+        if(_S28)
+        {
+            entered_0 = entered_1;
+            is_new_0 = is_new_1;
+            continue;
+        }
+        var child_0 : u32 = ray_child_0(here_0.x, slot_3);
+        if(((child_0 & (u32(2147483648)))) == u32(0))
+        {
+            var _S29 : u32 = level_0 + u32(1);
+            entered_0 = child_0;
+            is_new_0 = false;
+            level_0 = _S29;
+            continue;
+        }
+        var leaf_0 : u32 = (child_0 & (u32(2147483647)));
+        var _S30 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S31 : u32 = leaf_starts_0[leaf_0];
+        var limit_5 : f32 = limit_4;
+        var i_0 : u32 = _S31;
+        for(;;)
+        {
+            if(i_0 < _S30)
+            {
+            }
+            else
+            {
+                break;
+            }
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_2.axes_0, u32(9) * i_0);
+            if(!crossing_1.is_hit_0)
+            {
+                i_0 = i_0 + u32(1);
+                continue;
+            }
+            if((found_0.face_1) == u32(4294967295))
+            {
+                _S25 = true;
+            }
+            else
+            {
+                _S25 = (crossing_1.t_0) < ((*ray_2).t_max_0);
+            }
+            var _S32 : bool;
+            if(_S25)
+            {
+                _S32 = true;
+            }
+            else
+            {
+                _S32 = (face_0(i_0)) < (found_0.face_1);
+            }
+            var limit_6 : f32;
+            if(_S32)
+            {
+                found_0.face_1 = face_0(i_0);
+                found_0.triangle_1 = i_0;
+                (*ray_2).t_max_0 = crossing_1.t_0;
+                found_0.v_3 = crossing_1.v_1;
+                found_0.w_2 = crossing_1.w_0;
+                limit_6 = min(limit_5, f32(crossing_1.t_0 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_2.margin_0);
+            }
+            else
+            {
+                limit_6 = limit_5;
+            }
+            limit_5 = limit_6;
+            i_0 = i_0 + u32(1);
+        }
+        if(any_0)
+        {
+            _S25 = (found_0.face_1) != u32(4294967295);
+        }
+        else
+        {
+            _S25 = false;
+        }
+        if(_S25)
+        {
+            break;
+        }
+        entered_0 = entered_1;
+        limit_4 = limit_5;
+        is_new_0 = false;
+    }
+    return found_0;
+}
+
+fn cast_0( origin_1 : vec3<f64>,  direction_0 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_2 : ptr<function, f32>) -> Found_0
+{
+    var size_0 : vec3<f32> = abs(vec3<f32>(direction_0));
+    var _S33 : f32 = size_0.x;
+    var _S34 : f32 = size_0.y;
+    var _S35 : bool;
+    if(_S33 >= _S34)
+    {
+        _S35 = _S33 >= (size_0.z);
+    }
+    else
+    {
+        _S35 = false;
+    }
+    var _S36 : i32;
+    if(_S35)
+    {
+        _S36 = i32(0);
+    }
+    else
+    {
+        if(_S34 >= (size_0.z))
+        {
+            _S36 = i32(1);
+        }
+        else
+        {
+            _S36 = i32(2);
+        }
+    }
+    var z_1 : u32 = u32(_S36);
+    var x_0 : u32 = (z_1 + u32(1)) % u32(3);
+    var y_0 : u32 = (z_1 + u32(2)) % u32(3);
+    var ray_3 : Ray_0;
+    ray_3.origin_0 = origin_1;
+    var along_0 : f64 = component_0(direction_0, z_1);
+    ray_3.inverse_z_0 = 1.0lf / along_0;
+    ray_3.shear_x_0 = component_0(direction_0, x_0) / along_0;
+    ray_3.shear_y_0 = component_0(direction_0, y_0) / along_0;
+    ray_3.t_min_0 = t_min_1;
+    ray_3.t_max_0 = t_max_1;
+    var _S37 : f64 = abs(along_0);
+    ray_3.local_per_t_0 = _S37;
+    ray_3.enter_0 = 0.0lf;
+    ray_3.edge_on_0 = limit_at_0(u32(0));
+    ray_3.largest_1 = limit_at_0(u32(1));
+    var view_3 : RayView_0;
+    var _S38 : vec3<f32> = vec3<f32>(direction_0 / vec3<f64>(_S37));
+    var axis_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_2 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S39 : f32 = max(abs(_S38[axis_2]), 8.67361737988403547e-19f);
+        var _S40 : f32;
+        if((_S38[axis_2]) < 0.0f)
+        {
+            _S40 = -1.0f / _S39;
+        }
+        else
+        {
+            _S40 = 1.0f / _S39;
+        }
+        view_3.inverse_0[axis_2] = _S40;
+        axis_2 = axis_2 + u32(1);
+    }
+    var offset_0 : vec3<f32> = vec3<f32>(origin_1) * view_3.inverse_0;
+    var wider_0 : vec3<f32> = vec3<f32>(3.814697265625e-06f) * abs(view_3.inverse_0);
+    view_3.offset_near_0 = offset_0 + wider_0;
+    view_3.offset_far_0 = offset_0 - wider_0;
+    view_3.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
+    view_3.margin_0 = 3.814697265625e-06f;
+    view_3.axes_0 = (((x_0 | (((y_0 << (u32(2))))))) | (((z_1 << (u32(4))))));
+    var found_1 : Found_0 = first_found_0(view_3, &(ray_3), any_1);
+    (*t_2) = f32(ray_3.t_max_0);
+    return found_1;
+}
+
+struct Place_0
+{
+     triangle_2 : u32,
+     v_4 : f32,
+     w_3 : f32,
+};
+
+fn place_of_0( found_2 : Found_0) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_2 = found_2.triangle_1;
+    place_0.v_4 = f32(found_2.v_3);
+    place_0.w_3 = f32(found_2.w_2);
+    return place_0;
+}
+
+fn triangle_record_0( triangle_3 : u32) -> u32
+{
+    return word_0(u32(9)) + u32(5) * triangle_3;
+}
+
+fn shape_of_0( triangle_4 : u32) -> u32
+{
+    return word_0(u32(10)) + u32(5) * word_0(triangle_record_0(triangle_4));
+}
+
+fn cross_of_0( triangle_5 : u32) -> vec3<f32>
+{
+    var at_4 : u32 = u32(9) * triangle_5;
+    var a_1 : vec3<f64> = primitive_vector_0(at_4);
+    return cross(vec3<f32>(primitive_vector_0(at_4 + u32(3)) - a_1), vec3<f32>(primitive_vector_0(at_4 + u32(6)) - a_1));
+}
+
+fn emitter_seen_0( found_3 : Found_0,  direction_1 : vec3<f32>) -> u32
+{
+    if((found_3.face_1) == u32(4294967295))
+    {
+        return word_0(u32(8));
+    }
+    var emitter_0 : u32 = word_0(shape_of_0(found_3.triangle_1) + u32(4));
+    var _S41 : bool;
+    if(emitter_0 != u32(4294967295))
+    {
+        _S41 = (dot(cross_of_0(found_3.triangle_1), direction_1)) < 0.0f;
+    }
+    else
+    {
+        _S41 = false;
+    }
+    var _S42 : u32;
+    if(_S41)
+    {
+        _S42 = emitter_0;
+    }
+    else
+    {
+        _S42 = u32(4294967295);
+    }
+    return _S42;
+}
+
+fn emitter_record_0( emitter_1 : u32) -> u32
+{
+    return word_0(u32(11)) + u32(12) * emitter_1;
+}
+
+fn number_0( at_5 : u32) -> f32
+{
+    return (bitcast<f32>((scene_0[at_5])));
+}
+
+fn vector_at_0( at_6 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
+}
+
+fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
+{
+    var channels_0 : u32 = word_0(texture_0 + u32(1));
+    var at_7 : u32 = texture_0 + u32(13) + channels_0 * index_0;
+    var _S43 : vec3<f32>;
+    if(channels_0 == u32(1))
+    {
+        _S43 = vec3<f32>(number_0(at_7));
+    }
+    else
+    {
+        _S43 = vector_at_0(at_7);
+    }
+    return _S43;
+}
+
+fn uv_of_0( place_1 : Place_0) -> vec2<f32>
+{
+    var uvs_0 : u32 = word_0(shape_of_0(place_1.triangle_2) + u32(1));
+    if(uvs_0 == u32(4294967295))
+    {
+        return vec2<f32>(place_1.v_4, place_1.w_3);
+    }
+    var at_8 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_2) + u32(1));
+    return vec2<f32>(number_0(at_8), number_0(at_8 + u32(1))) * vec2<f32>((1.0f - place_1.v_4 - place_1.w_3)) + vec2<f32>(number_0(at_8 + u32(2)), number_0(at_8 + u32(3))) * vec2<f32>(place_1.v_4) + vec2<f32>(number_0(at_8 + u32(4)), number_0(at_8 + u32(5))) * vec2<f32>(place_1.w_3);
+}
+
+fn floor_of_0( x_1 : f32) -> i32
+{
+    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
+}
+
+fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
+{
+    if(wrap_0 == u32(2))
+    {
+        return u32(clamp(i_1, i32(0), n_0 - i32(1)));
+    }
+    var period_0 : i32;
+    if(wrap_0 == u32(1))
+    {
+        period_0 = i32(2) * n_0;
+    }
+    else
+    {
+        period_0 = n_0;
+    }
+    var inside_0 : i32 = i_1 % period_0;
+    var inside_1 : i32;
+    if(inside_0 < i32(0))
+    {
+        inside_1 = inside_0 + period_0;
+    }
+    else
+    {
+        inside_1 = inside_0;
+    }
+    if(inside_1 < n_0)
+    {
+        period_0 = inside_1;
+    }
+    else
+    {
+        period_0 = i32(2) * n_0 - i32(1) - inside_1;
+    }
+    return u32(period_0);
+}
+
+fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+{
+    var width_0 : i32 = i32(word_0(texture_1 + u32(3)));
+    var height_0 : i32 = i32(word_0(texture_1 + u32(4)));
+    var wrap_1 : u32 = word_0(texture_1 + u32(6));
+    var place_2 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
+    if((word_0(texture_1 + u32(5))) == u32(0))
+    {
+        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
+        var _S44 : u32 = row_0 * u32(width_0);
+        var _S45 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return texel_0(texture_1, _S44 + _S45);
+    }
+    var place_3 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    var x_2 : i32 = floor_of_0(place_3.x);
+    var y_1 : i32 = floor_of_0(place_3.y);
+    var way_1 : vec2<f32> = place_3 - floor(place_3);
+    var _S46 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S47 : u32 = u32(width_0);
+    var first_1 : u32 = _S46 * _S47;
+    var _S48 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S48 * _S47;
+    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
+    var _S49 : vec3<f32> = vec3<f32>(way_1.x);
+    return mix(mix(texel_0(texture_1, first_1 + left_0), texel_0(texture_1, first_1 + right_0), _S49), mix(texel_0(texture_1, second_0 + left_0), texel_0(texture_1, second_0 + right_0), _S49), vec3<f32>(way_1.y));
+}
+
+fn texture_at_0( texture_2 : u32,  place_4 : Place_0) -> vec3<f32>
+{
+    var kind_0 : u32 = word_0(texture_2);
+    if(kind_0 == u32(0))
+    {
+        return texel_0(texture_2, u32(0));
+    }
+    var record_0 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
+    if(kind_0 == u32(4))
+    {
+        return texel_0(texture_2, word_0(record_0)) * vec3<f32>(number_0(texture_2 + u32(2)));
+    }
+    if(kind_0 == u32(3))
+    {
+        return (texel_0(texture_2, word_0(record_0 + u32(1))) * vec3<f32>((1.0f - place_4.v_4 - place_4.w_3)) + texel_0(texture_2, word_0(record_0 + u32(2))) * vec3<f32>(place_4.v_4) + texel_0(texture_2, word_0(record_0 + u32(3))) * vec3<f32>(place_4.w_3)) * vec3<f32>(number_0(texture_2 + u32(2)));
+    }
+    var rows_0 : u32 = texture_2 + u32(7);
+    var _S50 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S50, vector_at_0(rows_0)), dot(_S50, vector_at_0(rows_0 + u32(3))));
+    if(kind_0 == u32(1))
+    {
+        var _S51 : vec3<f32> = bitmap_0(texture_2, uv_1);
+        return _S51;
+    }
+    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
+    var _S52 : i32;
+    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    {
+        _S52 = i32(1);
+    }
+    else
+    {
+        _S52 = i32(0);
+    }
+    return texel_0(texture_2, u32(_S52));
+}
+
+fn radiance_of_0( emitter_2 : u32,  place_5 : Place_0) -> vec3<f32>
+{
+    var _S53 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_2) + u32(1)), place_5);
+    return _S53;
+}
+
+fn set_word_0( path_0 : u32,  which_1 : u32,  value_0 : u32)
+{
+    paths_0[which_1 * launch_0.room_0 + path_0] = value_0;
+    return;
+}
+
+fn set_vector_0( path_1 : u32,  which_2 : u32,  value_1 : vec3<f32>)
+{
+    var axis_3 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_3 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_1, which_2 + axis_3, (bitcast<u32>((value_1[axis_3]))));
+        axis_3 = axis_3 + u32(1);
+    }
+    return;
+}
+
+struct Path_0
+{
+     light_0 : vec3<f32>,
+     throughput_0 : vec3<f32>,
+     direction_2 : vec3<f32>,
+     place_6 : Place_0,
+     key_0 : vec2<u32>,
+};
+
+fn store_0( number_of_path_0 : u32,  path_2 : Path_0)
+{
+    set_vector_0(number_of_path_0, u32(0), path_2.light_0);
+    set_vector_0(number_of_path_0, u32(3), path_2.throughput_0);
+    set_vector_0(number_of_path_0, u32(6), path_2.direction_2);
+    set_word_0(number_of_path_0, u32(9), path_2.place_6.triangle_2);
+    set_word_0(number_of_path_0, u32(10), (bitcast<u32>((path_2.place_6.v_4))));
+    set_word_0(number_of_path_0, u32(11), (bitcast<u32>((path_2.place_6.w_3))));
+    set_word_0(number_of_path_0, u32(12), path_2.key_0.x);
+    set_word_0(number_of_path_0, u32(13), path_2.key_0.y);
+    return;
+}
+
+fn reaches_0( segments_0 : u32) -> bool
+{
+    return segments_0 <= (word_0(u32(0)));
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var number_of_path_1 : u32 = launch_0.first_0 + thread_0.x;
+    if(number_of_path_1 >= (launch_0.end_0))
+    {
+        return;
+    }
+    var at_9 : u32 = u32(9) * number_of_path_1;
+    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9], input_0[at_9 + u32(1)], input_0[at_9 + u32(2)]))));
+    var path_3 : Path_0;
+    path_3.direction_2 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
+    path_3.key_0 = vec2<u32>(input_0[at_9 + u32(7)], input_0[at_9 + u32(8)]);
+    path_3.light_0 = vec3<f32>(0.0f);
+    path_3.throughput_0 = vec3<f32>(1.0f);
+    var t_3 : f32;
+    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_9 + u32(6)])));
+    var found_4 : Found_0;
+    found_4.face_1 = u32(4294967295);
+    found_4.triangle_1 = u32(0);
+    found_4.v_3 = 0.0lf;
+    found_4.w_2 = 0.0lf;
+    var _S54 : bool;
+    if(length_of_ray_0 >= 0.0f)
+    {
+        _S54 = (word_0(u32(13))) != u32(0);
+    }
+    else
+    {
+        _S54 = false;
+    }
+    if(_S54)
+    {
+        found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>(path_3.direction_2), 0.0lf, f64(length_of_ray_0), false, &(t_3));
+    }
+    path_3.place_6 = place_of_0(found_4);
+    var emitter_3 : u32 = emitter_seen_0(found_4, path_3.direction_2);
+    if(emitter_3 != u32(4294967295))
+    {
+        _S54 = (word_0(u32(4))) != u32(0);
+    }
+    else
+    {
+        _S54 = false;
+    }
+    if(_S54)
+    {
+        var _S55 : vec3<f32> = radiance_of_0(emitter_3, path_3.place_6);
+        path_3.light_0 = _S55;
+    }
+    store_0(number_of_path_1, path_3);
+    if((found_4.face_1) != u32(4294967295))
+    {
+        _S54 = reaches_0(u32(2));
+    }
+    else
+    {
+        _S54 = false;
+    }
+    var _S56 : u32;
+    if(_S54)
+    {
+        _S56 = number_of_path_1;
+    }
+    else
+    {
+        _S56 = u32(4294967295);
+    }
+    going_on_0[number_of_path_1] = _S56;
+    return;
+}

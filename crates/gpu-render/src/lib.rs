@@ -1,0 +1,37 @@
+//! Primal images on a device: a path tracer that samples what the processor's does, with the same
+//! random numbers and weights.
+//!
+//! ```no_run
+//! use std::sync::Arc;
+//! use capwalk_gpu::{Gpu, GpuOptions};
+//! use capwalk_gpu_render::DeviceScene;
+//! use capwalk_render::{PreparedScene, RenderOptions, Unwatched};
+//!
+//! # fn example(scene: capwalk_scene::Scene) -> Result<(), capwalk_gpu_render::DeviceError> {
+//! let gpu = Arc::new(Gpu::new(&GpuOptions::default())?);
+//! let prepared = PreparedScene::new(scene);
+//! let image = DeviceScene::new(&gpu, &prepared)?.render(&RenderOptions::default(), &Unwatched)?;
+//! # Ok(()) }
+//! ```
+//!
+//! A part of the image's samples at a time is on the device. One kernel follows the camera's rays,
+//! one takes paths further by a segment, and is run until none goes on. The processor makes the
+//! camera's rays, keeps the list of the paths that go on, and adds the samples up, as it does its
+//! own: in a fixed order, in double precision, with standard errors. So the same scene, options and
+//! device give the same bits.
+//!
+//! What a scene may have is little yet: see [`unsupported()`].
+
+mod camera_rays;
+mod device_error;
+mod device_scene;
+mod emitter_records;
+mod paths;
+mod render_kernels;
+mod scene_records;
+mod texture_records;
+mod unsupported;
+
+pub use device_error::DeviceError;
+pub use device_scene::DeviceScene;
+pub use unsupported::{Unsupported, unsupported};

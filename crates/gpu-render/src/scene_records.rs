@@ -1,0 +1,157 @@
+//! A scene as the kernels read it: `surfaces.slang` says which word is what.
+
+use capwalk_geometry::LocalFrame;
+use capwalk_geometry::buffers::{NONE, TRIANGLE};
+use capwalk_gpu::Precision;
+use capwalk_render::{Plan, PreparedScene};
+use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, Shape, TextureId};
+
+use crate::emitter_records::emitter_record;
+use crate::texture_records::{add_texture, float};
+
+/// Words before the first array.
+const HEADER: usize = 14;
+
+/// Which numbers of tests the kernels take, by precision: a triangle that is seen under a smaller
+/// part of what its area is summed from is seen edge-on; nothing is larger; distances below this
+/// from a surface belong to it (local units; in double precision the processor's); and the part of
+/// the way to an emitter in which anything may be.
+const SINGLE_TESTS: [f64; 4] = [
+    1.0 / (1 << 21) as f64,
+    f32::MAX as f64,
+    1.0 / (1 << 16) as f64,
+    1.0 - 1.0 / (1 << 16) as f64,
+];
+const DOUBLE_TESTS: [f64; 4] = [1.0 / (1_u64 << 50) as f64, f64::MAX, 0.0, 1.0 - 1e-9];
+
+/// The arrays of a scene.
+pub struct SceneRecords {
+    /// The coordinates of everything.
+    pub frame: LocalFrame,
+    /// The nodes of the tree of triangles, where its leaves start, and the number of each triangle.
+    pub nodes: Vec<u32>,
+    pub leaf_starts: Vec<u32>,
+    pub faces: Vec<u32>,
+    /// Its triangles, in these coordinates, and the numbers of the tests behind them.
+    pub primitives: Vec<f64>,
+    /// Everything else.
+    pub words: Vec<u32>,
+}
+
+impl SceneRecords {
+    /// Those of a scene of which nothing is unsupported.
+    pub fn new(prepared: &PreparedScene, precision: Precision) -> Self {
+        let (scene, accel) = (prepared.scene(), prepared.accel());
+        let buffers = accel.rays().buffers();
+        let frame = buffers.frame;
+        let mut words = vec![0; HEADER];
+
+        // Of each triangle its shape, and its face and vertices there.
+        let triangles_at = words.len() as u32;
+        for &face in &buffers.faces {
+            let shape = accel.shape_of_face[face as usize].0;
+            let face = face - accel.first_face[shape as usize];
+            let vertices = scene.shapes[shape as usize].mesh.faces[face as usize];
+            words.extend([shape, face]);
+            words.extend(vertices);
+        }
+        let triangle_of_face_at = words.len();
+        words.resize(triangle_of_face_at + buffers.faces.len(), 0);
+        for (triangle, &face) in (0..).zip(&buffers.faces) {
+            words[triangle_of_face_at + face as usize] = triangle;
+        }
+        let shapes = scene.shapes.iter();
+        let shapes: Vec<_> = shapes.map(|s| shape_record(scene, s, &mut words)).collect();
+        let shapes_at = append(shapes.as_flattened(), &mut words);
+        let emitters: Vec<_> = (0..)
+            .zip(prepared.emitters())
+            .map(|(id, sampler)| emitter_record(accel, EmitterId(id), sampler, &frame, &mut words))
+            .collect();
+        let emitters_at = append(emitters.as_flattened(), &mut words);
+
+        let plan = Plan::new(scene);
+        let sees_emitters = plan.reaches(1) && !plan.hide_emitters;
+        let header = [
+            plan.max_depth.unwrap_or(u32::MAX),
+            plan.rr_depth,
+            plan.sampling.emitter_samples,
+            plan.sampling.bsdf_samples,
+            sees_emitters.into(),
+            plan.sampling.alike.into(),
+            emitters.len() as u32,
+            plan.first_vertex,
+            scene.environment().map_or(NONE, |emitter| emitter.0),
+            triangles_at,
+            shapes_at,
+            emitters_at,
+            triangle_of_face_at as u32,
+            (TRIANGLE * buffers.faces.len()) as u32,
+        ];
+        words[..HEADER].copy_from_slice(&header);
+
+        let corners = buffers.triangles.as_chunks::<3>().0.iter();
+        let corners = corners.flat_map(|&p| frame.local_from_world(p.into()).to_array());
+        let mut primitives: Vec<f64> = corners.collect();
+        primitives.extend(match precision {
+            Precision::Single => SINGLE_TESTS,
+            Precision::Double => {
+                let mut tests = DOUBLE_TESTS;
+                tests[2] = accel.horizon_distance() * frame.inverse_scale;
+                tests
+            }
+        });
+        Self {
+            frame,
+            nodes: buffers.nodes,
+            leaf_starts: buffers.leaf_starts,
+            faces: buffers.faces,
+            primitives,
+            words,
+        }
+    }
+}
+
+/// Appends words, and returns where they start.
+fn append(array: &[u32], words: &mut Vec<u32>) -> u32 {
+    let at = words.len() as u32;
+    words.extend(array);
+    at
+}
+
+/// Words of the record of a shape.
+const SHAPE_RECORD: usize = 5;
+
+/// The record of a shape; what it refers to is appended.
+fn shape_record(scene: &Scene, shape: &Shape, words: &mut Vec<u32>) -> [u32; SHAPE_RECORD] {
+    let mut add = |numbers: &mut dyn Iterator<Item = f64>| {
+        let at = words.len() as u32;
+        words.extend(numbers.map(float));
+        at
+    };
+    let normals = shape.normals.per_vertex().map_or(NONE, |normals| {
+        add(&mut normals.iter().flat_map(|normal| normal.to_array()))
+    });
+    let uvs = shape.uvs.as_ref().map_or(NONE, |uvs| {
+        add(&mut uvs.as_flattened().as_flattened().iter().copied())
+    });
+    let [front, back] = [true, false].map(|is_front| {
+        let texture = reflectance(scene, shape.bsdf, is_front);
+        texture.map_or(NONE, |texture| {
+            add_texture(scene, texture, Some(shape), words)
+        })
+    });
+    let emitter = shape.emitter.map_or(NONE, |emitter| emitter.0);
+    [normals, uvs, front, back, emitter]
+}
+
+/// What a side of a material reflects, if anything.
+fn reflectance(scene: &Scene, id: BsdfId, is_front: bool) -> Option<TextureId> {
+    match scene.material(id).bsdf {
+        Bsdf::TwoSided { front, .. } if is_front => reflectance(scene, front, true),
+        // The back is the front of another material.
+        Bsdf::TwoSided { back, .. } => reflectance(scene, back, true),
+        Bsdf::Diffuse { reflectance } => is_front.then_some(reflectance),
+        // Scenes with others are refused.
+        _ => None,
+    }
+}

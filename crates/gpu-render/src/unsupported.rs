@@ -1,0 +1,86 @@
+//! What the device's renderer does not have.
+
+use capwalk_render::{PreparedScene, RenderOptions};
+use capwalk_scene::{Bsdf, BsdfId, Emitter, Integrator, SamplerKind, Scene};
+
+/// Something of a scene or of options that the device's renderer does not have.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{what}: not on the GPU yet; use the CPU (`--device cpu`)")]
+pub struct Unsupported {
+    /// What it is, and where.
+    pub what: String,
+}
+
+/// The first thing of a scene that the device's renderer does not have; `None` if it has all. It
+/// has diffuse surfaces, also two-sided ones, with any texture; area emitters and light from
+/// everywhere; every sensor and filter; independent random numbers.
+pub fn unsupported(prepared: &PreparedScene) -> Option<Unsupported> {
+    let what = of_scene(prepared)?;
+    Some(Unsupported { what })
+}
+
+/// The same of options.
+pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
+    options.adaptive.then(|| Unsupported {
+        what: "samples go where the image is noisy (adaptive sampling)".to_owned(),
+    })
+}
+
+fn of_scene(prepared: &PreparedScene) -> Option<String> {
+    let scene = prepared.scene();
+    if let Integrator::Aov(aov) = scene.settings.integrator {
+        return Some(format!("the integrator renders {aov:?}, not light").to_lowercase());
+    }
+    if scene.settings.sampler != SamplerKind::Independent {
+        return Some("the sampler takes Sobol points".to_owned());
+    }
+    if prepared.accel().has_flush_emitters() {
+        return Some("an emitter is in the plane of another surface".to_owned());
+    }
+    let emitter = scene.emitters.iter().find_map(of_emitter);
+    let material = || {
+        scene.shapes.iter().find_map(|shape| {
+            let kind = of_material(scene, shape.bsdf)?;
+            Some(format!("the material of shape \"{}\" is {kind}", shape.id))
+        })
+    };
+    emitter.or_else(material)
+}
+
+fn of_emitter(emitter: &Emitter) -> Option<String> {
+    match emitter {
+        Emitter::Area { .. } | Emitter::Constant { .. } => None,
+        Emitter::EnvironmentMap { id, .. }
+        | Emitter::Point { id, .. }
+        | Emitter::Spot { id, .. }
+        | Emitter::Projector { id, .. }
+        | Emitter::Directional { id, .. } => Some(format!(
+            "the emitter \"{id}\" is of the type {}",
+            emitter.plugin()
+        )),
+    }
+}
+
+/// What a material has besides diffuse sides, with its article.
+fn of_material(scene: &Scene, id: BsdfId) -> Option<&'static str> {
+    match &scene.material(id).bsdf {
+        Bsdf::Diffuse { .. } => None,
+        Bsdf::TwoSided { front, back } => {
+            of_material(scene, *front).or_else(|| of_material(scene, *back))
+        }
+        Bsdf::Conductor(_) => Some("a conductor"),
+        Bsdf::RoughConductor(..) => Some("a rough conductor"),
+        Bsdf::Dielectric(_) => Some("a dielectric"),
+        Bsdf::RoughDielectric(..) => Some("a rough dielectric"),
+        Bsdf::ThinDielectric(_) => Some("a thin dielectric"),
+        Bsdf::Plastic(_) => Some("a plastic"),
+        Bsdf::RoughPlastic { .. } => Some("a rough plastic"),
+        Bsdf::PolarizedPlastic(..) => Some("a polarized plastic"),
+        Bsdf::Principled(_) | Bsdf::PrincipledThin(_) => Some("a principled one"),
+        Bsdf::Null => Some("a null one"),
+        Bsdf::Mask { .. } => Some("a mask"),
+        Bsdf::Blend { .. } => Some("a blend"),
+        Bsdf::NormalMap { .. } => Some("a normal map"),
+        Bsdf::BumpMap { .. } => Some("a bump map"),
+    }
+}

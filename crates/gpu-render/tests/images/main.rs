@@ -1,0 +1,9 @@
+//! Images of the device beside the processor's. On a machine without an adapter the tests say so
+//! and pass; with `CAPWALK_GPU_TESTS=require` they fail there.
+
+mod agreement;
+mod device;
+mod faults;
+mod parts;
+mod scenes;
+mod unsupported;

@@ -1,0 +1,60 @@
+//! Kernels of other crates on the device: memory for them, and launches.
+
+use crate::compiled_kernel::CompiledKernel;
+use crate::driver::Memory;
+use crate::error::GpuError;
+use crate::gpu::Gpu;
+use crate::launch::{ARRAYS, Launch};
+
+/// A piece of a device's memory, to be used with that device alone.
+#[derive(Debug)]
+pub struct DeviceArray(Memory);
+
+/// Kernels read and copies move so many bytes at a time.
+const UNIT: u64 = 16;
+
+impl Gpu {
+    /// Room for so many bytes; nobody knows what is in it.
+    pub fn array(&self, bytes: u64) -> Result<DeviceArray, GpuError> {
+        // An array of no bytes cannot be given to a kernel.
+        let bytes = bytes.next_multiple_of(UNIT).max(UNIT);
+        self.allocate(bytes).map(DeviceArray)
+    }
+
+    /// Writes the first bytes of an array, a multiple of four.
+    pub fn write(&self, to: &DeviceArray, bytes: &[u8]) -> Result<(), GpuError> {
+        match bytes.is_empty() {
+            true => Ok(()),
+            false => self.upload(&to.0, bytes),
+        }
+    }
+
+    /// Reads the first bytes of an array, a multiple of four.
+    pub fn read(&self, from: &DeviceArray, bytes: &mut [u8]) -> Result<(), GpuError> {
+        match bytes.is_empty() {
+            true => Ok(()),
+            false => self.download(&from.0, bytes),
+        }
+    }
+
+    /// Runs a kernel for the numbers from 0 to `count`, cut into launches that each take about as
+    /// long as the options say, and waits for them. The kernel has eight arrays at the bindings of
+    /// their places here, of which it may write the last two and only read the others, and at the
+    /// next binding four words: the first number of a launch, the one after its last, and the two
+    /// that are given.
+    pub fn launch(
+        &self,
+        kernel: &CompiledKernel,
+        arrays: [&DeviceArray; ARRAYS],
+        count: u32,
+        [capacity, primitives]: [u32; 2],
+    ) -> Result<(), GpuError> {
+        let whole = Launch {
+            first: 0,
+            end: count,
+            capacity,
+            primitives,
+        };
+        self.run_compiled(kernel, arrays.map(|array| &array.0), whole)
+    }
+}

@@ -1,0 +1,75 @@
+//! The loop over pixels and samples where something else than threads of the processor takes the
+//! samples: a device, which needs many at a time.
+
+use capwalk_boundary::Sampler;
+use capwalk_scene::Scene;
+use rayon::prelude::*;
+
+use crate::estimate::Rendering;
+use crate::options::{RenderOptions, Watch};
+use crate::ordered_sum::OrderedSum;
+use crate::tiles::{self, Averages, PixelSums, SamplePlace};
+
+/// The image whose samples `take` gives for some places, as many at a time as `most` says each time,
+/// in their order: each one's colour, or `None` if the watch stopped the work before all of them
+/// were there. They are added as those of the processor are, so that equal samples give equal bits,
+/// whatever `most` is. Independent numbers only, and as many samples of each pixel as the options say.
+pub fn average_elsewhere<E>(
+    scene: &Scene,
+    options: &RenderOptions,
+    most: impl Fn() -> usize,
+    watch: &dyn Watch,
+    mut take: impl FnMut(&[SamplePlace]) -> Result<Option<Vec<[f64; 3]>>, E>,
+) -> Result<Rendering, E> {
+    let sampler = Sampler::new(&scene.settings, options.seed, options.spp);
+    let grid = tiles::grid(scene, options);
+    let [width, height] = scene.film.crop_size;
+    let pixels_of = |band: u32| {
+        let rows = grid.rows(band, height);
+        rows.start * width..rows.end * width
+    };
+    // Of each pixel, its band and its place there.
+    let in_band =
+        (0..grid.bands).flat_map(|band| pixels_of(band).zip(0..).map(move |(_, i)| (band, i)));
+    let in_band: Vec<(u32, usize)> = in_band.collect();
+    let pixels = width * height;
+    let (mut done, total) = (0, u64::from(pixels) * u64::from(options.spp));
+    let mut sums = vec![OrderedSum::default(); grid.bands as usize];
+    for batch in 0..grid.batches {
+        let samples = grid.samples(batch, options.spp, 1);
+        let wanted = samples.len() as u32;
+        let band = |band| PixelSums::new(pixels_of(band).map(|_| wanted), 3);
+        let mut bands: Vec<PixelSums> = (0..grid.bands).map(band).collect();
+        // One sample of every pixel, then the next one.
+        let mut rest = samples.flat_map(|sample| (0..pixels).map(move |pixel| (pixel, sample)));
+        while !watch.should_stop() {
+            let some: Vec<(u32, u32)> = rest.by_ref().take(most().max(1)).collect();
+            if some.is_empty() {
+                break;
+            }
+            let places = some.par_iter().map(|&(pixel, sample)| SamplePlace {
+                pixel: [pixel % width, pixel / width],
+                stream: sampler.stream(u64::from(pixel), sample),
+            });
+            let places: Vec<SamplePlace> = places.collect();
+            let Some(taken) = take(&places)? else {
+                break;
+            };
+            debug_assert_eq!(taken.len(), places.len());
+            for (&(pixel, _), sample) in some.iter().zip(taken) {
+                let (band, pixel) = in_band[pixel as usize];
+                bands[band as usize].add_sample(pixel, sample);
+            }
+            done += some.len() as u64;
+            watch.progress(done, total);
+        }
+        for (sum, band) in sums.iter_mut().zip(bands) {
+            sum.insert(batch, band);
+        }
+    }
+    let averages = Averages::new(sums.into_iter().filter_map(OrderedSum::into_sum).collect());
+    Ok(Rendering {
+        value: averages.estimate(scene, 0),
+        statistics: averages.statistics,
+    })
+}
