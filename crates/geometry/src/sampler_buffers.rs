@@ -119,7 +119,7 @@ impl SamplerBuffers {
 
 /// A cone in which an edge is sampled.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SampledCone {
+pub struct EdgeCone {
     /// The viewpoint, world units.
     pub apex: Vec3,
     /// Unit vector.

@@ -181,6 +181,9 @@ impl CudaDriver {
 
     pub fn upload(&self, to: &CudaMemory, bytes: &[u8], timeout: Duration) -> Result<(), Fault> {
         self.check()?;
+        if bytes.is_empty() {
+            return Ok(());
+        }
         self.wait(timeout)?;
         let mut to = locked(&to.0);
         let copied = self.stream.memcpy_htod(bytes, &mut *to);

@@ -53,6 +53,7 @@ mod sampler_queries;
 mod silhouette_queries;
 mod wgpu_driver;
 
+pub use capwalk_geometry::sampler_buffers::{DrawnEdge, EdgeCone};
 pub use compiled_kernel::{CompiledKernel, RAYS_SOURCE};
 pub use error::GpuError;
 pub use foreign_kernels::DeviceArray;

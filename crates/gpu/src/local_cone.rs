@@ -56,7 +56,7 @@ pub fn write(
         Precision::Single => 2.0 * SINGLE_ERROR * range,
         Precision::Double => 0.0,
     };
-    let limit = pseudo_limit(query.max_angle);
+    let limit = pseudo_limit(query.max_angle) * LIMIT_GROW;
     let mut put = |at: usize, v: Vec3, last: f64| {
         for (word, number) in view[at..].iter_mut().zip(v.to_array()) {
             *word = (number as f32).to_bits();
@@ -99,7 +99,7 @@ pub fn write(
 
 /// The pseudo-angle that is the limit of a half-angle: `ρ / (ρ + z)` in front of the
 /// viewpoint, `1 + |z| / (ρ + |z|)` behind it. Negative if nothing lies within.
-fn pseudo_limit(max_angle: f64) -> f64 {
+pub fn pseudo_limit(max_angle: f64) -> f64 {
     let is_open = max_angle > 0.0; // false for NaN
     if !is_open {
         return -1.0;
@@ -109,9 +109,8 @@ fn pseudo_limit(max_angle: f64) -> f64 {
     }
     let (sin, cos) = max_angle.sin_cos();
     let total = sin + cos.abs();
-    let pseudo = match cos >= 0.0 {
+    match cos >= 0.0 {
         true => sin / total,
         false => 1.0 - cos / total,
-    };
-    pseudo * LIMIT_GROW
+    }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use capwalk_geometry::buffers::{EDGE, NONE};
 use capwalk_geometry::sampler_buffers::{
-    CLEAR, DrawnEdge, FACTORS, NODE, SampledCone, SamplerBuffers,
+    CLEAR, DrawnEdge, EdgeCone, FACTORS, NODE, SamplerBuffers,
 };
 use capwalk_geometry::{ConeQuery, EdgeSelection, LocalFrame};
 
@@ -83,9 +83,11 @@ impl DeviceEdgeSampler {
     /// `f` over all edges that count and meet the cone, those without length left out.
     ///
     /// In double precision, edges and probabilities are those of the processor for the same
-    /// numbers, up to rounding. In single precision numbers are hashed, so they lead to other
-    /// edges, and even spacing of them does not help.
-    pub fn sample(&self, cones: &[SampledCone]) -> Result<Vec<Option<DrawnEdge>>, GpuError> {
+    /// numbers, up to rounding, which also decides whether an edge counts that ends on the border
+    /// of the cone. In single precision numbers are hashed, so they lead to other edges, and even
+    /// spacing of them does not help; a half of a node that is chosen less than once in 2³² times
+    /// never is.
+    pub fn sample(&self, cones: &[EdgeCone]) -> Result<Vec<Option<DrawnEdge>>, GpuError> {
         self.gpu.check()?;
         let Some(tree) = &self.tree else {
             return Ok(vec![None; cones.len()]);
@@ -97,10 +99,10 @@ impl DeviceEdgeSampler {
             values: 1,
         };
         let mut sampled = Vec::with_capacity(cones.len());
-        let prepare = |cone: &SampledCone, view: &mut [u32], numbers: &mut [f64]| {
+        let prepare = |cone: &EdgeCone, view: &mut [u32], numbers: &mut [f64]| {
             self.write(cone, view, numbers);
         };
-        let finish = |_: &[SampledCone], edges: &[u32], probabilities: &[f64]| {
+        let finish = |_: &[EdgeCone], edges: &[u32], probabilities: &[f64]| {
             let answers = edges.iter().zip(probabilities);
             sampled.extend(answers.map(|(&edge, &probability)| {
                 let is_found = edge != NONE;
@@ -112,7 +114,7 @@ impl DeviceEdgeSampler {
     }
 
     /// Writes what the kernel reads of a cone.
-    fn write(&self, cone: &SampledCone, view: &mut [u32], numbers: &mut [f64]) {
+    fn write(&self, cone: &EdgeCone, view: &mut [u32], numbers: &mut [f64]) {
         let precision = self.gpu.precision();
         let query = ConeQuery {
             apex: cone.apex,
@@ -124,6 +126,8 @@ impl DeviceEdgeSampler {
         };
         let (exact, own) = numbers.split_at_mut(CONE);
         local_cone::write(&self.frame, &query, precision, view, exact);
+        // No test of angles follows.
+        exact[14] = local_cone::pseudo_limit(cone.max_angle);
         view[0] = u32::from(self.all_edges);
         for (words, number) in view[8..].chunks_exact_mut(2).zip(cone.numbers) {
             let bits = (number * ALL_BITS) as u64;

@@ -83,28 +83,30 @@ impl DeviceSilhouetteTree {
     /// be the one that the tree was built from, with any other finite positions. Positions are
     /// uploaded, all else is done on the device (but for the normals of faces in single
     /// precision); the first call also uploads the faces, and takes memory for a second copy of
-    /// the tree. Answers are those of a new tree over the same edges; they only take longer the
+    /// the tree. Answers are those of a new tree over the same edges, in single
+    /// precision with a rounding more in edges' directions; they only take longer the
     /// less the mesh resembles the one that the tree was built for. To build anew, or to follow a
     /// tree that the processor has refitted anyway, there is [`new`](Self::new).
     ///
     /// After an error the tree is what it was: [`GpuError::OtherMesh`] if vertices or faces are
-    /// not as many as they were, or a position is not finite.
+    /// not as many as they were, as far as that is known, or a position is not finite. That faces
+    /// have the same corners as before is not checked.
     pub fn refit(&mut self, mesh: &Mesh) -> Result<(), GpuError> {
         self.gpu.check()?;
         let Some(tree) = &mut self.tree else {
             return Ok(());
         };
-        let refit = match &mut self.refit {
+        let is_first = self.refit.is_none();
+        let mut refit = match self.refit.take() {
             Some(refit) => refit,
-            none => none.insert(Refit::new(
-                &self.gpu,
-                tree,
-                &self.primitives,
-                &self.below,
-                mesh,
-            )?),
+            None => Refit::new(&self.gpu, tree, &self.primitives, &self.below, mesh)?,
         };
-        self.frame = refit.follow(&self.gpu, tree, mesh)?;
+        let frame = refit.follow(&self.gpu, tree, mesh);
+        // What the first mesh was like counts once the tree has followed it.
+        if frame.is_ok() || !is_first {
+            self.refit = Some(refit);
+        }
+        self.frame = frame?;
         Ok(())
     }
 

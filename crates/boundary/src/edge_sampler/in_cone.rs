@@ -4,7 +4,7 @@
 use std::f64::consts::PI;
 
 use capwalk_geometry::edge::closest_direction;
-use capwalk_geometry::sampler_buffers::{BOUNDS, DrawnEdge, NONE, SampledCone, SamplerBuffers};
+use capwalk_geometry::sampler_buffers::{BOUNDS, DrawnEdge, EdgeCone, NONE, SamplerBuffers};
 use capwalk_geometry::{EdgeSelection, LocalFrame};
 use capwalk_math::Vec3;
 
@@ -14,7 +14,7 @@ impl EdgeSampler {
     /// An edge that counts and meets the cone. `None` if the numbers lead to none: they choose
     /// a few edges first, among which there need not be one. All that there are have a
     /// probability above 0, but those without length.
-    pub fn sample_in_cone(&self, cone: &SampledCone) -> Option<DrawnEdge> {
+    pub fn sample_in_cone(&self, cone: &EdgeCone) -> Option<DrawnEdge> {
         let [u, mut v] = cone.numbers;
         let subtree = self.descend(cone.apex, u, |_, bounds| importance(cone, bounds))?;
         let mut sum = 0.0;
@@ -22,7 +22,7 @@ impl EdgeSampler {
         for counted in self.counted(&subtree, cone.apex) {
             let [a, b] = counted.ends.map(|p| p - cone.apex);
             let meets = closest_direction(a, b, cone.axis)
-                .is_some_and(|closest| closest.angle < cone.max_angle);
+                .is_some_and(|closest| closest.angle < cone.max_angle || cone.max_angle >= PI);
             let weight = counted.factor * (b - a).length() / (a.dot(a) + b.dot(b));
             let is_one = meets && weight > 0.0; // false for NaN
             if !is_one {
@@ -85,7 +85,7 @@ impl EdgeSampler {
 }
 
 /// The importance of edges for a cone; zero if they certainly do not meet it.
-fn importance(cone: &SampledCone, bounds: &EdgeBounds) -> f64 {
+fn importance(cone: &EdgeCone, bounds: &EdgeBounds) -> f64 {
     let offset = bounds.centre - cone.apex;
     let square = offset.dot(offset);
     if is_beside(cone, bounds, offset, square.sqrt()) {
@@ -97,7 +97,7 @@ fn importance(cone: &SampledCone, bounds: &EdgeBounds) -> f64 {
 }
 
 /// True if the ball around edges certainly does not meet the cone.
-fn is_beside(cone: &SampledCone, bounds: &EdgeBounds, offset: Vec3, distance: f64) -> bool {
+fn is_beside(cone: &EdgeCone, bounds: &EdgeBounds, offset: Vec3, distance: f64) -> bool {
     let [sin, cos] = sin_cos(cone.max_angle);
     let z = cone.axis.dot(offset);
     let radial = offset - cone.axis * z;

@@ -1,7 +1,7 @@
 // Compiled from bounds.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 849aec2ce0e57df1
-// result: 1e446b88c19be8ca
+// source: be996b9947b4d3a2
+// result: 94c56f7cfdc50394
 
 struct Launch_std140_0
 {
@@ -555,8 +555,8 @@ fn bound_edges(@builtin(workgroup_id) group_0 : vec3<u32>, @builtin(local_invoca
     {
         return;
     }
-    var radius_0 : f32 = sqrt(farthest_0.a_0.y) * 1.0000152587890625f + 2.384185791015625e-07f;
-    var error_0 : f32 = 0.0000152587890625f * radius_0 + 2.384185791015625e-07f;
+    var radius_0 : f32 = sqrt(farthest_0.a_0.y) * 1.0000152587890625f + 4.76837158203125e-07f;
+    var error_0 : f32 = 0.0000152587890625f * radius_0 + 4.76837158203125e-07f;
     var cos_0 : f32 = sqrt(max(1.0f - sin_2 * sin_2, 9.99999997475242708e-07f));
     if(has_cone_0)
     {

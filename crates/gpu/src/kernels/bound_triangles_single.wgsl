@@ -1,6 +1,6 @@
 // Compiled from bounds.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 849aec2ce0e57df1
+// source: be996b9947b4d3a2
 // result: 3585e327604d6a58
 
 struct Launch_std140_0

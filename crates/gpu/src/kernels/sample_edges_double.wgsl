@@ -1,6 +1,6 @@
 // Compiled from sampled.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 675a6170579afed7
+// source: a79ee5a0847d6687
 // result: 115f787799b4288b
 
 struct Launch_std140_0

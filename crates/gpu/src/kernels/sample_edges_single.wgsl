@@ -1,7 +1,7 @@
 // Compiled from sampled.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 675a6170579afed7
-// result: deefb9767e76588d
+// source: a79ee5a0847d6687
+// result: 721f3b7e8fec0fcf
 
 struct Launch_std140_0
 {
@@ -317,38 +317,30 @@ fn descend_0( sampled_4 : Sampled_0,  number_2 : Number_0,  leaf_0 : ptr<functio
         }
         var first_share_0 : f32 = first_1 / sum_0;
         var second_share_0 : f32 = second_0 / sum_0;
-        var _S19 : bool = is_within_0(&(_S16), first_share_0);
-        var _S20 : bool = !_S19;
-        var is_second_0 : bool;
-        if(!(second_share_0 > 0.0f))
-        {
-            is_second_0 = false;
-        }
-        else
-        {
-            is_second_0 = _S20;
-        }
-        var _S21 : f32 = (*probability_0);
-        var _S22 : f32;
+        var second_is_less_0 : bool = second_share_0 < first_share_0;
+        var _S19 : bool = is_within_0(&(_S16), min(first_share_0, second_share_0));
+        var is_second_0 : bool = _S19 == second_is_less_0;
+        var _S20 : f32 = (*probability_0);
+        var _S21 : f32;
         if(is_second_0)
         {
-            _S22 = second_share_0;
+            _S21 = second_share_0;
         }
         else
         {
-            _S22 = first_share_0;
+            _S21 = first_share_0;
         }
-        (*probability_0) = _S21 * _S22;
-        var _S23 : u32;
+        (*probability_0) = _S20 * _S21;
+        var _S22 : u32;
         if(is_second_0)
         {
-            _S23 = _S18;
+            _S22 = _S18;
         }
         else
         {
-            _S23 = _S17;
+            _S22 = _S17;
         }
-        (*leaf_0) = _S23;
+        (*leaf_0) = _S22;
     }
     return true;
 }
@@ -357,8 +349,17 @@ fn side_seen_0( cone_1 : Cone_0,  from_0 : vec3<f32>,  size_2 : f32,  normal_0 :
 {
     var height_0 : f32 = dot(normal_0, from_0);
     var tolerance_0 : f32 = cone_1.on_plane_0 * size_2 * length_2;
-    var _S24 : i32;
+    var _S23 : i32;
     if(height_0 > tolerance_0)
+    {
+        _S23 = i32(1);
+    }
+    else
+    {
+        _S23 = i32(0);
+    }
+    var _S24 : i32;
+    if(height_0 < (- tolerance_0))
     {
         _S24 = i32(1);
     }
@@ -366,16 +367,7 @@ fn side_seen_0( cone_1 : Cone_0,  from_0 : vec3<f32>,  size_2 : f32,  normal_0 :
     {
         _S24 = i32(0);
     }
-    var _S25 : i32;
-    if(height_0 < (- tolerance_0))
-    {
-        _S25 = i32(1);
-    }
-    else
-    {
-        _S25 = i32(0);
-    }
-    return _S24 - _S25;
+    return _S23 - _S24;
 }
 
 fn is_silhouette_0( cone_2 : Cone_0,  at_2 : u32) -> bool
@@ -417,13 +409,13 @@ fn rounded_0( product_0 : f32,  largest_1 : f32) -> f32
 
 fn exact_cross_0( a_0 : vec3<f32>,  b_0 : vec3<f32>,  largest_2 : f32) -> vec3<f32>
 {
-    var _S26 : f32 = a_0.y;
-    var _S27 : f32 = b_0.z;
-    var _S28 : f32 = a_0.z;
-    var _S29 : f32 = b_0.y;
-    var _S30 : f32 = b_0.x;
-    var _S31 : f32 = a_0.x;
-    return vec3<f32>(rounded_0(_S26 * _S27, largest_2) - rounded_0(_S28 * _S29, largest_2), rounded_0(_S28 * _S30, largest_2) - rounded_0(_S31 * _S27, largest_2), rounded_0(_S31 * _S29, largest_2) - rounded_0(_S26 * _S30, largest_2));
+    var _S25 : f32 = a_0.y;
+    var _S26 : f32 = b_0.z;
+    var _S27 : f32 = a_0.z;
+    var _S28 : f32 = b_0.y;
+    var _S29 : f32 = b_0.x;
+    var _S30 : f32 = a_0.x;
+    return vec3<f32>(rounded_0(_S25 * _S26, largest_2) - rounded_0(_S27 * _S28, largest_2), rounded_0(_S27 * _S29, largest_2) - rounded_0(_S30 * _S26, largest_2), rounded_0(_S30 * _S28, largest_2) - rounded_0(_S25 * _S29, largest_2));
 }
 
 fn is_nearer_0( p_0 : Nearest_0,  q_0 : Nearest_0) -> bool
@@ -448,52 +440,52 @@ fn closest_on_edge_0( cone_4 : Cone_0,  at_3 : u32,  nearest_1 : ptr<function, N
             return beyond_0();
         }
     }
-    var _S32 : bool;
+    var _S31 : bool;
     if((dot(start_1 - cone_4.plane_point_0, cone_4.plane_normal_0)) < 0.0f)
     {
-        _S32 = (dot(finish_0 - cone_4.plane_point_0, cone_4.plane_normal_0)) < 0.0f;
+        _S31 = (dot(finish_0 - cone_4.plane_point_0, cone_4.plane_normal_0)) < 0.0f;
     }
     else
     {
-        _S32 = false;
+        _S31 = false;
     }
-    if(_S32)
+    if(_S31)
     {
         return beyond_0();
     }
     var normal_1 : vec3<f32> = exact_cross_0(a_1, along_1, cone_4.largest_0);
     if((normal_1.x) == 0.0f)
     {
-        _S32 = (normal_1.y) == 0.0f;
+        _S31 = (normal_1.y) == 0.0f;
     }
     else
     {
-        _S32 = false;
+        _S31 = false;
     }
-    if(_S32)
+    if(_S31)
     {
-        _S32 = (normal_1.z) == 0.0f;
+        _S31 = (normal_1.z) == 0.0f;
     }
     else
     {
-        _S32 = false;
+        _S31 = false;
     }
-    if(_S32)
+    if(_S31)
     {
-        _S32 = (dot(a_1, b_1)) <= 0.0f;
+        _S31 = (dot(a_1, b_1)) <= 0.0f;
     }
     else
     {
-        _S32 = false;
+        _S31 = false;
     }
-    if(_S32)
+    if(_S31)
     {
         return beyond_0();
     }
-    var _S33 : Nearest_0 = at_point_0(cone_4, 0.0f, a_1);
-    (*nearest_1) = _S33;
+    var _S32 : Nearest_0 = at_point_0(cone_4, 0.0f, a_1);
+    (*nearest_1) = _S32;
     var other_0 : Nearest_0 = at_point_0(cone_4, 1.0f, b_1);
-    if(is_nearer_0(other_0, _S33))
+    if(is_nearer_0(other_0, _S32))
     {
         (*nearest_1) = other_0;
     }
@@ -504,13 +496,13 @@ fn closest_on_edge_0( cone_4 : Cone_0,  at_3 : u32,  nearest_1 : ptr<function, N
         var t_2 : f32 = - dot(a_1, w_0) / falls_0;
         if(t_2 > 0.0f)
         {
-            _S32 = t_2 < 1.0f;
+            _S31 = t_2 < 1.0f;
         }
         else
         {
-            _S32 = false;
+            _S31 = false;
         }
-        if(_S32)
+        if(_S31)
         {
             var other_1 : Nearest_0 = at_point_0(cone_4, t_2, a_1 + along_1 * vec3<f32>(t_2));
             if(is_nearer_0(other_1, (*nearest_1)))
@@ -524,32 +516,32 @@ fn closest_on_edge_0( cone_4 : Cone_0,  at_3 : u32,  nearest_1 : ptr<function, N
     {
         return beyond_0();
     }
-    var _S34 : f32;
+    var _S33 : f32;
     if(((*nearest_1).cos_2) >= 0.0f)
     {
-        _S34 = (*nearest_1).sin_2 / total_0;
+        _S33 = (*nearest_1).sin_2 / total_0;
     }
     else
     {
-        _S34 = 1.0f - (*nearest_1).cos_2 / total_0;
+        _S33 = 1.0f - (*nearest_1).cos_2 / total_0;
     }
-    return _S34;
+    return _S33;
 }
 
 fn weight_0( sampled_5 : Sampled_0,  edge_0 : u32) -> f32
 {
     var at_4 : u32 = u32(36) * launch_0.primitives_0 + u32(16) * edge_0;
-    var _S35 : u32 = at_4 + u32(14);
-    var _S36 : i32;
+    var _S34 : u32 = at_4 + u32(14);
+    var _S35 : i32;
     if(is_silhouette_0(sampled_5.cone_0, at_4))
     {
-        _S36 = i32(0);
+        _S35 = i32(0);
     }
     else
     {
-        _S36 = i32(1);
+        _S35 = i32(1);
     }
-    var factor_0 : f32 = primitives_1[_S35 + u32(_S36)];
+    var factor_0 : f32 = primitives_1[_S34 + u32(_S35)];
     if(!(factor_0 > 0.0f))
     {
         return 0.0f;
@@ -584,39 +576,39 @@ fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     cone_6.plane_normal_0 = query_vector_0(at_5 + u32(9));
     cone_6.on_plane_0 = queries_0[at_5 + u32(12)];
     cone_6.size_0 = queries_0[at_5 + u32(13)];
-    var _S37 : f32 = queries_0[at_5 + u32(14)];
-    cone_6.limit_0 = _S37;
+    var _S36 : f32 = queries_0[at_5 + u32(14)];
+    cone_6.limit_0 = _S36;
     cone_6.largest_0 = queries_0[at_5 + u32(15)];
     cone_6.all_edges_0 = (views_0[u32(3) * query_1].x) != u32(0);
     var sampled_6 : Sampled_0;
     sampled_6.cone_0 = cone_6;
-    var _S38 : u32 = at_5 + u32(16);
-    sampled_6.sin_0 = queries_0[_S38];
-    sampled_6.cos_0 = queries_0[_S38 + u32(1)];
-    sampled_6.clear_0 = queries_0[_S38 + u32(2)];
-    sampled_6.size_1 = queries_0[_S38 + u32(3)];
+    var _S37 : u32 = at_5 + u32(16);
+    sampled_6.sin_0 = queries_0[_S37];
+    sampled_6.cos_0 = queries_0[_S37 + u32(1)];
+    sampled_6.clear_0 = queries_0[_S37 + u32(2)];
+    sampled_6.size_1 = queries_0[_S37 + u32(3)];
     var leaf_1 : u32 = u32(0);
     var probability_1 : f32 = 0.0f;
-    var _S39 : bool;
-    if(_S37 >= 0.0f)
+    var is_chosen_0 : bool;
+    if(_S36 >= 0.0f)
     {
-        var _S40 : bool = descend_0(sampled_6, number_at_0(query_1, u32(0)), &(leaf_1), &(probability_1));
-        _S39 = _S40;
+        var _S38 : bool = descend_0(sampled_6, number_at_0(query_1, u32(0)), &(leaf_1), &(probability_1));
+        is_chosen_0 = _S38;
     }
     else
     {
-        _S39 = false;
+        is_chosen_0 = false;
     }
     var chosen_0 : u32;
     var chosen_weight_0 : f32;
     var sum_1 : f32;
-    if(_S39)
+    if(is_chosen_0)
     {
         var number_3 : Number_0 = number_at_0(query_1, u32(1));
-        var _S41 : u32 = nodes_0[leaf_1].z;
+        var _S39 : u32 = nodes_0[leaf_1].z;
         chosen_0 = u32(4294967295);
         chosen_weight_0 = 0.0f;
-        var i_2 : u32 = _S41;
+        var i_2 : u32 = _S39;
         sum_1 = 0.0f;
         for(;;)
         {
@@ -634,7 +626,15 @@ fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
                 continue;
             }
             var sum_2 : f32 = sum_1 + own_0;
-            var is_chosen_0 : bool = is_within_0(&(number_3), own_0 / sum_2);
+            var _S40 : bool = is_within_0(&(number_3), own_0 / sum_2);
+            if(_S40)
+            {
+                is_chosen_0 = true;
+            }
+            else
+            {
+                is_chosen_0 = chosen_0 == u32(4294967295);
+            }
             if(!is_chosen_0)
             {
                 sum_1 = sum_2;
@@ -653,8 +653,8 @@ fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         chosen_weight_0 = 0.0f;
         sum_1 = 0.0f;
     }
-    var _S42 : bool = chosen_0 == u32(4294967295);
-    if(_S42)
+    var _S41 : bool = chosen_0 == u32(4294967295);
+    if(_S41)
     {
         chosen_0 = u32(4294967295);
     }
@@ -663,7 +663,7 @@ fn sample_edges(@builtin(global_invocation_id) thread_0 : vec3<u32>)
         chosen_0 = leaf_starts_0[chosen_0];
     }
     answers_0[query_1] = chosen_0;
-    if(_S42)
+    if(_S41)
     {
         chosen_weight_0 = 0.0f;
     }

@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use capwalk_boundary::{Accel, Boundaries};
 use capwalk_geometry::EdgeSelection;
 use capwalk_geometry::edge::closest_direction;
-use capwalk_geometry::sampler_buffers::{DrawnEdge, SampledCone, SamplerBuffers};
+use capwalk_geometry::sampler_buffers::{DrawnEdge, EdgeCone, SamplerBuffers};
 use capwalk_gpu::{DeviceEdgeSampler, Precision};
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::{cube, icosphere, rectangle};
@@ -44,7 +44,7 @@ fn accel() -> Accel {
 }
 
 /// From around the shapes, inside and far away, wide and narrow.
-fn cones(random: &mut Random) -> Vec<SampledCone> {
+fn cones(random: &mut Random) -> Vec<EdgeCone> {
     let mut cones = Vec::new();
     for (distance, max_angle) in [
         (3.0, PI),
@@ -55,7 +55,7 @@ fn cones(random: &mut Random) -> Vec<SampledCone> {
         (2.0, 2.9),
     ] {
         let from = random.direction();
-        cones.push(SampledCone {
+        cones.push(EdgeCone {
             apex: from * distance,
             axis: (random.direction() * 0.7 - from * distance).normalized(),
             max_angle,
@@ -66,8 +66,8 @@ fn cones(random: &mut Random) -> Vec<SampledCone> {
 }
 
 /// The same cone with other random numbers.
-fn repeated(cone: &SampledCone, random: &mut Random, count: usize) -> Vec<SampledCone> {
-    let again = |_| SampledCone {
+fn repeated(cone: &EdgeCone, random: &mut Random, count: usize) -> Vec<EdgeCone> {
+    let again = |_| EdgeCone {
         numbers: [(); 2].map(|()| random.number()),
         ..*cone
     };
@@ -88,7 +88,7 @@ fn samples_are_those_of_the_processor() {
             let sampler = boundaries.edge_sampler(&accel, selection);
             let device = DeviceEdgeSampler::new(gpu, &sampler.buffers()).expect("room");
             let mut all = cones(&mut random);
-            all.extend([0.0, -1.0, f64::NAN].map(|max_angle| SampledCone {
+            all.extend([0.0, -1.0, f64::NAN].map(|max_angle| EdgeCone {
                 max_angle,
                 ..all[0]
             }));
@@ -123,7 +123,7 @@ fn counting(
     boundaries: &Boundaries,
     accel: &Accel,
     buffers: &SamplerBuffers,
-    cone: &SampledCone,
+    cone: &EdgeCone,
 ) -> BTreeMap<u32, f64> {
     let factors = buffers.factors.as_chunks::<2>().0;
     let all = buffers.edges.iter().zip(factors);
