@@ -51,7 +51,7 @@ tasks:
   parity   render tests/parity/*.xml with capwalk and with Mitsuba, and compare;
            with --golden, make the images of tests/parity/golden instead
            (needs python3 and PyPI; further arguments: scene names)
-  kernels  compile the kernels of capwalk-gpu, which are checked in (needs python3 and
+  kernels  compile the kernels of GPUs, which are checked in (needs python3 and
            PyPI)
   gpu      measure the queries on the GPU, or on software Vulkan, and compare them
            with the processor's (further argument: part of the adapter's name)

@@ -8,8 +8,8 @@ pub enum Device {
     /// On the processor.
     #[default]
     Cpu,
-    /// On a GPU if there is one that has all that the scene needs, else on the processor. Software
-    /// Vulkan is none.
+    /// On a GPU if there is one with double precision that has all that the scene needs, else on
+    /// the processor. Software Vulkan is none.
     Auto,
     /// On a GPU, or on software Vulkan; an error if there is neither, or if the scene needs what it
     /// does not have.

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use capwalk_diff::{PreparedScene, RenderOptions, Rendering, Watch};
-use capwalk_gpu::{Gpu, GpuError, GpuOptions};
-use capwalk_gpu_render::{DeviceError, DeviceScene};
+use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
+use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
 
 use crate::device::{Device, DeviceFailure};
 
@@ -29,6 +29,10 @@ pub fn image(
 ) -> Result<Found, DeviceFailure> {
     let may_fall_back = device == Device::Auto;
     let on_processor = |remark: Option<String>| Ok(Found::Processor { remark });
+    // Whether there is a GPU or not.
+    if let Some(missing) = unsupported(prepared).filter(|_| !may_fall_back) {
+        return Err(DeviceError::from(missing).into());
+    }
     let gpu = match Gpu::new(&GpuOptions::default()) {
         Ok(gpu) if may_fall_back && gpu.is_software() => return on_processor(None),
         Ok(gpu) => Arc::new(gpu),
@@ -36,8 +40,19 @@ pub fn image(
         Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
         Err(error) => return Err(DeviceError::Gpu(error).into()),
     };
-    let scene = DeviceScene::new(&gpu, prepared);
-    match scene.and_then(|scene| scene.render(options, watch)) {
+    // Shadows of what touches have gaps in single precision.
+    if may_fall_back && gpu.precision() == Precision::Single {
+        return on_processor(Some(remark(&"it has no double precision")));
+    }
+    let scene = match DeviceScene::new(&gpu, prepared) {
+        Ok(scene) => scene,
+        Err(DeviceError::Unsupported(missing)) if may_fall_back => {
+            return on_processor(Some(remark(&missing.what)));
+        }
+        Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
+        Err(error) => return Err(error.into()),
+    };
+    match scene.render(options, watch) {
         Ok(rendering) => Ok(Found::Image {
             rendering,
             adapter: gpu.name().to_owned(),

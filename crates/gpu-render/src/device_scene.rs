@@ -125,8 +125,8 @@ impl<'a> DeviceScene<'a> {
     ) -> Result<Rendering, DeviceError> {
         let tracer = Tracer::primal(self.prepared);
         let allowed = self.gpu.largest_buffer() / Paths::BYTES as u64;
-        let most = most.min(allowed as usize).max(1);
-        let size = Cell::new(most.min(FIRST_PATHS));
+        let most = Cell::new(most.min(allowed as usize).max(1));
+        let size = Cell::new(most.get().min(FIRST_PATHS));
         let mut paths = None;
         let take = |places: &[SamplePlace]| {
             let mut taken = Vec::with_capacity(places.len());
@@ -138,7 +138,8 @@ impl<'a> DeviceScene<'a> {
                     Ok(Some(samples)) => taken.extend(samples),
                     Ok(None) => return Ok(None),
                     Err(GpuError::OutOfMemory { .. }) if size.get() > FEWEST_PATHS => {
-                        size.set(size.get() / 2);
+                        most.set(size.get() / 2);
+                        size.set(most.get());
                         paths = None;
                         continue;
                     }
@@ -146,9 +147,9 @@ impl<'a> DeviceScene<'a> {
                 }
                 let took = self.gpu.busy().saturating_sub(before);
                 if took > PART {
-                    size.set((size.get() / 2).max(FEWEST_PATHS.min(most)));
+                    size.set((size.get() / 2).max(FEWEST_PATHS.min(most.get())));
                 } else if 3 * took < PART && some.len() == size.get() {
-                    size.set((2 * size.get()).min(most));
+                    size.set((2 * size.get()).min(most.get()));
                 }
             }
             Ok(Some(taken))

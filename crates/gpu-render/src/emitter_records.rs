@@ -7,7 +7,7 @@ use capwalk_math::Vec3;
 use capwalk_render::{DirectionSampler, EmitterSampler, RectangleSampler, TriangleSampler};
 use capwalk_scene::{Emitter, EmitterId};
 
-use crate::texture_records::{add_texture, float};
+use crate::texture_records::{TextureRecords, float};
 
 /// Words of a record.
 pub const EMITTER_RECORD: usize = 12;
@@ -18,12 +18,13 @@ pub fn emitter_record(
     id: EmitterId,
     sampler: &EmitterSampler,
     frame: &LocalFrame,
+    textures: &mut TextureRecords,
     words: &mut Vec<u32>,
 ) -> [u32; EMITTER_RECORD] {
     let scene = &accel.scene;
     let emitter: &Emitter = scene.emitter(id);
     let shape = emitter.shape().map(|shape| scene.shape(shape));
-    let radiance = add_texture(scene, emitter.radiance(), shape, words);
+    let radiance = textures.add(scene, emitter.radiance(), shape, words);
     let brightness = float(sampler.brightness);
     let DirectionSampler::Area(triangles) = &sampler.directions else {
         return [0, radiance, brightness, 0, NONE, 0, 0, 0, 0, 0, 0, 0];

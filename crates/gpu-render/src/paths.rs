@@ -61,7 +61,16 @@ impl Paths {
             going_on,
         ];
         gpu.write(input, bytemuck::cast_slice(rays))?;
-        gpu.launch(&BEGIN_PATHS, arrays, count as u32, [self.room as u32, 0])?;
+        let launch = |kernel, count: usize, depth: u32| {
+            assert!(count <= self.room, "there is no room for so many paths");
+            // SAFETY: the arrays of a scene are those that its records were made with, which refer to
+            // nothing behind their ends, and the others have room for all paths.
+            #[allow(unsafe_code)]
+            unsafe {
+                gpu.launch(kernel, arrays, count as u32, [self.room as u32, depth])
+            }
+        };
+        launch(&BEGIN_PATHS, count, 0)?;
         let mut list = vec![0_u32; count];
         for depth in 0.. {
             // In the order of the paths, whichever thread was first.
@@ -74,7 +83,7 @@ impl Paths {
                 return Ok(None);
             }
             gpu.write(input, bytemuck::cast_slice(&list))?;
-            gpu.launch(&GO_ON, arrays, list.len() as u32, [self.room as u32, depth])?;
+            launch(&GO_ON, list.len(), depth)?;
         }
         // One array for each channel, as long as there is room for paths.
         let mut channels = vec![0_f32; 2 * self.room + count];

@@ -7,7 +7,7 @@ use capwalk_render::{Plan, PreparedScene};
 use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, Shape, TextureId};
 
 use crate::emitter_records::emitter_record;
-use crate::texture_records::{add_texture, float};
+use crate::texture_records::{TextureRecords, float};
 
 /// Words before the first array.
 const HEADER: usize = 14;
@@ -60,12 +60,18 @@ impl SceneRecords {
         for (triangle, &face) in (0..).zip(&buffers.faces) {
             words[triangle_of_face_at + face as usize] = triangle;
         }
+        let mut textures = TextureRecords::default();
         let shapes = scene.shapes.iter();
-        let shapes: Vec<_> = shapes.map(|s| shape_record(scene, s, &mut words)).collect();
+        let shapes: Vec<_> = shapes
+            .map(|shape| shape_record(scene, shape, &mut textures, &mut words))
+            .collect();
         let shapes_at = append(shapes.as_flattened(), &mut words);
         let emitters: Vec<_> = (0..)
             .zip(prepared.emitters())
-            .map(|(id, sampler)| emitter_record(accel, EmitterId(id), sampler, &frame, &mut words))
+            .map(|(id, sampler)| {
+                let id = EmitterId(id);
+                emitter_record(accel, id, sampler, &frame, &mut textures, &mut words)
+            })
             .collect();
         let emitters_at = append(emitters.as_flattened(), &mut words);
 
@@ -122,7 +128,12 @@ fn append(array: &[u32], words: &mut Vec<u32>) -> u32 {
 const SHAPE_RECORD: usize = 5;
 
 /// The record of a shape; what it refers to is appended.
-fn shape_record(scene: &Scene, shape: &Shape, words: &mut Vec<u32>) -> [u32; SHAPE_RECORD] {
+fn shape_record(
+    scene: &Scene,
+    shape: &Shape,
+    textures: &mut TextureRecords,
+    words: &mut Vec<u32>,
+) -> [u32; SHAPE_RECORD] {
     let mut add = |numbers: &mut dyn Iterator<Item = f64>| {
         let at = words.len() as u32;
         words.extend(numbers.map(float));
@@ -137,7 +148,7 @@ fn shape_record(scene: &Scene, shape: &Shape, words: &mut Vec<u32>) -> [u32; SHA
     let [front, back] = [true, false].map(|is_front| {
         let texture = reflectance(scene, shape.bsdf, is_front);
         texture.map_or(NONE, |texture| {
-            add_texture(scene, texture, Some(shape), words)
+            textures.add(scene, texture, Some(shape), words)
         })
     });
     let emitter = shape.emitter.map_or(NONE, |emitter| emitter.0);

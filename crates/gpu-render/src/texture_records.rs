@@ -1,22 +1,44 @@
 //! Textures as the kernels read them: `surfaces.slang` says which word is what.
 
+use std::collections::BTreeMap;
+
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{Pattern, Scene, Shape, Texture, TextureId};
 
-/// Appends the record of a texture as a shape shows it (none for the environment), and returns
-/// where it starts.
-pub fn add_texture(
-    scene: &Scene,
-    id: TextureId,
-    shape: Option<&Shape>,
-    words: &mut Vec<u32>,
-) -> u32 {
+/// The records of textures, once for all shapes that show the same.
+#[derive(Default)]
+pub struct TextureRecords {
+    /// Where they start, by what a material names and what the numbers are.
+    places: BTreeMap<(u32, u32), u32>,
+}
+
+impl TextureRecords {
+    /// Where the record of a texture starts as a shape shows it (none for the environment), which is
+    /// appended if it is not there.
+    pub fn add(
+        &mut self,
+        scene: &Scene,
+        id: TextureId,
+        shape: Option<&Shape>,
+        words: &mut Vec<u32>,
+    ) -> u32 {
+        let numbers = shape.map_or(id, |shape| scene.numbers_of(id, shape));
+        // The environment has one colour, that of the first texel.
+        let is_shown = shape.is_some();
+        let key = (id.0, if is_shown { numbers.0 } else { u32::MAX });
+        *self.places.entry(key).or_insert_with(|| {
+            let scale = match &scene.texture(id).pattern {
+                Pattern::MeshAttribute { scale, .. } => *scale,
+                _ => 1.0,
+            };
+            add_texture(scene.texture(numbers), scale, is_shown, words)
+        })
+    }
+}
+
+/// Appends a record, and returns where it starts.
+fn add_texture(texture: &Texture, scale: f64, is_shown: bool, words: &mut Vec<u32>) -> u32 {
     let at = words.len() as u32;
-    let scale = match &scene.texture(id).pattern {
-        Pattern::MeshAttribute { scale, .. } => *scale,
-        _ => 1.0,
-    };
-    let texture = scene.texture(shape.map_or(id, |shape| scene.numbers_of(id, shape)));
     let plain = Bitmap {
         width: 1,
         height: 1,
@@ -25,6 +47,7 @@ pub fn add_texture(
         to_uv: UvTransform::IDENTITY,
     };
     let (kind, bitmap) = match &texture.pattern {
+        _ if !is_shown => (0, plain),
         // An attribute is one of the last two; no shape has the texels of the environment.
         Pattern::Constant | Pattern::MeshAttribute { .. } | Pattern::Environment => (0, plain),
         Pattern::Bitmap(bitmap) => (1, bitmap.clone()),
@@ -44,15 +67,11 @@ pub fn add_texture(
         Wrap::Clamp => 2,
     };
     let is_bilinear = bitmap.filter == TexelFilter::Bilinear;
-    words.extend([kind, channels(texture), float(scale)]);
+    words.extend([kind, texture.channels as u32]);
     words.extend([bitmap.width, bitmap.height, is_bilinear.into(), wrap]);
     words.extend(bitmap.to_uv.rows.as_flattened().iter().copied().map(float));
-    words.extend(texture.data.iter().copied().map(float));
+    words.extend(texture.data.iter().map(|x| float(scale * x)));
     at
-}
-
-fn channels(texture: &Texture) -> u32 {
-    texture.channels as u32
 }
 
 /// A number as the kernels read it, rounded to single precision.

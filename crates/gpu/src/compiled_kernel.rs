@@ -14,7 +14,7 @@ pub const RAYS_SOURCE: &str = include_str!("kernels/rays.slang");
 /// A kernel, compiled ahead by `cargo xtask kernels` for every interface and precision.
 #[derive(Clone, Copy, Debug)]
 pub struct CompiledKernel {
-    /// Its entry point. All kernels that run on one device have different ones.
+    /// Its entry point.
     pub name: &'static str,
     /// How many queries, paths or the like a group of 64 threads works on.
     pub group: usize,
@@ -26,8 +26,8 @@ pub struct CompiledKernel {
 
 impl CompiledKernel {
     /// An error, in words, if it was compiled from another source than this one (with what it
-    /// includes in the place of the lines that say so), or was edited. For tests: the first lines of a compiled kernel end
-    /// with checksums of its source and of what follows.
+    /// includes in the place of the lines that say so), or was edited. For tests: the first lines of
+    /// a compiled kernel end with checksums of its source and of what follows.
     pub fn check(&self, source: &str) -> Result<(), String> {
         for compiled in self.wgsl.into_iter().chain(self.ptx) {
             let (head, body) = compiled.split_once("\n\n").ok_or("it has no head")?;
@@ -50,6 +50,11 @@ impl CompiledKernel {
             ));
         }
         Ok(())
+    }
+
+    /// What drivers know a compiled one by: kernels of two crates may have the same name.
+    pub(crate) fn key(&self) -> (&'static str, usize) {
+        (self.name, self.wgsl[0].as_ptr() as usize)
     }
 
     /// No launch has more queries.

@@ -45,7 +45,7 @@ pub struct CudaDriver {
     version: String,
     largest: u64,
     /// Those that were asked for, by their names.
-    kernels: Mutex<BTreeMap<&'static str, Loaded>>,
+    kernels: Mutex<BTreeMap<(&'static str, usize), Loaded>>,
     /// The words of a launch; one launch at a time has them, and the kernel's parameters.
     launch: Mutex<CudaSlice<u32>>,
     lost: Mutex<Option<String>>,
@@ -279,7 +279,7 @@ impl CudaDriver {
     /// The kernel, compiled for this device when it is first asked for.
     fn loaded(&self, kernel: &CompiledKernel, precision: Precision) -> Result<Loaded, DriverError> {
         let mut kernels = locked(&self.kernels);
-        if let Some(loaded) = kernels.get(kernel.name) {
+        if let Some(loaded) = kernels.get(&kernel.key()) {
             return Ok(loaded.clone());
         }
         let module = self
@@ -287,7 +287,7 @@ impl CudaDriver {
             .load_module(Ptx::from_src(kernel.ptx_in(precision)))?;
         let function = module.load_function(kernel.name)?;
         let loaded = Loaded { module, function };
-        kernels.insert(kernel.name, loaded.clone());
+        kernels.insert(kernel.key(), loaded.clone());
         Ok(loaded)
     }
 

@@ -8,7 +8,10 @@ use crate::launch::{ARRAYS, Launch};
 
 /// A piece of a device's memory, to be used with that device alone.
 #[derive(Debug)]
-pub struct DeviceArray(Memory);
+pub struct DeviceArray {
+    memory: Memory,
+    bytes: u64,
+}
 
 /// Kernels read and copies move so many bytes at a time.
 const UNIT: u64 = 16;
@@ -18,22 +21,33 @@ impl Gpu {
     pub fn array(&self, bytes: u64) -> Result<DeviceArray, GpuError> {
         // An array of no bytes cannot be given to a kernel.
         let bytes = bytes.next_multiple_of(UNIT).max(UNIT);
-        self.allocate(bytes).map(DeviceArray)
+        let memory = self.allocate(bytes)?;
+        Ok(DeviceArray { memory, bytes })
     }
 
     /// Writes the first bytes of an array, a multiple of four.
+    ///
+    /// # Panics
+    ///
+    /// If the array is shorter, or of another device.
     pub fn write(&self, to: &DeviceArray, bytes: &[u8]) -> Result<(), GpuError> {
+        assert!(bytes.len() as u64 <= to.bytes, "more than an array has");
         match bytes.is_empty() {
             true => Ok(()),
-            false => self.upload(&to.0, bytes),
+            false => self.upload(&to.memory, bytes),
         }
     }
 
     /// Reads the first bytes of an array, a multiple of four.
+    ///
+    /// # Panics
+    ///
+    /// If the array is shorter, or of another device.
     pub fn read(&self, from: &DeviceArray, bytes: &mut [u8]) -> Result<(), GpuError> {
+        assert!(bytes.len() as u64 <= from.bytes, "more than an array has");
         match bytes.is_empty() {
             true => Ok(()),
-            false => self.download(&from.0, bytes),
+            false => self.download(&from.memory, bytes),
         }
     }
 
@@ -42,7 +56,13 @@ impl Gpu {
     /// their places here, of which it may write the last two and only read the others, and at the
     /// next binding four words: the first number of a launch, the one after its last, and the two
     /// that are given.
-    pub fn launch(
+    ///
+    /// # Safety
+    ///
+    /// The kernel must stay within the arrays for all these numbers: NVIDIA's driver checks no
+    /// bounds.
+    #[allow(unsafe_code)] // Only the caller knows what a kernel reads and writes.
+    pub unsafe fn launch(
         &self,
         kernel: &CompiledKernel,
         arrays: [&DeviceArray; ARRAYS],
@@ -55,6 +75,6 @@ impl Gpu {
             capacity,
             primitives,
         };
-        self.run_compiled(kernel, arrays.map(|array| &array.0), whole)
+        self.run_compiled(kernel, arrays.map(|array| &array.memory), whole)
     }
 }

@@ -230,7 +230,7 @@ impl Gpu {
         while rest.first < whole.end {
             let size = *locked(&self.pace).entry(kernel.name).or_insert(FIRST);
             let launch = Launch {
-                end: whole.end.min(rest.first + size as u32),
+                end: whole.end.min(rest.first.saturating_add(size as u32)),
                 ..rest
             };
             let done = self

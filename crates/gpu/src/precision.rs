@@ -6,6 +6,6 @@ pub enum Precision {
     // In this order in a `CompiledKernel`.
     /// Single precision, in the tree's coordinates.
     Single,
-    /// Double precision, in the world's coordinates.
+    /// Double precision; of queries in the world's coordinates.
     Double,
 }

@@ -18,7 +18,7 @@ pub struct WgpuDriver {
     info: wgpu::AdapterInfo,
     largest: u64,
     /// Those that were asked for, by the names of their kernels.
-    pipelines: Mutex<BTreeMap<&'static str, wgpu::ComputePipeline>>,
+    pipelines: Mutex<BTreeMap<(&'static str, usize), wgpu::ComputePipeline>>,
     lost: Arc<Mutex<Option<String>>>,
     /// What the last download came through: new memory would cost more than the copy.
     back: Mutex<Option<wgpu::Buffer>>,
@@ -273,7 +273,7 @@ impl WgpuDriver {
         precision: Precision,
     ) -> Result<wgpu::ComputePipeline, Fault> {
         let mut pipelines = locked(&self.pipelines);
-        if let Some(pipeline) = pipelines.get(kernel.name) {
+        if let Some(pipeline) = pipelines.get(&kernel.key()) {
             return Ok(pipeline.clone());
         }
         let compiled = self.guarded(|| {
@@ -301,7 +301,7 @@ impl WgpuDriver {
                     cache: None,
                 })
         })?;
-        pipelines.insert(kernel.name, compiled.clone());
+        pipelines.insert(kernel.key(), compiled.clone());
         Ok(compiled)
     }
 }

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8cf5e278cab077d3
-// result: 43f0091bfe7bf85e
+// source: 0f5c39ba1a86e912
+// result: 1798cc588b4f3e49
 
 struct Launch_std140_0
 {
@@ -653,7 +653,7 @@ fn vector_at_0( at_6 : u32) -> vec3<f32>
 fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
 {
     var channels_0 : u32 = word_0(texture_0 + u32(1));
-    var at_7 : u32 = texture_0 + u32(13) + channels_0 * index_0;
+    var at_7 : u32 = texture_0 + u32(12) + channels_0 * index_0;
     var _S43 : vec3<f32>;
     if(channels_0 == u32(1))
     {
@@ -720,11 +720,11 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
-    var width_0 : i32 = i32(word_0(texture_1 + u32(3)));
-    var height_0 : i32 = i32(word_0(texture_1 + u32(4)));
-    var wrap_1 : u32 = word_0(texture_1 + u32(6));
+    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_1 + u32(5));
     var place_2 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
-    if((word_0(texture_1 + u32(5))) == u32(0))
+    if((word_0(texture_1 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
         var _S44 : u32 = row_0 * u32(width_0);
@@ -756,13 +756,13 @@ fn texture_at_0( texture_2 : u32,  place_4 : Place_0) -> vec3<f32>
     var record_0 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
-        return texel_0(texture_2, word_0(record_0)) * vec3<f32>(number_0(texture_2 + u32(2)));
+        return texel_0(texture_2, word_0(record_0));
     }
     if(kind_0 == u32(3))
     {
-        return (texel_0(texture_2, word_0(record_0 + u32(1))) * vec3<f32>((1.0f - place_4.v_4 - place_4.w_3)) + texel_0(texture_2, word_0(record_0 + u32(2))) * vec3<f32>(place_4.v_4) + texel_0(texture_2, word_0(record_0 + u32(3))) * vec3<f32>(place_4.w_3)) * vec3<f32>(number_0(texture_2 + u32(2)));
+        return texel_0(texture_2, word_0(record_0 + u32(1))) * vec3<f32>((1.0f - place_4.v_4 - place_4.w_3)) + texel_0(texture_2, word_0(record_0 + u32(2))) * vec3<f32>(place_4.v_4) + texel_0(texture_2, word_0(record_0 + u32(3))) * vec3<f32>(place_4.w_3);
     }
-    var rows_0 : u32 = texture_2 + u32(7);
+    var rows_0 : u32 = texture_2 + u32(6);
     var _S50 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
     var uv_1 : vec2<f32> = vec2<f32>(dot(_S50, vector_at_0(rows_0)), dot(_S50, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 8cf5e278cab077d3
-// result: df6e2e2c90df8bf5
+// source: 0f5c39ba1a86e912
+// result: 5f413e2dbf179a1f
 
 struct Launch_std140_0
 {
@@ -172,7 +172,7 @@ fn surface_at_0( place_3 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
 {
     var channels_0 : u32 = word_0(texture_0 + u32(1));
-    var at_6 : u32 = texture_0 + u32(13) + channels_0 * index_0;
+    var at_6 : u32 = texture_0 + u32(12) + channels_0 * index_0;
     var _S3 : vec3<f32>;
     if(channels_0 == u32(1))
     {
@@ -239,11 +239,11 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
 
 fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
 {
-    var width_0 : i32 = i32(word_0(texture_1 + u32(3)));
-    var height_0 : i32 = i32(word_0(texture_1 + u32(4)));
-    var wrap_1 : u32 = word_0(texture_1 + u32(6));
+    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_1 + u32(5));
     var place_5 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
-    if((word_0(texture_1 + u32(5))) == u32(0))
+    if((word_0(texture_1 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_5.y), height_0, wrap_1);
         var _S4 : u32 = row_0 * u32(width_0);
@@ -275,13 +275,13 @@ fn texture_at_0( texture_2 : u32,  place_7 : Place_0) -> vec3<f32>
     var record_1 : u32 = triangle_record_0(place_7.triangle_0) + u32(1);
     if(kind_0 == u32(4))
     {
-        return texel_0(texture_2, word_0(record_1)) * vec3<f32>(number_0(texture_2 + u32(2)));
+        return texel_0(texture_2, word_0(record_1));
     }
     if(kind_0 == u32(3))
     {
-        return (texel_0(texture_2, word_0(record_1 + u32(1))) * vec3<f32>((1.0f - place_7.v_0 - place_7.w_0)) + texel_0(texture_2, word_0(record_1 + u32(2))) * vec3<f32>(place_7.v_0) + texel_0(texture_2, word_0(record_1 + u32(3))) * vec3<f32>(place_7.w_0)) * vec3<f32>(number_0(texture_2 + u32(2)));
+        return texel_0(texture_2, word_0(record_1 + u32(1))) * vec3<f32>((1.0f - place_7.v_0 - place_7.w_0)) + texel_0(texture_2, word_0(record_1 + u32(2))) * vec3<f32>(place_7.v_0) + texel_0(texture_2, word_0(record_1 + u32(3))) * vec3<f32>(place_7.w_0);
     }
-    var rows_0 : u32 = texture_2 + u32(7);
+    var rows_0 : u32 = texture_2 + u32(6);
     var _S10 : vec3<f32> = vec3<f32>(uv_of_0(place_7), 1.0f);
     var uv_1 : vec2<f32> = vec2<f32>(dot(_S10, vector_at_0(rows_0)), dot(_S10, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
@@ -1166,6 +1166,10 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
     }
     var offset_3 : vec3<f32> = corners_2.a_10 + ab_1 * vec3<f32>(point_0.place_9.v_0) + ac_0 * vec3<f32>(point_0.place_9.w_0);
     var distance_3 : f32 = length(offset_3);
+    if(!(distance_3 > 0.0f))
+    {
+        return point_0;
+    }
     point_0.pdf_0 = chosen_0 / total_0 * density_of_0(angle_3, normal_6, distance_3, offset_3 / vec3<f32>(distance_3));
     return point_0;
 }
@@ -1809,8 +1813,12 @@ fn radiance_of_0( emitter_5 : u32,  place_10 : Place_0) -> vec3<f32>
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
 {
-    var _S124 : f32 = min(other_0 / own_2, 9.9999998430674944e+17f);
-    return 1.0f / (own_2 * (1.0f + _S124 * _S124));
+    var ratio_0 : f32 = other_0 / own_2;
+    if(ratio_0 > 9.9999998430674944e+17f)
+    {
+        return 0.0f;
+    }
+    return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
 }
 
 fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Choice_0,  key_6 : vec2<u32>,  first_3 : u32,  bsdf_samples_0 : f32) -> vec3<f32>
@@ -1836,17 +1844,17 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
             return vec3<f32>(0.0f);
         }
         var way_3 : vec3<f64> = position_of_0(point_1.place_9) - surface_2.exact_0;
-        var _S125 : vec3<f32> = vec3<f32>(way_3);
-        var distance_4 : f32 = length(_S125);
-        var direction_8 : vec3<f32> = _S125 / vec3<f32>(distance_4);
+        var _S124 : vec3<f32> = vec3<f32>(way_3);
+        var distance_4 : f32 = length(_S124);
+        var direction_8 : vec3<f32> = _S124 / vec3<f32>(distance_4);
         if((dot(direction_8, axes_6.n_1)) <= 0.0f)
         {
             return vec3<f32>(0.0f);
         }
         var nearest_2 : f64 = nearest_0 / f64(distance_4);
-        var _S126 : f64 = limit_at_0(u32(3));
+        var _S125 : f64 = limit_at_0(u32(3));
         way_2 = way_3;
-        farthest_0 = _S126;
+        farthest_0 = _S125;
         direction_7 = direction_8;
         nearest_1 = nearest_2;
     }
@@ -1855,9 +1863,9 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
         var direction_9 : vec3<f32> = sample_cosine_0(axes_6, random_pair_0(key_6, first_3 + u32(1)));
         point_1.pdf_0 = cosine_pdf_0(axes_6, direction_9);
         point_1.place_9 = surface_2.place_2;
-        var _S127 : f64 = limit_at_0(u32(1));
+        var _S126 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_9);
-        farthest_0 = _S127;
+        farthest_0 = _S126;
         direction_7 = direction_9;
         nearest_1 = nearest_0;
     }
@@ -1872,14 +1880,14 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
     {
         return vec3<f32>(0.0f);
     }
-    var _S128 : vec3<f32> = radiance_of_0(emitter_6, point_1.place_9);
-    return _S128 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1)));
+    var _S127 : vec3<f32> = radiance_of_0(emitter_6, point_1.place_9);
+    return _S127 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1)));
 }
 
 fn first_from_0( position_6 : vec3<f64>,  direction_10 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var _S129 : Found_0 = cast_1(position_6, vec3<f64>(direction_10), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S129;
+    var _S128 : Found_0 = cast_1(position_6, vec3<f64>(direction_10), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
+    return _S128;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -1898,25 +1906,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_11 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S130 : bool;
+    var _S129 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S130 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
+        _S129 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
     }
     else
     {
-        _S130 = false;
+        _S129 = false;
     }
-    var _S131 : u32;
-    if(_S130)
+    var _S130 : u32;
+    if(_S129)
     {
-        _S131 = emitter_7;
+        _S130 = emitter_7;
     }
     else
     {
-        _S131 = u32(4294967295);
+        _S130 = u32(4294967295);
     }
-    return _S131;
+    return _S130;
 }
 
 fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12 : vec3<f32>,  distance_5 : f32) -> f32
@@ -1925,17 +1933,17 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
     var rectangle_1 : u32 = word_0(record_9 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S132 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S132.solid_angle_0) > 0.0f))
+        var _S131 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S131.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S132.solid_angle_0) >= 0.00100000004749745f)
+        if((_S131.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S132.solid_angle_0;
+            return 1.0f / _S131.solid_angle_0;
         }
     }
-    var _S133 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
+    var _S132 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_9 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -1949,7 +1957,7 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S133 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S132 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_4 = shares_1.y;
@@ -1959,22 +1967,22 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             own_4 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_4;
-        var _S134 : i32;
+        var _S133 : i32;
         if(is_second_1)
         {
-            _S134 = i32(3);
+            _S133 = i32(3);
         }
         else
         {
-            _S134 = i32(2);
+            _S133 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S134));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S133));
         chosen_2 = chosen_3;
     }
-    var _S135 : u32 = word_0(record_9 + u32(6));
-    var _S136 : u32 = word_0(node_6);
+    var _S134 : u32 = word_0(record_9 + u32(6));
+    var _S135 : u32 = word_0(node_6);
     own_4 = 0.0f;
-    var k_2 : u32 = _S136;
+    var k_2 : u32 = _S135;
     var total_2 : f32 = 0.0f;
     for(;;)
     {
@@ -1985,9 +1993,9 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S135 + k_2), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S134 + k_2), from_2.exact_0);
         var total_3 : f32 = total_2 + angle_4;
-        if(k_2 == _S133)
+        if(k_2 == _S132)
         {
             own_4 = angle_4;
         }
@@ -2016,16 +2024,16 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     var depth_2 : u32 = launch_0.depth_0;
     var first_4 : u32 = vertex_numbers_0(launch_0.depth_0);
     var surface_4 : Surface_0 = surface_at_0((*path_3).place_0, (*path_3).direction_0);
-    var _S137 : i32;
+    var _S136 : i32;
     if(surface_4.is_front_0)
     {
-        _S137 = i32(2);
+        _S136 = i32(2);
     }
     else
     {
-        _S137 = i32(3);
+        _S136 = i32(3);
     }
-    var texture_3 : u32 = word_0(surface_4.shape_0 + u32(_S137));
+    var texture_3 : u32 = word_0(surface_4.shape_0 + u32(_S136));
     if(texture_3 == u32(4294967295))
     {
         return false;
@@ -2033,10 +2041,10 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     var reflectance_0 : vec3<f32> = texture_at_0(texture_3, (*path_3).place_0);
     var axes_8 : Axes_0 = axes_at_0(surface_4);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S138 : u32 = word_0(u32(3));
-    var _S139 : bool = !reaches_0(depth_2 + u32(3));
+    var _S137 : u32 = word_0(u32(3));
+    var _S138 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S139)
+    if(_S138)
     {
         goes_on_0 = is_sampled_well_0(surface_4.position_0);
     }
@@ -2051,12 +2059,12 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     }
     else
     {
-        bsdf_samples_1 = _S138;
+        bsdf_samples_1 = _S137;
     }
-    var _S140 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
-    var _S141 : vec3<f32> = vec3<f32>(0.0f);
+    var _S139 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
+    var _S140 : vec3<f32> = vec3<f32>(0.0f);
     var i_4 : u32 = u32(0);
-    var light_2 : vec3<f32> = _S141;
+    var light_2 : vec3<f32> = _S140;
     for(;;)
     {
         if(i_4 < emitter_samples_0)
@@ -2066,8 +2074,8 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         {
             break;
         }
-        var _S142 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, _S140, (*path_3).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1));
-        var light_3 : vec3<f32> = light_2 + _S142;
+        var _S141 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, _S139, (*path_3).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1));
+        var light_3 : vec3<f32> = light_2 + _S141;
         i_4 = i_4 + u32(1);
         light_2 = light_3;
     }
@@ -2099,9 +2107,9 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         var next_1 : Place_0;
         if(k_3 == u32(0))
         {
-            var _S143 : Place_0 = place_of_0(found_9);
+            var _S142 : Place_0 = place_of_0(found_9);
             goes_on_1 = (found_9.face_7) != u32(4294967295);
-            next_1 = _S143;
+            next_1 = _S142;
             next_direction_1 = direction_14;
         }
         else
@@ -2127,10 +2135,10 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         }
         else
         {
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S140) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S139) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
         }
-        var _S144 : vec3<f32> = radiance_of_0(emitter_9, place_of_0(found_9));
-        var light_4 : vec3<f32> = light_2 + _S144 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1)));
+        var _S143 : vec3<f32> = radiance_of_0(emitter_9, place_of_0(found_9));
+        var light_4 : vec3<f32> = light_2 + _S143 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1)));
         goes_on_0 = goes_on_1;
         next_0 = next_1;
         next_direction_0 = next_direction_1;
@@ -2138,7 +2146,7 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         k_3 = k_3 + u32(1);
     }
     (*path_3).light_0 = (*path_3).light_0 + (*path_3).throughput_0 * reflectance_0 * light_2;
-    if(_S139)
+    if(_S138)
     {
         goes_on_0 = true;
     }
@@ -2150,22 +2158,22 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     {
         return false;
     }
-    var _S145 : vec3<f32> = (*path_3).throughput_0 * reflectance_0;
-    (*path_3).throughput_0 = _S145;
-    var _S146 : f32 = max(max(_S145.x, _S145.y), _S145.z);
-    if(!(_S146 > 0.0f))
+    var _S144 : vec3<f32> = (*path_3).throughput_0 * reflectance_0;
+    (*path_3).throughput_0 = _S144;
+    var _S145 : f32 = max(max(_S144.x, _S144.y), _S144.z);
+    if(!(_S145 > 0.0f))
     {
         return false;
     }
-    var _S147 : u32 = depth_2 + u32(1);
-    if(_S147 >= (word_0(u32(1))))
+    var _S146 : u32 = depth_2 + u32(1);
+    if(_S146 >= (word_0(u32(1))))
     {
-        var _S148 : f32 = min(_S146, 0.94999998807907104f);
-        if((random_0((*path_3).key_0, vertex_numbers_0(_S147) - u32(1))) >= _S148)
+        var _S147 : f32 = min(_S145, 0.94999998807907104f);
+        if((random_0((*path_3).key_0, vertex_numbers_0(_S146) - u32(1))) >= _S147)
         {
             return false;
         }
-        (*path_3).throughput_0 = (*path_3).throughput_0 / vec3<f32>(_S148);
+        (*path_3).throughput_0 = (*path_3).throughput_0 / vec3<f32>(_S147);
     }
     (*path_3).place_0 = next_0;
     (*path_3).direction_0 = next_direction_0;
@@ -2222,15 +2230,15 @@ fn go_on(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var path_7 : Path_0 = load_0(number_of_path_2);
     var goes_on_2 : bool = take_further_0(&(path_7));
     store_0(number_of_path_2, path_7);
-    var _S149 : u32;
+    var _S148 : u32;
     if(goes_on_2)
     {
-        _S149 = number_of_path_2;
+        _S148 = number_of_path_2;
     }
     else
     {
-        _S149 = u32(4294967295);
+        _S148 = u32(4294967295);
     }
-    going_on_0[at_14] = _S149;
+    going_on_0[at_14] = _S148;
     return;
 }
