@@ -153,8 +153,8 @@ fn two_mirrors() {
     paths(&mut scene, 4);
     let expression = "block.translate.x + 0.2*second.rotate.z";
     let case = Case {
-        patience: 8.0,
-        ..case(600)
+        patience: 12.0,
+        ..case(400)
     };
     moves("two mirrors", scene, expression, case);
 }

@@ -74,8 +74,8 @@ fn lattice_shadow() {
     // Its tubes are thin: a step of their size would blur their shadows.
     let case = Case {
         step: 1e-2,
-        gradient_spp: 1000,
-        reference_spp: 2560,
+        gradient_spp: 600,
+        reference_spp: 1536,
         ..Case::default()
     };
     let expression = "lattice.translate.x + 0.7*lattice.translate.z";
