@@ -64,17 +64,8 @@ impl DeviceRayTree {
         let Some(tree) = &mut self.tree else {
             return Ok(());
         };
-        let is_first = self.refit.is_none();
-        let mut refit = match self.refit.take() {
-            Some(refit) => refit,
-            None => Refit::new(&self.gpu, tree, &Primitives::Triangles, &self.below, mesh)?,
-        };
-        let frame = refit.follow(&self.gpu, tree, mesh);
-        // What the first mesh was like counts once the tree has followed it.
-        if frame.is_ok() || !is_first {
-            self.refit = Some(refit);
-        }
-        self.frame = frame?;
+        let what = (&Primitives::Triangles, &self.below[..]);
+        self.frame = Refit::move_tree(&mut self.refit, &self.gpu, tree, what, mesh)?;
         Ok(())
     }
 

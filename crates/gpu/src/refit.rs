@@ -101,9 +101,27 @@ pub struct Refit {
 }
 
 impl Refit {
-    /// Uploads the faces of the mesh, and takes memory for all else. `below` is what the tree's
-    /// buffers call so.
-    pub fn new(
+    /// Moves a tree to where the vertices of the mesh are, and returns its new frame; what that takes
+    /// is made for the first mesh, and kept once the tree has followed it. `below` is what the tree's
+    /// buffers call so. After any error the tree is what it was.
+    pub fn move_tree(
+        kept: &mut Option<Self>,
+        gpu: &Gpu,
+        tree: &mut Resident,
+        (primitives, below): (&Primitives, &[u32]),
+        mesh: &Mesh,
+    ) -> Result<LocalFrame, GpuError> {
+        if let Some(refit) = kept {
+            return refit.follow(gpu, tree, mesh);
+        }
+        let mut refit = Self::new(gpu, tree, primitives, below, mesh)?;
+        let frame = refit.follow(gpu, tree, mesh)?;
+        *kept = Some(refit);
+        Ok(frame)
+    }
+
+    /// Uploads the faces of the mesh, and takes memory for all else.
+    fn new(
         gpu: &Gpu,
         tree: &Resident,
         primitives: &Primitives,
@@ -137,7 +155,7 @@ impl Refit {
 
     /// Moves the tree to where the vertices of the mesh are, and returns its new frame. After
     /// any error the tree is what it was.
-    pub fn follow(
+    fn follow(
         &mut self,
         gpu: &Gpu,
         tree: &mut Resident,
