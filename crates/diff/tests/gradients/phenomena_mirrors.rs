@@ -111,7 +111,11 @@ fn corner_of_a_mirror() {
 fn camera_before_a_mirror() {
     let scene = block_before_a_mirror();
     let expression = "sensor.translate.x + 0.3*sensor.rotate.z";
-    moves("mirror", scene, expression, case(600));
+    let case = Case {
+        patience: 4.5,
+        ..case(400)
+    };
+    moves("mirror", scene, expression, case);
 }
 
 /// Two panels lie in one plane, and the second of them moves: the plane has no one motion.
@@ -170,8 +174,8 @@ fn block_behind_a_pane() {
     add_sky(&mut scene);
     let expression = "behind.translate.x + 0.2*mirror.rotate.z";
     let case = Case {
-        patience: 4.5,
-        ..case(450)
+        patience: 6.8,
+        ..case(300)
     };
     moves("pane", scene, expression, case);
 }
@@ -197,9 +201,9 @@ fn shadow_by_way_of_a_mirror() {
     scene.film.filter = Filter::Box;
     let case = Case {
         step: 2e-2,
-        gradient_spp: 1000,
-        reference_spp: 1000,
-        patience: 3.0,
+        gradient_spp: 640,
+        reference_spp: 640,
+        patience: 4.7,
         ..Case::default()
     };
     moves("by way of a mirror", scene, "block.translate.y", case);
