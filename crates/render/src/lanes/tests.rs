@@ -117,7 +117,7 @@ fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
         means[0] / means[1]
     );
     assert!(lit > 5000, "{what}: {lit}");
-    assert!(differ < 60, "{what}: {differ} differ");
+    assert!(differ < 8, "{what}: {differ} differ");
     assert!(
         (means[0] / means[1] - 1.0).abs() < 0.01,
         "{what}: {means:?}"
