@@ -14,8 +14,8 @@ const WIDER: f64 = 1.0 / (1 << 20) as f64;
 const ENDLESS: f64 = 1e30;
 
 /// Writes the ray of a sample: where it enters the tree, in local units, its direction, how long it
-/// is (negative if it misses the tree), and the key of its random
-/// numbers. Returns its weight in the pixel.
+/// is (negative if it misses the tree), and the key of its random numbers. Returns its weight in
+/// the pixel.
 pub fn write_camera_ray(
     tracer: &Tracer,
     frame: &LocalFrame,

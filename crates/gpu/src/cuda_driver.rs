@@ -44,7 +44,7 @@ pub struct CudaDriver {
     name: String,
     version: String,
     largest: u64,
-    /// Those that were asked for, by their names.
+    /// Those that were asked for, by their keys.
     kernels: Mutex<BTreeMap<(&'static str, usize), Loaded>>,
     /// The words of a launch; one launch at a time has them, and the kernel's parameters.
     launch: Mutex<CudaSlice<u32>>,

@@ -7,10 +7,10 @@
 //! seen under less than a millionth of a steradian.) Rays come in packets, whose arithmetic is in
 //! single precision ([`PacketTree`]); points on the emitter, diffuse surfaces, rough metal and rough
 //! plastic in loops over the lanes without a branch, of which the compiler makes vectors; other lobes
-//! one by one, but for their frames. A ray that passes an edge within a millionth of the scene may find another face than it does there. Scenes in which
-//! that could be seen are left to the tracer: with thin faces, surfaces close to each other, or a
-//! camera so near that it is more than two thousandths of a pixel ([`PacketTree::resolves`],
-//! [`NEAREST`]).
+//! one by one, but for their frames. A ray that passes an edge within a millionth of the scene may
+//! find another face than it does there. Scenes in which that could be seen are left to the tracer:
+//! with thin faces, surfaces close to each other, or a camera so near that it is more than two
+//! thousandths of a pixel ([`PacketTree::resolves`], [`NEAREST`]).
 
 mod frames;
 mod lobes;
