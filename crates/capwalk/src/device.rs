@@ -27,6 +27,21 @@ pub struct DeviceRendering {
     pub remark: Option<String>,
 }
 
+/// An image from a GPU, or that the processor has to render it.
+pub enum Found {
+    #[cfg_attr(
+        not(feature = "gpu"),
+        allow(dead_code, reason = "there is no GPU to find it on")
+    )]
+    Image {
+        rendering: Rendering,
+        adapter: String,
+    },
+    Processor {
+        remark: Option<String>,
+    },
+}
+
 /// Why there is no image from a GPU.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]

@@ -2,22 +2,11 @@
 
 use std::sync::Arc;
 
-use capwalk_diff::{PreparedScene, RenderOptions, Rendering, Watch};
+use capwalk_diff::{PreparedScene, RenderOptions, Watch};
 use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
 use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
 
-use crate::device::{Device, DeviceFailure};
-
-/// An image, or that the processor has to render it.
-pub enum Found {
-    Image {
-        rendering: Rendering,
-        adapter: String,
-    },
-    Processor {
-        remark: Option<String>,
-    },
-}
+use crate::device::{Device, DeviceFailure, Found};
 
 /// The image of a scene from the GPU that is found. The processor, for [`Device::Auto`], where
 /// there is none, or where it has not all that the scene needs.

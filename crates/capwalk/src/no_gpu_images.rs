@@ -1,20 +1,8 @@
 //! `gpu_images.rs` where the feature `gpu` was not built.
 
-use capwalk_diff::{PreparedScene, RenderOptions, Rendering, Watch};
+use capwalk_diff::{PreparedScene, RenderOptions, Watch};
 
-use crate::device::{Device, DeviceFailure};
-
-/// No image: there is no GPU.
-pub enum Found {
-    #[allow(dead_code, reason = "with the feature there is one")]
-    Image {
-        rendering: Rendering,
-        adapter: String,
-    },
-    Processor {
-        remark: Option<String>,
-    },
-}
+use crate::device::{Device, DeviceFailure, Found};
 
 /// The processor, unless a GPU is asked for.
 pub fn image(

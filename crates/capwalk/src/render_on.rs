@@ -2,9 +2,9 @@
 
 use capwalk_diff::{RenderOptions, Watch};
 
-use crate::device::{Device, DeviceRendering};
+use crate::device::{Device, DeviceRendering, Found};
 use crate::error::Error;
-use crate::gpu_images::{self, Found};
+use crate::gpu_images;
 use crate::options::check_spp;
 use crate::prepared::Prepared;
 

@@ -33,6 +33,8 @@
 //! same way: one after the other, each is taken instead of those before it by its share of the
 //! sum so far.
 
+use std::f64::consts::PI;
+
 use capwalk_math::Vec3;
 
 use crate::local_frame::LocalFrame;
@@ -128,6 +130,16 @@ pub struct EdgeCone {
     pub max_angle: f64,
     /// Uniform in `[0, 1)`: what chooses the leaf, and the edge in it.
     pub numbers: [f64; 2],
+}
+
+impl EdgeCone {
+    /// Sine and cosine of the half-angle, or of π if that is less.
+    pub fn sin_cos(&self) -> [f64; 2] {
+        match self.max_angle >= PI {
+            true => [0.0, -1.0],
+            false => self.max_angle.sin_cos().into(),
+        }
+    }
 }
 
 /// An edge sampled in a cone.

@@ -2,6 +2,7 @@
 
 use capwalk_geometry::LocalFrame;
 use capwalk_geometry::buffers::{NONE, TRIANGLE};
+use capwalk_geometry::ray::EDGE_ON;
 use capwalk_gpu::Precision;
 use capwalk_render::{Plan, PreparedScene};
 use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, Shape, TextureId};
@@ -22,7 +23,7 @@ const SINGLE_TESTS: [f64; 4] = [
     1.0 / (1 << 16) as f64,
     1.0 - 1.0 / (1 << 16) as f64,
 ];
-const DOUBLE_TESTS: [f64; 4] = [1.0 / (1_u64 << 50) as f64, f64::MAX, 0.0, 1.0 - 1e-9];
+const DOUBLE_TESTS: [f64; 4] = [EDGE_ON, f64::MAX, 0.0, 1.0 - 1e-9];
 
 /// The arrays of a scene.
 pub struct SceneRecords {

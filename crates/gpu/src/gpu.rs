@@ -68,7 +68,7 @@ pub struct Gpu {
     options: GpuOptions,
     precision: Precision,
     /// Of each kernel that has run, the queries that a launch should have.
-    pace: Mutex<BTreeMap<&'static str, usize>>,
+    pace: Mutex<BTreeMap<(&'static str, usize), usize>>,
     /// Nanoseconds that launches took.
     busy: AtomicU64,
     copies: Mutex<Copies>,
@@ -228,7 +228,7 @@ impl Gpu {
         let timeout = self.options.timeout;
         let mut rest = whole;
         while rest.first < whole.end {
-            let size = *locked(&self.pace).entry(kernel.name).or_insert(FIRST);
+            let size = *locked(&self.pace).entry(kernel.key()).or_insert(FIRST);
             let launch = Launch {
                 end: whole.end.min(rest.first.saturating_add(size as u32)),
                 ..rest
@@ -246,7 +246,7 @@ impl Gpu {
             } else {
                 size
             };
-            locked(&self.pace).insert(kernel.name, next);
+            locked(&self.pace).insert(kernel.key(), next);
             rest.first = launch.end;
         }
         Ok(())

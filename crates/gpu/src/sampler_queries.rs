@@ -1,6 +1,5 @@
 //! Edges sampled in cones, in batches.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use capwalk_geometry::buffers::{EDGE, NONE};
@@ -133,10 +132,7 @@ impl DeviceEdgeSampler {
             let bits = (number * ALL_BITS) as u64;
             words.copy_from_slice(&[(bits >> 32) as u32, bits as u32]);
         }
-        let [sin, cos] = match cone.max_angle >= PI {
-            true => [0.0, -1.0],
-            false => cone.max_angle.sin_cos().into(),
-        };
+        let [sin, cos] = cone.sin_cos();
         // The size of the apex, and of what is in the tree.
         let (clear, size) = match precision {
             Precision::Double => (CLEAR, exact[13]),

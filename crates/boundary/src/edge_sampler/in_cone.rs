@@ -98,7 +98,7 @@ fn importance(cone: &EdgeCone, bounds: &EdgeBounds) -> f64 {
 
 /// True if the ball around edges certainly does not meet the cone.
 fn is_beside(cone: &EdgeCone, bounds: &EdgeBounds, offset: Vec3, distance: f64) -> bool {
-    let [sin, cos] = sin_cos(cone.max_angle);
+    let [sin, cos] = cone.sin_cos();
     let z = cone.axis.dot(offset);
     let radial = offset - cone.axis * z;
     let rho = radial.dot(radial).sqrt();
@@ -131,13 +131,4 @@ fn numbers_of(bounds: &EdgeBounds) -> [f64; BOUNDS] {
     numbers[11] = bounds.visibility.reach();
     numbers[12..].copy_from_slice(&bounds.visibility.shares().map(f64::from));
     numbers
-}
-
-/// Sine and cosine of a half-angle up to π.
-fn sin_cos(angle: f64) -> [f64; 2] {
-    if angle >= PI {
-        return [0.0, -1.0];
-    }
-    let (sin, cos) = angle.sin_cos();
-    [sin, cos]
 }
