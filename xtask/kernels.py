@@ -25,6 +25,8 @@ ENTRIES = {
     "bounds": ["bound_triangles", "bound_edges"],
     "sampled": ["sample_edges"],
     "render": ["begin_paths", "go_on"],
+    "forward": ["begin_forward", "go_on_forward"],
+    "reverse": ["begin_reverse", "go_on_reverse", "go_back"],
 }
 # Where files are that sources include.
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")

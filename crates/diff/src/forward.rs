@@ -232,6 +232,11 @@ impl<'a> GradientWork<'a> {
         self.prepared.boundaries_if(moves)
     }
 
+    /// Refuses what can be seen without a sample: all that is refused, unless something moves.
+    pub fn check(&self) -> Result<(), Refusal> {
+        self.refuse(&self.options)
+    }
+
     /// Refuses what can be seen without a sample.
     fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
         let (prepared, tangent) = (self.prepared, &*self.tangent);

@@ -4,7 +4,7 @@ use capwalk_boundary::{Accel, Field, Motion, Numbers, Viewpoint, Warp};
 use capwalk_math::{Dual, Rgb, Vec3};
 use capwalk_render::{SceneEval, Warped, vertex_normal};
 use capwalk_scene::sensor::view::View;
-use capwalk_scene::{Scene, Tangent, TextureId};
+use capwalk_scene::{Scene, SensorVectors, Tangent, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::adjoint::Wanted;
@@ -178,6 +178,10 @@ impl SceneEval<D> for Forward<'_> {
     #[inline]
     fn moves(&self) -> bool {
         self.boundaries_move || self.tangent.sensor.moves_rays()
+    }
+    #[inline]
+    fn rests(&self) -> bool {
+        !self.boundaries_move && self.tangent.sensor == SensorVectors::default()
     }
     fn warp(
         &self,

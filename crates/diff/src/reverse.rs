@@ -40,6 +40,21 @@ pub struct Backward {
 }
 
 impl Backward {
+    /// From independent estimates, at least one, each with how many samples it has, at least one.
+    pub fn new(batches: Vec<(Gradient, u64)>, statistics: Statistics) -> Self {
+        // The mean over all samples, however many each batch has.
+        let samples: u64 = batches.iter().map(|(_, n)| n).sum();
+        let mut mean = batches[0].0.scaled(0.0);
+        for (batch, n) in &batches {
+            mean.add(&batch.scaled(*n as f64 / samples as f64));
+        }
+        Self {
+            batches,
+            mean,
+            statistics,
+        }
+    }
+
     /// The gradient: what every vertex, normal, colour and the sensor
     /// contribute per unit of their change. Its inner product with a motion is
     /// the derivative along it. Shapes that were not asked for have `None`.
@@ -241,6 +256,11 @@ impl<'a> BackwardWork<'a> {
         self.prepared.boundaries_if(self.wanted.moves())
     }
 
+    /// Refuses what can be seen without a sample: all that is refused, unless something moves.
+    pub fn check(&self) -> Result<(), Refusal> {
+        self.refuse(&self.options)
+    }
+
     /// Refuses what can be seen without a sample.
     fn refuse(&self, options: &GradientOptions) -> Result<(), Refusal> {
         let (prepared, wanted) = (self.prepared, &self.wanted);
@@ -293,17 +313,7 @@ impl<'a> BackwardWork<'a> {
             refuse_uncovered(scene, uncovered, samples, &self.options.method)?;
         }
         statistics.missing = (uncovered > 0).then(|| missing(&radiances));
-        // The mean over all samples, however many each batch has.
-        let samples: u64 = gradients.iter().map(|(_, n)| n).sum();
-        let mut mean = gradients[0].0.scaled(0.0);
-        for (batch, n) in &gradients {
-            mean.add(&batch.scaled(*n as f64 / samples as f64));
-        }
-        Ok(Backward {
-            batches: gradients,
-            mean,
-            statistics,
-        })
+        Ok(Backward::new(gradients, statistics))
     }
 
     fn fingerprint(&self) -> u64 {

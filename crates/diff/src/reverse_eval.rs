@@ -242,6 +242,10 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
     fn moves(&self) -> bool {
         self.wanted.geometry()
     }
+    #[inline]
+    fn rests(&self) -> bool {
+        !self.wanted.geometry() && !self.wanted.film
+    }
     fn warp(
         &self,
         viewpoint: &Viewpoint<Var<'t>>,

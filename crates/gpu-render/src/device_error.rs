@@ -1,5 +1,6 @@
 //! Why there is no image.
 
+use capwalk_diff::Refusal;
 use capwalk_gpu::GpuError;
 
 use crate::unsupported::Unsupported;
@@ -11,6 +12,9 @@ pub enum DeviceError {
     /// The scene or the options have something that the device's renderer has not.
     #[error(transparent)]
     Unsupported(#[from] Unsupported),
+    /// The derivative would not be right, on no device.
+    #[error(transparent)]
+    Refused(#[from] Refusal),
     /// The device fails.
     #[error(transparent)]
     Gpu(#[from] GpuError),

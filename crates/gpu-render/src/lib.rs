@@ -1,5 +1,5 @@
-//! Primal images on a device: a path tracer that samples what the processor's does, with the same
-//! random numbers and weights.
+//! Images and derivatives on a device: a path tracer that samples what the processor's does, with the
+//! same random numbers and weights.
 //!
 //! ```no_run
 //! use std::sync::Arc;
@@ -20,18 +20,28 @@
 //! own: in a fixed order, in double precision, with standard errors. So the same scene, options and
 //! device give the same bits.
 //!
-//! What a scene may have is little yet: see [`unsupported()`].
+//! Derivatives are by texels: of the image along a direction ([`DeviceScene::gradient`]), whose
+//! kernels carry a derivative beside each colour, and of a loss by all of them at once
+//! ([`DeviceScene::backward`]), whose kernels keep the vertices of paths and go back along them.
+//!
+//! What a scene may have is little yet: see [`unsupported()`], and [`unsupported_derivative`].
 
+mod averages;
 mod camera_rays;
+mod derivative_image;
 mod device_error;
 mod device_scene;
 mod emitter_records;
+mod fixed_point;
+mod images;
+mod part_size;
 mod paths;
 mod render_kernels;
 mod scene_records;
+mod texel_gradient;
 mod texture_records;
 mod unsupported;
 
 pub use device_error::DeviceError;
 pub use device_scene::DeviceScene;
-pub use unsupported::{Unsupported, unsupported};
+pub use unsupported::{Unsupported, unsupported, unsupported_derivative};

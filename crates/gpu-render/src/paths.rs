@@ -1,94 +1,161 @@
 //! Room on the device for a part of the samples, and the stages that they go through.
 
 use capwalk_geometry::buffers::NONE;
-use capwalk_gpu::{DeviceArray, Gpu, GpuError};
+use capwalk_gpu::{CompiledKernel, DeviceArray, Gpu, GpuError};
 use capwalk_render::Watch;
 
-use crate::render_kernels::{BEGIN_PATHS, CAMERA_RAY, GO_ON, PATH};
+use crate::render_kernels::{GO_BACK, PathKernels};
 
-/// Room for so many paths.
+/// Room for so many paths in a scene.
 #[derive(Debug)]
-pub struct Paths {
+pub struct Paths<'a> {
+    gpu: &'a Gpu,
+    /// The five arrays of the scene.
+    scene: [&'a DeviceArray; 5],
+    kernels: &'static PathKernels,
     room: usize,
-    /// The camera's rays, and then the list of the paths that go on.
+    /// How many vertices of each path can be kept.
+    levels: usize,
+    /// The camera's rays, and then the list of the paths that go on; behind them how textures
+    /// change.
     input: DeviceArray,
     /// What is known of each.
     state: DeviceArray,
-    /// Those of the list that go on after it.
-    going_on: DeviceArray,
+    /// Sums over all paths.
+    sums: DeviceArray,
 }
 
-impl Paths {
-    /// Bytes of the largest array, per path.
-    pub const BYTES: usize = 4 * PATH;
+/// How far paths were followed.
+#[derive(Debug)]
+pub enum Followed {
+    /// To their ends. Of each vertex the paths that get to it, in order.
+    ToTheEnd(Vec<Vec<u32>>),
+    /// Until the watch stopped it.
+    Stopped,
+    /// Until there was no room to keep a vertex.
+    NoLevel,
+}
+
+impl<'a> Paths<'a> {
+    /// Room for so many paths, of each of which so many vertices can be kept if the kernels keep any,
+    /// with these words that tell how textures change, and with so many words of sums.
+    pub fn new(
+        gpu: &'a Gpu,
+        scene: [&'a DeviceArray; 5],
+        kernels: &'static PathKernels,
+        [room, levels]: [usize; 2],
+        changes: &[u32],
+        sums: usize,
+    ) -> Result<Self, GpuError> {
+        let array = |words: usize| gpu.array(4 * words as u64);
+        let mut words = vec![0; kernels.ray * room];
+        words.extend(changes);
+        let input = array(words.len())?;
+        gpu.write(&input, bytemuck::cast_slice(&words))?;
+        Ok(Self {
+            gpu,
+            scene,
+            kernels,
+            room,
+            levels,
+            input,
+            state: array(kernels.words(levels) * room)?,
+            sums: array(sums)?,
+        })
+    }
 
     /// How many there is room for.
     pub fn room(&self) -> usize {
         self.room
     }
 
-    /// Room for so many paths.
-    pub fn new(gpu: &Gpu, room: usize) -> Result<Self, GpuError> {
-        let array = |words: usize| gpu.array((4 * words * room) as u64);
-        Ok(Self {
-            room,
-            input: array(CAMERA_RAY)?,
-            state: array(PATH)?,
-            going_on: array(1)?,
-        })
+    /// Follows paths, given their camera rays.
+    pub fn follow(&self, rays: &[u32], watch: &dyn Watch) -> Result<Followed, GpuError> {
+        let count = rays.len() / self.kernels.ray;
+        self.gpu.write(&self.input, bytemuck::cast_slice(rays))?;
+        self.launch(&self.kernels.begin, count, 0)?;
+        let mut lists = Vec::new();
+        let mut listed = count;
+        loop {
+            // In the order of the paths, whichever thread was first.
+            let mut list = vec![0_u32; listed];
+            self.gpu
+                .read(&self.state, bytemuck::cast_slice_mut(&mut list))?;
+            list.retain(|&path| path != NONE);
+            if list.is_empty() {
+                return Ok(Followed::ToTheEnd(lists));
+            }
+            if watch.should_stop() {
+                return Ok(Followed::Stopped);
+            }
+            if self.kernels.keeps() && lists.len() == self.levels {
+                return Ok(Followed::NoLevel);
+            }
+            self.gpu.write(&self.input, bytemuck::cast_slice(&list))?;
+            self.launch(&self.kernels.go_on, list.len(), lists.len())?;
+            listed = list.len();
+            lists.push(list);
+        }
     }
 
-    /// Follows paths to their ends, given their camera rays, and returns the light that each one
-    /// carries; `None` if the watch stopped it. `scene` are the five arrays of a scene.
-    pub fn light(
-        &self,
-        gpu: &Gpu,
-        scene: [&DeviceArray; 5],
-        rays: &[u32],
-        watch: &dyn Watch,
-    ) -> Result<Option<Vec<[f32; 3]>>, GpuError> {
-        let count = rays.len() / CAMERA_RAY;
-        let [nodes, leaf_starts, primitives, faces, records] = scene;
-        let (input, state, going_on) = (&self.input, &self.state, &self.going_on);
+    /// The first numbers of each path: its light and what comes with it.
+    pub fn numbers<const N: usize>(&self, count: usize) -> Result<Vec<[f32; N]>, GpuError> {
+        // One array for each behind that of the list, as long as there is room for paths.
+        let mut arrays = vec![0_f32; N * self.room + count];
+        self.gpu
+            .read(&self.state, bytemuck::cast_slice_mut(&mut arrays))?;
+        let of_path =
+            |path: usize| std::array::from_fn(|number| arrays[(number + 1) * self.room + path]);
+        Ok((0..count).map(of_path).collect())
+    }
+
+    /// Takes the light that arrives behind vertices back to the camera, given the paths that got to
+    /// each; false if the watch stopped it.
+    pub fn go_back(&self, lists: &[Vec<u32>], watch: &dyn Watch) -> Result<bool, GpuError> {
+        for (depth, list) in lists.iter().enumerate().rev() {
+            if watch.should_stop() {
+                return Ok(false);
+            }
+            self.gpu.write(&self.input, bytemuck::cast_slice(list))?;
+            self.launch(&GO_BACK, list.len(), depth)?;
+        }
+        Ok(true)
+    }
+
+    /// Begins sums anew.
+    pub fn clear_sums(&self, sums: usize) -> Result<(), GpuError> {
+        self.gpu.write(&self.sums, &vec![0; 4 * sums])
+    }
+
+    /// The words of the sums.
+    pub fn sums(&self, sums: usize) -> Result<Vec<u32>, GpuError> {
+        let mut words = vec![0_u32; sums];
+        self.gpu
+            .read(&self.sums, bytemuck::cast_slice_mut(&mut words))?;
+        Ok(words)
+    }
+
+    fn launch(&self, kernel: &CompiledKernel, count: usize, depth: usize) -> Result<(), GpuError> {
+        assert!(count <= self.room, "there is no room for so many paths");
+        let [nodes, leaf_starts, primitives, faces, records] = self.scene;
         let arrays = [
             nodes,
             leaf_starts,
             primitives,
             faces,
             records,
-            input,
-            state,
-            going_on,
+            &self.input,
+            &self.state,
+            &self.sums,
         ];
-        gpu.write(input, bytemuck::cast_slice(rays))?;
-        let launch = |kernel, count: usize, depth: u32| {
-            assert!(count <= self.room, "there is no room for so many paths");
-            // SAFETY: the arrays of a scene are those that its records were made with, which refer to
-            // nothing behind their ends, and the others have room for all paths.
-            #[allow(unsafe_code)]
-            unsafe {
-                gpu.launch(kernel, arrays, count as u32, [self.room as u32, depth])
-            }
-        };
-        launch(&BEGIN_PATHS, count, 0)?;
-        let mut list = vec![0_u32; count];
-        for depth in 0.. {
-            // In the order of the paths, whichever thread was first.
-            gpu.read(going_on, bytemuck::cast_slice_mut(&mut list))?;
-            list.retain(|&path| path != NONE);
-            if list.is_empty() {
-                break;
-            }
-            if watch.should_stop() {
-                return Ok(None);
-            }
-            gpu.write(input, bytemuck::cast_slice(&list))?;
-            launch(&GO_ON, list.len(), depth)?;
+        let words = [self.room as u32, depth as u32];
+        // SAFETY: the arrays of a scene are those that its records were made with, which refer to
+        // nothing behind their ends; what is behind the rays refers to texels that the records have
+        // and to sums that there is room for; and the others have room for all paths, and for as many
+        // vertices of each as there are levels.
+        #[allow(unsafe_code)]
+        unsafe {
+            self.gpu.launch(kernel, arrays, count as u32, words)
         }
-        // One array for each channel, as long as there is room for paths.
-        let mut channels = vec![0_f32; 2 * self.room + count];
-        gpu.read(state, bytemuck::cast_slice_mut(&mut channels))?;
-        let light = |path: usize| [0, 1, 2].map(|channel| channels[channel * self.room + path]);
-        Ok(Some((0..count).map(light).collect()))
     }
 }

@@ -19,16 +19,63 @@ macro_rules! compiled {
     };
 }
 
-/// Follows the camera's rays to what they hit.
-pub const BEGIN_PATHS: CompiledKernel = compiled!("begin_paths");
+/// The kernels that follow paths for a purpose.
+#[derive(Debug)]
+pub struct PathKernels {
+    /// Follows the camera's rays to what they hit.
+    pub begin: CompiledKernel,
+    /// Takes the paths of a list further by a segment.
+    pub go_on: CompiledKernel,
+    /// Words of a camera's ray.
+    pub ray: usize,
+    /// Words of a path: the first one lists the paths that go on.
+    pub path: usize,
+    /// Words that are kept of each of its vertices.
+    pub vertex: usize,
+}
 
-/// Takes the paths of a list further by a segment.
-pub const GO_ON: CompiledKernel = compiled!("go_on");
+impl PathKernels {
+    /// True if vertices are kept.
+    pub fn keeps(&self) -> bool {
+        self.vertex > 0
+    }
 
-/// Words of a camera's ray.
-pub const CAMERA_RAY: usize = 9;
-/// Words of a path; the first three are its light.
-pub const PATH: usize = 14;
+    /// Words of a path and of so many vertices.
+    pub fn words(&self, levels: usize) -> usize {
+        self.path + self.vertex * levels
+    }
+}
+
+/// Images: behind the list is the light of a path.
+pub const IMAGE: PathKernels = PathKernels {
+    begin: compiled!("begin_paths"),
+    go_on: compiled!("go_on"),
+    ray: 9,
+    path: 15,
+    vertex: 0,
+};
+
+/// Images with their derivative: behind the list is the light of a path, then its derivative.
+pub const FORWARD: PathKernels = PathKernels {
+    begin: compiled!("begin_forward"),
+    go_on: compiled!("go_on_forward"),
+    ray: 9,
+    path: 21,
+    vertex: 0,
+};
+
+/// Derivatives of a loss. Rays end with its derivative by the light of the path, and behind a path
+/// is what is kept of its vertices.
+pub const REVERSE: PathKernels = PathKernels {
+    begin: compiled!("begin_reverse"),
+    go_on: compiled!("go_on_reverse"),
+    ray: 12,
+    path: 18,
+    vertex: 26,
+};
+
+/// Takes what arrives behind the vertices of a list back by one.
+pub const GO_BACK: CompiledKernel = compiled!("go_back");
 
 #[cfg(test)]
 mod tests {
@@ -36,20 +83,37 @@ mod tests {
 
     use super::*;
 
-    /// Whoever changes the source must compile it again, and nobody edits the result.
+    /// Whoever changes a source must compile it again, and nobody edits the result.
     #[test]
     fn compiled_kernels_are_current() {
-        let mut source = include_str!("kernels/render.slang").to_owned();
-        for (name, content) in [
-            ("rays", RAYS_SOURCE),
-            ("numbers", include_str!("kernels/numbers.slang")),
-            ("surfaces", include_str!("kernels/surfaces.slang")),
-            ("emitters", include_str!("kernels/emitters.slang")),
+        let with_includes = |source: &str| {
+            let mut source = source.to_owned();
+            for (name, content) in [
+                ("render", include_str!("kernels/render.slang")),
+                ("paths", include_str!("kernels/paths.slang")),
+                ("rays", RAYS_SOURCE),
+                ("numbers", include_str!("kernels/numbers.slang")),
+                ("surfaces", include_str!("kernels/surfaces.slang")),
+                ("colours", include_str!("kernels/colours.slang")),
+                ("sums", include_str!("kernels/sums.slang")),
+                ("emitters", include_str!("kernels/emitters.slang")),
+            ] {
+                source = source.replace(&format!("#include \"{name}.slang\"\n"), content);
+            }
+            source
+        };
+        let image = [IMAGE.begin, IMAGE.go_on];
+        let forward = [FORWARD.begin, FORWARD.go_on];
+        let reverse = [REVERSE.begin, REVERSE.go_on, GO_BACK];
+        for (source, kernels) in [
+            (include_str!("kernels/render.slang"), &image[..]),
+            (include_str!("kernels/forward.slang"), &forward[..]),
+            (include_str!("kernels/reverse.slang"), &reverse[..]),
         ] {
-            source = source.replace(&format!("#include \"{name}.slang\"\n"), content);
-        }
-        for kernel in [BEGIN_PATHS, GO_ON] {
-            assert_eq!(kernel.check(&source), Ok(()));
+            let source = with_includes(source);
+            for kernel in kernels {
+                assert_eq!(kernel.check(&source), Ok(()));
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use capwalk_render::{Plan, PreparedScene};
 use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, Shape, TextureId};
 
 use crate::emitter_records::emitter_record;
-use crate::texture_records::{TextureRecords, float};
+use crate::texture_records::{Shown, TextureRecords, float};
 
 /// Words before the first array.
 const HEADER: usize = 14;
@@ -37,6 +37,8 @@ pub struct SceneRecords {
     pub primitives: Vec<f64>,
     /// Everything else.
     pub words: Vec<u32>,
+    /// The textures, by their numbers.
+    pub textures: Vec<Shown>,
 }
 
 impl SceneRecords {
@@ -114,6 +116,7 @@ impl SceneRecords {
             faces: buffers.faces,
             primitives,
             words,
+            textures: textures.shown,
         }
     }
 }

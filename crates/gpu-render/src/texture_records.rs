@@ -10,6 +10,17 @@ use capwalk_scene::{Pattern, Scene, Shape, Texture, TextureId};
 pub struct TextureRecords {
     /// Where they start, by what a material names and what the numbers are.
     places: BTreeMap<(u32, u32), u32>,
+    /// What each has, in their order.
+    pub shown: Vec<Shown>,
+}
+
+/// What a record of a texture has.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown {
+    /// Whose numbers they are, all or only those of the first texel.
+    pub numbers: TextureId,
+    /// By what they are multiplied.
+    pub scale: f64,
 }
 
 impl TextureRecords {
@@ -31,13 +42,21 @@ impl TextureRecords {
                 Pattern::MeshAttribute { scale, .. } => *scale,
                 _ => 1.0,
             };
-            add_texture(scene.texture(numbers), scale, is_shown, words)
+            let number = self.shown.len() as u32;
+            self.shown.push(Shown { numbers, scale });
+            add_texture(scene.texture(numbers), scale, is_shown, number, words)
         })
     }
 }
 
-/// Appends a record, and returns where it starts.
-fn add_texture(texture: &Texture, scale: f64, is_shown: bool, words: &mut Vec<u32>) -> u32 {
+/// Appends a record of this number, and returns where it starts.
+fn add_texture(
+    texture: &Texture,
+    scale: f64,
+    is_shown: bool,
+    number: u32,
+    words: &mut Vec<u32>,
+) -> u32 {
     let at = words.len() as u32;
     let plain = Bitmap {
         width: 1,
@@ -70,6 +89,7 @@ fn add_texture(texture: &Texture, scale: f64, is_shown: bool, words: &mut Vec<u3
     words.extend([kind, texture.channels as u32]);
     words.extend([bitmap.width, bitmap.height, is_bilinear.into(), wrap]);
     words.extend(bitmap.to_uv.rows.as_flattened().iter().copied().map(float));
+    words.push(number);
     words.extend(texture.data.iter().map(|x| float(scale * x)));
     at
 }

@@ -1,5 +1,6 @@
 //! What the device's renderer does not have.
 
+use capwalk_diff::Wanted;
 use capwalk_render::{PreparedScene, RenderOptions};
 use capwalk_scene::{Bsdf, BsdfId, Emitter, Integrator, SamplerKind, Scene};
 
@@ -23,6 +24,28 @@ pub fn unsupported(prepared: &PreparedScene) -> Option<Unsupported> {
 pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
     options.adaptive.then(|| Unsupported {
         what: "samples go where the image is noisy (adaptive sampling)".to_owned(),
+    })
+}
+
+/// The first thing of a derivative that the device's renderer does not have. It has derivatives by
+/// texels: the colours of materials, and what emitters send.
+pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Option<Unsupported> {
+    let scene = prepared.scene();
+    let shapes = scene
+        .shapes
+        .iter()
+        .zip(wanted.shapes.iter().zip(&wanted.normals));
+    let mut moving = shapes.filter(|(_, (vertices, normals))| **vertices || **normals);
+    let shape = moving
+        .next()
+        .map(|(shape, _)| format!("shape \"{}\" moves", shape.id));
+    let what = shape.or_else(|| {
+        wanted
+            .moves()
+            .then(|| "the sensor or an emitter moves".to_owned())
+    })?;
+    Some(Unsupported {
+        what: format!("{what}, and derivatives by that are asked for"),
     })
 }
 

@@ -5,22 +5,21 @@ use capwalk_boundary::Sampler;
 use capwalk_scene::Scene;
 use rayon::prelude::*;
 
-use crate::estimate::Rendering;
 use crate::options::{RenderOptions, Watch};
 use crate::ordered_sum::OrderedSum;
 use crate::tiles::{self, Averages, PixelSums, SamplePlace};
 
-/// The image whose samples `take` gives for some places, as many at a time as `most` says each time,
-/// in their order: each one's colour, or `None` if the watch stopped the work before all of them
+/// The averages of the samples that `take` gives for some places, as many at a time as `most` says each
+/// time, in their order: each one's numbers, or `None` if the watch stopped the work before all of them
 /// were there. They are added as those of the processor are, so that equal samples give equal bits,
 /// whatever `most` is. Independent numbers only, and as many samples of each pixel as the options say.
-pub fn average_elsewhere<E>(
+pub fn average_elsewhere<E, const N: usize>(
     scene: &Scene,
     options: &RenderOptions,
     most: impl Fn() -> usize,
     watch: &dyn Watch,
-    mut take: impl FnMut(&[SamplePlace]) -> Result<Option<Vec<[f64; 3]>>, E>,
-) -> Result<Rendering, E> {
+    mut take: impl FnMut(&[SamplePlace]) -> Result<Option<Vec<[f64; N]>>, E>,
+) -> Result<Averages, E> {
     let sampler = Sampler::new(&scene.settings, options.seed, options.spp);
     let grid = tiles::grid(scene, options);
     let [width, height] = scene.film.crop_size;
@@ -38,7 +37,7 @@ pub fn average_elsewhere<E>(
     for batch in 0..grid.batches {
         let samples = grid.samples(batch, options.spp, 1);
         let wanted = samples.len() as u32;
-        let band = |band| PixelSums::new(pixels_of(band).map(|_| wanted), 3);
+        let band = |band| PixelSums::new(pixels_of(band).map(|_| wanted), N);
         let mut bands: Vec<PixelSums> = (0..grid.bands).map(band).collect();
         // One sample of every pixel, then the next one.
         let mut rest = samples.flat_map(|sample| (0..pixels).map(move |pixel| (pixel, sample)));
@@ -67,9 +66,6 @@ pub fn average_elsewhere<E>(
             sum.insert(batch, band);
         }
     }
-    let averages = Averages::new(sums.into_iter().filter_map(OrderedSum::into_sum).collect());
-    Ok(Rendering {
-        value: averages.estimate(scene, 0),
-        statistics: averages.statistics,
-    })
+    let sums = sums.into_iter().filter_map(OrderedSum::into_sum);
+    Ok(Averages::new(sums.collect()))
 }

@@ -50,6 +50,8 @@ pub trait SceneEval<R: Real> {
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;
     /// True if curves in the image can move against the rays.
     fn moves(&self) -> bool;
+    /// True if nothing that is seen moves on the film: then film points need not, either.
+    fn rests(&self) -> bool;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.
     fn warp(
@@ -180,6 +182,10 @@ impl SceneEval<f64> for Primal<'_> {
     #[inline]
     fn moves(&self) -> bool {
         false
+    }
+    #[inline]
+    fn rests(&self) -> bool {
+        true
     }
     #[inline]
     fn warp(&self, _: &Viewpoint<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Warped<f64> {

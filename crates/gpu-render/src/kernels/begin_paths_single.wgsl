@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0f5c39ba1a86e912
-// result: a0532e1320607e9c
+// source: c1f0f7f3967767f5
+// result: c9ab9fce556e4bf4
 
 struct Launch_std140_0
 {
@@ -26,7 +26,15 @@ struct Launch_std140_0
 
 @binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
 
-@binding(7) @group(0) var<storage, read_write> going_on_0 : array<u32>;
+fn constant_0( value_0 : vec3<f32>) -> vec3<f32>
+{
+    return value_0;
+}
+
+fn carried_0( colour_0 : vec3<f32>) -> vec3<f32>
+{
+    return colour_0;
+}
 
 fn word_0( at_0 : u32) -> u32
 {
@@ -640,30 +648,25 @@ fn emitter_record_0( emitter_1 : u32) -> u32
     return word_0(u32(11)) + u32(12) * emitter_1;
 }
 
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    return lookup_0;
+}
+
 fn number_0( at_5 : u32) -> f32
 {
     return (bitcast<f32>((scene_0[at_5])));
-}
-
-fn vector_at_0( at_6 : u32) -> vec3<f32>
-{
-    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
-}
-
-fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
-{
-    var channels_0 : u32 = word_0(texture_0 + u32(1));
-    var at_7 : u32 = texture_0 + u32(12) + channels_0 * index_0;
-    var _S43 : vec3<f32>;
-    if(channels_0 == u32(1))
-    {
-        _S43 = vec3<f32>(number_0(at_7));
-    }
-    else
-    {
-        _S43 = vector_at_0(at_7);
-    }
-    return _S43;
 }
 
 fn uv_of_0( place_1 : Place_0) -> vec2<f32>
@@ -673,8 +676,13 @@ fn uv_of_0( place_1 : Place_0) -> vec2<f32>
     {
         return vec2<f32>(place_1.v_4, place_1.w_3);
     }
-    var at_8 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_2) + u32(1));
-    return vec2<f32>(number_0(at_8), number_0(at_8 + u32(1))) * vec2<f32>((1.0f - place_1.v_4 - place_1.w_3)) + vec2<f32>(number_0(at_8 + u32(2)), number_0(at_8 + u32(3))) * vec2<f32>(place_1.v_4) + vec2<f32>(number_0(at_8 + u32(4)), number_0(at_8 + u32(5))) * vec2<f32>(place_1.w_3);
+    var at_6 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_2) + u32(1));
+    return vec2<f32>(number_0(at_6), number_0(at_6 + u32(1))) * vec2<f32>((1.0f - place_1.v_4 - place_1.w_3)) + vec2<f32>(number_0(at_6 + u32(2)), number_0(at_6 + u32(3))) * vec2<f32>(place_1.v_4) + vec2<f32>(number_0(at_6 + u32(4)), number_0(at_6 + u32(5))) * vec2<f32>(place_1.w_3);
+}
+
+fn vector_at_0( at_7 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_7), number_0(at_7 + u32(1)), number_0(at_7 + u32(2)));
 }
 
 fn floor_of_0( x_1 : f32) -> i32
@@ -718,84 +726,211 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
 {
-    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
-    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
-    var wrap_1 : u32 = word_0(texture_1 + u32(5));
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var place_2 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
-    if((word_0(texture_1 + u32(4))) == u32(0))
+    if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S44 : u32 = row_0 * u32(width_0);
-        var _S45 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return texel_0(texture_1, _S44 + _S45);
+        var _S43 : u32 = row_0 * u32(width_0);
+        var _S44 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S43 + _S44);
     }
     var place_3 : vec2<f32> = place_2 - vec2<f32>(0.5f);
     var x_2 : i32 = floor_of_0(place_3.x);
     var y_1 : i32 = floor_of_0(place_3.y);
     var way_1 : vec2<f32> = place_3 - floor(place_3);
-    var _S46 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S47 : u32 = u32(width_0);
-    var first_1 : u32 = _S46 * _S47;
-    var _S48 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S48 * _S47;
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
+    var _S45 : u32 = wrapped_0(y_1, height_0, wrap_1);
+    var _S46 : u32 = u32(width_0);
+    var first_1 : u32 = _S45 * _S46;
+    var _S47 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S47 * _S46;
     var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
-    var _S49 : vec3<f32> = vec3<f32>(way_1.x);
-    return mix(mix(texel_0(texture_1, first_1 + left_0), texel_0(texture_1, first_1 + right_0), _S49), mix(texel_0(texture_1, second_0 + left_0), texel_0(texture_1, second_0 + right_0), _S49), vec3<f32>(way_1.y));
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0);
+    var _S48 : f32 = back_0.x;
+    var _S49 : f32 = back_0.y;
+    var _S50 : f32 = way_1.x;
+    var _S51 : f32 = way_1.y;
+    lookup_1.weights_0 = vec4<f32>(_S48 * _S49, _S50 * _S49, _S48 * _S51, _S50 * _S51);
+    return lookup_1;
 }
 
-fn texture_at_0( texture_2 : u32,  place_4 : Place_0) -> vec3<f32>
+fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
 {
-    var kind_0 : u32 = word_0(texture_2);
+    var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
-        return texel_0(texture_2, u32(0));
+        return one_texel_0(u32(0));
     }
     var record_0 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
-        return texel_0(texture_2, word_0(record_0));
+        return one_texel_0(word_0(record_0));
     }
     if(kind_0 == u32(3))
     {
-        return texel_0(texture_2, word_0(record_0 + u32(1))) * vec3<f32>((1.0f - place_4.v_4 - place_4.w_3)) + texel_0(texture_2, word_0(record_0 + u32(2))) * vec3<f32>(place_4.v_4) + texel_0(texture_2, word_0(record_0 + u32(3))) * vec3<f32>(place_4.w_3);
+        var lookup_2 : Lookup_0;
+        lookup_2.count_0 = u32(3);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_0 + u32(1)), word_0(record_0 + u32(2)), word_0(record_0 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
+        return lookup_2;
     }
-    var rows_0 : u32 = texture_2 + u32(6);
-    var _S50 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S50, vector_at_0(rows_0)), dot(_S50, vector_at_0(rows_0 + u32(3))));
+    var rows_0 : u32 = texture_1 + u32(6);
+    var _S52 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S52, vector_at_0(rows_0)), dot(_S52, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S51 : vec3<f32> = bitmap_0(texture_2, uv_1);
-        return _S51;
+        var _S53 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S53;
     }
     var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S52 : i32;
+    var _S54 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S52 = i32(1);
+        _S54 = i32(1);
     }
     else
     {
-        _S52 = i32(0);
+        _S54 = i32(0);
     }
-    return texel_0(texture_2, u32(_S52));
+    return one_texel_0(u32(_S54));
 }
 
-fn radiance_of_0( emitter_2 : u32,  place_5 : Place_0) -> vec3<f32>
+fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
 {
-    var _S53 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_2) + u32(1)), place_5);
-    return _S53;
+    var _S55 : u32 = word_0(texture_2 + u32(1));
+    var _S56 : u32 = texture_2 + u32(13);
+    var _S57 : vec3<f32> = vec3<f32>(0.0f);
+    var k_1 : u32 = u32(0);
+    var value_1 : vec3<f32> = _S57;
+    for(;;)
+    {
+        if(k_1 < (lookup_3.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_8 : u32 = _S56 + _S55 * lookup_3.texels_0[k_1];
+        var _S58 : vec3<f32>;
+        if(_S55 == u32(1))
+        {
+            _S58 = vec3<f32>(number_0(at_8));
+        }
+        else
+        {
+            _S58 = vector_at_0(at_8);
+        }
+        var value_2 : vec3<f32> = value_1 + _S58 * vec3<f32>(lookup_3.weights_0[k_1]);
+        k_1 = k_1 + u32(1);
+        value_1 = value_2;
+    }
+    return value_1;
 }
 
-fn set_word_0( path_0 : u32,  which_1 : u32,  value_0 : u32)
+fn colour_at_0( texture_3 : u32,  place_5 : Place_0,  slot_4 : u32) -> vec3<f32>
 {
-    paths_0[which_1 * launch_0.room_0 + path_0] = value_0;
+    var lookup_4 : Lookup_0 = lookup_at_0(texture_3, place_5);
+    return constant_0(texture_value_0(texture_3, lookup_4));
+}
+
+fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  factor_0 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
+{
+    var _S59 : vec3<f32> = colour_at_0(word_0(emitter_record_0(emitter_2) + u32(1)), place_6, u32(0));
+    return factor_0 * _S59;
+}
+
+fn reaches_0( segments_0 : u32) -> bool
+{
+    return segments_0 <= (word_0(u32(0)));
+}
+
+struct Path_0
+{
+     throughput_0 : vec3<f32>,
+     direction_2 : vec3<f32>,
+     place_7 : Place_0,
+     key_0 : vec2<u32>,
+     light_0 : vec3<f32>,
+};
+
+fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
+{
+    var at_9 : u32 = u32(9) * number_of_path_0;
+    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9], input_0[at_9 + u32(1)], input_0[at_9 + u32(2)]))));
+    (*path_0).direction_2 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
+    (*path_0).key_0 = vec2<u32>(input_0[at_9 + u32(7)], input_0[at_9 + u32(8)]);
+    var one_0 : vec3<f32> = constant_0(vec3<f32>(1.0f));
+    (*path_0).throughput_0 = carried_0(one_0);
+    var importance_1 : vec3<f32> = vec3<f32>(0.0f);
+    var t_3 : f32;
+    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_9 + u32(6)])));
+    var found_4 : Found_0;
+    found_4.face_1 = u32(4294967295);
+    found_4.triangle_1 = u32(0);
+    found_4.v_3 = 0.0f;
+    found_4.w_2 = 0.0f;
+    var _S60 : bool;
+    if(length_of_ray_0 >= 0.0f)
+    {
+        _S60 = (word_0(u32(13))) != u32(0);
+    }
+    else
+    {
+        _S60 = false;
+    }
+    if(_S60)
+    {
+        found_4 = cast_0(origin_2, (*path_0).direction_2, 0.0f, length_of_ray_0, false, &(t_3));
+    }
+    (*path_0).place_7 = place_of_0(found_4);
+    var _S61 : vec3<f32> = constant_0(importance_1);
+    var emitter_3 : u32 = emitter_seen_0(found_4, (*path_0).direction_2);
+    if(emitter_3 != u32(4294967295))
+    {
+        _S60 = (word_0(u32(4))) != u32(0);
+    }
+    else
+    {
+        _S60 = false;
+    }
+    var light_1 : vec3<f32>;
+    if(_S60)
+    {
+        var _S62 : vec3<f32> = arriving_0(emitter_3, (*path_0).place_7, one_0, importance_1);
+        light_1 = _S62;
+    }
+    else
+    {
+        light_1 = _S61;
+    }
+    (*path_0).light_0 = light_1;
+    if((found_4.face_1) != u32(4294967295))
+    {
+        _S60 = reaches_0(u32(2));
+    }
+    else
+    {
+        _S60 = false;
+    }
+    return _S60;
+}
+
+fn set_word_0( path_1 : u32,  which_1 : u32,  value_3 : u32)
+{
+    paths_0[which_1 * launch_0.room_0 + path_1] = value_3;
     return;
 }
 
-fn set_vector_0( path_1 : u32,  which_2 : u32,  value_1 : vec3<f32>)
+fn set_vector_0( path_2 : u32,  which_2 : ptr<function, u32>,  value_4 : vec3<f32>)
 {
     var axis_3 : u32 = u32(0);
     for(;;)
@@ -807,108 +942,80 @@ fn set_vector_0( path_1 : u32,  which_2 : u32,  value_1 : vec3<f32>)
         {
             break;
         }
-        set_word_0(path_1, which_2 + axis_3, (bitcast<u32>((value_1[axis_3]))));
+        set_word_0(path_2, (*which_2) + axis_3, (bitcast<u32>((value_4[axis_3]))));
         axis_3 = axis_3 + u32(1);
     }
+    (*which_2) = (*which_2) + u32(3);
     return;
 }
 
-struct Path_0
+fn set_vector_1( path_3 : u32,  which_3 : ptr<function, u32>,  value_5 : vec3<f32>)
 {
-     light_0 : vec3<f32>,
-     throughput_0 : vec3<f32>,
-     direction_2 : vec3<f32>,
-     place_6 : Place_0,
-     key_0 : vec2<u32>,
-};
-
-fn store_0( number_of_path_0 : u32,  path_2 : Path_0)
-{
-    set_vector_0(number_of_path_0, u32(0), path_2.light_0);
-    set_vector_0(number_of_path_0, u32(3), path_2.throughput_0);
-    set_vector_0(number_of_path_0, u32(6), path_2.direction_2);
-    set_word_0(number_of_path_0, u32(9), path_2.place_6.triangle_2);
-    set_word_0(number_of_path_0, u32(10), (bitcast<u32>((path_2.place_6.v_4))));
-    set_word_0(number_of_path_0, u32(11), (bitcast<u32>((path_2.place_6.w_3))));
-    set_word_0(number_of_path_0, u32(12), path_2.key_0.x);
-    set_word_0(number_of_path_0, u32(13), path_2.key_0.y);
+    var axis_4 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_4 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_3, (*which_3) + axis_4, (bitcast<u32>((value_5[axis_4]))));
+        axis_4 = axis_4 + u32(1);
+    }
+    (*which_3) = (*which_3) + u32(3);
     return;
 }
 
-fn reaches_0( segments_0 : u32) -> bool
+fn set_colour_0( path_4 : u32,  which_4 : ptr<function, u32>,  colour_1 : vec3<f32>)
 {
-    return segments_0 <= (word_0(u32(0)));
+    set_vector_1(path_4, &((*which_4)), colour_1);
+    return;
+}
+
+fn set_place_0( path_5 : u32,  which_5 : ptr<function, u32>,  place_8 : Place_0)
+{
+    set_word_0(path_5, (*which_5), place_8.triangle_2);
+    set_word_0(path_5, (*which_5) + u32(1), (bitcast<u32>((place_8.v_4))));
+    set_word_0(path_5, (*which_5) + u32(2), (bitcast<u32>((place_8.w_3))));
+    (*which_5) = (*which_5) + u32(3);
+    return;
+}
+
+fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
+{
+    var at_10 : u32 = u32(1);
+    set_colour_0(number_of_path_1, &(at_10), path_6.light_0);
+    set_colour_0(number_of_path_1, &(at_10), path_6.throughput_0);
+    set_vector_0(number_of_path_1, &(at_10), path_6.direction_2);
+    set_place_0(number_of_path_1, &(at_10), path_6.place_7);
+    set_word_0(number_of_path_1, at_10, path_6.key_0.x);
+    set_word_0(number_of_path_1, at_10 + u32(1), path_6.key_0.y);
+    return;
 }
 
 @compute
 @workgroup_size(64, 1, 1)
 fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var number_of_path_1 : u32 = launch_0.first_0 + thread_0.x;
-    if(number_of_path_1 >= (launch_0.end_0))
+    var number_of_path_2 : u32 = launch_0.first_0 + thread_0.x;
+    if(number_of_path_2 >= (launch_0.end_0))
     {
         return;
     }
-    var at_9 : u32 = u32(9) * number_of_path_1;
-    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9], input_0[at_9 + u32(1)], input_0[at_9 + u32(2)]))));
-    var path_3 : Path_0;
-    path_3.direction_2 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
-    path_3.key_0 = vec2<u32>(input_0[at_9 + u32(7)], input_0[at_9 + u32(8)]);
-    path_3.light_0 = vec3<f32>(0.0f);
-    path_3.throughput_0 = vec3<f32>(1.0f);
-    var t_3 : f32;
-    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_9 + u32(6)])));
-    var found_4 : Found_0;
-    found_4.face_1 = u32(4294967295);
-    found_4.triangle_1 = u32(0);
-    found_4.v_3 = 0.0f;
-    found_4.w_2 = 0.0f;
-    var _S54 : bool;
-    if(length_of_ray_0 >= 0.0f)
+    var path_7 : Path_0;
+    var goes_on_0 : bool = begin_0(number_of_path_2, &(path_7));
+    store_0(number_of_path_2, path_7);
+    var _S63 : u32;
+    if(goes_on_0)
     {
-        _S54 = (word_0(u32(13))) != u32(0);
+        _S63 = number_of_path_2;
     }
     else
     {
-        _S54 = false;
+        _S63 = u32(4294967295);
     }
-    if(_S54)
-    {
-        found_4 = cast_0(origin_2, path_3.direction_2, 0.0f, length_of_ray_0, false, &(t_3));
-    }
-    path_3.place_6 = place_of_0(found_4);
-    var emitter_3 : u32 = emitter_seen_0(found_4, path_3.direction_2);
-    if(emitter_3 != u32(4294967295))
-    {
-        _S54 = (word_0(u32(4))) != u32(0);
-    }
-    else
-    {
-        _S54 = false;
-    }
-    if(_S54)
-    {
-        var _S55 : vec3<f32> = radiance_of_0(emitter_3, path_3.place_6);
-        path_3.light_0 = _S55;
-    }
-    store_0(number_of_path_1, path_3);
-    if((found_4.face_1) != u32(4294967295))
-    {
-        _S54 = reaches_0(u32(2));
-    }
-    else
-    {
-        _S54 = false;
-    }
-    var _S56 : u32;
-    if(_S54)
-    {
-        _S56 = number_of_path_1;
-    }
-    else
-    {
-        _S56 = u32(4294967295);
-    }
-    going_on_0[number_of_path_1] = _S56;
+    set_word_0(number_of_path_2, u32(0), _S63);
     return;
 }

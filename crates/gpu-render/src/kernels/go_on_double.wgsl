@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0f5c39ba1a86e912
-// result: 5f413e2dbf179a1f
+// source: c1f0f7f3967767f5
+// result: bc94892240235766
 
 struct Launch_std140_0
 {
@@ -26,16 +26,29 @@ struct Launch_std140_0
 
 @binding(3) @group(0) var<storage, read> rough_0 : array<vec4<u32>>;
 
-@binding(7) @group(0) var<storage, read_write> going_on_0 : array<u32>;
-
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
 {
     return paths_0[which_0 * launch_0.room_0 + path_0];
 }
 
-fn path_vector_0( path_1 : u32,  which_1 : u32) -> vec3<f32>
+fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
 {
-    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, which_1), path_word_0(path_1, which_1 + u32(1)), path_word_0(path_1, which_1 + u32(2))))));
+    var _S1 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S1;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
+}
+
+fn path_vector_1( path_2 : u32,  which_2 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S2 : u32 = (*which_2) + u32(3);
+    (*which_2) = _S2;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_2, _S2 - u32(3)), path_word_0(path_2, _S2 - u32(2)), path_word_0(path_2, _S2 - u32(1))))));
+}
+
+fn path_colour_0( path_3 : u32,  which_3 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S3 : vec3<f32> = path_vector_1(path_3, &((*which_3)));
+    return _S3;
 }
 
 struct Place_0
@@ -45,31 +58,67 @@ struct Place_0
      w_0 : f32,
 };
 
+fn path_place_0( path_4 : u32,  which_4 : ptr<function, u32>) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_0 = path_word_0(path_4, (*which_4));
+    place_0.v_0 = (bitcast<f32>((path_word_0(path_4, (*which_4) + u32(1)))));
+    place_0.w_0 = (bitcast<f32>((path_word_0(path_4, (*which_4) + u32(2)))));
+    (*which_4) = (*which_4) + u32(3);
+    return place_0;
+}
+
 struct Path_0
 {
-     light_0 : vec3<f32>,
      throughput_0 : vec3<f32>,
      direction_0 : vec3<f32>,
-     place_0 : Place_0,
+     place_1 : Place_0,
      key_0 : vec2<u32>,
+     light_0 : vec3<f32>,
 };
 
 fn load_0( number_of_path_0 : u32) -> Path_0
 {
-    var path_2 : Path_0;
-    path_2.light_0 = path_vector_0(number_of_path_0, u32(0));
-    path_2.throughput_0 = path_vector_0(number_of_path_0, u32(3));
-    path_2.direction_0 = path_vector_0(number_of_path_0, u32(6));
-    path_2.place_0.triangle_0 = path_word_0(number_of_path_0, u32(9));
-    path_2.place_0.v_0 = (bitcast<f32>((path_word_0(number_of_path_0, u32(10)))));
-    path_2.place_0.w_0 = (bitcast<f32>((path_word_0(number_of_path_0, u32(11)))));
-    path_2.key_0 = vec2<u32>(path_word_0(number_of_path_0, u32(12)), path_word_0(number_of_path_0, u32(13)));
-    return path_2;
+    var at_0 : u32 = u32(1);
+    var path_5 : Path_0;
+    var _S4 : vec3<f32> = path_colour_0(number_of_path_0, &(at_0));
+    path_5.light_0 = _S4;
+    var _S5 : vec3<f32> = path_colour_0(number_of_path_0, &(at_0));
+    path_5.throughput_0 = _S5;
+    var _S6 : vec3<f32> = path_vector_0(number_of_path_0, &(at_0));
+    path_5.direction_0 = _S6;
+    var _S7 : Place_0 = path_place_0(number_of_path_0, &(at_0));
+    path_5.place_1 = _S7;
+    path_5.key_0 = vec2<u32>(path_word_0(number_of_path_0, at_0), path_word_0(number_of_path_0, at_0 + u32(1)));
+    return path_5;
 }
 
-fn word_0( at_0 : u32) -> u32
+fn constant_0( value_0 : vec3<f32>) -> vec3<f32>
 {
-    return scene_0[at_0];
+    return value_0;
+}
+
+struct Vertex_0
+{
+     direct_0 : vec3<f32>,
+     onward_0 : vec3<f32>,
+     textures_0 : array<u32, i32(2)>,
+};
+
+fn dark_vertex_0() -> Vertex_0
+{
+    var vertex_0 : Vertex_0;
+    var _S8 : vec3<f32> = constant_0(vec3<f32>(0.0f));
+    vertex_0.direct_0 = _S8;
+    vertex_0.onward_0 = _S8;
+    vertex_0.textures_0[i32(0)] = u32(4294967295);
+    vertex_0.textures_0[i32(1)] = u32(4294967295);
+    return vertex_0;
+}
+
+fn word_0( at_1 : u32) -> u32
+{
+    return scene_0[at_1];
 }
 
 fn vertex_numbers_0( depth_1 : u32) -> u32
@@ -87,23 +136,23 @@ fn shape_of_0( triangle_2 : u32) -> u32
     return word_0(u32(10)) + u32(5) * word_0(triangle_record_0(triangle_2));
 }
 
-fn primitive_vector_0( at_1 : u32) -> vec3<f64>
+fn primitive_vector_0( at_2 : u32) -> vec3<f64>
 {
-    return vec3<f64>(primitives_0[at_1], primitives_0[at_1 + u32(1)], primitives_0[at_1 + u32(2)]);
+    return vec3<f64>(primitives_0[at_2], primitives_0[at_2 + u32(1)], primitives_0[at_2 + u32(2)]);
 }
 
-fn position_of_0( place_1 : Place_0) -> vec3<f64>
+fn position_of_0( place_2 : Place_0) -> vec3<f64>
 {
-    var at_2 : u32 = u32(9) * place_1.triangle_0;
-    var a_0 : vec3<f64> = primitive_vector_0(at_2);
-    return a_0 + (primitive_vector_0(at_2 + u32(3)) - a_0) * vec3<f64>(f64(place_1.v_0)) + (primitive_vector_0(at_2 + u32(6)) - a_0) * vec3<f64>(f64(place_1.w_0));
+    var at_3 : u32 = u32(9) * place_2.triangle_0;
+    var a_0 : vec3<f64> = primitive_vector_0(at_3);
+    return a_0 + (primitive_vector_0(at_3 + u32(3)) - a_0) * vec3<f64>(f64(place_2.v_0)) + (primitive_vector_0(at_3 + u32(6)) - a_0) * vec3<f64>(f64(place_2.w_0));
 }
 
 fn cross_of_0( triangle_3 : u32) -> vec3<f32>
 {
-    var at_3 : u32 = u32(9) * triangle_3;
-    var a_1 : vec3<f64> = primitive_vector_0(at_3);
-    return cross(vec3<f32>(primitive_vector_0(at_3 + u32(3)) - a_1), vec3<f32>(primitive_vector_0(at_3 + u32(6)) - a_1));
+    var at_4 : u32 = u32(9) * triangle_3;
+    var a_1 : vec3<f64> = primitive_vector_0(at_4);
+    return cross(vec3<f32>(primitive_vector_0(at_4 + u32(3)) - a_1), vec3<f32>(primitive_vector_0(at_4 + u32(6)) - a_1));
 }
 
 fn unit_0( v_1 : vec3<f32>) -> vec3<f32>
@@ -111,19 +160,19 @@ fn unit_0( v_1 : vec3<f32>) -> vec3<f32>
     return normalize(v_1 / vec3<f32>(max(max(abs(v_1.x), abs(v_1.y)), abs(v_1.z))));
 }
 
-fn number_0( at_4 : u32) -> f32
+fn number_0( at_5 : u32) -> f32
 {
-    return (bitcast<f32>((scene_0[at_4])));
+    return (bitcast<f32>((scene_0[at_5])));
 }
 
-fn vector_at_0( at_5 : u32) -> vec3<f32>
+fn vector_at_0( at_6 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_0(at_5), number_0(at_5 + u32(1)), number_0(at_5 + u32(2)));
+    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
 }
 
 struct Surface_0
 {
-     place_2 : Place_0,
+     place_3 : Place_0,
      shape_0 : u32,
      exact_0 : vec3<f64>,
      position_0 : vec3<f32>,
@@ -132,19 +181,19 @@ struct Surface_0
      is_front_0 : bool,
 };
 
-fn surface_at_0( place_3 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
+fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
 {
     var surface_0 : Surface_0;
-    surface_0.place_2 = place_3;
-    surface_0.shape_0 = shape_of_0(place_3.triangle_0);
-    var _S1 : vec3<f64> = position_of_0(place_3);
-    surface_0.exact_0 = _S1;
-    surface_0.position_0 = vec3<f32>(_S1);
-    var _S2 : vec3<f32> = unit_0(cross_of_0(place_3.triangle_0));
-    surface_0.face_normal_0 = _S2;
-    surface_0.outward_0 = _S2;
+    surface_0.place_3 = place_4;
+    surface_0.shape_0 = shape_of_0(place_4.triangle_0);
+    var _S9 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S9;
+    surface_0.position_0 = vec3<f32>(_S9);
+    var _S10 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S10;
+    surface_0.outward_0 = _S10;
     var seen_0 : f32;
-    if((dot(_S2, direction_1)) > 0.0f)
+    if((dot(_S10, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -155,7 +204,7 @@ fn surface_at_0( place_3 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var normals_0 : u32 = word_0(surface_0.shape_0);
     if(normals_0 != u32(4294967295))
     {
-        var record_0 : u32 = triangle_record_0(place_3.triangle_0) + u32(2);
+        var record_0 : u32 = triangle_record_0(place_4.triangle_0) + u32(2);
         var a_2 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0));
         var b_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(1)));
         var c_0 : vec3<f32> = vector_at_0(normals_0 + u32(3) * word_0(record_0 + u32(2)));
@@ -163,37 +212,37 @@ fn surface_at_0( place_3 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
         {
             seen_0 = - seen_0;
         }
-        surface_0.outward_0 = normalize(a_2 + (b_0 - a_2) * vec3<f32>(place_3.v_0) + (c_0 - a_2) * vec3<f32>(place_3.w_0));
+        surface_0.outward_0 = normalize(a_2 + (b_0 - a_2) * vec3<f32>(place_4.v_0) + (c_0 - a_2) * vec3<f32>(place_4.w_0));
     }
     surface_0.is_front_0 = seen_0 > 0.0f;
     return surface_0;
 }
 
-fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
+struct Lookup_0
 {
-    var channels_0 : u32 = word_0(texture_0 + u32(1));
-    var at_6 : u32 = texture_0 + u32(12) + channels_0 * index_0;
-    var _S3 : vec3<f32>;
-    if(channels_0 == u32(1))
-    {
-        _S3 = vec3<f32>(number_0(at_6));
-    }
-    else
-    {
-        _S3 = vector_at_0(at_6);
-    }
-    return _S3;
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    return lookup_0;
 }
 
-fn uv_of_0( place_4 : Place_0) -> vec2<f32>
+fn uv_of_0( place_5 : Place_0) -> vec2<f32>
 {
-    var uvs_0 : u32 = word_0(shape_of_0(place_4.triangle_0) + u32(1));
+    var uvs_0 : u32 = word_0(shape_of_0(place_5.triangle_0) + u32(1));
     if(uvs_0 == u32(4294967295))
     {
-        return vec2<f32>(place_4.v_0, place_4.w_0);
+        return vec2<f32>(place_5.v_0, place_5.w_0);
     }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_4.triangle_0) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_4.v_0 - place_4.w_0)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_4.v_0) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_4.w_0);
+    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_5.triangle_0) + u32(1));
+    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_5.v_0 - place_5.w_0)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_5.v_0) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_5.w_0);
 }
 
 fn floor_of_0( x_0 : f32) -> i32
@@ -237,69 +286,120 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
 {
-    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
-    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
-    var wrap_1 : u32 = word_0(texture_1 + u32(5));
-    var place_5 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
-    if((word_0(texture_1 + u32(4))) == u32(0))
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_0 + u32(5));
+    var place_6 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
+    if((word_0(texture_0 + u32(4))) == u32(0))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_5.y), height_0, wrap_1);
-        var _S4 : u32 = row_0 * u32(width_0);
-        var _S5 : u32 = wrapped_0(floor_of_0(place_5.x), width_0, wrap_1);
-        return texel_0(texture_1, _S4 + _S5);
+        var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
+        var _S11 : u32 = row_0 * u32(width_0);
+        var _S12 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S11 + _S12);
     }
-    var place_6 : vec2<f32> = place_5 - vec2<f32>(0.5f);
-    var x_1 : i32 = floor_of_0(place_6.x);
-    var y_0 : i32 = floor_of_0(place_6.y);
-    var way_0 : vec2<f32> = place_6 - floor(place_6);
-    var _S6 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S7 : u32 = u32(width_0);
-    var first_1 : u32 = _S6 * _S7;
-    var _S8 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S8 * _S7;
+    var place_7 : vec2<f32> = place_6 - vec2<f32>(0.5f);
+    var x_1 : i32 = floor_of_0(place_7.x);
+    var y_0 : i32 = floor_of_0(place_7.y);
+    var way_0 : vec2<f32> = place_7 - floor(place_7);
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S13 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S14 : u32 = u32(width_0);
+    var first_1 : u32 = _S13 * _S14;
+    var _S15 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S15 * _S14;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
-    var _S9 : vec3<f32> = vec3<f32>(way_0.x);
-    return mix(mix(texel_0(texture_1, first_1 + left_0), texel_0(texture_1, first_1 + right_0), _S9), mix(texel_0(texture_1, second_0 + left_0), texel_0(texture_1, second_0 + right_0), _S9), vec3<f32>(way_0.y));
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0);
+    var _S16 : f32 = back_0.x;
+    var _S17 : f32 = back_0.y;
+    var _S18 : f32 = way_0.x;
+    var _S19 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S16 * _S17, _S18 * _S17, _S16 * _S19, _S18 * _S19);
+    return lookup_1;
 }
 
-fn texture_at_0( texture_2 : u32,  place_7 : Place_0) -> vec3<f32>
+fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
 {
-    var kind_0 : u32 = word_0(texture_2);
+    var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
-        return texel_0(texture_2, u32(0));
+        return one_texel_0(u32(0));
     }
-    var record_1 : u32 = triangle_record_0(place_7.triangle_0) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_8.triangle_0) + u32(1);
     if(kind_0 == u32(4))
     {
-        return texel_0(texture_2, word_0(record_1));
+        return one_texel_0(word_0(record_1));
     }
     if(kind_0 == u32(3))
     {
-        return texel_0(texture_2, word_0(record_1 + u32(1))) * vec3<f32>((1.0f - place_7.v_0 - place_7.w_0)) + texel_0(texture_2, word_0(record_1 + u32(2))) * vec3<f32>(place_7.v_0) + texel_0(texture_2, word_0(record_1 + u32(3))) * vec3<f32>(place_7.w_0);
+        var lookup_2 : Lookup_0;
+        lookup_2.count_0 = u32(3);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_8.v_0 - place_8.w_0, place_8.v_0, place_8.w_0, 0.0f);
+        return lookup_2;
     }
-    var rows_0 : u32 = texture_2 + u32(6);
-    var _S10 : vec3<f32> = vec3<f32>(uv_of_0(place_7), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S10, vector_at_0(rows_0)), dot(_S10, vector_at_0(rows_0 + u32(3))));
+    var rows_0 : u32 = texture_1 + u32(6);
+    var _S20 : vec3<f32> = vec3<f32>(uv_of_0(place_8), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S20, vector_at_0(rows_0)), dot(_S20, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S11 : vec3<f32> = bitmap_0(texture_2, uv_1);
-        return _S11;
+        var _S21 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S21;
     }
     var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S12 : i32;
+    var _S22 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S12 = i32(1);
+        _S22 = i32(1);
     }
     else
     {
-        _S12 = i32(0);
+        _S22 = i32(0);
     }
-    return texel_0(texture_2, u32(_S12));
+    return one_texel_0(u32(_S22));
+}
+
+fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
+{
+    var _S23 : u32 = word_0(texture_2 + u32(1));
+    var _S24 : u32 = texture_2 + u32(13);
+    var _S25 : vec3<f32> = vec3<f32>(0.0f);
+    var k_0 : u32 = u32(0);
+    var value_1 : vec3<f32> = _S25;
+    for(;;)
+    {
+        if(k_0 < (lookup_3.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_8 : u32 = _S24 + _S23 * lookup_3.texels_0[k_0];
+        var _S26 : vec3<f32>;
+        if(_S23 == u32(1))
+        {
+            _S26 = vec3<f32>(number_0(at_8));
+        }
+        else
+        {
+            _S26 = vector_at_0(at_8);
+        }
+        var value_2 : vec3<f32> = value_1 + _S26 * vec3<f32>(lookup_3.weights_0[k_0]);
+        k_0 = k_0 + u32(1);
+        value_1 = value_2;
+    }
+    return value_1;
+}
+
+fn colour_at_0( texture_3 : u32,  place_9 : Place_0,  slot_0 : u32) -> vec3<f32>
+{
+    var lookup_4 : Lookup_0 = lookup_at_0(texture_3, place_9);
+    return constant_0(texture_value_0(texture_3, lookup_4));
 }
 
 struct Axes_0
@@ -311,9 +411,9 @@ struct Axes_0
 
 fn axes_at_0( surface_1 : Surface_0) -> Axes_0
 {
-    var _S13 : f32 = surface_1.outward_0.z;
+    var _S27 : f32 = surface_1.outward_0.z;
     var sign_0 : f32;
-    if(_S13 < 0.0f)
+    if(_S27 < 0.0f)
     {
         sign_0 = -1.0f;
     }
@@ -321,23 +421,23 @@ fn axes_at_0( surface_1 : Surface_0) -> Axes_0
     {
         sign_0 = 1.0f;
     }
-    var a_3 : f32 = -1.0f / (sign_0 + _S13);
-    var _S14 : f32 = surface_1.outward_0.x;
-    var _S15 : f32 = surface_1.outward_0.y;
-    var b_1 : f32 = _S14 * _S15 * a_3;
+    var a_3 : f32 = -1.0f / (sign_0 + _S27);
+    var _S28 : f32 = surface_1.outward_0.x;
+    var _S29 : f32 = surface_1.outward_0.y;
+    var b_1 : f32 = _S28 * _S29 * a_3;
     var axes_0 : Axes_0;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S14 * _S14 * a_3, sign_0 * b_1, - sign_0 * _S14);
-    axes_0.t_0 = vec3<f32>(b_1, sign_0 + _S15 * _S15 * a_3, - _S15);
-    var _S16 : vec3<f32>;
+    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S28 * _S28 * a_3, sign_0 * b_1, - sign_0 * _S28);
+    axes_0.t_0 = vec3<f32>(b_1, sign_0 + _S29 * _S29 * a_3, - _S29);
+    var _S30 : vec3<f32>;
     if(surface_1.is_front_0)
     {
-        _S16 = surface_1.outward_0;
+        _S30 = surface_1.outward_0;
     }
     else
     {
-        _S16 = (vec3<f32>(0) - surface_1.outward_0);
+        _S30 = (vec3<f32>(0) - surface_1.outward_0);
     }
-    axes_0.n_1 = _S16;
+    axes_0.n_1 = _S30;
     return axes_0;
 }
 
@@ -394,35 +494,35 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S17 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S17 * _S17 / (2.0f * (_S17 - max(lowest_0, -1.0f)) * squared_0);
+    var _S31 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S31 * _S31 / (2.0f * (_S31 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S18 : bool;
+    var _S32 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S18 = true;
+        _S32 = true;
     }
     else
     {
-        _S18 = (word_0(u32(2))) == u32(0);
+        _S32 = (word_0(u32(2))) == u32(0);
     }
-    if(_S18)
+    if(_S32)
     {
         return false;
     }
     var record_2 : u32 = emitter_record_0(u32(0));
     if((word_0(record_2)) != u32(0))
     {
-        _S18 = (node_seen_0(word_0(record_2 + u32(5)), position_1)) < 1.0f;
+        _S32 = (node_seen_0(word_0(record_2 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S18 = false;
+        _S32 = false;
     }
-    return _S18;
+    return _S32;
 }
 
 fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : vec3<f32>,  radius_1 : f32) -> f32
@@ -464,32 +564,32 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S19 : f32;
+    var _S33 : f32;
     if(view_0 > 0.0f)
     {
-        _S19 = 1.0f;
+        _S33 = 1.0f;
     }
     else
     {
-        _S19 = 0.0f;
+        _S33 = 0.0f;
     }
-    (*can_light_0) = _S19;
+    (*can_light_0) = _S33;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S20 : f32;
+    var _S34 : f32;
     if(view_1 > 0.0f)
     {
-        _S20 = 1.0f;
+        _S34 = 1.0f;
     }
     else
     {
-        _S20 = 0.0f;
+        _S34 = 0.0f;
     }
-    (*can_light_1) = _S20;
+    (*can_light_1) = _S34;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
@@ -500,32 +600,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>) -> Choice_0
     choice_2.normal_2 = normal_3;
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
-    var count_0 : u32 = word_0(u32(6));
-    var _S21 : bool;
+    var count_1 : u32 = word_0(u32(6));
+    var _S35 : bool;
     if((word_0(u32(5))) != u32(0))
     {
-        _S21 = true;
+        _S35 = true;
     }
     else
     {
-        _S21 = count_0 < u32(2);
+        _S35 = count_1 < u32(2);
     }
-    if(_S21)
+    if(_S35)
     {
-        _S21 = true;
+        _S35 = true;
     }
     else
     {
-        _S21 = count_0 > u32(32);
+        _S35 = count_1 > u32(32);
     }
-    if(_S21)
+    if(_S35)
     {
         return choice_2;
     }
     var i_1 : u32 = u32(0);
     for(;;)
     {
-        if(i_1 < count_0)
+        if(i_1 < count_1)
         {
         }
         else
@@ -533,20 +633,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>) -> Choice_0
             break;
         }
         var can_light_2 : f32;
-        var _S22 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S22;
+        var _S36 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S36;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S21 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S35 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S21 = false;
+        _S35 = false;
     }
-    if(!_S21)
+    if(!_S35)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -567,33 +667,33 @@ fn product_0( a_4 : u32,  b_2 : u32) -> vec2<u32>
 
 fn times_0( a_5 : vec2<u32>,  b_3 : vec2<u32>) -> vec2<u32>
 {
-    var _S23 : u32 = a_5.x;
-    var _S24 : u32 = b_3.x;
-    var low_1 : vec2<u32> = product_0(_S23, _S24);
-    return vec2<u32>(low_1.x, low_1.y + _S23 * b_3.y + a_5.y * _S24);
+    var _S37 : u32 = a_5.x;
+    var _S38 : u32 = b_3.x;
+    var low_1 : vec2<u32> = product_0(_S37, _S38);
+    return vec2<u32>(low_1.x, low_1.y + _S37 * b_3.y + a_5.y * _S38);
 }
 
 fn plus_0( a_6 : vec2<u32>,  b_4 : vec2<u32>) -> vec2<u32>
 {
-    var _S25 : u32 = a_6.x;
-    var low_2 : u32 = _S25 + b_4.x;
-    var _S26 : u32 = a_6.y + b_4.y;
-    var _S27 : i32;
-    if(low_2 < _S25)
+    var _S39 : u32 = a_6.x;
+    var low_2 : u32 = _S39 + b_4.x;
+    var _S40 : u32 = a_6.y + b_4.y;
+    var _S41 : i32;
+    if(low_2 < _S39)
     {
-        _S27 = i32(1);
+        _S41 = i32(1);
     }
     else
     {
-        _S27 = i32(0);
+        _S41 = i32(0);
     }
-    return vec2<u32>(low_2, _S26 + u32(_S27));
+    return vec2<u32>(low_2, _S40 + u32(_S41));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S28 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S28 << ((u32(32) - by_0)))))), (_S28 >> (by_0)))));
+    var _S42 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S42 << ((u32(32) - by_0)))))), (_S42 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -624,24 +724,24 @@ fn chance_of_0( emitter_4 : u32,  choice_3 : Choice_0) -> f32
 
 fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<function, f32>) -> u32
 {
-    var count_1 : u32 = word_0(u32(6));
+    var count_2 : u32 = word_0(u32(6));
     (*probability_0) = 0.0f;
-    if(count_1 == u32(0))
+    if(count_2 == u32(0))
     {
         return u32(0);
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S29 : f32 = f32(count_1);
-        (*probability_0) = 1.0f / _S29;
-        return min(u32(u_0 * _S29), count_1 - u32(1));
+        var _S43 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S43;
+        return min(u32(u_0 * _S43), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
     var rest_1 : f32 = u_0;
     for(;;)
     {
-        if(i_2 < count_1)
+        if(i_2 < count_2)
         {
         }
         else
@@ -665,43 +765,43 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S30 : u32 = i_2 + u32(1);
+        var _S44 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S30;
+        i_2 = _S44;
         rest_1 = rest_2;
     }
     return found_0;
 }
 
-fn limit_at_0( which_2 : u32) -> f64
+fn limit_at_0( which_5 : u32) -> f64
 {
-    return primitives_0[word_0(u32(13)) + which_2];
+    return primitives_0[word_0(u32(13)) + which_5];
 }
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S31 : f32 = abs(x_4);
-    var _S32 : f32 = abs(y_1);
-    var _S33 : f32 = min(_S31, _S32);
-    var _S34 : f32 = max(_S31, _S32);
-    var is_steep_0 : bool = _S33 > (0.41421356797218323f * _S34);
+    var _S45 : f32 = abs(x_4);
+    var _S46 : f32 = abs(y_1);
+    var _S47 : f32 = min(_S45, _S46);
+    var _S48 : f32 = max(_S45, _S46);
+    var is_steep_0 : bool = _S47 > (0.41421356797218323f * _S48);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S33 - _S34;
+        above_0 = _S47 - _S48;
     }
     else
     {
-        above_0 = _S33;
+        above_0 = _S47;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S33 + _S34;
+        below_0 = _S47 + _S48;
     }
     else
     {
-        below_0 = _S34;
+        below_0 = _S48;
     }
     if(below_0 > 0.0f)
     {
@@ -722,7 +822,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S32 > _S31)
+    if(_S46 > _S45)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -757,11 +857,11 @@ fn solid_angle_of_0( a_7 : vec3<f32>,  b_5 : vec3<f32>,  c_1 : vec3<f32>) -> f32
 
 fn complex_product_0( a_8 : vec2<f32>,  b_6 : vec2<f32>) -> vec2<f32>
 {
-    var _S35 : f32 = a_8.x;
-    var _S36 : f32 = b_6.x;
-    var _S37 : f32 = a_8.y;
-    var _S38 : f32 = b_6.y;
-    return vec2<f32>(_S35 * _S36 - _S37 * _S38, _S35 * _S38 + _S37 * _S36);
+    var _S49 : f32 = a_8.x;
+    var _S50 : f32 = b_6.x;
+    var _S51 : f32 = a_8.y;
+    var _S52 : f32 = b_6.y;
+    return vec2<f32>(_S49 * _S50 - _S51 * _S52, _S49 * _S52 + _S51 * _S50);
 }
 
 struct SeenRectangle_0
@@ -774,36 +874,36 @@ struct SeenRectangle_0
      inverse_to_line_0 : vec2<f32>,
 };
 
-fn seen_rectangle_0( at_8 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
+fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
 {
-    var offset_2 : vec3<f32> = vector_at_0(at_8) - viewpoint_1;
-    var x0_0 : f32 = dot(vector_at_0(at_8 + u32(3)), offset_2);
-    var y0_0 : f32 = dot(vector_at_0(at_8 + u32(6)), offset_2);
-    var x1_0 : f32 = x0_0 + number_0(at_8 + u32(12));
-    var y1_0 : f32 = y0_0 + number_0(at_8 + u32(13));
+    var offset_2 : vec3<f32> = vector_at_0(at_9) - viewpoint_1;
+    var x0_0 : f32 = dot(vector_at_0(at_9 + u32(3)), offset_2);
+    var y0_0 : f32 = dot(vector_at_0(at_9 + u32(6)), offset_2);
+    var x1_0 : f32 = x0_0 + number_0(at_9 + u32(12));
+    var y1_0 : f32 = y0_0 + number_0(at_9 + u32(13));
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S39 : f32 = - dot(vector_at_0(at_8 + u32(9)), offset_2);
-    seen_1.z_1 = _S39;
-    var a_9 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S39);
-    var b_7 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S39);
-    var c_2 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S39);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S39);
-    var _S40 : f32 = length(a_9);
-    var _S41 : f32 = length(c_2);
-    var _S42 : f32;
-    if(_S39 > (9.99999997475242708e-07f * max(max(_S40, length(b_7)), max(_S41, length(d_0)))))
+    var _S53 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S53;
+    var a_9 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S53);
+    var b_7 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S53);
+    var c_2 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S53);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S53);
+    var _S54 : f32 = length(a_9);
+    var _S55 : f32 = length(c_2);
+    var _S56 : f32;
+    if(_S53 > (9.99999997475242708e-07f * max(max(_S54, length(b_7)), max(_S55, length(d_0)))))
     {
-        _S42 = solid_angle_of_0(a_9, c_2, b_7) + solid_angle_of_0(d_0, b_7, c_2);
+        _S56 = solid_angle_of_0(a_9, c_2, b_7) + solid_angle_of_0(d_0, b_7, c_2);
     }
     else
     {
-        _S42 = 0.0f;
+        _S56 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S42;
+    seen_1.solid_angle_0 = _S56;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S41), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S40));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S55), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S54));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -840,32 +940,32 @@ fn sine_cosine_0( angle_2 : f32) -> vec2<f32>
 fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
-    var at_9 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S43 : f32 = seen_2.y_2.x;
-    var _S44 : f32 = seen_2.inverse_to_line_0.x;
-    var _S45 : f32 = seen_2.y_2.y;
-    var n_2 : f32 = - at_9.x * _S43 * _S44 - _S45 * seen_2.inverse_to_line_0.y;
-    var _S46 : f32 = at_9.y;
-    var flat_0 : f32 = _S46 * seen_2.z_1 * _S44;
-    var size_0 : f32 = seen_2.z_1 * abs(_S46) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
-    var _S47 : f32;
-    if((n_2 * _S46) < 0.0f)
+    var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
+    var _S57 : f32 = seen_2.y_2.x;
+    var _S58 : f32 = seen_2.inverse_to_line_0.x;
+    var _S59 : f32 = seen_2.y_2.y;
+    var n_2 : f32 = - at_10.x * _S57 * _S58 - _S59 * seen_2.inverse_to_line_0.y;
+    var _S60 : f32 = at_10.y;
+    var flat_0 : f32 = _S60 * seen_2.z_1 * _S58;
+    var size_0 : f32 = seen_2.z_1 * abs(_S60) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
+    var _S61 : f32;
+    if((n_2 * _S60) < 0.0f)
     {
-        _S47 = - size_0;
+        _S61 = - size_0;
     }
     else
     {
-        _S47 = size_0;
+        _S61 = size_0;
     }
-    var x_7 : f32 = clamp(_S47, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S61, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S48 : f32 = h_0.x;
-    var sine_2 : f32 = _S48 + u_1.y * (h_0.y - _S48);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S43, _S45));
+    var _S62 : f32 = h_0.x;
+    var sine_2 : f32 = _S62 + u_1.y * (h_0.y - _S62);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S57, _S59));
 }
 
-fn rectangle_face_0( at_10 : u32,  place_8 : vec2<f32>,  weights_0 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_1 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -879,17 +979,17 @@ fn rectangle_face_0( at_10 : u32,  place_8 : vec2<f32>,  weights_0 : ptr<functio
         {
             break;
         }
-        var row_1 : u32 = at_10 + u32(14) + u32(6) * face_0;
-        var _S49 : f32 = place_8.x;
-        var _S50 : f32 = place_8.y;
-        var v_2 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S49 + number_0(row_1 + u32(2)) * _S50;
-        var w_1 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S49 + number_0(row_1 + u32(5)) * _S50;
-        var _S51 : f32 = min(min(v_2, w_1), 1.0f - v_2 - w_1);
-        if(_S51 > best_0)
+        var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
+        var _S63 : f32 = place_10.x;
+        var _S64 : f32 = place_10.y;
+        var v_2 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S63 + number_0(row_1 + u32(2)) * _S64;
+        var w_1 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S63 + number_0(row_1 + u32(5)) * _S64;
+        var _S65 : f32 = min(min(v_2, w_1), 1.0f - v_2 - w_1);
+        if(_S65 > best_0)
         {
-            (*weights_0)[i32(0)] = clamp(v_2, 0.0f, 1.0f);
-            (*weights_0)[i32(1)] = clamp(w_1, 0.0f, 1.0f - (*weights_0).x);
-            best_0 = _S51;
+            (*weights_1)[i32(0)] = clamp(v_2, 0.0f, 1.0f);
+            (*weights_1)[i32(1)] = clamp(w_1, 0.0f, 1.0f - (*weights_1).x);
+            best_0 = _S65;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -905,26 +1005,26 @@ fn emitter_triangle_0( record_4 : u32,  face_1 : u32) -> u32
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S52 : u32 = bits_0.y;
-    return (f64((_S52 >> (u32(11)))) + f64((((_S52 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S66 : u32 = bits_0.y;
+    return (f64((_S66 >> (u32(11)))) + f64((((_S66 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S53 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S54 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S53, _S54);
-    var sum_0 : f32 = _S53 + _S54;
-    var _S55 : vec2<f32>;
+    var _S67 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S68 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S67, _S68);
+    var sum_0 : f32 = _S67 + _S68;
+    var _S69 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S55 = seen_3 / vec2<f32>(sum_0);
+        _S69 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S55 = vec2<f32>(0.0f);
+        _S69 = vec2<f32>(0.0f);
     }
-    return _S55;
+    return _S69;
 }
 
 struct Corners_0
@@ -936,11 +1036,11 @@ struct Corners_0
 
 fn corners_from_0( record_5 : u32,  face_2 : u32,  viewpoint_3 : vec3<f64>) -> Corners_0
 {
-    var at_11 : u32 = u32(9) * emitter_triangle_0(record_5, face_2);
+    var at_12 : u32 = u32(9) * emitter_triangle_0(record_5, face_2);
     var corners_0 : Corners_0;
-    corners_0.a_10 = vec3<f32>(primitive_vector_0(at_11) - viewpoint_3);
-    corners_0.b_8 = vec3<f32>(primitive_vector_0(at_11 + u32(3)) - viewpoint_3);
-    corners_0.c_3 = vec3<f32>(primitive_vector_0(at_11 + u32(6)) - viewpoint_3);
+    corners_0.a_10 = vec3<f32>(primitive_vector_0(at_12) - viewpoint_3);
+    corners_0.b_8 = vec3<f32>(primitive_vector_0(at_12 + u32(3)) - viewpoint_3);
+    corners_0.c_3 = vec3<f32>(primitive_vector_0(at_12 + u32(6)) - viewpoint_3);
     return corners_0;
 }
 
@@ -957,28 +1057,28 @@ fn unit_across_0( v_3 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S56 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S56) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S56) * (1.0f + _S56)));
+    var _S70 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S70) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S70) * (1.0f + _S70)));
 }
 
 fn triangle_direction_0( a_11 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S57 : vec3<f32> = normalize(a_11);
-    var _S58 : vec3<f32> = normalize(b_9);
-    var _S59 : vec3<f32> = normalize(c_4);
-    var ab_0 : vec3<f32> = normalize(cross(_S57, _S58));
-    var ca_0 : vec3<f32> = normalize(cross(_S59, _S57));
+    var _S71 : vec3<f32> = normalize(a_11);
+    var _S72 : vec3<f32> = normalize(b_9);
+    var _S73 : vec3<f32> = normalize(c_4);
+    var ab_0 : vec3<f32> = normalize(cross(_S71, _S72));
+    var ca_0 : vec3<f32> = normalize(cross(_S73, _S71));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S60 : f32 = part_0.x;
-    var _S61 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S60 * cosine_alpha_0 - _S61 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S61 * cosine_alpha_0 + _S60 * sine_alpha_0;
+    var _S74 : f32 = part_0.x;
+    var _S75 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S74 * cosine_alpha_0 - _S75 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S75 * cosine_alpha_0 + _S74 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S57, _S58);
-    var between_0 : vec3<f32> = along_0(_S57, _S59, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S58, between_0, 1.0f - u_2.y * (1.0f - dot(between_0, _S58)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S71, _S72);
+    var between_0 : vec3<f32> = along_0(_S71, _S73, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S72, between_0, 1.0f - u_2.y * (1.0f - dot(between_0, _S72)));
 }
 
 fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_2 : vec3<f32>) -> f32
@@ -992,7 +1092,7 @@ fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32, 
 
 struct EmitterPoint_0
 {
-     place_9 : Place_0,
+     place_11 : Place_0,
      pdf_0 : f32,
 };
 
@@ -1001,9 +1101,9 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
     var total_0 : f32;
     var point_0 : EmitterPoint_0;
     point_0.pdf_0 = 0.0f;
-    point_0.place_9.triangle_0 = u32(0);
-    point_0.place_9.v_0 = 0.0f;
-    point_0.place_9.w_0 = 0.0f;
+    point_0.place_11.triangle_0 = u32(0);
+    point_0.place_11.v_0 = 0.0f;
+    point_0.place_11.w_0 = 0.0f;
     var second_1 : f32 = random_0(key_4, dimension_3 + u32(1));
     var rectangle_0 : u32 = word_0(record_7 + u32(4));
     if(rectangle_0 != u32(4294967295))
@@ -1015,19 +1115,19 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
         }
         if((seen_4.solid_angle_0) >= 0.00100000004749745f)
         {
-            var weights_1 : vec2<f32>;
-            var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_1));
-            point_0.place_9.triangle_0 = emitter_triangle_0(record_7, face_4);
-            point_0.place_9.v_0 = weights_1.x;
-            point_0.place_9.w_0 = weights_1.y;
+            var weights_2 : vec2<f32>;
+            var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_2));
+            point_0.place_11.triangle_0 = emitter_triangle_0(record_7, face_4);
+            point_0.place_11.v_0 = weights_2.x;
+            point_0.place_11.w_0 = weights_2.y;
             point_0.pdf_0 = 1.0f / seen_4.solid_angle_0;
             return point_0;
         }
     }
-    var _S62 : f64 = precise_random_0(key_4, dimension_3);
+    var _S76 : f64 = precise_random_0(key_4, dimension_3);
     var nodes_at_1 : u32 = word_0(record_7 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S62;
+    var u_3 : f64 = _S76;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1039,17 +1139,17 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S63 : f32 = shares_0.x;
-        var _S64 : f32 = shares_0.y;
-        if(!((_S63 + _S64) > 0.0f))
+        var _S77 : f32 = shares_0.x;
+        var _S78 : f32 = shares_0.y;
+        if(!((_S77 + _S78) > 0.0f))
         {
             return point_0;
         }
-        var _S65 : f64 = f64(_S63);
+        var _S79 : f64 = f64(_S77);
         var is_second_0 : bool;
-        if(u_3 >= _S65)
+        if(u_3 >= _S79)
         {
-            is_second_0 = _S64 > 0.0f;
+            is_second_0 = _S78 > 0.0f;
         }
         else
         {
@@ -1057,88 +1157,88 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S65) / f64(_S64);
+            u_3 = (u_3 - _S79) / f64(_S78);
         }
         else
         {
-            u_3 = min(u_3 / _S65, 1.0lf);
+            u_3 = min(u_3 / _S79, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S64;
+            total_0 = _S78;
         }
         else
         {
-            total_0 = _S63;
+            total_0 = _S77;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S66 : i32;
+        var _S80 : i32;
         if(is_second_0)
         {
-            _S66 = i32(3);
+            _S80 = i32(3);
         }
         else
         {
-            _S66 = i32(2);
+            _S80 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S66));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S80));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S67 : u32 = word_0(node_2 + u32(1));
-    var _S68 : u32 = word_0(record_7 + u32(6));
-    var k_0 : u32 = first_2;
+    var _S81 : u32 = word_0(node_2 + u32(1));
+    var _S82 : u32 = word_0(record_7 + u32(6));
+    var k_1 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_0 < _S67)
+        if(k_1 < _S81)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_7, word_0(_S68 + k_0), from_1.exact_0);
-        k_0 = k_0 + u32(1);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_7, word_0(_S82 + k_1), from_1.exact_0);
+        k_1 = k_1 + u32(1);
         total_0 = total_1;
     }
-    var _S69 : f32 = f32(u_3) * total_0;
+    var _S83 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
-    k_0 = first_2;
-    var rest_3 : f32 = _S69;
+    k_1 = first_2;
+    var rest_3 : f32 = _S83;
     for(;;)
     {
-        if(k_0 < _S67)
+        if(k_1 < _S81)
         {
         }
         else
         {
             break;
         }
-        var _S70 : u32 = _S68 + k_0;
-        var own_1 : f32 = face_solid_angle_0(record_7, word_0(_S70), from_1.exact_0);
+        var _S84 : u32 = _S82 + k_1;
+        var own_1 : f32 = face_solid_angle_0(record_7, word_0(_S84), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
-            k_0 = k_0 + u32(1);
+            k_1 = k_1 + u32(1);
             continue;
         }
-        var _S71 : u32 = word_0(_S70);
-        var _S72 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S85 : u32 = word_0(_S84);
+        var _S86 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S71;
+            face_5 = _S85;
             angle_3 = own_1;
-            inside_2 = _S72;
+            inside_2 = _S86;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S71;
+        face_5 = _S85;
         angle_3 = own_1;
-        inside_2 = _S72;
+        inside_2 = _S86;
         rest_3 = rest_4;
-        k_0 = k_0 + u32(1);
+        k_1 = k_1 + u32(1);
     }
     if(face_5 == u32(4294967295))
     {
@@ -1148,23 +1248,23 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
     var ab_1 : vec3<f32> = corners_2.b_8 - corners_2.a_10;
     var ac_0 : vec3<f32> = corners_2.c_3 - corners_2.a_10;
     var normal_6 : vec3<f32> = cross(ab_1, ac_0);
-    point_0.place_9.triangle_0 = emitter_triangle_0(record_7, face_5);
+    point_0.place_11.triangle_0 = emitter_triangle_0(record_7, face_5);
     if(angle_3 < 0.00100000004749745f)
     {
         var root_0 : f32 = sqrt(inside_2);
-        point_0.place_9.v_0 = root_0 * (1.0f - second_1);
-        point_0.place_9.w_0 = root_0 * second_1;
+        point_0.place_11.v_0 = root_0 * (1.0f - second_1);
+        point_0.place_11.w_0 = root_0 * second_1;
     }
     else
     {
         var direction_3 : vec3<f32> = triangle_direction_0(corners_2.a_10, corners_2.b_8, corners_2.c_3, angle_3, vec2<f32>(inside_2, second_1));
         var within_0 : vec3<f32> = direction_3 * vec3<f32>((dot(corners_2.a_10, normal_6) / dot(direction_3, normal_6))) - corners_2.a_10;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S73 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_9.v_0 = _S73;
-        point_0.place_9.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S73);
+        var _S87 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_11.v_0 = _S87;
+        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S87);
     }
-    var offset_3 : vec3<f32> = corners_2.a_10 + ab_1 * vec3<f32>(point_0.place_9.v_0) + ac_0 * vec3<f32>(point_0.place_9.w_0);
+    var offset_3 : vec3<f32> = corners_2.a_10 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
     var distance_3 : f32 = length(offset_3);
     if(!(distance_3 > 0.0f))
     {
@@ -1181,9 +1281,9 @@ fn random_pair_0( key_5 : vec2<u32>,  dimension_4 : u32) -> vec2<f32>
 
 fn sample_cosine_0( axes_1 : Axes_0,  u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S74 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>(sqrt(_S74));
-    return normalize(axes_1.s_0 * vec3<f32>(turn_1.y) + axes_1.t_0 * vec3<f32>(turn_1.x) + axes_1.n_1 * vec3<f32>(sqrt(1.0f - _S74)));
+    var _S88 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>(sqrt(_S88));
+    return normalize(axes_1.s_0 * vec3<f32>(turn_1.y) + axes_1.t_0 * vec3<f32>(turn_1.x) + axes_1.n_1 * vec3<f32>(sqrt(1.0f - _S88)));
 }
 
 fn cosine_pdf_0( axes_2 : Axes_0,  direction_4 : vec3<f32>) -> f32
@@ -1193,28 +1293,28 @@ fn cosine_pdf_0( axes_2 : Axes_0,  direction_4 : vec3<f32>) -> f32
 
 fn component_0( v_4 : vec3<f64>,  axis_2 : u32) -> f64
 {
-    var _S75 : f64;
+    var _S89 : f64;
     if(axis_2 == u32(0))
     {
-        _S75 = v_4.x;
+        _S89 = v_4.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S75 = v_4.y;
+            _S89 = v_4.y;
         }
         else
         {
-            _S75 = v_4.z;
+            _S89 = v_4.z;
         }
     }
-    return _S75;
+    return _S89;
 }
 
-fn ray_child_0( node_3 : u32,  slot_0 : u32) -> u32
+fn ray_child_0( node_3 : u32,  slot_1 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_3 + u32(12) + slot_0 / u32(4)][slot_0 % u32(4)];
+    return nodes_0[u32(14) * node_3 + u32(12) + slot_1 / u32(4)][slot_1 % u32(4)];
 }
 
 struct RayView_0
@@ -1227,9 +1327,9 @@ struct RayView_0
      axes_3 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_1 : u32) -> f32
+fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_2 : u32) -> f32
 {
-    var _S76 : u32 = u32(14) * node_4 + slot_1 / u32(4);
+    var _S90 : u32 = u32(14) * node_4 + slot_2 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1242,36 +1342,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_1 : u32
         {
             break;
         }
-        var _S77 : u32 = axis_3;
-        var _S78 : u32 = _S76 + u32(2) * axis_3;
-        var _S79 : u32 = slot_1 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S78][_S79])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S78 + u32(6)][_S79])));
-        var _S80 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S81 : f32;
-        if(_S80)
+        var _S91 : u32 = axis_3;
+        var _S92 : u32 = _S90 + u32(2) * axis_3;
+        var _S93 : u32 = slot_2 % u32(4);
+        var low_3 : f32 = (bitcast<f32>((nodes_0[_S92][_S93])));
+        var high_0 : f32 = (bitcast<f32>((nodes_0[_S92 + u32(6)][_S93])));
+        var _S94 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
+        var _S95 : f32;
+        if(_S94)
         {
-            _S81 = high_0;
+            _S95 = high_0;
         }
         else
         {
-            _S81 = low_3;
+            _S95 = low_3;
         }
-        var _S82 : f32 = max(near_0, _S81 * view_2.inverse_0[_S77] - view_2.offset_near_0[axis_3]);
-        var _S83 : f32;
-        if(_S80)
+        var _S96 : f32 = max(near_0, _S95 * view_2.inverse_0[_S91] - view_2.offset_near_0[axis_3]);
+        var _S97 : f32;
+        if(_S94)
         {
-            _S83 = low_3;
+            _S97 = low_3;
         }
         else
         {
-            _S83 = high_0;
+            _S97 = high_0;
         }
-        var _S84 : f32 = min(far_0, _S83 * view_2.inverse_0[_S77] - view_2.offset_far_0[axis_3]);
-        var _S85 : u32 = axis_3 + u32(1);
-        near_0 = _S82;
-        far_0 = _S84;
-        axis_3 = _S85;
+        var _S98 : f32 = min(far_0, _S97 * view_2.inverse_0[_S91] - view_2.offset_far_0[axis_3]);
+        var _S99 : u32 = axis_3 + u32(1);
+        near_0 = _S96;
+        far_0 = _S98;
+        axis_3 = _S99;
     }
     if(near_0 <= far_0)
     {
@@ -1285,21 +1385,21 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_1 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_1 : u32 = u32(0);
+    var k_2 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_1 < u32(8))
+        if(k_2 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S86 : u32 = k_1;
-        if((bounds_0[k_1]) > limit_2)
+        var _S100 : u32 = k_2;
+        if((bounds_0[k_2]) > limit_2)
         {
-            k_1 = k_1 + u32(1);
+            k_2 = k_2 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -1313,31 +1413,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S87 : u32 = j_0;
-            var _S88 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S86]))
+            var _S101 : u32 = j_0;
+            var _S102 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S100]))
             {
-                _S88 = true;
+                _S102 = true;
             }
             else
             {
-                if((bounds_0[_S87]) == (bounds_0[_S86]))
+                if((bounds_0[_S101]) == (bounds_0[_S100]))
                 {
-                    _S88 = j_0 < k_1;
+                    _S102 = j_0 < k_2;
                 }
                 else
                 {
-                    _S88 = false;
+                    _S102 = false;
                 }
             }
-            if(_S88)
+            if(_S102)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_1 + u32(1)) << ((u32(4) * rank_0))))));
-        k_1 = k_1 + u32(1);
+        order_0 = (order_0 | ((((k_2 + u32(1)) << ((u32(4) * rank_0))))));
+        k_2 = k_2 + u32(1);
     }
     return order_0;
 }
@@ -1345,27 +1445,27 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
-    var slot_2 : u32 = u32(0);
+    var slot_3 : u32 = u32(0);
     for(;;)
     {
-        if(slot_2 < u32(8))
+        if(slot_3 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S89 : f32;
-        if((ray_child_0(node_5, slot_2)) == u32(4294967295))
+        var _S103 : f32;
+        if((ray_child_0(node_5, slot_3)) == u32(4294967295))
         {
-            _S89 = 3.00000000549775576e+38f;
+            _S103 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S89 = ray_bound_0(view_3, limit_3, node_5, slot_2);
+            _S103 = ray_bound_0(view_3, limit_3, node_5, slot_3);
         }
-        bounds_1[slot_2] = _S89;
-        slot_2 = slot_2 + u32(1);
+        bounds_1[slot_3] = _S103;
+        slot_3 = slot_3 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
@@ -1389,9 +1489,9 @@ struct Ray_0
      largest_1 : f64,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_4 : u32,  at_12 : u32) -> vec3<f64>
+fn corner_0( ray_0 : Ray_0,  axes_4 : u32,  at_13 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_12) - ray_0.origin_0;
+    var relative_0 : vec3<f64> = primitive_vector_0(at_13) - ray_0.origin_0;
     var z_3 : f64 = component_0(relative_0, (axes_4 >> (u32(4))));
     return vec3<f64>(component_0(relative_0, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
 }
@@ -1404,56 +1504,56 @@ struct Crossing_0
      w_2 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_13 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_14 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
     crossing_0.v_5 = 0.0lf;
     crossing_0.w_2 = 0.0lf;
-    var a_12 : vec3<f64> = corner_0(ray_1, axes_5, at_13);
-    var b_10 : vec3<f64> = corner_0(ray_1, axes_5, at_13 + u32(3));
-    var c_5 : vec3<f64> = corner_0(ray_1, axes_5, at_13 + u32(6));
-    var _S90 : f64 = c_5.x;
-    var _S91 : f64 = b_10.y;
-    var cx_by_0 : f64 = rounded_0(_S90 * _S91, ray_1.largest_1);
-    var _S92 : f64 = c_5.y;
-    var _S93 : f64 = b_10.x;
-    var cy_bx_0 : f64 = rounded_0(_S92 * _S93, ray_1.largest_1);
-    var _S94 : f64 = a_12.x;
-    var ax_cy_0 : f64 = rounded_0(_S94 * _S92, ray_1.largest_1);
-    var _S95 : f64 = a_12.y;
-    var ay_cx_0 : f64 = rounded_0(_S95 * _S90, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S93 * _S95, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S91 * _S94, ray_1.largest_1);
+    var a_12 : vec3<f64> = corner_0(ray_1, axes_5, at_14);
+    var b_10 : vec3<f64> = corner_0(ray_1, axes_5, at_14 + u32(3));
+    var c_5 : vec3<f64> = corner_0(ray_1, axes_5, at_14 + u32(6));
+    var _S104 : f64 = c_5.x;
+    var _S105 : f64 = b_10.y;
+    var cx_by_0 : f64 = rounded_0(_S104 * _S105, ray_1.largest_1);
+    var _S106 : f64 = c_5.y;
+    var _S107 : f64 = b_10.x;
+    var cy_bx_0 : f64 = rounded_0(_S106 * _S107, ray_1.largest_1);
+    var _S108 : f64 = a_12.x;
+    var ax_cy_0 : f64 = rounded_0(_S108 * _S106, ray_1.largest_1);
+    var _S109 : f64 = a_12.y;
+    var ay_cx_0 : f64 = rounded_0(_S109 * _S104, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S107 * _S109, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S105 * _S108, ray_1.largest_1);
     var u_5 : f64 = cx_by_0 - cy_bx_0;
     var v_6 : f64 = ax_cy_0 - ay_cx_0;
     var w_3 : f64 = bx_ay_0 - by_ax_0;
-    var _S96 : f64 = min(min(u_5, v_6), w_3);
-    var _S97 : f64 = max(max(u_5, v_6), w_3);
-    var _S98 : bool;
-    if(_S96 < 0.0lf)
+    var _S110 : f64 = min(min(u_5, v_6), w_3);
+    var _S111 : f64 = max(max(u_5, v_6), w_3);
+    var _S112 : bool;
+    if(_S110 < 0.0lf)
     {
-        _S98 = _S97 > 0.0lf;
+        _S112 = _S111 > 0.0lf;
     }
     else
     {
-        _S98 = false;
+        _S112 = false;
     }
-    if(_S98)
+    if(_S112)
     {
         return crossing_0;
     }
     var determinant_0 : f64 = u_5 + v_6 + w_3;
-    if(_S96 <= 0.0lf)
+    if(_S110 <= 0.0lf)
     {
-        _S98 = _S97 >= 0.0lf;
+        _S112 = _S111 >= 0.0lf;
     }
     else
     {
-        _S98 = false;
+        _S112 = false;
     }
-    if(_S98)
+    if(_S112)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1467,13 +1567,13 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_13 : u32) -> Crossing_0
     var t_3 : f64 = (rounded_0(u_5 * a_12.z, ray_1.largest_1) + rounded_0(v_6 * b_10.z, ray_1.largest_1) + rounded_0(w_3 * c_5.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
-        _S98 = t_3 <= (ray_1.t_max_0);
+        _S112 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S98 = false;
+        _S112 = false;
     }
-    crossing_0.is_hit_0 = _S98;
+    crossing_0.is_hit_0 = _S112;
     crossing_0.t_2 = t_3;
     crossing_0.v_5 = v_6 / determinant_0;
     crossing_0.w_2 = w_3 / determinant_0;
@@ -1495,7 +1595,7 @@ struct Found_0
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S99 : bool;
+    var _S113 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_5 = u32(4294967295);
@@ -1527,53 +1627,53 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S100 : u32 = way_1[level_0].y;
-        if(_S100 == u32(0))
+        var _S114 : u32 = way_1[level_0].y;
+        if(_S114 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S101 : u32 = level_0 - u32(1);
+            var _S115 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S101;
+            level_0 = _S115;
             continue;
         }
-        var slot_3 : u32 = ((_S100 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S100 >> (u32(4)));
-        var _S102 : bool;
+        var slot_4 : u32 = ((_S114 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S114 >> (u32(4)));
+        var _S116 : bool;
         if(!is_new_1)
         {
-            _S102 = (ray_bound_0(view_4, limit_4, here_0.x, slot_3)) > limit_4;
+            _S116 = (ray_bound_0(view_4, limit_4, here_0.x, slot_4)) > limit_4;
         }
         else
         {
-            _S102 = false;
+            _S116 = false;
         }
-        if(_S102)
+        if(_S116)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_3);
+        var child_0 : u32 = ray_child_0(here_0.x, slot_4);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S103 : u32 = level_0 + u32(1);
+            var _S117 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S103;
+            level_0 = _S117;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S104 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S105 : u32 = leaf_starts_0[leaf_0];
+        var _S118 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S119 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S105;
+        var i_3 : u32 = _S119;
         for(;;)
         {
-            if(i_3 < _S104)
+            if(i_3 < _S118)
             {
             }
             else
@@ -1588,23 +1688,23 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S99 = true;
+                _S113 = true;
             }
             else
             {
-                _S99 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S113 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S106 : bool;
-            if(_S99)
+            var _S120 : bool;
+            if(_S113)
             {
-                _S106 = true;
+                _S120 = true;
             }
             else
             {
-                _S106 = (face_6(i_3)) < (found_3.face_7);
+                _S120 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S106)
+            if(_S120)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_5 = i_3;
@@ -1622,13 +1722,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S99 = (found_3.face_7) != u32(4294967295);
+            _S113 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S99 = false;
+            _S113 = false;
         }
-        if(_S99)
+        if(_S113)
         {
             break;
         }
@@ -1642,34 +1742,34 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
 fn cast_0( origin_1 : vec3<f64>,  direction_5 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
     var size_1 : vec3<f32> = abs(vec3<f32>(direction_5));
-    var _S107 : f32 = size_1.x;
-    var _S108 : f32 = size_1.y;
-    var _S109 : bool;
-    if(_S107 >= _S108)
+    var _S121 : f32 = size_1.x;
+    var _S122 : f32 = size_1.y;
+    var _S123 : bool;
+    if(_S121 >= _S122)
     {
-        _S109 = _S107 >= (size_1.z);
+        _S123 = _S121 >= (size_1.z);
     }
     else
     {
-        _S109 = false;
+        _S123 = false;
     }
-    var _S110 : i32;
-    if(_S109)
+    var _S124 : i32;
+    if(_S123)
     {
-        _S110 = i32(0);
+        _S124 = i32(0);
     }
     else
     {
-        if(_S108 >= (size_1.z))
+        if(_S122 >= (size_1.z))
         {
-            _S110 = i32(1);
+            _S124 = i32(1);
         }
         else
         {
-            _S110 = i32(2);
+            _S124 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S110);
+    var z_4 : u32 = u32(_S124);
     var x_8 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
@@ -1680,13 +1780,13 @@ fn cast_0( origin_1 : vec3<f64>,  direction_5 : vec3<f64>,  t_min_1 : f64,  t_ma
     ray_3.shear_y_0 = component_0(direction_5, y_3) / along_1;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S111 : f64 = abs(along_1);
-    ray_3.local_per_t_0 = _S111;
+    var _S125 : f64 = abs(along_1);
+    ray_3.local_per_t_0 = _S125;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S112 : vec3<f32> = vec3<f32>(direction_5 / vec3<f64>(_S111));
+    var _S126 : vec3<f32> = vec3<f32>(direction_5 / vec3<f64>(_S125));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -1697,17 +1797,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_5 : vec3<f64>,  t_min_1 : f64,  t_ma
         {
             break;
         }
-        var _S113 : f32 = max(abs(_S112[axis_4]), 8.67361737988403547e-19f);
-        var _S114 : f32;
-        if((_S112[axis_4]) < 0.0f)
+        var _S127 : f32 = max(abs(_S126[axis_4]), 8.67361737988403547e-19f);
+        var _S128 : f32;
+        if((_S126[axis_4]) < 0.0f)
         {
-            _S114 = -1.0f / _S113;
+            _S128 = -1.0f / _S127;
         }
         else
         {
-            _S114 = 1.0f / _S113;
+            _S128 = 1.0f / _S127;
         }
-        view_5.inverse_0[axis_4] = _S114;
+        view_5.inverse_0[axis_4] = _S128;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_5.inverse_0;
@@ -1725,34 +1825,34 @@ fn cast_0( origin_1 : vec3<f64>,  direction_5 : vec3<f64>,  t_min_1 : f64,  t_ma
 fn cast_1( origin_2 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
     var size_2 : vec3<f32> = abs(vec3<f32>(direction_6));
-    var _S115 : f32 = size_2.x;
-    var _S116 : f32 = size_2.y;
-    var _S117 : bool;
-    if(_S115 >= _S116)
+    var _S129 : f32 = size_2.x;
+    var _S130 : f32 = size_2.y;
+    var _S131 : bool;
+    if(_S129 >= _S130)
     {
-        _S117 = _S115 >= (size_2.z);
+        _S131 = _S129 >= (size_2.z);
     }
     else
     {
-        _S117 = false;
+        _S131 = false;
     }
-    var _S118 : i32;
-    if(_S117)
+    var _S132 : i32;
+    if(_S131)
     {
-        _S118 = i32(0);
+        _S132 = i32(0);
     }
     else
     {
-        if(_S116 >= (size_2.z))
+        if(_S130 >= (size_2.z))
         {
-            _S118 = i32(1);
+            _S132 = i32(1);
         }
         else
         {
-            _S118 = i32(2);
+            _S132 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S118);
+    var z_5 : u32 = u32(_S132);
     var x_9 : u32 = (z_5 + u32(1)) % u32(3);
     var y_4 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
@@ -1763,13 +1863,13 @@ fn cast_1( origin_2 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_2 : f64,  t_ma
     ray_4.shear_y_0 = component_0(direction_6, y_4) / along_2;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S119 : f64 = abs(along_2);
-    ray_4.local_per_t_0 = _S119;
+    var _S133 : f64 = abs(along_2);
+    ray_4.local_per_t_0 = _S133;
     ray_4.enter_0 = 0.0lf;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S120 : vec3<f32> = vec3<f32>(direction_6 / vec3<f64>(_S119));
+    var _S134 : vec3<f32> = vec3<f32>(direction_6 / vec3<f64>(_S133));
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -1780,17 +1880,17 @@ fn cast_1( origin_2 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_2 : f64,  t_ma
         {
             break;
         }
-        var _S121 : f32 = max(abs(_S120[axis_5]), 8.67361737988403547e-19f);
-        var _S122 : f32;
-        if((_S120[axis_5]) < 0.0f)
+        var _S135 : f32 = max(abs(_S134[axis_5]), 8.67361737988403547e-19f);
+        var _S136 : f32;
+        if((_S134[axis_5]) < 0.0f)
         {
-            _S122 = -1.0f / _S121;
+            _S136 = -1.0f / _S135;
         }
         else
         {
-            _S122 = 1.0f / _S121;
+            _S136 = 1.0f / _S135;
         }
-        view_6.inverse_0[axis_5] = _S122;
+        view_6.inverse_0[axis_5] = _S136;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = vec3<f32>(origin_2) * view_6.inverse_0;
@@ -1805,12 +1905,6 @@ fn cast_1( origin_2 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_2 : f64,  t_ma
     return found_5;
 }
 
-fn radiance_of_0( emitter_5 : u32,  place_10 : Place_0) -> vec3<f32>
-{
-    var _S123 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_5) + u32(1)), place_10);
-    return _S123;
-}
-
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
 {
     var ratio_0 : f32 = other_0 / own_2;
@@ -1821,13 +1915,20 @@ fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Choice_0,  key_6 : vec2<u32>,  first_3 : u32,  bsdf_samples_0 : f32) -> vec3<f32>
+fn arriving_0( emitter_5 : u32,  place_12 : Place_0,  factor_0 : vec3<f32>,  importance_0 : vec3<f32>) -> vec3<f32>
 {
+    var _S137 : vec3<f32> = colour_at_0(word_0(emitter_record_0(emitter_5) + u32(1)), place_12, u32(0));
+    return factor_0 * _S137;
+}
+
+fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  reflectance_0 : vec3<f32>,  choice_5 : Choice_0,  key_6 : vec2<u32>,  first_3 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> vec3<f32>
+{
+    var none_0 : vec3<f32> = constant_0(vec3<f32>(0.0f));
     var probability_1 : f32;
     var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_6, first_3), &(probability_1));
     if(probability_1 == 0.0f)
     {
-        return vec3<f32>(0.0f);
+        return none_0;
     }
     var record_8 : u32 = emitter_record_0(emitter_6);
     var point_1 : EmitterPoint_0;
@@ -1841,20 +1942,20 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
         point_1 = area_point_0(record_8, surface_2, key_6, first_3 + u32(1));
         if(!((point_1.pdf_0) > 0.0f))
         {
-            return vec3<f32>(0.0f);
+            return none_0;
         }
-        var way_3 : vec3<f64> = position_of_0(point_1.place_9) - surface_2.exact_0;
-        var _S124 : vec3<f32> = vec3<f32>(way_3);
-        var distance_4 : f32 = length(_S124);
-        var direction_8 : vec3<f32> = _S124 / vec3<f32>(distance_4);
+        var way_3 : vec3<f64> = position_of_0(point_1.place_11) - surface_2.exact_0;
+        var _S138 : vec3<f32> = vec3<f32>(way_3);
+        var distance_4 : f32 = length(_S138);
+        var direction_8 : vec3<f32> = _S138 / vec3<f32>(distance_4);
         if((dot(direction_8, axes_6.n_1)) <= 0.0f)
         {
-            return vec3<f32>(0.0f);
+            return none_0;
         }
         var nearest_2 : f64 = nearest_0 / f64(distance_4);
-        var _S125 : f64 = limit_at_0(u32(3));
+        var _S139 : f64 = limit_at_0(u32(3));
         way_2 = way_3;
-        farthest_0 = _S125;
+        farthest_0 = _S139;
         direction_7 = direction_8;
         nearest_1 = nearest_2;
     }
@@ -1862,41 +1963,41 @@ fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  choice_5 : Ch
     {
         var direction_9 : vec3<f32> = sample_cosine_0(axes_6, random_pair_0(key_6, first_3 + u32(1)));
         point_1.pdf_0 = cosine_pdf_0(axes_6, direction_9);
-        point_1.place_9 = surface_2.place_2;
-        var _S126 : f64 = limit_at_0(u32(1));
+        point_1.place_11 = surface_2.place_3;
+        var _S140 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_9);
-        farthest_0 = _S126;
+        farthest_0 = _S140;
         direction_7 = direction_9;
         nearest_1 = nearest_0;
     }
     var unused_0 : f32;
     if((cast_0(surface_2.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
     {
-        return vec3<f32>(0.0f);
+        return none_0;
     }
     var own_3 : f32 = f32(word_0(u32(2))) * probability_1 * point_1.pdf_0;
     var pdf_1 : f32 = cosine_pdf_0(axes_6, direction_7);
     if(!(own_3 > 0.0f))
     {
-        return vec3<f32>(0.0f);
+        return none_0;
     }
-    var _S127 : vec3<f32> = radiance_of_0(emitter_6, point_1.place_9);
-    return _S127 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1)));
+    var _S141 : vec3<f32> = arriving_0(emitter_6, point_1.place_11, reflectance_0 * vec3<f32>((pdf_1 * weight_over_0(own_3, bsdf_samples_0 * pdf_1))), importance_1);
+    return _S141;
 }
 
 fn first_from_0( position_6 : vec3<f64>,  direction_10 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var _S128 : Found_0 = cast_1(position_6, vec3<f64>(direction_10), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S128;
+    var _S142 : Found_0 = cast_1(position_6, vec3<f64>(direction_10), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
+    return _S142;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    var place_11 : Place_0;
-    place_11.triangle_0 = found_6.triangle_5;
-    place_11.v_0 = f32(found_6.v_7);
-    place_11.w_0 = f32(found_6.w_4);
-    return place_11;
+    var place_13 : Place_0;
+    place_13.triangle_0 = found_6.triangle_5;
+    place_13.v_0 = f32(found_6.v_7);
+    place_13.w_0 = f32(found_6.w_4);
+    return place_13;
 }
 
 fn emitter_seen_0( found_7 : Found_0,  direction_11 : vec3<f32>) -> u32
@@ -1906,25 +2007,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_11 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S129 : bool;
+    var _S143 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S129 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
+        _S143 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
     }
     else
     {
-        _S129 = false;
+        _S143 = false;
     }
-    var _S130 : u32;
-    if(_S129)
+    var _S144 : u32;
+    if(_S143)
     {
-        _S130 = emitter_7;
+        _S144 = emitter_7;
     }
     else
     {
-        _S130 = u32(4294967295);
+        _S144 = u32(4294967295);
     }
-    return _S130;
+    return _S144;
 }
 
 fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12 : vec3<f32>,  distance_5 : f32) -> f32
@@ -1933,17 +2034,17 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
     var rectangle_1 : u32 = word_0(record_9 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S131 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S131.solid_angle_0) > 0.0f))
+        var _S145 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S145.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S131.solid_angle_0) >= 0.00100000004749745f)
+        if((_S145.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S131.solid_angle_0;
+            return 1.0f / _S145.solid_angle_0;
         }
     }
-    var _S132 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
+    var _S146 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_9 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -1957,7 +2058,7 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S132 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S146 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_4 = shares_1.y;
@@ -1967,39 +2068,39 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             own_4 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_4;
-        var _S133 : i32;
+        var _S147 : i32;
         if(is_second_1)
         {
-            _S133 = i32(3);
+            _S147 = i32(3);
         }
         else
         {
-            _S133 = i32(2);
+            _S147 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S133));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S147));
         chosen_2 = chosen_3;
     }
-    var _S134 : u32 = word_0(record_9 + u32(6));
-    var _S135 : u32 = word_0(node_6);
+    var _S148 : u32 = word_0(record_9 + u32(6));
+    var _S149 : u32 = word_0(node_6);
     own_4 = 0.0f;
-    var k_2 : u32 = _S135;
+    var k_3 : u32 = _S149;
     var total_2 : f32 = 0.0f;
     for(;;)
     {
-        if(k_2 < (word_0(node_6 + u32(1))))
+        if(k_3 < (word_0(node_6 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S134 + k_2), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S148 + k_3), from_2.exact_0);
         var total_3 : f32 = total_2 + angle_4;
-        if(k_2 == _S132)
+        if(k_3 == _S146)
         {
             own_4 = angle_4;
         }
-        k_2 = k_2 + u32(1);
+        k_3 = k_3 + u32(1);
         total_2 = total_3;
     }
     if(!(own_4 > 0.0f))
@@ -2019,32 +2120,38 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  surface_3 : Surface_0,  
     return area_pdf_0(record_10, found_8.face_7 - word_0(record_10 + u32(3)), surface_3, direction_13, t_7);
 }
 
-fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
+fn value_of_0( colour_0 : vec3<f32>) -> vec3<f32>
+{
+    return colour_0;
+}
+
+fn take_further_0( path_6 : ptr<function, Path_0>,  vertex_1 : ptr<function, Vertex_0>,  importance_2 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
     var first_4 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_4 : Surface_0 = surface_at_0((*path_3).place_0, (*path_3).direction_0);
-    var _S136 : i32;
+    var surface_4 : Surface_0 = surface_at_0((*path_6).place_1, (*path_6).direction_0);
+    var _S150 : i32;
     if(surface_4.is_front_0)
     {
-        _S136 = i32(2);
+        _S150 = i32(2);
     }
     else
     {
-        _S136 = i32(3);
+        _S150 = i32(3);
     }
-    var texture_3 : u32 = word_0(surface_4.shape_0 + u32(_S136));
-    if(texture_3 == u32(4294967295))
+    var texture_4 : u32 = word_0(surface_4.shape_0 + u32(_S150));
+    if(texture_4 == u32(4294967295))
     {
         return false;
     }
-    var reflectance_0 : vec3<f32> = texture_at_0(texture_3, (*path_3).place_0);
+    (*vertex_1).textures_0[i32(0)] = texture_4;
+    var reflectance_1 : vec3<f32> = colour_at_0(texture_4, (*path_6).place_1, u32(0));
     var axes_8 : Axes_0 = axes_at_0(surface_4);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S137 : u32 = word_0(u32(3));
-    var _S138 : bool = !reaches_0(depth_2 + u32(3));
+    var _S151 : u32 = word_0(u32(3));
+    var _S152 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S138)
+    if(_S152)
     {
         goes_on_0 = is_sampled_well_0(surface_4.position_0);
     }
@@ -2059,12 +2166,10 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     }
     else
     {
-        bsdf_samples_1 = _S137;
+        bsdf_samples_1 = _S151;
     }
-    var _S139 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
-    var _S140 : vec3<f32> = vec3<f32>(0.0f);
+    var _S153 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
     var i_4 : u32 = u32(0);
-    var light_2 : vec3<f32> = _S140;
     for(;;)
     {
         if(i_4 < emitter_samples_0)
@@ -2074,42 +2179,41 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         {
             break;
         }
-        var _S141 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, _S139, (*path_3).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1));
-        var light_3 : vec3<f32> = light_2 + _S141;
+        var _S154 : vec3<f32> = light_from_emitter_0(surface_4, axes_8, reflectance_1, _S153, (*path_6).key_0, first_4 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        (*vertex_1).direct_0 = (*vertex_1).direct_0 + _S154;
         i_4 = i_4 + u32(1);
-        light_2 = light_3;
     }
     var first_5 : u32 = first_4 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
-    var next_0 : Place_0 = (*path_3).place_0;
-    var next_direction_0 : vec3<f32> = (*path_3).direction_0;
-    var k_3 : u32 = u32(0);
+    var next_0 : Place_0 = (*path_6).place_1;
+    var next_direction_0 : vec3<f32> = (*path_6).direction_0;
+    var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < bsdf_samples_1)
+        if(k_4 < bsdf_samples_1)
         {
         }
         else
         {
             break;
         }
-        var direction_14 : vec3<f32> = sample_cosine_0(axes_8, random_pair_0((*path_3).key_0, first_5 + u32(3) * k_3 + u32(1)));
+        var direction_14 : vec3<f32> = sample_cosine_0(axes_8, random_pair_0((*path_6).key_0, first_5 + u32(3) * k_4 + u32(1)));
         var pdf_2 : f32 = cosine_pdf_0(axes_8, direction_14);
         if(!(pdf_2 > 0.0f))
         {
-            k_3 = k_3 + u32(1);
+            k_4 = k_4 + u32(1);
             continue;
         }
         var t_8 : f32;
         var found_9 : Found_0 = first_from_0(surface_4.exact_0, direction_14, &(t_8));
         var goes_on_1 : bool;
-        var next_direction_1 : vec3<f32>;
         var next_1 : Place_0;
-        if(k_3 == u32(0))
+        var next_direction_1 : vec3<f32>;
+        if(k_4 == u32(0))
         {
-            var _S142 : Place_0 = place_of_0(found_9);
+            var _S155 : Place_0 = place_of_0(found_9);
             goes_on_1 = (found_9.face_7) != u32(4294967295);
-            next_1 = _S142;
+            next_1 = _S155;
             next_direction_1 = direction_14;
         }
         else
@@ -2124,7 +2228,7 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
             goes_on_0 = goes_on_1;
             next_0 = next_1;
             next_direction_0 = next_direction_1;
-            k_3 = k_3 + u32(1);
+            k_4 = k_4 + u32(1);
             continue;
         }
         var own_5 : f32 = f32(bsdf_samples_1) * pdf_2;
@@ -2135,18 +2239,16 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
         }
         else
         {
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S139) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S153) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
         }
-        var _S143 : vec3<f32> = radiance_of_0(emitter_9, place_of_0(found_9));
-        var light_4 : vec3<f32> = light_2 + _S143 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1)));
+        var _S156 : vec3<f32> = arriving_0(emitter_9, place_of_0(found_9), reflectance_1 * vec3<f32>((pdf_2 * weight_over_0(own_5, other_1))), importance_2);
+        (*vertex_1).direct_0 = (*vertex_1).direct_0 + _S156;
         goes_on_0 = goes_on_1;
         next_0 = next_1;
         next_direction_0 = next_direction_1;
-        light_2 = light_4;
-        k_3 = k_3 + u32(1);
+        k_4 = k_4 + u32(1);
     }
-    (*path_3).light_0 = (*path_3).light_0 + (*path_3).throughput_0 * reflectance_0 * light_2;
-    if(_S138)
+    if(_S152)
     {
         goes_on_0 = true;
     }
@@ -2158,35 +2260,35 @@ fn take_further_0( path_3 : ptr<function, Path_0>) -> bool
     {
         return false;
     }
-    var _S144 : vec3<f32> = (*path_3).throughput_0 * reflectance_0;
-    (*path_3).throughput_0 = _S144;
-    var _S145 : f32 = max(max(_S144.x, _S144.y), _S144.z);
-    if(!(_S145 > 0.0f))
+    (*vertex_1).onward_0 = reflectance_1;
+    var throughput_1 : vec3<f32> = value_of_0((*path_6).throughput_0) * value_of_0(reflectance_1);
+    var _S157 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    if(!(_S157 > 0.0f))
     {
         return false;
     }
-    var _S146 : u32 = depth_2 + u32(1);
-    if(_S146 >= (word_0(u32(1))))
+    var _S158 : u32 = depth_2 + u32(1);
+    if(_S158 >= (word_0(u32(1))))
     {
-        var _S147 : f32 = min(_S145, 0.94999998807907104f);
-        if((random_0((*path_3).key_0, vertex_numbers_0(_S146) - u32(1))) >= _S147)
+        var survival_0 : f32 = clamp(_S157, 0.0f, 0.94999998807907104f);
+        if((random_0((*path_6).key_0, vertex_numbers_0(_S158) - u32(1))) >= survival_0)
         {
             return false;
         }
-        (*path_3).throughput_0 = (*path_3).throughput_0 / vec3<f32>(_S147);
+        (*vertex_1).onward_0 = (*vertex_1).onward_0 * vec3<f32>((1.0f / survival_0));
     }
-    (*path_3).place_0 = next_0;
-    (*path_3).direction_0 = next_direction_0;
+    (*path_6).place_1 = next_0;
+    (*path_6).direction_0 = next_direction_0;
     return true;
 }
 
-fn set_word_0( path_4 : u32,  which_3 : u32,  value_0 : u32)
+fn set_word_0( path_7 : u32,  which_6 : u32,  value_3 : u32)
 {
-    paths_0[which_3 * launch_0.room_0 + path_4] = value_0;
+    paths_0[which_6 * launch_0.room_0 + path_7] = value_3;
     return;
 }
 
-fn set_vector_0( path_5 : u32,  which_4 : u32,  value_1 : vec3<f32>)
+fn set_vector_0( path_8 : u32,  which_7 : ptr<function, u32>,  value_4 : vec3<f32>)
 {
     var axis_6 : u32 = u32(0);
     for(;;)
@@ -2198,22 +2300,56 @@ fn set_vector_0( path_5 : u32,  which_4 : u32,  value_1 : vec3<f32>)
         {
             break;
         }
-        set_word_0(path_5, which_4 + axis_6, (bitcast<u32>((value_1[axis_6]))));
+        set_word_0(path_8, (*which_7) + axis_6, (bitcast<u32>((value_4[axis_6]))));
         axis_6 = axis_6 + u32(1);
     }
+    (*which_7) = (*which_7) + u32(3);
     return;
 }
 
-fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
+fn set_vector_1( path_9 : u32,  which_8 : ptr<function, u32>,  value_5 : vec3<f32>)
 {
-    set_vector_0(number_of_path_1, u32(0), path_6.light_0);
-    set_vector_0(number_of_path_1, u32(3), path_6.throughput_0);
-    set_vector_0(number_of_path_1, u32(6), path_6.direction_0);
-    set_word_0(number_of_path_1, u32(9), path_6.place_0.triangle_0);
-    set_word_0(number_of_path_1, u32(10), (bitcast<u32>((path_6.place_0.v_0))));
-    set_word_0(number_of_path_1, u32(11), (bitcast<u32>((path_6.place_0.w_0))));
-    set_word_0(number_of_path_1, u32(12), path_6.key_0.x);
-    set_word_0(number_of_path_1, u32(13), path_6.key_0.y);
+    var axis_7 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_7 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_9, (*which_8) + axis_7, (bitcast<u32>((value_5[axis_7]))));
+        axis_7 = axis_7 + u32(1);
+    }
+    (*which_8) = (*which_8) + u32(3);
+    return;
+}
+
+fn set_colour_0( path_10 : u32,  which_9 : ptr<function, u32>,  colour_1 : vec3<f32>)
+{
+    set_vector_1(path_10, &((*which_9)), colour_1);
+    return;
+}
+
+fn set_place_0( path_11 : u32,  which_10 : ptr<function, u32>,  place_14 : Place_0)
+{
+    set_word_0(path_11, (*which_10), place_14.triangle_0);
+    set_word_0(path_11, (*which_10) + u32(1), (bitcast<u32>((place_14.v_0))));
+    set_word_0(path_11, (*which_10) + u32(2), (bitcast<u32>((place_14.w_0))));
+    (*which_10) = (*which_10) + u32(3);
+    return;
+}
+
+fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
+{
+    var at_15 : u32 = u32(1);
+    set_colour_0(number_of_path_1, &(at_15), path_12.light_0);
+    set_colour_0(number_of_path_1, &(at_15), path_12.throughput_0);
+    set_vector_0(number_of_path_1, &(at_15), path_12.direction_0);
+    set_place_0(number_of_path_1, &(at_15), path_12.place_1);
+    set_word_0(number_of_path_1, at_15, path_12.key_0.x);
+    set_word_0(number_of_path_1, at_15 + u32(1), path_12.key_0.y);
     return;
 }
 
@@ -2221,24 +2357,27 @@ fn store_0( number_of_path_1 : u32,  path_6 : Path_0)
 @workgroup_size(64, 1, 1)
 fn go_on(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_14 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_14 >= (launch_0.end_0))
+    var at_16 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_16 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_14];
-    var path_7 : Path_0 = load_0(number_of_path_2);
-    var goes_on_2 : bool = take_further_0(&(path_7));
-    store_0(number_of_path_2, path_7);
-    var _S148 : u32;
+    var number_of_path_2 : u32 = input_0[at_16];
+    var path_13 : Path_0 = load_0(number_of_path_2);
+    var vertex_2 : Vertex_0 = dark_vertex_0();
+    var goes_on_2 : bool = take_further_0(&(path_13), &(vertex_2), vec3<f32>(0.0f));
+    path_13.light_0 = path_13.light_0 + path_13.throughput_0 * vertex_2.direct_0;
+    path_13.throughput_0 = path_13.throughput_0 * vertex_2.onward_0;
+    store_0(number_of_path_2, path_13);
+    var _S159 : u32;
     if(goes_on_2)
     {
-        _S148 = number_of_path_2;
+        _S159 = number_of_path_2;
     }
     else
     {
-        _S148 = u32(4294967295);
+        _S159 = u32(4294967295);
     }
-    going_on_0[at_14] = _S148;
+    set_word_0(at_16, u32(0), _S159);
     return;
 }

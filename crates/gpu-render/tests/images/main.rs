@@ -2,6 +2,7 @@
 //! and pass; with `CAPWALK_GPU_TESTS=require` they fail there.
 
 mod agreement;
+mod derivatives;
 mod device;
 mod faults;
 mod parts;

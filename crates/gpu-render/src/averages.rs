@@ -1,0 +1,106 @@
+//! The average of the samples of each pixel, taken by a device.
+
+use capwalk_boundary::pool;
+use capwalk_gpu::GpuError;
+use capwalk_render::tiles::{Averages, SamplePlace};
+use capwalk_render::{RenderOptions, Tracer, Watch, average_elsewhere};
+use rayon::prelude::*;
+
+use crate::camera_rays::write_camera_ray;
+use crate::device_error::DeviceError;
+use crate::device_scene::DeviceScene;
+use crate::part_size::PartSize;
+use crate::paths::{Followed, Paths};
+use crate::render_kernels::PathKernels;
+use crate::unsupported::unsupported_options;
+
+/// Most samples that are on the device at a time: enough for a GPU to be busy.
+pub const MOST_PATHS: usize = 1 << 18;
+
+/// What takes samples, and how many at a time at most.
+#[derive(Clone, Copy, Debug)]
+pub struct Task<'a> {
+    pub kernels: &'static PathKernels,
+    /// How textures change.
+    pub changes: &'a [u32],
+    pub most: usize,
+}
+
+impl DeviceScene<'_> {
+    /// The averages of the first `N` numbers of samples.
+    pub(crate) fn average<const N: usize>(
+        &self,
+        task: Task,
+        options: &RenderOptions,
+        watch: &dyn Watch,
+    ) -> Result<Averages, DeviceError> {
+        if let Some(unsupported) = unsupported_options(options) {
+            return Err(unsupported.into());
+        }
+        pool::install(|| self.average_here::<N>(task, options, watch))
+    }
+
+    fn average_here<const N: usize>(
+        &self,
+        task: Task,
+        options: &RenderOptions,
+        watch: &dyn Watch,
+    ) -> Result<Averages, DeviceError> {
+        let tracer = Tracer::primal(self.prepared);
+        let allowed = self.gpu.largest_buffer() / (4 * task.kernels.path) as u64;
+        let size = PartSize::new(task.most.min(allowed as usize));
+        let mut paths = None;
+        let take = |places: &[SamplePlace]| {
+            let mut taken = Vec::with_capacity(places.len());
+            while taken.len() < places.len() {
+                let rest = &places[taken.len()..];
+                let some = &rest[..rest.len().min(size.get())];
+                let before = self.gpu.busy();
+                match self.take::<N>(&tracer, some, size.get(), task, &mut paths, watch) {
+                    Ok(Some(samples)) => taken.extend(samples),
+                    Ok(None) => return Ok(None),
+                    Err(GpuError::OutOfMemory { .. }) if size.halve() => {
+                        paths = None;
+                        continue;
+                    }
+                    Err(error) => return Err(error.into()),
+                }
+                size.follow(self.gpu.busy().saturating_sub(before), some.len());
+            }
+            Ok(Some(taken))
+        };
+        average_elsewhere(self.prepared.scene(), options, || size.get(), watch, take)
+    }
+
+    /// The numbers of some samples; `None` if the watch stopped the work.
+    fn take<'p, const N: usize>(
+        &'p self,
+        tracer: &Tracer,
+        places: &[SamplePlace],
+        room: usize,
+        task: Task,
+        paths: &mut Option<Paths<'p>>,
+        watch: &dyn Watch,
+    ) -> Result<Option<Vec<[f64; N]>>, GpuError> {
+        let paths = match paths {
+            Some(paths) if paths.room() >= room => paths,
+            other => {
+                *other = None;
+                let (kernels, changes) = (task.kernels, task.changes);
+                other.insert(self.paths(kernels, [room, 0], changes, 0)?)
+            }
+        };
+        let words = task.kernels.ray;
+        let mut rays = vec![0; words * places.len()];
+        let weights = (places, rays.par_chunks_exact_mut(words))
+            .into_par_iter()
+            .map(|(place, ray)| write_camera_ray(tracer, &self.frame, place, ray));
+        let weights: Vec<f64> = weights.collect();
+        let Followed::ToTheEnd(_) = paths.follow(&rays, watch)? else {
+            return Ok(None);
+        };
+        let numbers = paths.numbers(places.len())?.into_iter().zip(weights);
+        let weighted = |(numbers, weight): ([f32; N], f64)| numbers.map(|x| f64::from(x) * weight);
+        Ok(Some(numbers.map(weighted).collect()))
+    }
+}

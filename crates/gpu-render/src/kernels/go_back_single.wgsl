@@ -1,0 +1,453 @@
+// Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
+// compiler: Slang 2026.12 in slangpy 0.43.1
+// source: 16cbc1b61831ad75
+// result: ed646ee3fe58dc1b
+
+struct Launch_std140_0
+{
+    @align(16) first_0 : u32,
+    @align(4) end_0 : u32,
+    @align(8) room_0 : u32,
+    @align(4) depth_0 : u32,
+};
+
+@binding(8) @group(0) var<uniform> launch_0 : Launch_std140_0;
+@binding(5) @group(0) var<storage, read> input_0 : array<u32>;
+
+@binding(6) @group(0) var<storage, read_write> paths_0 : array<u32>;
+
+@binding(4) @group(0) var<storage, read> scene_0 : array<u32>;
+
+@binding(7) @group(0) var<storage, read_write> sums_0 : array<atomic<u32>>;
+
+fn kept_at_0() -> u32
+{
+    return u32(18) + u32(26) * launch_0.depth_0;
+}
+
+fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
+{
+    return paths_0[which_0 * launch_0.room_0 + path_0];
+}
+
+fn path_vector_0( path_1 : u32,  which_1 : ptr<function, u32>) -> vec3<f32>
+{
+    var _S1 : u32 = (*which_1) + u32(3);
+    (*which_1) = _S1;
+    return (bitcast<vec3<f32>>((vec3<u32>(path_word_0(path_1, _S1 - u32(3)), path_word_0(path_1, _S1 - u32(2)), path_word_0(path_1, _S1 - u32(1))))));
+}
+
+struct Place_0
+{
+     triangle_0 : u32,
+     v_0 : f32,
+     w_0 : f32,
+};
+
+fn path_place_0( path_2 : u32,  which_2 : ptr<function, u32>) -> Place_0
+{
+    var place_0 : Place_0;
+    place_0.triangle_0 = path_word_0(path_2, (*which_2));
+    place_0.v_0 = (bitcast<f32>((path_word_0(path_2, (*which_2) + u32(1)))));
+    place_0.w_0 = (bitcast<f32>((path_word_0(path_2, (*which_2) + u32(2)))));
+    (*which_2) = (*which_2) + u32(3);
+    return place_0;
+}
+
+struct Colour_0
+{
+     value_0 : vec3<f32>,
+     changes_0 : array<vec3<f32>, i32(2)>,
+};
+
+fn path_colour_0( path_3 : u32,  which_3 : ptr<function, u32>) -> Colour_0
+{
+    var colour_0 : Colour_0;
+    var _S2 : vec3<f32> = path_vector_0(path_3, &((*which_3)));
+    colour_0.value_0 = _S2;
+    var k_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_0 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S3 : vec3<f32> = path_vector_0(path_3, &((*which_3)));
+        colour_0.changes_0[k_0] = _S3;
+        k_0 = k_0 + u32(1);
+    }
+    return colour_0;
+}
+
+fn word_0( at_0 : u32) -> u32
+{
+    return scene_0[at_0];
+}
+
+fn change_word_0( at_1 : u32) -> u32
+{
+    return input_0[u32(12) * launch_0.room_0 + at_1];
+}
+
+fn numbers_of_0( texture_0 : u32) -> u32
+{
+    return change_word_0(u32(2) * word_0(texture_0 + u32(12)));
+}
+
+struct Lookup_0
+{
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+};
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(1);
+    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
+    return lookup_0;
+}
+
+fn triangle_record_0( triangle_1 : u32) -> u32
+{
+    return word_0(u32(9)) + u32(5) * triangle_1;
+}
+
+fn shape_of_0( triangle_2 : u32) -> u32
+{
+    return word_0(u32(10)) + u32(5) * word_0(triangle_record_0(triangle_2));
+}
+
+fn number_0( at_2 : u32) -> f32
+{
+    return (bitcast<f32>((scene_0[at_2])));
+}
+
+fn uv_of_0( place_1 : Place_0) -> vec2<f32>
+{
+    var uvs_0 : u32 = word_0(shape_of_0(place_1.triangle_0) + u32(1));
+    if(uvs_0 == u32(4294967295))
+    {
+        return vec2<f32>(place_1.v_0, place_1.w_0);
+    }
+    var at_3 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_0) + u32(1));
+    return vec2<f32>(number_0(at_3), number_0(at_3 + u32(1))) * vec2<f32>((1.0f - place_1.v_0 - place_1.w_0)) + vec2<f32>(number_0(at_3 + u32(2)), number_0(at_3 + u32(3))) * vec2<f32>(place_1.v_0) + vec2<f32>(number_0(at_3 + u32(4)), number_0(at_3 + u32(5))) * vec2<f32>(place_1.w_0);
+}
+
+fn vector_at_0( at_4 : u32) -> vec3<f32>
+{
+    return vec3<f32>(number_0(at_4), number_0(at_4 + u32(1)), number_0(at_4 + u32(2)));
+}
+
+fn floor_of_0( x_0 : f32) -> i32
+{
+    return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
+}
+
+fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
+{
+    if(wrap_0 == u32(2))
+    {
+        return u32(clamp(i_0, i32(0), n_0 - i32(1)));
+    }
+    var period_0 : i32;
+    if(wrap_0 == u32(1))
+    {
+        period_0 = i32(2) * n_0;
+    }
+    else
+    {
+        period_0 = n_0;
+    }
+    var inside_0 : i32 = i_0 % period_0;
+    var inside_1 : i32;
+    if(inside_0 < i32(0))
+    {
+        inside_1 = inside_0 + period_0;
+    }
+    else
+    {
+        inside_1 = inside_0;
+    }
+    if(inside_1 < n_0)
+    {
+        period_0 = inside_1;
+    }
+    else
+    {
+        period_0 = i32(2) * n_0 - i32(1) - inside_1;
+    }
+    return u32(period_0);
+}
+
+fn in_bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+{
+    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_1 + u32(5));
+    var place_2 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
+    if((word_0(texture_1 + u32(4))) == u32(0))
+    {
+        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
+        var _S4 : u32 = row_0 * u32(width_0);
+        var _S5 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S4 + _S5);
+    }
+    var place_3 : vec2<f32> = place_2 - vec2<f32>(0.5f);
+    var x_1 : i32 = floor_of_0(place_3.x);
+    var y_0 : i32 = floor_of_0(place_3.y);
+    var way_0 : vec2<f32> = place_3 - floor(place_3);
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var _S6 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S7 : u32 = u32(width_0);
+    var first_1 : u32 = _S6 * _S7;
+    var _S8 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S8 * _S7;
+    var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
+    var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0);
+    var _S9 : f32 = back_0.x;
+    var _S10 : f32 = back_0.y;
+    var _S11 : f32 = way_0.x;
+    var _S12 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S9 * _S10, _S11 * _S10, _S9 * _S12, _S11 * _S12);
+    return lookup_1;
+}
+
+fn lookup_at_0( texture_2 : u32,  place_4 : Place_0) -> Lookup_0
+{
+    var kind_0 : u32 = word_0(texture_2);
+    if(kind_0 == u32(0))
+    {
+        return one_texel_0(u32(0));
+    }
+    var record_0 : u32 = triangle_record_0(place_4.triangle_0) + u32(1);
+    if(kind_0 == u32(4))
+    {
+        return one_texel_0(word_0(record_0));
+    }
+    if(kind_0 == u32(3))
+    {
+        var lookup_2 : Lookup_0;
+        lookup_2.count_0 = u32(3);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_0 + u32(1)), word_0(record_0 + u32(2)), word_0(record_0 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_0 - place_4.w_0, place_4.v_0, place_4.w_0, 0.0f);
+        return lookup_2;
+    }
+    var rows_0 : u32 = texture_2 + u32(6);
+    var _S13 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S13, vector_at_0(rows_0)), dot(_S13, vector_at_0(rows_0 + u32(3))));
+    if(kind_0 == u32(1))
+    {
+        var _S14 : Lookup_0 = in_bitmap_0(texture_2, uv_1);
+        return _S14;
+    }
+    var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
+    var _S15 : i32;
+    if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
+    {
+        _S15 = i32(1);
+    }
+    else
+    {
+        _S15 = i32(0);
+    }
+    return one_texel_0(u32(_S15));
+}
+
+fn plus_0( a_0 : vec2<u32>,  b_0 : vec2<u32>) -> vec2<u32>
+{
+    var _S16 : u32 = a_0.x;
+    var low_0 : u32 = _S16 + b_0.x;
+    var _S17 : u32 = a_0.y + b_0.y;
+    var _S18 : i32;
+    if(low_0 < _S16)
+    {
+        _S18 = i32(1);
+    }
+    else
+    {
+        _S18 = i32(0);
+    }
+    return vec2<u32>(low_0, _S17 + u32(_S18));
+}
+
+fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32,  units_0 : f32)
+{
+    if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
+    {
+        var _S19 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        return;
+    }
+    var scaled_0 : f32 = derivative_0 * units_0;
+    var size_0 : f32 = abs(scaled_0);
+    if(size_0 > 2.74877906944e+11f)
+    {
+        var _S20 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        return;
+    }
+    var high_0 : u32 = u32(size_0 * 2.32830643653869629e-10f);
+    var _S21 : u32 = u32(size_0 - f32(high_0) * 4.294967296e+09f + 0.5f);
+    var whole_0 : vec2<u32> = vec2<u32>(_S21, high_0);
+    var _S22 : bool;
+    if(_S21 == u32(0))
+    {
+        _S22 = high_0 == u32(0);
+    }
+    else
+    {
+        _S22 = false;
+    }
+    if(_S22)
+    {
+        return;
+    }
+    var whole_1 : vec2<u32>;
+    if(scaled_0 < 0.0f)
+    {
+        whole_1 = plus_0(~whole_0, vec2<u32>(u32(1), u32(0)));
+    }
+    else
+    {
+        whole_1 = whole_0;
+    }
+    var at_5 : u32 = u32(2) + u32(2) * sum_0;
+    var _S23 : u32 = whole_1.x;
+    var before_0 : u32 = atomicAdd(&(sums_0[at_5]), _S23);
+    var _S24 : i32;
+    if((before_0 + _S23) < before_0)
+    {
+        _S24 = i32(1);
+    }
+    else
+    {
+        _S24 = i32(0);
+    }
+    var _S25 : u32 = whole_1.y + u32(_S24);
+    if(_S25 != u32(0))
+    {
+        var _S26 : u32 = atomicAdd(&(sums_0[at_5 + u32(1)]), _S25);
+    }
+    return;
+}
+
+fn add_to_texels_0( texture_3 : u32,  place_5 : Place_0,  derivative_1 : vec3<f32>)
+{
+    var first_2 : u32 = numbers_of_0(texture_3);
+    if(first_2 == u32(4294967295))
+    {
+        return;
+    }
+    var _S27 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
+    var _S28 : u32 = word_0(texture_3 + u32(1));
+    var _S29 : Lookup_0 = lookup_at_0(texture_3, place_5);
+    var k_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_1 < (_S29.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_6 : u32 = first_2 + _S28 * _S29.texels_0[k_1];
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(_S29.weights_0[k_1]);
+        if(_S28 == u32(1))
+        {
+            add_to_sum_0(at_6, own_0.x + own_0.y + own_0.z, _S27);
+            k_1 = k_1 + u32(1);
+            continue;
+        }
+        var axis_0 : u32 = u32(0);
+        for(;;)
+        {
+            if(axis_0 < u32(3))
+            {
+            }
+            else
+            {
+                break;
+            }
+            add_to_sum_0(at_6 + axis_0, own_0[axis_0], _S27);
+            axis_0 = axis_0 + u32(1);
+        }
+        k_1 = k_1 + u32(1);
+    }
+    return;
+}
+
+fn set_word_0( path_4 : u32,  which_4 : u32,  value_1 : u32)
+{
+    paths_0[which_4 * launch_0.room_0 + path_4] = value_1;
+    return;
+}
+
+fn set_vector_0( path_5 : u32,  which_5 : ptr<function, u32>,  value_2 : vec3<f32>)
+{
+    var axis_1 : u32 = u32(0);
+    for(;;)
+    {
+        if(axis_1 < u32(3))
+        {
+        }
+        else
+        {
+            break;
+        }
+        set_word_0(path_5, (*which_5) + axis_1, (bitcast<u32>((value_2[axis_1]))));
+        axis_1 = axis_1 + u32(1);
+    }
+    (*which_5) = (*which_5) + u32(3);
+    return;
+}
+
+@compute
+@workgroup_size(64, 1, 1)
+fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
+{
+    var at_7 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_7 >= (launch_0.end_0))
+    {
+        return;
+    }
+    var number_of_path_0 : u32 = input_0[at_7];
+    var kept_0 : u32 = kept_at_0();
+    var _S30 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    var _S31 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
+    var _S32 : vec2<u32> = vec2<u32>(path_word_0(number_of_path_0, kept_0), path_word_0(number_of_path_0, kept_0 + u32(1)));
+    kept_0 = kept_0 + u32(2);
+    var direct_0 : Colour_0 = path_colour_0(number_of_path_0, &(kept_0));
+    var onward_0 : Colour_0 = path_colour_0(number_of_path_0, &(kept_0));
+    var which_6 : u32 = u32(15);
+    var beyond_0 : vec3<f32> = path_vector_0(number_of_path_0, &(which_6));
+    var k_2 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_2 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S33 : u32 = k_2;
+        if((_S32[k_2]) == u32(4294967295))
+        {
+            k_2 = k_2 + u32(1);
+            continue;
+        }
+        add_to_texels_0(_S32[_S33], _S31, _S30 * (direct_0.changes_0[k_2] + onward_0.changes_0[k_2] * beyond_0));
+        k_2 = k_2 + u32(1);
+    }
+    which_6 = u32(15);
+    set_vector_0(number_of_path_0, &(which_6), direct_0.value_0 + onward_0.value_0 * beyond_0);
+    return;
+}

@@ -1,0 +1,248 @@
+//! The gradient of a loss by texels from a device, in reverse mode.
+
+use capwalk_boundary::{Sampler, pool};
+use capwalk_diff::{Backward, BackwardWork, GradientOptions, Wanted};
+use capwalk_gpu::GpuError;
+use capwalk_render::tiles::{self, SamplePlace};
+use capwalk_render::{Plan, Statistics, Tracer, Watch};
+use capwalk_scene::{Gradient, Image};
+use rayon::prelude::*;
+
+use crate::camera_rays::write_camera_ray;
+use crate::device_error::DeviceError;
+use crate::device_scene::DeviceScene;
+use crate::fixed_point::{PartSums, TexelSums};
+use crate::part_size::PartSize;
+use crate::paths::{Followed, Paths};
+use crate::render_kernels::REVERSE;
+use crate::texture_records::float;
+use crate::unsupported::{unsupported_derivative, unsupported_options};
+
+/// Most samples that are on the device at a time: all their vertices are.
+const MOST_PATHS: usize = 1 << 16;
+
+/// Room for so many vertices of each path to begin with.
+const FEW_LEVELS: usize = 8;
+
+/// No sum on the device may have more derivatives than this, see `sums.slang`.
+const MOST_DERIVATIVES: usize = 1 << 24;
+
+impl DeviceScene<'_> {
+    /// The gradient of `Σ adjoint · image` in the texels that are wanted, as
+    /// [`capwalk_diff::backward`] has it: of its samples, with its batches and refusals. An error if
+    /// anything else is wanted. Derivatives that are not finite are left out, each by itself, and counted.
+    ///
+    /// Sums are in fixed point, so their bits do not depend on which thread comes first.
+    pub fn backward(
+        &self,
+        adjoint: &Image,
+        wanted: &Wanted,
+        options: &GradientOptions,
+        watch: &dyn Watch,
+    ) -> Result<Backward, DeviceError> {
+        self.backward_in_parts(adjoint, wanted, options, MOST_PATHS, watch)
+    }
+
+    /// The same with so many samples on the device at a time at most, which changes no bit.
+    pub fn backward_in_parts(
+        &self,
+        adjoint: &Image,
+        wanted: &Wanted,
+        options: &GradientOptions,
+        most: usize,
+        watch: &dyn Watch,
+    ) -> Result<Backward, DeviceError> {
+        BackwardWork::new(self.prepared, adjoint, wanted.clone(), *options).check()?;
+        let sampling = options.sampling();
+        let unsupported = unsupported_derivative(self.prepared, wanted);
+        if let Some(unsupported) = unsupported.or_else(|| unsupported_options(&sampling)) {
+            return Err(unsupported.into());
+        }
+        let scene = self.prepared.scene();
+        let mut sums = TexelSums::new(scene, &self.textures, wanted, adjoint);
+        loop {
+            let job = Job {
+                scene: self,
+                adjoint,
+                wanted,
+                options,
+                sums: &sums,
+                most,
+                watch,
+            };
+            if let Some(backward) = pool::install(|| job.run())? {
+                return Ok(backward);
+            }
+            sums.widen();
+        }
+    }
+}
+
+/// A gradient with sums of these units.
+struct Job<'a> {
+    scene: &'a DeviceScene<'a>,
+    adjoint: &'a Image,
+    wanted: &'a Wanted,
+    options: &'a GradientOptions,
+    sums: &'a TexelSums,
+    most: usize,
+    watch: &'a dyn Watch,
+}
+
+/// What becomes of a part.
+enum Outcome {
+    Done(PartSums),
+    Stopped,
+    NoLevel,
+}
+
+/// Where the samples are taken.
+struct Place<'a> {
+    tracer: Tracer<'a>,
+    sampler: Sampler,
+    size: PartSize,
+    levels: usize,
+    paths: Option<Paths<'a>>,
+}
+
+impl<'a> Job<'a> {
+    /// The gradient; `None` if units are too small.
+    fn run(&self) -> Result<Option<Backward>, DeviceError> {
+        let prepared = self.scene.prepared;
+        let (scene, options) = (prepared.scene(), self.options);
+        let deepest = Plan::new(scene).max_depth.unwrap_or(u32::MAX);
+        let mut place = Place {
+            tracer: Tracer::primal(prepared),
+            sampler: Sampler::new(&scene.settings, options.seed, options.spp),
+            size: PartSize::new(self.most),
+            levels: 0,
+            paths: None,
+        };
+        self.keep(
+            &mut place,
+            FEW_LEVELS.min(deepest.saturating_sub(1) as usize).max(1),
+        );
+        let grid = tiles::grid(scene, &options.sampling());
+        let pixels = scene.film.pixel_count();
+        let mut statistics = Statistics::default();
+        let (mut taken, mut done) = (0, 0);
+        let mut batches: Vec<(Gradient, u64)> = Vec::new();
+        for batch in 0..grid.batches {
+            let samples = grid.samples(batch, options.spp, 1);
+            let all = samples.len() * pixels;
+            // Of whole samples of the image, and of what is begun.
+            let mut sum = vec![0_i128; self.sums.count];
+            let mut begun = sum.clone();
+            let (mut at, mut whole) = (0, 0);
+            while at < all && !self.watch.should_stop() {
+                // Some samples of all pixels, or some pixels.
+                let (most, rest) = (place.size.get(), pixels - at % pixels);
+                let count = match at % pixels == 0 && most >= pixels {
+                    true => (most / pixels * pixels).min(all - at),
+                    false => most.min(rest),
+                };
+                let places = (at..at + count).into_par_iter().map(|i| {
+                    let (pixel, sample) = (i % pixels, samples.start + (i / pixels) as u32);
+                    (pixel, place.sampler.stream(pixel as u64, sample))
+                });
+                let places: Vec<_> = places.collect();
+                let before = self.scene.gpu.busy();
+                let part = match self.part(&places, &mut place) {
+                    Ok(Outcome::Done(part)) => part,
+                    Ok(Outcome::Stopped) => break,
+                    Ok(Outcome::NoLevel) => {
+                        let levels = 2 * place.levels;
+                        self.keep(&mut place, levels);
+                        continue;
+                    }
+                    Err(GpuError::OutOfMemory { .. }) if place.size.halve() => {
+                        place.paths = None;
+                        continue;
+                    }
+                    Err(error) => return Err(error.into()),
+                };
+                if part.too_large > 0 {
+                    return Ok(None);
+                }
+                let took = self.scene.gpu.busy().saturating_sub(before);
+                place.size.follow(took, count);
+                statistics.non_finite += u64::from(part.non_finite);
+                add(&mut begun, part.sums.into_iter().map(i128::from));
+                at += count;
+                if at % pixels == 0 {
+                    add(&mut sum, begun.iter_mut().map(std::mem::take));
+                    whole = at / pixels;
+                }
+                done += count as u64;
+                let total = u64::from(options.spp) * pixels as u64;
+                self.watch.progress(done, total);
+            }
+            taken += whole as u32;
+            if whole > 0 || (batches.is_empty() && batch + 1 == grid.batches) {
+                let times = whole.max(1) as f64;
+                let gradient = self.sums.gradient(scene, self.wanted, &sum, times);
+                batches.push((gradient, (whole.max(1) * pixels) as u64));
+            }
+        }
+        statistics.samples_per_pixel = vec![taken; pixels];
+        statistics.complete = taken == options.spp;
+        statistics.samples = u64::from(taken) * pixels as u64;
+        Ok(Some(Backward::new(batches, statistics)))
+    }
+
+    /// From now on, so many vertices of each path are kept, and of as many paths as there is room for.
+    fn keep(&self, place: &mut Place, levels: usize) {
+        let sampling = Plan::new(self.scene.prepared.scene()).sampling;
+        let by_texels = 2 + sampling.emitter_samples + sampling.bsdf_samples;
+        let by_sums = MOST_DERIVATIVES / (levels * by_texels as usize);
+        let bytes = 4 * REVERSE.words(levels) as u64;
+        let by_memory = (self.scene.gpu.largest_buffer() / bytes) as usize;
+        place.size = PartSize::new(self.most.min(by_sums).min(by_memory));
+        place.levels = levels;
+        place.paths = None;
+    }
+
+    /// What some samples, each of a pixel, add to the sums.
+    fn part(
+        &self,
+        samples: &[(usize, capwalk_boundary::Stream)],
+        place: &mut Place<'a>,
+    ) -> Result<Outcome, GpuError> {
+        let room = place.size.get();
+        let paths = match &mut place.paths {
+            Some(paths) if paths.room() >= room => paths,
+            other => {
+                *other = None;
+                let (changes, sums) = (self.sums.changes(), self.sums.words());
+                let room = [room, place.levels];
+                other.insert(self.scene.paths(&REVERSE, room, &changes, sums)?)
+            }
+        };
+        let width = self.adjoint.width;
+        let mut rays = vec![0; REVERSE.ray * samples.len()];
+        let each = (samples, rays.par_chunks_exact_mut(REVERSE.ray)).into_par_iter();
+        each.for_each(|(&(pixel, stream), words)| {
+            let (ray, adjoint) = words.split_at_mut(REVERSE.ray - 3);
+            let sample = SamplePlace {
+                pixel: [(pixel % width) as u32, (pixel / width) as u32],
+                stream,
+            };
+            let weight = write_camera_ray(&place.tracer, &self.scene.frame, &sample, ray);
+            let of_pixel = self.adjoint.pixels[pixel] * weight;
+            adjoint.copy_from_slice(&of_pixel.to_array().map(float));
+        });
+        paths.clear_sums(self.sums.words())?;
+        match paths.follow(&rays, self.watch)? {
+            Followed::ToTheEnd(lists) if paths.go_back(&lists, self.watch)? => {
+                let words = paths.sums(self.sums.words())?;
+                Ok(Outcome::Done(self.sums.read(&words)))
+            }
+            Followed::ToTheEnd(_) | Followed::Stopped => Ok(Outcome::Stopped),
+            Followed::NoLevel => Ok(Outcome::NoLevel),
+        }
+    }
+}
+
+fn add(sums: &mut [i128], more: impl Iterator<Item = i128>) {
+    sums.iter_mut().zip(more).for_each(|(sum, x)| *sum += x);
+}
