@@ -24,7 +24,7 @@ ENTRIES = {
     "moved": ["moved_triangles", "moved_edges"],
     "bounds": ["bound_triangles", "bound_edges"],
     "sampled": ["sample_edges"],
-    "render": ["begin_paths", "go_on"],
+    "render": ["begin_paths", "go_on", "go_on_diffuse"],
 }
 # Where files are that sources include.
 SHARED = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "crates", "gpu", "src", "kernels")
@@ -58,7 +58,8 @@ def slang(library, source, entry, precision, target, real):
     """The kernel in WGSL or CUDA's C++, where `real` is the type of exact tests."""
     session = ctypes.c_void_p(library.spCreateSession(ctypes.c_char_p(None)))
     request = ctypes.c_void_p(library.spCreateCompileRequest(session))
-    words = [source, "-D" + precision.upper(), "-D" + target.upper(), "-DREAL=" + real, "-I", SHARED, "-target", target, "-entry", entry,
+    defines = [precision.upper(), target.upper(), "ENTRY_" + entry.upper(), "REAL=" + real]
+    words = [source, *["-D" + define for define in defines], "-I", SHARED, "-target", target, "-entry", entry,
              "-stage", "compute", "-line-directive-mode", "none"]
     arguments = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = library.spProcessCommandLineArguments(request, arguments, len(words)) < 0

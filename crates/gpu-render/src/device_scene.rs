@@ -13,6 +13,7 @@ use rayon::prelude::*;
 
 use crate::camera_rays::write_camera_ray;
 use crate::device_error::DeviceError;
+use crate::lobe_records::only_diffuse;
 use crate::paths::Paths;
 use crate::render_kernels::CAMERA_RAY;
 use crate::scene_records::SceneRecords;
@@ -39,6 +40,7 @@ pub struct DeviceScene<'a> {
     frame: LocalFrame,
     /// Nodes, starts of leaves, triangles, their numbers, and records.
     arrays: [DeviceArray; 5],
+    only_diffuse: bool,
 }
 
 impl<'a> DeviceScene<'a> {
@@ -92,6 +94,7 @@ impl<'a> DeviceScene<'a> {
             prepared,
             frame,
             arrays,
+            only_diffuse: only_diffuse(&prepared.accel().scene),
         })
     }
 
@@ -178,7 +181,8 @@ impl<'a> DeviceScene<'a> {
             .into_par_iter()
             .map(|(place, words)| write_camera_ray(tracer, &self.frame, place, words));
         let weights: Vec<f64> = weights.collect();
-        let light = paths.light(&self.gpu, self.arrays.each_ref(), &rays, watch)?;
+        let (arrays, only_diffuse) = (self.arrays.each_ref(), self.only_diffuse);
+        let light = paths.light(&self.gpu, arrays, only_diffuse, &rays, watch)?;
         let weighted = |(light, weight): ([f32; 3], f64)| light.map(|x| f64::from(x) * weight);
         Ok(light.map(|light| light.into_iter().zip(weights).map(weighted).collect()))
     }

@@ -26,6 +26,8 @@ mod camera_rays;
 mod device_error;
 mod device_scene;
 mod emitter_records;
+mod environment_records;
+mod lobe_records;
 mod paths;
 mod render_kernels;
 mod scene_records;

@@ -4,7 +4,7 @@ use capwalk_geometry::buffers::NONE;
 use capwalk_gpu::{DeviceArray, Gpu, GpuError};
 use capwalk_render::Watch;
 
-use crate::render_kernels::{BEGIN_PATHS, CAMERA_RAY, GO_ON, PATH};
+use crate::render_kernels::{BEGIN_PATHS, CAMERA_RAY, GO_ON, GO_ON_DIFFUSE, PATH};
 
 /// Room for so many paths.
 #[derive(Debug)]
@@ -39,11 +39,13 @@ impl Paths {
     }
 
     /// Follows paths to their ends, given their camera rays, and returns the light that each one
-    /// carries; `None` if the watch stopped it. `scene` are the five arrays of a scene.
+    /// carries; `None` if the watch stopped it. `scene` are the five arrays of a scene, and
+    /// `only_diffuse` what [`only_diffuse`](crate::lobe_records::only_diffuse) says of it.
     pub fn light(
         &self,
         gpu: &Gpu,
         scene: [&DeviceArray; 5],
+        only_diffuse: bool,
         rays: &[u32],
         watch: &dyn Watch,
     ) -> Result<Option<Vec<[f32; 3]>>, GpuError> {
@@ -70,6 +72,7 @@ impl Paths {
                 gpu.launch(kernel, arrays, count as u32, [self.room as u32, depth])
             }
         };
+        let go_on = if only_diffuse { &GO_ON_DIFFUSE } else { &GO_ON };
         launch(&BEGIN_PATHS, count, 0)?;
         let mut list = vec![0_u32; count];
         for depth in 0.. {
@@ -83,7 +86,7 @@ impl Paths {
                 return Ok(None);
             }
             gpu.write(input, bytemuck::cast_slice(&list))?;
-            launch(&GO_ON, list.len(), depth)?;
+            launch(go_on, list.len(), depth)?;
         }
         // One array for each channel, as long as there is room for paths.
         let mut channels = vec![0_f32; 2 * self.room + count];

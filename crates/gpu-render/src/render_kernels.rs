@@ -25,6 +25,9 @@ pub const BEGIN_PATHS: CompiledKernel = compiled!("begin_paths");
 /// Takes the paths of a list further by a segment.
 pub const GO_ON: CompiledKernel = compiled!("go_on");
 
+/// The same in scenes where all surfaces are diffuse and light comes from no map.
+pub const GO_ON_DIFFUSE: CompiledKernel = compiled!("go_on_diffuse");
+
 /// Words of a camera's ray.
 pub const CAMERA_RAY: usize = 9;
 /// Words of a path; the first three are its light.
@@ -44,11 +47,18 @@ mod tests {
             ("rays", RAYS_SOURCE),
             ("numbers", include_str!("kernels/numbers.slang")),
             ("surfaces", include_str!("kernels/surfaces.slang")),
+            ("fresnel", include_str!("kernels/fresnel.slang")),
+            ("microfacets", include_str!("kernels/microfacets.slang")),
+            ("lobes", include_str!("kernels/lobes.slang")),
+            (
+                "environment_map",
+                include_str!("kernels/environment_map.slang"),
+            ),
             ("emitters", include_str!("kernels/emitters.slang")),
         ] {
             source = source.replace(&format!("#include \"{name}.slang\"\n"), content);
         }
-        for kernel in [BEGIN_PATHS, GO_ON] {
+        for kernel in [BEGIN_PATHS, GO_ON, GO_ON_DIFFUSE] {
             assert_eq!(kernel.check(&source), Ok(()));
         }
     }

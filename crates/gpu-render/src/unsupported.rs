@@ -12,8 +12,9 @@ pub struct Unsupported {
 }
 
 /// The first thing of a scene that the device's renderer does not have; `None` if it has all. It
-/// has diffuse surfaces, also two-sided ones, with any texture; area emitters and light from
-/// everywhere; every sensor and filter; independent random numbers.
+/// has diffuse surfaces, metals and plastics, smooth and rough, also two-sided ones, with any
+/// texture; area emitters, light from everywhere and environment maps; every sensor and filter;
+/// independent random numbers.
 pub fn unsupported(prepared: &PreparedScene) -> Option<Unsupported> {
     let what = of_scene(prepared)?;
     Some(Unsupported { what })
@@ -49,9 +50,8 @@ fn of_scene(prepared: &PreparedScene) -> Option<String> {
 
 fn of_emitter(emitter: &Emitter) -> Option<String> {
     match emitter {
-        Emitter::Area { .. } | Emitter::Constant { .. } => None,
-        Emitter::EnvironmentMap { id, .. }
-        | Emitter::Point { id, .. }
+        Emitter::Area { .. } | Emitter::Constant { .. } | Emitter::EnvironmentMap { .. } => None,
+        Emitter::Point { id, .. }
         | Emitter::Spot { id, .. }
         | Emitter::Projector { id, .. }
         | Emitter::Directional { id, .. } => Some(format!(
@@ -61,20 +61,20 @@ fn of_emitter(emitter: &Emitter) -> Option<String> {
     }
 }
 
-/// What a material has besides diffuse sides, with its article.
+/// What a material has besides sides that the kernels have lobes of, with its article.
 fn of_material(scene: &Scene, id: BsdfId) -> Option<&'static str> {
     match &scene.material(id).bsdf {
-        Bsdf::Diffuse { .. } => None,
+        Bsdf::Diffuse { .. }
+        | Bsdf::Conductor(_)
+        | Bsdf::RoughConductor(..)
+        | Bsdf::Plastic(_)
+        | Bsdf::RoughPlastic { .. } => None,
         Bsdf::TwoSided { front, back } => {
             of_material(scene, *front).or_else(|| of_material(scene, *back))
         }
-        Bsdf::Conductor(_) => Some("a conductor"),
-        Bsdf::RoughConductor(..) => Some("a rough conductor"),
         Bsdf::Dielectric(_) => Some("a dielectric"),
         Bsdf::RoughDielectric(..) => Some("a rough dielectric"),
         Bsdf::ThinDielectric(_) => Some("a thin dielectric"),
-        Bsdf::Plastic(_) => Some("a plastic"),
-        Bsdf::RoughPlastic { .. } => Some("a rough plastic"),
         Bsdf::PolarizedPlastic(..) => Some("a polarized plastic"),
         Bsdf::Principled(_) | Bsdf::PrincipledThin(_) => Some("a principled one"),
         Bsdf::Null => Some("a null one"),

@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 0f5c39ba1a86e912
-// result: a0532e1320607e9c
+// source: 447155092c04e8a7
+// result: 2b5c250d97f88551
 
 struct Launch_std140_0
 {
@@ -597,7 +597,7 @@ fn triangle_record_0( triangle_3 : u32) -> u32
 
 fn shape_of_0( triangle_4 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(5) * word_0(triangle_record_0(triangle_4));
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_4));
 }
 
 fn cross_of_0( triangle_5 : u32) -> vec3<f32>
@@ -640,6 +640,11 @@ fn emitter_record_0( emitter_1 : u32) -> u32
     return word_0(u32(11)) + u32(12) * emitter_1;
 }
 
+fn is_map_0( record_0 : u32) -> bool
+{
+    return (word_0(record_0)) == u32(2);
+}
+
 fn number_0( at_5 : u32) -> f32
 {
     return (bitcast<f32>((scene_0[at_5])));
@@ -650,36 +655,79 @@ fn vector_at_0( at_6 : u32) -> vec3<f32>
     return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
 }
 
-fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
+fn angle_of_0( x_1 : f32,  y_1 : f32) -> f32
 {
-    var channels_0 : u32 = word_0(texture_0 + u32(1));
-    var at_7 : u32 = texture_0 + u32(12) + channels_0 * index_0;
-    var _S43 : vec3<f32>;
-    if(channels_0 == u32(1))
+    var _S43 : f32 = abs(x_1);
+    var _S44 : f32 = abs(y_1);
+    var _S45 : f32 = min(_S43, _S44);
+    var _S46 : f32 = max(_S43, _S44);
+    var is_steep_0 : bool = _S45 > (0.41421356797218323f * _S46);
+    var above_0 : f32;
+    if(is_steep_0)
     {
-        _S43 = vec3<f32>(number_0(at_7));
+        above_0 = _S45 - _S46;
     }
     else
     {
-        _S43 = vector_at_0(at_7);
+        above_0 = _S45;
     }
-    return _S43;
-}
-
-fn uv_of_0( place_1 : Place_0) -> vec2<f32>
-{
-    var uvs_0 : u32 = word_0(shape_of_0(place_1.triangle_2) + u32(1));
-    if(uvs_0 == u32(4294967295))
+    var below_0 : f32;
+    if(is_steep_0)
     {
-        return vec2<f32>(place_1.v_4, place_1.w_3);
+        below_0 = _S45 + _S46;
     }
-    var at_8 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_2) + u32(1));
-    return vec2<f32>(number_0(at_8), number_0(at_8 + u32(1))) * vec2<f32>((1.0f - place_1.v_4 - place_1.w_3)) + vec2<f32>(number_0(at_8 + u32(2)), number_0(at_8 + u32(3))) * vec2<f32>(place_1.v_4) + vec2<f32>(number_0(at_8 + u32(4)), number_0(at_8 + u32(5))) * vec2<f32>(place_1.w_3);
+    else
+    {
+        below_0 = _S46;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_3 : f32 = above_0 / below_0;
+    var z_2 : f32 = t_3 * t_3;
+    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(_S44 > _S43)
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    if(x_1 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_1 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
 }
 
-fn floor_of_0( x_1 : f32) -> i32
+fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
 {
-    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
+    var _S47 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S47) * vec3<f32>(direction_2.x) + vector_at_0(_S47 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S47 + u32(6)) * vec3<f32>(direction_2.z);
+    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+}
+
+fn floor_of_0( x_2 : f32) -> i32
+{
+    return i32(floor(clamp(x_2, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -718,75 +766,129 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+fn texel_0( texture_0 : u32,  index_0 : u32) -> vec3<f32>
 {
-    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
-    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
-    var wrap_1 : u32 = word_0(texture_1 + u32(5));
-    var place_2 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
-    if((word_0(texture_1 + u32(4))) == u32(0))
+    var channels_0 : u32 = word_0(texture_0 + u32(1));
+    var at_7 : u32 = texture_0 + u32(12) + channels_0 * index_0;
+    var _S48 : vec3<f32>;
+    if(channels_0 == u32(1))
     {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S44 : u32 = row_0 * u32(width_0);
-        var _S45 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return texel_0(texture_1, _S44 + _S45);
+        _S48 = vec3<f32>(number_0(at_7));
     }
-    var place_3 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    var x_2 : i32 = floor_of_0(place_3.x);
-    var y_1 : i32 = floor_of_0(place_3.y);
-    var way_1 : vec2<f32> = place_3 - floor(place_3);
-    var _S46 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S47 : u32 = u32(width_0);
-    var first_1 : u32 = _S46 * _S47;
-    var _S48 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S48 * _S47;
-    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
-    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
-    var _S49 : vec3<f32> = vec3<f32>(way_1.x);
-    return mix(mix(texel_0(texture_1, first_1 + left_0), texel_0(texture_1, first_1 + right_0), _S49), mix(texel_0(texture_1, second_0 + left_0), texel_0(texture_1, second_0 + right_0), _S49), vec3<f32>(way_1.y));
+    else
+    {
+        _S48 = vector_at_0(at_7);
+    }
+    return _S48;
 }
 
-fn texture_at_0( texture_2 : u32,  place_4 : Place_0) -> vec3<f32>
+fn map_radiance_0( map_1 : u32,  direction_3 : vec3<f32>) -> vec3<f32>
+{
+    var place_1 : vec2<f32> = map_place_0(map_1, direction_3);
+    var way_1 : vec2<f32> = place_1 - floor(place_1);
+    var x_3 : i32 = floor_of_0(place_1.x);
+    var y_2 : i32 = floor_of_0(place_1.y);
+    var width_0 : i32 = i32(word_0(map_1));
+    var height_0 : i32 = i32(word_0(map_1 + u32(1)));
+    var texels_0 : u32 = word_0(map_1 + u32(14));
+    var left_0 : u32 = wrapped_0(x_3, width_0, u32(0));
+    var right_0 : u32 = wrapped_0(x_3 + i32(1), width_0, u32(0));
+    var _S49 : u32 = wrapped_0(y_2, height_0, u32(2));
+    var _S50 : u32 = u32(width_0);
+    var first_1 : u32 = _S49 * _S50;
+    var _S51 : u32 = wrapped_0(y_2 + i32(1), height_0, u32(2));
+    var second_0 : u32 = _S51 * _S50;
+    var _S52 : vec3<f32> = vec3<f32>(way_1.x);
+    return mix(mix(texel_0(texels_0, first_1 + left_0), texel_0(texels_0, first_1 + right_0), _S52), mix(texel_0(texels_0, second_0 + left_0), texel_0(texels_0, second_0 + right_0), _S52), vec3<f32>(way_1.y)) * vector_at_0(map_1 + u32(11));
+}
+
+fn uv_of_0( place_2 : Place_0) -> vec2<f32>
+{
+    var uvs_0 : u32 = word_0(shape_of_0(place_2.triangle_2) + u32(1));
+    if(uvs_0 == u32(4294967295))
+    {
+        return vec2<f32>(place_2.v_4, place_2.w_3);
+    }
+    var at_8 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_2.triangle_2) + u32(1));
+    return vec2<f32>(number_0(at_8), number_0(at_8 + u32(1))) * vec2<f32>((1.0f - place_2.v_4 - place_2.w_3)) + vec2<f32>(number_0(at_8 + u32(2)), number_0(at_8 + u32(3))) * vec2<f32>(place_2.v_4) + vec2<f32>(number_0(at_8 + u32(4)), number_0(at_8 + u32(5))) * vec2<f32>(place_2.w_3);
+}
+
+fn bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> vec3<f32>
+{
+    var width_1 : i32 = i32(word_0(texture_1 + u32(2)));
+    var height_1 : i32 = i32(word_0(texture_1 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_1 + u32(5));
+    var place_3 : vec2<f32> = uv_0 * vec2<f32>(f32(width_1), f32(height_1));
+    if((word_0(texture_1 + u32(4))) == u32(0))
+    {
+        var row_0 : u32 = wrapped_0(floor_of_0(place_3.y), height_1, wrap_1);
+        var _S53 : u32 = row_0 * u32(width_1);
+        var _S54 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
+        return texel_0(texture_1, _S53 + _S54);
+    }
+    var place_4 : vec2<f32> = place_3 - vec2<f32>(0.5f);
+    var x_4 : i32 = floor_of_0(place_4.x);
+    var y_3 : i32 = floor_of_0(place_4.y);
+    var way_2 : vec2<f32> = place_4 - floor(place_4);
+    var _S55 : u32 = wrapped_0(y_3, height_1, wrap_1);
+    var _S56 : u32 = u32(width_1);
+    var first_2 : u32 = _S55 * _S56;
+    var _S57 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
+    var second_1 : u32 = _S57 * _S56;
+    var left_1 : u32 = wrapped_0(x_4, width_1, wrap_1);
+    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, wrap_1);
+    var _S58 : vec3<f32> = vec3<f32>(way_2.x);
+    return mix(mix(texel_0(texture_1, first_2 + left_1), texel_0(texture_1, first_2 + right_1), _S58), mix(texel_0(texture_1, second_1 + left_1), texel_0(texture_1, second_1 + right_1), _S58), vec3<f32>(way_2.y));
+}
+
+fn texture_at_0( texture_2 : u32,  place_5 : Place_0) -> vec3<f32>
 {
     var kind_0 : u32 = word_0(texture_2);
     if(kind_0 == u32(0))
     {
         return texel_0(texture_2, u32(0));
     }
-    var record_0 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_5.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
-        return texel_0(texture_2, word_0(record_0));
+        return texel_0(texture_2, word_0(record_1));
     }
     if(kind_0 == u32(3))
     {
-        return texel_0(texture_2, word_0(record_0 + u32(1))) * vec3<f32>((1.0f - place_4.v_4 - place_4.w_3)) + texel_0(texture_2, word_0(record_0 + u32(2))) * vec3<f32>(place_4.v_4) + texel_0(texture_2, word_0(record_0 + u32(3))) * vec3<f32>(place_4.w_3);
+        return texel_0(texture_2, word_0(record_1 + u32(1))) * vec3<f32>((1.0f - place_5.v_4 - place_5.w_3)) + texel_0(texture_2, word_0(record_1 + u32(2))) * vec3<f32>(place_5.v_4) + texel_0(texture_2, word_0(record_1 + u32(3))) * vec3<f32>(place_5.w_3);
     }
     var rows_0 : u32 = texture_2 + u32(6);
-    var _S50 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S50, vector_at_0(rows_0)), dot(_S50, vector_at_0(rows_0 + u32(3))));
+    var _S59 : vec3<f32> = vec3<f32>(uv_of_0(place_5), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S59, vector_at_0(rows_0)), dot(_S59, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S51 : vec3<f32> = bitmap_0(texture_2, uv_1);
-        return _S51;
+        var _S60 : vec3<f32> = bitmap_0(texture_2, uv_1);
+        return _S60;
     }
     var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S52 : i32;
+    var _S61 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S52 = i32(1);
+        _S61 = i32(1);
     }
     else
     {
-        _S52 = i32(0);
+        _S61 = i32(0);
     }
-    return texel_0(texture_2, u32(_S52));
+    return texel_0(texture_2, u32(_S61));
 }
 
-fn radiance_of_0( emitter_2 : u32,  place_5 : Place_0) -> vec3<f32>
+fn radiance_of_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>) -> vec3<f32>
 {
-    var _S53 : vec3<f32> = texture_at_0(word_0(emitter_record_0(emitter_2) + u32(1)), place_5);
-    return _S53;
+    var record_2 : u32 = emitter_record_0(emitter_2);
+    var radiance_0 : u32 = word_0(record_2 + u32(1));
+    if(is_map_0(record_2))
+    {
+        var _S62 : vec3<f32> = map_radiance_0(radiance_0, direction_4);
+        return _S62;
+    }
+    var _S63 : vec3<f32> = texture_at_0(radiance_0, place_6);
+    return _S63;
 }
 
 fn set_word_0( path_0 : u32,  which_1 : u32,  value_0 : u32)
@@ -817,8 +919,8 @@ struct Path_0
 {
      light_0 : vec3<f32>,
      throughput_0 : vec3<f32>,
-     direction_2 : vec3<f32>,
-     place_6 : Place_0,
+     direction_5 : vec3<f32>,
+     place_7 : Place_0,
      key_0 : vec2<u32>,
 };
 
@@ -826,10 +928,10 @@ fn store_0( number_of_path_0 : u32,  path_2 : Path_0)
 {
     set_vector_0(number_of_path_0, u32(0), path_2.light_0);
     set_vector_0(number_of_path_0, u32(3), path_2.throughput_0);
-    set_vector_0(number_of_path_0, u32(6), path_2.direction_2);
-    set_word_0(number_of_path_0, u32(9), path_2.place_6.triangle_2);
-    set_word_0(number_of_path_0, u32(10), (bitcast<u32>((path_2.place_6.v_4))));
-    set_word_0(number_of_path_0, u32(11), (bitcast<u32>((path_2.place_6.w_3))));
+    set_vector_0(number_of_path_0, u32(6), path_2.direction_5);
+    set_word_0(number_of_path_0, u32(9), path_2.place_7.triangle_2);
+    set_word_0(number_of_path_0, u32(10), (bitcast<u32>((path_2.place_7.v_4))));
+    set_word_0(number_of_path_0, u32(11), (bitcast<u32>((path_2.place_7.w_3))));
     set_word_0(number_of_path_0, u32(12), path_2.key_0.x);
     set_word_0(number_of_path_0, u32(13), path_2.key_0.y);
     return;
@@ -852,63 +954,63 @@ fn begin_paths(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var at_9 : u32 = u32(9) * number_of_path_1;
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9], input_0[at_9 + u32(1)], input_0[at_9 + u32(2)]))));
     var path_3 : Path_0;
-    path_3.direction_2 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
+    path_3.direction_5 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_9 + u32(3)], input_0[at_9 + u32(4)], input_0[at_9 + u32(5)]))));
     path_3.key_0 = vec2<u32>(input_0[at_9 + u32(7)], input_0[at_9 + u32(8)]);
     path_3.light_0 = vec3<f32>(0.0f);
     path_3.throughput_0 = vec3<f32>(1.0f);
-    var t_3 : f32;
+    var t_4 : f32;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_9 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S54 : bool;
+    var _S64 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S54 = (word_0(u32(13))) != u32(0);
+        _S64 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S54 = false;
+        _S64 = false;
     }
-    if(_S54)
+    if(_S64)
     {
-        found_4 = cast_0(origin_2, path_3.direction_2, 0.0f, length_of_ray_0, false, &(t_3));
+        found_4 = cast_0(origin_2, path_3.direction_5, 0.0f, length_of_ray_0, false, &(t_4));
     }
-    path_3.place_6 = place_of_0(found_4);
-    var emitter_3 : u32 = emitter_seen_0(found_4, path_3.direction_2);
+    path_3.place_7 = place_of_0(found_4);
+    var emitter_3 : u32 = emitter_seen_0(found_4, path_3.direction_5);
     if(emitter_3 != u32(4294967295))
     {
-        _S54 = (word_0(u32(4))) != u32(0);
+        _S64 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S54 = false;
+        _S64 = false;
     }
-    if(_S54)
+    if(_S64)
     {
-        var _S55 : vec3<f32> = radiance_of_0(emitter_3, path_3.place_6);
-        path_3.light_0 = _S55;
+        var _S65 : vec3<f32> = radiance_of_0(emitter_3, path_3.place_7, path_3.direction_5);
+        path_3.light_0 = _S65;
     }
     store_0(number_of_path_1, path_3);
     if((found_4.face_1) != u32(4294967295))
     {
-        _S54 = reaches_0(u32(2));
+        _S64 = reaches_0(u32(2));
     }
     else
     {
-        _S54 = false;
+        _S64 = false;
     }
-    var _S56 : u32;
-    if(_S54)
+    var _S66 : u32;
+    if(_S64)
     {
-        _S56 = number_of_path_1;
+        _S66 = number_of_path_1;
     }
     else
     {
-        _S56 = u32(4294967295);
+        _S66 = u32(4294967295);
     }
-    going_on_0[number_of_path_1] = _S56;
+    going_on_0[number_of_path_1] = _S66;
     return;
 }

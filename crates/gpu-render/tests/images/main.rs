@@ -2,8 +2,10 @@
 //! and pass; with `CAPWALK_GPU_TESTS=require` they fail there.
 
 mod agreement;
+mod beside;
 mod device;
 mod faults;
+mod materials;
 mod parts;
 mod scenes;
 mod unsupported;
