@@ -24,7 +24,7 @@ ENTRIES = {
     "moved": ["moved_triangles", "moved_edges"],
     "bounds": ["bound_triangles", "bound_edges"],
     "sampled": ["sample_edges"],
-    "render": ["begin_paths", "go_on"],
+    "render": ["begin_paths", "go_on", "go_on_diffuse"],
     "forward": ["begin_forward", "go_on_forward"],
     "reverse": ["begin_reverse", "go_on_reverse", "go_back"],
 }
@@ -60,7 +60,8 @@ def slang(library, source, entry, precision, target, real):
     """The kernel in WGSL or CUDA's C++, where `real` is the type of exact tests."""
     session = ctypes.c_void_p(library.spCreateSession(ctypes.c_char_p(None)))
     request = ctypes.c_void_p(library.spCreateCompileRequest(session))
-    words = [source, "-D" + precision.upper(), "-D" + target.upper(), "-DREAL=" + real, "-I", SHARED, "-target", target, "-entry", entry,
+    defines = [precision.upper(), target.upper(), "ENTRY_" + entry.upper(), "REAL=" + real]
+    words = [source, *["-D" + define for define in defines], "-I", SHARED, "-target", target, "-entry", entry,
              "-stage", "compute", "-line-directive-mode", "none"]
     arguments = (ctypes.c_char_p * len(words))(*[word.encode() for word in words])
     failed = library.spProcessCommandLineArguments(request, arguments, len(words)) < 0

@@ -7,10 +7,16 @@ use capwalk_math::Vec3;
 use capwalk_render::{DirectionSampler, EmitterSampler, RectangleSampler, TriangleSampler};
 use capwalk_scene::{Emitter, EmitterId};
 
+use crate::environment_records::add_environment_map;
 use crate::texture_records::{TextureRecords, float};
 
 /// Words of a record.
 pub const EMITTER_RECORD: usize = 12;
+
+/// Its first word.
+const AREA_EMITTER: u32 = 0;
+const CONSTANT_EMITTER: u32 = 1;
+const ENVIRONMENT_MAP: u32 = 2;
 
 /// The record of an emitter; what it refers to is appended to `words`.
 pub fn emitter_record(
@@ -24,10 +30,22 @@ pub fn emitter_record(
     let scene = &accel.scene;
     let emitter: &Emitter = scene.emitter(id);
     let shape = emitter.shape().map(|shape| scene.shape(shape));
-    let radiance = textures.add(scene, emitter.radiance(), shape, words);
     let brightness = float(sampler.brightness);
+    let surroundings = |kind, radiance| [kind, radiance, brightness, 0, NONE, 0, 0, 0, 0, 0, 0, 0];
+    if let (
+        Emitter::EnvironmentMap {
+            map, data, scale, ..
+        },
+        DirectionSampler::Environment(table),
+    ) = (emitter, &sampler.directions)
+    {
+        let (texels, table) = ([*data, *scale], table.as_ref());
+        let map = add_environment_map(scene, map, texels, table, textures, words);
+        return surroundings(ENVIRONMENT_MAP, map);
+    }
+    let radiance = textures.add(scene, emitter.radiance(), shape, words);
     let DirectionSampler::Area(triangles) = &sampler.directions else {
-        return [0, radiance, brightness, 0, NONE, 0, 0, 0, 0, 0, 0, 0];
+        return surroundings(CONSTANT_EMITTER, radiance);
     };
     let rectangle = triangles.rectangle();
     let rectangle = rectangle.map_or(NONE, |rectangle| add_rectangle(rectangle, frame, words));
@@ -45,7 +63,18 @@ pub fn emitter_record(
     let radius = float(radius * frame.inverse_scale);
     let rank = rank as u32;
     [
-        1, radiance, brightness, first_face, rectangle, nodes, order, rank, x, y, z, radius,
+        AREA_EMITTER,
+        radiance,
+        brightness,
+        first_face,
+        rectangle,
+        nodes,
+        order,
+        rank,
+        x,
+        y,
+        z,
+        radius,
     ]
 }
 

@@ -5,7 +5,8 @@ use capwalk_render::{RenderOptions, Rendering, Watch};
 use crate::averages::{MOST_PATHS, Task};
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
-use crate::render_kernels::IMAGE;
+use crate::lobe_records::only_diffuse;
+use crate::render_kernels::{DIFFUSE_IMAGE, IMAGE};
 
 impl DeviceScene<'_> {
     /// The image, with its standard errors. If `watch` stops the work, what was done is returned.
@@ -24,8 +25,12 @@ impl DeviceScene<'_> {
         most: usize,
         watch: &dyn Watch,
     ) -> Result<Rendering, DeviceError> {
+        let kernels = match only_diffuse(self.prepared.scene()) {
+            true => &DIFFUSE_IMAGE,
+            false => &IMAGE,
+        };
         let task = Task {
-            kernels: &IMAGE,
+            kernels,
             changes: &[],
             most,
         };

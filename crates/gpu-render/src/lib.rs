@@ -24,7 +24,7 @@
 //! kernels carry a derivative beside each colour, and of a loss by all of them at once
 //! ([`DeviceScene::backward`]), whose kernels keep the vertices of paths and go back along them.
 //!
-//! What a scene may have is little yet: see [`unsupported()`], and [`unsupported_derivative`].
+//! What a scene may have is little yet: see [`unsupported()`].
 
 mod averages;
 mod camera_rays;
@@ -32,8 +32,10 @@ mod derivative_image;
 mod device_error;
 mod device_scene;
 mod emitter_records;
+mod environment_records;
 mod fixed_point;
 mod images;
+mod lobe_records;
 mod part_size;
 mod paths;
 mod render_kernels;
@@ -44,4 +46,4 @@ mod unsupported;
 
 pub use device_error::DeviceError;
 pub use device_scene::DeviceScene;
-pub use unsupported::{Unsupported, unsupported, unsupported_derivative};
+pub use unsupported::{Unsupported, unsupported};

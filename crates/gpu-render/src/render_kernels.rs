@@ -55,6 +55,12 @@ pub const IMAGE: PathKernels = PathKernels {
     vertex: 0,
 };
 
+/// Images of scenes where all surfaces are diffuse and light comes from no map.
+pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
+    go_on: compiled!("go_on_diffuse"),
+    ..IMAGE
+};
+
 /// Images with their derivative: behind the list is the light of a path, then its derivative.
 pub const FORWARD: PathKernels = PathKernels {
     begin: compiled!("begin_forward"),
@@ -71,7 +77,7 @@ pub const REVERSE: PathKernels = PathKernels {
     go_on: compiled!("go_on_reverse"),
     ray: 12,
     path: 18,
-    vertex: 26,
+    vertex: 25,
 };
 
 /// Takes what arrives behind the vertices of a list back by one.
@@ -95,6 +101,13 @@ mod tests {
                 ("numbers", include_str!("kernels/numbers.slang")),
                 ("surfaces", include_str!("kernels/surfaces.slang")),
                 ("colours", include_str!("kernels/colours.slang")),
+                ("fresnel", include_str!("kernels/fresnel.slang")),
+                ("microfacets", include_str!("kernels/microfacets.slang")),
+                ("lobes", include_str!("kernels/lobes.slang")),
+                (
+                    "environment_map",
+                    include_str!("kernels/environment_map.slang"),
+                ),
                 ("sums", include_str!("kernels/sums.slang")),
                 ("emitters", include_str!("kernels/emitters.slang")),
             ] {
@@ -102,7 +115,7 @@ mod tests {
             }
             source
         };
-        let image = [IMAGE.begin, IMAGE.go_on];
+        let image = [IMAGE.begin, IMAGE.go_on, DIFFUSE_IMAGE.go_on];
         let forward = [FORWARD.begin, FORWARD.go_on];
         let reverse = [REVERSE.begin, REVERSE.go_on, GO_BACK];
         for (source, kernels) in [

@@ -1,13 +1,16 @@
 //! A scene as the kernels read it: `surfaces.slang` says which word is what.
 
+use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::LocalFrame;
 use capwalk_geometry::buffers::{NONE, TRIANGLE};
 use capwalk_geometry::ray::EDGE_ON;
 use capwalk_gpu::Precision;
+use capwalk_math::Vec3;
 use capwalk_render::{Plan, PreparedScene};
-use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, Shape, TextureId};
+use capwalk_scene::{EmitterId, Shape, ShapeId};
 
 use crate::emitter_records::emitter_record;
+use crate::lobe_records::add_lobe;
 use crate::texture_records::{Shown, TextureRecords, float};
 
 /// Words before the first array.
@@ -64,10 +67,11 @@ impl SceneRecords {
             words[triangle_of_face_at + face as usize] = triangle;
         }
         let mut textures = TextureRecords::default();
-        let shapes = scene.shapes.iter();
-        let shapes: Vec<_> = shapes
-            .map(|shape| shape_record(scene, shape, &mut textures, &mut words))
-            .collect();
+        let shapes = (0..scene.shapes.len()).map(|shape| {
+            let shape = ShapeId(shape as u32);
+            shape_record(accel, shape, &mut textures, &mut words)
+        });
+        let shapes: Vec<_> = shapes.collect();
         let shapes_at = append(shapes.as_flattened(), &mut words);
         let emitters: Vec<_> = (0..)
             .zip(prepared.emitters())
@@ -129,15 +133,16 @@ fn append(array: &[u32], words: &mut Vec<u32>) -> u32 {
 }
 
 /// Words of the record of a shape.
-const SHAPE_RECORD: usize = 5;
+const SHAPE_RECORD: usize = 6;
 
 /// The record of a shape; what it refers to is appended.
 fn shape_record(
-    scene: &Scene,
-    shape: &Shape,
+    accel: &Accel,
+    id: ShapeId,
     textures: &mut TextureRecords,
     words: &mut Vec<u32>,
 ) -> [u32; SHAPE_RECORD] {
+    let shape = accel.scene.shape(id);
     let mut add = |numbers: &mut dyn Iterator<Item = f64>| {
         let at = words.len() as u32;
         words.extend(numbers.map(float));
@@ -149,24 +154,22 @@ fn shape_record(
     let uvs = shape.uvs.as_ref().map_or(NONE, |uvs| {
         add(&mut uvs.as_flattened().as_flattened().iter().copied())
     });
-    let [front, back] = [true, false].map(|is_front| {
-        let texture = reflectance(scene, shape.bsdf, is_front);
-        texture.map_or(NONE, |texture| {
-            textures.add(scene, texture, Some(shape), words)
-        })
-    });
+    let tangents = match accel.needs_tangent[id.0 as usize] {
+        true => add(&mut tangents(shape).flat_map(Vec3::to_array)),
+        false => NONE,
+    };
+    let [front, back] =
+        [true, false].map(|is_front| add_lobe(accel, shape, is_front, textures, words));
     let emitter = shape.emitter.map_or(NONE, |emitter| emitter.0);
-    [normals, uvs, front, back, emitter]
+    [normals, uvs, front, back, emitter, tangents]
 }
 
-/// What a side of a material reflects, if anything.
-fn reflectance(scene: &Scene, id: BsdfId, is_front: bool) -> Option<TextureId> {
-    match scene.material(id).bsdf {
-        Bsdf::TwoSided { front, .. } if is_front => reflectance(scene, front, true),
-        // The back is the front of another material.
-        Bsdf::TwoSided { back, .. } => reflectance(scene, back, true),
-        Bsdf::Diffuse { reflectance } => is_front.then_some(reflectance),
-        // Scenes with others are refused.
-        _ => None,
-    }
+/// A unit vector along the first texture coordinate on each face; zero without usable ones.
+fn tangents(shape: &Shape) -> impl Iterator<Item = Vec3> {
+    (0..shape.mesh.faces.len()).map(|face| {
+        let [a, b, c] = shape.mesh.corners(face);
+        let along = tangents_of_face(shape, face, [b - a, c - a]);
+        let unit = along.map(|[along_u, _]| along_u.normalized());
+        unit.filter(|unit| unit.is_finite()).unwrap_or(Vec3::zero())
+    })
 }

@@ -2,7 +2,9 @@
 
 use capwalk_diff::Wanted;
 use capwalk_render::{PreparedScene, RenderOptions};
-use capwalk_scene::{Bsdf, BsdfId, Emitter, Integrator, SamplerKind, Scene};
+use capwalk_scene::{
+    Bsdf, BsdfId, Emitter, Integrator, Quantity, SamplerKind, Scene, Slot, TextureId,
+};
 
 /// Something of a scene or of options that the device's renderer does not have.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -13,8 +15,9 @@ pub struct Unsupported {
 }
 
 /// The first thing of a scene that the device's renderer does not have; `None` if it has all. It
-/// has diffuse surfaces, also two-sided ones, with any texture; area emitters and light from
-/// everywhere; every sensor and filter; independent random numbers.
+/// has diffuse surfaces, metals and plastics, smooth and rough, also two-sided ones, with any
+/// texture; area emitters, light from everywhere and environment maps; every sensor and filter;
+/// independent random numbers.
 pub fn unsupported(prepared: &PreparedScene) -> Option<Unsupported> {
     let what = of_scene(prepared)?;
     Some(Unsupported { what })
@@ -31,22 +34,44 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
 /// texels: the colours of materials, and what emitters send.
 pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Option<Unsupported> {
     let scene = prepared.scene();
-    let shapes = scene
-        .shapes
-        .iter()
-        .zip(wanted.shapes.iter().zip(&wanted.normals));
-    let mut moving = shapes.filter(|(_, (vertices, normals))| **vertices || **normals);
-    let shape = moving
-        .next()
-        .map(|(shape, _)| format!("shape \"{}\" moves", shape.id));
-    let what = shape.or_else(|| {
+    let moving = (0..scene.shapes.len()).find(|&i| wanted.shapes[i] || wanted.normals[i]);
+    let moving = moving.map(|i| format!("shape \"{}\" moves", scene.shapes[i].id));
+    let others = || {
         wanted
             .moves()
             .then(|| "the sensor or an emitter moves".to_owned())
-    })?;
+    };
+    let what = moving
+        .or_else(others)
+        .or_else(|| other_number(scene, wanted))?;
     Some(Unsupported {
         what: format!("{what}, and derivatives by that are asked for"),
     })
+}
+
+/// The first number that is wanted and neither a colour of a material nor what an emitter sends.
+fn other_number(scene: &Scene, wanted: &Wanted) -> Option<String> {
+    let is_other =
+        |slot: &Slot| !matches!(slot.quantity, Quantity::Reflectance | Quantity::Radiance);
+    let is_wanted = |id: TextureId| wanted.textures[id.0 as usize];
+    let material = scene.shapes.iter().find_map(|shape| {
+        let mut slots = scene.slots_below(shape.bsdf).into_iter().filter(is_other);
+        let slot = slots.find(|slot| is_wanted(scene.numbers_of(slot.texture, shape)))?;
+        Some(format!(
+            "\"{}\" of the material of shape \"{}\" changes",
+            slot.name, shape.id
+        ))
+    });
+    let emitter = || {
+        let mut slots = scene
+            .emitters
+            .iter()
+            .flat_map(Emitter::slots)
+            .filter(is_other);
+        let slot = slots.find(|slot| is_wanted(slot.texture))?;
+        Some(format!("\"{}\" of an emitter changes", slot.name))
+    };
+    material.or_else(emitter)
 }
 
 fn of_scene(prepared: &PreparedScene) -> Option<String> {
@@ -72,9 +97,8 @@ fn of_scene(prepared: &PreparedScene) -> Option<String> {
 
 fn of_emitter(emitter: &Emitter) -> Option<String> {
     match emitter {
-        Emitter::Area { .. } | Emitter::Constant { .. } => None,
-        Emitter::EnvironmentMap { id, .. }
-        | Emitter::Point { id, .. }
+        Emitter::Area { .. } | Emitter::Constant { .. } | Emitter::EnvironmentMap { .. } => None,
+        Emitter::Point { id, .. }
         | Emitter::Spot { id, .. }
         | Emitter::Projector { id, .. }
         | Emitter::Directional { id, .. } => Some(format!(
@@ -84,20 +108,20 @@ fn of_emitter(emitter: &Emitter) -> Option<String> {
     }
 }
 
-/// What a material has besides diffuse sides, with its article.
+/// What a material has besides sides that the kernels have lobes of, with its article.
 fn of_material(scene: &Scene, id: BsdfId) -> Option<&'static str> {
     match &scene.material(id).bsdf {
-        Bsdf::Diffuse { .. } => None,
+        Bsdf::Diffuse { .. }
+        | Bsdf::Conductor(_)
+        | Bsdf::RoughConductor(..)
+        | Bsdf::Plastic(_)
+        | Bsdf::RoughPlastic { .. } => None,
         Bsdf::TwoSided { front, back } => {
             of_material(scene, *front).or_else(|| of_material(scene, *back))
         }
-        Bsdf::Conductor(_) => Some("a conductor"),
-        Bsdf::RoughConductor(..) => Some("a rough conductor"),
         Bsdf::Dielectric(_) => Some("a dielectric"),
         Bsdf::RoughDielectric(..) => Some("a rough dielectric"),
         Bsdf::ThinDielectric(_) => Some("a thin dielectric"),
-        Bsdf::Plastic(_) => Some("a plastic"),
-        Bsdf::RoughPlastic { .. } => Some("a rough plastic"),
         Bsdf::PolarizedPlastic(..) => Some("a polarized plastic"),
         Bsdf::Principled(_) | Bsdf::PrincipledThin(_) => Some("a principled one"),
         Bsdf::Null => Some("a null one"),

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 16cbc1b61831ad75
-// result: d0e92faaf045862b
+// source: e4039b14a3e998cc
+// result: 3d7ea2d041ae0c2c
 
 struct Launch_std140_0
 {
@@ -628,7 +628,7 @@ fn triangle_record_0( triangle_3 : u32) -> u32
 
 fn shape_of_0( triangle_4 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(5) * word_0(triangle_record_0(triangle_4));
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_4));
 }
 
 fn cross_of_0( triangle_5 : u32) -> vec3<f32>
@@ -671,56 +671,114 @@ fn emitter_record_0( emitter_1 : u32) -> u32
     return word_0(u32(11)) + u32(12) * emitter_1;
 }
 
-fn change_word_0( at_5 : u32) -> u32
+fn is_map_0( record_0 : u32) -> bool
 {
-    return input_0[u32(12) * launch_0.room_0 + at_5];
+    return (word_0(record_0)) == u32(2);
 }
 
-fn numbers_of_0( texture_0 : u32) -> u32
+fn number_0( at_5 : u32) -> f32
 {
-    return change_word_0(u32(2) * word_0(texture_0 + u32(12)));
+    return (bitcast<f32>((scene_0[at_5])));
 }
 
-struct Lookup_0
+fn vector_at_0( at_6 : u32) -> vec3<f32>
 {
-     count_0 : u32,
-     texels_0 : vec4<u32>,
-     weights_0 : vec4<f32>,
-};
-
-fn one_texel_0( texel_0 : u32) -> Lookup_0
-{
-    var lookup_0 : Lookup_0;
-    lookup_0.count_0 = u32(1);
-    lookup_0.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
-    lookup_0.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
-    return lookup_0;
+    return vec3<f32>(number_0(at_6), number_0(at_6 + u32(1)), number_0(at_6 + u32(2)));
 }
 
-fn number_0( at_6 : u32) -> f32
+fn x2A_0( a_2 : Colour_0,  b_1 : vec3<f32>) -> Colour_0
 {
-    return (bitcast<f32>((scene_0[at_6])));
-}
-
-fn uv_of_0( place_1 : Place_0) -> vec2<f32>
-{
-    var uvs_0 : u32 = word_0(shape_of_0(place_1.triangle_2) + u32(1));
-    if(uvs_0 == u32(4294967295))
+    var product_1 : Colour_0;
+    product_1.value_0 = a_2.value_0 * b_1;
+    var k_2 : u32 = u32(0);
+    for(;;)
     {
-        return vec2<f32>(place_1.v_4, place_1.w_3);
+        if(k_2 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        product_1.changes_0[k_2] = a_2.changes_0[k_2] * b_1;
+        k_2 = k_2 + u32(1);
     }
-    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_2) + u32(1));
-    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_1.v_4 - place_1.w_3)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_1.v_4) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_1.w_3);
+    return product_1;
 }
 
-fn vector_at_0( at_8 : u32) -> vec3<f32>
+fn angle_of_0( x_1 : f32,  y_1 : f32) -> f32
 {
-    return vec3<f32>(number_0(at_8), number_0(at_8 + u32(1)), number_0(at_8 + u32(2)));
+    var _S43 : f32 = abs(x_1);
+    var _S44 : f32 = abs(y_1);
+    var _S45 : f32 = min(_S43, _S44);
+    var _S46 : f32 = max(_S43, _S44);
+    var is_steep_0 : bool = _S45 > (0.41421356797218323f * _S46);
+    var above_0 : f32;
+    if(is_steep_0)
+    {
+        above_0 = _S45 - _S46;
+    }
+    else
+    {
+        above_0 = _S45;
+    }
+    var below_0 : f32;
+    if(is_steep_0)
+    {
+        below_0 = _S45 + _S46;
+    }
+    else
+    {
+        below_0 = _S46;
+    }
+    if(below_0 > 0.0f)
+    {
+    }
+    else
+    {
+        below_0 = 1.0f;
+    }
+    var t_3 : f32 = above_0 / below_0;
+    var z_2 : f32 = t_3 * t_3;
+    var angle_0 : f32 = (((0.08053744584321976f * z_2 - 0.13877685368061066f) * z_2 + 0.19977711141109467f) * z_2 - 0.33332949876785278f) * z_2 * t_3 + t_3;
+    var angle_1 : f32;
+    if(is_steep_0)
+    {
+        angle_1 = angle_0 + 0.78539818525314331f;
+    }
+    else
+    {
+        angle_1 = angle_0;
+    }
+    if(_S44 > _S43)
+    {
+        angle_1 = 1.57079637050628662f - angle_1;
+    }
+    if(x_1 < 0.0f)
+    {
+        angle_1 = 3.14159274101257324f - angle_1;
+    }
+    if(y_1 < 0.0f)
+    {
+        above_0 = - angle_1;
+    }
+    else
+    {
+        above_0 = angle_1;
+    }
+    return above_0;
 }
 
-fn floor_of_0( x_1 : f32) -> i32
+fn map_place_0( map_0 : u32,  direction_2 : vec3<f32>) -> vec2<f32>
 {
-    return i32(floor(clamp(x_1, -1.0e+09f, 1.0e+09f)));
+    var _S47 : u32 = map_0 + u32(2);
+    var d_0 : vec3<f32> = vector_at_0(_S47) * vec3<f32>(direction_2.x) + vector_at_0(_S47 + u32(3)) * vec3<f32>(direction_2.y) + vector_at_0(_S47 + u32(6)) * vec3<f32>(direction_2.z);
+    return vec2<f32>(angle_of_0(- d_0.z, d_0.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_0.y, length(d_0.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
+}
+
+fn floor_of_0( x_2 : f32) -> i32
+{
+    return i32(floor(clamp(x_2, -1.0e+09f, 1.0e+09f)));
 }
 
 fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
@@ -759,127 +817,185 @@ fn wrapped_0( i_1 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-fn in_bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+struct Lookup_0
 {
-    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
-    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
-    var wrap_1 : u32 = word_0(texture_1 + u32(5));
-    var place_2 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
-    if((word_0(texture_1 + u32(4))) == u32(0))
-    {
-        var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S43 : u32 = row_0 * u32(width_0);
-        var _S44 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return one_texel_0(_S43 + _S44);
-    }
-    var place_3 : vec2<f32> = place_2 - vec2<f32>(0.5f);
-    var x_2 : i32 = floor_of_0(place_3.x);
-    var y_1 : i32 = floor_of_0(place_3.y);
-    var way_1 : vec2<f32> = place_3 - floor(place_3);
+     count_0 : u32,
+     texels_0 : vec4<u32>,
+     weights_0 : vec4<f32>,
+};
+
+fn between_0( texels_1 : vec4<u32>,  way_1 : vec2<f32>) -> Lookup_0
+{
     var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_1;
-    var _S45 : u32 = wrapped_0(y_1, height_0, wrap_1);
-    var _S46 : u32 = u32(width_0);
-    var first_1 : u32 = _S45 * _S46;
-    var _S47 : u32 = wrapped_0(y_1 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S47 * _S46;
-    var left_0 : u32 = wrapped_0(x_2, width_0, wrap_1);
-    var right_0 : u32 = wrapped_0(x_2 + i32(1), width_0, wrap_1);
-    var lookup_1 : Lookup_0;
-    lookup_1.count_0 = u32(4);
-    lookup_1.texels_0 = vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0);
+    var lookup_0 : Lookup_0;
+    lookup_0.count_0 = u32(4);
+    lookup_0.texels_0 = texels_1;
     var _S48 : f32 = back_0.x;
     var _S49 : f32 = back_0.y;
     var _S50 : f32 = way_1.x;
     var _S51 : f32 = way_1.y;
-    lookup_1.weights_0 = vec4<f32>(_S48 * _S49, _S50 * _S49, _S48 * _S51, _S50 * _S51);
+    lookup_0.weights_0 = vec4<f32>(_S48 * _S49, _S50 * _S49, _S48 * _S51, _S50 * _S51);
+    return lookup_0;
+}
+
+fn in_map_0( map_1 : u32,  direction_3 : vec3<f32>) -> Lookup_0
+{
+    var place_1 : vec2<f32> = map_place_0(map_1, direction_3);
+    var x_3 : i32 = floor_of_0(place_1.x);
+    var y_2 : i32 = floor_of_0(place_1.y);
+    var width_0 : i32 = i32(word_0(map_1));
+    var height_0 : i32 = i32(word_0(map_1 + u32(1)));
+    var left_0 : u32 = wrapped_0(x_3, width_0, u32(0));
+    var right_0 : u32 = wrapped_0(x_3 + i32(1), width_0, u32(0));
+    var _S52 : u32 = wrapped_0(y_2, height_0, u32(2));
+    var _S53 : u32 = u32(width_0);
+    var first_1 : u32 = _S52 * _S53;
+    var _S54 : u32 = wrapped_0(y_2 + i32(1), height_0, u32(2));
+    var second_0 : u32 = _S54 * _S53;
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_1 - floor(place_1));
+}
+
+fn one_texel_0( texel_0 : u32) -> Lookup_0
+{
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(1);
+    lookup_1.texels_0 = vec4<u32>(texel_0, u32(0), u32(0), u32(0));
+    lookup_1.weights_0 = vec4<f32>(1.0f, 0.0f, 0.0f, 0.0f);
     return lookup_1;
 }
 
-fn lookup_at_0( texture_2 : u32,  place_4 : Place_0) -> Lookup_0
+fn uv_of_0( place_2 : Place_0) -> vec2<f32>
 {
-    var kind_0 : u32 = word_0(texture_2);
+    var uvs_0 : u32 = word_0(shape_of_0(place_2.triangle_2) + u32(1));
+    if(uvs_0 == u32(4294967295))
+    {
+        return vec2<f32>(place_2.v_4, place_2.w_3);
+    }
+    var at_7 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_2.triangle_2) + u32(1));
+    return vec2<f32>(number_0(at_7), number_0(at_7 + u32(1))) * vec2<f32>((1.0f - place_2.v_4 - place_2.w_3)) + vec2<f32>(number_0(at_7 + u32(2)), number_0(at_7 + u32(3))) * vec2<f32>(place_2.v_4) + vec2<f32>(number_0(at_7 + u32(4)), number_0(at_7 + u32(5))) * vec2<f32>(place_2.w_3);
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+{
+    var width_1 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_1 : i32 = i32(word_0(texture_0 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_0 + u32(5));
+    var place_3 : vec2<f32> = uv_0 * vec2<f32>(f32(width_1), f32(height_1));
+    if((word_0(texture_0 + u32(4))) == u32(0))
+    {
+        var row_0 : u32 = wrapped_0(floor_of_0(place_3.y), height_1, wrap_1);
+        var _S55 : u32 = row_0 * u32(width_1);
+        var _S56 : u32 = wrapped_0(floor_of_0(place_3.x), width_1, wrap_1);
+        return one_texel_0(_S55 + _S56);
+    }
+    var place_4 : vec2<f32> = place_3 - vec2<f32>(0.5f);
+    var x_4 : i32 = floor_of_0(place_4.x);
+    var y_3 : i32 = floor_of_0(place_4.y);
+    var _S57 : u32 = wrapped_0(y_3, height_1, wrap_1);
+    var _S58 : u32 = u32(width_1);
+    var first_2 : u32 = _S57 * _S58;
+    var _S59 : u32 = wrapped_0(y_3 + i32(1), height_1, wrap_1);
+    var second_1 : u32 = _S59 * _S58;
+    var left_1 : u32 = wrapped_0(x_4, width_1, wrap_1);
+    var right_1 : u32 = wrapped_0(x_4 + i32(1), width_1, wrap_1);
+    return between_0(vec4<u32>(first_2 + left_1, first_2 + right_1, second_1 + left_1, second_1 + right_1), place_4 - floor(place_4));
+}
+
+fn lookup_at_0( texture_1 : u32,  place_5 : Place_0) -> Lookup_0
+{
+    var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
     }
-    var record_0 : u32 = triangle_record_0(place_4.triangle_2) + u32(1);
+    var record_1 : u32 = triangle_record_0(place_5.triangle_2) + u32(1);
     if(kind_0 == u32(4))
     {
-        return one_texel_0(word_0(record_0));
+        return one_texel_0(word_0(record_1));
     }
     if(kind_0 == u32(3))
     {
         var lookup_2 : Lookup_0;
         lookup_2.count_0 = u32(3);
-        lookup_2.texels_0 = vec4<u32>(word_0(record_0 + u32(1)), word_0(record_0 + u32(2)), word_0(record_0 + u32(3)), u32(0));
-        lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_4 - place_4.w_3, place_4.v_4, place_4.w_3, 0.0f);
+        lookup_2.texels_0 = vec4<u32>(word_0(record_1 + u32(1)), word_0(record_1 + u32(2)), word_0(record_1 + u32(3)), u32(0));
+        lookup_2.weights_0 = vec4<f32>(1.0f - place_5.v_4 - place_5.w_3, place_5.v_4, place_5.w_3, 0.0f);
         return lookup_2;
     }
-    var rows_0 : u32 = texture_2 + u32(6);
-    var _S52 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S52, vector_at_0(rows_0)), dot(_S52, vector_at_0(rows_0 + u32(3))));
+    var rows_0 : u32 = texture_1 + u32(6);
+    var _S60 : vec3<f32> = vec3<f32>(uv_of_0(place_5), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S60, vector_at_0(rows_0)), dot(_S60, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S53 : Lookup_0 = in_bitmap_0(texture_2, uv_1);
-        return _S53;
+        var _S61 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S61;
     }
     var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S54 : i32;
+    var _S62 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S54 = i32(1);
+        _S62 = i32(1);
     }
     else
     {
-        _S54 = i32(0);
+        _S62 = i32(0);
     }
-    return one_texel_0(u32(_S54));
+    return one_texel_0(u32(_S62));
 }
 
-fn plus_0( a_2 : vec2<u32>,  b_1 : vec2<u32>) -> vec2<u32>
+fn change_word_0( at_8 : u32) -> u32
 {
-    var _S55 : u32 = a_2.x;
-    var low_1 : u32 = _S55 + b_1.x;
-    var _S56 : u32 = a_2.y + b_1.y;
-    var _S57 : i32;
-    if(low_1 < _S55)
+    return input_0[u32(12) * launch_0.room_0 + at_8];
+}
+
+fn numbers_of_0( texture_2 : u32) -> u32
+{
+    return change_word_0(u32(2) * word_0(texture_2 + u32(12)));
+}
+
+fn plus_0( a_3 : vec2<u32>,  b_2 : vec2<u32>) -> vec2<u32>
+{
+    var _S63 : u32 = a_3.x;
+    var low_1 : u32 = _S63 + b_2.x;
+    var _S64 : u32 = a_3.y + b_2.y;
+    var _S65 : i32;
+    if(low_1 < _S63)
     {
-        _S57 = i32(1);
+        _S65 = i32(1);
     }
     else
     {
-        _S57 = i32(0);
+        _S65 = i32(0);
     }
-    return vec2<u32>(low_1, _S56 + u32(_S57));
+    return vec2<u32>(low_1, _S64 + u32(_S65));
 }
 
 fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32,  units_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S58 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S66 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * units_0;
     var size_1 : f32 = abs(scaled_0);
     if(size_1 > 2.74877906944e+11f)
     {
-        var _S59 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S67 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
     var high_1 : u32 = u32(size_1 * 2.32830643653869629e-10f);
-    var _S60 : u32 = u32(size_1 - f32(high_1) * 4.294967296e+09f + 0.5f);
-    var whole_0 : vec2<u32> = vec2<u32>(_S60, high_1);
-    var _S61 : bool;
-    if(_S60 == u32(0))
+    var _S68 : u32 = u32(size_1 - f32(high_1) * 4.294967296e+09f + 0.5f);
+    var whole_0 : vec2<u32> = vec2<u32>(_S68, high_1);
+    var _S69 : bool;
+    if(_S68 == u32(0))
     {
-        _S61 = high_1 == u32(0);
+        _S69 = high_1 == u32(0);
     }
     else
     {
-        _S61 = false;
+        _S69 = false;
     }
-    if(_S61)
+    if(_S69)
     {
         return;
     }
@@ -893,51 +1009,50 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32,  units_0 : f32)
         whole_1 = whole_0;
     }
     var at_9 : u32 = u32(2) + u32(2) * sum_0;
-    var _S62 : u32 = whole_1.x;
-    var before_0 : u32 = atomicAdd(&(sums_0[at_9]), _S62);
-    var _S63 : i32;
-    if((before_0 + _S62) < before_0)
+    var _S70 : u32 = whole_1.x;
+    var before_0 : u32 = atomicAdd(&(sums_0[at_9]), _S70);
+    var _S71 : i32;
+    if((before_0 + _S70) < before_0)
     {
-        _S63 = i32(1);
+        _S71 = i32(1);
     }
     else
     {
-        _S63 = i32(0);
+        _S71 = i32(0);
     }
-    var _S64 : u32 = whole_1.y + u32(_S63);
-    if(_S64 != u32(0))
+    var _S72 : u32 = whole_1.y + u32(_S71);
+    if(_S72 != u32(0))
     {
-        var _S65 : u32 = atomicAdd(&(sums_0[at_9 + u32(1)]), _S64);
+        var _S73 : u32 = atomicAdd(&(sums_0[at_9 + u32(1)]), _S72);
     }
     return;
 }
 
-fn add_to_texels_0( texture_3 : u32,  place_5 : Place_0,  derivative_1 : vec3<f32>)
+fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<f32>)
 {
-    var first_2 : u32 = numbers_of_0(texture_3);
-    if(first_2 == u32(4294967295))
+    var first_3 : u32 = numbers_of_0(texture_3);
+    if(first_3 == u32(4294967295))
     {
         return;
     }
-    var _S66 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
-    var _S67 : u32 = word_0(texture_3 + u32(1));
-    var _S68 : Lookup_0 = lookup_at_0(texture_3, place_5);
-    var k_2 : u32 = u32(0);
+    var _S74 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
+    var _S75 : u32 = word_0(texture_3 + u32(1));
+    var k_3 : u32 = u32(0);
     for(;;)
     {
-        if(k_2 < (_S68.count_0))
+        if(k_3 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = first_2 + _S67 * _S68.texels_0[k_2];
-        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(_S68.weights_0[k_2]);
-        if(_S67 == u32(1))
+        var at_10 : u32 = first_3 + _S75 * lookup_3.texels_0[k_3];
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_3]);
+        if(_S75 == u32(1))
         {
-            add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z, _S66);
-            k_2 = k_2 + u32(1);
+            add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z, _S74);
+            k_3 = k_3 + u32(1);
             continue;
         }
         var axis_3 : u32 = u32(0);
@@ -950,73 +1065,71 @@ fn add_to_texels_0( texture_3 : u32,  place_5 : Place_0,  derivative_1 : vec3<f3
             {
                 break;
             }
-            add_to_sum_0(at_10 + axis_3, own_0[axis_3], _S66);
+            add_to_sum_0(at_10 + axis_3, own_0[axis_3], _S74);
             axis_3 = axis_3 + u32(1);
         }
-        k_2 = k_2 + u32(1);
+        k_3 = k_3 + u32(1);
     }
     return;
 }
 
-fn texture_value_0( texture_4 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
+fn texture_value_0( texture_4 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
 {
-    var _S69 : u32 = word_0(texture_4 + u32(1));
-    var _S70 : u32 = texture_4 + u32(13);
-    var _S71 : vec3<f32> = vec3<f32>(0.0f);
-    var k_3 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S71;
+    var _S76 : u32 = word_0(texture_4 + u32(1));
+    var _S77 : u32 = texture_4 + u32(13);
+    var _S78 : vec3<f32> = vec3<f32>(0.0f);
+    var k_4 : u32 = u32(0);
+    var value_2 : vec3<f32> = _S78;
     for(;;)
     {
-        if(k_3 < (lookup_3.count_0))
+        if(k_4 < (lookup_4.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_11 : u32 = _S70 + _S69 * lookup_3.texels_0[k_3];
-        var _S72 : vec3<f32>;
-        if(_S69 == u32(1))
+        var at_11 : u32 = _S77 + _S76 * lookup_4.texels_0[k_4];
+        var _S79 : vec3<f32>;
+        if(_S76 == u32(1))
         {
-            _S72 = vec3<f32>(number_0(at_11));
+            _S79 = vec3<f32>(number_0(at_11));
         }
         else
         {
-            _S72 = vector_at_0(at_11);
+            _S79 = vector_at_0(at_11);
         }
-        var value_3 : vec3<f32> = value_2 + _S72 * vec3<f32>(lookup_3.weights_0[k_3]);
-        k_3 = k_3 + u32(1);
+        var value_3 : vec3<f32> = value_2 + _S79 * vec3<f32>(lookup_4.weights_0[k_4]);
+        k_4 = k_4 + u32(1);
         value_2 = value_3;
     }
     return value_2;
 }
 
-fn x2A_0( a_3 : Colour_0,  b_2 : Colour_0) -> Colour_0
+fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
 {
-    var product_1 : Colour_0;
-    product_1.value_0 = a_3.value_0 * b_2.value_0;
-    var k_4 : u32 = u32(0);
-    for(;;)
+    var record_2 : u32 = emitter_record_0(emitter_2);
+    var texture_5 : u32 = word_0(record_2 + u32(1));
+    var texture_6 : u32;
+    var lookup_5 : Lookup_0;
+    var _S80 : Colour_0;
+    if(is_map_0(record_2))
     {
-        if(k_4 < u32(2))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_1.changes_0[k_4] = a_3.changes_0[k_4] * b_2.value_0 + a_3.value_0 * b_2.changes_0[k_4];
-        k_4 = k_4 + u32(1);
+        var _S81 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_5 + u32(11)));
+        var _S82 : Lookup_0 = in_map_0(texture_5, direction_4);
+        texture_6 = word_0(texture_5 + u32(14));
+        lookup_5 = _S82;
+        _S80 = _S81;
     }
-    return product_1;
-}
-
-fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
-{
-    var texture_5 : u32 = word_0(emitter_record_0(emitter_2) + u32(1));
-    add_to_texels_0(texture_5, place_6, importance_0 * factor_0.value_0);
-    var _S73 : Lookup_0 = lookup_at_0(texture_5, place_6);
-    return x2A_0(factor_0, constant_0(texture_value_0(texture_5, _S73)));
+    else
+    {
+        var _S83 : Lookup_0 = lookup_at_0(texture_5, place_6);
+        texture_6 = texture_5;
+        lookup_5 = _S83;
+        _S80 = factor_0;
+    }
+    add_to_texels_0(texture_6, lookup_5, importance_0 * _S80.value_0);
+    return x2A_0(_S80, texture_value_0(texture_6, lookup_5));
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1027,7 +1140,7 @@ fn reaches_0( segments_0 : u32) -> bool
 struct Path_0
 {
      throughput_0 : vec3<f32>,
-     direction_2 : vec3<f32>,
+     direction_5 : vec3<f32>,
      place_7 : Place_0,
      key_0 : vec2<u32>,
      adjoint_0 : vec3<f32>,
@@ -1037,55 +1150,55 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
     var at_12 : u32 = u32(12) * number_of_path_0;
     var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12], input_0[at_12 + u32(1)], input_0[at_12 + u32(2)]))));
-    (*path_0).direction_2 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12 + u32(3)], input_0[at_12 + u32(4)], input_0[at_12 + u32(5)]))));
+    (*path_0).direction_5 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12 + u32(3)], input_0[at_12 + u32(4)], input_0[at_12 + u32(5)]))));
     (*path_0).key_0 = vec2<u32>(input_0[at_12 + u32(7)], input_0[at_12 + u32(8)]);
     var one_0 : Colour_0 = constant_0(vec3<f32>(1.0f));
     (*path_0).throughput_0 = carried_0(one_0);
-    var _S74 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12 + u32(9)], input_0[at_12 + u32(10)], input_0[at_12 + u32(11)]))));
-    (*path_0).adjoint_0 = _S74;
-    var t_3 : f32;
+    var _S84 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12 + u32(9)], input_0[at_12 + u32(10)], input_0[at_12 + u32(11)]))));
+    (*path_0).adjoint_0 = _S84;
+    var t_4 : f32;
     var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_12 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0f;
     found_4.w_2 = 0.0f;
-    var _S75 : bool;
+    var _S85 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S75 = (word_0(u32(13))) != u32(0);
+        _S85 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S75 = false;
+        _S85 = false;
     }
-    if(_S75)
+    if(_S85)
     {
-        found_4 = cast_0(origin_2, (*path_0).direction_2, 0.0f, length_of_ray_0, false, &(t_3));
+        found_4 = cast_0(origin_2, (*path_0).direction_5, 0.0f, length_of_ray_0, false, &(t_4));
     }
     (*path_0).place_7 = place_of_0(found_4);
-    var emitter_3 : u32 = emitter_seen_0(found_4, (*path_0).direction_2);
+    var emitter_3 : u32 = emitter_seen_0(found_4, (*path_0).direction_5);
     if(emitter_3 != u32(4294967295))
     {
-        _S75 = (word_0(u32(4))) != u32(0);
+        _S85 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S75 = false;
+        _S85 = false;
     }
-    if(_S75)
+    if(_S85)
     {
-        var _S76 : Colour_0 = arriving_0(emitter_3, (*path_0).place_7, one_0, _S74);
+        var _S86 : Colour_0 = arriving_0(emitter_3, (*path_0).place_7, (*path_0).direction_5, one_0, _S84);
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S75 = reaches_0(u32(2));
+        _S85 = reaches_0(u32(2));
     }
     else
     {
-        _S75 = false;
+        _S85 = false;
     }
-    return _S75;
+    return _S85;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_4 : u32)
@@ -1146,7 +1259,7 @@ fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
     var at_13 : u32 = u32(1);
     set_vector_0(number_of_path_1, &(at_13), path_5.adjoint_0);
     set_vector_0(number_of_path_1, &(at_13), path_5.throughput_0);
-    set_vector_0(number_of_path_1, &(at_13), path_5.direction_2);
+    set_vector_0(number_of_path_1, &(at_13), path_5.direction_5);
     set_place_0(number_of_path_1, &(at_13), path_5.place_7);
     set_word_0(number_of_path_1, at_13, path_5.key_0.x);
     set_word_0(number_of_path_1, at_13 + u32(1), path_5.key_0.y);
@@ -1167,15 +1280,15 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     store_0(number_of_path_2, path_6);
     var beyond_0 : u32 = u32(15);
     set_vector_1(number_of_path_2, &(beyond_0), vec3<f32>(0.0f));
-    var _S77 : u32;
+    var _S87 : u32;
     if(goes_on_0)
     {
-        _S77 = number_of_path_2;
+        _S87 = number_of_path_2;
     }
     else
     {
-        _S77 = u32(4294967295);
+        _S87 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S77);
+    set_word_0(number_of_path_2, u32(0), _S87);
     return;
 }

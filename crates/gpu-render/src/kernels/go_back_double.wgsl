@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 16cbc1b61831ad75
-// result: ed646ee3fe58dc1b
+// source: e4039b14a3e998cc
+// result: e7f8bb144f484abb
 
 struct Launch_std140_0
 {
@@ -22,7 +22,7 @@ struct Launch_std140_0
 
 fn kept_at_0() -> u32
 {
-    return u32(18) + u32(26) * launch_0.depth_0;
+    return u32(18) + u32(25) * launch_0.depth_0;
 }
 
 fn path_word_0( path_0 : u32,  which_0 : u32) -> u32
@@ -87,16 +87,6 @@ fn word_0( at_0 : u32) -> u32
     return scene_0[at_0];
 }
 
-fn change_word_0( at_1 : u32) -> u32
-{
-    return input_0[u32(12) * launch_0.room_0 + at_1];
-}
-
-fn numbers_of_0( texture_0 : u32) -> u32
-{
-    return change_word_0(u32(2) * word_0(texture_0 + u32(12)));
-}
-
 struct Lookup_0
 {
      count_0 : u32,
@@ -120,12 +110,12 @@ fn triangle_record_0( triangle_1 : u32) -> u32
 
 fn shape_of_0( triangle_2 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(5) * word_0(triangle_record_0(triangle_2));
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_2));
 }
 
-fn number_0( at_2 : u32) -> f32
+fn number_0( at_1 : u32) -> f32
 {
-    return (bitcast<f32>((scene_0[at_2])));
+    return (bitcast<f32>((scene_0[at_1])));
 }
 
 fn uv_of_0( place_1 : Place_0) -> vec2<f32>
@@ -135,13 +125,13 @@ fn uv_of_0( place_1 : Place_0) -> vec2<f32>
     {
         return vec2<f32>(place_1.v_0, place_1.w_0);
     }
-    var at_3 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_0) + u32(1));
-    return vec2<f32>(number_0(at_3), number_0(at_3 + u32(1))) * vec2<f32>((1.0f - place_1.v_0 - place_1.w_0)) + vec2<f32>(number_0(at_3 + u32(2)), number_0(at_3 + u32(3))) * vec2<f32>(place_1.v_0) + vec2<f32>(number_0(at_3 + u32(4)), number_0(at_3 + u32(5))) * vec2<f32>(place_1.w_0);
+    var at_2 : u32 = uvs_0 + u32(6) * word_0(triangle_record_0(place_1.triangle_0) + u32(1));
+    return vec2<f32>(number_0(at_2), number_0(at_2 + u32(1))) * vec2<f32>((1.0f - place_1.v_0 - place_1.w_0)) + vec2<f32>(number_0(at_2 + u32(2)), number_0(at_2 + u32(3))) * vec2<f32>(place_1.v_0) + vec2<f32>(number_0(at_2 + u32(4)), number_0(at_2 + u32(5))) * vec2<f32>(place_1.w_0);
 }
 
-fn vector_at_0( at_4 : u32) -> vec3<f32>
+fn vector_at_0( at_3 : u32) -> vec3<f32>
 {
-    return vec3<f32>(number_0(at_4), number_0(at_4 + u32(1)), number_0(at_4 + u32(2)));
+    return vec3<f32>(number_0(at_3), number_0(at_3 + u32(1)), number_0(at_3 + u32(2)));
 }
 
 fn floor_of_0( x_0 : f32) -> i32
@@ -185,45 +175,49 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     return u32(period_0);
 }
 
-fn in_bitmap_0( texture_1 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+fn between_0( texels_1 : vec4<u32>,  way_0 : vec2<f32>) -> Lookup_0
 {
-    var width_0 : i32 = i32(word_0(texture_1 + u32(2)));
-    var height_0 : i32 = i32(word_0(texture_1 + u32(3)));
-    var wrap_1 : u32 = word_0(texture_1 + u32(5));
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S4 : f32 = back_0.x;
+    var _S5 : f32 = back_0.y;
+    var _S6 : f32 = way_0.x;
+    var _S7 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S4 * _S5, _S6 * _S5, _S4 * _S7, _S6 * _S7);
+    return lookup_1;
+}
+
+fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
+{
+    var width_0 : i32 = i32(word_0(texture_0 + u32(2)));
+    var height_0 : i32 = i32(word_0(texture_0 + u32(3)));
+    var wrap_1 : u32 = word_0(texture_0 + u32(5));
     var place_2 : vec2<f32> = uv_0 * vec2<f32>(f32(width_0), f32(height_0));
-    if((word_0(texture_1 + u32(4))) == u32(0))
+    if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_2.y), height_0, wrap_1);
-        var _S4 : u32 = row_0 * u32(width_0);
-        var _S5 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
-        return one_texel_0(_S4 + _S5);
+        var _S8 : u32 = row_0 * u32(width_0);
+        var _S9 : u32 = wrapped_0(floor_of_0(place_2.x), width_0, wrap_1);
+        return one_texel_0(_S8 + _S9);
     }
     var place_3 : vec2<f32> = place_2 - vec2<f32>(0.5f);
     var x_1 : i32 = floor_of_0(place_3.x);
     var y_0 : i32 = floor_of_0(place_3.y);
-    var way_0 : vec2<f32> = place_3 - floor(place_3);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
-    var _S6 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S7 : u32 = u32(width_0);
-    var first_1 : u32 = _S6 * _S7;
-    var _S8 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S8 * _S7;
+    var _S10 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S11 : u32 = u32(width_0);
+    var first_1 : u32 = _S10 * _S11;
+    var _S12 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S12 * _S11;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
-    var lookup_1 : Lookup_0;
-    lookup_1.count_0 = u32(4);
-    lookup_1.texels_0 = vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0);
-    var _S9 : f32 = back_0.x;
-    var _S10 : f32 = back_0.y;
-    var _S11 : f32 = way_0.x;
-    var _S12 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S9 * _S10, _S11 * _S10, _S9 * _S12, _S11 * _S12);
-    return lookup_1;
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_3 - floor(place_3));
 }
 
-fn lookup_at_0( texture_2 : u32,  place_4 : Place_0) -> Lookup_0
+fn lookup_at_0( texture_1 : u32,  place_4 : Place_0) -> Lookup_0
 {
-    var kind_0 : u32 = word_0(texture_2);
+    var kind_0 : u32 = word_0(texture_1);
     if(kind_0 == u32(0))
     {
         return one_texel_0(u32(0));
@@ -241,12 +235,12 @@ fn lookup_at_0( texture_2 : u32,  place_4 : Place_0) -> Lookup_0
         lookup_2.weights_0 = vec4<f32>(1.0f - place_4.v_0 - place_4.w_0, place_4.v_0, place_4.w_0, 0.0f);
         return lookup_2;
     }
-    var rows_0 : u32 = texture_2 + u32(6);
+    var rows_0 : u32 = texture_1 + u32(6);
     var _S13 : vec3<f32> = vec3<f32>(uv_of_0(place_4), 1.0f);
     var uv_1 : vec2<f32> = vec2<f32>(dot(_S13, vector_at_0(rows_0)), dot(_S13, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S14 : Lookup_0 = in_bitmap_0(texture_2, uv_1);
+        var _S14 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
         return _S14;
     }
     var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
@@ -260,6 +254,16 @@ fn lookup_at_0( texture_2 : u32,  place_4 : Place_0) -> Lookup_0
         _S15 = i32(0);
     }
     return one_texel_0(u32(_S15));
+}
+
+fn change_word_0( at_4 : u32) -> u32
+{
+    return input_0[u32(12) * launch_0.room_0 + at_4];
+}
+
+fn numbers_of_0( texture_2 : u32) -> u32
+{
+    return change_word_0(u32(2) * word_0(texture_2 + u32(12)));
 }
 
 fn plus_0( a_0 : vec2<u32>,  b_0 : vec2<u32>) -> vec2<u32>
@@ -338,7 +342,7 @@ fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32,  units_0 : f32)
     return;
 }
 
-fn add_to_texels_0( texture_3 : u32,  place_5 : Place_0,  derivative_1 : vec3<f32>)
+fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<f32>)
 {
     var first_2 : u32 = numbers_of_0(texture_3);
     if(first_2 == u32(4294967295))
@@ -347,19 +351,18 @@ fn add_to_texels_0( texture_3 : u32,  place_5 : Place_0,  derivative_1 : vec3<f3
     }
     var _S27 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
     var _S28 : u32 = word_0(texture_3 + u32(1));
-    var _S29 : Lookup_0 = lookup_at_0(texture_3, place_5);
     var k_1 : u32 = u32(0);
     for(;;)
     {
-        if(k_1 < (_S29.count_0))
+        if(k_1 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_6 : u32 = first_2 + _S28 * _S29.texels_0[k_1];
-        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(_S29.weights_0[k_1]);
+        var at_6 : u32 = first_2 + _S28 * lookup_3.texels_0[k_1];
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_1]);
         if(_S28 == u32(1))
         {
             add_to_sum_0(at_6, own_0.x + own_0.y + own_0.z, _S27);
@@ -420,32 +423,53 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     }
     var number_of_path_0 : u32 = input_0[at_7];
     var kept_0 : u32 = kept_at_0();
-    var _S30 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    var _S31 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
-    var _S32 : vec2<u32> = vec2<u32>(path_word_0(number_of_path_0, kept_0), path_word_0(number_of_path_0, kept_0 + u32(1)));
-    kept_0 = kept_0 + u32(2);
+    var _S29 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    var _S30 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
+    var _S31 : u32 = kept_0;
+    kept_0 = kept_0 + u32(1);
+    var _S32 : u32 = path_word_0(number_of_path_0, _S31);
     var direct_0 : Colour_0 = path_colour_0(number_of_path_0, &(kept_0));
     var onward_0 : Colour_0 = path_colour_0(number_of_path_0, &(kept_0));
     var which_6 : u32 = u32(15);
     var beyond_0 : vec3<f32> = path_vector_0(number_of_path_0, &(which_6));
-    var k_2 : u32 = u32(0);
+    var slot_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_2 < u32(2))
+        var _S33 : bool;
+        if(slot_0 < u32(2))
+        {
+            _S33 = _S32 != u32(4294967295);
+        }
+        else
+        {
+            _S33 = false;
+        }
+        var _S34 : bool;
+        if(_S33)
+        {
+            _S34 = slot_0 < (word_0(_S32 + u32(4)));
+        }
+        else
+        {
+            _S34 = false;
+        }
+        if(_S34)
         {
         }
         else
         {
             break;
         }
-        var _S33 : u32 = k_2;
-        if((_S32[k_2]) == u32(4294967295))
+        var texture_4 : u32 = word_0(_S32 + u32(5) + slot_0);
+        if(texture_4 == u32(4294967295))
         {
-            k_2 = k_2 + u32(1);
+            slot_0 = slot_0 + u32(1);
             continue;
         }
-        add_to_texels_0(_S32[_S33], _S31, _S30 * (direct_0.changes_0[k_2] + onward_0.changes_0[k_2] * beyond_0));
-        k_2 = k_2 + u32(1);
+        var change_0 : vec3<f32> = direct_0.changes_0[slot_0] + onward_0.changes_0[slot_0] * beyond_0;
+        var _S35 : Lookup_0 = lookup_at_0(texture_4, _S30);
+        add_to_texels_0(texture_4, _S35, _S29 * change_0);
+        slot_0 = slot_0 + u32(1);
     }
     which_6 = u32(15);
     set_vector_0(number_of_path_0, &(which_6), direct_0.value_0 + onward_0.value_0 * beyond_0);

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 16cbc1b61831ad75
-// result: bbfedf102f6ea299
+// source: e4039b14a3e998cc
+// result: 4a4befe740662d94
 
 struct Launch_std140_0
 {
@@ -82,58 +82,9 @@ fn load_0( number_of_path_0 : u32) -> Path_0
     return path_3;
 }
 
-struct Colour_0
-{
-     value_0 : vec3<f32>,
-     changes_0 : array<vec3<f32>, i32(2)>,
-};
-
-fn constant_0( value_1 : vec3<f32>) -> Colour_0
-{
-    var colour_0 : Colour_0;
-    colour_0.value_0 = value_1;
-    var k_0 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_0 < u32(2))
-        {
-        }
-        else
-        {
-            break;
-        }
-        colour_0.changes_0[k_0] = vec3<f32>(0.0f);
-        k_0 = k_0 + u32(1);
-    }
-    return colour_0;
-}
-
-struct Vertex_0
-{
-     direct_0 : Colour_0,
-     onward_0 : Colour_0,
-     textures_0 : array<u32, i32(2)>,
-};
-
-fn dark_vertex_0() -> Vertex_0
-{
-    var vertex_0 : Vertex_0;
-    var _S6 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    vertex_0.direct_0 = _S6;
-    vertex_0.onward_0 = _S6;
-    vertex_0.textures_0[i32(0)] = u32(4294967295);
-    vertex_0.textures_0[i32(1)] = u32(4294967295);
-    return vertex_0;
-}
-
 fn word_0( at_1 : u32) -> u32
 {
     return scene_0[at_1];
-}
-
-fn vertex_numbers_0( depth_1 : u32) -> u32
-{
-    return word_0(u32(7)) + depth_1 * (u32(3) * word_0(u32(2)) + u32(3) * word_0(u32(3)) + u32(1));
 }
 
 fn triangle_record_0( triangle_1 : u32) -> u32
@@ -143,7 +94,7 @@ fn triangle_record_0( triangle_1 : u32) -> u32
 
 fn shape_of_0( triangle_2 : u32) -> u32
 {
-    return word_0(u32(10)) + u32(5) * word_0(triangle_record_0(triangle_2));
+    return word_0(u32(10)) + u32(6) * word_0(triangle_record_0(triangle_2));
 }
 
 fn primitive_vector_0( at_2 : u32) -> vec3<f64>
@@ -196,14 +147,14 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     var surface_0 : Surface_0;
     surface_0.place_3 = place_4;
     surface_0.shape_0 = shape_of_0(place_4.triangle_0);
-    var _S7 : vec3<f64> = position_of_0(place_4);
-    surface_0.exact_0 = _S7;
-    surface_0.position_0 = vec3<f32>(_S7);
-    var _S8 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
-    surface_0.face_normal_0 = _S8;
-    surface_0.outward_0 = _S8;
+    var _S6 : vec3<f64> = position_of_0(place_4);
+    surface_0.exact_0 = _S6;
+    surface_0.position_0 = vec3<f32>(_S6);
+    var _S7 : vec3<f32> = unit_0(cross_of_0(place_4.triangle_0));
+    surface_0.face_normal_0 = _S7;
+    surface_0.outward_0 = _S7;
     var seen_0 : f32;
-    if((dot(_S8, direction_1)) > 0.0f)
+    if((dot(_S7, direction_1)) > 0.0f)
     {
         seen_0 = -1.0f;
     }
@@ -226,6 +177,118 @@ fn surface_at_0( place_4 : Place_0,  direction_1 : vec3<f32>) -> Surface_0
     }
     surface_0.is_front_0 = seen_0 > 0.0f;
     return surface_0;
+}
+
+fn material_of_0( surface_1 : Surface_0) -> u32
+{
+    var _S8 : u32;
+    if(surface_1.is_front_0)
+    {
+        _S8 = u32(2);
+    }
+    else
+    {
+        _S8 = u32(3);
+    }
+    return word_0(surface_1.shape_0 + _S8);
+}
+
+struct Colour_0
+{
+     value_0 : vec3<f32>,
+     changes_0 : array<vec3<f32>, i32(2)>,
+};
+
+fn constant_0( value_1 : vec3<f32>) -> Colour_0
+{
+    var colour_0 : Colour_0;
+    colour_0.value_0 = value_1;
+    var k_0 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_0 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        colour_0.changes_0[k_0] = vec3<f32>(0.0f);
+        k_0 = k_0 + u32(1);
+    }
+    return colour_0;
+}
+
+struct Reflected_0
+{
+     direct_0 : Colour_0,
+     onward_0 : Colour_0,
+};
+
+fn nothing_reflected_0() -> Reflected_0
+{
+    var reflected_0 : Reflected_0;
+    var _S9 : Colour_0 = constant_0(vec3<f32>(0.0f));
+    reflected_0.direct_0 = _S9;
+    reflected_0.onward_0 = _S9;
+    return reflected_0;
+}
+
+fn vertex_numbers_0( depth_1 : u32) -> u32
+{
+    return word_0(u32(7)) + depth_1 * (u32(3) * word_0(u32(2)) + u32(3) * word_0(u32(3)) + u32(1));
+}
+
+struct Axes_0
+{
+     s_0 : vec3<f32>,
+     t_0 : vec3<f32>,
+     n_0 : vec3<f32>,
+};
+
+fn axes_at_0( surface_2 : Surface_0) -> Axes_0
+{
+    var axes_0 : Axes_0;
+    var _S10 : vec3<f32>;
+    if(surface_2.is_front_0)
+    {
+        _S10 = surface_2.outward_0;
+    }
+    else
+    {
+        _S10 = (vec3<f32>(0) - surface_2.outward_0);
+    }
+    axes_0.n_0 = _S10;
+    var tangents_0 : u32 = word_0(surface_2.shape_0 + u32(5));
+    if(tangents_0 != u32(4294967295))
+    {
+        var tangent_0 : vec3<f32> = vector_at_0(tangents_0 + u32(3) * word_0(triangle_record_0(surface_2.place_3.triangle_0) + u32(1)));
+        var across_0 : vec3<f32> = tangent_0 - surface_2.outward_0 * vec3<f32>(dot(surface_2.outward_0, tangent_0));
+        if((dot(across_0, across_0)) > 0.0f)
+        {
+            var _S11 : vec3<f32> = normalize(across_0);
+            axes_0.s_0 = _S11;
+            axes_0.t_0 = cross(surface_2.outward_0, _S11);
+            return axes_0;
+        }
+    }
+    var _S12 : f32 = surface_2.outward_0.z;
+    var sign_0 : f32;
+    if(_S12 < 0.0f)
+    {
+        sign_0 = -1.0f;
+    }
+    else
+    {
+        sign_0 = 1.0f;
+    }
+    var a_3 : f32 = -1.0f / (sign_0 + _S12);
+    var _S13 : f32 = surface_2.outward_0.x;
+    var _S14 : f32 = surface_2.outward_0.y;
+    var b_1 : f32 = _S13 * _S14 * a_3;
+    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S13 * _S13 * a_3, sign_0 * b_1, - sign_0 * _S13);
+    axes_0.t_0 = vec3<f32>(b_1, sign_0 + _S14 * _S14 * a_3, - _S14);
+    return axes_0;
 }
 
 struct Lookup_0
@@ -260,20 +323,20 @@ fn floor_of_0( x_0 : f32) -> i32
     return i32(floor(clamp(x_0, -1.0e+09f, 1.0e+09f)));
 }
 
-fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
+fn wrapped_0( i_0 : i32,  n_1 : i32,  wrap_0 : u32) -> u32
 {
     if(wrap_0 == u32(2))
     {
-        return u32(clamp(i_0, i32(0), n_0 - i32(1)));
+        return u32(clamp(i_0, i32(0), n_1 - i32(1)));
     }
     var period_0 : i32;
     if(wrap_0 == u32(1))
     {
-        period_0 = i32(2) * n_0;
+        period_0 = i32(2) * n_1;
     }
     else
     {
-        period_0 = n_0;
+        period_0 = n_1;
     }
     var inside_0 : i32 = i_0 % period_0;
     var inside_1 : i32;
@@ -285,15 +348,29 @@ fn wrapped_0( i_0 : i32,  n_0 : i32,  wrap_0 : u32) -> u32
     {
         inside_1 = inside_0;
     }
-    if(inside_1 < n_0)
+    if(inside_1 < n_1)
     {
         period_0 = inside_1;
     }
     else
     {
-        period_0 = i32(2) * n_0 - i32(1) - inside_1;
+        period_0 = i32(2) * n_1 - i32(1) - inside_1;
     }
     return u32(period_0);
+}
+
+fn between_0( texels_1 : vec4<u32>,  way_0 : vec2<f32>) -> Lookup_0
+{
+    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
+    var lookup_1 : Lookup_0;
+    lookup_1.count_0 = u32(4);
+    lookup_1.texels_0 = texels_1;
+    var _S15 : f32 = back_0.x;
+    var _S16 : f32 = back_0.y;
+    var _S17 : f32 = way_0.x;
+    var _S18 : f32 = way_0.y;
+    lookup_1.weights_0 = vec4<f32>(_S15 * _S16, _S17 * _S16, _S15 * _S18, _S17 * _S18);
+    return lookup_1;
 }
 
 fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
@@ -305,31 +382,21 @@ fn in_bitmap_0( texture_0 : u32,  uv_0 : vec2<f32>) -> Lookup_0
     if((word_0(texture_0 + u32(4))) == u32(0))
     {
         var row_0 : u32 = wrapped_0(floor_of_0(place_6.y), height_0, wrap_1);
-        var _S9 : u32 = row_0 * u32(width_0);
-        var _S10 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
-        return one_texel_0(_S9 + _S10);
+        var _S19 : u32 = row_0 * u32(width_0);
+        var _S20 : u32 = wrapped_0(floor_of_0(place_6.x), width_0, wrap_1);
+        return one_texel_0(_S19 + _S20);
     }
     var place_7 : vec2<f32> = place_6 - vec2<f32>(0.5f);
     var x_1 : i32 = floor_of_0(place_7.x);
     var y_0 : i32 = floor_of_0(place_7.y);
-    var way_0 : vec2<f32> = place_7 - floor(place_7);
-    var back_0 : vec2<f32> = vec2<f32>(1.0f) - way_0;
-    var _S11 : u32 = wrapped_0(y_0, height_0, wrap_1);
-    var _S12 : u32 = u32(width_0);
-    var first_1 : u32 = _S11 * _S12;
-    var _S13 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
-    var second_0 : u32 = _S13 * _S12;
+    var _S21 : u32 = wrapped_0(y_0, height_0, wrap_1);
+    var _S22 : u32 = u32(width_0);
+    var first_1 : u32 = _S21 * _S22;
+    var _S23 : u32 = wrapped_0(y_0 + i32(1), height_0, wrap_1);
+    var second_0 : u32 = _S23 * _S22;
     var left_0 : u32 = wrapped_0(x_1, width_0, wrap_1);
     var right_0 : u32 = wrapped_0(x_1 + i32(1), width_0, wrap_1);
-    var lookup_1 : Lookup_0;
-    lookup_1.count_0 = u32(4);
-    lookup_1.texels_0 = vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0);
-    var _S14 : f32 = back_0.x;
-    var _S15 : f32 = back_0.y;
-    var _S16 : f32 = way_0.x;
-    var _S17 : f32 = way_0.y;
-    lookup_1.weights_0 = vec4<f32>(_S14 * _S15, _S16 * _S15, _S14 * _S17, _S16 * _S17);
-    return lookup_1;
+    return between_0(vec4<u32>(first_1 + left_0, first_1 + right_0, second_0 + left_0, second_0 + right_0), place_7 - floor(place_7));
 }
 
 fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
@@ -353,33 +420,33 @@ fn lookup_at_0( texture_1 : u32,  place_8 : Place_0) -> Lookup_0
         return lookup_2;
     }
     var rows_0 : u32 = texture_1 + u32(6);
-    var _S18 : vec3<f32> = vec3<f32>(uv_of_0(place_8), 1.0f);
-    var uv_1 : vec2<f32> = vec2<f32>(dot(_S18, vector_at_0(rows_0)), dot(_S18, vector_at_0(rows_0 + u32(3))));
+    var _S24 : vec3<f32> = vec3<f32>(uv_of_0(place_8), 1.0f);
+    var uv_1 : vec2<f32> = vec2<f32>(dot(_S24, vector_at_0(rows_0)), dot(_S24, vector_at_0(rows_0 + u32(3))));
     if(kind_0 == u32(1))
     {
-        var _S19 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
-        return _S19;
+        var _S25 : Lookup_0 = in_bitmap_0(texture_1, uv_1);
+        return _S25;
     }
     var half_of_period_0 : vec2<f32> = uv_1 - floor(uv_1);
-    var _S20 : i32;
+    var _S26 : i32;
     if(((half_of_period_0.x) > 0.5f) != ((half_of_period_0.y) > 0.5f))
     {
-        _S20 = i32(1);
+        _S26 = i32(1);
     }
     else
     {
-        _S20 = i32(0);
+        _S26 = i32(0);
     }
-    return one_texel_0(u32(_S20));
+    return one_texel_0(u32(_S26));
 }
 
 fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
 {
-    var _S21 : u32 = word_0(texture_2 + u32(1));
-    var _S22 : u32 = texture_2 + u32(13);
-    var _S23 : vec3<f32> = vec3<f32>(0.0f);
+    var _S27 : u32 = word_0(texture_2 + u32(1));
+    var _S28 : u32 = texture_2 + u32(13);
+    var _S29 : vec3<f32> = vec3<f32>(0.0f);
     var k_1 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S23;
+    var value_2 : vec3<f32> = _S29;
     for(;;)
     {
         if(k_1 < (lookup_3.count_0))
@@ -389,68 +456,175 @@ fn texture_value_0( texture_2 : u32,  lookup_3 : Lookup_0) -> vec3<f32>
         {
             break;
         }
-        var at_8 : u32 = _S22 + _S21 * lookup_3.texels_0[k_1];
-        var _S24 : vec3<f32>;
-        if(_S21 == u32(1))
+        var at_8 : u32 = _S28 + _S27 * lookup_3.texels_0[k_1];
+        var _S30 : vec3<f32>;
+        if(_S27 == u32(1))
         {
-            _S24 = vec3<f32>(number_0(at_8));
+            _S30 = vec3<f32>(number_0(at_8));
         }
         else
         {
-            _S24 = vector_at_0(at_8);
+            _S30 = vector_at_0(at_8);
         }
-        var value_3 : vec3<f32> = value_2 + _S24 * vec3<f32>(lookup_3.weights_0[k_1]);
+        var value_3 : vec3<f32> = value_2 + _S30 * vec3<f32>(lookup_3.weights_0[k_1]);
         k_1 = k_1 + u32(1);
         value_2 = value_3;
     }
     return value_2;
 }
 
-fn colour_at_0( texture_3 : u32,  place_9 : Place_0,  slot_0 : u32) -> Colour_0
+fn looked_up_0( texture_3 : u32,  lookup_4 : Lookup_0) -> Colour_0
 {
-    var lookup_4 : Lookup_0 = lookup_at_0(texture_3, place_9);
-    var colour_1 : Colour_0 = constant_0(texture_value_0(texture_3, lookup_4));
-    colour_1.changes_0[slot_0] = vec3<f32>(1.0f);
+    return constant_0(texture_value_0(texture_3, lookup_4));
+}
+
+fn colour_at_0( texture_4 : u32,  place_9 : Place_0,  slot_0 : u32) -> Colour_0
+{
+    var _S31 : Lookup_0 = lookup_at_0(texture_4, place_9);
+    var colour_1 : Colour_0 = looked_up_0(texture_4, _S31);
+    if(slot_0 < u32(2))
+    {
+        colour_1.changes_0[slot_0] = vec3<f32>(1.0f);
+    }
     return colour_1;
 }
 
-struct Axes_0
+fn value_of_0( colour_2 : Colour_0) -> vec3<f32>
 {
-     s_0 : vec3<f32>,
-     t_0 : vec3<f32>,
-     n_1 : vec3<f32>,
+    return colour_2.value_0;
+}
+
+fn luminance_0( colour_3 : vec3<f32>) -> f32
+{
+    return dot(colour_3, vec3<f32>(0.21267099678516388f, 0.71516001224517822f, 0.07216899842023849f));
+}
+
+struct Microfacets_0
+{
+     distribution_0 : u32,
+     alpha_0 : vec2<f32>,
 };
 
-fn axes_at_0( surface_1 : Surface_0) -> Axes_0
+struct Lobe_0
 {
-    var _S25 : f32 = surface_1.outward_0.z;
-    var sign_0 : f32;
-    if(_S25 < 0.0f)
+     kind_1 : u32,
+     diffuse_reflectance_0 : Colour_0,
+     specular_reflectance_0 : Colour_0,
+     eta_0 : vec3<f32>,
+     k_2 : vec3<f32>,
+     coat_eta_0 : f32,
+     microfacets_0 : Microfacets_0,
+     record_2 : u32,
+};
+
+fn lobe_at_0( record_3 : u32,  place_10 : Place_0) -> Lobe_0
+{
+    var lobe_0 : Lobe_0;
+    var _S32 : u32 = word_0(record_3);
+    lobe_0.kind_1 = _S32;
+    lobe_0.record_2 = record_3;
+    var _S33 : Colour_0 = constant_0(vec3<f32>(0.0f));
+    lobe_0.specular_reflectance_0 = _S33;
+    lobe_0.diffuse_reflectance_0 = _S33;
+    var _S34 : vec3<f32> = vec3<f32>(1.0f);
+    lobe_0.k_2 = _S34;
+    lobe_0.eta_0 = _S34;
+    lobe_0.microfacets_0.distribution_0 = u32(1);
+    var _S35 : vec2<f32> = vec2<f32>(0.00009999999747379f);
+    lobe_0.microfacets_0.alpha_0 = _S35;
+    lobe_0.coat_eta_0 = 1.0f;
+    if(_S32 == u32(0))
     {
-        sign_0 = -1.0f;
+        var _S36 : Colour_0 = colour_at_0(word_0(record_3 + u32(5)), place_10, u32(0));
+        lobe_0.diffuse_reflectance_0 = _S36;
+        return lobe_0;
     }
-    else
+    lobe_0.microfacets_0.distribution_0 = word_0(record_3 + u32(1));
+    var alpha_1 : vec2<f32> = vec2<f32>(0.0f);
+    var _S37 : u32 = word_0(record_3 + u32(4));
+    var slot_1 : u32 = u32(0);
+    for(;;)
     {
-        sign_0 = 1.0f;
+        if(slot_1 < _S37)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var texture_5 : u32 = word_0(record_3 + u32(5) + slot_1);
+        if(texture_5 == u32(4294967295))
+        {
+            slot_1 = slot_1 + u32(1);
+            continue;
+        }
+        var colour_4 : Colour_0 = colour_at_0(texture_5, place_10, slot_1);
+        var value_4 : vec3<f32> = value_of_0(colour_4);
+        switch(slot_1)
+        {
+        case u32(0):
+            {
+                lobe_0.diffuse_reflectance_0 = colour_4;
+                break;
+            }
+        case u32(1):
+            {
+                lobe_0.specular_reflectance_0 = colour_4;
+                break;
+            }
+        case u32(2):
+            {
+                lobe_0.eta_0 = value_4;
+                break;
+            }
+        case u32(3):
+            {
+                lobe_0.k_2 = value_4;
+                break;
+            }
+        case u32(4):
+            {
+                alpha_1[i32(0)] = luminance_0(value_4);
+                break;
+            }
+        default :
+            {
+                alpha_1[i32(1)] = luminance_0(value_4);
+                break;
+            }
+        }
+        slot_1 = slot_1 + u32(1);
     }
-    var a_3 : f32 = -1.0f / (sign_0 + _S25);
-    var _S26 : f32 = surface_1.outward_0.x;
-    var _S27 : f32 = surface_1.outward_0.y;
-    var b_1 : f32 = _S26 * _S27 * a_3;
-    var axes_0 : Axes_0;
-    axes_0.s_0 = vec3<f32>(1.0f + sign_0 * _S26 * _S26 * a_3, sign_0 * b_1, - sign_0 * _S26);
-    axes_0.t_0 = vec3<f32>(b_1, sign_0 + _S27 * _S27 * a_3, - _S27);
-    var _S28 : vec3<f32>;
-    if(surface_1.is_front_0)
-    {
-        _S28 = surface_1.outward_0;
-    }
-    else
-    {
-        _S28 = (vec3<f32>(0) - surface_1.outward_0);
-    }
-    axes_0.n_1 = _S28;
-    return axes_0;
+    lobe_0.microfacets_0.alpha_0 = max(alpha_1, _S35);
+    lobe_0.coat_eta_0 = luminance_0(lobe_0.eta_0) / luminance_0(lobe_0.k_2);
+    return lobe_0;
+}
+
+fn to_local_0( axes_1 : Axes_0,  v_2 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(dot(axes_1.s_0, v_2), dot(axes_1.t_0, v_2), dot(axes_1.n_0, v_2));
+}
+
+struct Vertex_0
+{
+     surface_3 : Surface_0,
+     axes_2 : Axes_0,
+     lobe_1 : Lobe_0,
+     wi_0 : vec3<f32>,
+};
+
+fn vertex_at_0( surface_4 : Surface_0,  material_0 : u32,  direction_2 : vec3<f32>) -> Vertex_0
+{
+    var vertex_0 : Vertex_0;
+    vertex_0.surface_3 = surface_4;
+    var _S38 : Axes_0 = axes_at_0(surface_4);
+    vertex_0.axes_2 = _S38;
+    var _S39 : Lobe_0 = lobe_at_0(material_0, surface_4.place_3);
+    vertex_0.lobe_1 = _S39;
+    var _S40 : vec3<f32> = to_local_0(_S38, (vec3<f32>(0) - direction_2));
+    vertex_0.wi_0 = _S40;
+    vertex_0.wi_0[i32(2)] = max(abs(_S40.z), 9.999999960041972e-13f);
+    return vertex_0;
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -461,6 +635,11 @@ fn reaches_0( segments_0 : u32) -> bool
 fn emitter_record_0( emitter_0 : u32) -> u32
 {
     return word_0(u32(11)) + u32(12) * emitter_0;
+}
+
+fn is_area_0( record_4 : u32) -> bool
+{
+    return (word_0(record_4)) == u32(0);
 }
 
 fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
@@ -506,35 +685,40 @@ fn node_seen_0( node_0 : u32,  viewpoint_0 : vec3<f32>) -> f32
     {
         return max(dot(vector_at_0(node_0 + u32(8)), offset_0) / distance_0, 0.0f) / squared_0;
     }
-    var _S29 : f32 = min(highest_0, 1.0f);
-    return area_0 * _S29 * _S29 / (2.0f * (_S29 - max(lowest_0, -1.0f)) * squared_0);
+    var _S41 : f32 = min(highest_0, 1.0f);
+    return area_0 * _S41 * _S41 / (2.0f * (_S41 - max(lowest_0, -1.0f)) * squared_0);
 }
 
 fn is_sampled_well_0( position_1 : vec3<f32>) -> bool
 {
-    var _S30 : bool;
+    var _S42 : bool;
     if((word_0(u32(6))) != u32(1))
     {
-        _S30 = true;
+        _S42 = true;
     }
     else
     {
-        _S30 = (word_0(u32(2))) == u32(0);
+        _S42 = (word_0(u32(2))) == u32(0);
     }
-    if(_S30)
+    if(_S42)
     {
         return false;
     }
-    var record_2 : u32 = emitter_record_0(u32(0));
-    if((word_0(record_2)) != u32(0))
+    var record_5 : u32 = emitter_record_0(u32(0));
+    if(is_area_0(record_5))
     {
-        _S30 = (node_seen_0(word_0(record_2 + u32(5)), position_1)) < 1.0f;
+        _S42 = (node_seen_0(word_0(record_5 + u32(5)), position_1)) < 1.0f;
     }
     else
     {
-        _S30 = false;
+        _S42 = false;
     }
-    return _S30;
+    return _S42;
+}
+
+fn has_smooth_0( lobe_2 : Lobe_0) -> bool
+{
+    return (lobe_2.kind_1) != u32(1);
 }
 
 fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : vec3<f32>,  radius_1 : f32) -> f32
@@ -557,12 +741,12 @@ fn largest_cosine_0( position_2 : vec3<f32>,  normal_0 : vec3<f32>,  centre_0 : 
 
 fn emitter_view_0( emitter_1 : u32,  position_3 : vec3<f32>,  normal_1 : vec3<f32>) -> f32
 {
-    var record_3 : u32 = emitter_record_0(emitter_1);
-    if((word_0(record_3)) == u32(0))
+    var record_6 : u32 = emitter_record_0(emitter_1);
+    if(!is_area_0(record_6))
     {
         return 3.14159274101257324f;
     }
-    return node_seen_0(word_0(record_3 + u32(5)), position_3) * largest_cosine_0(position_3, normal_1, vector_at_0(record_3 + u32(8)), number_0(record_3 + u32(11)));
+    return node_seen_0(word_0(record_6 + u32(5)), position_3) * largest_cosine_0(position_3, normal_1, vector_at_0(record_6 + u32(8)), number_0(record_6 + u32(11)));
 }
 
 struct Choice_0
@@ -576,36 +760,36 @@ struct Choice_0
 fn light_of_0( emitter_2 : u32,  choice_0 : Choice_0,  can_light_0 : ptr<function, f32>) -> f32
 {
     var view_0 : f32 = emitter_view_0(emitter_2, choice_0.position_4, choice_0.normal_2);
-    var _S31 : f32;
+    var _S43 : f32;
     if(view_0 > 0.0f)
     {
-        _S31 = 1.0f;
+        _S43 = 1.0f;
     }
     else
     {
-        _S31 = 0.0f;
+        _S43 = 0.0f;
     }
-    (*can_light_0) = _S31;
+    (*can_light_0) = _S43;
     return view_0 * number_0(emitter_record_0(emitter_2) + u32(2));
 }
 
 fn light_of_1( emitter_3 : u32,  choice_1 : Choice_0,  can_light_1 : ptr<function, f32>) -> f32
 {
     var view_1 : f32 = emitter_view_0(emitter_3, choice_1.position_4, choice_1.normal_2);
-    var _S32 : f32;
+    var _S44 : f32;
     if(view_1 > 0.0f)
     {
-        _S32 = 1.0f;
+        _S44 = 1.0f;
     }
     else
     {
-        _S32 = 0.0f;
+        _S44 = 0.0f;
     }
-    (*can_light_1) = _S32;
+    (*can_light_1) = _S44;
     return view_1 * number_0(emitter_record_0(emitter_3) + u32(2));
 }
 
-fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>) -> Choice_0
+fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>,  alike_0 : bool) -> Choice_0
 {
     var choice_2 : Choice_0;
     choice_2.position_4 = position_5;
@@ -613,24 +797,32 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>) -> Choice_0
     choice_2.all_0 = 0.0f;
     choice_2.lit_0 = 0.0f;
     var count_1 : u32 = word_0(u32(6));
-    var _S33 : bool;
-    if((word_0(u32(5))) != u32(0))
+    var _S45 : bool;
+    if(alike_0)
     {
-        _S33 = true;
+        _S45 = true;
     }
     else
     {
-        _S33 = count_1 < u32(2);
+        _S45 = (word_0(u32(5))) != u32(0);
     }
-    if(_S33)
+    if(_S45)
     {
-        _S33 = true;
+        _S45 = true;
     }
     else
     {
-        _S33 = count_1 > u32(32);
+        _S45 = count_1 < u32(2);
     }
-    if(_S33)
+    if(_S45)
+    {
+        _S45 = true;
+    }
+    else
+    {
+        _S45 = count_1 > u32(32);
+    }
+    if(_S45)
     {
         return choice_2;
     }
@@ -645,20 +837,20 @@ fn choice_at_0( position_5 : vec3<f32>,  normal_3 : vec3<f32>) -> Choice_0
             break;
         }
         var can_light_2 : f32;
-        var _S34 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
-        choice_2.all_0 = choice_2.all_0 + _S34;
+        var _S46 : f32 = light_of_1(i_1, choice_2, &(can_light_2));
+        choice_2.all_0 = choice_2.all_0 + _S46;
         choice_2.lit_0 = choice_2.lit_0 + can_light_2;
         i_1 = i_1 + u32(1);
     }
     if((choice_2.all_0) > 0.0f)
     {
-        _S33 = (choice_2.all_0) < 3.00000000549775576e+38f;
+        _S45 = (choice_2.all_0) < 3.00000000549775576e+38f;
     }
     else
     {
-        _S33 = false;
+        _S45 = false;
     }
-    if(!_S33)
+    if(!_S45)
     {
         choice_2.all_0 = 0.0f;
     }
@@ -679,33 +871,33 @@ fn product_0( a_4 : u32,  b_2 : u32) -> vec2<u32>
 
 fn times_0( a_5 : vec2<u32>,  b_3 : vec2<u32>) -> vec2<u32>
 {
-    var _S35 : u32 = a_5.x;
-    var _S36 : u32 = b_3.x;
-    var low_1 : vec2<u32> = product_0(_S35, _S36);
-    return vec2<u32>(low_1.x, low_1.y + _S35 * b_3.y + a_5.y * _S36);
+    var _S47 : u32 = a_5.x;
+    var _S48 : u32 = b_3.x;
+    var low_1 : vec2<u32> = product_0(_S47, _S48);
+    return vec2<u32>(low_1.x, low_1.y + _S47 * b_3.y + a_5.y * _S48);
 }
 
 fn plus_0( a_6 : vec2<u32>,  b_4 : vec2<u32>) -> vec2<u32>
 {
-    var _S37 : u32 = a_6.x;
-    var low_2 : u32 = _S37 + b_4.x;
-    var _S38 : u32 = a_6.y + b_4.y;
-    var _S39 : i32;
-    if(low_2 < _S37)
+    var _S49 : u32 = a_6.x;
+    var low_2 : u32 = _S49 + b_4.x;
+    var _S50 : u32 = a_6.y + b_4.y;
+    var _S51 : i32;
+    if(low_2 < _S49)
     {
-        _S39 = i32(1);
+        _S51 = i32(1);
     }
     else
     {
-        _S39 = i32(0);
+        _S51 = i32(0);
     }
-    return vec2<u32>(low_2, _S38 + u32(_S39));
+    return vec2<u32>(low_2, _S50 + u32(_S51));
 }
 
 fn shifted_xor_0( x_2 : vec2<u32>,  by_0 : u32) -> vec2<u32>
 {
-    var _S40 : u32 = x_2.y;
-    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S40 << ((u32(32) - by_0)))))), (_S40 >> (by_0)))));
+    var _S52 : u32 = x_2.y;
+    return (x_2 ^ (vec2<u32>(((((x_2.x) >> (by_0))) | (((_S52 << ((u32(32) - by_0)))))), (_S52 >> (by_0)))));
 }
 
 fn mix_0( x_3 : vec2<u32>) -> vec2<u32>
@@ -744,9 +936,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
     }
     if((choice_4.all_0) == 0.0f)
     {
-        var _S41 : f32 = f32(count_2);
-        (*probability_0) = 1.0f / _S41;
-        return min(u32(u_0 * _S41), count_2 - u32(1));
+        var _S53 : f32 = f32(count_2);
+        (*probability_0) = 1.0f / _S53;
+        return min(u32(u_0 * _S53), count_2 - u32(1));
     }
     var found_0 : u32 = u32(0);
     var i_2 : u32 = u32(0);
@@ -777,9 +969,9 @@ fn chosen_emitter_0( choice_4 : Choice_0,  u_0 : f32,  probability_0 : ptr<funct
             break;
         }
         var rest_2 : f32 = rest_1 - own_0;
-        var _S42 : u32 = i_2 + u32(1);
+        var _S54 : u32 = i_2 + u32(1);
         found_0 = found_1;
-        i_2 = _S42;
+        i_2 = _S54;
         rest_1 = rest_2;
     }
     return found_0;
@@ -792,28 +984,28 @@ fn limit_at_0( which_3 : u32) -> f64
 
 fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
 {
-    var _S43 : f32 = abs(x_4);
-    var _S44 : f32 = abs(y_1);
-    var _S45 : f32 = min(_S43, _S44);
-    var _S46 : f32 = max(_S43, _S44);
-    var is_steep_0 : bool = _S45 > (0.41421356797218323f * _S46);
+    var _S55 : f32 = abs(x_4);
+    var _S56 : f32 = abs(y_1);
+    var _S57 : f32 = min(_S55, _S56);
+    var _S58 : f32 = max(_S55, _S56);
+    var is_steep_0 : bool = _S57 > (0.41421356797218323f * _S58);
     var above_0 : f32;
     if(is_steep_0)
     {
-        above_0 = _S45 - _S46;
+        above_0 = _S57 - _S58;
     }
     else
     {
-        above_0 = _S45;
+        above_0 = _S57;
     }
     var below_0 : f32;
     if(is_steep_0)
     {
-        below_0 = _S45 + _S46;
+        below_0 = _S57 + _S58;
     }
     else
     {
-        below_0 = _S46;
+        below_0 = _S58;
     }
     if(below_0 > 0.0f)
     {
@@ -834,7 +1026,7 @@ fn angle_of_0( x_4 : f32,  y_1 : f32) -> f32
     {
         angle_1 = angle_0;
     }
-    if(_S44 > _S43)
+    if(_S56 > _S55)
     {
         angle_1 = 1.57079637050628662f - angle_1;
     }
@@ -869,11 +1061,11 @@ fn solid_angle_of_0( a_7 : vec3<f32>,  b_5 : vec3<f32>,  c_1 : vec3<f32>) -> f32
 
 fn complex_product_0( a_8 : vec2<f32>,  b_6 : vec2<f32>) -> vec2<f32>
 {
-    var _S47 : f32 = a_8.x;
-    var _S48 : f32 = b_6.x;
-    var _S49 : f32 = a_8.y;
-    var _S50 : f32 = b_6.y;
-    return vec2<f32>(_S47 * _S48 - _S49 * _S50, _S47 * _S50 + _S49 * _S48);
+    var _S59 : f32 = a_8.x;
+    var _S60 : f32 = b_6.x;
+    var _S61 : f32 = a_8.y;
+    var _S62 : f32 = b_6.y;
+    return vec2<f32>(_S59 * _S60 - _S61 * _S62, _S59 * _S62 + _S61 * _S60);
 }
 
 struct SeenRectangle_0
@@ -896,26 +1088,26 @@ fn seen_rectangle_0( at_9 : u32,  viewpoint_1 : vec3<f32>) -> SeenRectangle_0
     var seen_1 : SeenRectangle_0;
     seen_1.x_5 = vec2<f32>(x0_0, x1_0);
     seen_1.y_2 = vec2<f32>(y0_0, y1_0);
-    var _S51 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
-    seen_1.z_1 = _S51;
-    var a_9 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S51);
-    var b_7 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S51);
-    var c_2 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S51);
-    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S51);
-    var _S52 : f32 = length(a_9);
-    var _S53 : f32 = length(c_2);
-    var _S54 : f32;
-    if(_S51 > (9.99999997475242708e-07f * max(max(_S52, length(b_7)), max(_S53, length(d_0)))))
+    var _S63 : f32 = - dot(vector_at_0(at_9 + u32(9)), offset_2);
+    seen_1.z_1 = _S63;
+    var a_9 : vec3<f32> = vec3<f32>(x0_0, y0_0, _S63);
+    var b_7 : vec3<f32> = vec3<f32>(x1_0, y0_0, _S63);
+    var c_2 : vec3<f32> = vec3<f32>(x0_0, y1_0, _S63);
+    var d_0 : vec3<f32> = vec3<f32>(x1_0, y1_0, _S63);
+    var _S64 : f32 = length(a_9);
+    var _S65 : f32 = length(c_2);
+    var _S66 : f32;
+    if(_S63 > (9.99999997475242708e-07f * max(max(_S64, length(b_7)), max(_S65, length(d_0)))))
     {
-        _S54 = solid_angle_of_0(a_9, c_2, b_7) + solid_angle_of_0(d_0, b_7, c_2);
+        _S66 = solid_angle_of_0(a_9, c_2, b_7) + solid_angle_of_0(d_0, b_7, c_2);
     }
     else
     {
-        _S54 = 0.0f;
+        _S66 = 0.0f;
     }
-    seen_1.solid_angle_0 = _S54;
+    seen_1.solid_angle_0 = _S66;
     var z2_0 : f32 = seen_1.z_1 * seen_1.z_1;
-    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S53), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S52));
+    var at_first_0 : vec2<f32> = complex_product_0(vec2<f32>(x0_0 * y1_0, seen_1.z_1 * _S65), vec2<f32>(- x0_0 * y0_0, seen_1.z_1 * _S64));
     var to_line_0 : vec2<f32> = sqrt(seen_1.y_2 * seen_1.y_2 + vec2<f32>(z2_0));
     seen_1.start_0 = vec2<f32>(at_first_0.x, - at_first_0.y) * vec2<f32>((1.0f / ((x0_0 * x0_0 + z2_0) * to_line_0.x * to_line_0.y)));
     seen_1.inverse_to_line_0 = vec2<f32>(1.0f) / to_line_0;
@@ -953,31 +1145,31 @@ fn rectangle_place_0( seen_2 : SeenRectangle_0,  u_1 : vec2<f32>) -> vec2<f32>
 {
     var turn_0 : vec2<f32> = sine_cosine_0(u_1.x * seen_2.solid_angle_0);
     var at_10 : vec2<f32> = complex_product_0(seen_2.start_0, vec2<f32>(turn_0.y, turn_0.x));
-    var _S55 : f32 = seen_2.y_2.x;
-    var _S56 : f32 = seen_2.inverse_to_line_0.x;
-    var _S57 : f32 = seen_2.y_2.y;
-    var n_2 : f32 = - at_10.x * _S55 * _S56 - _S57 * seen_2.inverse_to_line_0.y;
-    var _S58 : f32 = at_10.y;
-    var flat_0 : f32 = _S58 * seen_2.z_1 * _S56;
-    var size_0 : f32 = seen_2.z_1 * abs(_S58) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
-    var _S59 : f32;
-    if((n_2 * _S58) < 0.0f)
+    var _S67 : f32 = seen_2.y_2.x;
+    var _S68 : f32 = seen_2.inverse_to_line_0.x;
+    var _S69 : f32 = seen_2.y_2.y;
+    var n_2 : f32 = - at_10.x * _S67 * _S68 - _S69 * seen_2.inverse_to_line_0.y;
+    var _S70 : f32 = at_10.y;
+    var flat_0 : f32 = _S70 * seen_2.z_1 * _S68;
+    var size_0 : f32 = seen_2.z_1 * abs(_S70) / sqrt(max(n_2 * n_2 - flat_0 * flat_0, 0.0f));
+    var _S71 : f32;
+    if((n_2 * _S70) < 0.0f)
     {
-        _S59 = - size_0;
+        _S71 = - size_0;
     }
     else
     {
-        _S59 = size_0;
+        _S71 = size_0;
     }
-    var x_7 : f32 = clamp(_S59, seen_2.x_5.x, seen_2.x_5.y);
+    var x_7 : f32 = clamp(_S71, seen_2.x_5.x, seen_2.x_5.y);
     var squared_1 : f32 = x_7 * x_7 + seen_2.z_1 * seen_2.z_1;
     var h_0 : vec2<f32> = seen_2.y_2 / sqrt(vec2<f32>(squared_1) + seen_2.y_2 * seen_2.y_2);
-    var _S60 : f32 = h_0.x;
-    var sine_2 : f32 = _S60 + u_1.y * (h_0.y - _S60);
-    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S55, _S57));
+    var _S72 : f32 = h_0.x;
+    var sine_2 : f32 = _S72 + u_1.y * (h_0.y - _S72);
+    return vec2<f32>(x_7, clamp(sine_2 * sqrt(squared_1 / max((1.0f - sine_2) * (1.0f + sine_2), 0.0f)), _S67, _S69));
 }
 
-fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_1 : ptr<function, vec2<f32>>) -> u32
+fn rectangle_face_0( at_11 : u32,  place_11 : vec2<f32>,  weights_1 : ptr<function, vec2<f32>>) -> u32
 {
     var best_0 : f32 = -1.00000001504746622e+30f;
     var found_2 : u32 = u32(0);
@@ -992,16 +1184,16 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_1 : ptr<functi
             break;
         }
         var row_1 : u32 = at_11 + u32(14) + u32(6) * face_0;
-        var _S61 : f32 = place_10.x;
-        var _S62 : f32 = place_10.y;
-        var v_2 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S61 + number_0(row_1 + u32(2)) * _S62;
-        var w_1 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S61 + number_0(row_1 + u32(5)) * _S62;
-        var _S63 : f32 = min(min(v_2, w_1), 1.0f - v_2 - w_1);
-        if(_S63 > best_0)
+        var _S73 : f32 = place_11.x;
+        var _S74 : f32 = place_11.y;
+        var v_3 : f32 = number_0(row_1) + number_0(row_1 + u32(1)) * _S73 + number_0(row_1 + u32(2)) * _S74;
+        var w_1 : f32 = number_0(row_1 + u32(3)) + number_0(row_1 + u32(4)) * _S73 + number_0(row_1 + u32(5)) * _S74;
+        var _S75 : f32 = min(min(v_3, w_1), 1.0f - v_3 - w_1);
+        if(_S75 > best_0)
         {
-            (*weights_1)[i32(0)] = clamp(v_2, 0.0f, 1.0f);
+            (*weights_1)[i32(0)] = clamp(v_3, 0.0f, 1.0f);
             (*weights_1)[i32(1)] = clamp(w_1, 0.0f, 1.0f - (*weights_1).x);
-            best_0 = _S63;
+            best_0 = _S75;
             found_2 = face_0;
         }
         face_0 = face_0 + u32(1);
@@ -1009,34 +1201,34 @@ fn rectangle_face_0( at_11 : u32,  place_10 : vec2<f32>,  weights_1 : ptr<functi
     return found_2;
 }
 
-fn emitter_triangle_0( record_4 : u32,  face_1 : u32) -> u32
+fn emitter_triangle_0( record_7 : u32,  face_1 : u32) -> u32
 {
-    return word_0(word_0(u32(12)) + word_0(record_4 + u32(3)) + face_1);
+    return word_0(word_0(u32(12)) + word_0(record_7 + u32(3)) + face_1);
 }
 
 fn precise_random_0( key_3 : vec2<u32>,  dimension_2 : u32) -> f64
 {
     var bits_0 : vec2<u32> = random_bits_0(key_3, dimension_2);
-    var _S64 : u32 = bits_0.y;
-    return (f64((_S64 >> (u32(11)))) + f64((((_S64 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
+    var _S76 : u32 = bits_0.y;
+    return (f64((_S76 >> (u32(11)))) + f64((((_S76 << (u32(21)))) | ((((bits_0.x) >> (u32(11))))))) / 2048.0lf / 2048.0lf / 1024.0lf) / 2048.0lf / 1024.0lf;
 }
 
 fn shares_of_0( nodes_at_0 : u32,  node_1 : u32,  viewpoint_2 : vec3<f32>) -> vec2<f32>
 {
-    var _S65 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
-    var _S66 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
-    var seen_3 : vec2<f32> = vec2<f32>(_S65, _S66);
-    var sum_0 : f32 = _S65 + _S66;
-    var _S67 : vec2<f32>;
+    var _S77 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(2)), viewpoint_2);
+    var _S78 : f32 = node_seen_0(nodes_at_0 + u32(17) * word_0(node_1 + u32(3)), viewpoint_2);
+    var seen_3 : vec2<f32> = vec2<f32>(_S77, _S78);
+    var sum_0 : f32 = _S77 + _S78;
+    var _S79 : vec2<f32>;
     if(sum_0 > 0.0f)
     {
-        _S67 = seen_3 / vec2<f32>(sum_0);
+        _S79 = seen_3 / vec2<f32>(sum_0);
     }
     else
     {
-        _S67 = vec2<f32>(0.0f);
+        _S79 = vec2<f32>(0.0f);
     }
-    return _S67;
+    return _S79;
 }
 
 struct Corners_0
@@ -1046,9 +1238,9 @@ struct Corners_0
      c_3 : vec3<f32>,
 };
 
-fn corners_from_0( record_5 : u32,  face_2 : u32,  viewpoint_3 : vec3<f64>) -> Corners_0
+fn corners_from_0( record_8 : u32,  face_2 : u32,  viewpoint_3 : vec3<f64>) -> Corners_0
 {
-    var at_12 : u32 = u32(9) * emitter_triangle_0(record_5, face_2);
+    var at_12 : u32 = u32(9) * emitter_triangle_0(record_8, face_2);
     var corners_0 : Corners_0;
     corners_0.a_10 = vec3<f32>(primitive_vector_0(at_12) - viewpoint_3);
     corners_0.b_8 = vec3<f32>(primitive_vector_0(at_12 + u32(3)) - viewpoint_3);
@@ -1056,68 +1248,68 @@ fn corners_from_0( record_5 : u32,  face_2 : u32,  viewpoint_3 : vec3<f64>) -> C
     return corners_0;
 }
 
-fn face_solid_angle_0( record_6 : u32,  face_3 : u32,  viewpoint_4 : vec3<f64>) -> f32
+fn face_solid_angle_0( record_9 : u32,  face_3 : u32,  viewpoint_4 : vec3<f64>) -> f32
 {
-    var corners_1 : Corners_0 = corners_from_0(record_6, face_3, viewpoint_4);
+    var corners_1 : Corners_0 = corners_from_0(record_9, face_3, viewpoint_4);
     return solid_angle_of_0(corners_1.a_10, corners_1.b_8, corners_1.c_3);
 }
 
-fn unit_across_0( v_3 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
+fn unit_across_0( v_4 : vec3<f32>,  axis_1 : vec3<f32>) -> vec3<f32>
 {
-    return normalize(v_3 - axis_1 * vec3<f32>(dot(v_3, axis_1)));
+    return normalize(v_4 - axis_1 * vec3<f32>(dot(v_4, axis_1)));
 }
 
 fn along_0( from_0 : vec3<f32>,  to_0 : vec3<f32>,  cosine_3 : f32) -> vec3<f32>
 {
-    var _S68 : f32 = clamp(cosine_3, -1.0f, 1.0f);
-    return from_0 * vec3<f32>(_S68) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S68) * (1.0f + _S68)));
+    var _S80 : f32 = clamp(cosine_3, -1.0f, 1.0f);
+    return from_0 * vec3<f32>(_S80) + unit_across_0(to_0, from_0) * vec3<f32>(sqrt((1.0f - _S80) * (1.0f + _S80)));
 }
 
 fn triangle_direction_0( a_11 : vec3<f32>,  b_9 : vec3<f32>,  c_4 : vec3<f32>,  area_1 : f32,  u_2 : vec2<f32>) -> vec3<f32>
 {
-    var _S69 : vec3<f32> = normalize(a_11);
-    var _S70 : vec3<f32> = normalize(b_9);
-    var _S71 : vec3<f32> = normalize(c_4);
-    var ab_0 : vec3<f32> = normalize(cross(_S69, _S70));
-    var ca_0 : vec3<f32> = normalize(cross(_S71, _S69));
+    var _S81 : vec3<f32> = normalize(a_11);
+    var _S82 : vec3<f32> = normalize(b_9);
+    var _S83 : vec3<f32> = normalize(c_4);
+    var ab_0 : vec3<f32> = normalize(cross(_S81, _S82));
+    var ca_0 : vec3<f32> = normalize(cross(_S83, _S81));
     var sine_alpha_0 : f32 = length(cross(ab_0, ca_0));
     var cosine_alpha_0 : f32 = - dot(ab_0, ca_0);
     var part_0 : vec2<f32> = sine_cosine_0(u_2.x * area_1);
-    var _S72 : f32 = part_0.x;
-    var _S73 : f32 = part_0.y;
-    var sine_phi_0 : f32 = _S72 * cosine_alpha_0 - _S73 * sine_alpha_0;
-    var cosine_phi_0 : f32 = _S73 * cosine_alpha_0 + _S72 * sine_alpha_0;
+    var _S84 : f32 = part_0.x;
+    var _S85 : f32 = part_0.y;
+    var sine_phi_0 : f32 = _S84 * cosine_alpha_0 - _S85 * sine_alpha_0;
+    var cosine_phi_0 : f32 = _S85 * cosine_alpha_0 + _S84 * sine_alpha_0;
     var k1_0 : f32 = cosine_phi_0 - cosine_alpha_0;
-    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S69, _S70);
-    var between_0 : vec3<f32> = along_0(_S69, _S71, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
-    return along_0(_S70, between_0, 1.0f - u_2.y * (1.0f - dot(between_0, _S70)));
+    var k2_0 : f32 = sine_phi_0 + sine_alpha_0 * dot(_S81, _S82);
+    var between_1 : vec3<f32> = along_0(_S81, _S83, ((k2_0 * cosine_phi_0 - k1_0 * sine_phi_0) * cosine_alpha_0 - k2_0) / ((k2_0 * sine_phi_0 + k1_0 * cosine_phi_0) * sine_alpha_0));
+    return along_0(_S82, between_1, 1.0f - u_2.y * (1.0f - dot(between_1, _S82)));
 }
 
-fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_2 : vec3<f32>) -> f32
+fn density_of_0( solid_angle_1 : f32,  normal_5 : vec3<f32>,  distance_2 : f32,  direction_3 : vec3<f32>) -> f32
 {
     if(!(solid_angle_1 < 0.00100000004749745f))
     {
         return 1.0f;
     }
-    return solid_angle_1 * 2.0f * distance_2 * distance_2 / abs(dot(normal_5, direction_2));
+    return solid_angle_1 * 2.0f * distance_2 * distance_2 / abs(dot(normal_5, direction_3));
 }
 
 struct EmitterPoint_0
 {
-     place_11 : Place_0,
+     place_12 : Place_0,
      pdf_0 : f32,
 };
 
-fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimension_3 : u32) -> EmitterPoint_0
+fn area_point_0( record_10 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimension_3 : u32) -> EmitterPoint_0
 {
     var total_0 : f32;
     var point_0 : EmitterPoint_0;
     point_0.pdf_0 = 0.0f;
-    point_0.place_11.triangle_0 = u32(0);
-    point_0.place_11.v_0 = 0.0f;
-    point_0.place_11.w_0 = 0.0f;
+    point_0.place_12.triangle_0 = u32(0);
+    point_0.place_12.v_0 = 0.0f;
+    point_0.place_12.w_0 = 0.0f;
     var second_1 : f32 = random_0(key_4, dimension_3 + u32(1));
-    var rectangle_0 : u32 = word_0(record_7 + u32(4));
+    var rectangle_0 : u32 = word_0(record_10 + u32(4));
     if(rectangle_0 != u32(4294967295))
     {
         var seen_4 : SeenRectangle_0 = seen_rectangle_0(rectangle_0, from_1.position_0);
@@ -1129,17 +1321,17 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
         {
             var weights_2 : vec2<f32>;
             var face_4 : u32 = rectangle_face_0(rectangle_0, rectangle_place_0(seen_4, vec2<f32>(random_0(key_4, dimension_3), second_1)) - vec2<f32>(seen_4.x_5.x, seen_4.y_2.x), &(weights_2));
-            point_0.place_11.triangle_0 = emitter_triangle_0(record_7, face_4);
-            point_0.place_11.v_0 = weights_2.x;
-            point_0.place_11.w_0 = weights_2.y;
+            point_0.place_12.triangle_0 = emitter_triangle_0(record_10, face_4);
+            point_0.place_12.v_0 = weights_2.x;
+            point_0.place_12.w_0 = weights_2.y;
             point_0.pdf_0 = 1.0f / seen_4.solid_angle_0;
             return point_0;
         }
     }
-    var _S74 : f64 = precise_random_0(key_4, dimension_3);
-    var nodes_at_1 : u32 = word_0(record_7 + u32(5));
+    var _S86 : f64 = precise_random_0(key_4, dimension_3);
+    var nodes_at_1 : u32 = word_0(record_10 + u32(5));
     var node_2 : u32 = nodes_at_1;
-    var u_3 : f64 = _S74;
+    var u_3 : f64 = _S86;
     var chosen_0 : f32 = 1.0f;
     for(;;)
     {
@@ -1151,17 +1343,17 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
             break;
         }
         var shares_0 : vec2<f32> = shares_of_0(nodes_at_1, node_2, from_1.position_0);
-        var _S75 : f32 = shares_0.x;
-        var _S76 : f32 = shares_0.y;
-        if(!((_S75 + _S76) > 0.0f))
+        var _S87 : f32 = shares_0.x;
+        var _S88 : f32 = shares_0.y;
+        if(!((_S87 + _S88) > 0.0f))
         {
             return point_0;
         }
-        var _S77 : f64 = f64(_S75);
+        var _S89 : f64 = f64(_S87);
         var is_second_0 : bool;
-        if(u_3 >= _S77)
+        if(u_3 >= _S89)
         {
-            is_second_0 = _S76 > 0.0f;
+            is_second_0 = _S88 > 0.0f;
         }
         else
         {
@@ -1169,114 +1361,114 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
         }
         if(is_second_0)
         {
-            u_3 = (u_3 - _S77) / f64(_S76);
+            u_3 = (u_3 - _S89) / f64(_S88);
         }
         else
         {
-            u_3 = min(u_3 / _S77, 1.0lf);
+            u_3 = min(u_3 / _S89, 1.0lf);
         }
         if(is_second_0)
         {
-            total_0 = _S76;
+            total_0 = _S88;
         }
         else
         {
-            total_0 = _S75;
+            total_0 = _S87;
         }
         var chosen_1 : f32 = chosen_0 * total_0;
-        var _S78 : i32;
+        var _S90 : i32;
         if(is_second_0)
         {
-            _S78 = i32(3);
+            _S90 = i32(3);
         }
         else
         {
-            _S78 = i32(2);
+            _S90 = i32(2);
         }
-        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S78));
+        node_2 = nodes_at_1 + u32(17) * word_0(node_2 + u32(_S90));
         chosen_0 = chosen_1;
     }
     var first_2 : u32 = word_0(node_2);
-    var _S79 : u32 = word_0(node_2 + u32(1));
-    var _S80 : u32 = word_0(record_7 + u32(6));
-    var k_2 : u32 = first_2;
+    var _S91 : u32 = word_0(node_2 + u32(1));
+    var _S92 : u32 = word_0(record_10 + u32(6));
+    var k_3 : u32 = first_2;
     total_0 = 0.0f;
     for(;;)
     {
-        if(k_2 < _S79)
+        if(k_3 < _S91)
         {
         }
         else
         {
             break;
         }
-        var total_1 : f32 = total_0 + face_solid_angle_0(record_7, word_0(_S80 + k_2), from_1.exact_0);
-        k_2 = k_2 + u32(1);
+        var total_1 : f32 = total_0 + face_solid_angle_0(record_10, word_0(_S92 + k_3), from_1.exact_0);
+        k_3 = k_3 + u32(1);
         total_0 = total_1;
     }
-    var _S81 : f32 = f32(u_3) * total_0;
+    var _S93 : f32 = f32(u_3) * total_0;
     var face_5 : u32 = u32(4294967295);
     var angle_3 : f32 = 0.0f;
     var inside_2 : f32 = 0.0f;
-    k_2 = first_2;
-    var rest_3 : f32 = _S81;
+    k_3 = first_2;
+    var rest_3 : f32 = _S93;
     for(;;)
     {
-        if(k_2 < _S79)
+        if(k_3 < _S91)
         {
         }
         else
         {
             break;
         }
-        var _S82 : u32 = _S80 + k_2;
-        var own_1 : f32 = face_solid_angle_0(record_7, word_0(_S82), from_1.exact_0);
+        var _S94 : u32 = _S92 + k_3;
+        var own_1 : f32 = face_solid_angle_0(record_10, word_0(_S94), from_1.exact_0);
         if(!(own_1 > 0.0f))
         {
-            k_2 = k_2 + u32(1);
+            k_3 = k_3 + u32(1);
             continue;
         }
-        var _S83 : u32 = word_0(_S82);
-        var _S84 : f32 = min(rest_3 / own_1, 1.0f);
+        var _S95 : u32 = word_0(_S94);
+        var _S96 : f32 = min(rest_3 / own_1, 1.0f);
         if(rest_3 < own_1)
         {
-            face_5 = _S83;
+            face_5 = _S95;
             angle_3 = own_1;
-            inside_2 = _S84;
+            inside_2 = _S96;
             break;
         }
         var rest_4 : f32 = rest_3 - own_1;
-        face_5 = _S83;
+        face_5 = _S95;
         angle_3 = own_1;
-        inside_2 = _S84;
+        inside_2 = _S96;
         rest_3 = rest_4;
-        k_2 = k_2 + u32(1);
+        k_3 = k_3 + u32(1);
     }
     if(face_5 == u32(4294967295))
     {
         return point_0;
     }
-    var corners_2 : Corners_0 = corners_from_0(record_7, face_5, from_1.exact_0);
+    var corners_2 : Corners_0 = corners_from_0(record_10, face_5, from_1.exact_0);
     var ab_1 : vec3<f32> = corners_2.b_8 - corners_2.a_10;
     var ac_0 : vec3<f32> = corners_2.c_3 - corners_2.a_10;
     var normal_6 : vec3<f32> = cross(ab_1, ac_0);
-    point_0.place_11.triangle_0 = emitter_triangle_0(record_7, face_5);
+    point_0.place_12.triangle_0 = emitter_triangle_0(record_10, face_5);
     if(angle_3 < 0.00100000004749745f)
     {
         var root_0 : f32 = sqrt(inside_2);
-        point_0.place_11.v_0 = root_0 * (1.0f - second_1);
-        point_0.place_11.w_0 = root_0 * second_1;
+        point_0.place_12.v_0 = root_0 * (1.0f - second_1);
+        point_0.place_12.w_0 = root_0 * second_1;
     }
     else
     {
-        var direction_3 : vec3<f32> = triangle_direction_0(corners_2.a_10, corners_2.b_8, corners_2.c_3, angle_3, vec2<f32>(inside_2, second_1));
-        var within_0 : vec3<f32> = direction_3 * vec3<f32>((dot(corners_2.a_10, normal_6) / dot(direction_3, normal_6))) - corners_2.a_10;
+        var direction_4 : vec3<f32> = triangle_direction_0(corners_2.a_10, corners_2.b_8, corners_2.c_3, angle_3, vec2<f32>(inside_2, second_1));
+        var within_0 : vec3<f32> = direction_4 * vec3<f32>((dot(corners_2.a_10, normal_6) / dot(direction_4, normal_6))) - corners_2.a_10;
         var squared_2 : f32 = dot(normal_6, normal_6);
-        var _S85 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
-        point_0.place_11.v_0 = _S85;
-        point_0.place_11.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S85);
+        var _S97 : f32 = clamp(dot(cross(within_0, ac_0), normal_6) / squared_2, 0.0f, 1.0f);
+        point_0.place_12.v_0 = _S97;
+        point_0.place_12.w_0 = clamp(dot(cross(ab_1, within_0), normal_6) / squared_2, 0.0f, 1.0f - _S97);
     }
-    var offset_3 : vec3<f32> = corners_2.a_10 + ab_1 * vec3<f32>(point_0.place_11.v_0) + ac_0 * vec3<f32>(point_0.place_11.w_0);
+    var offset_3 : vec3<f32> = corners_2.a_10 + ab_1 * vec3<f32>(point_0.place_12.v_0) + ac_0 * vec3<f32>(point_0.place_12.w_0);
     var distance_3 : f32 = length(offset_3);
     if(!(distance_3 > 0.0f))
     {
@@ -1286,47 +1478,214 @@ fn area_point_0( record_7 : u32,  from_1 : Surface_0,  key_4 : vec2<u32>,  dimen
     return point_0;
 }
 
-fn random_pair_0( key_5 : vec2<u32>,  dimension_4 : u32) -> vec2<f32>
+fn is_map_0( record_11 : u32) -> bool
 {
-    return vec2<f32>(random_0(key_5, dimension_4), random_0(key_5, dimension_4 + u32(1)));
+    return (word_0(record_11)) == u32(2);
 }
 
-fn sample_cosine_0( axes_1 : Axes_0,  u_4 : vec2<f32>) -> vec3<f32>
+fn uniform_direction_0( u_4 : vec2<f32>) -> vec3<f32>
 {
-    var _S86 : f32 = u_4.x;
-    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>(sqrt(_S86));
-    return normalize(axes_1.s_0 * vec3<f32>(turn_1.y) + axes_1.t_0 * vec3<f32>(turn_1.x) + axes_1.n_1 * vec3<f32>(sqrt(1.0f - _S86)));
+    var _S98 : f32 = u_4.x;
+    var turn_1 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_4.y) * vec2<f32>((2.0f * sqrt(_S98 * (1.0f - _S98))));
+    return vec3<f32>(turn_1.y, turn_1.x, 1.0f - 2.0f * _S98);
 }
 
-fn cosine_pdf_0( axes_2 : Axes_0,  direction_4 : vec3<f32>) -> f32
+fn map_place_0( map_0 : u32,  direction_5 : vec3<f32>) -> vec2<f32>
 {
-    return max(dot(axes_2.n_1, direction_4), 0.0f) * 0.31830987334251404f;
+    var _S99 : u32 = map_0 + u32(2);
+    var d_1 : vec3<f32> = vector_at_0(_S99) * vec3<f32>(direction_5.x) + vector_at_0(_S99 + u32(3)) * vec3<f32>(direction_5.y) + vector_at_0(_S99 + u32(6)) * vec3<f32>(direction_5.z);
+    return vec2<f32>(angle_of_0(- d_1.z, d_1.x) * 0.15915493667125702f * f32(word_0(map_0)) - 0.5f, angle_of_0(d_1.y, length(d_1.xz)) * 0.31830987334251404f * (f32(word_0(map_0 + u32(1))) - 1.0f));
 }
 
-fn component_0( v_4 : vec3<f64>,  axis_2 : u32) -> f64
+fn cell_pdf_0( map_1 : u32,  cell_0 : u32) -> f32
 {
-    var _S87 : f64;
+    return 0.00397887360304594f + 0.94999998807907104f * number_0(word_0(map_1 + u32(17)) + cell_0);
+}
+
+fn map_pdf_0( map_2 : u32,  direction_6 : vec3<f32>) -> f32
+{
+    if((word_0(map_2 + u32(15))) == u32(4294967295))
+    {
+        return 0.07957746833562851f;
+    }
+    var place_13 : vec2<f32> = map_place_0(map_2, direction_6);
+    var width_1 : u32 = word_0(map_2);
+    var column_0 : u32 = wrapped_0(floor_of_0(place_13.x), i32(width_1), u32(0));
+    return cell_pdf_0(map_2, u32(clamp(floor_of_0(place_13.y), i32(0), i32(word_0(map_2 + u32(1))) - i32(2))) * width_1 + column_0);
+}
+
+fn sum_at_0( at_13 : u32) -> f64
+{
+    return f64(number_0(at_13)) + f64(number_0(at_13 + u32(1)));
+}
+
+fn chosen_interval_0( sums_1 : u32,  count_3 : u32,  u_5 : f64,  through_0 : ptr<function, f32>) -> u32
+{
+    var _S100 : u32 = count_3 - u32(1);
+    var total_2 : f64 = sum_at_0(sums_1 + u32(2) * _S100);
+    var target_0 : f64 = u_5 * total_2;
+    var low_3 : u32 = u32(0);
+    var high_0 : u32 = _S100;
+    for(;;)
+    {
+        if(low_3 < high_0)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var middle_1 : u32 = (low_3 + high_0) / u32(2);
+        var sum_1 : f64 = sum_at_0(sums_1 + u32(2) * middle_1);
+        var _S101 : bool;
+        if(sum_1 <= target_0)
+        {
+            _S101 = sum_1 < total_2;
+        }
+        else
+        {
+            _S101 = false;
+        }
+        if(_S101)
+        {
+            low_3 = middle_1 + u32(1);
+        }
+        else
+        {
+            high_0 = middle_1;
+        }
+    }
+    var below_1 : f64;
+    if(low_3 > u32(0))
+    {
+        below_1 = sum_at_0(sums_1 + u32(2) * (low_3 - u32(1)));
+    }
+    else
+    {
+        below_1 = 0.0lf;
+    }
+    (*through_0) = clamp(f32((target_0 - below_1) / (sum_at_0(sums_1 + u32(2) * low_3) - below_1)), 0.0f, 1.0f);
+    return low_3;
+}
+
+fn cell_direction_0( map_3 : u32,  column_1 : u32,  row_2 : u32,  along_1 : f32,  down_0 : f32) -> vec3<f32>
+{
+    var turns_0 : f32 = (f32(column_1) + 0.5f + along_1) / f32(word_0(map_3));
+    var azimuth_0 : vec2<f32> = sine_cosine_0(6.28318548202514648f * (turns_0 - floor(turns_0 + 0.5f)));
+    var last_0 : u32 = word_0(map_3 + u32(1)) - u32(1);
+    var is_lower_0 : bool = (u32(2) * row_2) >= last_0;
+    var rows_1 : vec2<f32>;
+    if(is_lower_0)
+    {
+        var _S102 : u32 = last_0 - row_2;
+        rows_1 = vec2<f32>(f32(_S102), f32(_S102 - u32(1)));
+    }
+    else
+    {
+        rows_1 = vec2<f32>(f32(row_2), f32(row_2 + u32(1)));
+    }
+    var _S103 : f32 = f32(last_0);
+    var _S104 : f32 = sine_cosine_0(rows_1.x * (1.57079637050628662f / _S103)).x;
+    var _S105 : f32 = sine_cosine_0(rows_1.y * (1.57079637050628662f / _S103)).x;
+    var off_0 : f32 = 2.0f * mix(_S104 * _S104, _S105 * _S105, down_0);
+    var sine_3 : f32 = sqrt(off_0 * (2.0f - off_0));
+    var _S106 : f32 = azimuth_0.x * sine_3;
+    var _S107 : f32;
+    if(is_lower_0)
+    {
+        _S107 = off_0 - 1.0f;
+    }
+    else
+    {
+        _S107 = 1.0f - off_0;
+    }
+    var local_0 : vec3<f32> = vec3<f32>(_S106, _S107, - azimuth_0.y * sine_3);
+    var _S108 : u32 = map_3 + u32(2);
+    return vec3<f32>(dot(vector_at_0(_S108), local_0), dot(vector_at_0(_S108 + u32(3)), local_0), dot(vector_at_0(_S108 + u32(6)), local_0));
+}
+
+fn sample_map_0( map_4 : u32,  key_5 : vec2<u32>,  dimension_4 : u32,  pdf_1 : ptr<function, f32>) -> vec3<f32>
+{
+    var u_6 : f64 = precise_random_0(key_5, dimension_4);
+    var rest_5 : f64 = u_6 * 20.0lf - 1.0lf;
+    var _S109 : u32 = map_4 + u32(15);
+    var is_black_0 : bool = (word_0(_S109)) == u32(4294967295);
+    var _S110 : bool;
+    if(is_black_0)
+    {
+        _S110 = true;
+    }
+    else
+    {
+        _S110 = rest_5 < 0.0lf;
+    }
+    if(_S110)
+    {
+        var share_0 : f32;
+        if(is_black_0)
+        {
+            share_0 = 1.0f;
+        }
+        else
+        {
+            share_0 = 0.05000000074505806f;
+        }
+        var direction_7 : vec3<f32> = uniform_direction_0(vec2<f32>(f32(u_6) / share_0, random_0(key_5, dimension_4 + u32(1))));
+        var _S111 : f32 = map_pdf_0(map_4, direction_7);
+        (*pdf_1) = _S111;
+        return direction_7;
+    }
+    var rest_6 : f64 = rest_5 / 19.0lf;
+    var width_2 : u32 = word_0(map_4);
+    var down_1 : f32;
+    var row_3 : u32 = chosen_interval_0(word_0(_S109), word_0(map_4 + u32(1)) - u32(1), precise_random_0(key_5, dimension_4 + u32(1)), &(down_1));
+    var along_2 : f32;
+    var column_2 : u32 = chosen_interval_0(word_0(map_4 + u32(16)) + u32(2) * width_2 * row_3, width_2, rest_6, &(along_2));
+    (*pdf_1) = cell_pdf_0(map_4, row_3 * width_2 + column_2);
+    return cell_direction_0(map_4, column_2, row_3, along_2, down_1);
+}
+
+fn random_pair_0( key_6 : vec2<u32>,  dimension_5 : u32) -> vec2<f32>
+{
+    return vec2<f32>(random_0(key_6, dimension_5), random_0(key_6, dimension_5 + u32(1)));
+}
+
+fn sample_cosine_0( u_7 : vec2<f32>) -> vec3<f32>
+{
+    var _S112 : f32 = u_7.x;
+    var turn_2 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_7.y) * vec2<f32>(sqrt(_S112));
+    return vec3<f32>(turn_2.y, turn_2.x, sqrt(1.0f - _S112));
+}
+
+fn to_world_0( axes_3 : Axes_0,  v_5 : vec3<f32>) -> vec3<f32>
+{
+    return axes_3.s_0 * vec3<f32>(v_5.x) + axes_3.t_0 * vec3<f32>(v_5.y) + axes_3.n_0 * vec3<f32>(v_5.z);
+}
+
+fn component_0( v_6 : vec3<f64>,  axis_2 : u32) -> f64
+{
+    var _S113 : f64;
     if(axis_2 == u32(0))
     {
-        _S87 = v_4.x;
+        _S113 = v_6.x;
     }
     else
     {
         if(axis_2 == u32(1))
         {
-            _S87 = v_4.y;
+            _S113 = v_6.y;
         }
         else
         {
-            _S87 = v_4.z;
+            _S113 = v_6.z;
         }
     }
-    return _S87;
+    return _S113;
 }
 
-fn ray_child_0( node_3 : u32,  slot_1 : u32) -> u32
+fn ray_child_0( node_3 : u32,  slot_2 : u32) -> u32
 {
-    return nodes_0[u32(14) * node_3 + u32(12) + slot_1 / u32(4)][slot_1 % u32(4)];
+    return nodes_0[u32(14) * node_3 + u32(12) + slot_2 / u32(4)][slot_2 % u32(4)];
 }
 
 struct RayView_0
@@ -1336,12 +1695,12 @@ struct RayView_0
      offset_far_0 : vec3<f32>,
      limit_0 : f32,
      margin_0 : f32,
-     axes_3 : u32,
+     axes_4 : u32,
 };
 
-fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_2 : u32) -> f32
+fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_3 : u32) -> f32
 {
-    var _S88 : u32 = u32(14) * node_4 + slot_2 / u32(4);
+    var _S114 : u32 = u32(14) * node_4 + slot_3 / u32(4);
     var near_0 : f32 = 0.0f;
     var far_0 : f32 = limit_1;
     var axis_3 : u32 = u32(0);
@@ -1354,36 +1713,36 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_2 : u32
         {
             break;
         }
-        var _S89 : u32 = axis_3;
-        var _S90 : u32 = _S88 + u32(2) * axis_3;
-        var _S91 : u32 = slot_2 % u32(4);
-        var low_3 : f32 = (bitcast<f32>((nodes_0[_S90][_S91])));
-        var high_0 : f32 = (bitcast<f32>((nodes_0[_S90 + u32(6)][_S91])));
-        var _S92 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
-        var _S93 : f32;
-        if(_S92)
+        var _S115 : u32 = axis_3;
+        var _S116 : u32 = _S114 + u32(2) * axis_3;
+        var _S117 : u32 = slot_3 % u32(4);
+        var low_4 : f32 = (bitcast<f32>((nodes_0[_S116][_S117])));
+        var high_1 : f32 = (bitcast<f32>((nodes_0[_S116 + u32(6)][_S117])));
+        var _S118 : bool = (view_2.inverse_0[axis_3]) < 0.0f;
+        var _S119 : f32;
+        if(_S118)
         {
-            _S93 = high_0;
+            _S119 = high_1;
         }
         else
         {
-            _S93 = low_3;
+            _S119 = low_4;
         }
-        var _S94 : f32 = max(near_0, _S93 * view_2.inverse_0[_S89] - view_2.offset_near_0[axis_3]);
-        var _S95 : f32;
-        if(_S92)
+        var _S120 : f32 = max(near_0, _S119 * view_2.inverse_0[_S115] - view_2.offset_near_0[axis_3]);
+        var _S121 : f32;
+        if(_S118)
         {
-            _S95 = low_3;
+            _S121 = low_4;
         }
         else
         {
-            _S95 = high_0;
+            _S121 = high_1;
         }
-        var _S96 : f32 = min(far_0, _S95 * view_2.inverse_0[_S89] - view_2.offset_far_0[axis_3]);
-        var _S97 : u32 = axis_3 + u32(1);
-        near_0 = _S94;
-        far_0 = _S96;
-        axis_3 = _S97;
+        var _S122 : f32 = min(far_0, _S121 * view_2.inverse_0[_S115] - view_2.offset_far_0[axis_3]);
+        var _S123 : u32 = axis_3 + u32(1);
+        near_0 = _S120;
+        far_0 = _S122;
+        axis_3 = _S123;
     }
     if(near_0 <= far_0)
     {
@@ -1397,21 +1756,21 @@ fn ray_bound_0( view_2 : RayView_0,  limit_1 : f32,  node_4 : u32,  slot_2 : u32
 
 fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 {
-    var k_3 : u32 = u32(0);
+    var k_4 : u32 = u32(0);
     var order_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < u32(8))
+        if(k_4 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S98 : u32 = k_3;
-        if((bounds_0[k_3]) > limit_2)
+        var _S124 : u32 = k_4;
+        if((bounds_0[k_4]) > limit_2)
         {
-            k_3 = k_3 + u32(1);
+            k_4 = k_4 + u32(1);
             continue;
         }
         var j_0 : u32 = u32(0);
@@ -1425,31 +1784,31 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
             {
                 break;
             }
-            var _S99 : u32 = j_0;
-            var _S100 : bool;
-            if((bounds_0[j_0]) < (bounds_0[_S98]))
+            var _S125 : u32 = j_0;
+            var _S126 : bool;
+            if((bounds_0[j_0]) < (bounds_0[_S124]))
             {
-                _S100 = true;
+                _S126 = true;
             }
             else
             {
-                if((bounds_0[_S99]) == (bounds_0[_S98]))
+                if((bounds_0[_S125]) == (bounds_0[_S124]))
                 {
-                    _S100 = j_0 < k_3;
+                    _S126 = j_0 < k_4;
                 }
                 else
                 {
-                    _S100 = false;
+                    _S126 = false;
                 }
             }
-            if(_S100)
+            if(_S126)
             {
                 rank_0 = rank_0 + u32(1);
             }
             j_0 = j_0 + u32(1);
         }
-        order_0 = (order_0 | ((((k_3 + u32(1)) << ((u32(4) * rank_0))))));
-        k_3 = k_3 + u32(1);
+        order_0 = (order_0 | ((((k_4 + u32(1)) << ((u32(4) * rank_0))))));
+        k_4 = k_4 + u32(1);
     }
     return order_0;
 }
@@ -1457,27 +1816,27 @@ fn nearest_first_0( bounds_0 : array<f32, i32(8)>,  limit_2 : f32) -> u32
 fn crossed_0( view_3 : RayView_0,  limit_3 : f32,  node_5 : u32) -> u32
 {
     var bounds_1 : array<f32, i32(8)>;
-    var slot_3 : u32 = u32(0);
+    var slot_4 : u32 = u32(0);
     for(;;)
     {
-        if(slot_3 < u32(8))
+        if(slot_4 < u32(8))
         {
         }
         else
         {
             break;
         }
-        var _S101 : f32;
-        if((ray_child_0(node_5, slot_3)) == u32(4294967295))
+        var _S127 : f32;
+        if((ray_child_0(node_5, slot_4)) == u32(4294967295))
         {
-            _S101 = 3.00000000549775576e+38f;
+            _S127 = 3.00000000549775576e+38f;
         }
         else
         {
-            _S101 = ray_bound_0(view_3, limit_3, node_5, slot_3);
+            _S127 = ray_bound_0(view_3, limit_3, node_5, slot_4);
         }
-        bounds_1[slot_3] = _S101;
-        slot_3 = slot_3 + u32(1);
+        bounds_1[slot_4] = _S127;
+        slot_4 = slot_4 + u32(1);
     }
     return nearest_first_0(bounds_1, limit_3);
 }
@@ -1501,71 +1860,71 @@ struct Ray_0
      largest_1 : f64,
 };
 
-fn corner_0( ray_0 : Ray_0,  axes_4 : u32,  at_13 : u32) -> vec3<f64>
+fn corner_0( ray_0 : Ray_0,  axes_5 : u32,  at_14 : u32) -> vec3<f64>
 {
-    var relative_0 : vec3<f64> = primitive_vector_0(at_13) - ray_0.origin_0;
-    var z_3 : f64 = component_0(relative_0, (axes_4 >> (u32(4))));
-    return vec3<f64>(component_0(relative_0, (axes_4 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_4 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
+    var relative_0 : vec3<f64> = primitive_vector_0(at_14) - ray_0.origin_0;
+    var z_3 : f64 = component_0(relative_0, (axes_5 >> (u32(4))));
+    return vec3<f64>(component_0(relative_0, (axes_5 & (u32(3)))) - rounded_0(ray_0.shear_x_0 * z_3, ray_0.largest_1), component_0(relative_0, (((axes_5 >> (u32(2)))) & (u32(3)))) - rounded_0(ray_0.shear_y_0 * z_3, ray_0.largest_1), z_3);
 }
 
 struct Crossing_0
 {
      is_hit_0 : bool,
      t_2 : f64,
-     v_5 : f64,
+     v_7 : f64,
      w_2 : f64,
 };
 
-fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_14 : u32) -> Crossing_0
+fn intersect_0( ray_1 : Ray_0,  axes_6 : u32,  at_15 : u32) -> Crossing_0
 {
     var crossing_0 : Crossing_0;
     crossing_0.is_hit_0 = false;
     crossing_0.t_2 = 0.0lf;
-    crossing_0.v_5 = 0.0lf;
+    crossing_0.v_7 = 0.0lf;
     crossing_0.w_2 = 0.0lf;
-    var a_12 : vec3<f64> = corner_0(ray_1, axes_5, at_14);
-    var b_10 : vec3<f64> = corner_0(ray_1, axes_5, at_14 + u32(3));
-    var c_5 : vec3<f64> = corner_0(ray_1, axes_5, at_14 + u32(6));
-    var _S102 : f64 = c_5.x;
-    var _S103 : f64 = b_10.y;
-    var cx_by_0 : f64 = rounded_0(_S102 * _S103, ray_1.largest_1);
-    var _S104 : f64 = c_5.y;
-    var _S105 : f64 = b_10.x;
-    var cy_bx_0 : f64 = rounded_0(_S104 * _S105, ray_1.largest_1);
-    var _S106 : f64 = a_12.x;
-    var ax_cy_0 : f64 = rounded_0(_S106 * _S104, ray_1.largest_1);
-    var _S107 : f64 = a_12.y;
-    var ay_cx_0 : f64 = rounded_0(_S107 * _S102, ray_1.largest_1);
-    var bx_ay_0 : f64 = rounded_0(_S105 * _S107, ray_1.largest_1);
-    var by_ax_0 : f64 = rounded_0(_S103 * _S106, ray_1.largest_1);
-    var u_5 : f64 = cx_by_0 - cy_bx_0;
-    var v_6 : f64 = ax_cy_0 - ay_cx_0;
+    var a_12 : vec3<f64> = corner_0(ray_1, axes_6, at_15);
+    var b_10 : vec3<f64> = corner_0(ray_1, axes_6, at_15 + u32(3));
+    var c_5 : vec3<f64> = corner_0(ray_1, axes_6, at_15 + u32(6));
+    var _S128 : f64 = c_5.x;
+    var _S129 : f64 = b_10.y;
+    var cx_by_0 : f64 = rounded_0(_S128 * _S129, ray_1.largest_1);
+    var _S130 : f64 = c_5.y;
+    var _S131 : f64 = b_10.x;
+    var cy_bx_0 : f64 = rounded_0(_S130 * _S131, ray_1.largest_1);
+    var _S132 : f64 = a_12.x;
+    var ax_cy_0 : f64 = rounded_0(_S132 * _S130, ray_1.largest_1);
+    var _S133 : f64 = a_12.y;
+    var ay_cx_0 : f64 = rounded_0(_S133 * _S128, ray_1.largest_1);
+    var bx_ay_0 : f64 = rounded_0(_S131 * _S133, ray_1.largest_1);
+    var by_ax_0 : f64 = rounded_0(_S129 * _S132, ray_1.largest_1);
+    var u_8 : f64 = cx_by_0 - cy_bx_0;
+    var v_8 : f64 = ax_cy_0 - ay_cx_0;
     var w_3 : f64 = bx_ay_0 - by_ax_0;
-    var _S108 : f64 = min(min(u_5, v_6), w_3);
-    var _S109 : f64 = max(max(u_5, v_6), w_3);
-    var _S110 : bool;
-    if(_S108 < 0.0lf)
+    var _S134 : f64 = min(min(u_8, v_8), w_3);
+    var _S135 : f64 = max(max(u_8, v_8), w_3);
+    var _S136 : bool;
+    if(_S134 < 0.0lf)
     {
-        _S110 = _S109 > 0.0lf;
+        _S136 = _S135 > 0.0lf;
     }
     else
     {
-        _S110 = false;
+        _S136 = false;
     }
-    if(_S110)
+    if(_S136)
     {
         return crossing_0;
     }
-    var determinant_0 : f64 = u_5 + v_6 + w_3;
-    if(_S108 <= 0.0lf)
+    var determinant_0 : f64 = u_8 + v_8 + w_3;
+    if(_S134 <= 0.0lf)
     {
-        _S110 = _S109 >= 0.0lf;
+        _S136 = _S135 >= 0.0lf;
     }
     else
     {
-        _S110 = false;
+        _S136 = false;
     }
-    if(_S110)
+    if(_S136)
     {
         if((abs(determinant_0)) <= (ray_1.edge_on_0 * (abs(cx_by_0) + abs(cy_bx_0) + abs(ax_cy_0) + abs(ay_cx_0) + abs(bx_ay_0) + abs(by_ax_0))))
         {
@@ -1576,18 +1935,18 @@ fn intersect_0( ray_1 : Ray_0,  axes_5 : u32,  at_14 : u32) -> Crossing_0
     {
         return crossing_0;
     }
-    var t_3 : f64 = (rounded_0(u_5 * a_12.z, ray_1.largest_1) + rounded_0(v_6 * b_10.z, ray_1.largest_1) + rounded_0(w_3 * c_5.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
+    var t_3 : f64 = (rounded_0(u_8 * a_12.z, ray_1.largest_1) + rounded_0(v_8 * b_10.z, ray_1.largest_1) + rounded_0(w_3 * c_5.z, ray_1.largest_1)) / determinant_0 * ray_1.inverse_z_0;
     if((ray_1.t_min_0) <= t_3)
     {
-        _S110 = t_3 <= (ray_1.t_max_0);
+        _S136 = t_3 <= (ray_1.t_max_0);
     }
     else
     {
-        _S110 = false;
+        _S136 = false;
     }
-    crossing_0.is_hit_0 = _S110;
+    crossing_0.is_hit_0 = _S136;
     crossing_0.t_2 = t_3;
-    crossing_0.v_5 = v_6 / determinant_0;
+    crossing_0.v_7 = v_8 / determinant_0;
     crossing_0.w_2 = w_3 / determinant_0;
     return crossing_0;
 }
@@ -1601,17 +1960,17 @@ struct Found_0
 {
      face_7 : u32,
      triangle_5 : u32,
-     v_7 : f64,
+     v_9 : f64,
      w_4 : f64,
 };
 
 fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bool) -> Found_0
 {
-    var _S111 : bool;
+    var _S137 : bool;
     var found_3 : Found_0;
     found_3.face_7 = u32(4294967295);
     found_3.triangle_5 = u32(4294967295);
-    found_3.v_7 = 0.0lf;
+    found_3.v_9 = 0.0lf;
     found_3.w_4 = 0.0lf;
     if(!((view_4.limit_0) >= 0.0f))
     {
@@ -1639,60 +1998,60 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             entered_1 = entered_0;
         }
         var here_0 : vec2<u32> = way_1[level_0];
-        var _S112 : u32 = way_1[level_0].y;
-        if(_S112 == u32(0))
+        var _S138 : u32 = way_1[level_0].y;
+        if(_S138 == u32(0))
         {
             if(level_0 == u32(0))
             {
                 break;
             }
-            var _S113 : u32 = level_0 - u32(1);
+            var _S139 : u32 = level_0 - u32(1);
             entered_0 = entered_1;
             is_new_0 = is_new_1;
-            level_0 = _S113;
+            level_0 = _S139;
             continue;
         }
-        var slot_4 : u32 = ((_S112 & (u32(15)))) - u32(1);
-        way_1[level_0][i32(1)] = (_S112 >> (u32(4)));
-        var _S114 : bool;
+        var slot_5 : u32 = ((_S138 & (u32(15)))) - u32(1);
+        way_1[level_0][i32(1)] = (_S138 >> (u32(4)));
+        var _S140 : bool;
         if(!is_new_1)
         {
-            _S114 = (ray_bound_0(view_4, limit_4, here_0.x, slot_4)) > limit_4;
+            _S140 = (ray_bound_0(view_4, limit_4, here_0.x, slot_5)) > limit_4;
         }
         else
         {
-            _S114 = false;
+            _S140 = false;
         }
-        if(_S114)
+        if(_S140)
         {
             entered_0 = entered_1;
             is_new_0 = is_new_1;
             continue;
         }
-        var child_0 : u32 = ray_child_0(here_0.x, slot_4);
+        var child_0 : u32 = ray_child_0(here_0.x, slot_5);
         if(((child_0 & (u32(2147483648)))) == u32(0))
         {
-            var _S115 : u32 = level_0 + u32(1);
+            var _S141 : u32 = level_0 + u32(1);
             entered_0 = child_0;
             is_new_0 = false;
-            level_0 = _S115;
+            level_0 = _S141;
             continue;
         }
         var leaf_0 : u32 = (child_0 & (u32(2147483647)));
-        var _S116 : u32 = leaf_starts_0[leaf_0 + u32(1)];
-        var _S117 : u32 = leaf_starts_0[leaf_0];
+        var _S142 : u32 = leaf_starts_0[leaf_0 + u32(1)];
+        var _S143 : u32 = leaf_starts_0[leaf_0];
         var limit_5 : f32 = limit_4;
-        var i_3 : u32 = _S117;
+        var i_3 : u32 = _S143;
         for(;;)
         {
-            if(i_3 < _S116)
+            if(i_3 < _S142)
             {
             }
             else
             {
                 break;
             }
-            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_3, u32(9) * i_3);
+            var crossing_1 : Crossing_0 = intersect_0((*ray_2), view_4.axes_4, u32(9) * i_3);
             if(!crossing_1.is_hit_0)
             {
                 i_3 = i_3 + u32(1);
@@ -1700,28 +2059,28 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
             }
             if((found_3.face_7) == u32(4294967295))
             {
-                _S111 = true;
+                _S137 = true;
             }
             else
             {
-                _S111 = (crossing_1.t_2) < ((*ray_2).t_max_0);
+                _S137 = (crossing_1.t_2) < ((*ray_2).t_max_0);
             }
-            var _S118 : bool;
-            if(_S111)
+            var _S144 : bool;
+            if(_S137)
             {
-                _S118 = true;
+                _S144 = true;
             }
             else
             {
-                _S118 = (face_6(i_3)) < (found_3.face_7);
+                _S144 = (face_6(i_3)) < (found_3.face_7);
             }
             var limit_6 : f32;
-            if(_S118)
+            if(_S144)
             {
                 found_3.face_7 = face_6(i_3);
                 found_3.triangle_5 = i_3;
                 (*ray_2).t_max_0 = crossing_1.t_2;
-                found_3.v_7 = crossing_1.v_5;
+                found_3.v_9 = crossing_1.v_7;
                 found_3.w_4 = crossing_1.w_2;
                 limit_6 = min(limit_5, f32(crossing_1.t_2 * (*ray_2).local_per_t_0 - (*ray_2).enter_0) + 2.0f * view_4.margin_0);
             }
@@ -1734,13 +2093,13 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
         }
         if(any_0)
         {
-            _S111 = (found_3.face_7) != u32(4294967295);
+            _S137 = (found_3.face_7) != u32(4294967295);
         }
         else
         {
-            _S111 = false;
+            _S137 = false;
         }
-        if(_S111)
+        if(_S137)
         {
             break;
         }
@@ -1751,54 +2110,54 @@ fn first_found_0( view_4 : RayView_0,  ray_2 : ptr<function, Ray_0>,  any_0 : bo
     return found_3;
 }
 
-fn cast_0( origin_1 : vec3<f64>,  direction_5 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
+fn cast_0( origin_1 : vec3<f64>,  direction_8 : vec3<f64>,  t_min_1 : f64,  t_max_1 : f64,  any_1 : bool,  t_4 : ptr<function, f32>) -> Found_0
 {
-    var size_1 : vec3<f32> = abs(vec3<f32>(direction_5));
-    var _S119 : f32 = size_1.x;
-    var _S120 : f32 = size_1.y;
-    var _S121 : bool;
-    if(_S119 >= _S120)
+    var size_1 : vec3<f32> = abs(vec3<f32>(direction_8));
+    var _S145 : f32 = size_1.x;
+    var _S146 : f32 = size_1.y;
+    var _S147 : bool;
+    if(_S145 >= _S146)
     {
-        _S121 = _S119 >= (size_1.z);
+        _S147 = _S145 >= (size_1.z);
     }
     else
     {
-        _S121 = false;
+        _S147 = false;
     }
-    var _S122 : i32;
-    if(_S121)
+    var _S148 : i32;
+    if(_S147)
     {
-        _S122 = i32(0);
+        _S148 = i32(0);
     }
     else
     {
-        if(_S120 >= (size_1.z))
+        if(_S146 >= (size_1.z))
         {
-            _S122 = i32(1);
+            _S148 = i32(1);
         }
         else
         {
-            _S122 = i32(2);
+            _S148 = i32(2);
         }
     }
-    var z_4 : u32 = u32(_S122);
+    var z_4 : u32 = u32(_S148);
     var x_8 : u32 = (z_4 + u32(1)) % u32(3);
     var y_3 : u32 = (z_4 + u32(2)) % u32(3);
     var ray_3 : Ray_0;
     ray_3.origin_0 = origin_1;
-    var along_1 : f64 = component_0(direction_5, z_4);
-    ray_3.inverse_z_0 = 1.0lf / along_1;
-    ray_3.shear_x_0 = component_0(direction_5, x_8) / along_1;
-    ray_3.shear_y_0 = component_0(direction_5, y_3) / along_1;
+    var along_3 : f64 = component_0(direction_8, z_4);
+    ray_3.inverse_z_0 = 1.0lf / along_3;
+    ray_3.shear_x_0 = component_0(direction_8, x_8) / along_3;
+    ray_3.shear_y_0 = component_0(direction_8, y_3) / along_3;
     ray_3.t_min_0 = t_min_1;
     ray_3.t_max_0 = t_max_1;
-    var _S123 : f64 = abs(along_1);
-    ray_3.local_per_t_0 = _S123;
+    var _S149 : f64 = abs(along_3);
+    ray_3.local_per_t_0 = _S149;
     ray_3.enter_0 = 0.0lf;
     ray_3.edge_on_0 = limit_at_0(u32(0));
     ray_3.largest_1 = limit_at_0(u32(1));
     var view_5 : RayView_0;
-    var _S124 : vec3<f32> = vec3<f32>(direction_5 / vec3<f64>(_S123));
+    var _S150 : vec3<f32> = vec3<f32>(direction_8 / vec3<f64>(_S149));
     var axis_4 : u32 = u32(0);
     for(;;)
     {
@@ -1809,17 +2168,17 @@ fn cast_0( origin_1 : vec3<f64>,  direction_5 : vec3<f64>,  t_min_1 : f64,  t_ma
         {
             break;
         }
-        var _S125 : f32 = max(abs(_S124[axis_4]), 8.67361737988403547e-19f);
-        var _S126 : f32;
-        if((_S124[axis_4]) < 0.0f)
+        var _S151 : f32 = max(abs(_S150[axis_4]), 8.67361737988403547e-19f);
+        var _S152 : f32;
+        if((_S150[axis_4]) < 0.0f)
         {
-            _S126 = -1.0f / _S125;
+            _S152 = -1.0f / _S151;
         }
         else
         {
-            _S126 = 1.0f / _S125;
+            _S152 = 1.0f / _S151;
         }
-        view_5.inverse_0[axis_4] = _S126;
+        view_5.inverse_0[axis_4] = _S152;
         axis_4 = axis_4 + u32(1);
     }
     var offset_4 : vec3<f32> = vec3<f32>(origin_1) * view_5.inverse_0;
@@ -1828,60 +2187,60 @@ fn cast_0( origin_1 : vec3<f64>,  direction_5 : vec3<f64>,  t_min_1 : f64,  t_ma
     view_5.offset_far_0 = offset_4 - wider_0;
     view_5.limit_0 = min(f32(t_max_1 * ray_3.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_5.margin_0 = 3.814697265625e-06f;
-    view_5.axes_3 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
+    view_5.axes_4 = (((x_8 | (((y_3 << (u32(2))))))) | (((z_4 << (u32(4))))));
     var found_4 : Found_0 = first_found_0(view_5, &(ray_3), any_1);
     (*t_4) = f32(ray_3.t_max_0);
     return found_4;
 }
 
-fn cast_1( origin_2 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
+fn cast_1( origin_2 : vec3<f64>,  direction_9 : vec3<f64>,  t_min_2 : f64,  t_max_2 : f64,  any_2 : bool,  t_5 : ptr<function, f32>) -> Found_0
 {
-    var size_2 : vec3<f32> = abs(vec3<f32>(direction_6));
-    var _S127 : f32 = size_2.x;
-    var _S128 : f32 = size_2.y;
-    var _S129 : bool;
-    if(_S127 >= _S128)
+    var size_2 : vec3<f32> = abs(vec3<f32>(direction_9));
+    var _S153 : f32 = size_2.x;
+    var _S154 : f32 = size_2.y;
+    var _S155 : bool;
+    if(_S153 >= _S154)
     {
-        _S129 = _S127 >= (size_2.z);
+        _S155 = _S153 >= (size_2.z);
     }
     else
     {
-        _S129 = false;
+        _S155 = false;
     }
-    var _S130 : i32;
-    if(_S129)
+    var _S156 : i32;
+    if(_S155)
     {
-        _S130 = i32(0);
+        _S156 = i32(0);
     }
     else
     {
-        if(_S128 >= (size_2.z))
+        if(_S154 >= (size_2.z))
         {
-            _S130 = i32(1);
+            _S156 = i32(1);
         }
         else
         {
-            _S130 = i32(2);
+            _S156 = i32(2);
         }
     }
-    var z_5 : u32 = u32(_S130);
+    var z_5 : u32 = u32(_S156);
     var x_9 : u32 = (z_5 + u32(1)) % u32(3);
     var y_4 : u32 = (z_5 + u32(2)) % u32(3);
     var ray_4 : Ray_0;
     ray_4.origin_0 = origin_2;
-    var along_2 : f64 = component_0(direction_6, z_5);
-    ray_4.inverse_z_0 = 1.0lf / along_2;
-    ray_4.shear_x_0 = component_0(direction_6, x_9) / along_2;
-    ray_4.shear_y_0 = component_0(direction_6, y_4) / along_2;
+    var along_4 : f64 = component_0(direction_9, z_5);
+    ray_4.inverse_z_0 = 1.0lf / along_4;
+    ray_4.shear_x_0 = component_0(direction_9, x_9) / along_4;
+    ray_4.shear_y_0 = component_0(direction_9, y_4) / along_4;
     ray_4.t_min_0 = t_min_2;
     ray_4.t_max_0 = t_max_2;
-    var _S131 : f64 = abs(along_2);
-    ray_4.local_per_t_0 = _S131;
+    var _S157 : f64 = abs(along_4);
+    ray_4.local_per_t_0 = _S157;
     ray_4.enter_0 = 0.0lf;
     ray_4.edge_on_0 = limit_at_0(u32(0));
     ray_4.largest_1 = limit_at_0(u32(1));
     var view_6 : RayView_0;
-    var _S132 : vec3<f32> = vec3<f32>(direction_6 / vec3<f64>(_S131));
+    var _S158 : vec3<f32> = vec3<f32>(direction_9 / vec3<f64>(_S157));
     var axis_5 : u32 = u32(0);
     for(;;)
     {
@@ -1892,17 +2251,17 @@ fn cast_1( origin_2 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_2 : f64,  t_ma
         {
             break;
         }
-        var _S133 : f32 = max(abs(_S132[axis_5]), 8.67361737988403547e-19f);
-        var _S134 : f32;
-        if((_S132[axis_5]) < 0.0f)
+        var _S159 : f32 = max(abs(_S158[axis_5]), 8.67361737988403547e-19f);
+        var _S160 : f32;
+        if((_S158[axis_5]) < 0.0f)
         {
-            _S134 = -1.0f / _S133;
+            _S160 = -1.0f / _S159;
         }
         else
         {
-            _S134 = 1.0f / _S133;
+            _S160 = 1.0f / _S159;
         }
-        view_6.inverse_0[axis_5] = _S134;
+        view_6.inverse_0[axis_5] = _S160;
         axis_5 = axis_5 + u32(1);
     }
     var offset_5 : vec3<f32> = vec3<f32>(origin_2) * view_6.inverse_0;
@@ -1911,10 +2270,346 @@ fn cast_1( origin_2 : vec3<f64>,  direction_6 : vec3<f64>,  t_min_2 : f64,  t_ma
     view_6.offset_far_0 = offset_5 - wider_1;
     view_6.limit_0 = min(f32(t_max_2 * ray_4.local_per_t_0), 8.0f) + 3.814697265625e-06f;
     view_6.margin_0 = 3.814697265625e-06f;
-    view_6.axes_3 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
+    view_6.axes_4 = (((x_9 | (((y_4 << (u32(2))))))) | (((z_5 << (u32(4))))));
     var found_5 : Found_0 = first_found_0(view_6, &(ray_4), any_2);
     (*t_5) = f32(ray_4.t_max_0);
     return found_5;
+}
+
+fn x2A_0( a_13 : Colour_0,  b_11 : vec3<f32>) -> Colour_0
+{
+    var product_2 : Colour_0;
+    product_2.value_0 = a_13.value_0 * b_11;
+    var k_5 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_5 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        product_2.changes_0[k_5] = a_13.changes_0[k_5] * b_11;
+        k_5 = k_5 + u32(1);
+    }
+    return product_2;
+}
+
+fn x2A_1( a_14 : Colour_0,  b_12 : f32) -> Colour_0
+{
+    return x2A_0(a_14, vec3<f32>(b_12));
+}
+
+fn is_rough_0( lobe_3 : Lobe_0) -> bool
+{
+    var _S161 : bool;
+    if((lobe_3.kind_1) == u32(2))
+    {
+        _S161 = true;
+    }
+    else
+    {
+        _S161 = (lobe_3.kind_1) == u32(4);
+    }
+    return _S161;
+}
+
+fn exponential_0( x_10 : f32) -> f32
+{
+    if(x_10 < -87.0f)
+    {
+        return 0.0f;
+    }
+    var power_0 : f32 = floor(x_10 * 1.4426950216293335f + 0.5f);
+    var r_0 : f32 = x_10 - power_0 * 0.693359375f + power_0 * 0.00021219444170129f;
+    return ((((((0.00019875691214111f * r_0 + 0.00139819993637502f) * r_0 + 0.00833345204591751f) * r_0 + 0.04166579619050026f) * r_0 + 0.1666666567325592f) * r_0 + 0.5f) * r_0 * r_0 + r_0 + 1.0f) * (bitcast<f32>(((u32(i32(power_0) + i32(127)) << (u32(23))))));
+}
+
+fn density_0( facets_0 : Microfacets_0,  m_0 : vec3<f32>) -> f32
+{
+    var _S162 : f32 = m_0.z;
+    if(_S162 <= 0.0f)
+    {
+        return 0.0f;
+    }
+    var scale_0 : f32 = 3.14159274101257324f * facets_0.alpha_0.x * facets_0.alpha_0.y;
+    var slope_0 : vec2<f32> = m_0.xy / facets_0.alpha_0;
+    var spread_0 : f32 = dot(slope_0, slope_0);
+    var cos2_0 : f32 = _S162 * _S162;
+    if((facets_0.distribution_0) == u32(1))
+    {
+        var sum_2 : f32 = spread_0 + cos2_0;
+        return 1.0f / (scale_0 * sum_2 * sum_2);
+    }
+    var exponent_0 : f32 = spread_0 / cos2_0;
+    var _S163 : f32;
+    if(exponent_0 > 80.0f)
+    {
+        _S163 = 0.0f;
+    }
+    else
+    {
+        _S163 = exponential_0(- exponent_0) / (scale_0 * cos2_0 * cos2_0);
+    }
+    return _S163;
+}
+
+fn error_function_plus_one_0( x_11 : f32) -> vec2<f32>
+{
+    var _S164 : f32 = min(abs(x_11), 6.0f);
+    var gaussian_0 : f32 = exponential_0(- _S164 * _S164);
+    var place_14 : f32 = (_S164 - 2.0f) / (_S164 + 2.0f);
+    var complement_0 : f32 = gaussian_0 * (((((((((-0.00042725281673484f * place_14 - 0.00127731403335929f) * place_14 + 0.00131371302995831f) * place_14 + 0.008666617795825f) * place_14 - 0.00805134233087301f) * place_14 - 0.05421232059597969f) * place_14 + 0.1640533059835434f) * place_14 - 0.16603080928325653f) * place_14 - 0.09276388585567474f) * place_14 + 1.27697837352752686f) / (1.0f + 2.0f * _S164);
+    var _S165 : f32;
+    if(x_11 < 0.0f)
+    {
+        _S165 = complement_0;
+    }
+    else
+    {
+        _S165 = 2.0f - complement_0;
+    }
+    return vec2<f32>(_S165, 1.128379225730896f * gaussian_0);
+}
+
+fn visible_over_cos_0( facets_1 : Microfacets_0,  w_5 : vec3<f32>) -> f32
+{
+    var stretched_0 : vec2<f32> = w_5.xy * facets_1.alpha_0;
+    var spread2_0 : f32 = dot(stretched_0, stretched_0);
+    var _S166 : f32 = w_5.z;
+    var z2_1 : f32 = _S166 * _S166;
+    if((facets_1.distribution_0) == u32(1))
+    {
+        return 2.0f / (_S166 + sqrt(z2_1 + spread2_0));
+    }
+    if(z2_1 >= (36.0f * spread2_0))
+    {
+        return 1.0f / _S166;
+    }
+    var spread_1 : f32 = sqrt(spread2_0);
+    var both_0 : vec2<f32> = error_function_plus_one_0(_S166 / spread_1);
+    return 2.0f / (_S166 * both_0.x + 0.5f * spread_1 * both_0.y);
+}
+
+struct Mirrored_0
+{
+     cosine_4 : f32,
+     pdf_2 : f32,
+     scattered_0 : f32,
+};
+
+fn mirrored_0( facets_2 : Microfacets_0,  wi_1 : vec3<f32>,  wo_0 : vec3<f32>) -> Mirrored_0
+{
+    var h_1 : vec3<f32> = normalize(wi_1 + wo_0);
+    var mirrored_1 : Mirrored_0;
+    mirrored_1.cosine_4 = dot(wi_1, h_1);
+    var _S167 : f32 = 0.25f * density_0(facets_2, h_1) * visible_over_cos_0(facets_2, wi_1);
+    mirrored_1.pdf_2 = _S167;
+    mirrored_1.scattered_0 = _S167 * visible_over_cos_0(facets_2, wo_0) * wo_0.z;
+    return mirrored_1;
+}
+
+fn fresnel_conductor_channel_0( cosine_5 : f32,  eta_1 : f32,  k_6 : f32) -> f32
+{
+    var cos2_1 : f32 = cosine_5 * cosine_5;
+    var sin2_0 : f32 = 1.0f - cos2_1;
+    var real_0 : f32 = eta_1 * eta_1 - k_6 * k_6 - sin2_0;
+    var product_3 : f32 = eta_1 * k_6;
+    var modulus_0 : f32 = sqrt(real_0 * real_0 + 4.0f * (product_3 * product_3));
+    if(modulus_0 == 0.0f)
+    {
+        return 1.0f;
+    }
+    var larger_0 : f32 = sqrt(0.5f * (modulus_0 + abs(real_0)));
+    var smaller_0 : f32 = product_3 / larger_0;
+    var _S168 : bool = real_0 < 0.0f;
+    var a_15 : f32;
+    if(_S168)
+    {
+        a_15 = smaller_0;
+    }
+    else
+    {
+        a_15 = larger_0;
+    }
+    var b_13 : f32;
+    if(_S168)
+    {
+        b_13 = larger_0;
+    }
+    else
+    {
+        b_13 = smaller_0;
+    }
+    var less_0 : f32 = a_15 - cosine_5;
+    var more_0 : f32 = a_15 + cosine_5;
+    var _S169 : f32 = b_13 * b_13;
+    var p_sum_0 : f32 = modulus_0 * cos2_1 + sin2_0 * sin2_0;
+    return (less_0 * less_0 + _S169) / (more_0 * more_0 + _S169) * p_sum_0 / (p_sum_0 + 2.0f * a_15 * cosine_5 * sin2_0);
+}
+
+fn fresnel_conductor_0( cosine_6 : f32,  eta_2 : vec3<f32>,  k_7 : vec3<f32>) -> vec3<f32>
+{
+    return vec3<f32>(fresnel_conductor_channel_0(cosine_6, eta_2.x, k_7.x), fresnel_conductor_channel_0(cosine_6, eta_2.y, k_7.y), fresnel_conductor_channel_0(cosine_6, eta_2.z, k_7.z));
+}
+
+fn fresnel_dielectric_0( cosine_7 : f32,  eta_3 : f32) -> f32
+{
+    var eta2_0 : f32 = eta_3 * eta_3;
+    var cos2_2 : f32 = cosine_7 * cosine_7;
+    var denser_0 : f32 = (eta_3 - 1.0f) * (eta_3 + 1.0f);
+    var squared_3 : f32 = denser_0 + cos2_2;
+    if(squared_3 <= 0.0f)
+    {
+        return 1.0f;
+    }
+    var refracted_0 : f32 = sqrt(squared_3);
+    var s_sum_0 : f32 = cosine_7 + refracted_0;
+    var p_sum_1 : f32 = eta2_0 * cosine_7 + refracted_0;
+    var senkrecht_0 : f32 = denser_0 / (s_sum_0 * s_sum_0);
+    var parallel_0 : f32 = denser_0 * ((eta2_0 + 1.0f) * cos2_2 - 1.0f) / (p_sum_1 * p_sum_1);
+    return 0.5f * (senkrecht_0 * senkrecht_0 + parallel_0 * parallel_0);
+}
+
+fn transmittance_0( lobe_4 : Lobe_0,  cosine_8 : f32) -> f32
+{
+    if((lobe_4.kind_1) == u32(3))
+    {
+        return 1.0f - fresnel_dielectric_0(cosine_8, lobe_4.coat_eta_0);
+    }
+    var place_15 : f32 = cosine_8 * 63.0f;
+    var _S170 : u32 = min(u32(place_15), u32(62));
+    var at_16 : u32 = word_0(lobe_4.record_2 + u32(3)) + _S170;
+    return mix(number_0(at_16), number_0(at_16 + u32(1)), place_15 - f32(_S170));
+}
+
+fn fresnel_diffuse_0( eta_4 : f32) -> f32
+{
+    var inverse_1 : f32 = 1.0f / eta_4;
+    if(eta_4 < 1.0f)
+    {
+        return (-1.43990004062652588f * eta_4 + 0.70990002155303955f) * eta_4 + 0.66809999942779541f + 0.06360000371932983f * inverse_1;
+    }
+    return ((((-1.36881005764007568f * inverse_1 + 4.98553991317749023f) * inverse_1 - 7.80988979339599609f) * inverse_1 + 6.75334978103637695f) * inverse_1 - 3.47930002212524414f) * inverse_1 + 0.91931700706481934f;
+}
+
+fn function_0( x_12 : Colour_0,  value_5 : vec3<f32>,  slope_1 : vec3<f32>) -> Colour_0
+{
+    var result_0 : Colour_0 = x2A_0(x_12, slope_1);
+    result_0.value_0 = value_5;
+    return result_0;
+}
+
+fn base_0( lobe_5 : Lobe_0) -> Colour_0
+{
+    var internal_reflectance_0 : f32;
+    if((lobe_5.kind_1) == u32(3))
+    {
+        internal_reflectance_0 = fresnel_diffuse_0(1.0f / lobe_5.coat_eta_0);
+    }
+    else
+    {
+        internal_reflectance_0 = number_0(word_0(lobe_5.record_2 + u32(3)) + u32(64));
+    }
+    if((word_0(lobe_5.record_2 + u32(2))) == u32(0))
+    {
+        return x2A_1(lobe_5.diffuse_reflectance_0, 1.0f / (1.0f - internal_reflectance_0));
+    }
+    var _S171 : vec3<f32> = value_of_0(lobe_5.diffuse_reflectance_0);
+    var _S172 : vec3<f32> = vec3<f32>(1.0f);
+    var factor_0 : vec3<f32> = _S172 / (_S172 - _S171 * vec3<f32>(internal_reflectance_0));
+    return function_0(lobe_5.diffuse_reflectance_0, _S171 * factor_0, factor_0 * factor_0);
+}
+
+fn choice_weight_0( colour_5 : vec3<f32>) -> f32
+{
+    return max((colour_5.x + colour_5.y + colour_5.z) / 3.0f, 0.05000000074505806f);
+}
+
+fn base_probability_0( lobe_6 : Lobe_0,  enters_0 : f32) -> f32
+{
+    var of_base_0 : f32 = enters_0 * choice_weight_0(value_of_0(lobe_6.diffuse_reflectance_0));
+    return of_base_0 / (of_base_0 + (1.0f - enters_0) * choice_weight_0(value_of_0(lobe_6.specular_reflectance_0)));
+}
+
+fn x2B_0( a_16 : Colour_0,  b_14 : Colour_0) -> Colour_0
+{
+    var sum_3 : Colour_0;
+    sum_3.value_0 = a_16.value_0 + b_14.value_0;
+    var k_8 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_8 < u32(2))
+        {
+        }
+        else
+        {
+            break;
+        }
+        sum_3.changes_0[k_8] = a_16.changes_0[k_8] + b_14.changes_0[k_8];
+        k_8 = k_8 + u32(1);
+    }
+    return sum_3;
+}
+
+struct Scattered_0
+{
+     value_6 : Colour_0,
+     pdf_3 : f32,
+};
+
+fn eval_and_pdf_0( lobe_7 : Lobe_0,  wi_2 : vec3<f32>,  wo_1 : vec3<f32>) -> Scattered_0
+{
+    var scattered_1 : Scattered_0;
+    scattered_1.value_6 = constant_0(vec3<f32>(0.0f));
+    scattered_1.pdf_3 = 0.0f;
+    var _S173 : f32 = wo_1.z;
+    var _S174 : bool;
+    if(_S173 <= 0.0f)
+    {
+        _S174 = true;
+    }
+    else
+    {
+        _S174 = !has_smooth_0(lobe_7);
+    }
+    if(_S174)
+    {
+        return scattered_1;
+    }
+    var by_cosine_0 : f32 = _S173 * 0.31830987334251404f;
+    if((lobe_7.kind_1) == u32(0))
+    {
+        scattered_1.value_6 = x2A_1(lobe_7.diffuse_reflectance_0, by_cosine_0);
+        scattered_1.pdf_3 = by_cosine_0;
+        return scattered_1;
+    }
+    var by_facets_0 : Mirrored_0;
+    by_facets_0.scattered_0 = 0.0f;
+    by_facets_0.pdf_2 = 0.0f;
+    by_facets_0.cosine_4 = 0.0f;
+    if(is_rough_0(lobe_7))
+    {
+        by_facets_0 = mirrored_0(lobe_7.microfacets_0, wi_2, wo_1);
+    }
+    if((lobe_7.kind_1) == u32(2))
+    {
+        scattered_1.value_6 = x2A_0(lobe_7.specular_reflectance_0, fresnel_conductor_0(by_facets_0.cosine_4, lobe_7.eta_0, lobe_7.k_2) * vec3<f32>(by_facets_0.scattered_0));
+        scattered_1.pdf_3 = by_facets_0.pdf_2;
+        return scattered_1;
+    }
+    var enters_1 : f32 = transmittance_0(lobe_7, wi_2.z);
+    var _S175 : f32 = lobe_7.coat_eta_0;
+    scattered_1.value_6 = x2A_1(base_0(lobe_7), enters_1 * transmittance_0(lobe_7, _S173) * by_cosine_0 / (_S175 * _S175));
+    var probability_1 : f32 = base_probability_0(lobe_7, enters_1);
+    scattered_1.pdf_3 = probability_1 * by_cosine_0;
+    if((lobe_7.kind_1) == u32(4))
+    {
+        scattered_1.value_6 = x2B_0(scattered_1.value_6, x2A_1(lobe_7.specular_reflectance_0, fresnel_dielectric_0(by_facets_0.cosine_4, lobe_7.coat_eta_0) * by_facets_0.scattered_0));
+        scattered_1.pdf_3 = scattered_1.pdf_3 + (1.0f - probability_1) * by_facets_0.pdf_2;
+    }
+    return scattered_1;
 }
 
 fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
@@ -1927,64 +2622,60 @@ fn weight_over_0( own_2 : f32,  other_0 : f32) -> f32
     return 1.0f / (own_2 * (1.0f + ratio_0 * ratio_0));
 }
 
-fn x2A_0( a_13 : Colour_0,  b_11 : f32) -> Colour_0
+fn in_map_0( map_5 : u32,  direction_10 : vec3<f32>) -> Lookup_0
 {
-    var product_2 : Colour_0;
-    var _S135 : vec3<f32> = vec3<f32>(b_11);
-    product_2.value_0 = a_13.value_0 * _S135;
-    var k_4 : u32 = u32(0);
-    for(;;)
-    {
-        if(k_4 < u32(2))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_2.changes_0[k_4] = a_13.changes_0[k_4] * _S135;
-        k_4 = k_4 + u32(1);
-    }
-    return product_2;
+    var place_16 : vec2<f32> = map_place_0(map_5, direction_10);
+    var x_13 : i32 = floor_of_0(place_16.x);
+    var y_5 : i32 = floor_of_0(place_16.y);
+    var width_3 : i32 = i32(word_0(map_5));
+    var height_1 : i32 = i32(word_0(map_5 + u32(1)));
+    var left_1 : u32 = wrapped_0(x_13, width_3, u32(0));
+    var right_1 : u32 = wrapped_0(x_13 + i32(1), width_3, u32(0));
+    var _S176 : u32 = wrapped_0(y_5, height_1, u32(2));
+    var _S177 : u32 = u32(width_3);
+    var first_3 : u32 = _S176 * _S177;
+    var _S178 : u32 = wrapped_0(y_5 + i32(1), height_1, u32(2));
+    var second_2 : u32 = _S178 * _S177;
+    return between_0(vec4<u32>(first_3 + left_1, first_3 + right_1, second_2 + left_1, second_2 + right_1), place_16 - floor(place_16));
 }
 
-fn change_word_0( at_15 : u32) -> u32
+fn change_word_0( at_17 : u32) -> u32
 {
-    return input_0[u32(12) * launch_0.room_0 + at_15];
+    return input_0[u32(12) * launch_0.room_0 + at_17];
 }
 
-fn numbers_of_0( texture_4 : u32) -> u32
+fn numbers_of_0( texture_6 : u32) -> u32
 {
-    return change_word_0(u32(2) * word_0(texture_4 + u32(12)));
+    return change_word_0(u32(2) * word_0(texture_6 + u32(12)));
 }
 
-fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
+fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32,  units_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S136 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S179 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * units_0;
     var size_3 : f32 = abs(scaled_0);
     if(size_3 > 2.74877906944e+11f)
     {
-        var _S137 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S180 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var high_1 : u32 = u32(size_3 * 2.32830643653869629e-10f);
-    var _S138 : u32 = u32(size_3 - f32(high_1) * 4.294967296e+09f + 0.5f);
-    var whole_0 : vec2<u32> = vec2<u32>(_S138, high_1);
-    var _S139 : bool;
-    if(_S138 == u32(0))
+    var high_2 : u32 = u32(size_3 * 2.32830643653869629e-10f);
+    var _S181 : u32 = u32(size_3 - f32(high_2) * 4.294967296e+09f + 0.5f);
+    var whole_0 : vec2<u32> = vec2<u32>(_S181, high_2);
+    var _S182 : bool;
+    if(_S181 == u32(0))
     {
-        _S139 = high_1 == u32(0);
+        _S182 = high_2 == u32(0);
     }
     else
     {
-        _S139 = false;
+        _S182 = false;
     }
-    if(_S139)
+    if(_S182)
     {
         return;
     }
@@ -1997,52 +2688,51 @@ fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
     {
         whole_1 = whole_0;
     }
-    var at_16 : u32 = u32(2) + u32(2) * sum_1;
-    var _S140 : u32 = whole_1.x;
-    var before_0 : u32 = atomicAdd(&(sums_0[at_16]), _S140);
-    var _S141 : i32;
-    if((before_0 + _S140) < before_0)
+    var at_18 : u32 = u32(2) + u32(2) * sum_4;
+    var _S183 : u32 = whole_1.x;
+    var before_0 : u32 = atomicAdd(&(sums_0[at_18]), _S183);
+    var _S184 : i32;
+    if((before_0 + _S183) < before_0)
     {
-        _S141 = i32(1);
+        _S184 = i32(1);
     }
     else
     {
-        _S141 = i32(0);
+        _S184 = i32(0);
     }
-    var _S142 : u32 = whole_1.y + u32(_S141);
-    if(_S142 != u32(0))
+    var _S185 : u32 = whole_1.y + u32(_S184);
+    if(_S185 != u32(0))
     {
-        var _S143 : u32 = atomicAdd(&(sums_0[at_16 + u32(1)]), _S142);
+        var _S186 : u32 = atomicAdd(&(sums_0[at_18 + u32(1)]), _S185);
     }
     return;
 }
 
-fn add_to_texels_0( texture_5 : u32,  place_12 : Place_0,  derivative_1 : vec3<f32>)
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
 {
-    var first_3 : u32 = numbers_of_0(texture_5);
-    if(first_3 == u32(4294967295))
+    var first_4 : u32 = numbers_of_0(texture_7);
+    if(first_4 == u32(4294967295))
     {
         return;
     }
-    var _S144 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_5 + u32(12)) + u32(1)))));
-    var _S145 : u32 = word_0(texture_5 + u32(1));
-    var _S146 : Lookup_0 = lookup_at_0(texture_5, place_12);
-    var k_5 : u32 = u32(0);
+    var _S187 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_7 + u32(12)) + u32(1)))));
+    var _S188 : u32 = word_0(texture_7 + u32(1));
+    var k_9 : u32 = u32(0);
     for(;;)
     {
-        if(k_5 < (_S146.count_0))
+        if(k_9 < (lookup_5.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_17 : u32 = first_3 + _S145 * _S146.texels_0[k_5];
-        var own_3 : vec3<f32> = derivative_1 * vec3<f32>(_S146.weights_0[k_5]);
-        if(_S145 == u32(1))
+        var at_19 : u32 = first_4 + _S188 * lookup_5.texels_0[k_9];
+        var own_3 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_9]);
+        if(_S188 == u32(1))
         {
-            add_to_sum_0(at_17, own_3.x + own_3.y + own_3.z, _S144);
-            k_5 = k_5 + u32(1);
+            add_to_sum_0(at_19, own_3.x + own_3.y + own_3.z, _S187);
+            k_9 = k_9 + u32(1);
             continue;
         }
         var axis_6 : u32 = u32(0);
@@ -2055,187 +2745,460 @@ fn add_to_texels_0( texture_5 : u32,  place_12 : Place_0,  derivative_1 : vec3<f
             {
                 break;
             }
-            add_to_sum_0(at_17 + axis_6, own_3[axis_6], _S144);
+            add_to_sum_0(at_19 + axis_6, own_3[axis_6], _S187);
             axis_6 = axis_6 + u32(1);
         }
-        k_5 = k_5 + u32(1);
+        k_9 = k_9 + u32(1);
     }
     return;
 }
 
-fn x2A_1( a_14 : Colour_0,  b_12 : Colour_0) -> Colour_0
+fn arriving_0( emitter_5 : u32,  place_17 : Place_0,  direction_11 : vec3<f32>,  factor_1 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
 {
-    var product_3 : Colour_0;
-    product_3.value_0 = a_14.value_0 * b_12.value_0;
-    var k_6 : u32 = u32(0);
-    for(;;)
+    var record_12 : u32 = emitter_record_0(emitter_5);
+    var texture_8 : u32 = word_0(record_12 + u32(1));
+    var texture_9 : u32;
+    var lookup_6 : Lookup_0;
+    var _S189 : Colour_0;
+    if(is_map_0(record_12))
     {
-        if(k_6 < u32(2))
-        {
-        }
-        else
-        {
-            break;
-        }
-        product_3.changes_0[k_6] = a_14.changes_0[k_6] * b_12.value_0 + a_14.value_0 * b_12.changes_0[k_6];
-        k_6 = k_6 + u32(1);
+        var _S190 : Colour_0 = x2A_0(factor_1, vector_at_0(texture_8 + u32(11)));
+        var _S191 : Lookup_0 = in_map_0(texture_8, direction_11);
+        texture_9 = word_0(texture_8 + u32(14));
+        lookup_6 = _S191;
+        _S189 = _S190;
     }
-    return product_3;
+    else
+    {
+        var _S192 : Lookup_0 = lookup_at_0(texture_8, place_17);
+        texture_9 = texture_8;
+        lookup_6 = _S192;
+        _S189 = factor_1;
+    }
+    add_to_texels_0(texture_9, lookup_6, importance_0 * _S189.value_0);
+    return x2A_0(_S189, texture_value_0(texture_9, lookup_6));
 }
 
-fn arriving_0( emitter_5 : u32,  place_13 : Place_0,  factor_0 : Colour_0,  importance_0 : vec3<f32>) -> Colour_0
-{
-    var texture_6 : u32 = word_0(emitter_record_0(emitter_5) + u32(1));
-    add_to_texels_0(texture_6, place_13, importance_0 * factor_0.value_0);
-    var _S147 : Lookup_0 = lookup_at_0(texture_6, place_13);
-    return x2A_1(factor_0, constant_0(texture_value_0(texture_6, _S147)));
-}
-
-fn light_from_emitter_0( surface_2 : Surface_0,  axes_6 : Axes_0,  reflectance_0 : Colour_0,  choice_5 : Choice_0,  key_6 : vec2<u32>,  first_4 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
+fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
 {
     var none_0 : Colour_0 = constant_0(vec3<f32>(0.0f));
-    var probability_1 : f32;
-    var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_6, first_4), &(probability_1));
-    if(probability_1 == 0.0f)
+    var probability_2 : f32;
+    var emitter_6 : u32 = chosen_emitter_0(choice_5, random_0(key_7, first_5), &(probability_2));
+    if(probability_2 == 0.0f)
     {
         return none_0;
     }
-    var record_8 : u32 = emitter_record_0(emitter_6);
+    var record_13 : u32 = emitter_record_0(emitter_6);
     var point_1 : EmitterPoint_0;
     var nearest_0 : f64 = limit_at_0(u32(2));
+    var direction_12 : vec3<f32>;
     var way_2 : vec3<f64>;
     var farthest_0 : f64;
     var nearest_1 : f64;
-    var direction_7 : vec3<f32>;
-    if((word_0(record_8)) != u32(0))
+    if(is_area_0(record_13))
     {
-        point_1 = area_point_0(record_8, surface_2, key_6, first_4 + u32(1));
+        point_1 = area_point_0(record_13, vertex_1.surface_3, key_7, first_5 + u32(1));
         if(!((point_1.pdf_0) > 0.0f))
         {
             return none_0;
         }
-        var way_3 : vec3<f64> = position_of_0(point_1.place_11) - surface_2.exact_0;
-        var _S148 : vec3<f32> = vec3<f32>(way_3);
-        var distance_4 : f32 = length(_S148);
-        var direction_8 : vec3<f32> = _S148 / vec3<f32>(distance_4);
-        if((dot(direction_8, axes_6.n_1)) <= 0.0f)
-        {
-            return none_0;
-        }
+        var way_3 : vec3<f64> = position_of_0(point_1.place_12) - vertex_1.surface_3.exact_0;
+        var _S193 : vec3<f32> = vec3<f32>(way_3);
+        var distance_4 : f32 = length(_S193);
         var nearest_2 : f64 = nearest_0 / f64(distance_4);
-        var _S149 : f64 = limit_at_0(u32(3));
+        var _S194 : f64 = limit_at_0(u32(3));
+        direction_12 = _S193 / vec3<f32>(distance_4);
         way_2 = way_3;
-        farthest_0 = _S149;
-        direction_7 = direction_8;
+        farthest_0 = _S194;
         nearest_1 = nearest_2;
     }
     else
     {
-        var direction_9 : vec3<f32> = sample_cosine_0(axes_6, random_pair_0(key_6, first_4 + u32(1)));
-        point_1.pdf_0 = cosine_pdf_0(axes_6, direction_9);
-        point_1.place_11 = surface_2.place_3;
-        var _S150 : f64 = limit_at_0(u32(1));
-        way_2 = vec3<f64>(direction_9);
-        farthest_0 = _S150;
-        direction_7 = direction_9;
+        if(is_map_0(record_13))
+        {
+            var _S195 : u32 = word_0(record_13 + u32(1));
+            var _S196 : u32 = first_5 + u32(1);
+            var _S197 : f32 = point_1.pdf_0;
+            var _S198 : vec3<f32> = sample_map_0(_S195, key_7, _S196, &(_S197));
+            point_1.pdf_0 = _S197;
+            direction_12 = _S198;
+        }
+        else
+        {
+            var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
+            var _S199 : vec3<f32> = normalize(to_world_0(vertex_1.axes_2, local_1));
+            point_1.pdf_0 = local_1.z * 0.31830987334251404f;
+            direction_12 = _S199;
+        }
+        point_1.place_12 = vertex_1.surface_3.place_3;
+        var _S200 : f64 = limit_at_0(u32(1));
+        way_2 = vec3<f64>(direction_12);
+        farthest_0 = _S200;
         nearest_1 = nearest_0;
     }
-    var unused_0 : f32;
-    if((cast_0(surface_2.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
+    var wo_2 : vec3<f32> = to_local_0(vertex_1.axes_2, direction_12);
+    if((wo_2.z) <= 0.0f)
     {
         return none_0;
     }
-    var own_4 : f32 = f32(word_0(u32(2))) * probability_1 * point_1.pdf_0;
-    var pdf_1 : f32 = cosine_pdf_0(axes_6, direction_7);
+    var unused_0 : f32;
+    if((cast_0(vertex_1.surface_3.exact_0, way_2, nearest_1, farthest_0, true, &(unused_0)).face_7) != u32(4294967295))
+    {
+        return none_0;
+    }
+    var own_4 : f32 = f32(word_0(u32(2))) * probability_2 * point_1.pdf_0;
     if(!(own_4 > 0.0f))
     {
         return none_0;
     }
-    var _S151 : Colour_0 = arriving_0(emitter_6, point_1.place_11, x2A_0(reflectance_0, pdf_1 * weight_over_0(own_4, bsdf_samples_0 * pdf_1)), importance_1);
-    return _S151;
+    var scattered_2 : Scattered_0 = eval_and_pdf_0(vertex_1.lobe_1, vertex_1.wi_0, wo_2);
+    var _S201 : Colour_0 = arriving_0(emitter_6, point_1.place_12, direction_12, x2A_1(scattered_2.value_6, weight_over_0(own_4, bsdf_samples_0 * scattered_2.pdf_3)), importance_1);
+    return _S201;
 }
 
-fn x2B_0( a_15 : Colour_0,  b_13 : Colour_0) -> Colour_0
+struct Stretched_0
 {
-    var sum_2 : Colour_0;
-    sum_2.value_0 = a_15.value_0 + b_13.value_0;
-    var k_7 : u32 = u32(0);
+     sine_4 : f32,
+     cosine_9 : f32,
+     around_0 : vec2<f32>,
+     length_0 : f32,
+};
+
+fn stretched_1( facets_3 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
+{
+    var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_3.alpha_0, wi_3.z);
+    var view_7 : Stretched_0;
+    var _S202 : f32 = length(longer_0);
+    view_7.length_0 = _S202;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S202);
+    var _S203 : vec2<f32> = longer_1.xy;
+    var _S204 : f32 = length(_S203);
+    view_7.sine_4 = _S204;
+    view_7.cosine_9 = longer_1.z;
+    var _S205 : vec2<f32>;
+    if(_S204 > 0.0f)
+    {
+        _S205 = _S203 / vec2<f32>(view_7.sine_4);
+    }
+    else
+    {
+        _S205 = vec2<f32>(1.0f, 0.0f);
+    }
+    view_7.around_0 = _S205;
+    return view_7;
+}
+
+fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
+{
+    var _S206 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S206);
+    var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
+    var across_1 : f32 = radius_2 * turn_3.y;
+    var along_5 : f32 = radius_2 * turn_3.x;
+    var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_9);
+    var hidden_0 : f32 = 1.0f - visible_0;
+    var _S207 : f32 = 1.0f - _S206;
+    var edge_0 : f32 = sqrt(_S207 + along_5 * along_5);
+    var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
+    var from_top_0 : f32 = edge_0 - along_5;
+    var from_bottom_0 : f32 = edge_0 + along_5;
+    var from_top_1 : f32;
+    var from_bottom_1 : f32;
+    if(along_5 > 0.0f)
+    {
+        from_top_1 = _S207 / from_bottom_0;
+        from_bottom_1 = from_bottom_0;
+    }
+    else
+    {
+        var _S208 : f32 = _S207 / from_top_0;
+        from_top_1 = from_top_0;
+        from_bottom_1 = _S208;
+    }
+    var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
+    return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_9, across_1, max(towards_0 * view_8.cosine_9 + up_0 * view_8.sine_4, 0.0f));
+}
+
+fn logarithm_0( x_14 : f32) -> f32
+{
+    var bits_1 : u32 = (bitcast<u32>((x_14)));
+    var power_1 : f32 = f32(i32((bits_1 >> (u32(23)))) - i32(126));
+    var m_1 : f32 = (bitcast<f32>(((((bits_1 & (u32(8388607)))) | (u32(1056964608))))));
+    var m_2 : f32;
+    var power_2 : f32;
+    if(m_1 < 0.70710676908493042f)
+    {
+        var power_3 : f32 = power_1 - 1.0f;
+        m_2 = m_1 + m_1;
+        power_2 = power_3;
+    }
+    else
+    {
+        m_2 = m_1;
+        power_2 = power_1;
+    }
+    var m_3 : f32 = m_2 - 1.0f;
+    var z_6 : f32 = m_3 * m_3;
+    return m_3 + (((((((((0.07037683576345444f * m_3 - 0.11514610052108765f) * m_3 + 0.11676998436450958f) * m_3 - 0.12420140951871872f) * m_3 + 0.14249323308467865f) * m_3 - 0.16668057441711426f) * m_3 + 0.20000714063644409f) * m_3 - 0.24999994039535522f) * m_3 + 0.33333331346511841f) * m_3 * z_6 - 0.00021219444170129f * power_2 - 0.5f * z_6) + 0.693359375f * power_2;
+}
+
+fn error_function_inverse_0( p_0 : f32) -> f32
+{
+    var w_6 : f32 = - logarithm_0((1.0f - p_0) * (1.0f + p_0));
+    if(w_6 < 5.0f)
+    {
+        var w_7 : f32 = w_6 - 2.5f;
+        return ((((((((2.81022636272609816e-08f * w_7 + 3.43273939051869093e-07f) * w_7 - 3.52338770426285919e-06f) * w_7 - 4.39150653619435616e-06f) * w_7 + 0.00021858086984139f) * w_7 - 0.00125372502952814f) * w_7 - 0.00417768163606524f) * w_7 + 0.24664072692394257f) * w_7 + 1.50140941143035889f) * p_0;
+    }
+    var w_8 : f32 = sqrt(w_6) - 3.0f;
+    return ((((((((-0.0002002142573474f * w_8 + 0.00010095055768033f) * w_8 + 0.00134934321977198f) * w_8 - 0.00367342843674123f) * w_8 + 0.00573950773105025f) * w_8 - 0.00762246130034328f) * w_8 + 0.00943887047469616f) * w_8 + 1.00167405605316162f) * w_8 + 2.8329768180847168f) * p_0;
+}
+
+fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>) -> vec3<f32>
+{
+    var steepest_0 : f32;
+    if((view_9.sine_4 * 6.0f) > (view_9.cosine_9))
+    {
+        steepest_0 = view_9.cosine_9 / view_9.sine_4;
+    }
+    else
+    {
+        steepest_0 = 6.0f;
+    }
+    var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
+    var _S209 : f32 = max(view_9.cosine_9, view_9.sine_4);
+    var slope_2 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S209 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S209, -6.0f, 0.5f * steepest_0);
+    var low_5 : f32 = -6.0f;
+    var high_3 : f32 = steepest_0;
+    var step_0 : u32 = u32(0);
     for(;;)
     {
-        if(k_7 < u32(2))
+        if(step_0 < u32(32))
         {
         }
         else
         {
             break;
         }
-        sum_2.changes_0[k_7] = a_15.changes_0[k_7] + b_13.changes_0[k_7];
-        k_7 = k_7 + u32(1);
+        var both_1 : vec2<f32> = error_function_plus_one_0(slope_2);
+        var _S210 : f32 = both_1.y;
+        var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S210 - target_1;
+        var own_5 : f32 = _S210 * (view_9.cosine_9 - slope_2 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_2 * own_5 - _S210 * view_9.sine_4;
+        if(error_0 > 0.0f)
+        {
+            high_3 = slope_2;
+        }
+        else
+        {
+            low_5 = slope_2;
+        }
+        var next_0 : f32 = slope_2 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
+        var _S211 : bool;
+        if(next_0 >= low_5)
+        {
+            _S211 = next_0 <= high_3;
+        }
+        else
+        {
+            _S211 = false;
+        }
+        var next_1 : f32;
+        if(!_S211)
+        {
+            next_1 = 0.5f * (low_5 + high_3);
+        }
+        else
+        {
+            next_1 = next_0;
+        }
+        if((abs(next_1 - slope_2)) < 0.00030000001424924f)
+        {
+            slope_2 = next_1;
+            break;
+        }
+        var _S212 : u32 = step_0 + u32(1);
+        slope_2 = next_1;
+        step_0 = _S212;
     }
-    return sum_2;
+    return vec3<f32>(- slope_2, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
 
-fn first_from_0( position_6 : vec3<f64>,  direction_10 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
+fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
 {
-    var _S152 : Found_0 = cast_1(position_6, vec3<f64>(direction_10), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S152;
+    var view_10 : Stretched_0 = stretched_1(facets_4, wi_4);
+    var normal_7 : vec3<f32>;
+    if((facets_4.distribution_0) == u32(1))
+    {
+        normal_7 = ggx_normal_0(view_10, u_11);
+    }
+    else
+    {
+        normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_4, wi_4), u_11);
+    }
+    var _S213 : f32 = view_10.around_0.x;
+    var _S214 : f32 = normal_7.x;
+    var _S215 : f32 = view_10.around_0.y;
+    var _S216 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S213 * _S214 - _S215 * _S216, _S215 * _S214 + _S213 * _S216) * facets_4.alpha_0, normal_7.z));
+    return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
+}
+
+struct Drawn_0
+{
+     wo_3 : vec3<f32>,
+     is_specular_0 : bool,
+     probability_3 : f32,
+};
+
+fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
+{
+    var _S217 : bool = (lobe_8.kind_1) == u32(0);
+    var has_base_0 : bool;
+    if(_S217)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_8.kind_1) == u32(3);
+    }
+    if(has_base_0)
+    {
+        has_base_0 = true;
+    }
+    else
+    {
+        has_base_0 = (lobe_8.kind_1) == u32(4);
+    }
+    var of_base_1 : f32;
+    if(_S217)
+    {
+        of_base_1 = 1.0f;
+    }
+    else
+    {
+        of_base_1 = 0.0f;
+    }
+    var _S218 : bool;
+    if((lobe_8.kind_1) == u32(3))
+    {
+        _S218 = true;
+    }
+    else
+    {
+        _S218 = (lobe_8.kind_1) == u32(4);
+    }
+    if(_S218)
+    {
+        of_base_1 = base_probability_0(lobe_8, transmittance_0(lobe_8, wi_5.z));
+    }
+    var drawn_0 : Drawn_0;
+    drawn_0.is_specular_0 = false;
+    drawn_0.probability_3 = 1.0f;
+    if(has_base_0)
+    {
+        has_base_0 = choice_6 < of_base_1;
+    }
+    else
+    {
+        has_base_0 = false;
+    }
+    if(has_base_0)
+    {
+        drawn_0.wo_3 = sample_cosine_0(u_12);
+    }
+    else
+    {
+        if(is_rough_0(lobe_8))
+        {
+            drawn_0.wo_3 = mirrored_at_facet_0(lobe_8.microfacets_0, wi_5, u_12);
+        }
+        else
+        {
+            drawn_0.wo_3 = vec3<f32>((vec2<f32>(0) - wi_5.xy), wi_5.z);
+            drawn_0.is_specular_0 = true;
+            drawn_0.probability_3 = 1.0f - of_base_1;
+        }
+    }
+    return drawn_0;
+}
+
+fn specular_0( lobe_9 : Lobe_0,  wi_6 : vec3<f32>) -> Colour_0
+{
+    var reflectance_0 : vec3<f32>;
+    if((lobe_9.kind_1) == u32(1))
+    {
+        reflectance_0 = fresnel_conductor_0(wi_6.z, lobe_9.eta_0, lobe_9.k_2);
+    }
+    else
+    {
+        reflectance_0 = vec3<f32>(fresnel_dielectric_0(wi_6.z, lobe_9.coat_eta_0));
+    }
+    return x2A_0(lobe_9.specular_reflectance_0, reflectance_0);
+}
+
+fn first_from_0( position_6 : vec3<f64>,  direction_13 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
+{
+    var _S219 : Found_0 = cast_1(position_6, vec3<f64>(direction_13), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
+    return _S219;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
 {
-    var place_14 : Place_0;
-    place_14.triangle_0 = found_6.triangle_5;
-    place_14.v_0 = f32(found_6.v_7);
-    place_14.w_0 = f32(found_6.w_4);
-    return place_14;
+    var place_18 : Place_0;
+    place_18.triangle_0 = found_6.triangle_5;
+    place_18.v_0 = f32(found_6.v_9);
+    place_18.w_0 = f32(found_6.w_4);
+    return place_18;
 }
 
-fn emitter_seen_0( found_7 : Found_0,  direction_11 : vec3<f32>) -> u32
+fn emitter_seen_0( found_7 : Found_0,  direction_14 : vec3<f32>) -> u32
 {
     if((found_7.face_7) == u32(4294967295))
     {
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S153 : bool;
+    var _S220 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S153 = (dot(cross_of_0(found_7.triangle_5), direction_11)) < 0.0f;
+        _S220 = (dot(cross_of_0(found_7.triangle_5), direction_14)) < 0.0f;
     }
     else
     {
-        _S153 = false;
+        _S220 = false;
     }
-    var _S154 : u32;
-    if(_S153)
+    var _S221 : u32;
+    if(_S220)
     {
-        _S154 = emitter_7;
+        _S221 = emitter_7;
     }
     else
     {
-        _S154 = u32(4294967295);
+        _S221 = u32(4294967295);
     }
-    return _S154;
+    return _S221;
 }
 
-fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12 : vec3<f32>,  distance_5 : f32) -> f32
+fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_15 : vec3<f32>,  distance_5 : f32) -> f32
 {
-    var own_5 : f32;
-    var rectangle_1 : u32 = word_0(record_9 + u32(4));
+    var own_6 : f32;
+    var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S155 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S155.solid_angle_0) > 0.0f))
+        var _S222 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S222.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S155.solid_angle_0) >= 0.00100000004749745f)
+        if((_S222.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S155.solid_angle_0;
+            return 1.0f / _S222.solid_angle_0;
         }
     }
-    var _S156 : u32 = word_0(word_0(record_9 + u32(7)) + face_8);
-    var nodes_at_2 : u32 = word_0(record_9 + u32(5));
+    var _S223 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
     for(;;)
@@ -2248,107 +3211,104 @@ fn area_pdf_0( record_9 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_12
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S156 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S223 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
-            own_5 = shares_1.y;
+            own_6 = shares_1.y;
         }
         else
         {
-            own_5 = shares_1.x;
+            own_6 = shares_1.x;
         }
-        var chosen_3 : f32 = chosen_2 * own_5;
-        var _S157 : i32;
+        var chosen_3 : f32 = chosen_2 * own_6;
+        var _S224 : i32;
         if(is_second_1)
         {
-            _S157 = i32(3);
+            _S224 = i32(3);
         }
         else
         {
-            _S157 = i32(2);
+            _S224 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S157));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S224));
         chosen_2 = chosen_3;
     }
-    var _S158 : u32 = word_0(record_9 + u32(6));
-    var _S159 : u32 = word_0(node_6);
-    own_5 = 0.0f;
-    var k_8 : u32 = _S159;
-    var total_2 : f32 = 0.0f;
+    var _S225 : u32 = word_0(record_14 + u32(6));
+    var _S226 : u32 = word_0(node_6);
+    own_6 = 0.0f;
+    var k_10 : u32 = _S226;
+    var total_3 : f32 = 0.0f;
     for(;;)
     {
-        if(k_8 < (word_0(node_6 + u32(1))))
+        if(k_10 < (word_0(node_6 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_9, word_0(_S158 + k_8), from_2.exact_0);
-        var total_3 : f32 = total_2 + angle_4;
-        if(k_8 == _S156)
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S225 + k_10), from_2.exact_0);
+        var total_4 : f32 = total_3 + angle_4;
+        if(k_10 == _S223)
         {
-            own_5 = angle_4;
+            own_6 = angle_4;
         }
-        k_8 = k_8 + u32(1);
-        total_2 = total_3;
+        k_10 = k_10 + u32(1);
+        total_3 = total_4;
     }
-    if(!(own_5 > 0.0f))
+    if(!(own_6 > 0.0f))
     {
         return 0.0f;
     }
-    return chosen_2 / total_2 * density_of_0(own_5, cross_of_0(emitter_triangle_0(record_9, face_8)), distance_5, direction_12);
+    return chosen_2 / total_3 * density_of_0(own_6, cross_of_0(emitter_triangle_0(record_14, face_8)), distance_5, direction_15);
 }
 
-fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  surface_3 : Surface_0,  axes_7 : Axes_0,  direction_13 : vec3<f32>,  t_7 : f32) -> f32
+fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_2 : Vertex_0,  direction_16 : vec3<f32>,  t_7 : f32) -> f32
 {
-    var record_10 : u32 = emitter_record_0(emitter_8);
-    if((word_0(record_10)) == u32(0))
+    var record_15 : u32 = emitter_record_0(emitter_8);
+    if(is_map_0(record_15))
     {
-        return cosine_pdf_0(axes_7, direction_13);
+        var _S227 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_16);
+        return _S227;
     }
-    return area_pdf_0(record_10, found_8.face_7 - word_0(record_10 + u32(3)), surface_3, direction_13, t_7);
+    if(!is_area_0(record_15))
+    {
+        return max(dot(vertex_2.axes_2.n_0, direction_16), 0.0f) * 0.31830987334251404f;
+    }
+    return area_pdf_0(record_15, found_8.face_7 - word_0(record_15 + u32(3)), vertex_2.surface_3, direction_16, t_7);
 }
 
-fn value_of_0( colour_2 : vec3<f32>) -> vec3<f32>
+fn value_of_1( colour_6 : vec3<f32>) -> vec3<f32>
 {
-    return colour_2;
+    return colour_6;
 }
 
-fn value_of_1( colour_3 : Colour_0) -> vec3<f32>
-{
-    return colour_3.value_0;
-}
-
-fn take_further_0( path_4 : ptr<function, Path_0>,  vertex_1 : ptr<function, Vertex_0>,  importance_2 : vec3<f32>) -> bool
+fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, Reflected_0>,  importance_2 : vec3<f32>) -> bool
 {
     var depth_2 : u32 = launch_0.depth_0;
-    var first_5 : u32 = vertex_numbers_0(launch_0.depth_0);
-    var surface_4 : Surface_0 = surface_at_0((*path_4).place_1, (*path_4).direction_0);
-    var _S160 : i32;
-    if(surface_4.is_front_0)
-    {
-        _S160 = i32(2);
-    }
-    else
-    {
-        _S160 = i32(3);
-    }
-    var texture_7 : u32 = word_0(surface_4.shape_0 + u32(_S160));
-    if(texture_7 == u32(4294967295))
+    var first_6 : u32 = vertex_numbers_0(launch_0.depth_0);
+    var surface_5 : Surface_0 = surface_at_0((*path_4).place_1, (*path_4).direction_0);
+    var material_1 : u32 = material_of_0(surface_5);
+    if(material_1 == u32(4294967295))
     {
         return false;
     }
-    (*vertex_1).textures_0[i32(0)] = texture_7;
-    var reflectance_1 : Colour_0 = colour_at_0(texture_7, (*path_4).place_1, u32(0));
-    var axes_8 : Axes_0 = axes_at_0(surface_4);
+    var vertex_3 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_4).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S161 : u32 = word_0(u32(3));
-    var _S162 : bool = !reaches_0(depth_2 + u32(3));
+    var _S228 : u32 = word_0(u32(3));
+    var _S229 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S162)
+    if(_S229)
     {
-        goes_on_0 = is_sampled_well_0(surface_4.position_0);
+        goes_on_0 = (vertex_3.lobe_1.kind_1) == u32(0);
+    }
+    else
+    {
+        goes_on_0 = false;
+    }
+    if(goes_on_0)
+    {
+        goes_on_0 = is_sampled_well_0(surface_5.position_0);
     }
     else
     {
@@ -2361,89 +3321,121 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  vertex_1 : ptr<function, Ver
     }
     else
     {
-        bsdf_samples_1 = _S161;
+        bsdf_samples_1 = _S228;
     }
-    var _S163 : Choice_0 = choice_at_0(surface_4.position_0, axes_8.n_1);
+    var on_emitters_0 : u32;
+    if(has_smooth_0(vertex_3.lobe_1))
+    {
+        on_emitters_0 = emitter_samples_0;
+    }
+    else
+    {
+        on_emitters_0 = u32(0);
+    }
+    var _S230 : Choice_0 = choice_at_0(surface_5.position_0, vertex_3.axes_2.n_0, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
-        if(i_4 < emitter_samples_0)
+        if(i_4 < on_emitters_0)
         {
         }
         else
         {
             break;
         }
-        var _S164 : Colour_0 = light_from_emitter_0(surface_4, axes_8, reflectance_1, _S163, (*path_4).key_0, first_5 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
-        (*vertex_1).direct_0 = x2B_0((*vertex_1).direct_0, _S164);
+        var _S231 : Colour_0 = light_from_emitter_0(vertex_3, _S230, (*path_4).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S231);
         i_4 = i_4 + u32(1);
     }
-    var first_6 : u32 = first_5 + u32(3) * emitter_samples_0;
+    var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
-    var next_0 : Place_0 = (*path_4).place_1;
+    var next_2 : Place_0 = (*path_4).place_1;
     var next_direction_0 : vec3<f32> = (*path_4).direction_0;
-    var k_9 : u32 = u32(0);
+    var k_11 : u32 = u32(0);
     for(;;)
     {
-        if(k_9 < bsdf_samples_1)
+        if(k_11 < bsdf_samples_1)
         {
         }
         else
         {
             break;
         }
-        var direction_14 : vec3<f32> = sample_cosine_0(axes_8, random_pair_0((*path_4).key_0, first_6 + u32(3) * k_9 + u32(1)));
-        var pdf_2 : f32 = cosine_pdf_0(axes_8, direction_14);
-        if(!(pdf_2 > 0.0f))
+        var own_first_0 : u32 = first_7 + u32(3) * k_11;
+        var drawn_1 : Drawn_0 = draw_0(vertex_3.lobe_1, vertex_3.wi_0, random_0((*path_4).key_0, own_first_0), random_pair_0((*path_4).key_0, own_first_0 + u32(1)));
+        var scattered_3 : Scattered_0;
+        if(drawn_1.is_specular_0)
         {
-            k_9 = k_9 + u32(1);
+            scattered_3.value_6 = specular_0(vertex_3.lobe_1, vertex_3.wi_0);
+            scattered_3.pdf_3 = drawn_1.probability_3;
+        }
+        else
+        {
+            scattered_3 = eval_and_pdf_0(vertex_3.lobe_1, vertex_3.wi_0, drawn_1.wo_3);
+        }
+        if(!((scattered_3.pdf_3) > 0.0f))
+        {
+            k_11 = k_11 + u32(1);
             continue;
         }
+        var direction_17 : vec3<f32> = normalize(to_world_0(vertex_3.axes_2, drawn_1.wo_3));
         var t_8 : f32;
-        var found_9 : Found_0 = first_from_0(surface_4.exact_0, direction_14, &(t_8));
+        var found_9 : Found_0 = first_from_0(surface_5.exact_0, direction_17, &(t_8));
         var goes_on_1 : bool;
-        var next_1 : Place_0;
+        var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
-        if(k_9 == u32(0))
+        if(k_11 == u32(0))
         {
-            var _S165 : Place_0 = place_of_0(found_9);
-            goes_on_1 = (found_9.face_7) != u32(4294967295);
-            next_1 = _S165;
-            next_direction_1 = direction_14;
+            var _S232 : bool = (found_9.face_7) != u32(4294967295);
+            var _S233 : Place_0 = place_of_0(found_9);
+            (*reflected_1).onward_0 = x2A_1(scattered_3.value_6, 1.0f / scattered_3.pdf_3);
+            goes_on_1 = _S232;
+            next_3 = _S233;
+            next_direction_1 = direction_17;
         }
         else
         {
             goes_on_1 = goes_on_0;
-            next_1 = next_0;
+            next_3 = next_2;
             next_direction_1 = next_direction_0;
         }
-        var emitter_9 : u32 = emitter_seen_0(found_9, direction_14);
+        var emitter_9 : u32 = emitter_seen_0(found_9, direction_17);
         if(emitter_9 == u32(4294967295))
         {
             goes_on_0 = goes_on_1;
-            next_0 = next_1;
+            next_2 = next_3;
             next_direction_0 = next_direction_1;
-            k_9 = k_9 + u32(1);
+            k_11 = k_11 + u32(1);
             continue;
         }
-        var own_6 : f32 = f32(bsdf_samples_1) * pdf_2;
-        var other_1 : f32;
-        if(emitter_samples_0 == u32(0))
+        var own_7 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_3;
+        var _S234 : bool;
+        if(!drawn_1.is_specular_0)
         {
-            other_1 = 0.0f;
+            _S234 = emitter_samples_0 != u32(0);
         }
         else
         {
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S163) * emitter_pdf_0(emitter_9, found_9, surface_4, axes_8, direction_14, t_8);
+            _S234 = false;
         }
-        var _S166 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), x2A_0(reflectance_1, pdf_2 * weight_over_0(own_6, other_1)), importance_2);
-        (*vertex_1).direct_0 = x2B_0((*vertex_1).direct_0, _S166);
+        var other_1 : f32;
+        if(_S234)
+        {
+            var pdf_4 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_3, direction_17, t_8);
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S230) * pdf_4;
+        }
+        else
+        {
+            other_1 = 0.0f;
+        }
+        var _S235 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), direction_17, x2A_1(scattered_3.value_6, weight_over_0(own_7, other_1)), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S235);
         goes_on_0 = goes_on_1;
-        next_0 = next_1;
+        next_2 = next_3;
         next_direction_0 = next_direction_1;
-        k_9 = k_9 + u32(1);
+        k_11 = k_11 + u32(1);
     }
-    if(_S162)
+    if(_S229)
     {
         goes_on_0 = true;
     }
@@ -2455,36 +3447,35 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  vertex_1 : ptr<function, Ver
     {
         return false;
     }
-    (*vertex_1).onward_0 = reflectance_1;
-    var throughput_1 : vec3<f32> = value_of_0((*path_4).throughput_0) * value_of_1(reflectance_1);
-    var _S167 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S168 : u32 = depth_2 + u32(1);
-    if(_S168 >= (word_0(u32(1))))
+    var throughput_1 : vec3<f32> = value_of_1((*path_4).throughput_0) * value_of_0((*reflected_1).onward_0);
+    var _S236 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S237 : u32 = depth_2 + u32(1);
+    if(_S237 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S167, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_4).key_0, vertex_numbers_0(_S168) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S236, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_4).key_0, vertex_numbers_0(_S237) - u32(1))) >= survival_0)
         {
             return false;
         }
-        (*vertex_1).onward_0 = x2A_0((*vertex_1).onward_0, 1.0f / survival_0);
+        (*reflected_1).onward_0 = x2A_1((*reflected_1).onward_0, 1.0f / survival_0);
     }
-    (*path_4).place_1 = next_0;
+    (*path_4).place_1 = next_2;
     (*path_4).direction_0 = next_direction_0;
     return true;
 }
 
 fn kept_at_0() -> u32
 {
-    return u32(18) + u32(26) * launch_0.depth_0;
+    return u32(18) + u32(25) * launch_0.depth_0;
 }
 
-fn set_word_0( path_5 : u32,  which_4 : u32,  value_4 : u32)
+fn set_word_0( path_5 : u32,  which_4 : u32,  value_7 : u32)
 {
-    paths_0[which_4 * launch_0.room_0 + path_5] = value_4;
+    paths_0[which_4 * launch_0.room_0 + path_5] = value_7;
     return;
 }
 
-fn set_vector_0( path_6 : u32,  which_5 : ptr<function, u32>,  value_5 : vec3<f32>)
+fn set_vector_0( path_6 : u32,  which_5 : ptr<function, u32>,  value_8 : vec3<f32>)
 {
     var axis_7 : u32 = u32(0);
     for(;;)
@@ -2496,14 +3487,14 @@ fn set_vector_0( path_6 : u32,  which_5 : ptr<function, u32>,  value_5 : vec3<f3
         {
             break;
         }
-        set_word_0(path_6, (*which_5) + axis_7, (bitcast<u32>((value_5[axis_7]))));
+        set_word_0(path_6, (*which_5) + axis_7, (bitcast<u32>((value_8[axis_7]))));
         axis_7 = axis_7 + u32(1);
     }
     (*which_5) = (*which_5) + u32(3);
     return;
 }
 
-fn set_vector_1( path_7 : u32,  which_6 : ptr<function, u32>,  value_6 : vec3<f32>)
+fn set_vector_1( path_7 : u32,  which_6 : ptr<function, u32>,  value_9 : vec3<f32>)
 {
     var axis_8 : u32 = u32(0);
     for(;;)
@@ -2515,14 +3506,14 @@ fn set_vector_1( path_7 : u32,  which_6 : ptr<function, u32>,  value_6 : vec3<f3
         {
             break;
         }
-        set_word_0(path_7, (*which_6) + axis_8, (bitcast<u32>((value_6[axis_8]))));
+        set_word_0(path_7, (*which_6) + axis_8, (bitcast<u32>((value_9[axis_8]))));
         axis_8 = axis_8 + u32(1);
     }
     (*which_6) = (*which_6) + u32(3);
     return;
 }
 
-fn set_vector_2( path_8 : u32,  which_7 : ptr<function, u32>,  value_7 : vec3<f32>)
+fn set_vector_2( path_8 : u32,  which_7 : ptr<function, u32>,  value_10 : vec3<f32>)
 {
     var axis_9 : u32 = u32(0);
     for(;;)
@@ -2534,59 +3525,59 @@ fn set_vector_2( path_8 : u32,  which_7 : ptr<function, u32>,  value_7 : vec3<f3
         {
             break;
         }
-        set_word_0(path_8, (*which_7) + axis_9, (bitcast<u32>((value_7[axis_9]))));
+        set_word_0(path_8, (*which_7) + axis_9, (bitcast<u32>((value_10[axis_9]))));
         axis_9 = axis_9 + u32(1);
     }
     (*which_7) = (*which_7) + u32(3);
     return;
 }
 
-fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_15 : Place_0)
+fn set_place_0( path_9 : u32,  which_8 : ptr<function, u32>,  place_19 : Place_0)
 {
-    set_word_0(path_9, (*which_8), place_15.triangle_0);
-    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_15.v_0))));
-    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_15.w_0))));
+    set_word_0(path_9, (*which_8), place_19.triangle_0);
+    set_word_0(path_9, (*which_8) + u32(1), (bitcast<u32>((place_19.v_0))));
+    set_word_0(path_9, (*which_8) + u32(2), (bitcast<u32>((place_19.w_0))));
     (*which_8) = (*which_8) + u32(3);
     return;
 }
 
-fn set_place_1( path_10 : u32,  which_9 : ptr<function, u32>,  place_16 : Place_0)
+fn set_place_1( path_10 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_0)
 {
-    set_word_0(path_10, (*which_9), place_16.triangle_0);
-    set_word_0(path_10, (*which_9) + u32(1), (bitcast<u32>((place_16.v_0))));
-    set_word_0(path_10, (*which_9) + u32(2), (bitcast<u32>((place_16.w_0))));
+    set_word_0(path_10, (*which_9), place_20.triangle_0);
+    set_word_0(path_10, (*which_9) + u32(1), (bitcast<u32>((place_20.v_0))));
+    set_word_0(path_10, (*which_9) + u32(2), (bitcast<u32>((place_20.w_0))));
     (*which_9) = (*which_9) + u32(3);
     return;
 }
 
-fn set_colour_0( path_11 : u32,  which_10 : ptr<function, u32>,  colour_4 : Colour_0)
+fn set_colour_0( path_11 : u32,  which_10 : ptr<function, u32>,  colour_7 : Colour_0)
 {
-    set_vector_2(path_11, &((*which_10)), colour_4.value_0);
-    var k_10 : u32 = u32(0);
+    set_vector_2(path_11, &((*which_10)), colour_7.value_0);
+    var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_10 < u32(2))
+        if(k_12 < u32(2))
         {
         }
         else
         {
             break;
         }
-        set_vector_2(path_11, &((*which_10)), colour_4.changes_0[k_10]);
-        k_10 = k_10 + u32(1);
+        set_vector_2(path_11, &((*which_10)), colour_7.changes_0[k_12]);
+        k_12 = k_12 + u32(1);
     }
     return;
 }
 
 fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 {
-    var at_18 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_18), path_12.adjoint_0);
-    set_vector_0(number_of_path_1, &(at_18), path_12.throughput_0);
-    set_vector_0(number_of_path_1, &(at_18), path_12.direction_0);
-    set_place_0(number_of_path_1, &(at_18), path_12.place_1);
-    set_word_0(number_of_path_1, at_18, path_12.key_0.x);
-    set_word_0(number_of_path_1, at_18 + u32(1), path_12.key_0.y);
+    var at_20 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_20), path_12.adjoint_0);
+    set_vector_0(number_of_path_1, &(at_20), path_12.throughput_0);
+    set_vector_0(number_of_path_1, &(at_20), path_12.direction_0);
+    set_place_0(number_of_path_1, &(at_20), path_12.place_1);
+    set_word_0(number_of_path_1, at_20, path_12.key_0.x);
+    set_word_0(number_of_path_1, at_20 + u32(1), path_12.key_0.y);
     return;
 }
 
@@ -2594,37 +3585,37 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 @workgroup_size(64, 1, 1)
 fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_19 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_19 >= (launch_0.end_0))
+    var at_21 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_21 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_19];
+    var number_of_path_2 : u32 = input_0[at_21];
     var path_13 : Path_0 = load_0(number_of_path_2);
     var importance_3 : vec3<f32> = path_13.adjoint_0 * path_13.throughput_0;
-    var place_17 : Place_0 = path_13.place_1;
-    var vertex_2 : Vertex_0 = dark_vertex_0();
-    var goes_on_2 : bool = take_further_0(&(path_13), &(vertex_2), importance_3);
+    var place_21 : Place_0 = path_13.place_1;
+    var material_2 : u32 = material_of_0(surface_at_0(path_13.place_1, path_13.direction_0));
+    var reflected_2 : Reflected_0 = nothing_reflected_0();
+    var goes_on_2 : bool = take_further_0(&(path_13), &(reflected_2), importance_3);
     var kept_0 : u32 = kept_at_0();
     set_vector_1(number_of_path_2, &(kept_0), importance_3);
-    set_place_1(number_of_path_2, &(kept_0), place_17);
-    var _S169 : u32 = kept_0 + u32(1);
-    set_word_0(number_of_path_2, kept_0, vertex_2.textures_0[i32(0)]);
-    kept_0 = _S169 + u32(1);
-    set_word_0(number_of_path_2, _S169, vertex_2.textures_0[i32(1)]);
-    set_colour_0(number_of_path_2, &(kept_0), vertex_2.direct_0);
-    set_colour_0(number_of_path_2, &(kept_0), vertex_2.onward_0);
-    path_13.throughput_0 = path_13.throughput_0 * vertex_2.onward_0.value_0;
+    set_place_1(number_of_path_2, &(kept_0), place_21);
+    var _S238 : u32 = kept_0;
+    kept_0 = kept_0 + u32(1);
+    set_word_0(number_of_path_2, _S238, material_2);
+    set_colour_0(number_of_path_2, &(kept_0), reflected_2.direct_0);
+    set_colour_0(number_of_path_2, &(kept_0), reflected_2.onward_0);
+    path_13.throughput_0 = path_13.throughput_0 * reflected_2.onward_0.value_0;
     store_0(number_of_path_2, path_13);
-    var _S170 : u32;
+    var _S239 : u32;
     if(goes_on_2)
     {
-        _S170 = number_of_path_2;
+        _S239 = number_of_path_2;
     }
     else
     {
-        _S170 = u32(4294967295);
+        _S239 = u32(4294967295);
     }
-    set_word_0(at_19, u32(0), _S170);
+    set_word_0(at_21, u32(0), _S239);
     return;
 }

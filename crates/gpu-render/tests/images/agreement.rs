@@ -1,12 +1,12 @@
 //! Beside the processor: sample by sample, where samples are the same, and by z-test elsewhere.
 
 use capwalk_gpu::Precision;
-use capwalk_gpu_render::{DeviceScene, unsupported};
-use capwalk_math::Rgb;
-use capwalk_render::{PreparedScene, RenderOptions, Rendering, Unwatched, render};
+use capwalk_gpu_render::unsupported;
+use capwalk_render::{PreparedScene, RenderOptions, Unwatched, render};
 use capwalk_scene::builtin;
 
-use crate::{device, scenes};
+use crate::beside::{compare, on_device};
+use crate::scenes;
 
 /// Scenes with emitters whose triangles are so small that the device samples them by area, where
 /// the processor samples them by solid angle.
@@ -18,52 +18,8 @@ pub const SMALL_EMITTERS: [&str; 5] = [
     "scenes/sphere_emitter_grows/scene.xml",
 ];
 
-/// Samples differ if they do by more than this, relatively: single precision of what a path
-/// multiplies.
-const DIFFERENT: f64 = 2e-4;
-
-/// The share of samples that may: rays that pass an edge on its other side, roulette, and emitters
-/// that are seen small.
-const MOST_DIFFERENT: f64 = 0.01;
-
 /// Scenes of which nothing is unsupported.
-const FEWEST_SCENES: usize = 70;
-
-fn on_device(
-    prepared: &PreparedScene,
-    options: &RenderOptions,
-    precision: Precision,
-) -> Option<Rendering> {
-    let (gpu, _turn) = device::open(precision)?;
-    let scene = DeviceScene::new(gpu, prepared).expect("supported");
-    Some(
-        scene
-            .render(options, &Unwatched)
-            .expect("a device that works"),
-    )
-}
-
-/// An error, in words, if too many samples differ.
-fn compare(prepared: &PreparedScene, precision: Precision) -> Option<Result<(), String>> {
-    let options = RenderOptions::new(1, 7);
-    let ours = on_device(prepared, &options, precision)?;
-    let theirs = render(prepared, &options, &Unwatched);
-    let pairs = ours.value.mean.pixels.iter().zip(&theirs.value.mean.pixels);
-    let differs = |(&a, &b): (&Rgb, &Rgb)| {
-        let difference = (a - b).map(f64::abs).max_component();
-        difference.is_nan() || difference > DIFFERENT * b.map(f64::abs).max_component().max(1e-3)
-    };
-    let (count, all) = (
-        pairs.filter(|&pair| differs(pair)).count(),
-        ours.value.mean.pixels.len(),
-    );
-    let is_good = count as f64 <= MOST_DIFFERENT * all as f64;
-    Some(
-        is_good
-            .then_some(())
-            .ok_or_else(|| format!("{count} of {all} samples differ")),
-    )
-}
+const FEWEST_SCENES: usize = 105;
 
 /// Every scene file that the device can render, and those that are built in.
 #[test]
@@ -72,7 +28,7 @@ fn samples_are_the_processors() {
         let scene = builtin::scene(name).expect("built in");
         (name.to_owned(), scene)
     });
-    let mut rendered = 0;
+    let (mut rendered, mut problems) = (0, Vec::new());
     for (name, scene) in scenes::all().into_iter().chain(built_in) {
         let prepared = PreparedScene::new(scene);
         if SMALL_EMITTERS.contains(&&*name) || unsupported(&prepared).is_some() {
@@ -81,13 +37,15 @@ fn samples_are_the_processors() {
         let Some(compared) = compare(&prepared, Precision::Double) else {
             return;
         };
-        compared.unwrap_or_else(|problem| panic!("{name}: {problem}"));
+        problems.extend(compared.err().map(|problem| format!("{name}: {problem}")));
         rendered += 1;
     }
+    assert_eq!(problems, [""; 0]);
     assert!(rendered >= FEWEST_SCENES, "{rendered} scenes");
 }
 
-/// Smooth and flat shading, textures, light from everywhere, and light that is reflected often.
+/// Smooth and flat shading, textures, light from everywhere, light that is reflected often, metals
+/// and plastics.
 #[test]
 fn single_precision_is_enough() {
     for name in [
@@ -95,6 +53,11 @@ fn single_precision_is_enough() {
         "parity/bitmap_ball.xml",
         "parity/painted_mesh.xml",
         "parity/cube_sky.xml",
+        "parity/environment_map.xml",
+        "parity/anisotropic.xml",
+        "parity/metal_smooth.xml",
+        "parity/plastic_nonlinear.xml",
+        "parity/roughplastic.xml",
     ] {
         let prepared = PreparedScene::new(scenes::scene(name));
         let Some(compared) = compare(&prepared, Precision::Single) else {

@@ -2,9 +2,11 @@
 //! and pass; with `CAPWALK_GPU_TESTS=require` they fail there.
 
 mod agreement;
+mod beside;
 mod derivatives;
 mod device;
 mod faults;
+mod materials;
 mod parts;
 mod scenes;
 mod unsupported;

@@ -22,7 +22,9 @@ fn what_is_missing_is_named() {
             "parity/maps_around_sides.xml",
             "the material of shape \"front_pitted\" is a normal map",
         ),
-        ("parity/environment_map.xml", "is of the type envmap"),
+        ("parity/glass_rough.xml", "is a rough dielectric"),
+        ("parity/principled.xml", "is a principled one"),
+        ("parity/mask.xml", "is a mask"),
         ("parity/point_light.xml", "is of the type point"),
         (
             "scenes/lamps_that_touch/scene.xml",

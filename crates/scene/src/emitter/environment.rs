@@ -131,6 +131,27 @@ impl EnvironmentTable {
         })
     }
 
+    /// The map.
+    pub fn map(&self) -> &EnvironmentMap {
+        &self.map
+    }
+
+    /// Sums of the cells' chances up to each row of cells and with it, of which there is one less
+    /// than of texels.
+    pub fn row_sums(&self) -> &[f64] {
+        &self.rows
+    }
+
+    /// Sums of the chances up to each cell of its row and with it, row by row.
+    pub fn cell_sums(&self) -> &[f64] {
+        &self.cells
+    }
+
+    /// Density per solid angle of each cell, row by row.
+    pub fn densities(&self) -> &[f64] {
+        &self.densities
+    }
+
     /// Cosine of the polar angle at the top of a row of cells.
     fn cos_of_row(map: &EnvironmentMap, row: usize) -> f64 {
         (PI * row as f64 / f64::from(map.height - 1)).cos()

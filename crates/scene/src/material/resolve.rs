@@ -108,6 +108,11 @@ impl Resolver {
         self.coats = coats;
     }
 
+    /// What passes the rough coat of a material, if it has one.
+    pub fn coat(&self, id: BsdfId) -> Option<&RoughTransmittance> {
+        self.coats.get(id.0 as usize)?.as_deref()
+    }
+
     /// What a material does to light at a point, to a viewer on the given side of
     /// the face.
     pub fn resolve<R: Real>(

@@ -79,6 +79,11 @@ impl RoughTransmittance {
         (self.distribution, self.alpha, self.eta) == (distribution, alpha, eta)
     }
 
+    /// The fraction that passes from outside, at cosines from 0 to 1 in equal steps.
+    pub fn nodes(&self) -> impl Iterator<Item = f64> {
+        self.transmittance.iter().map(|entry| entry.value)
+    }
+
     /// The shape of the distribution that it was made for.
     pub fn distribution(&self) -> Distribution {
         self.distribution
