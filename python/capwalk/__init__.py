@@ -21,6 +21,8 @@ from ._transform import Transform
 from .errors import (
     ArgumentError,
     BusyError,
+    DeviceError,
+    DeviceWarning,
     Error,
     ImageError,
     LoadError,
@@ -36,6 +38,8 @@ __all__ = [
     "ArgumentError",
     "BusyError",
     "Check",
+    "DeviceError",
+    "DeviceWarning",
     "Error",
     "Gradients",
     "ImageError",

@@ -16,7 +16,7 @@ from ._numbers import Array, numbers
 from ._options import LARGEST_COUNT, integer, options
 from ._progress import Progress, shown
 from ._results import Check, Gradients, Picture, Slope
-from .errors import ArgumentError, SceneWarning, UnreliableWarning
+from .errors import ArgumentError, DeviceWarning, SceneWarning, UnreliableWarning
 
 Scene = _capwalk.Scene
 Along = str | Mapping[str, ArrayLike]
@@ -52,10 +52,12 @@ def render(
     seed: int | None = None,
     threads: int | None = None,
     progress: Progress = None,
+    device: str = "cpu",
 ) -> Picture:
     """The image of a scene with its standard errors.
 
-    The same scene, ``spp`` and ``seed`` give the same bits, whatever ``threads`` is.
+    The same scene, ``spp`` and ``seed`` give the same bits on one device, whatever ``threads`` is;
+    ``"cpu"`` is one device, on every machine.
 
     :param sensor: which of the scene's sensors, by number from 0 or by name.
     :param aov: what is shown of the surfaces that are seen, instead of their light: ``"depth"``,
@@ -64,12 +66,25 @@ def render(
     :param seed: of all random numbers, 0 to 2**64 - 1; by default the scene's.
     :param threads: worker threads; by default all cores.
     :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
+    :param device: ``"cpu"``, the processor; ``"gpu"``, a GPU or software Vulkan, for scenes with
+        diffuse surfaces, area emitters and constant environments; or ``"auto"``, a GPU with double
+        precision if there is one that has all that the scene needs, else the processor, with a
+        :class:`DeviceWarning` that says why if there is a GPU. A GPU takes the samples of the
+        processor and rounds differently: nearly all of them agree within 0.02 %.
+        ``picture.device`` says where it was.
+    :raises ArgumentError: ``"gpu"`` for a scene that needs what the GPU does not have, which the
+        message names; a device of another name.
+    :raises DeviceError: ``"gpu"`` where there is none; a GPU that fails.
     """
+    if not isinstance(device, str):
+        raise TypeError(f"device is {device!r}; expected a name")
     with shown(progress, "render") as told:
         asked = options(scene, sensor, spp, seed, aov=aov, threads=threads, progress=told)
-        (value, stderr), statistics = _capwalk.render(scene, asked)
+        ((value, stderr), statistics), adapter, remark = _capwalk.render(scene, asked, device)
     warn_of(statistics)
-    return Picture(value, stderr, statistics)
+    if remark is not None:
+        warnings.warn(remark, DeviceWarning, stacklevel=2)
+    return Picture(value, stderr, statistics, adapter or "cpu")
 
 
 def gradient(

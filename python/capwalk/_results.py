@@ -25,6 +25,8 @@ class Picture:
     """Standard error of each number; NaN for a single sample per pixel."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+    device: str = "cpu"
+    """Where it was rendered: ``"cpu"``, or the name of the GPU."""
 
     def __repr__(self) -> str:
         return f"<capwalk.Picture: {_described(self.value, self.stderr)}>"
@@ -36,7 +38,8 @@ class Picture:
         """Writes an .exr or .npz file with all layers in single precision, or a .png file with
         the image."""
         layers = [("value", self.value), ("value_stderr", self.stderr)]
-        _capwalk.write_images(os.fspath(path), layers, [])
+        notes = [] if self.device == "cpu" else [("device", self.device)]
+        _capwalk.write_images(os.fspath(path), layers, notes)
 
     def _repr_png_(self) -> bytes:
         return _capwalk.png(self.value, False)

@@ -62,12 +62,21 @@ class BusyError(Error, RuntimeError):
     """A scene that another thread is changing or rendering."""
 
 
+class DeviceError(Error, RuntimeError):
+    """A GPU that is asked for and is not there, that fails or is lost, or for which the package
+    was not built. The next image looks for one anew."""
+
+
 class WorkerError(Error, RuntimeError):
     """A worker that was lost: killed, out of memory, or on a machine that is gone."""
 
 
 class UnreliableWarning(UserWarning):
     """A result that has to be taken with care; the message says why."""
+
+
+class DeviceWarning(UserWarning):
+    """An image from the processor where a GPU is there (``device="auto"``); the message says why."""
 
 
 class SceneWarning(UserWarning):

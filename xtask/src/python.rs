@@ -10,6 +10,7 @@ use anyhow::{Context, Result, bail};
 
 use crate::shell::{EVERYTHING, cargo, root, start, target};
 use crate::virtual_environment::environment;
+use crate::vulkan;
 
 /// What the tests need of PyPI, and how it is imported.
 const PACKAGES: &[&str] = &["numpy>=2", "pytest>=8", "mypy>=1.14"];
@@ -85,10 +86,9 @@ pub fn test() -> Result<()> {
     };
     let sources = ["-m", "mypy", "--strict", "python/capwalk", "python/tests"];
     start("python: types", run(&sources))?;
-    start(
-        "python: tests",
-        run(&["-m", "pytest", "-q", "-rs", "python/tests"]),
-    )?;
+    let mut tests = run(&["-m", "pytest", "-q", "-rs", "python/tests"]);
+    tests.envs(vulkan::for_tests());
+    start("python: tests", tests)?;
     // Examples in docstrings, but of what is not installed.
     let examples = ["--doctest-modules", "--doctest-ignore-import-errors"];
     let mut doctest = run(&["-m", "pytest", "-q", "--pyargs", "capwalk"]);

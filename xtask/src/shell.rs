@@ -20,7 +20,7 @@ pub fn root() -> PathBuf {
 pub const EVERYTHING: [&str; 3] = [
     "--workspace",
     "--features",
-    "capwalk-cli/paper,capwalk-cli/gpu",
+    "capwalk-cli/paper,capwalk-cli/gpu,capwalk-python/gpu",
 ];
 
 /// A call of the cargo that runs this task, in the root of the workspace.

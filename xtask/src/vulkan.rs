@@ -1,9 +1,10 @@
-//! Software Vulkan in CI, so that the tests of `capwalk-gpu` have something to run on.
+//! Software Vulkan in CI, so that the tests of the GPU have something to run on.
 
 use std::ffi::OsStr;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 
 /// Debian's package of software Vulkan.
 const PACKAGE: &str = "mesa-vulkan-drivers";
@@ -24,10 +25,17 @@ const SOFTWARE: &str = "lvp";
 /// Seconds after which an installation is given up.
 const PATIENCE: &str = "300";
 
+/// Found once: an installation is tried once.
+static FOR_TESTS: LazyLock<Vec<(&'static str, PathBuf)>> = LazyLock::new(find_for_tests);
+
 /// Variables for the tests. In CI they demand an adapter where software Vulkan is there,
 /// which is installed before if there is no driver at all; where that fails it says so, and
 /// the tests of the GPU are skipped.
 pub fn for_tests() -> Vec<(&'static str, PathBuf)> {
+    FOR_TESTS.clone()
+}
+
+fn find_for_tests() -> Vec<(&'static str, PathBuf)> {
     let mut variables = quiet();
     if std::env::var_os("CI").is_none() {
         return variables;

@@ -2,6 +2,8 @@
 
 use capwalk_diff::Rendering;
 
+use crate::method::Choice;
+
 /// Where an image is rendered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Device {
@@ -14,6 +16,11 @@ pub enum Device {
     /// On a GPU, or on software Vulkan; an error if there is neither, or if the scene needs what it
     /// does not have.
     Gpu,
+}
+
+impl Choice for Device {
+    const NAMES: &'static [(&'static str, Self)] =
+        &[("auto", Self::Auto), ("cpu", Self::Cpu), ("gpu", Self::Gpu)];
 }
 
 /// An image, and where it was rendered.
@@ -56,4 +63,18 @@ pub enum DeviceFailure {
     #[cfg(feature = "gpu")]
     #[error(transparent)]
     Failed(#[from] capwalk_gpu_render::DeviceError),
+}
+
+impl DeviceFailure {
+    /// What it is that the GPU does not have, such as `the material of shape "ball" is a plastic`;
+    /// `None` if the scene could be rendered there.
+    pub fn unsupported(&self) -> Option<&str> {
+        match self {
+            #[cfg(feature = "gpu")]
+            Self::Failed(capwalk_gpu_render::DeviceError::Unsupported(missing)) => {
+                Some(&missing.what)
+            }
+            _ => None,
+        }
+    }
 }

@@ -1,12 +1,11 @@
 //! Images from a GPU.
 
-use std::sync::Arc;
-
 use capwalk_diff::{PreparedScene, RenderOptions, Watch};
-use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
+use capwalk_gpu::{GpuError, Precision};
 use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
 
 use crate::device::{Device, DeviceFailure, Found};
+use crate::shared_gpu::{give_up, shared_gpu};
 
 /// The image of a scene from the GPU that is found. The processor, for [`Device::Auto`], where
 /// there is none, or where it has not all that the scene needs.
@@ -22,9 +21,9 @@ pub fn image(
     if let Some(missing) = unsupported(prepared).filter(|_| !may_fall_back) {
         return Err(DeviceError::from(missing).into());
     }
-    let gpu = match Gpu::new(&GpuOptions::default()) {
+    let gpu = match shared_gpu() {
         Ok(gpu) if may_fall_back && gpu.is_software() => return on_processor(None),
-        Ok(gpu) => Arc::new(gpu),
+        Ok(gpu) => gpu,
         Err(GpuError::NoAdapter { .. }) if may_fall_back => return on_processor(None),
         Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
         Err(error) => return Err(DeviceError::Gpu(error).into()),
@@ -33,7 +32,13 @@ pub fn image(
     if may_fall_back && gpu.precision() == Precision::Single {
         return on_processor(Some(remark(&"it has no double precision")));
     }
-    let scene = match DeviceScene::new(&gpu, prepared) {
+    let noted = |error: DeviceError| {
+        if let DeviceError::Gpu(error) = &error {
+            give_up(&gpu, error);
+        }
+        error
+    };
+    let scene = match DeviceScene::new(&gpu, prepared).map_err(noted) {
         Ok(scene) => scene,
         Err(DeviceError::Unsupported(missing)) if may_fall_back => {
             return on_processor(Some(remark(&missing.what)));
@@ -41,7 +46,7 @@ pub fn image(
         Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
         Err(error) => return Err(error.into()),
     };
-    match scene.render(options, watch) {
+    match scene.render(options, watch).map_err(noted) {
         Ok(rendering) => Ok(Found::Image {
             rendering,
             adapter: gpu.name().to_owned(),
@@ -55,4 +60,50 @@ pub fn image(
 
 fn remark(why: &dyn std::fmt::Display) -> String {
     format!("rendered on the CPU, not on the GPU: {why}")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use capwalk_gpu::Gpu;
+
+    use super::*;
+    use crate::shared_gpu::tests::device_alone;
+    use crate::{Error, Loader, Prepared, Unwatched};
+
+    /// Loses the device when the image has begun.
+    struct Unplugs(Arc<Gpu>);
+
+    impl Watch for Unplugs {
+        fn progress(&self, _: u64, _: u64) {}
+
+        fn should_stop(&self) -> bool {
+            self.0.destroy();
+            false
+        }
+    }
+
+    #[test]
+    fn a_lost_device_is_an_error_and_the_next_image_has_another() {
+        let Some((_alone, gpu)) = device_alone() else {
+            return;
+        };
+        let scene = Loader::new("leaf").size([8, 6]).load().expect("built in");
+        let prepared = Prepared::new(scene.scene).expect("a valid scene");
+        let options = RenderOptions::new(2, 1);
+        let image = |watch: &dyn Watch| prepared.render_on(Device::Gpu, &options, watch);
+        let before = image(&Unwatched).expect("it has all that is needed");
+        assert_eq!(before.adapter.as_deref(), Some(gpu.name()));
+        let lost = image(&Unplugs(Arc::clone(&gpu))).expect_err("there is no device");
+        assert!(matches!(
+            lost,
+            Error::Device(DeviceFailure::Failed(DeviceError::Gpu(
+                GpuError::DeviceLost { .. }
+            )))
+        ));
+        let after = image(&Unwatched).expect("it is opened again");
+        assert_eq!(after.rendering.value, before.rendering.value);
+        assert!(!Arc::ptr_eq(&gpu, &shared_gpu().expect("it is open")));
+    }
 }

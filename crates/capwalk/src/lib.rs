@@ -76,6 +76,8 @@ mod options;
 mod prepared;
 mod render_on;
 mod setting;
+#[cfg(feature = "gpu")]
+mod shared_gpu;
 mod step;
 pub mod text;
 mod views;

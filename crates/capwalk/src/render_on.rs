@@ -11,8 +11,9 @@ use crate::prepared::Prepared;
 impl Prepared {
     /// [`Prepared::render`] on a device. A GPU takes the processor's samples, with its random
     /// numbers, and rounds differently: the same scene, seed, options and device give the same
-    /// bits. An error if it is asked for and there is none, if it has not all that the scene needs,
-    /// or if it fails; the feature `gpu` must have been built.
+    /// bits. The first image opens the device, and the process keeps it until it is lost. An error
+    /// if it is asked for and there is none, if it has not all that the scene needs, or if it
+    /// fails; the feature `gpu` must have been built.
     ///
     /// ```
     /// # use capwalk::{Device, Prepared, RenderOptions, Unwatched};

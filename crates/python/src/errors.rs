@@ -1,6 +1,6 @@
 //! Errors as the exceptions of `capwalk.errors`, which are written in Python.
 
-use capwalk::{Error, LoadError, Refusal};
+use capwalk::{DeviceFailure, Error, LoadError, Refusal};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -26,6 +26,7 @@ pub fn exception(py: Python<'_>, error: impl Into<Error>) -> PyErr {
             let parts = (text, refusal.reason(), refusal.instead());
             instance(py, "Refused", parts)
         }
+        Error::Device(failure) => device_error(py, failure, text),
         Error::Image(_) | Error::UnusableImage { .. } => instance(py, "ImageError", (text,)),
         _ => instance(py, "ArgumentError", (text,)),
     }
@@ -45,6 +46,21 @@ pub fn internal(py: Python<'_>, what: &str) -> PyErr {
 /// The exception for a scene that something else is being done with.
 pub fn busy(py: Python<'_>, text: &str) -> PyErr {
     instance(py, "BusyError", (text,))
+}
+
+/// A scene that the GPU cannot render is a wrong argument; all else is a fault of the device.
+fn device_error(py: Python<'_>, failure: &DeviceFailure, text: String) -> PyErr {
+    if let Some(what) = failure.unsupported() {
+        let instead = "use device=\"cpu\", or \"auto\", which takes it where it has to";
+        return argument(py, format!("{what}: not on the GPU yet; {instead}"));
+    }
+    let text = match failure {
+        DeviceFailure::NotBuilt => "this build of capwalk has no GPU support; build it with the \
+                                    feature `gpu`, as `pip install .` does, or use device=\"cpu\""
+            .into(),
+        _ => text,
+    };
+    instance(py, "DeviceError", (text,))
 }
 
 fn load_error(py: Python<'_>, error: &LoadError) -> PyErr {

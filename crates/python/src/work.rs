@@ -2,7 +2,7 @@
 
 use capwalk::scene::{Aov, unpack};
 use capwalk::{
-    AllowMissing, CheckOptions, Choice, Error, GradientOptions, MethodChoice, MethodName,
+    AllowMissing, CheckOptions, Choice, Device, Error, GradientOptions, MethodChoice, MethodName,
     MissingName, Prepared, RenderOptions, ViewId, Views, WalkChoice, Watch,
 };
 use numpy::PyReadonlyArrayDyn;
@@ -166,18 +166,32 @@ pub fn check_options(py: Python<'_>, options: Options<'_>) -> PyResult<()> {
     Ok(())
 }
 
-/// The image and what was done.
+/// The image and what was done; the GPU's name, or why it was the processor if a GPU could have
+/// been meant.
 #[pyfunction]
 pub fn render<'py>(
     py: Python<'py>,
     scene: &Scene,
     options: Options<'py>,
-) -> PyResult<OfRender<'py>> {
+    device: &str,
+) -> PyResult<(OfRender<'py>, Option<String>, Option<String>)> {
+    let device = Device::named(device).ok_or_else(|| {
+        let names: Vec<_> = Device::NAMES.iter().map(|(name, _)| *name).collect();
+        let names = names.join(", ");
+        errors::argument(
+            py,
+            format!("there is no device \"{device}\"; there are {names}"),
+        )
+    })?;
     let sampling = options.sampling();
     let image = run(py, scene, &options, &[], |prepared, watch| {
-        Ok(prepared.render(&sampling, watch)?)
+        prepared.render_on(device, &sampling, watch)
     })?;
-    of_render(py, &image)
+    Ok((
+        of_render(py, &image.rendering)?,
+        image.adapter,
+        image.remark,
+    ))
 }
 
 /// The image, its derivative, the method and what was done.
