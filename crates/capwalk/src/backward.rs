@@ -116,6 +116,8 @@ pub(crate) fn names(engine: &Engine) -> GradientNames {
 pub struct GradientsWork<'a> {
     engine: &'a Engine,
     requests: Vec<(String, Request)>,
+    /// What changes with any of them.
+    wanted: Wanted,
     work: capwalk_diff::BackwardWork<'a>,
 }
 
@@ -139,7 +141,8 @@ impl<'a> GradientsWork<'a> {
         Ok(Self {
             engine,
             requests,
-            work: engine.backward_work(adjoint, wanted, options),
+            work: engine.backward_work(adjoint, wanted.clone(), options),
+            wanted,
         })
     }
 
@@ -174,8 +177,12 @@ impl<'a> GradientsWork<'a> {
         Ok(self.by_name(&self.work.whole(watch)?))
     }
 
+    pub(crate) fn wanted(&self) -> &Wanted {
+        &self.wanted
+    }
+
     /// Each parameter's gradient is a linear map of the covector on the scene.
-    fn by_name(&self, result: &Backward) -> Gradients {
+    pub(crate) fn by_name(&self, result: &Backward) -> Gradients {
         let scene = self.engine.scene();
         let gradients = self.requests.iter().map(|(name, request)| match request {
             Request::Tangent(tangent) => of_number(name.clone(), tangent, result),

@@ -1,10 +1,10 @@
-//! Where images are rendered, and why not there.
+//! Where images and derivatives are computed, and why not there.
 
-use capwalk_diff::Rendering;
+use capwalk_diff::Chosen;
 
 use crate::method::Choice;
 
-/// Where an image is rendered.
+/// Where an image or a derivative is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Device {
     /// On the processor.
@@ -23,25 +23,28 @@ impl Choice for Device {
         &[("auto", Self::Auto), ("cpu", Self::Cpu), ("gpu", Self::Gpu)];
 }
 
-/// An image, and where it was rendered.
+/// An image or a derivative, and where it was computed.
 #[derive(Clone, Debug)]
-pub struct DeviceRendering {
-    /// The image.
-    pub rendering: Rendering,
+pub struct OnDevice<T> {
+    /// What was asked for.
+    pub result: T,
     /// The name of the GPU; `None` for the processor.
     pub adapter: Option<String>,
     /// Why it was the processor, where a GPU was there and could have been meant.
     pub remark: Option<String>,
+    /// The method that the processor chose for a derivative. A GPU has those by colours and texels
+    /// alone, for which no method is needed.
+    pub chosen: Option<Chosen>,
 }
 
-/// An image from a GPU, or that the processor has to render it.
-pub enum Found {
+/// What a GPU computed, or that the processor has to.
+pub enum Found<T> {
     #[cfg_attr(
         not(feature = "gpu"),
         allow(dead_code, reason = "there is no GPU to find it on")
     )]
-    Image {
-        rendering: Rendering,
+    There {
+        result: T,
         adapter: String,
     },
     Processor {
@@ -49,7 +52,7 @@ pub enum Found {
     },
 }
 
-/// Why there is no image from a GPU.
+/// Why there is nothing from a GPU.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DeviceFailure {

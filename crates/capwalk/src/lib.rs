@@ -33,7 +33,7 @@
 //! | [`Prepared`] | a scene that is ready for any number of images and gradients |
 //! | [`Views`] | the same for all sensors of a scene, and for what they show besides light |
 //! | [`Prepared::render`] | an image with its standard errors |
-//! | [`Prepared::render_on`] | the same on a GPU, with the feature `gpu` |
+//! | [`Prepared::render_on`], [`gradient_on`](Prepared::gradient_on), [`backward_on`](Prepared::backward_on) | the same on a GPU, with the feature `gpu` |
 //! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |
 //! | [`Prepared::backward`] | the gradient of a loss with respect to everything named (reverse mode) |
 //! | [`Prepared::loss`] | how far an image is from a target, and the adjoint for `backward` |
@@ -65,16 +65,16 @@ mod direction;
 mod engine;
 mod error;
 mod folder_error;
-#[cfg_attr(not(feature = "gpu"), path = "no_gpu_images.rs")]
-mod gpu_images;
+#[cfg_attr(not(feature = "gpu"), path = "no_gpu_work.rs")]
+mod gpu_work;
 mod images;
 mod load;
 mod loss;
 mod method;
+mod on_device;
 pub mod optimize;
 mod options;
 mod prepared;
-mod render_on;
 mod setting;
 #[cfg(feature = "gpu")]
 mod shared_gpu;
@@ -110,7 +110,7 @@ pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
 pub use check::{Check, CheckOptions, Reference, comparison_text, coplanar_text, missing_text};
-pub use device::{Device, DeviceFailure, DeviceRendering};
+pub use device::{Device, DeviceFailure, OnDevice};
 pub use direction::Direction;
 pub use error::{Error, UnusableImage};
 pub use folder_error::FolderError;

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use capwalk::optimize::parse_duration;
-use capwalk::{SensorChoice, Setting};
+use capwalk::{Device, SensorChoice, Setting};
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 #[cfg(feature = "paper")]
@@ -53,7 +53,7 @@ pub enum Command {
     /// Writes SCENE-gradient.exr (value, gradient and their standard errors)
     /// and SCENE-gradient.png (blue negative, white zero, red positive)
     /// unless -o says otherwise.
-    Gradient(Gradient),
+    Gradient(GradientOn),
     /// Differentiate a loss with respect to many parameters at once
     ///
     /// The loss is given by its derivative with respect to every pixel
@@ -94,7 +94,7 @@ impl Command {
     pub fn threads(&self) -> Option<usize> {
         match self {
             Self::Render(args) => args.sampling.threads,
-            Self::Gradient(args) => args.sampling.threads,
+            Self::Gradient(args) => args.gradient.sampling.threads,
             Self::Backward(args) => args.sampling.threads,
             Self::Check(args) => args.gradient.sampling.threads,
             Self::Optimize(args) => args.threads,
@@ -310,6 +310,16 @@ pub enum DeviceName {
     Gpu,
 }
 
+impl From<DeviceName> for Device {
+    fn from(name: DeviceName) -> Self {
+        match name {
+            DeviceName::Auto => Self::Auto,
+            DeviceName::Cpu => Self::Cpu,
+            DeviceName::Gpu => Self::Gpu,
+        }
+    }
+}
+
 #[derive(Args, Debug)]
 pub struct Gradient {
     #[command(flatten)]
@@ -332,6 +342,17 @@ pub struct Gradient {
     pub adaptive: bool,
     #[command(flatten)]
     pub output: OutputArgs,
+}
+
+/// A gradient, and where it is computed.
+#[derive(Args, Debug)]
+pub struct GradientOn {
+    #[command(flatten)]
+    pub gradient: Gradient,
+    /// Where to compute: GPUs have derivatives by colours and texels; equal seeds give equal bits
+    /// on one device
+    #[arg(long, value_name = "DEVICE", default_value = "cpu")]
+    pub device: DeviceName,
 }
 
 /// What is differentiated.
@@ -383,6 +404,10 @@ pub struct Backward {
     pub method: MethodArgs,
     #[command(flatten)]
     pub sampling: SamplingArgs,
+    /// Where to compute: GPUs have derivatives by colours and texels; equal seeds give equal bits
+    /// on one device
+    #[arg(long, value_name = "DEVICE", default_value = "cpu")]
+    pub device: DeviceName,
     /// Output file (.npz)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

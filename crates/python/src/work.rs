@@ -187,11 +187,7 @@ pub fn render<'py>(
     let image = run(py, scene, &options, &[], |prepared, watch| {
         prepared.render_on(device, &sampling, watch)
     })?;
-    Ok((
-        of_render(py, &image.rendering)?,
-        image.adapter,
-        image.remark,
-    ))
+    Ok((of_render(py, &image.result)?, image.adapter, image.remark))
 }
 
 /// The image, its derivative, the method and what was done.

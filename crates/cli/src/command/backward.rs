@@ -8,7 +8,7 @@ use anyhow::{Result, anyhow, bail, ensure};
 use capwalk::params::shape_text;
 use capwalk::scene_io::arrays::{self, Array, Arrays, METADATA};
 use capwalk::{
-    Distance, Error, GradientOptions, Gradients, Image, ImageLoss, Loss, ParameterGradient,
+    Chosen, Distance, Error, GradientOptions, Gradients, Image, ImageLoss, Loss, ParameterGradient,
     Prepared, Refusal, RenderOptions, Scene, read_layer,
 };
 use serde_json::{Value, json};
@@ -52,10 +52,8 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         limit.saturating_sub(used.unwrap_or_default())
     });
     let progress = Progress::new("gradient", rest);
-    let differentiate = |names: &[String]| -> Result<_, Error> {
-        let chosen = prepared.choose_backward(adjoint, names, &options, &progress)?;
-        let gradients = prepared.backward(adjoint, names, &chosen.options, &progress)?;
-        Ok((chosen, gradients))
+    let differentiate = |names: &[String]| {
+        prepared.backward_on(args.device.into(), adjoint, names, &options, &progress)
     };
     let mut result = differentiate(&names);
     // That nobody asked for what is refused shows with the first samples only.
@@ -73,13 +71,21 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     if let Some(text) = left_out {
         console::remark(&text);
     }
-    let (chosen, gradients) = result.map_err(|error| match error {
+    let found = result.map_err(|error| match error {
         Error::Refused(refusal @ Refusal::SpecularMotion { .. }) => anyhow!(
             "{refusal}\n  help: --allow-missing specular leaves it out and says so; arrays of \
              colours and texels (-p NAME) need neither"
         ),
         error => error.into(),
     })?;
+    if let Some(remark) = &found.remark {
+        console::remark(&format!("{remark}\n"));
+    }
+    let gradients = found.result;
+    let chosen = found.chosen.unwrap_or(Chosen {
+        options,
+        trials: Vec::new(),
+    });
     let options = chosen.options;
     let statistics = &gradients.statistics;
     if statistics.samples == 0 {
@@ -105,6 +111,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
             "seed": options.seed,
             "method": options.method.name(),
             "choice": method::choice_json(&chosen),
+            "device": found.adapter.as_deref().unwrap_or("cpu"),
             "loss": loss.as_ref().map(MeasuredLoss::to_json),
             "parameters": gradients.iter().map(to_json).collect::<Vec<_>>(),
             "statistics": report::statistics_json(statistics, elapsed),

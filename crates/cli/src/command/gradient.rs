@@ -1,18 +1,23 @@
 //! `capwalk gradient`: the derivative of an image with respect to one parameter.
 
-use anyhow::{Result, ensure};
+use anyhow::{Result, bail, ensure};
 use capwalk::scene_io::image::LayeredImage;
-use capwalk::{Chosen, DifferenceOptions, Error, GradientImage, RenderOptions};
+use capwalk::{Chosen, DifferenceOptions, GradientImage, RenderOptions};
 use serde_json::json;
 
-use crate::args::{Gradient, MethodName, SceneArgs};
+use crate::args::{DeviceName, Gradient, GradientOn, MethodName, SceneArgs};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::{self, Files};
 use crate::progress::Progress;
 use crate::{console, direction, method, report, source};
 
-pub fn run(args: &Gradient) -> Result<Outcome> {
+pub fn run(
+    GradientOn {
+        gradient: args,
+        device,
+    }: &GradientOn,
+) -> Result<Outcome> {
     let prepared = source::load(&args.scene)?;
     let scene = prepared.scene();
     let tangent = direction::tangent(&prepared, &args.tangent)?;
@@ -26,14 +31,24 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
 
     let mut way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
     let progress = Progress::new("gradient", args.sampling.time_limit);
+    let mut place = Place::default();
     let result = match &mut way {
         Way::Samples(chosen) => {
-            let work = prepared.gradient_work(&tangent, &chosen.options)?;
-            let image = work.chosen(&progress).and_then(|found| {
-                *chosen = found;
-                work.whole(&progress)
-            });
-            image.map_err(Error::from)
+            let device = (*device).into();
+            let found = prepared.gradient_on(device, &tangent, &chosen.options, &progress);
+            found.map(|found| {
+                place = Place {
+                    adapter: found.adapter,
+                    remark: found.remark,
+                };
+                if let Some(found) = found.chosen {
+                    *chosen = found;
+                }
+                found.result
+            })
+        }
+        Way::Differences { .. } if *device == DeviceName::Gpu => {
+            bail!("--method fd has no GPU: leave out --device, or take another method")
         }
         Way::Differences { step } => {
             let options = DifferenceOptions {
@@ -47,12 +62,18 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
     };
     let elapsed = progress.finish().as_secs_f64();
     let result = result?;
+    if let Some(remark) = &place.remark {
+        console::remark(&format!("{remark}\n"));
+    }
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
     let parameter = direction::describe(&args.tangent);
     let mut layered = layered(&args.scene, &parameter, way.name(), &options, &result);
     if let Some(step) = way.step() {
         output::note(&mut layered, "step", step);
+    }
+    if let Some(adapter) = &place.adapter {
+        output::note(&mut layered, "device", adapter);
     }
     // A picture of a part says so.
     let title = output::gradient_title(statistics);
@@ -76,6 +97,7 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
             "method": way.name(),
             "choice": way.chosen().map(method::choice_json),
             "step": way.step(),
+            "device": place.adapter.as_deref().unwrap_or("cpu"),
             "mean": report::mean_colour(&value.mean),
             "mean_gradient": report::mean_colour(&gradient.mean),
             "variance_per_sample": variance,
@@ -95,6 +117,13 @@ pub fn run(args: &Gradient) -> Result<Outcome> {
         ))?;
     }
     Ok(report::outcome(&[statistics]))
+}
+
+/// Where the gradient was computed: on a GPU of this name, or why not.
+#[derive(Default)]
+struct Place {
+    adapter: Option<String>,
+    remark: Option<String>,
 }
 
 /// How the gradient is made.

@@ -1,10 +1,10 @@
 //! `capwalk render`: an image.
 
 use anyhow::Result;
-use capwalk::{Device, RenderOptions};
+use capwalk::RenderOptions;
 use serde_json::json;
 
-use crate::args::{DeviceName, Render};
+use crate::args::Render;
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::{self, Files};
@@ -23,17 +23,12 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let files = Files::new(&args.output.output, &stem, &["exr", "png"])?;
 
     let progress = Progress::new("render", args.sampling.time_limit);
-    let device = match args.device {
-        DeviceName::Auto => Device::Auto,
-        DeviceName::Cpu => Device::Cpu,
-        DeviceName::Gpu => Device::Gpu,
-    };
-    let found = prepared.render_on(device, &options, &progress)?;
+    let found = prepared.render_on(args.device.into(), &options, &progress)?;
     let elapsed = progress.finish().as_secs_f64();
     if let Some(remark) = &found.remark {
         console::remark(&format!("{remark}\n"));
     }
-    let (rendering, adapter) = (found.rendering, found.adapter);
+    let (rendering, adapter) = (found.result, found.adapter);
 
     let (value, statistics) = (&rendering.value, &rendering.statistics);
     let mut layered = output::layered("render", &args.scene, None, &options);

@@ -1,4 +1,4 @@
-//! `render --device` with the feature `gpu`.
+//! `--device` of `render`, `gradient` and `backward` with the feature `gpu`.
 
 use crate::{Capwalk, assert_has};
 
@@ -33,4 +33,48 @@ fn images_come_from_the_device_that_is_asked_for() {
         &["shape \"block\" is a dielectric", "--device cpu"],
     );
     assert!(!capwalk.folder.join("glass.exr").exists());
+}
+
+/// Derivatives by colours and by what emitters send; what moves is named.
+#[test]
+fn derivatives_come_from_the_device_that_is_asked_for() {
+    let capwalk = Capwalk::new("device_derivatives");
+    let gradient = "gradient leaf --spp 4 --size 16x12 --json -p";
+    let colour = "floor.bsdf.reflectance.value";
+    let cpu = capwalk.json(&format!("{gradient} 1*{colour} -o cpu.exr"));
+    assert_eq!(cpu["device"], "cpu");
+    let gpu = capwalk.run(&format!("{gradient} 1*{colour} --device gpu -o gpu.exr"));
+    if gpu.status != 0 && gpu.stderr.contains("no GPU") {
+        let is_required = std::env::var("CAPWALK_GPU_TESTS").is_ok_and(|value| value == "require");
+        assert!(!is_required, "{}", gpu.stderr);
+        return;
+    }
+    let gpu: serde_json::Value = serde_json::from_str(&gpu.stdout).expect("JSON");
+    assert_ne!(gpu["device"], "cpu");
+    for what in ["mean", "mean_gradient"] {
+        for channel in 0..3 {
+            let [a, b] = [&gpu, &cpu].map(|json| json[what][channel].as_f64().expect("a number"));
+            assert!((a - b).abs() <= 1e-4 * b.abs(), "{what}: {a} {b}");
+        }
+    }
+    let backward = "backward leaf --spp 4 --size 16x12 --json --loss l2 --target cpu.exr";
+    let [cpu, gpu] = ["cpu", "gpu"].map(|device| {
+        capwalk.json(&format!(
+            "{backward} -p {colour} lamp.emitter.radiance.value --device {device} -o {device}.npz"
+        ))
+    });
+    assert_eq!(gpu["statistics"]["samples"], cpu["statistics"]["samples"]);
+    for parameter in 0..2 {
+        let [a, b] = [&gpu, &cpu].map(|json| {
+            let size = &json["parameters"][parameter]["norm"];
+            size.as_f64().expect("a number")
+        });
+        assert!((a - b).abs() <= 1e-4 * b, "{a} {b}");
+    }
+    let moving = format!("{gradient} leaf.translate.x --device gpu -o moving.exr");
+    assert_has(
+        &capwalk.error(&moving),
+        &["shape \"leaf\" moves", "not on the GPU", "--device cpu"],
+    );
+    assert!(!capwalk.folder.join("moving.exr").exists());
 }

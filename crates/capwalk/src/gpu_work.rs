@@ -1,32 +1,75 @@
-//! Images from a GPU.
+//! Images and derivatives from a GPU.
 
-use capwalk_diff::{PreparedScene, RenderOptions, Watch};
+use capwalk_diff::{
+    Backward, GradientImage, GradientOptions, PreparedScene, RenderOptions, Rendering, Wanted,
+    Watch,
+};
 use capwalk_gpu::{GpuError, Precision};
 use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
+use capwalk_scene::{Image, Tangent};
 
 use crate::device::{Device, DeviceFailure, Found};
+use crate::error::Error;
 use crate::shared_gpu::{give_up, shared_gpu};
 
-/// The image of a scene from the GPU that is found. The processor, for [`Device::Auto`], where
-/// there is none, or where it has not all that the scene needs.
+/// The image of a scene, see [`found`].
 pub fn image(
     prepared: &PreparedScene,
     device: Device,
     options: &RenderOptions,
     watch: &dyn Watch,
-) -> Result<Found, DeviceFailure> {
+) -> Result<Found<Rendering>, Error> {
+    found(prepared, device, |scene| scene.render(options, watch))
+}
+
+/// The derivative of an image along a tangent, see [`found`].
+pub fn gradient(
+    prepared: &PreparedScene,
+    device: Device,
+    tangent: &Tangent,
+    options: &GradientOptions,
+    watch: &dyn Watch,
+) -> Result<Found<GradientImage>, Error> {
+    found(prepared, device, |scene| {
+        scene.gradient(tangent, options, watch)
+    })
+}
+
+/// The gradient of `Σ adjoint · image` in what is wanted, see [`found`].
+pub fn backward(
+    prepared: &PreparedScene,
+    device: Device,
+    (adjoint, wanted): (&Image, &Wanted),
+    options: &GradientOptions,
+    watch: &dyn Watch,
+) -> Result<Found<Backward>, Error> {
+    found(prepared, device, |scene| {
+        scene.backward(adjoint, wanted, options, watch)
+    })
+}
+
+/// What the GPU that is found computes. The processor, for [`Device::Cpu`], and for
+/// [`Device::Auto`] where there is none, or where it has not all that is needed.
+fn found<T>(
+    prepared: &PreparedScene,
+    device: Device,
+    compute: impl FnOnce(&DeviceScene) -> Result<T, DeviceError>,
+) -> Result<Found<T>, Error> {
+    if device == Device::Cpu {
+        return Ok(Found::Processor { remark: None });
+    }
     let may_fall_back = device == Device::Auto;
     let on_processor = |remark: Option<String>| Ok(Found::Processor { remark });
     // Whether there is a GPU or not.
     if let Some(missing) = unsupported(prepared).filter(|_| !may_fall_back) {
-        return Err(DeviceError::from(missing).into());
+        return Err(failure(missing.into()));
     }
     let gpu = match shared_gpu() {
         Ok(gpu) if may_fall_back && gpu.is_software() => return on_processor(None),
         Ok(gpu) => gpu,
         Err(GpuError::NoAdapter { .. }) if may_fall_back => return on_processor(None),
         Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
-        Err(error) => return Err(DeviceError::Gpu(error).into()),
+        Err(error) => return Err(failure(error.into())),
     };
     // Shadows of what touches have gaps in single precision.
     if may_fall_back && gpu.precision() == Precision::Single {
@@ -44,22 +87,30 @@ pub fn image(
             return on_processor(Some(remark(&missing.what)));
         }
         Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
-        Err(error) => return Err(error.into()),
+        Err(error) => return Err(failure(error)),
     };
-    match scene.render(options, watch).map_err(noted) {
-        Ok(rendering) => Ok(Found::Image {
-            rendering,
+    match compute(&scene).map_err(noted) {
+        Ok(result) => Ok(Found::There {
+            result,
             adapter: gpu.name().to_owned(),
         }),
         Err(DeviceError::Unsupported(missing)) if may_fall_back => {
             on_processor(Some(remark(&missing.what)))
         }
-        Err(error) => Err(error.into()),
+        Err(error) => Err(failure(error)),
+    }
+}
+
+/// What the processor would refuse as well is no failure of the device.
+fn failure(error: DeviceError) -> Error {
+    match error {
+        DeviceError::Refused(refusal) => Error::Refused(refusal),
+        error => DeviceFailure::from(error).into(),
     }
 }
 
 fn remark(why: &dyn std::fmt::Display) -> String {
-    format!("rendered on the CPU, not on the GPU: {why}")
+    format!("computed on the CPU, not on the GPU: {why}")
 }
 
 #[cfg(test)]
@@ -70,7 +121,7 @@ mod tests {
 
     use super::*;
     use crate::shared_gpu::tests::device_alone;
-    use crate::{Error, Loader, Prepared, Unwatched};
+    use crate::{Loader, Prepared, Unwatched};
 
     /// Loses the device when the image has begun.
     struct Unplugs(Arc<Gpu>);
@@ -103,7 +154,7 @@ mod tests {
             )))
         ));
         let after = image(&Unwatched).expect("it is opened again");
-        assert_eq!(after.rendering.value, before.rendering.value);
+        assert_eq!(after.result.value, before.result.value);
         assert!(!Arc::ptr_eq(&gpu, &shared_gpu().expect("it is open")));
     }
 }
