@@ -24,7 +24,7 @@
 //! kernels carry a derivative beside each colour, and of a loss by all of them at once
 //! ([`DeviceScene::backward`]), whose kernels keep the vertices of paths and go back along them.
 //!
-//! What a scene may have is little yet: see [`unsupported()`].
+//! What a scene may have is not all yet: see [`unsupported()`].
 
 mod averages;
 mod camera_rays;

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use capwalk_gpu::Precision;
 use capwalk_render::PreparedScene;
-use capwalk_scene::{Emitter, Scene};
+use capwalk_scene::{Emitter, Scene, ShadingNormals, ShapeId};
 
 use crate::beside::compare;
 
-/// A ball and a floor of a material, under a sky and a rectangle that emits.
+/// A ball, a floor and a wall of a material, under a sky and a rectangle that emits.
 fn scene(material: &str, sky: &str, integrator: &str) -> Scene {
     let text = format!(
         r#"<scene version="3.0.0">
@@ -59,12 +59,26 @@ fn scene(material: &str, sky: &str, integrator: &str) -> Scene {
     );
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/parity");
     let loaded = capwalk_scene_io::load_scene_str(&text, &folder, "material", &[]);
-    loaded.unwrap_or_else(|error| panic!("{error}")).scene
+    let mut scene = loaded.unwrap_or_else(|error| panic!("{error}")).scene;
+    // Normals of the wall turn away from the camera, which sees the face.
+    let wall = scene.shapes.iter().position(|shape| shape.id == "wall");
+    let wall = scene.shape_mut(ShapeId(wall.expect("there is a wall") as u32));
+    let [a, b, c] = wall.mesh.corners(0);
+    let along = (b - a).normalized();
+    let across = (b - a).cross(c - a).normalized();
+    let count = wall.mesh.positions.len();
+    wall.normals = ShadingNormals::Given(vec![(along + across * 0.2).normalized(); count]);
+    scene
 }
 
 const PATHS: &str = r#"<integrator type="path">
     <integer name="max_depth" value="5"/>
     <integer name="rr_depth" value="2"/>
+  </integrator>"#;
+
+const DIRECT: &str = r#"<integrator type="direct">
+    <integer name="emitter_samples" value="3"/>
+    <integer name="bsdf_samples" value="2"/>
   </integrator>"#;
 
 const GREY: &str =
@@ -89,7 +103,14 @@ fn string(name: &str, value: &str) -> String {
     format!(r#"<string name="{name}" value="{value}"/>"#)
 }
 
-const DISTRIBUTIONS: [&str; 2] = ["beckmann", "ggx"];
+/// A sky and an integrator.
+type Surroundings = [&'static str; 2];
+const OUTDOORS: Surroundings = [GREY, PATHS];
+/// Where a surface is diffuse, points on the emitter alone are sampled.
+const ONE_EMITTER: Surroundings = ["", DIRECT];
+
+/// Each in surroundings of its own.
+const DISTRIBUTIONS: [(&str, Surroundings); 2] = [("beckmann", OUTDOORS), ("ggx", ONE_EMITTER)];
 
 /// Fails if a scene's samples are not the processor's.
 fn check(scene: Scene, what: &str) {
@@ -99,9 +120,9 @@ fn check(scene: Scene, what: &str) {
     }
 }
 
-fn check_material(kind: &str, content: &str) {
+fn check_material(kind: &str, content: &str, [sky, integrator]: Surroundings) {
     let material = two_sided(kind, content);
-    check(scene(&material, GREY, PATHS), &material);
+    check(scene(&material, sky, integrator), &material);
 }
 
 #[test]
@@ -115,8 +136,8 @@ fn metals_have_any_index_and_roughness() {
     .concat();
     let glassy = [number("eta", 1.02), number("k", 0.0)].concat();
     for metal in [gold, textured, glassy] {
-        check_material("conductor", &metal);
-        for distribution in DISTRIBUTIONS {
+        check_material("conductor", &metal, OUTDOORS);
+        for (distribution, surroundings) in DISTRIBUTIONS {
             let turned = [number("alpha_u", 0.08), number("alpha_v", 0.6)].concat();
             let alpha = |alpha| number("alpha", alpha);
             for alpha in [
@@ -127,7 +148,7 @@ fn metals_have_any_index_and_roughness() {
             ] {
                 let distribution = string("distribution", distribution);
                 let rough = [&*metal, &distribution, &alpha].concat();
-                check_material("roughconductor", &rough);
+                check_material("roughconductor", &rough, surroundings);
             }
         }
     }
@@ -150,11 +171,12 @@ fn plastics_have_any_index_and_roughness() {
                 &number("ext_ior", outside),
             ]
             .concat();
-            check_material("plastic", &coat);
-            for (distribution, alpha) in DISTRIBUTIONS.into_iter().zip([0.05, 0.5]) {
+            check_material("plastic", &coat, OUTDOORS);
+            for ((distribution, surroundings), alpha) in DISTRIBUTIONS.into_iter().zip([0.05, 0.5])
+            {
                 let facets = [string("distribution", distribution), number("alpha", alpha)];
                 let rough = [&*coat, &facets.concat()].concat();
-                check_material("roughplastic", &rough);
+                check_material("roughplastic", &rough, surroundings);
             }
         }
     }
@@ -169,10 +191,6 @@ fn maps_are_drawn_beside_other_emitters() {
       <transform name="to_world"><rotate x="0.6" y="0.8" angle="170"/></transform>
       <float name="scale" value="0.7"/>
     </emitter>"#;
-    const DIRECT: &str = r#"<integrator type="direct">
-      <integer name="emitter_samples" value="3"/>
-      <integer name="bsdf_samples" value="2"/>
-    </integrator>"#;
     const HIDDEN: &str =
         r#"<integrator type="path"><boolean name="hide_emitters" value="true"/></integrator>"#;
     let plain: fn(&mut [f64]) = |_| ();

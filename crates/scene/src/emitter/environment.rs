@@ -131,11 +131,6 @@ impl EnvironmentTable {
         })
     }
 
-    /// The map.
-    pub fn map(&self) -> &EnvironmentMap {
-        &self.map
-    }
-
     /// Sums of the cells' chances up to each row of cells and with it, of which there is one less
     /// than of texels.
     pub fn row_sums(&self) -> &[f64] {
