@@ -67,11 +67,13 @@ def render(
     scene: Scene, options: Options, device: str
 ) -> tuple[tuple[_Estimate, _Statistics], str | None, str | None]: ...
 def gradient(
-    scene: Scene, along: _Along, options: Options
-) -> tuple[_Estimate, _Estimate, _Method, _Statistics]: ...
+    scene: Scene, along: _Along, options: Options, device: str
+) -> tuple[tuple[_Estimate, _Estimate, _Method, _Statistics], str | None, str | None]: ...
 def backward(
-    scene: Scene, adjoint: _Array, names: list[str], options: Options
-) -> tuple[dict[str, _Array], dict[str, _Array], _Method, _Statistics]: ...
+    scene: Scene, adjoint: _Array, names: list[str], options: Options, device: str
+) -> tuple[
+    tuple[dict[str, _Array], dict[str, _Array], _Method, _Statistics], str | None, str | None
+]: ...
 def check(
     scene: Scene,
     along: _Along,

@@ -43,6 +43,17 @@ def load_string(text: str, folder: str | os.PathLike[str] = ".", /, **defines: o
     return warned(_capwalk.load_string(text, os.fspath(folder), _texts(defines)))
 
 
+def check_device(device: object) -> None:
+    if not isinstance(device, str):
+        raise TypeError(f"device is {device!r}; expected a name")
+
+
+def warn_of_device(remark: str | None) -> None:
+    """For the caller of the function that calls this."""
+    if remark is not None:
+        warnings.warn(remark, DeviceWarning, stacklevel=3)
+
+
 def render(
     scene: Scene,
     *,
@@ -67,7 +78,7 @@ def render(
     :param threads: worker threads; by default all cores.
     :param progress: ``True`` for a bar, or a function of what is done and what there is to do.
     :param device: ``"cpu"``, the processor; ``"gpu"``, a GPU or software Vulkan, for scenes with
-        diffuse surfaces, area emitters and constant environments; or ``"auto"``, a GPU with double
+        diffuse surfaces, metals, plastics, area emitters and environments; or ``"auto"``, a GPU with double
         precision if there is one that has all that the scene needs, else the processor, with a
         :class:`DeviceWarning` that says why if there is a GPU. A GPU takes the samples of the
         processor and rounds differently: nearly all of them agree within 0.02 %.
@@ -76,14 +87,12 @@ def render(
         message names; a device of another name.
     :raises DeviceError: ``"gpu"`` where there is none; a GPU that fails.
     """
-    if not isinstance(device, str):
-        raise TypeError(f"device is {device!r}; expected a name")
+    check_device(device)
     with shown(progress, "render") as told:
         asked = options(scene, sensor, spp, seed, aov=aov, threads=threads, progress=told)
         ((value, stderr), statistics), adapter, remark = _capwalk.render(scene, asked, device)
     warn_of(statistics)
-    if remark is not None:
-        warnings.warn(remark, DeviceWarning, stacklevel=2)
+    warn_of_device(remark)
     return Picture(value, stderr, statistics, adapter or "cpu")
 
 
@@ -102,6 +111,7 @@ def gradient(
     max_angle: float | None = None,
     antithetic: bool | None = None,
     allow_missing: Sequence[str] = (),
+    device: str = "cpu",
 ) -> Slope:
     """The derivative of the image along one direction (forward mode), without bias, with its
     standard errors.
@@ -123,11 +133,15 @@ def gradient(
         are seen in curved mirrors, through refracting glass, or after many reflections, instead of
         refusing the derivative; ``statistics["missing"]`` is the share of the radiance that
         arrives by paths with such events, whether something moves there or not.
+    :param device: see :func:`render`. GPUs have derivatives by the colours of materials
+        (``reflectance``, ``diffuse_reflectance``, ``specular_reflectance``) and by what emitters
+        send; for what moves, ``"auto"`` takes the processor.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
     :raises ParameterError: a name means no parameter.
     :raises ArgumentError: velocities of another shape than the array's, and all else.
     """
+    check_device(device)
     with shown(progress, "gradient") as told:
         asked = options(
             scene,
@@ -143,9 +157,11 @@ def gradient(
             antithetic=antithetic,
             allow_missing=allow_missing,
         )
-        value, slope, chosen, statistics = _capwalk.gradient(scene, direction(along), asked)
+        found, adapter, remark = _capwalk.gradient(scene, direction(along), asked, device)
+    value, slope, chosen, statistics = found
     warn_of(statistics)
-    return Slope(*slope, *value, Method(*chosen), statistics)
+    warn_of_device(remark)
+    return Slope(*slope, *value, Method(*chosen), statistics, adapter or "cpu")
 
 
 def backward(
@@ -164,6 +180,7 @@ def backward(
     max_angle: float | None = None,
     antithetic: bool | None = None,
     allow_missing: Sequence[str] = (),
+    device: str = "cpu",
 ) -> Gradients:
     """The gradient of ``(adjoint * image).sum()`` with respect to arrays of the scene, all in
     one pass (reverse mode), without bias.
@@ -180,6 +197,7 @@ def backward(
 
     The other parameters, and what is raised, are those of :func:`gradient`.
     """
+    check_device(device)
     with shown(progress, "backward") as told:
         asked = options(
             scene,
@@ -197,11 +215,13 @@ def backward(
             allow_missing=allow_missing,
         )
         wanted = wanted_names(scene, names, asked.sensor)
-        values, errors, chosen, statistics = _capwalk.backward(
-            scene, numbers("adjoint", adjoint), wanted, asked
+        found, adapter, remark = _capwalk.backward(
+            scene, numbers("adjoint", adjoint), wanted, asked, device
         )
+    values, errors, chosen, statistics = found
     warn_of(statistics)
-    return Gradients(values, errors, Method(*chosen), statistics)
+    warn_of_device(remark)
+    return Gradients(values, errors, Method(*chosen), statistics, adapter or "cpu")
 
 
 def check(

@@ -64,6 +64,8 @@ class Slope:
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``; and what is
     left out (``allow_missing``): ``missing``, the share of the radiance that arrives by
     paths with such events, moving or not, with its standard error, or ``None``."""
+    device: str = "cpu"
+    """Where it was computed: ``"cpu"``, or the name of the GPU."""
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)
@@ -87,10 +89,10 @@ class Slope:
         # A preview shows one layer.
         if os.fspath(path).lower().endswith(".png"):
             layers = layers[:1]
-        notes = []
+        notes = [] if self.device == "cpu" else [("device", self.device)]
         if self.statistics["missing"] is not None:
             share, stderr = self.statistics["missing"]
-            notes = [("missing", "specular"), ("missing_share", str(share))]
+            notes += [("missing", "specular"), ("missing_share", str(share))]
             notes.append(("missing_share_stderr", str(stderr)))
         _capwalk.write_images(os.fspath(path), layers, notes)
 
@@ -107,6 +109,8 @@ class Gradients(dict[str, Array]):
     """The method that was chosen; of several views that of the first which was sampled."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``, ``missing``."""
+    device: str
+    """Where it was computed: ``"cpu"``, or the name of the GPU."""
 
     def __init__(
         self,
@@ -114,9 +118,11 @@ class Gradients(dict[str, Array]):
         stderr: Mapping[str, Array],
         method: Method,
         statistics: Mapping[str, Any],
+        device: str = "cpu",
     ) -> None:
         super().__init__(values)
         self.stderr, self.method, self.statistics = dict(stderr), method, statistics
+        self.device = device
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -104,6 +104,27 @@ def test_auto_says_why_it_was_the_processor(scene: cw.Scene, adapter: str) -> No
         assert "a dielectric" in str(caught[0].message) and caught[0].filename == __file__
 
 
+def test_derivatives_by_colours_are_those_of_the_processor(scene: cw.Scene, adapter: str) -> None:
+    name = "floor.bsdf.reflectance.value"
+    adjoint = np.random.default_rng(1).random((*cw.render(scene, spp=1).value.shape,))
+    slopes = [cw.gradient(scene, f"1*{name}", seed=3, device=device) for device in ("cpu", "gpu")]
+    assert [slope.device for slope in slopes] == ["cpu", adapter]
+    for cpu, gpu in [[slope.gradient for slope in slopes], [slope.stderr for slope in slopes]]:
+        assert np.isclose(gpu, cpu, rtol=1e-3, atol=1e-4).mean() > 0.99
+    found = [
+        cw.backward(scene, adjoint, [name], seed=3, device=device) for device in ("cpu", "gpu")
+    ]
+    assert [gradients.device for gradients in found] == ["cpu", adapter]
+    cpu, gpu = (gradients[name] for gradients in found)
+    assert np.allclose(gpu, cpu, rtol=1e-3) and not np.array_equal(gpu, cpu)
+    # The same samples, backwards and forwards.
+    assert np.isclose(gpu.sum(), (adjoint * slopes[1].gradient).sum(), rtol=1e-4)
+    # What moves is for the processor.
+    with pytest.raises(cw.ArgumentError, match='shape "box" moves'):
+        cw.gradient(scene, "box.translate.x", device="gpu")
+    assert cw.gradient(scene, "box.translate.x", spp=1, device="auto").device == "cpu"
+
+
 def test_what_a_gpu_does_not_have_is_refused_by_name(scene: cw.Scene, built: None) -> None:
     # Whether there is one or not.
     with pytest.raises(cw.ArgumentError, match='"box" is a dielectric: not on the GPU yet') as error:

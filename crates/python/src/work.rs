@@ -166,23 +166,30 @@ pub fn check_options(py: Python<'_>, options: Options<'_>) -> PyResult<()> {
     Ok(())
 }
 
-/// The image and what was done; the GPU's name, or why it was the processor if a GPU could have
-/// been meant.
-#[pyfunction]
-pub fn render<'py>(
-    py: Python<'py>,
-    scene: &Scene,
-    options: Options<'py>,
-    device: &str,
-) -> PyResult<(OfRender<'py>, Option<String>, Option<String>)> {
-    let device = Device::named(device).ok_or_else(|| {
+/// What was asked for; the GPU's name, or why it was the processor if a GPU could have been meant.
+type There<T> = (T, Option<String>, Option<String>);
+
+/// The device of this name.
+fn named(py: Python<'_>, device: &str) -> PyResult<Device> {
+    Device::named(device).ok_or_else(|| {
         let names: Vec<_> = Device::NAMES.iter().map(|(name, _)| *name).collect();
         let names = names.join(", ");
         errors::argument(
             py,
             format!("there is no device \"{device}\"; there are {names}"),
         )
-    })?;
+    })
+}
+
+/// The image and what was done, and where.
+#[pyfunction]
+pub fn render<'py>(
+    py: Python<'py>,
+    scene: &Scene,
+    options: Options<'py>,
+    device: &str,
+) -> PyResult<There<OfRender<'py>>> {
+    let device = named(py, device)?;
     let sampling = options.sampling();
     let image = run(py, scene, &options, &[], |prepared, watch| {
         prepared.render_on(device, &sampling, watch)
@@ -190,25 +197,27 @@ pub fn render<'py>(
     Ok((of_render(py, &image.result)?, image.adapter, image.remark))
 }
 
-/// The image, its derivative, the method and what was done.
+/// The image, its derivative, the method and what was done, and where.
 #[pyfunction]
 pub fn gradient<'py>(
     py: Python<'py>,
     scene: &Scene,
     along: Along<'py>,
     options: Options<'py>,
-) -> PyResult<OfGradient<'py>> {
-    let asked = options.gradient(py)?;
+    device: &str,
+) -> PyResult<There<OfGradient<'py>>> {
+    let (device, asked) = (named(py, device)?, options.gradient(py)?);
     let motion = Motion::from(along);
-    let (image, options) = run(py, scene, &options, &motion.names(), |prepared, watch| {
+    let image = run(py, scene, &options, &motion.names(), |prepared, watch| {
         let tangent = motion.tangent(prepared)?;
-        let work = prepared.gradient_work(&tangent, &asked)?;
-        Ok((work.whole(watch)?, work.chosen(watch)?.options))
+        prepared.gradient_on(device, &tangent, &asked, watch)
     })?;
-    of_gradient(py, &image, &options)
+    let options = image.chosen.map_or(asked, |chosen| chosen.options);
+    let result = of_gradient(py, &image.result, &options)?;
+    Ok((result, image.adapter, image.remark))
 }
 
-/// The gradient of a loss and its standard errors by names, and what was done.
+/// The gradient of a loss and its standard errors by names, and what was done, and where.
 #[pyfunction]
 pub fn backward<'py>(
     py: Python<'py>,
@@ -216,15 +225,17 @@ pub fn backward<'py>(
     adjoint: PyReadonlyArrayDyn<'py, f64>,
     names: Vec<String>,
     options: Options<'py>,
-) -> PyResult<OfBackward<'py>> {
-    let asked = options.gradient(py)?;
+    device: &str,
+) -> PyResult<There<OfBackward<'py>>> {
+    let (device, asked) = (named(py, device)?, options.gradient(py)?);
     let adjoint = arrays::to_image("the adjoint", &adjoint)?;
     let texts: Vec<&str> = names.iter().map(String::as_str).collect();
-    let (gradients, options) = run(py, scene, &options, &texts, |prepared, watch| {
-        let work = prepared.backward_work(&adjoint, &names, &asked)?;
-        Ok((work.whole(watch)?, work.chosen(watch)?.options))
+    let found = run(py, scene, &options, &texts, |prepared, watch| {
+        prepared.backward_on(device, &adjoint, &names, &asked, watch)
     })?;
-    of_backward(py, &gradients, &options)
+    let options = found.chosen.map_or(asked, |chosen| chosen.options);
+    let result = of_backward(py, &found.result, &options)?;
+    Ok((result, found.adapter, found.remark))
 }
 
 /// The gradient, its reference, and all numbers of their comparison.
