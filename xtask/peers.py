@@ -44,7 +44,7 @@ class Budget:
         self.rounds = 1 if quick else 3
         # Runs per round of an image, of a vector of few numbers.
         self.image_runs = 2
-        self.vector_runs = 2 if quick else 5
+        self.vector_runs = 2 if quick else 15
         # Seconds that a run of capwalk takes at least.
         self.image_seconds = 0.1 if quick else 0.6
         self.vector_seconds = 0.1 if quick else 0.3

@@ -142,8 +142,10 @@ def test_names_of_devices(scene: cw.Scene) -> None:
         cw.render(scene, device="cuda")
     with pytest.raises(TypeError, match="device is 0; expected a name"):
         cw.render(scene, device=0)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match='no device "cuda"'):
+        cw.gradient(scene, "box.translate.x", device="cuda")
     with pytest.raises(TypeError, match="device"):
-        cw.gradient(scene, "box.translate.x", device="gpu")  # type: ignore[call-arg]
+        cw.check(scene, "box.translate.x", device="gpu")  # type: ignore[call-arg]
 
 
 def test_a_package_without_the_gpu_says_so(scene: cw.Scene, found: str | cw.DeviceError) -> None:
