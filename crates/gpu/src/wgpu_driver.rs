@@ -17,8 +17,9 @@ pub struct WgpuDriver {
     layout: wgpu::BindGroupLayout,
     info: wgpu::AdapterInfo,
     largest: u64,
-    /// Those that were asked for, by the names of their kernels.
-    pipelines: Mutex<BTreeMap<(&'static str, usize), wgpu::ComputePipeline>>,
+    /// Those that were asked for, by the names of their kernels; each is compiled by one thread, for
+    /// which the others that want it wait.
+    pipelines: Mutex<BTreeMap<(&'static str, usize), Arc<Mutex<Option<wgpu::ComputePipeline>>>>>,
     lost: Arc<Mutex<Option<String>>>,
     /// What the last download came through: new memory would cost more than the copy.
     back: Mutex<Option<wgpu::Buffer>>,
@@ -272,8 +273,12 @@ impl WgpuDriver {
         kernel: &CompiledKernel,
         precision: Precision,
     ) -> Result<wgpu::ComputePipeline, Fault> {
-        let mut pipelines = locked(&self.pipelines);
-        if let Some(pipeline) = pipelines.get(&kernel.key()) {
+        let own = locked(&self.pipelines)
+            .entry(kernel.key())
+            .or_default()
+            .clone();
+        let mut own = locked(&own);
+        if let Some(pipeline) = &*own {
             return Ok(pipeline.clone());
         }
         let compiled = self.guarded(|| {
@@ -301,7 +306,7 @@ impl WgpuDriver {
                     cache: None,
                 })
         })?;
-        pipelines.insert(kernel.key(), compiled.clone());
+        *own = Some(compiled.clone());
         Ok(compiled)
     }
 }

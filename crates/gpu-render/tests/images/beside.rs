@@ -21,7 +21,7 @@ pub fn on_device(
     options: &RenderOptions,
     precision: Precision,
 ) -> Option<Rendering> {
-    let (gpu, _turn) = device::open(precision)?;
+    let gpu = device::open(precision)?;
     let scene = DeviceScene::new(gpu, prepared).expect("supported");
     Some(
         scene

@@ -118,7 +118,7 @@ fn compare_texels(ours: &Gradient, theirs: &Gradient) -> Result<(), String> {
 /// In every scene that the device can render, for all texels of all textures.
 #[test]
 fn derivatives_by_texels_are_the_processors() {
-    let Some((gpu, _turn)) = device::open(Precision::Double) else {
+    let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
     let mut compared = 0;
@@ -178,7 +178,7 @@ fn derivatives_by_texels_are_the_processors() {
 /// Neither image, nor derivatives, nor their errors: and they are those of many samples.
 #[test]
 fn parts_of_any_size_give_the_same_bits() {
-    let Some((gpu, _turn)) = device::open(Precision::Double) else {
+    let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
     let mut scene = scenes::scene("parity/bitmap_box.xml");
@@ -230,7 +230,7 @@ fn parts_of_any_size_give_the_same_bits() {
 /// Derivatives that are far larger than can be expected get larger units; nothing is cut off.
 #[test]
 fn large_derivatives_have_room() {
-    let Some((gpu, _turn)) = device::open(Precision::Double) else {
+    let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
     let mut scene = scenes::scene("parity/colour_bleeding.xml");
@@ -258,7 +258,7 @@ fn large_derivatives_have_room() {
 /// What moves is named.
 #[test]
 fn what_moves_is_refused() {
-    let Some((gpu, _turn)) = device::open(Precision::Double) else {
+    let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
     let prepared = PreparedScene::new(scenes::scene("parity/colour_bleeding.xml"));

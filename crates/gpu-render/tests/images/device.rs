@@ -1,18 +1,14 @@
 //! The devices that the tests run on.
 
 use std::io::Write;
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
+use std::sync::{Arc, OnceLock};
 
 use capwalk_gpu::{Gpu, GpuError, GpuOptions, Precision};
 
-/// One test at a time: drivers of software share the processor's cores anyway.
-static TURN: Mutex<()> = Mutex::new(());
-
-/// The device in a precision, for as long as nobody else uses one; `None`, after a note, where
-/// there is none, or none that has it. Opened once: kernels take long to compile.
-pub fn open(precision: Precision) -> Option<(&'static Arc<Gpu>, MutexGuard<'static, ()>)> {
+/// The device in a precision; `None`, after a note, where there is none, or none that has it.
+/// Opened once: kernels take long to compile.
+pub fn open(precision: Precision) -> Option<&'static Arc<Gpu>> {
     static DEVICES: [OnceLock<Option<Arc<Gpu>>>; 2] = [const { OnceLock::new() }; 2];
-    let turn = TURN.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
     let device = DEVICES[precision as usize].get_or_init(|| {
         let mut options = GpuOptions::default();
         options.precision = Some(precision);
@@ -25,7 +21,7 @@ pub fn open(precision: Precision) -> Option<(&'static Arc<Gpu>, MutexGuard<'stat
             Err(error) => panic!("{error}"),
         }
     });
-    device.as_ref().map(|gpu| (gpu, turn))
+    device.as_ref()
 }
 
 /// Says past the capture of output why tests are skipped.

@@ -28,7 +28,7 @@ impl Watch for Impatient {
 /// Work that is stopped gives what was done, in whole samples, and says how much that is.
 #[test]
 fn work_can_be_stopped() {
-    let Some((gpu, _turn)) = device::open(Precision::Double) else {
+    let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
     let prepared = PreparedScene::new(scenes::scene("parity/bitmap.xml"));
@@ -59,9 +59,9 @@ fn work_can_be_stopped() {
 /// A device that is lost gives errors, before and after the scene is there.
 #[test]
 fn lost_devices_are_errors() {
-    let Some((_, _turn)) = device::open(Precision::Double) else {
+    if device::open(Precision::Double).is_none() {
         return;
-    };
+    }
     let gpu = Arc::new(Gpu::new(&GpuOptions::default()).expect("a device"));
     let prepared = PreparedScene::new(scenes::scene("parity/bitmap.xml"));
     let on_device = DeviceScene::new(&gpu, &prepared).expect("supported");
@@ -77,9 +77,9 @@ fn lost_devices_are_errors() {
 /// A scene that has no room in a buffer is an error that says so.
 #[test]
 fn scenes_that_are_too_large_are_errors() {
-    let Some((_, _turn)) = device::open(Precision::Double) else {
+    if device::open(Precision::Double).is_none() {
         return;
-    };
+    }
     let mut options = GpuOptions::default();
     options.largest_buffer = Some(1000);
     let gpu = Arc::new(Gpu::new(&options).expect("a device"));

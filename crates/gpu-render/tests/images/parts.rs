@@ -8,7 +8,7 @@ use crate::{device, scenes};
 
 #[test]
 fn parts_of_any_size_give_the_same_bits() {
-    let Some((gpu, _turn)) = device::open(Precision::Double) else {
+    let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
     let mut scene = scenes::scene("parity/colour_bleeding.xml");

@@ -52,7 +52,7 @@ fn what_is_missing_is_named() {
 /// Before anything is done, also where only options ask for it.
 #[test]
 fn adaptive_sampling_is_refused() {
-    let Some((gpu, _turn)) = device::open(Precision::Double) else {
+    let Some(gpu) = device::open(Precision::Double) else {
         return;
     };
     let mut scene = scenes::scene("parity/bitmap.xml");
