@@ -76,7 +76,7 @@ class UnreliableWarning(UserWarning):
 
 
 class DeviceWarning(UserWarning):
-    """An image from the processor where a GPU is there (``device="auto"``); the message says why."""
+    """Computed by the processor where a GPU is there (``device="auto"``); the message says why."""
 
 
 class SceneWarning(UserWarning):

@@ -32,8 +32,8 @@ pub struct OnDevice<T> {
     pub adapter: Option<String>,
     /// Why it was the processor, where a GPU was there and could have been meant.
     pub remark: Option<String>,
-    /// The method that the processor chose for a derivative. A GPU has those by colours and texels
-    /// alone, for which no method is needed.
+    /// The method of a derivative. A GPU has those with respect to colours and texels alone, where
+    /// all methods are one.
     pub chosen: Option<Chosen>,
 }
 

@@ -5,7 +5,7 @@ use capwalk_diff::{
     Watch,
 };
 use capwalk_gpu::{GpuError, Precision};
-use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
+use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported, unsupported_derivative};
 use capwalk_scene::{Image, Tangent};
 
 use crate::device::{Device, DeviceFailure, Found};
@@ -19,7 +19,7 @@ pub fn image(
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<Found<Rendering>, Error> {
-    found(prepared, device, |scene| scene.render(options, watch))
+    found(prepared, device, None, |scene| scene.render(options, watch))
 }
 
 /// The derivative of an image along a tangent, see [`found`].
@@ -30,7 +30,8 @@ pub fn gradient(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Found<GradientImage>, Error> {
-    found(prepared, device, |scene| {
+    let wanted = Wanted::by(tangent);
+    found(prepared, device, Some(&wanted), |scene| {
         scene.gradient(tangent, options, watch)
     })
 }
@@ -43,16 +44,17 @@ pub fn backward(
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Found<Backward>, Error> {
-    found(prepared, device, |scene| {
+    found(prepared, device, Some(wanted), |scene| {
         scene.backward(adjoint, wanted, options, watch)
     })
 }
 
-/// What the GPU that is found computes. The processor, for [`Device::Cpu`], and for
+/// What the GPU that is found computes, with derivatives of what is wanted, if any are. The processor, for [`Device::Cpu`], and for
 /// [`Device::Auto`] where there is none, or where it has not all that is needed.
 fn found<T>(
     prepared: &PreparedScene,
     device: Device,
+    wanted: Option<&Wanted>,
     compute: impl FnOnce(&DeviceScene) -> Result<T, DeviceError>,
 ) -> Result<Found<T>, Error> {
     if device == Device::Cpu {
@@ -61,8 +63,14 @@ fn found<T>(
     let may_fall_back = device == Device::Auto;
     let on_processor = |remark: Option<String>| Ok(Found::Processor { remark });
     // Whether there is a GPU or not.
-    if let Some(missing) = unsupported(prepared).filter(|_| !may_fall_back) {
-        return Err(failure(missing.into()));
+    let missing = unsupported(prepared).or_else(|| unsupported_derivative(prepared, wanted?));
+    if let Some(missing) = missing {
+        return match (may_fall_back, shared_gpu()) {
+            (false, _) => Err(failure(missing.into())),
+            // Where there is software only, the processor is what is meant.
+            (true, Ok(gpu)) if !gpu.is_software() => on_processor(Some(remark(&missing.what))),
+            (true, _) => on_processor(None),
+        };
     }
     let gpu = match shared_gpu() {
         Ok(gpu) if may_fall_back && gpu.is_software() => return on_processor(None),

@@ -1,6 +1,8 @@
 //! Images and derivatives on a device.
 
-use capwalk_diff::{Chosen, GradientImage, GradientOptions, RenderOptions, Rendering, Watch};
+use capwalk_diff::{
+    Chosen, GradientImage, GradientOptions, Method, RenderOptions, Rendering, Watch,
+};
 use capwalk_scene::Image;
 
 use crate::backward::Gradients;
@@ -34,7 +36,7 @@ impl Prepared {
     ) -> Result<OnDevice<Rendering>, Error> {
         check_spp("spp", options.spp)?;
         let found = gpu_work::image(self.prepared_scene(), device, options, watch)?;
-        or_else(found, || Ok((self.render(options, watch)?, None)))
+        or_else(found, None, || Ok((self.render(options, watch)?, None)))
     }
 
     /// [`Prepared::gradient`] on a device, see [`Prepared::render_on`]. A GPU has derivatives by the
@@ -60,7 +62,7 @@ impl Prepared {
         let work = self.gradient_work(direction, options)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
         let found = gpu_work::gradient(self.prepared_scene(), device, &tangent, options, watch)?;
-        or_else(found, || {
+        or_else(found, Some(options), || {
             let chosen = work.chosen(watch)?;
             Ok((work.whole(watch)?, Some(chosen)))
         })
@@ -85,16 +87,18 @@ impl Prepared {
             },
             Found::Processor { remark } => Found::Processor { remark },
         };
-        or_else(found, || {
+        or_else(found, Some(options), || {
             let chosen = work.chosen(watch)?;
             Ok((work.whole(watch)?, Some(chosen)))
         })
     }
 }
 
-/// What a GPU computed, or else the processor, which may have chosen a method.
+/// What a GPU computed, by these options if it is a derivative, or else the processor, which may have
+/// chosen a method. Where nothing moves all methods are one, and the choice of both is the walk.
 fn or_else<T>(
     found: Found<T>,
+    options: Option<&GradientOptions>,
     on_processor: impl FnOnce() -> Result<(T, Option<Chosen>), Error>,
 ) -> Result<OnDevice<T>, Error> {
     match found {
@@ -102,7 +106,16 @@ fn or_else<T>(
             result,
             adapter: Some(adapter),
             remark: None,
-            chosen: None,
+            chosen: options.map(|&options| Chosen {
+                options: GradientOptions {
+                    method: match options.method {
+                        Method::Auto => Method::Walk,
+                        method => method,
+                    },
+                    ..options
+                },
+                trials: Vec::new(),
+            }),
         }),
         Found::Processor { remark } => {
             let (result, chosen) = on_processor()?;

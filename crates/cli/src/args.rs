@@ -349,8 +349,8 @@ pub struct Gradient {
 pub struct GradientOn {
     #[command(flatten)]
     pub gradient: Gradient,
-    /// Where to compute: GPUs have derivatives by colours and texels; equal seeds give equal bits
-    /// on one device
+    /// Where to compute: GPUs have derivatives with respect to colours and texels; equal seeds give
+    /// equal bits on one device
     #[arg(long, value_name = "DEVICE", default_value = "cpu")]
     pub device: DeviceName,
 }
@@ -404,8 +404,8 @@ pub struct Backward {
     pub method: MethodArgs,
     #[command(flatten)]
     pub sampling: SamplingArgs,
-    /// Where to compute: GPUs have derivatives by colours and texels; equal seeds give equal bits
-    /// on one device
+    /// Where to compute: GPUs have derivatives with respect to colours and texels; equal seeds give
+    /// equal bits on one device
     #[arg(long, value_name = "DEVICE", default_value = "cpu")]
     pub device: DeviceName,
     /// Output file (.npz)

@@ -276,7 +276,7 @@ impl Pilot<'_> {
         Some(best)
     }
 
-    /// By what factor rays that stay must be better, if something with interpolated normals moves
+    /// The share of a walk's cost below which rays that stay must be, if something with interpolated normals moves
     /// against the camera that is glossy, or lit by something glossy. They can have derivatives there
     /// so rare and so large that a pilot does not see them; the rays of a walk move along.
     fn moves_gloss(&self, tracer: &Tracer) -> Option<f64> {

@@ -47,8 +47,10 @@ impl DeviceScene<'_> {
         watch: &dyn Watch,
     ) -> Result<Averages, DeviceError> {
         let tracer = Tracer::primal(self.prepared);
-        let allowed = self.gpu.largest_buffer() / (4 * task.kernels.path) as u64;
-        let size = PartSize::new(task.most.min(allowed as usize));
+        let most_words = (self.gpu.largest_buffer() / 4) as usize;
+        let by_input = most_words.saturating_sub(task.changes.len()) / task.kernels.ray;
+        let by_state = most_words / task.kernels.path;
+        let size = PartSize::new(task.most.min(by_input).min(by_state));
         let mut paths = None;
         let take = |places: &[SamplePlace]| {
             let mut taken = Vec::with_capacity(places.len());

@@ -39,9 +39,11 @@ impl DeviceScene<'_> {
         if let Some(unsupported) = unsupported_derivative(self.prepared, &Wanted::by(tangent)) {
             return Err(unsupported.into());
         }
+        let changes = changes(&self.textures, tangent);
+        self.check_room_of_numbers(changes.len())?;
         let task = Task {
             kernels: &FORWARD,
-            changes: &changes(&self.textures, tangent),
+            changes: &changes,
             most,
         };
         let averages = self.average::<6>(task, &options.sampling(), watch)?;

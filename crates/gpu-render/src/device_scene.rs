@@ -11,7 +11,7 @@ use crate::paths::Paths;
 use crate::render_kernels::PathKernels;
 use crate::scene_records::SceneRecords;
 use crate::texture_records::Shown;
-use crate::unsupported::unsupported;
+use crate::unsupported::{Unsupported, unsupported};
 
 /// A scene in a device's memory.
 #[derive(Debug)]
@@ -79,6 +79,19 @@ impl<'a> DeviceScene<'a> {
             arrays,
             textures,
         })
+    }
+
+    /// An error if so many words of derivatives leave no room in a buffer for anything else.
+    pub(crate) fn check_room_of_numbers(&self, words: usize) -> Result<(), Unsupported> {
+        match 8 * words as u64 > self.gpu.largest_buffer() {
+            true => Err(Unsupported {
+                what: format!(
+                    "derivatives take {words} words, more than half of a buffer of {}",
+                    self.gpu.name()
+                ),
+            }),
+            false => Ok(()),
+        }
     }
 
     /// Room for paths in this scene, see [`Paths::new`].

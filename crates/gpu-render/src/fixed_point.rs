@@ -1,11 +1,9 @@
 //! Sums in fixed point, which are the same in every order: `sums.slang` adds them up.
 
-use std::collections::BTreeSet;
-
 use capwalk_diff::Wanted;
 use capwalk_geometry::buffers::NONE;
 use capwalk_scene::{
-    EmitterVectors, Gradient, Image, Scene, SensorVectors, ShapeVectors, TextureId,
+    Emitter, EmitterVectors, Gradient, Pattern, Scene, SensorVectors, ShapeVectors,
 };
 
 use crate::texture_records::Shown;
@@ -13,12 +11,15 @@ use crate::texture_records::Shown;
 /// Words before the sums: how many derivatives were too large, and how many not finite.
 const COUNTS: usize = 2;
 
+/// Words of a sum.
+const WORDS: usize = 4;
+
 /// Derivatives that are as large as expected have so many binary digits. Those with six more have
 /// room in a sum (`LARGEST_DERIVATIVE`).
-const DIGITS: i32 = 32;
+const DIGITS: i32 = 80;
 
 /// If any is larger, units are larger by so many binary digits, and everything is done again.
-const FEWER_DIGITS: i32 = 10;
+const FEWER_DIGITS: i32 = 20;
 
 /// The derivatives by the texels that are asked for.
 #[derive(Debug)]
@@ -42,7 +43,7 @@ struct TextureSums {
 #[derive(Debug)]
 pub struct PartSums {
     /// In units.
-    pub sums: Vec<i64>,
+    pub sums: Vec<i128>,
     /// Derivatives that were left out because they are too large for a sum.
     pub too_large: u32,
     /// Derivatives that were left out because they are infinite or NaN.
@@ -50,14 +51,15 @@ pub struct PartSums {
 }
 
 impl TexelSums {
-    /// Those that are wanted of these textures. Units are chosen by what derivatives are expected:
-    /// as large as that of the loss by light, times the light for what does not emit.
-    pub fn new(scene: &Scene, shown: &[Shown], wanted: &Wanted, adjoint: &Image) -> Self {
-        let emitting = radiances(scene);
-        let texels = emitting.iter().flat_map(|&id| &scene.texture(id).data);
-        let brightest = texels.fold(0.0_f64, |most, x| most.max(x.abs()));
-        let pixels = adjoint.pixels.iter().flat_map(|pixel| pixel.to_array());
-        let steepest = pixels.fold(0.0_f64, |most, x| most.max(x.abs()));
+    /// Those that are wanted of these textures, of a loss whose derivatives with respect to pixels
+    /// are near one at most. Units are chosen by what derivatives are expected: as large as that,
+    /// times the brightest radiance for what does not only emit.
+    pub fn new(scene: &Scene, shown: &[Shown], wanted: &Wanted) -> Self {
+        let brightness: f64 = scene
+            .emitters
+            .iter()
+            .map(|e| brightest(scene, e))
+            .fold(0.0, f64::max);
         let mut count = 0;
         let textures = shown.iter().map(|&shown| {
             let id = shown.numbers;
@@ -66,22 +68,12 @@ impl TexelSums {
             if is_wanted {
                 count += scene.texture(id).data.len();
             }
-            let expected = match emitting.contains(&id) {
-                true => steepest,
-                false => steepest * brightest,
-            };
             // Units that single precision has, whatever is expected.
-            let exponent = expected.log2().ceil().clamp(-60.0, 120.0);
-            let digits = DIGITS
-                - if exponent.is_nan() {
-                    0
-                } else {
-                    exponent as i32
-                };
+            let exponent = brightness.max(1.0).log2().ceil().clamp(0.0, 120.0);
             TextureSums {
                 shown,
                 first,
-                digits,
+                digits: DIGITS - exponent as i32,
             }
         });
         let textures = textures.collect();
@@ -90,7 +82,7 @@ impl TexelSums {
 
     /// The words of the sums on the device.
     pub fn words(&self) -> usize {
-        COUNTS + 2 * self.count
+        COUNTS + WORDS * self.count
     }
 
     /// Where the sums of each texture are and how many units are one, as `colours.slang` reads it.
@@ -112,8 +104,11 @@ impl TexelSums {
     /// What the words of a device say.
     pub fn read(&self, words: &[u32]) -> PartSums {
         let (counts, sums) = words.split_at(COUNTS);
-        let sums = sums.as_chunks::<2>().0.iter();
-        let sum = |&[low, high]: &[u32; 2]| (u64::from(high) << 32 | u64::from(low)) as i64;
+        let sums = sums.as_chunks::<WORDS>().0.iter();
+        let sum = |words: &[u32; WORDS]| {
+            let from_highest = words.iter().rev();
+            from_highest.fold(0, |sum: u128, &word| sum << 32 | u128::from(word)) as i128
+        };
         PartSums {
             sums: sums.map(sum).collect(),
             too_large: counts[0],
@@ -143,12 +138,39 @@ impl TexelSums {
     }
 }
 
-/// The textures whose numbers are radiances.
-fn radiances(scene: &Scene) -> BTreeSet<TextureId> {
-    let of = |emitter: &capwalk_scene::Emitter| {
-        let radiance = emitter.radiance();
-        let shape = emitter.shape().map(|shape| scene.shape(shape));
-        shape.map_or(radiance, |shape| scene.numbers_of(radiance, shape))
+/// The largest radiance of an emitter.
+fn brightest(scene: &Scene, emitter: &Emitter) -> f64 {
+    let shape = emitter.shape().map(|shape| scene.shape(shape));
+    let radiance = emitter.radiance();
+    let numbers = shape.map_or(radiance, |shape| scene.numbers_of(radiance, shape));
+    let largest = |id| {
+        let data: &[f64] = &scene.texture(id).data;
+        data.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
     };
-    scene.emitters.iter().map(of).collect()
+    let scale = match &scene.texture(radiance).pattern {
+        Pattern::MeshAttribute { scale, .. } => scale.abs(),
+        _ => emitter.factor().map_or(1.0, largest),
+    };
+    largest(numbers) * scale
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Words of 128 bits, the lowest first, with their sign.
+    #[test]
+    fn sums_are_read_with_their_sign() {
+        let none = TexelSums {
+            textures: Vec::new(),
+            count: 2,
+        };
+        let minus_three = [u32::MAX - 2, u32::MAX, u32::MAX, u32::MAX];
+        let large = [5, 0, 7, 0];
+        let words = [&[4, 9][..], &minus_three, &large].concat();
+        assert_eq!(words.len(), none.words());
+        let read = none.read(&words);
+        assert_eq!(read.sums, [-3, (7 << 64) + 5]);
+        assert_eq!((read.too_large, read.non_finite), (4, 9));
+    }
 }

@@ -46,4 +46,4 @@ mod unsupported;
 
 pub use device_error::DeviceError;
 pub use device_scene::DeviceScene;
-pub use unsupported::{Unsupported, unsupported};
+pub use unsupported::{Unsupported, unsupported, unsupported_derivative};

@@ -137,6 +137,10 @@ impl<'a> Paths<'a> {
 
     fn launch(&self, kernel: &CompiledKernel, count: usize, depth: usize) -> Result<(), GpuError> {
         assert!(count <= self.room, "there is no room for so many paths");
+        assert!(
+            !self.kernels.keeps() || depth < self.levels,
+            "there is no room for the vertex"
+        );
         let [nodes, leaf_starts, primitives, faces, records] = self.scene;
         let arrays = [
             nodes,

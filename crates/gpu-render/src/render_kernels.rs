@@ -1,4 +1,5 @@
-//! The kernels as `cargo xtask kernels` compiled them from `kernels/render.slang`.
+//! The kernels as `cargo xtask kernels` compiled them from `kernels/render.slang`,
+//! `kernels/forward.slang` and `kernels/reverse.slang`.
 
 use capwalk_gpu::CompiledKernel;
 

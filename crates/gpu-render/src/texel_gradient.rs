@@ -19,7 +19,7 @@ use crate::texture_records::float;
 use crate::unsupported::{unsupported_derivative, unsupported_options};
 
 /// Most samples that are on the device at a time: all their vertices are.
-const MOST_PATHS: usize = 1 << 16;
+const MOST_WITH_VERTICES: usize = 1 << 16;
 
 /// Room for so many vertices of each path to begin with.
 const FEW_LEVELS: usize = 8;
@@ -30,7 +30,8 @@ const MOST_DERIVATIVES: usize = 1 << 24;
 impl DeviceScene<'_> {
     /// The gradient of `Σ adjoint · image` in the texels that are wanted, as
     /// [`capwalk_diff::backward`] has it: of its samples, with its batches and refusals. An error if
-    /// anything else is wanted. Derivatives that are not finite are left out, each by itself, and counted.
+    /// anything else is wanted, or more texels than there is room for. Derivatives that are not finite are
+    /// left out, each by itself, and counted.
     ///
     /// Sums are in fixed point, so their bits do not depend on which thread comes first.
     pub fn backward(
@@ -40,7 +41,7 @@ impl DeviceScene<'_> {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Backward, DeviceError> {
-        self.backward_in_parts(adjoint, wanted, options, MOST_PATHS, watch)
+        self.backward_in_parts(adjoint, wanted, options, MOST_WITH_VERTICES, watch)
     }
 
     /// The same with so many samples on the device at a time at most, which changes no bit.
@@ -59,11 +60,20 @@ impl DeviceScene<'_> {
             return Err(unsupported.into());
         }
         let scene = self.prepared.scene();
-        let mut sums = TexelSums::new(scene, &self.textures, wanted, adjoint);
+        let mut sums = TexelSums::new(scene, &self.textures, wanted);
+        self.check_room_of_numbers(sums.words())?;
+        // A power of two that leaves derivatives with respect to pixels near one.
+        let pixels = adjoint.pixels.iter().flat_map(|pixel| pixel.to_array());
+        let steepest = pixels.fold(0.0_f64, |most, x| most.max(x.abs()));
+        let exponent = match steepest > 0.0 {
+            true => steepest.log2().floor().clamp(-1000.0, 1000.0),
+            false => 0.0,
+        };
         loop {
             let job = Job {
                 scene: self,
                 adjoint,
+                unit: exponent.exp2(),
                 wanted,
                 options,
                 sums: &sums,
@@ -82,6 +92,8 @@ impl DeviceScene<'_> {
 struct Job<'a> {
     scene: &'a DeviceScene<'a>,
     adjoint: &'a Image,
+    /// What the adjoint is divided by on the device.
+    unit: f64,
     wanted: &'a Wanted,
     options: &'a GradientOptions,
     sums: &'a TexelSums,
@@ -101,6 +113,8 @@ struct Place<'a> {
     tracer: Tracer<'a>,
     sampler: Sampler,
     size: PartSize,
+    /// No part may be larger.
+    most: usize,
     levels: usize,
     paths: Option<Paths<'a>>,
 }
@@ -115,6 +129,7 @@ impl<'a> Job<'a> {
             tracer: Tracer::primal(prepared),
             sampler: Sampler::new(&scene.settings, options.seed, options.spp),
             size: PartSize::new(self.most),
+            most: self.most,
             levels: 0,
             paths: None,
         };
@@ -156,6 +171,7 @@ impl<'a> Job<'a> {
                         continue;
                     }
                     Err(GpuError::OutOfMemory { .. }) if place.size.halve() => {
+                        place.most = place.size.get();
                         place.paths = None;
                         continue;
                     }
@@ -166,8 +182,9 @@ impl<'a> Job<'a> {
                 }
                 let took = self.scene.gpu.busy().saturating_sub(before);
                 place.size.follow(took, count);
-                statistics.non_finite += u64::from(part.non_finite);
-                add(&mut begun, part.sums.into_iter().map(i128::from));
+                // Some samples have several.
+                statistics.non_finite += u64::from(part.non_finite).min(count as u64);
+                add(&mut begun, part.sums.into_iter());
                 at += count;
                 if at % pixels == 0 {
                     add(&mut sum, begun.iter_mut().map(std::mem::take));
@@ -181,6 +198,7 @@ impl<'a> Job<'a> {
             if whole > 0 || (batches.is_empty() && batch + 1 == grid.batches) {
                 let times = whole.max(1) as f64;
                 let gradient = self.sums.gradient(scene, self.wanted, &sum, times);
+                let gradient = gradient.scaled(self.unit);
                 batches.push((gradient, (whole.max(1) * pixels) as u64));
             }
         }
@@ -194,10 +212,12 @@ impl<'a> Job<'a> {
     fn keep(&self, place: &mut Place, levels: usize) {
         let sampling = Plan::new(self.scene.prepared.scene()).sampling;
         let by_texels = 2 + sampling.emitter_samples + sampling.bsdf_samples;
-        let by_sums = MOST_DERIVATIVES / (levels * by_texels as usize);
+        // A lookup may have the same texel four times, and the camera sees emitters.
+        let by_sums = MOST_DERIVATIVES / (4 * (levels * by_texels as usize + 1));
         let bytes = 4 * REVERSE.words(levels) as u64;
         let by_memory = (self.scene.gpu.largest_buffer() / bytes) as usize;
-        place.size = PartSize::new(self.most.min(by_sums).min(by_memory));
+        place.most = place.most.min(by_sums).min(by_memory);
+        place.size = PartSize::new(place.most);
         place.levels = levels;
         place.paths = None;
     }
@@ -228,7 +248,7 @@ impl<'a> Job<'a> {
                 stream,
             };
             let weight = write_camera_ray(&place.tracer, &self.scene.frame, &sample, ray);
-            let of_pixel = self.adjoint.pixels[pixel] * weight;
+            let of_pixel = self.adjoint.pixels[pixel] * (weight / self.unit);
             adjoint.copy_from_slice(&of_pixel.to_array().map(float));
         });
         paths.clear_sums(self.sums.words())?;

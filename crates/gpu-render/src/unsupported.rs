@@ -45,7 +45,7 @@ pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Opti
         .or_else(others)
         .or_else(|| other_number(scene, wanted))?;
     Some(Unsupported {
-        what: format!("{what}, and derivatives by that are asked for"),
+        what: format!("{what}, and derivatives with respect to that are asked for"),
     })
 }
 

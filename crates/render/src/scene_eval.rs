@@ -50,7 +50,8 @@ pub trait SceneEval<R: Real> {
     fn is_still(&self, viewpoint: &Viewpoint<R>) -> bool;
     /// True if curves in the image can move against the rays.
     fn moves(&self) -> bool;
-    /// True if nothing that is seen moves on the film: then film points need not, either.
+    /// True if neither the camera's rays nor the first surfaces that they hit move: then film points
+    /// need not, either.
     fn rests(&self) -> bool;
     /// The unit direction `q` from a point, moving with the velocity field
     /// around the point, an unbiased sample of it and of its divergence.

@@ -1,6 +1,6 @@
 // Compiled from forward.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: d1485296846dc8d5
+// source: f20877a0612af4bc
 // result: be14c678ba1d1482
 
 struct Launch_std140_0

@@ -1,6 +1,6 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6fc1725ef8959725
+// source: 793a9b83036d5ecc
 // result: a6baeacc26cc9f8b
 
 struct Launch_std140_0

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e4039b14a3e998cc
-// result: 4f0557f9057bf38f
+// source: b69f99b2b0d21cad
+// result: b3b184a5bf2d2bb1
 
 struct Launch_std140_0
 {
@@ -952,79 +952,131 @@ fn numbers_of_0( texture_2 : u32) -> u32
     return change_word_0(u32(2) * word_0(texture_2 + u32(12)));
 }
 
-fn plus_0( a_3 : vec2<u32>,  b_2 : vec2<u32>) -> vec2<u32>
+fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S63 : u32 = a_3.x;
-    var low_1 : u32 = _S63 + b_2.x;
-    var _S64 : u32 = a_3.y + b_2.y;
-    var _S65 : i32;
-    if(low_1 < _S63)
+    var _S63 : u32 = u32(2) + u32(4) * sum_0;
+    var _S64 : u32 = number_1;
+    var k_3 : u32 = word_of_sum_0;
+    for(;;)
     {
-        _S65 = i32(1);
+        var _S65 : bool;
+        if(k_3 < u32(4))
+        {
+            _S65 = _S64 != u32(0);
+        }
+        else
+        {
+            _S65 = false;
+        }
+        if(_S65)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S66 : u32;
+        if(is_negative_0)
+        {
+            _S66 = u32(0) - _S64;
+        }
+        else
+        {
+            _S66 = _S64;
+        }
+        var before_0 : u32 = atomicAdd(&(sums_0[_S63 + k_3]), _S66);
+        var overflows_0 : bool;
+        if(is_negative_0)
+        {
+            overflows_0 = before_0 < _S64;
+        }
+        else
+        {
+            overflows_0 = (before_0 + _S64) < before_0;
+        }
+        var _S67 : i32;
+        if(overflows_0)
+        {
+            _S67 = i32(1);
+        }
+        else
+        {
+            _S67 = i32(0);
+        }
+        var _S68 : u32 = u32(_S67);
+        var _S69 : u32 = k_3 + u32(1);
+        _S64 = _S68;
+        k_3 = _S69;
     }
-    else
-    {
-        _S65 = i32(0);
-    }
-    return vec2<u32>(low_1, _S64 + u32(_S65));
+    return;
 }
 
-fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32,  units_0 : f32)
+fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S66 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S70 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * units_0;
     var size_1 : f32 = abs(scaled_0);
-    if(size_1 > 2.74877906944e+11f)
+    if(size_1 > 7.73712524553362672e+25f)
     {
-        var _S67 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S71 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var high_1 : u32 = u32(size_1 * 2.32830643653869629e-10f);
-    var _S68 : u32 = u32(size_1 - f32(high_1) * 4.294967296e+09f + 0.5f);
-    var whole_0 : vec2<u32> = vec2<u32>(_S68, high_1);
-    var _S69 : bool;
-    if(_S68 == u32(0))
+    var is_negative_1 : bool = scaled_0 < 0.0f;
+    var highest_0 : u32 = u32(0);
+    var size_2 : f32 = size_1;
+    for(;;)
     {
-        _S69 = high_1 == u32(0);
+        var _S72 : bool;
+        if(highest_0 < u32(2))
+        {
+            _S72 = size_2 >= 4.294967296e+09f;
+        }
+        else
+        {
+            _S72 = false;
+        }
+        if(_S72)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var size_3 : f32 = size_2 * 2.32830643653869629e-10f;
+        highest_0 = highest_0 + u32(1);
+        size_2 = size_3;
+    }
+    var _S73 : bool = highest_0 == u32(0);
+    var _S74 : f32;
+    if(_S73)
+    {
+        _S74 = size_2 + 0.5f;
     }
     else
     {
-        _S69 = false;
+        _S74 = size_2;
     }
-    if(_S69)
+    var whole_0 : u32 = u32(_S74);
+    add_word_0(sum_1, highest_0, whole_0, is_negative_1);
+    if(_S73)
     {
         return;
     }
-    var whole_1 : vec2<u32>;
-    if(scaled_0 < 0.0f)
+    var rest_0 : f32 = (size_2 - f32(whole_0)) * 4.294967296e+09f;
+    var _S75 : u32 = highest_0 - u32(1);
+    if(highest_0 == u32(1))
     {
-        whole_1 = plus_0(~whole_0, vec2<u32>(u32(1), u32(0)));
+        size_2 = rest_0 + 0.5f;
     }
     else
     {
-        whole_1 = whole_0;
+        size_2 = rest_0;
     }
-    var at_9 : u32 = u32(2) + u32(2) * sum_0;
-    var _S70 : u32 = whole_1.x;
-    var before_0 : u32 = atomicAdd(&(sums_0[at_9]), _S70);
-    var _S71 : i32;
-    if((before_0 + _S70) < before_0)
-    {
-        _S71 = i32(1);
-    }
-    else
-    {
-        _S71 = i32(0);
-    }
-    var _S72 : u32 = whole_1.y + u32(_S71);
-    if(_S72 != u32(0))
-    {
-        var _S73 : u32 = atomicAdd(&(sums_0[at_9 + u32(1)]), _S72);
-    }
+    add_word_0(sum_1, _S75, u32(size_2), is_negative_1);
     return;
 }
 
@@ -1035,24 +1087,24 @@ fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
     {
         return;
     }
-    var _S74 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
-    var _S75 : u32 = word_0(texture_3 + u32(1));
-    var k_3 : u32 = u32(0);
+    var _S76 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
+    var _S77 : u32 = word_0(texture_3 + u32(1));
+    var k_4 : u32 = u32(0);
     for(;;)
     {
-        if(k_3 < (lookup_3.count_0))
+        if(k_4 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_10 : u32 = first_3 + _S75 * lookup_3.texels_0[k_3];
-        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_3]);
-        if(_S75 == u32(1))
+        var at_9 : u32 = first_3 + _S77 * lookup_3.texels_0[k_4];
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_4]);
+        if(_S77 == u32(1))
         {
-            add_to_sum_0(at_10, own_0.x + own_0.y + own_0.z, _S74);
-            k_3 = k_3 + u32(1);
+            add_to_sum_0(at_9, own_0.x + own_0.y + own_0.z, _S76);
+            k_4 = k_4 + u32(1);
             continue;
         }
         var axis_3 : u32 = u32(0);
@@ -1065,42 +1117,42 @@ fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
             {
                 break;
             }
-            add_to_sum_0(at_10 + axis_3, own_0[axis_3], _S74);
+            add_to_sum_0(at_9 + axis_3, own_0[axis_3], _S76);
             axis_3 = axis_3 + u32(1);
         }
-        k_3 = k_3 + u32(1);
+        k_4 = k_4 + u32(1);
     }
     return;
 }
 
 fn texture_value_0( texture_4 : u32,  lookup_4 : Lookup_0) -> vec3<f32>
 {
-    var _S76 : u32 = word_0(texture_4 + u32(1));
-    var _S77 : u32 = texture_4 + u32(13);
-    var _S78 : vec3<f32> = vec3<f32>(0.0f);
-    var k_4 : u32 = u32(0);
-    var value_2 : vec3<f32> = _S78;
+    var _S78 : u32 = word_0(texture_4 + u32(1));
+    var _S79 : u32 = texture_4 + u32(13);
+    var _S80 : vec3<f32> = vec3<f32>(0.0f);
+    var k_5 : u32 = u32(0);
+    var value_2 : vec3<f32> = _S80;
     for(;;)
     {
-        if(k_4 < (lookup_4.count_0))
+        if(k_5 < (lookup_4.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_11 : u32 = _S77 + _S76 * lookup_4.texels_0[k_4];
-        var _S79 : vec3<f32>;
-        if(_S76 == u32(1))
+        var at_10 : u32 = _S79 + _S78 * lookup_4.texels_0[k_5];
+        var _S81 : vec3<f32>;
+        if(_S78 == u32(1))
         {
-            _S79 = vec3<f32>(number_0(at_11));
+            _S81 = vec3<f32>(number_0(at_10));
         }
         else
         {
-            _S79 = vector_at_0(at_11);
+            _S81 = vector_at_0(at_10);
         }
-        var value_3 : vec3<f32> = value_2 + _S79 * vec3<f32>(lookup_4.weights_0[k_4]);
-        k_4 = k_4 + u32(1);
+        var value_3 : vec3<f32> = value_2 + _S81 * vec3<f32>(lookup_4.weights_0[k_5]);
+        k_5 = k_5 + u32(1);
         value_2 = value_3;
     }
     return value_2;
@@ -1112,24 +1164,24 @@ fn arriving_0( emitter_2 : u32,  place_6 : Place_0,  direction_4 : vec3<f32>,  f
     var texture_5 : u32 = word_0(record_2 + u32(1));
     var texture_6 : u32;
     var lookup_5 : Lookup_0;
-    var _S80 : Colour_0;
+    var _S82 : Colour_0;
     if(is_map_0(record_2))
     {
-        var _S81 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_5 + u32(11)));
-        var _S82 : Lookup_0 = in_map_0(texture_5, direction_4);
+        var _S83 : Colour_0 = x2A_0(factor_0, vector_at_0(texture_5 + u32(11)));
+        var _S84 : Lookup_0 = in_map_0(texture_5, direction_4);
         texture_6 = word_0(texture_5 + u32(14));
-        lookup_5 = _S82;
-        _S80 = _S81;
+        lookup_5 = _S84;
+        _S82 = _S83;
     }
     else
     {
-        var _S83 : Lookup_0 = lookup_at_0(texture_5, place_6);
+        var _S85 : Lookup_0 = lookup_at_0(texture_5, place_6);
         texture_6 = texture_5;
-        lookup_5 = _S83;
-        _S80 = factor_0;
+        lookup_5 = _S85;
+        _S82 = factor_0;
     }
-    add_to_texels_0(texture_6, lookup_5, importance_0 * _S80.value_0);
-    return x2A_0(_S80, texture_value_0(texture_6, lookup_5));
+    add_to_texels_0(texture_6, lookup_5, importance_0 * _S82.value_0);
+    return x2A_0(_S82, texture_value_0(texture_6, lookup_5));
 }
 
 fn reaches_0( segments_0 : u32) -> bool
@@ -1148,31 +1200,31 @@ struct Path_0
 
 fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
 {
-    var at_12 : u32 = u32(12) * number_of_path_0;
-    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12], input_0[at_12 + u32(1)], input_0[at_12 + u32(2)]))));
-    (*path_0).direction_5 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12 + u32(3)], input_0[at_12 + u32(4)], input_0[at_12 + u32(5)]))));
-    (*path_0).key_0 = vec2<u32>(input_0[at_12 + u32(7)], input_0[at_12 + u32(8)]);
+    var at_11 : u32 = u32(12) * number_of_path_0;
+    var origin_2 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11], input_0[at_11 + u32(1)], input_0[at_11 + u32(2)]))));
+    (*path_0).direction_5 = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(3)], input_0[at_11 + u32(4)], input_0[at_11 + u32(5)]))));
+    (*path_0).key_0 = vec2<u32>(input_0[at_11 + u32(7)], input_0[at_11 + u32(8)]);
     var one_0 : Colour_0 = constant_0(vec3<f32>(1.0f));
     (*path_0).throughput_0 = carried_0(one_0);
-    var _S84 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_12 + u32(9)], input_0[at_12 + u32(10)], input_0[at_12 + u32(11)]))));
-    (*path_0).adjoint_0 = _S84;
+    var _S86 : vec3<f32> = (bitcast<vec3<f32>>((vec3<u32>(input_0[at_11 + u32(9)], input_0[at_11 + u32(10)], input_0[at_11 + u32(11)]))));
+    (*path_0).adjoint_0 = _S86;
     var t_4 : f32;
-    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_12 + u32(6)])));
+    var length_of_ray_0 : f32 = (bitcast<f32>((input_0[at_11 + u32(6)])));
     var found_4 : Found_0;
     found_4.face_1 = u32(4294967295);
     found_4.triangle_1 = u32(0);
     found_4.v_3 = 0.0lf;
     found_4.w_2 = 0.0lf;
-    var _S85 : bool;
+    var _S87 : bool;
     if(length_of_ray_0 >= 0.0f)
     {
-        _S85 = (word_0(u32(13))) != u32(0);
+        _S87 = (word_0(u32(13))) != u32(0);
     }
     else
     {
-        _S85 = false;
+        _S87 = false;
     }
-    if(_S85)
+    if(_S87)
     {
         found_4 = cast_0(vec3<f64>(origin_2), vec3<f64>((*path_0).direction_5), 0.0lf, f64(length_of_ray_0), false, &(t_4));
     }
@@ -1180,25 +1232,25 @@ fn begin_0( number_of_path_0 : u32,  path_0 : ptr<function, Path_0>) -> bool
     var emitter_3 : u32 = emitter_seen_0(found_4, (*path_0).direction_5);
     if(emitter_3 != u32(4294967295))
     {
-        _S85 = (word_0(u32(4))) != u32(0);
+        _S87 = (word_0(u32(4))) != u32(0);
     }
     else
     {
-        _S85 = false;
+        _S87 = false;
     }
-    if(_S85)
+    if(_S87)
     {
-        var _S86 : Colour_0 = arriving_0(emitter_3, (*path_0).place_7, (*path_0).direction_5, one_0, _S84);
+        var _S88 : Colour_0 = arriving_0(emitter_3, (*path_0).place_7, (*path_0).direction_5, one_0, _S86);
     }
     if((found_4.face_1) != u32(4294967295))
     {
-        _S85 = reaches_0(u32(2));
+        _S87 = reaches_0(u32(2));
     }
     else
     {
-        _S85 = false;
+        _S87 = false;
     }
-    return _S85;
+    return _S87;
 }
 
 fn set_word_0( path_1 : u32,  which_1 : u32,  value_4 : u32)
@@ -1256,13 +1308,13 @@ fn set_place_0( path_4 : u32,  which_4 : ptr<function, u32>,  place_8 : Place_0)
 
 fn store_0( number_of_path_1 : u32,  path_5 : Path_0)
 {
-    var at_13 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_13), path_5.adjoint_0);
-    set_vector_0(number_of_path_1, &(at_13), path_5.throughput_0);
-    set_vector_0(number_of_path_1, &(at_13), path_5.direction_5);
-    set_place_0(number_of_path_1, &(at_13), path_5.place_7);
-    set_word_0(number_of_path_1, at_13, path_5.key_0.x);
-    set_word_0(number_of_path_1, at_13 + u32(1), path_5.key_0.y);
+    var at_12 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_12), path_5.adjoint_0);
+    set_vector_0(number_of_path_1, &(at_12), path_5.throughput_0);
+    set_vector_0(number_of_path_1, &(at_12), path_5.direction_5);
+    set_place_0(number_of_path_1, &(at_12), path_5.place_7);
+    set_word_0(number_of_path_1, at_12, path_5.key_0.x);
+    set_word_0(number_of_path_1, at_12 + u32(1), path_5.key_0.y);
     return;
 }
 
@@ -1280,15 +1332,15 @@ fn begin_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     store_0(number_of_path_2, path_6);
     var beyond_0 : u32 = u32(15);
     set_vector_1(number_of_path_2, &(beyond_0), vec3<f32>(0.0f));
-    var _S87 : u32;
+    var _S89 : u32;
     if(goes_on_0)
     {
-        _S87 = number_of_path_2;
+        _S89 = number_of_path_2;
     }
     else
     {
-        _S87 = u32(4294967295);
+        _S89 = u32(4294967295);
     }
-    set_word_0(number_of_path_2, u32(0), _S87);
+    set_word_0(number_of_path_2, u32(0), _S89);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e4039b14a3e998cc
-// result: e7f8bb144f484abb
+// source: b69f99b2b0d21cad
+// result: aac873823aefd6da
 
 struct Launch_std140_0
 {
@@ -266,79 +266,131 @@ fn numbers_of_0( texture_2 : u32) -> u32
     return change_word_0(u32(2) * word_0(texture_2 + u32(12)));
 }
 
-fn plus_0( a_0 : vec2<u32>,  b_0 : vec2<u32>) -> vec2<u32>
+fn add_word_0( sum_0 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    var _S16 : u32 = a_0.x;
-    var low_0 : u32 = _S16 + b_0.x;
-    var _S17 : u32 = a_0.y + b_0.y;
-    var _S18 : i32;
-    if(low_0 < _S16)
+    var _S16 : u32 = u32(2) + u32(4) * sum_0;
+    var _S17 : u32 = number_1;
+    var k_1 : u32 = word_of_sum_0;
+    for(;;)
     {
-        _S18 = i32(1);
+        var _S18 : bool;
+        if(k_1 < u32(4))
+        {
+            _S18 = _S17 != u32(0);
+        }
+        else
+        {
+            _S18 = false;
+        }
+        if(_S18)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var _S19 : u32;
+        if(is_negative_0)
+        {
+            _S19 = u32(0) - _S17;
+        }
+        else
+        {
+            _S19 = _S17;
+        }
+        var before_0 : u32 = atomicAdd(&(sums_0[_S16 + k_1]), _S19);
+        var overflows_0 : bool;
+        if(is_negative_0)
+        {
+            overflows_0 = before_0 < _S17;
+        }
+        else
+        {
+            overflows_0 = (before_0 + _S17) < before_0;
+        }
+        var _S20 : i32;
+        if(overflows_0)
+        {
+            _S20 = i32(1);
+        }
+        else
+        {
+            _S20 = i32(0);
+        }
+        var _S21 : u32 = u32(_S20);
+        var _S22 : u32 = k_1 + u32(1);
+        _S17 = _S21;
+        k_1 = _S22;
     }
-    else
-    {
-        _S18 = i32(0);
-    }
-    return vec2<u32>(low_0, _S17 + u32(_S18));
+    return;
 }
 
-fn add_to_sum_0( sum_0 : u32,  derivative_0 : f32,  units_0 : f32)
+fn add_to_sum_0( sum_1 : u32,  derivative_0 : f32,  units_0 : f32)
 {
     if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
     {
-        var _S19 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        var _S23 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
         return;
     }
     var scaled_0 : f32 = derivative_0 * units_0;
     var size_0 : f32 = abs(scaled_0);
-    if(size_0 > 2.74877906944e+11f)
+    if(size_0 > 7.73712524553362672e+25f)
     {
-        var _S20 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        var _S24 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
         return;
     }
-    var high_0 : u32 = u32(size_0 * 2.32830643653869629e-10f);
-    var _S21 : u32 = u32(size_0 - f32(high_0) * 4.294967296e+09f + 0.5f);
-    var whole_0 : vec2<u32> = vec2<u32>(_S21, high_0);
-    var _S22 : bool;
-    if(_S21 == u32(0))
+    var is_negative_1 : bool = scaled_0 < 0.0f;
+    var highest_0 : u32 = u32(0);
+    var size_1 : f32 = size_0;
+    for(;;)
     {
-        _S22 = high_0 == u32(0);
+        var _S25 : bool;
+        if(highest_0 < u32(2))
+        {
+            _S25 = size_1 >= 4.294967296e+09f;
+        }
+        else
+        {
+            _S25 = false;
+        }
+        if(_S25)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var size_2 : f32 = size_1 * 2.32830643653869629e-10f;
+        highest_0 = highest_0 + u32(1);
+        size_1 = size_2;
+    }
+    var _S26 : bool = highest_0 == u32(0);
+    var _S27 : f32;
+    if(_S26)
+    {
+        _S27 = size_1 + 0.5f;
     }
     else
     {
-        _S22 = false;
+        _S27 = size_1;
     }
-    if(_S22)
+    var whole_0 : u32 = u32(_S27);
+    add_word_0(sum_1, highest_0, whole_0, is_negative_1);
+    if(_S26)
     {
         return;
     }
-    var whole_1 : vec2<u32>;
-    if(scaled_0 < 0.0f)
+    var rest_0 : f32 = (size_1 - f32(whole_0)) * 4.294967296e+09f;
+    var _S28 : u32 = highest_0 - u32(1);
+    if(highest_0 == u32(1))
     {
-        whole_1 = plus_0(~whole_0, vec2<u32>(u32(1), u32(0)));
+        size_1 = rest_0 + 0.5f;
     }
     else
     {
-        whole_1 = whole_0;
+        size_1 = rest_0;
     }
-    var at_5 : u32 = u32(2) + u32(2) * sum_0;
-    var _S23 : u32 = whole_1.x;
-    var before_0 : u32 = atomicAdd(&(sums_0[at_5]), _S23);
-    var _S24 : i32;
-    if((before_0 + _S23) < before_0)
-    {
-        _S24 = i32(1);
-    }
-    else
-    {
-        _S24 = i32(0);
-    }
-    var _S25 : u32 = whole_1.y + u32(_S24);
-    if(_S25 != u32(0))
-    {
-        var _S26 : u32 = atomicAdd(&(sums_0[at_5 + u32(1)]), _S25);
-    }
+    add_word_0(sum_1, _S28, u32(size_1), is_negative_1);
     return;
 }
 
@@ -349,24 +401,24 @@ fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
     {
         return;
     }
-    var _S27 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
-    var _S28 : u32 = word_0(texture_3 + u32(1));
-    var k_1 : u32 = u32(0);
+    var _S29 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_3 + u32(12)) + u32(1)))));
+    var _S30 : u32 = word_0(texture_3 + u32(1));
+    var k_2 : u32 = u32(0);
     for(;;)
     {
-        if(k_1 < (lookup_3.count_0))
+        if(k_2 < (lookup_3.count_0))
         {
         }
         else
         {
             break;
         }
-        var at_6 : u32 = first_2 + _S28 * lookup_3.texels_0[k_1];
-        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_1]);
-        if(_S28 == u32(1))
+        var at_5 : u32 = first_2 + _S30 * lookup_3.texels_0[k_2];
+        var own_0 : vec3<f32> = derivative_1 * vec3<f32>(lookup_3.weights_0[k_2]);
+        if(_S30 == u32(1))
         {
-            add_to_sum_0(at_6, own_0.x + own_0.y + own_0.z, _S27);
-            k_1 = k_1 + u32(1);
+            add_to_sum_0(at_5, own_0.x + own_0.y + own_0.z, _S29);
+            k_2 = k_2 + u32(1);
             continue;
         }
         var axis_0 : u32 = u32(0);
@@ -379,10 +431,10 @@ fn add_to_texels_0( texture_3 : u32,  lookup_3 : Lookup_0,  derivative_1 : vec3<
             {
                 break;
             }
-            add_to_sum_0(at_6 + axis_0, own_0[axis_0], _S27);
+            add_to_sum_0(at_5 + axis_0, own_0[axis_0], _S29);
             axis_0 = axis_0 + u32(1);
         }
-        k_1 = k_1 + u32(1);
+        k_2 = k_2 + u32(1);
     }
     return;
 }
@@ -416,18 +468,18 @@ fn set_vector_0( path_5 : u32,  which_5 : ptr<function, u32>,  value_2 : vec3<f3
 @workgroup_size(64, 1, 1)
 fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_7 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_7 >= (launch_0.end_0))
+    var at_6 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_6 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_0 : u32 = input_0[at_7];
+    var number_of_path_0 : u32 = input_0[at_6];
     var kept_0 : u32 = kept_at_0();
-    var _S29 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
-    var _S30 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
-    var _S31 : u32 = kept_0;
+    var _S31 : vec3<f32> = path_vector_0(number_of_path_0, &(kept_0));
+    var _S32 : Place_0 = path_place_0(number_of_path_0, &(kept_0));
+    var _S33 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    var _S32 : u32 = path_word_0(number_of_path_0, _S31);
+    var _S34 : u32 = path_word_0(number_of_path_0, _S33);
     var direct_0 : Colour_0 = path_colour_0(number_of_path_0, &(kept_0));
     var onward_0 : Colour_0 = path_colour_0(number_of_path_0, &(kept_0));
     var which_6 : u32 = u32(15);
@@ -435,40 +487,40 @@ fn go_back(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var slot_0 : u32 = u32(0);
     for(;;)
     {
-        var _S33 : bool;
+        var _S35 : bool;
         if(slot_0 < u32(2))
         {
-            _S33 = _S32 != u32(4294967295);
+            _S35 = _S34 != u32(4294967295);
         }
         else
         {
-            _S33 = false;
+            _S35 = false;
         }
-        var _S34 : bool;
-        if(_S33)
+        var _S36 : bool;
+        if(_S35)
         {
-            _S34 = slot_0 < (word_0(_S32 + u32(4)));
+            _S36 = slot_0 < (word_0(_S34 + u32(4)));
         }
         else
         {
-            _S34 = false;
+            _S36 = false;
         }
-        if(_S34)
+        if(_S36)
         {
         }
         else
         {
             break;
         }
-        var texture_4 : u32 = word_0(_S32 + u32(5) + slot_0);
+        var texture_4 : u32 = word_0(_S34 + u32(5) + slot_0);
         if(texture_4 == u32(4294967295))
         {
             slot_0 = slot_0 + u32(1);
             continue;
         }
         var change_0 : vec3<f32> = direct_0.changes_0[slot_0] + onward_0.changes_0[slot_0] * beyond_0;
-        var _S35 : Lookup_0 = lookup_at_0(texture_4, _S30);
-        add_to_texels_0(texture_4, _S35, _S29 * change_0);
+        var _S37 : Lookup_0 = lookup_at_0(texture_4, _S32);
+        add_to_texels_0(texture_4, _S37, _S31 * change_0);
         slot_0 = slot_0 + u32(1);
     }
     which_6 = u32(15);

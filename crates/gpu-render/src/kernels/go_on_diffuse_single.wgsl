@@ -1,7 +1,7 @@
 // Compiled from render.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: 6fc1725ef8959725
-// result: c562b46d616b4a4f
+// source: 793a9b83036d5ecc
+// result: a73d93c9e767c2e1
 
 struct Launch_std140_0
 {
@@ -2380,7 +2380,7 @@ fn fresnel_diffuse_0( eta_4 : f32) -> f32
     return ((((-1.36881005764007568f * inverse_1 + 4.98553991317749023f) * inverse_1 - 7.80988979339599609f) * inverse_1 + 6.75334978103637695f) * inverse_1 - 3.47930002212524414f) * inverse_1 + 0.91931700706481934f;
 }
 
-fn function_0( x_12 : vec3<f32>,  value_3 : vec3<f32>,  slope_1 : vec3<f32>) -> vec3<f32>
+fn function_0( x_12 : vec3<f32>,  value_3 : vec3<f32>,  derivative_0 : vec3<f32>) -> vec3<f32>
 {
     return value_3;
 }
@@ -2716,7 +2716,7 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
     var _S195 : f32 = max(view_9.cosine_9, view_9.sine_4);
-    var slope_2 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S195 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S195, -6.0f, 0.5f * steepest_0);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S195 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S195, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
     var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
@@ -2729,20 +2729,20 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             break;
         }
-        var both_1 : vec2<f32> = error_function_plus_one_0(slope_2);
+        var both_1 : vec2<f32> = error_function_plus_one_0(slope_1);
         var _S196 : f32 = both_1.y;
         var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S196 - target_1;
-        var own_4 : f32 = _S196 * (view_9.cosine_9 - slope_2 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_2 * own_4 - _S196 * view_9.sine_4;
+        var own_4 : f32 = _S196 * (view_9.cosine_9 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_4 - _S196 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
-            high_2 = slope_2;
+            high_2 = slope_1;
         }
         else
         {
-            low_5 = slope_2;
+            low_5 = slope_1;
         }
-        var next_0 : f32 = slope_2 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
+        var next_0 : f32 = slope_1 - error_0 * own_4 / (own_4 * own_4 - 0.5f * error_0 * bend_0);
         var _S197 : bool;
         if(next_0 >= low_5)
         {
@@ -2761,16 +2761,16 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             next_1 = next_0;
         }
-        if((abs(next_1 - slope_2)) < 0.00030000001424924f)
+        if((abs(next_1 - slope_1)) < 0.00030000001424924f)
         {
-            slope_2 = next_1;
+            slope_1 = next_1;
             break;
         }
         var _S198 : u32 = step_0 + u32(1);
-        slope_2 = next_1;
+        slope_1 = next_1;
         step_0 = _S198;
     }
-    return vec3<f32>(- slope_2, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
+    return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
 
 fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>

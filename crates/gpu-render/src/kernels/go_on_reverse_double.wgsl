@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e4039b14a3e998cc
-// result: 4a4befe740662d94
+// source: b69f99b2b0d21cad
+// result: e7a0248aca2a42d5
 
 struct Launch_std140_0
 {
@@ -2494,9 +2494,9 @@ fn fresnel_diffuse_0( eta_4 : f32) -> f32
     return ((((-1.36881005764007568f * inverse_1 + 4.98553991317749023f) * inverse_1 - 7.80988979339599609f) * inverse_1 + 6.75334978103637695f) * inverse_1 - 3.47930002212524414f) * inverse_1 + 0.91931700706481934f;
 }
 
-fn function_0( x_12 : Colour_0,  value_5 : vec3<f32>,  slope_1 : vec3<f32>) -> Colour_0
+fn function_0( x_12 : Colour_0,  value_5 : vec3<f32>,  derivative_0 : vec3<f32>) -> Colour_0
 {
-    var result_0 : Colour_0 = x2A_0(x_12, slope_1);
+    var result_0 : Colour_0 = x2A_0(x_12, derivative_0);
     result_0.value_0 = value_5;
     return result_0;
 }
@@ -2649,90 +2649,159 @@ fn numbers_of_0( texture_6 : u32) -> u32
     return change_word_0(u32(2) * word_0(texture_6 + u32(12)));
 }
 
-fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32,  units_0 : f32)
+fn add_word_0( sum_4 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
-    {
-        var _S179 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
-        return;
-    }
-    var scaled_0 : f32 = derivative_0 * units_0;
-    var size_3 : f32 = abs(scaled_0);
-    if(size_3 > 2.74877906944e+11f)
-    {
-        var _S180 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
-        return;
-    }
-    var high_2 : u32 = u32(size_3 * 2.32830643653869629e-10f);
-    var _S181 : u32 = u32(size_3 - f32(high_2) * 4.294967296e+09f + 0.5f);
-    var whole_0 : vec2<u32> = vec2<u32>(_S181, high_2);
-    var _S182 : bool;
-    if(_S181 == u32(0))
-    {
-        _S182 = high_2 == u32(0);
-    }
-    else
-    {
-        _S182 = false;
-    }
-    if(_S182)
-    {
-        return;
-    }
-    var whole_1 : vec2<u32>;
-    if(scaled_0 < 0.0f)
-    {
-        whole_1 = plus_0(~whole_0, vec2<u32>(u32(1), u32(0)));
-    }
-    else
-    {
-        whole_1 = whole_0;
-    }
-    var at_18 : u32 = u32(2) + u32(2) * sum_4;
-    var _S183 : u32 = whole_1.x;
-    var before_0 : u32 = atomicAdd(&(sums_0[at_18]), _S183);
-    var _S184 : i32;
-    if((before_0 + _S183) < before_0)
-    {
-        _S184 = i32(1);
-    }
-    else
-    {
-        _S184 = i32(0);
-    }
-    var _S185 : u32 = whole_1.y + u32(_S184);
-    if(_S185 != u32(0))
-    {
-        var _S186 : u32 = atomicAdd(&(sums_0[at_18 + u32(1)]), _S185);
-    }
-    return;
-}
-
-fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
-{
-    var first_4 : u32 = numbers_of_0(texture_7);
-    if(first_4 == u32(4294967295))
-    {
-        return;
-    }
-    var _S187 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_7 + u32(12)) + u32(1)))));
-    var _S188 : u32 = word_0(texture_7 + u32(1));
-    var k_9 : u32 = u32(0);
+    var _S179 : u32 = u32(2) + u32(4) * sum_4;
+    var _S180 : u32 = number_1;
+    var k_9 : u32 = word_of_sum_0;
     for(;;)
     {
-        if(k_9 < (lookup_5.count_0))
+        var _S181 : bool;
+        if(k_9 < u32(4))
+        {
+            _S181 = _S180 != u32(0);
+        }
+        else
+        {
+            _S181 = false;
+        }
+        if(_S181)
         {
         }
         else
         {
             break;
         }
-        var at_19 : u32 = first_4 + _S188 * lookup_5.texels_0[k_9];
-        var own_3 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_9]);
-        if(_S188 == u32(1))
+        var _S182 : u32;
+        if(is_negative_0)
         {
-            add_to_sum_0(at_19, own_3.x + own_3.y + own_3.z, _S187);
-            k_9 = k_9 + u32(1);
+            _S182 = u32(0) - _S180;
+        }
+        else
+        {
+            _S182 = _S180;
+        }
+        var before_0 : u32 = atomicAdd(&(sums_0[_S179 + k_9]), _S182);
+        var overflows_0 : bool;
+        if(is_negative_0)
+        {
+            overflows_0 = before_0 < _S180;
+        }
+        else
+        {
+            overflows_0 = (before_0 + _S180) < before_0;
+        }
+        var _S183 : i32;
+        if(overflows_0)
+        {
+            _S183 = i32(1);
+        }
+        else
+        {
+            _S183 = i32(0);
+        }
+        var _S184 : u32 = u32(_S183);
+        var _S185 : u32 = k_9 + u32(1);
+        _S180 = _S184;
+        k_9 = _S185;
+    }
+    return;
+}
+
+fn add_to_sum_0( sum_5 : u32,  derivative_1 : f32,  units_0 : f32)
+{
+    if(!((abs(derivative_1)) < 3.00000000549775576e+38f))
+    {
+        var _S186 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        return;
+    }
+    var scaled_0 : f32 = derivative_1 * units_0;
+    var size_3 : f32 = abs(scaled_0);
+    if(size_3 > 7.73712524553362672e+25f)
+    {
+        var _S187 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        return;
+    }
+    var is_negative_1 : bool = scaled_0 < 0.0f;
+    var highest_1 : u32 = u32(0);
+    var size_4 : f32 = size_3;
+    for(;;)
+    {
+        var _S188 : bool;
+        if(highest_1 < u32(2))
+        {
+            _S188 = size_4 >= 4.294967296e+09f;
+        }
+        else
+        {
+            _S188 = false;
+        }
+        if(_S188)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var size_5 : f32 = size_4 * 2.32830643653869629e-10f;
+        highest_1 = highest_1 + u32(1);
+        size_4 = size_5;
+    }
+    var _S189 : bool = highest_1 == u32(0);
+    var _S190 : f32;
+    if(_S189)
+    {
+        _S190 = size_4 + 0.5f;
+    }
+    else
+    {
+        _S190 = size_4;
+    }
+    var whole_0 : u32 = u32(_S190);
+    add_word_0(sum_5, highest_1, whole_0, is_negative_1);
+    if(_S189)
+    {
+        return;
+    }
+    var rest_7 : f32 = (size_4 - f32(whole_0)) * 4.294967296e+09f;
+    var _S191 : u32 = highest_1 - u32(1);
+    if(highest_1 == u32(1))
+    {
+        size_4 = rest_7 + 0.5f;
+    }
+    else
+    {
+        size_4 = rest_7;
+    }
+    add_word_0(sum_5, _S191, u32(size_4), is_negative_1);
+    return;
+}
+
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+{
+    var first_4 : u32 = numbers_of_0(texture_7);
+    if(first_4 == u32(4294967295))
+    {
+        return;
+    }
+    var _S192 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_7 + u32(12)) + u32(1)))));
+    var _S193 : u32 = word_0(texture_7 + u32(1));
+    var k_10 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_10 < (lookup_5.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_18 : u32 = first_4 + _S193 * lookup_5.texels_0[k_10];
+        var own_3 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_10]);
+        if(_S193 == u32(1))
+        {
+            add_to_sum_0(at_18, own_3.x + own_3.y + own_3.z, _S192);
+            k_10 = k_10 + u32(1);
             continue;
         }
         var axis_6 : u32 = u32(0);
@@ -2745,10 +2814,10 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
             {
                 break;
             }
-            add_to_sum_0(at_19 + axis_6, own_3[axis_6], _S187);
+            add_to_sum_0(at_18 + axis_6, own_3[axis_6], _S192);
             axis_6 = axis_6 + u32(1);
         }
-        k_9 = k_9 + u32(1);
+        k_10 = k_10 + u32(1);
     }
     return;
 }
@@ -2759,24 +2828,24 @@ fn arriving_0( emitter_5 : u32,  place_17 : Place_0,  direction_11 : vec3<f32>, 
     var texture_8 : u32 = word_0(record_12 + u32(1));
     var texture_9 : u32;
     var lookup_6 : Lookup_0;
-    var _S189 : Colour_0;
+    var _S194 : Colour_0;
     if(is_map_0(record_12))
     {
-        var _S190 : Colour_0 = x2A_0(factor_1, vector_at_0(texture_8 + u32(11)));
-        var _S191 : Lookup_0 = in_map_0(texture_8, direction_11);
+        var _S195 : Colour_0 = x2A_0(factor_1, vector_at_0(texture_8 + u32(11)));
+        var _S196 : Lookup_0 = in_map_0(texture_8, direction_11);
         texture_9 = word_0(texture_8 + u32(14));
-        lookup_6 = _S191;
-        _S189 = _S190;
+        lookup_6 = _S196;
+        _S194 = _S195;
     }
     else
     {
-        var _S192 : Lookup_0 = lookup_at_0(texture_8, place_17);
+        var _S197 : Lookup_0 = lookup_at_0(texture_8, place_17);
         texture_9 = texture_8;
-        lookup_6 = _S192;
-        _S189 = factor_1;
+        lookup_6 = _S197;
+        _S194 = factor_1;
     }
-    add_to_texels_0(texture_9, lookup_6, importance_0 * _S189.value_0);
-    return x2A_0(_S189, texture_value_0(texture_9, lookup_6));
+    add_to_texels_0(texture_9, lookup_6, importance_0 * _S194.value_0);
+    return x2A_0(_S194, texture_value_0(texture_9, lookup_6));
 }
 
 fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
@@ -2803,37 +2872,37 @@ fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec
             return none_0;
         }
         var way_3 : vec3<f64> = position_of_0(point_1.place_12) - vertex_1.surface_3.exact_0;
-        var _S193 : vec3<f32> = vec3<f32>(way_3);
-        var distance_4 : f32 = length(_S193);
+        var _S198 : vec3<f32> = vec3<f32>(way_3);
+        var distance_4 : f32 = length(_S198);
         var nearest_2 : f64 = nearest_0 / f64(distance_4);
-        var _S194 : f64 = limit_at_0(u32(3));
-        direction_12 = _S193 / vec3<f32>(distance_4);
+        var _S199 : f64 = limit_at_0(u32(3));
+        direction_12 = _S198 / vec3<f32>(distance_4);
         way_2 = way_3;
-        farthest_0 = _S194;
+        farthest_0 = _S199;
         nearest_1 = nearest_2;
     }
     else
     {
         if(is_map_0(record_13))
         {
-            var _S195 : u32 = word_0(record_13 + u32(1));
-            var _S196 : u32 = first_5 + u32(1);
-            var _S197 : f32 = point_1.pdf_0;
-            var _S198 : vec3<f32> = sample_map_0(_S195, key_7, _S196, &(_S197));
-            point_1.pdf_0 = _S197;
-            direction_12 = _S198;
+            var _S200 : u32 = word_0(record_13 + u32(1));
+            var _S201 : u32 = first_5 + u32(1);
+            var _S202 : f32 = point_1.pdf_0;
+            var _S203 : vec3<f32> = sample_map_0(_S200, key_7, _S201, &(_S202));
+            point_1.pdf_0 = _S202;
+            direction_12 = _S203;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S199 : vec3<f32> = normalize(to_world_0(vertex_1.axes_2, local_1));
+            var _S204 : vec3<f32> = normalize(to_world_0(vertex_1.axes_2, local_1));
             point_1.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_12 = _S199;
+            direction_12 = _S204;
         }
         point_1.place_12 = vertex_1.surface_3.place_3;
-        var _S200 : f64 = limit_at_0(u32(1));
+        var _S205 : f64 = limit_at_0(u32(1));
         way_2 = vec3<f64>(direction_12);
-        farthest_0 = _S200;
+        farthest_0 = _S205;
         nearest_1 = nearest_0;
     }
     var wo_2 : vec3<f32> = to_local_0(vertex_1.axes_2, direction_12);
@@ -2852,8 +2921,8 @@ fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec
         return none_0;
     }
     var scattered_2 : Scattered_0 = eval_and_pdf_0(vertex_1.lobe_1, vertex_1.wi_0, wo_2);
-    var _S201 : Colour_0 = arriving_0(emitter_6, point_1.place_12, direction_12, x2A_1(scattered_2.value_6, weight_over_0(own_4, bsdf_samples_0 * scattered_2.pdf_3)), importance_1);
-    return _S201;
+    var _S206 : Colour_0 = arriving_0(emitter_6, point_1.place_12, direction_12, x2A_1(scattered_2.value_6, weight_over_0(own_4, bsdf_samples_0 * scattered_2.pdf_3)), importance_1);
+    return _S206;
 }
 
 struct Stretched_0
@@ -2868,37 +2937,37 @@ fn stretched_1( facets_3 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_3.alpha_0, wi_3.z);
     var view_7 : Stretched_0;
-    var _S202 : f32 = length(longer_0);
-    view_7.length_0 = _S202;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S202);
-    var _S203 : vec2<f32> = longer_1.xy;
-    var _S204 : f32 = length(_S203);
-    view_7.sine_4 = _S204;
+    var _S207 : f32 = length(longer_0);
+    view_7.length_0 = _S207;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S207);
+    var _S208 : vec2<f32> = longer_1.xy;
+    var _S209 : f32 = length(_S208);
+    view_7.sine_4 = _S209;
     view_7.cosine_9 = longer_1.z;
-    var _S205 : vec2<f32>;
-    if(_S204 > 0.0f)
+    var _S210 : vec2<f32>;
+    if(_S209 > 0.0f)
     {
-        _S205 = _S203 / vec2<f32>(view_7.sine_4);
+        _S210 = _S208 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S205 = vec2<f32>(1.0f, 0.0f);
+        _S210 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S205;
+    view_7.around_0 = _S210;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S206 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S206);
+    var _S211 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S211);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_9);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S207 : f32 = 1.0f - _S206;
-    var edge_0 : f32 = sqrt(_S207 + along_5 * along_5);
+    var _S212 : f32 = 1.0f - _S211;
+    var edge_0 : f32 = sqrt(_S212 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2906,14 +2975,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S207 / from_bottom_0;
+        from_top_1 = _S212 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S208 : f32 = _S207 / from_top_0;
+        var _S213 : f32 = _S212 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S208;
+        from_bottom_1 = _S213;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_9, across_1, max(towards_0 * view_8.cosine_9 + up_0 * view_8.sine_4, 0.0f));
@@ -2966,10 +3035,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S209 : f32 = max(view_9.cosine_9, view_9.sine_4);
-    var slope_2 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S209 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S209, -6.0f, 0.5f * steepest_0);
+    var _S214 : f32 = max(view_9.cosine_9, view_9.sine_4);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S214 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S214, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
-    var high_3 : f32 = steepest_0;
+    var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
     for(;;)
     {
@@ -2980,48 +3049,48 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             break;
         }
-        var both_1 : vec2<f32> = error_function_plus_one_0(slope_2);
-        var _S210 : f32 = both_1.y;
-        var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S210 - target_1;
-        var own_5 : f32 = _S210 * (view_9.cosine_9 - slope_2 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_2 * own_5 - _S210 * view_9.sine_4;
+        var both_1 : vec2<f32> = error_function_plus_one_0(slope_1);
+        var _S215 : f32 = both_1.y;
+        var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S215 - target_1;
+        var own_5 : f32 = _S215 * (view_9.cosine_9 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_5 - _S215 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
-            high_3 = slope_2;
+            high_2 = slope_1;
         }
         else
         {
-            low_5 = slope_2;
+            low_5 = slope_1;
         }
-        var next_0 : f32 = slope_2 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
-        var _S211 : bool;
+        var next_0 : f32 = slope_1 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
+        var _S216 : bool;
         if(next_0 >= low_5)
         {
-            _S211 = next_0 <= high_3;
+            _S216 = next_0 <= high_2;
         }
         else
         {
-            _S211 = false;
+            _S216 = false;
         }
         var next_1 : f32;
-        if(!_S211)
+        if(!_S216)
         {
-            next_1 = 0.5f * (low_5 + high_3);
+            next_1 = 0.5f * (low_5 + high_2);
         }
         else
         {
             next_1 = next_0;
         }
-        if((abs(next_1 - slope_2)) < 0.00030000001424924f)
+        if((abs(next_1 - slope_1)) < 0.00030000001424924f)
         {
-            slope_2 = next_1;
+            slope_1 = next_1;
             break;
         }
-        var _S212 : u32 = step_0 + u32(1);
-        slope_2 = next_1;
-        step_0 = _S212;
+        var _S217 : u32 = step_0 + u32(1);
+        slope_1 = next_1;
+        step_0 = _S217;
     }
-    return vec3<f32>(- slope_2, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
+    return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
 
 fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
@@ -3036,11 +3105,11 @@ fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec
     {
         normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_4, wi_4), u_11);
     }
-    var _S213 : f32 = view_10.around_0.x;
-    var _S214 : f32 = normal_7.x;
-    var _S215 : f32 = view_10.around_0.y;
-    var _S216 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S213 * _S214 - _S215 * _S216, _S215 * _S214 + _S213 * _S216) * facets_4.alpha_0, normal_7.z));
+    var _S218 : f32 = view_10.around_0.x;
+    var _S219 : f32 = normal_7.x;
+    var _S220 : f32 = view_10.around_0.y;
+    var _S221 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S218 * _S219 - _S220 * _S221, _S220 * _S219 + _S218 * _S221) * facets_4.alpha_0, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
 }
 
@@ -3053,9 +3122,9 @@ struct Drawn_0
 
 fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S217 : bool = (lobe_8.kind_1) == u32(0);
+    var _S222 : bool = (lobe_8.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S217)
+    if(_S222)
     {
         has_base_0 = true;
     }
@@ -3072,7 +3141,7 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
         has_base_0 = (lobe_8.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S217)
+    if(_S222)
     {
         of_base_1 = 1.0f;
     }
@@ -3080,16 +3149,16 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S218 : bool;
+    var _S223 : bool;
     if((lobe_8.kind_1) == u32(3))
     {
-        _S218 = true;
+        _S223 = true;
     }
     else
     {
-        _S218 = (lobe_8.kind_1) == u32(4);
+        _S223 = (lobe_8.kind_1) == u32(4);
     }
-    if(_S218)
+    if(_S223)
     {
         of_base_1 = base_probability_0(lobe_8, transmittance_0(lobe_8, wi_5.z));
     }
@@ -3140,8 +3209,8 @@ fn specular_0( lobe_9 : Lobe_0,  wi_6 : vec3<f32>) -> Colour_0
 
 fn first_from_0( position_6 : vec3<f64>,  direction_13 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var _S219 : Found_0 = cast_1(position_6, vec3<f64>(direction_13), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S219;
+    var _S224 : Found_0 = cast_1(position_6, vec3<f64>(direction_13), limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
+    return _S224;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -3160,25 +3229,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_14 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S220 : bool;
+    var _S225 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S220 = (dot(cross_of_0(found_7.triangle_5), direction_14)) < 0.0f;
+        _S225 = (dot(cross_of_0(found_7.triangle_5), direction_14)) < 0.0f;
     }
     else
     {
-        _S220 = false;
+        _S225 = false;
     }
-    var _S221 : u32;
-    if(_S220)
+    var _S226 : u32;
+    if(_S225)
     {
-        _S221 = emitter_7;
+        _S226 = emitter_7;
     }
     else
     {
-        _S221 = u32(4294967295);
+        _S226 = u32(4294967295);
     }
-    return _S221;
+    return _S226;
 }
 
 fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_15 : vec3<f32>,  distance_5 : f32) -> f32
@@ -3187,17 +3256,17 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S222 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S222.solid_angle_0) > 0.0f))
+        var _S227 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S227.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S222.solid_angle_0) >= 0.00100000004749745f)
+        if((_S227.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S222.solid_angle_0;
+            return 1.0f / _S227.solid_angle_0;
         }
     }
-    var _S223 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S228 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3211,7 +3280,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S223 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S228 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_6 = shares_1.y;
@@ -3221,39 +3290,39 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_6 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_6;
-        var _S224 : i32;
+        var _S229 : i32;
         if(is_second_1)
         {
-            _S224 = i32(3);
+            _S229 = i32(3);
         }
         else
         {
-            _S224 = i32(2);
+            _S229 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S224));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S229));
         chosen_2 = chosen_3;
     }
-    var _S225 : u32 = word_0(record_14 + u32(6));
-    var _S226 : u32 = word_0(node_6);
+    var _S230 : u32 = word_0(record_14 + u32(6));
+    var _S231 : u32 = word_0(node_6);
     own_6 = 0.0f;
-    var k_10 : u32 = _S226;
+    var k_11 : u32 = _S231;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
-        if(k_10 < (word_0(node_6 + u32(1))))
+        if(k_11 < (word_0(node_6 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S225 + k_10), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S230 + k_11), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_10 == _S223)
+        if(k_11 == _S228)
         {
             own_6 = angle_4;
         }
-        k_10 = k_10 + u32(1);
+        k_11 = k_11 + u32(1);
         total_3 = total_4;
     }
     if(!(own_6 > 0.0f))
@@ -3268,8 +3337,8 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_2 : Vertex_0,  di
     var record_15 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_15))
     {
-        var _S227 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_16);
-        return _S227;
+        var _S232 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_16);
+        return _S232;
     }
     if(!is_area_0(record_15))
     {
@@ -3295,10 +3364,10 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     var vertex_3 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_4).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S228 : u32 = word_0(u32(3));
-    var _S229 : bool = !reaches_0(depth_2 + u32(3));
+    var _S233 : u32 = word_0(u32(3));
+    var _S234 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S229)
+    if(_S234)
     {
         goes_on_0 = (vertex_3.lobe_1.kind_1) == u32(0);
     }
@@ -3321,7 +3390,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S228;
+        bsdf_samples_1 = _S233;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_3.lobe_1))
@@ -3332,7 +3401,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S230 : Choice_0 = choice_at_0(surface_5.position_0, vertex_3.axes_2.n_0, on_emitters_0 == u32(0));
+    var _S235 : Choice_0 = choice_at_0(surface_5.position_0, vertex_3.axes_2.n_0, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3343,25 +3412,25 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             break;
         }
-        var _S231 : Colour_0 = light_from_emitter_0(vertex_3, _S230, (*path_4).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S231);
+        var _S236 : Colour_0 = light_from_emitter_0(vertex_3, _S235, (*path_4).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S236);
         i_4 = i_4 + u32(1);
     }
     var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_4).place_1;
     var next_direction_0 : vec3<f32> = (*path_4).direction_0;
-    var k_11 : u32 = u32(0);
+    var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_11 < bsdf_samples_1)
+        if(k_12 < bsdf_samples_1)
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_7 + u32(3) * k_11;
+        var own_first_0 : u32 = first_7 + u32(3) * k_12;
         var drawn_1 : Drawn_0 = draw_0(vertex_3.lobe_1, vertex_3.wi_0, random_0((*path_4).key_0, own_first_0), random_pair_0((*path_4).key_0, own_first_0 + u32(1)));
         var scattered_3 : Scattered_0;
         if(drawn_1.is_specular_0)
@@ -3375,7 +3444,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         }
         if(!((scattered_3.pdf_3) > 0.0f))
         {
-            k_11 = k_11 + u32(1);
+            k_12 = k_12 + u32(1);
             continue;
         }
         var direction_17 : vec3<f32> = normalize(to_world_0(vertex_3.axes_2, drawn_1.wo_3));
@@ -3384,13 +3453,13 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
-        if(k_11 == u32(0))
+        if(k_12 == u32(0))
         {
-            var _S232 : bool = (found_9.face_7) != u32(4294967295);
-            var _S233 : Place_0 = place_of_0(found_9);
+            var _S237 : bool = (found_9.face_7) != u32(4294967295);
+            var _S238 : Place_0 = place_of_0(found_9);
             (*reflected_1).onward_0 = x2A_1(scattered_3.value_6, 1.0f / scattered_3.pdf_3);
-            goes_on_1 = _S232;
-            next_3 = _S233;
+            goes_on_1 = _S237;
+            next_3 = _S238;
             next_direction_1 = direction_17;
         }
         else
@@ -3405,37 +3474,37 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            k_11 = k_11 + u32(1);
+            k_12 = k_12 + u32(1);
             continue;
         }
         var own_7 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_3;
-        var _S234 : bool;
+        var _S239 : bool;
         if(!drawn_1.is_specular_0)
         {
-            _S234 = emitter_samples_0 != u32(0);
+            _S239 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S234 = false;
+            _S239 = false;
         }
         var other_1 : f32;
-        if(_S234)
+        if(_S239)
         {
             var pdf_4 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_3, direction_17, t_8);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S230) * pdf_4;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S235) * pdf_4;
         }
         else
         {
             other_1 = 0.0f;
         }
-        var _S235 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), direction_17, x2A_1(scattered_3.value_6, weight_over_0(own_7, other_1)), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S235);
+        var _S240 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), direction_17, x2A_1(scattered_3.value_6, weight_over_0(own_7, other_1)), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S240);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        k_11 = k_11 + u32(1);
+        k_12 = k_12 + u32(1);
     }
-    if(_S229)
+    if(_S234)
     {
         goes_on_0 = true;
     }
@@ -3448,12 +3517,12 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_1((*path_4).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S236 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S237 : u32 = depth_2 + u32(1);
-    if(_S237 >= (word_0(u32(1))))
+    var _S241 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S242 : u32 = depth_2 + u32(1);
+    if(_S242 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S236, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_4).key_0, vertex_numbers_0(_S237) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S241, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_4).key_0, vertex_numbers_0(_S242) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3553,31 +3622,31 @@ fn set_place_1( path_10 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_
 fn set_colour_0( path_11 : u32,  which_10 : ptr<function, u32>,  colour_7 : Colour_0)
 {
     set_vector_2(path_11, &((*which_10)), colour_7.value_0);
-    var k_12 : u32 = u32(0);
+    var k_13 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < u32(2))
+        if(k_13 < u32(2))
         {
         }
         else
         {
             break;
         }
-        set_vector_2(path_11, &((*which_10)), colour_7.changes_0[k_12]);
-        k_12 = k_12 + u32(1);
+        set_vector_2(path_11, &((*which_10)), colour_7.changes_0[k_13]);
+        k_13 = k_13 + u32(1);
     }
     return;
 }
 
 fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 {
-    var at_20 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_20), path_12.adjoint_0);
-    set_vector_0(number_of_path_1, &(at_20), path_12.throughput_0);
-    set_vector_0(number_of_path_1, &(at_20), path_12.direction_0);
-    set_place_0(number_of_path_1, &(at_20), path_12.place_1);
-    set_word_0(number_of_path_1, at_20, path_12.key_0.x);
-    set_word_0(number_of_path_1, at_20 + u32(1), path_12.key_0.y);
+    var at_19 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_19), path_12.adjoint_0);
+    set_vector_0(number_of_path_1, &(at_19), path_12.throughput_0);
+    set_vector_0(number_of_path_1, &(at_19), path_12.direction_0);
+    set_place_0(number_of_path_1, &(at_19), path_12.place_1);
+    set_word_0(number_of_path_1, at_19, path_12.key_0.x);
+    set_word_0(number_of_path_1, at_19 + u32(1), path_12.key_0.y);
     return;
 }
 
@@ -3585,12 +3654,12 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 @workgroup_size(64, 1, 1)
 fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_21 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_21 >= (launch_0.end_0))
+    var at_20 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_20 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_21];
+    var number_of_path_2 : u32 = input_0[at_20];
     var path_13 : Path_0 = load_0(number_of_path_2);
     var importance_3 : vec3<f32> = path_13.adjoint_0 * path_13.throughput_0;
     var place_21 : Place_0 = path_13.place_1;
@@ -3600,22 +3669,22 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var kept_0 : u32 = kept_at_0();
     set_vector_1(number_of_path_2, &(kept_0), importance_3);
     set_place_1(number_of_path_2, &(kept_0), place_21);
-    var _S238 : u32 = kept_0;
+    var _S243 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    set_word_0(number_of_path_2, _S238, material_2);
+    set_word_0(number_of_path_2, _S243, material_2);
     set_colour_0(number_of_path_2, &(kept_0), reflected_2.direct_0);
     set_colour_0(number_of_path_2, &(kept_0), reflected_2.onward_0);
     path_13.throughput_0 = path_13.throughput_0 * reflected_2.onward_0.value_0;
     store_0(number_of_path_2, path_13);
-    var _S239 : u32;
+    var _S244 : u32;
     if(goes_on_2)
     {
-        _S239 = number_of_path_2;
+        _S244 = number_of_path_2;
     }
     else
     {
-        _S239 = u32(4294967295);
+        _S244 = u32(4294967295);
     }
-    set_word_0(at_21, u32(0), _S239);
+    set_word_0(at_20, u32(0), _S244);
     return;
 }

@@ -1,7 +1,7 @@
 // Compiled from reverse.slang by `cargo xtask kernels`. Not to be edited.
 // compiler: Slang 2026.12 in slangpy 0.43.1
-// source: e4039b14a3e998cc
-// result: 9afde3afa9e1f009
+// source: b69f99b2b0d21cad
+// result: e2133dfb756d7ce8
 
 struct Launch_std140_0
 {
@@ -2491,9 +2491,9 @@ fn fresnel_diffuse_0( eta_4 : f32) -> f32
     return ((((-1.36881005764007568f * inverse_1 + 4.98553991317749023f) * inverse_1 - 7.80988979339599609f) * inverse_1 + 6.75334978103637695f) * inverse_1 - 3.47930002212524414f) * inverse_1 + 0.91931700706481934f;
 }
 
-fn function_0( x_12 : Colour_0,  value_5 : vec3<f32>,  slope_1 : vec3<f32>) -> Colour_0
+fn function_0( x_12 : Colour_0,  value_5 : vec3<f32>,  derivative_0 : vec3<f32>) -> Colour_0
 {
-    var result_0 : Colour_0 = x2A_0(x_12, slope_1);
+    var result_0 : Colour_0 = x2A_0(x_12, derivative_0);
     result_0.value_0 = value_5;
     return result_0;
 }
@@ -2646,90 +2646,159 @@ fn numbers_of_0( texture_6 : u32) -> u32
     return change_word_0(u32(2) * word_0(texture_6 + u32(12)));
 }
 
-fn add_to_sum_0( sum_4 : u32,  derivative_0 : f32,  units_0 : f32)
+fn add_word_0( sum_4 : u32,  word_of_sum_0 : u32,  number_1 : u32,  is_negative_0 : bool)
 {
-    if(!((abs(derivative_0)) < 3.00000000549775576e+38f))
-    {
-        var _S177 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
-        return;
-    }
-    var scaled_0 : f32 = derivative_0 * units_0;
-    var size_3 : f32 = abs(scaled_0);
-    if(size_3 > 2.74877906944e+11f)
-    {
-        var _S178 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
-        return;
-    }
-    var high_2 : u32 = u32(size_3 * 2.32830643653869629e-10f);
-    var _S179 : u32 = u32(size_3 - f32(high_2) * 4.294967296e+09f + 0.5f);
-    var whole_0 : vec2<u32> = vec2<u32>(_S179, high_2);
-    var _S180 : bool;
-    if(_S179 == u32(0))
-    {
-        _S180 = high_2 == u32(0);
-    }
-    else
-    {
-        _S180 = false;
-    }
-    if(_S180)
-    {
-        return;
-    }
-    var whole_1 : vec2<u32>;
-    if(scaled_0 < 0.0f)
-    {
-        whole_1 = plus_0(~whole_0, vec2<u32>(u32(1), u32(0)));
-    }
-    else
-    {
-        whole_1 = whole_0;
-    }
-    var at_18 : u32 = u32(2) + u32(2) * sum_4;
-    var _S181 : u32 = whole_1.x;
-    var before_0 : u32 = atomicAdd(&(sums_0[at_18]), _S181);
-    var _S182 : i32;
-    if((before_0 + _S181) < before_0)
-    {
-        _S182 = i32(1);
-    }
-    else
-    {
-        _S182 = i32(0);
-    }
-    var _S183 : u32 = whole_1.y + u32(_S182);
-    if(_S183 != u32(0))
-    {
-        var _S184 : u32 = atomicAdd(&(sums_0[at_18 + u32(1)]), _S183);
-    }
-    return;
-}
-
-fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<f32>)
-{
-    var first_4 : u32 = numbers_of_0(texture_7);
-    if(first_4 == u32(4294967295))
-    {
-        return;
-    }
-    var _S185 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_7 + u32(12)) + u32(1)))));
-    var _S186 : u32 = word_0(texture_7 + u32(1));
-    var k_9 : u32 = u32(0);
+    var _S177 : u32 = u32(2) + u32(4) * sum_4;
+    var _S178 : u32 = number_1;
+    var k_9 : u32 = word_of_sum_0;
     for(;;)
     {
-        if(k_9 < (lookup_5.count_0))
+        var _S179 : bool;
+        if(k_9 < u32(4))
+        {
+            _S179 = _S178 != u32(0);
+        }
+        else
+        {
+            _S179 = false;
+        }
+        if(_S179)
         {
         }
         else
         {
             break;
         }
-        var at_19 : u32 = first_4 + _S186 * lookup_5.texels_0[k_9];
-        var own_3 : vec3<f32> = derivative_1 * vec3<f32>(lookup_5.weights_0[k_9]);
-        if(_S186 == u32(1))
+        var _S180 : u32;
+        if(is_negative_0)
         {
-            add_to_sum_0(at_19, own_3.x + own_3.y + own_3.z, _S185);
-            k_9 = k_9 + u32(1);
+            _S180 = u32(0) - _S178;
+        }
+        else
+        {
+            _S180 = _S178;
+        }
+        var before_0 : u32 = atomicAdd(&(sums_0[_S177 + k_9]), _S180);
+        var overflows_0 : bool;
+        if(is_negative_0)
+        {
+            overflows_0 = before_0 < _S178;
+        }
+        else
+        {
+            overflows_0 = (before_0 + _S178) < before_0;
+        }
+        var _S181 : i32;
+        if(overflows_0)
+        {
+            _S181 = i32(1);
+        }
+        else
+        {
+            _S181 = i32(0);
+        }
+        var _S182 : u32 = u32(_S181);
+        var _S183 : u32 = k_9 + u32(1);
+        _S178 = _S182;
+        k_9 = _S183;
+    }
+    return;
+}
+
+fn add_to_sum_0( sum_5 : u32,  derivative_1 : f32,  units_0 : f32)
+{
+    if(!((abs(derivative_1)) < 3.00000000549775576e+38f))
+    {
+        var _S184 : u32 = atomicAdd(&(sums_0[u32(1)]), u32(1));
+        return;
+    }
+    var scaled_0 : f32 = derivative_1 * units_0;
+    var size_3 : f32 = abs(scaled_0);
+    if(size_3 > 7.73712524553362672e+25f)
+    {
+        var _S185 : u32 = atomicAdd(&(sums_0[u32(0)]), u32(1));
+        return;
+    }
+    var is_negative_1 : bool = scaled_0 < 0.0f;
+    var highest_1 : u32 = u32(0);
+    var size_4 : f32 = size_3;
+    for(;;)
+    {
+        var _S186 : bool;
+        if(highest_1 < u32(2))
+        {
+            _S186 = size_4 >= 4.294967296e+09f;
+        }
+        else
+        {
+            _S186 = false;
+        }
+        if(_S186)
+        {
+        }
+        else
+        {
+            break;
+        }
+        var size_5 : f32 = size_4 * 2.32830643653869629e-10f;
+        highest_1 = highest_1 + u32(1);
+        size_4 = size_5;
+    }
+    var _S187 : bool = highest_1 == u32(0);
+    var _S188 : f32;
+    if(_S187)
+    {
+        _S188 = size_4 + 0.5f;
+    }
+    else
+    {
+        _S188 = size_4;
+    }
+    var whole_0 : u32 = u32(_S188);
+    add_word_0(sum_5, highest_1, whole_0, is_negative_1);
+    if(_S187)
+    {
+        return;
+    }
+    var rest_7 : f32 = (size_4 - f32(whole_0)) * 4.294967296e+09f;
+    var _S189 : u32 = highest_1 - u32(1);
+    if(highest_1 == u32(1))
+    {
+        size_4 = rest_7 + 0.5f;
+    }
+    else
+    {
+        size_4 = rest_7;
+    }
+    add_word_0(sum_5, _S189, u32(size_4), is_negative_1);
+    return;
+}
+
+fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_2 : vec3<f32>)
+{
+    var first_4 : u32 = numbers_of_0(texture_7);
+    if(first_4 == u32(4294967295))
+    {
+        return;
+    }
+    var _S190 : f32 = (bitcast<f32>((change_word_0(u32(2) * word_0(texture_7 + u32(12)) + u32(1)))));
+    var _S191 : u32 = word_0(texture_7 + u32(1));
+    var k_10 : u32 = u32(0);
+    for(;;)
+    {
+        if(k_10 < (lookup_5.count_0))
+        {
+        }
+        else
+        {
+            break;
+        }
+        var at_18 : u32 = first_4 + _S191 * lookup_5.texels_0[k_10];
+        var own_3 : vec3<f32> = derivative_2 * vec3<f32>(lookup_5.weights_0[k_10]);
+        if(_S191 == u32(1))
+        {
+            add_to_sum_0(at_18, own_3.x + own_3.y + own_3.z, _S190);
+            k_10 = k_10 + u32(1);
             continue;
         }
         var axis_6 : u32 = u32(0);
@@ -2742,10 +2811,10 @@ fn add_to_texels_0( texture_7 : u32,  lookup_5 : Lookup_0,  derivative_1 : vec3<
             {
                 break;
             }
-            add_to_sum_0(at_19 + axis_6, own_3[axis_6], _S185);
+            add_to_sum_0(at_18 + axis_6, own_3[axis_6], _S190);
             axis_6 = axis_6 + u32(1);
         }
-        k_9 = k_9 + u32(1);
+        k_10 = k_10 + u32(1);
     }
     return;
 }
@@ -2756,24 +2825,24 @@ fn arriving_0( emitter_5 : u32,  place_17 : Place_0,  direction_11 : vec3<f32>, 
     var texture_8 : u32 = word_0(record_12 + u32(1));
     var texture_9 : u32;
     var lookup_6 : Lookup_0;
-    var _S187 : Colour_0;
+    var _S192 : Colour_0;
     if(is_map_0(record_12))
     {
-        var _S188 : Colour_0 = x2A_0(factor_1, vector_at_0(texture_8 + u32(11)));
-        var _S189 : Lookup_0 = in_map_0(texture_8, direction_11);
+        var _S193 : Colour_0 = x2A_0(factor_1, vector_at_0(texture_8 + u32(11)));
+        var _S194 : Lookup_0 = in_map_0(texture_8, direction_11);
         texture_9 = word_0(texture_8 + u32(14));
-        lookup_6 = _S189;
-        _S187 = _S188;
+        lookup_6 = _S194;
+        _S192 = _S193;
     }
     else
     {
-        var _S190 : Lookup_0 = lookup_at_0(texture_8, place_17);
+        var _S195 : Lookup_0 = lookup_at_0(texture_8, place_17);
         texture_9 = texture_8;
-        lookup_6 = _S190;
-        _S187 = factor_1;
+        lookup_6 = _S195;
+        _S192 = factor_1;
     }
-    add_to_texels_0(texture_9, lookup_6, importance_0 * _S187.value_0);
-    return x2A_0(_S187, texture_value_0(texture_9, lookup_6));
+    add_to_texels_0(texture_9, lookup_6, importance_0 * _S192.value_0);
+    return x2A_0(_S192, texture_value_0(texture_9, lookup_6));
 }
 
 fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec2<u32>,  first_5 : u32,  bsdf_samples_0 : f32,  importance_1 : vec3<f32>) -> Colour_0
@@ -2802,34 +2871,34 @@ fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec
         var way_3 : vec3<f32> = position_of_0(point_1.place_12) - vertex_1.surface_3.exact_0;
         var distance_4 : f32 = length(way_3);
         var nearest_2 : f32 = nearest_0 / distance_4;
-        var _S191 : f32 = limit_at_0(u32(3));
+        var _S196 : f32 = limit_at_0(u32(3));
         direction_12 = way_3 / vec3<f32>(distance_4);
         way_2 = way_3;
-        farthest_0 = _S191;
+        farthest_0 = _S196;
         nearest_1 = nearest_2;
     }
     else
     {
         if(is_map_0(record_13))
         {
-            var _S192 : u32 = word_0(record_13 + u32(1));
-            var _S193 : u32 = first_5 + u32(1);
-            var _S194 : f32 = point_1.pdf_0;
-            var _S195 : vec3<f32> = sample_map_0(_S192, key_7, _S193, &(_S194));
-            point_1.pdf_0 = _S194;
-            direction_12 = _S195;
+            var _S197 : u32 = word_0(record_13 + u32(1));
+            var _S198 : u32 = first_5 + u32(1);
+            var _S199 : f32 = point_1.pdf_0;
+            var _S200 : vec3<f32> = sample_map_0(_S197, key_7, _S198, &(_S199));
+            point_1.pdf_0 = _S199;
+            direction_12 = _S200;
         }
         else
         {
             var local_1 : vec3<f32> = sample_cosine_0(random_pair_0(key_7, first_5 + u32(1)));
-            var _S196 : vec3<f32> = normalize(to_world_0(vertex_1.axes_2, local_1));
+            var _S201 : vec3<f32> = normalize(to_world_0(vertex_1.axes_2, local_1));
             point_1.pdf_0 = local_1.z * 0.31830987334251404f;
-            direction_12 = _S196;
+            direction_12 = _S201;
         }
         point_1.place_12 = vertex_1.surface_3.place_3;
-        var _S197 : f32 = limit_at_0(u32(1));
+        var _S202 : f32 = limit_at_0(u32(1));
         way_2 = direction_12;
-        farthest_0 = _S197;
+        farthest_0 = _S202;
         nearest_1 = nearest_0;
     }
     var wo_2 : vec3<f32> = to_local_0(vertex_1.axes_2, direction_12);
@@ -2848,8 +2917,8 @@ fn light_from_emitter_0( vertex_1 : Vertex_0,  choice_5 : Choice_0,  key_7 : vec
         return none_0;
     }
     var scattered_2 : Scattered_0 = eval_and_pdf_0(vertex_1.lobe_1, vertex_1.wi_0, wo_2);
-    var _S198 : Colour_0 = arriving_0(emitter_6, point_1.place_12, direction_12, x2A_1(scattered_2.value_6, weight_over_0(own_4, bsdf_samples_0 * scattered_2.pdf_3)), importance_1);
-    return _S198;
+    var _S203 : Colour_0 = arriving_0(emitter_6, point_1.place_12, direction_12, x2A_1(scattered_2.value_6, weight_over_0(own_4, bsdf_samples_0 * scattered_2.pdf_3)), importance_1);
+    return _S203;
 }
 
 struct Stretched_0
@@ -2864,37 +2933,37 @@ fn stretched_1( facets_3 : Microfacets_0,  wi_3 : vec3<f32>) -> Stretched_0
 {
     var longer_0 : vec3<f32> = vec3<f32>(wi_3.xy * facets_3.alpha_0, wi_3.z);
     var view_7 : Stretched_0;
-    var _S199 : f32 = length(longer_0);
-    view_7.length_0 = _S199;
-    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S199);
-    var _S200 : vec2<f32> = longer_1.xy;
-    var _S201 : f32 = length(_S200);
-    view_7.sine_4 = _S201;
+    var _S204 : f32 = length(longer_0);
+    view_7.length_0 = _S204;
+    var longer_1 : vec3<f32> = longer_0 / vec3<f32>(_S204);
+    var _S205 : vec2<f32> = longer_1.xy;
+    var _S206 : f32 = length(_S205);
+    view_7.sine_4 = _S206;
     view_7.cosine_9 = longer_1.z;
-    var _S202 : vec2<f32>;
-    if(_S201 > 0.0f)
+    var _S207 : vec2<f32>;
+    if(_S206 > 0.0f)
     {
-        _S202 = _S200 / vec2<f32>(view_7.sine_4);
+        _S207 = _S205 / vec2<f32>(view_7.sine_4);
     }
     else
     {
-        _S202 = vec2<f32>(1.0f, 0.0f);
+        _S207 = vec2<f32>(1.0f, 0.0f);
     }
-    view_7.around_0 = _S202;
+    view_7.around_0 = _S207;
     return view_7;
 }
 
 fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
 {
-    var _S203 : f32 = u_9.x;
-    var radius_2 : f32 = sqrt(_S203);
+    var _S208 : f32 = u_9.x;
+    var radius_2 : f32 = sqrt(_S208);
     var turn_3 : vec2<f32> = sine_cosine_0(6.28318548202514648f * u_9.y);
     var across_1 : f32 = radius_2 * turn_3.y;
     var along_5 : f32 = radius_2 * turn_3.x;
     var visible_0 : f32 = 0.5f * (1.0f + view_8.cosine_9);
     var hidden_0 : f32 = 1.0f - visible_0;
-    var _S204 : f32 = 1.0f - _S203;
-    var edge_0 : f32 = sqrt(_S204 + along_5 * along_5);
+    var _S209 : f32 = 1.0f - _S208;
+    var edge_0 : f32 = sqrt(_S209 + along_5 * along_5);
     var up_0 : f32 = hidden_0 * edge_0 + visible_0 * along_5;
     var from_top_0 : f32 = edge_0 - along_5;
     var from_bottom_0 : f32 = edge_0 + along_5;
@@ -2902,14 +2971,14 @@ fn ggx_normal_0( view_8 : Stretched_0,  u_9 : vec2<f32>) -> vec3<f32>
     var from_bottom_1 : f32;
     if(along_5 > 0.0f)
     {
-        from_top_1 = _S204 / from_bottom_0;
+        from_top_1 = _S209 / from_bottom_0;
         from_bottom_1 = from_bottom_0;
     }
     else
     {
-        var _S205 : f32 = _S204 / from_top_0;
+        var _S210 : f32 = _S209 / from_top_0;
         from_top_1 = from_top_0;
-        from_bottom_1 = _S205;
+        from_bottom_1 = _S210;
     }
     var towards_0 : f32 = sqrt(visible_0 * from_top_1 * (2.0f * hidden_0 * edge_0 + visible_0 * from_bottom_1));
     return vec3<f32>(towards_0 * view_8.sine_4 - up_0 * view_8.cosine_9, across_1, max(towards_0 * view_8.cosine_9 + up_0 * view_8.sine_4, 0.0f));
@@ -2962,10 +3031,10 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         steepest_0 = 6.0f;
     }
     var target_1 : f32 = u_10.x * (2.0f / (visible_1 * view_9.length_0));
-    var _S206 : f32 = max(view_9.cosine_9, view_9.sine_4);
-    var slope_2 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S206 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S206, -6.0f, 0.5f * steepest_0);
+    var _S211 : f32 = max(view_9.cosine_9, view_9.sine_4);
+    var slope_1 : f32 = clamp(error_function_inverse_0(clamp(target_1 / _S211 - 1.0f, -0.99999994039535522f, 0.99999994039535522f)) + -0.5f * view_9.sine_4 / _S211, -6.0f, 0.5f * steepest_0);
     var low_5 : f32 = -6.0f;
-    var high_3 : f32 = steepest_0;
+    var high_2 : f32 = steepest_0;
     var step_0 : u32 = u32(0);
     for(;;)
     {
@@ -2976,48 +3045,48 @@ fn beckmann_normal_0( view_9 : Stretched_0,  visible_1 : f32,  u_10 : vec2<f32>)
         {
             break;
         }
-        var both_1 : vec2<f32> = error_function_plus_one_0(slope_2);
-        var _S207 : f32 = both_1.y;
-        var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S207 - target_1;
-        var own_5 : f32 = _S207 * (view_9.cosine_9 - slope_2 * view_9.sine_4);
-        var bend_0 : f32 = -2.0f * slope_2 * own_5 - _S207 * view_9.sine_4;
+        var both_1 : vec2<f32> = error_function_plus_one_0(slope_1);
+        var _S212 : f32 = both_1.y;
+        var error_0 : f32 = view_9.cosine_9 * both_1.x + 0.5f * view_9.sine_4 * _S212 - target_1;
+        var own_5 : f32 = _S212 * (view_9.cosine_9 - slope_1 * view_9.sine_4);
+        var bend_0 : f32 = -2.0f * slope_1 * own_5 - _S212 * view_9.sine_4;
         if(error_0 > 0.0f)
         {
-            high_3 = slope_2;
+            high_2 = slope_1;
         }
         else
         {
-            low_5 = slope_2;
+            low_5 = slope_1;
         }
-        var next_0 : f32 = slope_2 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
-        var _S208 : bool;
+        var next_0 : f32 = slope_1 - error_0 * own_5 / (own_5 * own_5 - 0.5f * error_0 * bend_0);
+        var _S213 : bool;
         if(next_0 >= low_5)
         {
-            _S208 = next_0 <= high_3;
+            _S213 = next_0 <= high_2;
         }
         else
         {
-            _S208 = false;
+            _S213 = false;
         }
         var next_1 : f32;
-        if(!_S208)
+        if(!_S213)
         {
-            next_1 = 0.5f * (low_5 + high_3);
+            next_1 = 0.5f * (low_5 + high_2);
         }
         else
         {
             next_1 = next_0;
         }
-        if((abs(next_1 - slope_2)) < 0.00030000001424924f)
+        if((abs(next_1 - slope_1)) < 0.00030000001424924f)
         {
-            slope_2 = next_1;
+            slope_1 = next_1;
             break;
         }
-        var _S209 : u32 = step_0 + u32(1);
-        slope_2 = next_1;
-        step_0 = _S209;
+        var _S214 : u32 = step_0 + u32(1);
+        slope_1 = next_1;
+        step_0 = _S214;
     }
-    return vec3<f32>(- slope_2, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
+    return vec3<f32>(- slope_1, error_function_inverse_0(max(2.0f * u_10.y - 1.0f, -0.99999994039535522f)), 1.0f);
 }
 
 fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec2<f32>) -> vec3<f32>
@@ -3032,11 +3101,11 @@ fn mirrored_at_facet_0( facets_4 : Microfacets_0,  wi_4 : vec3<f32>,  u_11 : vec
     {
         normal_7 = beckmann_normal_0(view_10, visible_over_cos_0(facets_4, wi_4), u_11);
     }
-    var _S210 : f32 = view_10.around_0.x;
-    var _S211 : f32 = normal_7.x;
-    var _S212 : f32 = view_10.around_0.y;
-    var _S213 : f32 = normal_7.y;
-    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S210 * _S211 - _S212 * _S213, _S212 * _S211 + _S210 * _S213) * facets_4.alpha_0, normal_7.z));
+    var _S215 : f32 = view_10.around_0.x;
+    var _S216 : f32 = normal_7.x;
+    var _S217 : f32 = view_10.around_0.y;
+    var _S218 : f32 = normal_7.y;
+    var normal_8 : vec3<f32> = normalize(vec3<f32>(vec2<f32>(_S215 * _S216 - _S217 * _S218, _S217 * _S216 + _S215 * _S218) * facets_4.alpha_0, normal_7.z));
     return normalize(normal_8 * vec3<f32>((2.0f * dot(wi_4, normal_8))) - wi_4);
 }
 
@@ -3049,9 +3118,9 @@ struct Drawn_0
 
 fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32>) -> Drawn_0
 {
-    var _S214 : bool = (lobe_8.kind_1) == u32(0);
+    var _S219 : bool = (lobe_8.kind_1) == u32(0);
     var has_base_0 : bool;
-    if(_S214)
+    if(_S219)
     {
         has_base_0 = true;
     }
@@ -3068,7 +3137,7 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
         has_base_0 = (lobe_8.kind_1) == u32(4);
     }
     var of_base_1 : f32;
-    if(_S214)
+    if(_S219)
     {
         of_base_1 = 1.0f;
     }
@@ -3076,16 +3145,16 @@ fn draw_0( lobe_8 : Lobe_0,  wi_5 : vec3<f32>,  choice_6 : f32,  u_12 : vec2<f32
     {
         of_base_1 = 0.0f;
     }
-    var _S215 : bool;
+    var _S220 : bool;
     if((lobe_8.kind_1) == u32(3))
     {
-        _S215 = true;
+        _S220 = true;
     }
     else
     {
-        _S215 = (lobe_8.kind_1) == u32(4);
+        _S220 = (lobe_8.kind_1) == u32(4);
     }
-    if(_S215)
+    if(_S220)
     {
         of_base_1 = base_probability_0(lobe_8, transmittance_0(lobe_8, wi_5.z));
     }
@@ -3136,8 +3205,8 @@ fn specular_0( lobe_9 : Lobe_0,  wi_6 : vec3<f32>) -> Colour_0
 
 fn first_from_0( position_6 : vec3<f32>,  direction_13 : vec3<f32>,  t_6 : ptr<function, f32>) -> Found_0
 {
-    var _S216 : Found_0 = cast_1(position_6, direction_13, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
-    return _S216;
+    var _S221 : Found_0 = cast_1(position_6, direction_13, limit_at_0(u32(2)), limit_at_0(u32(1)), false, &((*t_6)));
+    return _S221;
 }
 
 fn place_of_0( found_6 : Found_0) -> Place_0
@@ -3156,25 +3225,25 @@ fn emitter_seen_0( found_7 : Found_0,  direction_14 : vec3<f32>) -> u32
         return word_0(u32(8));
     }
     var emitter_7 : u32 = word_0(shape_of_0(found_7.triangle_5) + u32(4));
-    var _S217 : bool;
+    var _S222 : bool;
     if(emitter_7 != u32(4294967295))
     {
-        _S217 = (dot(cross_of_0(found_7.triangle_5), direction_14)) < 0.0f;
+        _S222 = (dot(cross_of_0(found_7.triangle_5), direction_14)) < 0.0f;
     }
     else
     {
-        _S217 = false;
+        _S222 = false;
     }
-    var _S218 : u32;
-    if(_S217)
+    var _S223 : u32;
+    if(_S222)
     {
-        _S218 = emitter_7;
+        _S223 = emitter_7;
     }
     else
     {
-        _S218 = u32(4294967295);
+        _S223 = u32(4294967295);
     }
-    return _S218;
+    return _S223;
 }
 
 fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_15 : vec3<f32>,  distance_5 : f32) -> f32
@@ -3183,17 +3252,17 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
     var rectangle_1 : u32 = word_0(record_14 + u32(4));
     if(rectangle_1 != u32(4294967295))
     {
-        var _S219 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
-        if(!((_S219.solid_angle_0) > 0.0f))
+        var _S224 : SeenRectangle_0 = seen_rectangle_0(rectangle_1, from_2.position_0);
+        if(!((_S224.solid_angle_0) > 0.0f))
         {
             return 0.0f;
         }
-        if((_S219.solid_angle_0) >= 0.00100000004749745f)
+        if((_S224.solid_angle_0) >= 0.00100000004749745f)
         {
-            return 1.0f / _S219.solid_angle_0;
+            return 1.0f / _S224.solid_angle_0;
         }
     }
-    var _S220 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
+    var _S225 : u32 = word_0(word_0(record_14 + u32(7)) + face_8);
     var nodes_at_2 : u32 = word_0(record_14 + u32(5));
     var node_6 : u32 = nodes_at_2;
     var chosen_2 : f32 = 1.0f;
@@ -3207,7 +3276,7 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             break;
         }
         var shares_1 : vec2<f32> = shares_of_0(nodes_at_2, node_6, from_2.position_0);
-        var is_second_1 : bool = _S220 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
+        var is_second_1 : bool = _S225 >= (word_0(nodes_at_2 + u32(17) * word_0(node_6 + u32(3))));
         if(is_second_1)
         {
             own_6 = shares_1.y;
@@ -3217,39 +3286,39 @@ fn area_pdf_0( record_14 : u32,  face_8 : u32,  from_2 : Surface_0,  direction_1
             own_6 = shares_1.x;
         }
         var chosen_3 : f32 = chosen_2 * own_6;
-        var _S221 : i32;
+        var _S226 : i32;
         if(is_second_1)
         {
-            _S221 = i32(3);
+            _S226 = i32(3);
         }
         else
         {
-            _S221 = i32(2);
+            _S226 = i32(2);
         }
-        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S221));
+        node_6 = nodes_at_2 + u32(17) * word_0(node_6 + u32(_S226));
         chosen_2 = chosen_3;
     }
-    var _S222 : u32 = word_0(record_14 + u32(6));
-    var _S223 : u32 = word_0(node_6);
+    var _S227 : u32 = word_0(record_14 + u32(6));
+    var _S228 : u32 = word_0(node_6);
     own_6 = 0.0f;
-    var k_10 : u32 = _S223;
+    var k_11 : u32 = _S228;
     var total_3 : f32 = 0.0f;
     for(;;)
     {
-        if(k_10 < (word_0(node_6 + u32(1))))
+        if(k_11 < (word_0(node_6 + u32(1))))
         {
         }
         else
         {
             break;
         }
-        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S222 + k_10), from_2.exact_0);
+        var angle_4 : f32 = face_solid_angle_0(record_14, word_0(_S227 + k_11), from_2.exact_0);
         var total_4 : f32 = total_3 + angle_4;
-        if(k_10 == _S220)
+        if(k_11 == _S225)
         {
             own_6 = angle_4;
         }
-        k_10 = k_10 + u32(1);
+        k_11 = k_11 + u32(1);
         total_3 = total_4;
     }
     if(!(own_6 > 0.0f))
@@ -3264,8 +3333,8 @@ fn emitter_pdf_0( emitter_8 : u32,  found_8 : Found_0,  vertex_2 : Vertex_0,  di
     var record_15 : u32 = emitter_record_0(emitter_8);
     if(is_map_0(record_15))
     {
-        var _S224 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_16);
-        return _S224;
+        var _S229 : f32 = map_pdf_0(word_0(record_15 + u32(1)), direction_16);
+        return _S229;
     }
     if(!is_area_0(record_15))
     {
@@ -3291,10 +3360,10 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     var vertex_3 : Vertex_0 = vertex_at_0(surface_5, material_1, (*path_4).direction_0);
     var emitter_samples_0 : u32 = word_0(u32(2));
-    var _S225 : u32 = word_0(u32(3));
-    var _S226 : bool = !reaches_0(depth_2 + u32(3));
+    var _S230 : u32 = word_0(u32(3));
+    var _S231 : bool = !reaches_0(depth_2 + u32(3));
     var goes_on_0 : bool;
-    if(_S226)
+    if(_S231)
     {
         goes_on_0 = (vertex_3.lobe_1.kind_1) == u32(0);
     }
@@ -3317,7 +3386,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     }
     else
     {
-        bsdf_samples_1 = _S225;
+        bsdf_samples_1 = _S230;
     }
     var on_emitters_0 : u32;
     if(has_smooth_0(vertex_3.lobe_1))
@@ -3328,7 +3397,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
     {
         on_emitters_0 = u32(0);
     }
-    var _S227 : Choice_0 = choice_at_0(surface_5.position_0, vertex_3.axes_2.n_0, on_emitters_0 == u32(0));
+    var _S232 : Choice_0 = choice_at_0(surface_5.position_0, vertex_3.axes_2.n_0, on_emitters_0 == u32(0));
     var i_4 : u32 = u32(0);
     for(;;)
     {
@@ -3339,25 +3408,25 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         {
             break;
         }
-        var _S228 : Colour_0 = light_from_emitter_0(vertex_3, _S227, (*path_4).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S228);
+        var _S233 : Colour_0 = light_from_emitter_0(vertex_3, _S232, (*path_4).key_0, first_6 + u32(3) * i_4, f32(bsdf_samples_1), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S233);
         i_4 = i_4 + u32(1);
     }
     var first_7 : u32 = first_6 + u32(3) * emitter_samples_0;
     goes_on_0 = false;
     var next_2 : Place_0 = (*path_4).place_1;
     var next_direction_0 : vec3<f32> = (*path_4).direction_0;
-    var k_11 : u32 = u32(0);
+    var k_12 : u32 = u32(0);
     for(;;)
     {
-        if(k_11 < bsdf_samples_1)
+        if(k_12 < bsdf_samples_1)
         {
         }
         else
         {
             break;
         }
-        var own_first_0 : u32 = first_7 + u32(3) * k_11;
+        var own_first_0 : u32 = first_7 + u32(3) * k_12;
         var drawn_1 : Drawn_0 = draw_0(vertex_3.lobe_1, vertex_3.wi_0, random_0((*path_4).key_0, own_first_0), random_pair_0((*path_4).key_0, own_first_0 + u32(1)));
         var scattered_3 : Scattered_0;
         if(drawn_1.is_specular_0)
@@ -3371,7 +3440,7 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         }
         if(!((scattered_3.pdf_3) > 0.0f))
         {
-            k_11 = k_11 + u32(1);
+            k_12 = k_12 + u32(1);
             continue;
         }
         var direction_17 : vec3<f32> = normalize(to_world_0(vertex_3.axes_2, drawn_1.wo_3));
@@ -3380,13 +3449,13 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         var goes_on_1 : bool;
         var next_3 : Place_0;
         var next_direction_1 : vec3<f32>;
-        if(k_11 == u32(0))
+        if(k_12 == u32(0))
         {
-            var _S229 : bool = (found_9.face_7) != u32(4294967295);
-            var _S230 : Place_0 = place_of_0(found_9);
+            var _S234 : bool = (found_9.face_7) != u32(4294967295);
+            var _S235 : Place_0 = place_of_0(found_9);
             (*reflected_1).onward_0 = x2A_1(scattered_3.value_6, 1.0f / scattered_3.pdf_3);
-            goes_on_1 = _S229;
-            next_3 = _S230;
+            goes_on_1 = _S234;
+            next_3 = _S235;
             next_direction_1 = direction_17;
         }
         else
@@ -3401,37 +3470,37 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
             goes_on_0 = goes_on_1;
             next_2 = next_3;
             next_direction_0 = next_direction_1;
-            k_11 = k_11 + u32(1);
+            k_12 = k_12 + u32(1);
             continue;
         }
         var own_7 : f32 = f32(bsdf_samples_1) * scattered_3.pdf_3;
-        var _S231 : bool;
+        var _S236 : bool;
         if(!drawn_1.is_specular_0)
         {
-            _S231 = emitter_samples_0 != u32(0);
+            _S236 = emitter_samples_0 != u32(0);
         }
         else
         {
-            _S231 = false;
+            _S236 = false;
         }
         var other_1 : f32;
-        if(_S231)
+        if(_S236)
         {
             var pdf_4 : f32 = emitter_pdf_0(emitter_9, found_9, vertex_3, direction_17, t_8);
-            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S227) * pdf_4;
+            other_1 = f32(emitter_samples_0) * chance_of_0(emitter_9, _S232) * pdf_4;
         }
         else
         {
             other_1 = 0.0f;
         }
-        var _S232 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), direction_17, x2A_1(scattered_3.value_6, weight_over_0(own_7, other_1)), importance_2);
-        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S232);
+        var _S237 : Colour_0 = arriving_0(emitter_9, place_of_0(found_9), direction_17, x2A_1(scattered_3.value_6, weight_over_0(own_7, other_1)), importance_2);
+        (*reflected_1).direct_0 = x2B_0((*reflected_1).direct_0, _S237);
         goes_on_0 = goes_on_1;
         next_2 = next_3;
         next_direction_0 = next_direction_1;
-        k_11 = k_11 + u32(1);
+        k_12 = k_12 + u32(1);
     }
-    if(_S226)
+    if(_S231)
     {
         goes_on_0 = true;
     }
@@ -3444,12 +3513,12 @@ fn take_further_0( path_4 : ptr<function, Path_0>,  reflected_1 : ptr<function, 
         return false;
     }
     var throughput_1 : vec3<f32> = value_of_1((*path_4).throughput_0) * value_of_0((*reflected_1).onward_0);
-    var _S233 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
-    var _S234 : u32 = depth_2 + u32(1);
-    if(_S234 >= (word_0(u32(1))))
+    var _S238 : f32 = max(max(throughput_1.x, throughput_1.y), throughput_1.z);
+    var _S239 : u32 = depth_2 + u32(1);
+    if(_S239 >= (word_0(u32(1))))
     {
-        var survival_0 : f32 = clamp(_S233, 0.05000000074505806f, 0.94999998807907104f);
-        if((random_0((*path_4).key_0, vertex_numbers_0(_S234) - u32(1))) >= survival_0)
+        var survival_0 : f32 = clamp(_S238, 0.05000000074505806f, 0.94999998807907104f);
+        if((random_0((*path_4).key_0, vertex_numbers_0(_S239) - u32(1))) >= survival_0)
         {
             return false;
         }
@@ -3549,31 +3618,31 @@ fn set_place_1( path_10 : u32,  which_9 : ptr<function, u32>,  place_20 : Place_
 fn set_colour_0( path_11 : u32,  which_10 : ptr<function, u32>,  colour_7 : Colour_0)
 {
     set_vector_2(path_11, &((*which_10)), colour_7.value_0);
-    var k_12 : u32 = u32(0);
+    var k_13 : u32 = u32(0);
     for(;;)
     {
-        if(k_12 < u32(2))
+        if(k_13 < u32(2))
         {
         }
         else
         {
             break;
         }
-        set_vector_2(path_11, &((*which_10)), colour_7.changes_0[k_12]);
-        k_12 = k_12 + u32(1);
+        set_vector_2(path_11, &((*which_10)), colour_7.changes_0[k_13]);
+        k_13 = k_13 + u32(1);
     }
     return;
 }
 
 fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 {
-    var at_20 : u32 = u32(1);
-    set_vector_0(number_of_path_1, &(at_20), path_12.adjoint_0);
-    set_vector_0(number_of_path_1, &(at_20), path_12.throughput_0);
-    set_vector_0(number_of_path_1, &(at_20), path_12.direction_0);
-    set_place_0(number_of_path_1, &(at_20), path_12.place_1);
-    set_word_0(number_of_path_1, at_20, path_12.key_0.x);
-    set_word_0(number_of_path_1, at_20 + u32(1), path_12.key_0.y);
+    var at_19 : u32 = u32(1);
+    set_vector_0(number_of_path_1, &(at_19), path_12.adjoint_0);
+    set_vector_0(number_of_path_1, &(at_19), path_12.throughput_0);
+    set_vector_0(number_of_path_1, &(at_19), path_12.direction_0);
+    set_place_0(number_of_path_1, &(at_19), path_12.place_1);
+    set_word_0(number_of_path_1, at_19, path_12.key_0.x);
+    set_word_0(number_of_path_1, at_19 + u32(1), path_12.key_0.y);
     return;
 }
 
@@ -3581,12 +3650,12 @@ fn store_0( number_of_path_1 : u32,  path_12 : Path_0)
 @workgroup_size(64, 1, 1)
 fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
 {
-    var at_21 : u32 = launch_0.first_0 + thread_0.x;
-    if(at_21 >= (launch_0.end_0))
+    var at_20 : u32 = launch_0.first_0 + thread_0.x;
+    if(at_20 >= (launch_0.end_0))
     {
         return;
     }
-    var number_of_path_2 : u32 = input_0[at_21];
+    var number_of_path_2 : u32 = input_0[at_20];
     var path_13 : Path_0 = load_0(number_of_path_2);
     var importance_3 : vec3<f32> = path_13.adjoint_0 * path_13.throughput_0;
     var place_21 : Place_0 = path_13.place_1;
@@ -3596,22 +3665,22 @@ fn go_on_reverse(@builtin(global_invocation_id) thread_0 : vec3<u32>)
     var kept_0 : u32 = kept_at_0();
     set_vector_1(number_of_path_2, &(kept_0), importance_3);
     set_place_1(number_of_path_2, &(kept_0), place_21);
-    var _S235 : u32 = kept_0;
+    var _S240 : u32 = kept_0;
     kept_0 = kept_0 + u32(1);
-    set_word_0(number_of_path_2, _S235, material_2);
+    set_word_0(number_of_path_2, _S240, material_2);
     set_colour_0(number_of_path_2, &(kept_0), reflected_2.direct_0);
     set_colour_0(number_of_path_2, &(kept_0), reflected_2.onward_0);
     path_13.throughput_0 = path_13.throughput_0 * reflected_2.onward_0.value_0;
     store_0(number_of_path_2, path_13);
-    var _S236 : u32;
+    var _S241 : u32;
     if(goes_on_2)
     {
-        _S236 = number_of_path_2;
+        _S241 = number_of_path_2;
     }
     else
     {
-        _S236 = u32(4294967295);
+        _S241 = u32(4294967295);
     }
-    set_word_0(at_21, u32(0), _S236);
+    set_word_0(at_20, u32(0), _S241);
     return;
 }

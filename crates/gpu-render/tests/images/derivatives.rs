@@ -255,6 +255,86 @@ fn large_derivatives_have_room() {
     assert_eq!(ours.statistics.non_finite, 0);
 }
 
+/// Derivatives of very different sizes in one image, and losses of any size.
+#[test]
+fn derivatives_may_be_large_and_small() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let mut scene = scenes::scene("parity/colour_bleeding.xml");
+    scene.film.resize([16, 12]);
+    // A lamp that is bright in one channel.
+    let emitting = scene.emitters[0].radiance();
+    let lamp = Arc::make_mut(&mut scene.textures[emitting.0 as usize]);
+    lamp.data = vec![1e7, 1e-3, 1.0];
+    lamp.channels = 3;
+    let prepared = PreparedScene::new(scene);
+    let scene = prepared.scene();
+    let wanted = Wanted::by(&all_texels(scene));
+    let options = options(4, Grid::default());
+    let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+    let adjoint = adjoint(scene);
+    let mut one_bright = adjoint.clone();
+    one_bright.pixels[16 * 5 + 3] = Rgb::splat(1e10);
+    let scaled = |factor: f64| {
+        let mut image = adjoint.clone();
+        image
+            .pixels
+            .iter_mut()
+            .for_each(|pixel| *pixel = *pixel * factor);
+        image
+    };
+    for (name, adjoint) in [
+        ("one bright pixel", one_bright),
+        ("tiny", scaled(1e-30)),
+        ("huge", scaled(1e39)),
+        ("none", scaled(0.0)),
+    ] {
+        let ours = on_device.backward(&adjoint, &wanted, &options, &Unwatched);
+        let theirs = capwalk_diff::backward(&prepared, &adjoint, &wanted, &options, &Unwatched);
+        let (ours, theirs) = (ours.expect("supported"), theirs.expect("not refused"));
+        assert_eq!(ours.statistics.non_finite, 0, "{name}");
+        let textures = ours
+            .gradient()
+            .textures
+            .iter()
+            .zip(&theirs.gradient().textures);
+        for (a, b) in textures.flat_map(|(a, b)| a.iter().flatten().zip(b.iter().flatten())) {
+            assert!((a - b).abs() <= 1e-2 * b.abs(), "{name}: {a} {b}");
+        }
+    }
+}
+
+/// Paths of more vertices than there is room for at first give the same bits in parts of any size.
+#[test]
+fn long_paths_have_room() {
+    let Some(gpu) = device::open(Precision::Double) else {
+        return;
+    };
+    let mut scene = scenes::scene("parity/roulette.xml");
+    scene.film.resize([8, 6]);
+    let emitting = scene.emitters[0].radiance();
+    for (number, texture) in scene.textures.iter_mut().enumerate() {
+        if number != emitting.0 as usize {
+            let data = &mut Arc::make_mut(texture).data;
+            data.iter_mut().for_each(|x| *x = 0.99);
+        }
+    }
+    let prepared = PreparedScene::new(scene);
+    let scene = prepared.scene();
+    let wanted = Wanted::by(&all_texels(scene));
+    let (adjoint, options) = (adjoint(scene), options(16, Grid::default()));
+    let on_device = DeviceScene::new(gpu, &prepared).expect("supported");
+    let reverse = |most| {
+        let found = on_device.backward_in_parts(&adjoint, &wanted, &options, most, &Unwatched);
+        found.expect("supported").gradient().clone()
+    };
+    let whole = reverse(1 << 16);
+    assert!(reverse(71) == whole);
+    let theirs = capwalk_diff::backward(&prepared, &adjoint, &wanted, &options, &Unwatched);
+    compare_texels(&whole, theirs.expect("not refused").gradient()).expect("the same");
+}
+
 /// What moves is named.
 #[test]
 fn what_moves_is_refused() {
@@ -269,7 +349,8 @@ fn what_moves_is_refused() {
     let error = on_device.backward(&adjoint(scene), &all, &options, &Unwatched);
     let text = error.expect_err("shapes move").to_string();
     let id = &scene.shapes[0].id;
-    let expected = format!("shape \"{id}\" moves, and derivatives by that are asked for: not on");
+    let expected =
+        format!("shape \"{id}\" moves, and derivatives with respect to that are asked for: not on");
     assert!(text.starts_with(&expected), "{text}");
     let mut tangent = Tangent::zero(scene);
     tangent.sensor.translation.x = 1.0;
