@@ -19,11 +19,14 @@ pub struct WgpuDriver {
     largest: u64,
     /// Those that were asked for, by the names of their kernels; each is compiled by one thread, for
     /// which the others that want it wait.
-    pipelines: Mutex<BTreeMap<(&'static str, usize), Arc<Mutex<Option<wgpu::ComputePipeline>>>>>,
+    pipelines: Mutex<BTreeMap<(&'static str, usize), OncePipeline>>,
     lost: Arc<Mutex<Option<String>>>,
     /// What the last download came through: new memory would cost more than the copy.
     back: Mutex<Option<wgpu::Buffer>>,
 }
+
+/// A kernel that is compiled by whoever locks it first.
+type OncePipeline = Arc<Mutex<Option<wgpu::ComputePipeline>>>;
 
 impl WgpuDriver {
     /// Opens the adapter whose name contains `wanted`, or else the fastest kind there is: a
