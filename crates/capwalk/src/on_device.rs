@@ -39,8 +39,9 @@ impl Prepared {
         or_else(found, None, || Ok((self.render(options, watch)?, None)))
     }
 
-    /// [`Prepared::gradient`] on a device, see [`Prepared::render_on`]. A GPU has derivatives by the
-    /// colours of materials and by what emitters send; [`Device::Auto`] takes the processor for others.
+    /// [`Prepared::gradient`] on a device, see [`Prepared::render_on`]. A GPU has derivatives with
+    /// respect to the colours of materials and to what emitters send; [`Device::Auto`] takes the
+    /// processor for others.
     ///
     /// ```
     /// # use capwalk::{Device, GradientOptions, Prepared, Unwatched};

@@ -21,7 +21,7 @@ const DIGITS: i32 = 80;
 /// If any is larger, units are larger by so many binary digits, and everything is done again.
 const FEWER_DIGITS: i32 = 20;
 
-/// The derivatives by the texels that are asked for.
+/// The derivatives with respect to the texels that are asked for.
 #[derive(Debug)]
 pub struct TexelSums {
     textures: Vec<TextureSums>,

@@ -20,9 +20,10 @@
 //! own: in a fixed order, in double precision, with standard errors. So the same scene, options and
 //! device give the same bits.
 //!
-//! Derivatives are by texels: of the image along a direction ([`DeviceScene::gradient`]), whose
-//! kernels carry a derivative beside each colour, and of a loss by all of them at once
-//! ([`DeviceScene::backward`]), whose kernels keep the vertices of paths and go back along them.
+//! Derivatives are with respect to texels: that of the image along a direction
+//! ([`DeviceScene::gradient`]), whose kernels carry a derivative beside each colour, and that of a
+//! loss with respect to all of them at once ([`DeviceScene::backward`]), whose kernels keep the
+//! vertices of paths and go back along them.
 //!
 //! What a scene may have is not all yet: see [`unsupported()`].
 

@@ -71,8 +71,8 @@ pub const FORWARD: PathKernels = PathKernels {
     vertex: 0,
 };
 
-/// Derivatives of a loss. Rays end with its derivative by the light of the path, and behind a path
-/// is what is kept of its vertices.
+/// Derivatives of a loss. Rays end with its derivative with respect to the light of the path, and
+/// behind a path is what is kept of its vertices.
 pub const REVERSE: PathKernels = PathKernels {
     begin: compiled!("begin_reverse"),
     go_on: compiled!("go_on_reverse"),

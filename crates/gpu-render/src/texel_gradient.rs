@@ -1,4 +1,4 @@
-//! The gradient of a loss by texels from a device, in reverse mode.
+//! The gradient of a loss with respect to texels from a device, in reverse mode.
 
 use capwalk_boundary::{Sampler, pool};
 use capwalk_diff::{Backward, BackwardWork, GradientOptions, Wanted};

@@ -30,8 +30,8 @@ pub fn unsupported_options(options: &RenderOptions) -> Option<Unsupported> {
     })
 }
 
-/// The first thing of a derivative that the device's renderer does not have. It has derivatives by
-/// texels: the colours of materials, and what emitters send.
+/// The first thing of a derivative that the device's renderer does not have. It has those with respect
+/// to texels: the colours of materials, and what emitters send.
 pub fn unsupported_derivative(prepared: &PreparedScene, wanted: &Wanted) -> Option<Unsupported> {
     let scene = prepared.scene();
     let moving = (0..scene.shapes.len()).find(|&i| wanted.shapes[i] || wanted.normals[i]);

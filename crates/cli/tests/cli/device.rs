@@ -35,7 +35,7 @@ fn images_come_from_the_device_that_is_asked_for() {
     assert!(!capwalk.folder.join("glass.exr").exists());
 }
 
-/// Derivatives by colours and by what emitters send; what moves is named.
+/// Derivatives with respect to colours and to what emitters send; what moves is named.
 #[test]
 fn derivatives_come_from_the_device_that_is_asked_for() {
     let capwalk = Capwalk::new("device_derivatives");

@@ -4,6 +4,7 @@ use capwalk_gpu::Precision;
 use capwalk_gpu_render::DeviceScene;
 use capwalk_math::Rgb;
 use capwalk_render::{PreparedScene, RenderOptions, Rendering, Unwatched, render};
+use capwalk_scene::Image;
 
 use crate::device;
 
@@ -35,19 +36,24 @@ pub fn compare(prepared: &PreparedScene, precision: Precision) -> Option<Result<
     let options = RenderOptions::new(1, 7);
     let ours = on_device(prepared, &options, precision)?;
     let theirs = render(prepared, &options, &Unwatched);
-    let pairs = ours.value.mean.pixels.iter().zip(&theirs.value.mean.pixels);
-    let differs = |(&a, &b): (&Rgb, &Rgb)| {
-        let difference = (a - b).map(f64::abs).max_component();
-        difference.is_nan() || difference > DIFFERENT * b.map(f64::abs).max_component().max(1e-3)
-    };
-    let (count, all) = (
-        pairs.filter(|&pair| differs(pair)).count(),
-        ours.value.mean.pixels.len(),
-    );
+    let (count, all) = different(&ours.value.mean, &theirs.value.mean, DIFFERENT);
     let is_good = count as f64 <= MOST_DIFFERENT * all as f64;
     Some(
         is_good
             .then_some(())
             .ok_or_else(|| format!("{count} of {all} samples differ")),
+    )
+}
+
+/// How many pixels differ by more than this, relatively, and how many there are.
+pub fn different(ours: &Image, theirs: &Image, tolerance: f64) -> (usize, usize) {
+    let differs = |(&a, &b): (&Rgb, &Rgb)| {
+        let [difference, size] = [a - b, b].map(|c| c.map(f64::abs).max_component());
+        difference.is_nan() || difference > tolerance * size.max(1e-3)
+    };
+    let pairs = ours.pixels.iter().zip(&theirs.pixels);
+    (
+        pairs.filter(|&pair| differs(pair)).count(),
+        ours.pixels.len(),
     )
 }

@@ -1,4 +1,4 @@
-//! Derivatives by texels: forward mode beside the processor's sample by sample, reverse mode beside the
+//! Derivatives with respect to texels: forward mode beside the processor's sample by sample, reverse mode beside the
 //! processor's and beside forward mode.
 
 use std::sync::Arc;
@@ -11,6 +11,7 @@ use capwalk_render::{Estimate, Grid, PreparedScene, RenderOptions, Unwatched};
 use capwalk_scene::{Emitter, Gradient, Image, Quantity, Scene, Shape, Slot, Tangent, TextureId};
 
 use crate::agreement::SMALL_EMITTERS;
+use crate::beside::different;
 use crate::{device, scenes};
 
 /// Samples differ if their derivatives do by more than this, relatively: single precision of what a
@@ -20,8 +21,8 @@ const DIFFERENT: f64 = 5e-4;
 /// The share of samples that may, as in images.
 const MOST_DIFFERENT: f64 = 0.01;
 
-/// By how much the derivatives by the texels of a texture may differ in all, relatively: samples that
-/// differ.
+/// By how much the derivatives with respect to the texels of a texture may differ in all,
+/// relatively: samples that differ.
 const TEXELS_DIFFERENT: f64 = 0.02;
 
 /// What forward and reverse mode may differ by, relatively: single precision.
@@ -88,19 +89,14 @@ fn options(spp: u32, grid: Grid) -> GradientOptions {
 
 /// An error, in words, if too many samples differ.
 fn compare(ours: &Estimate, theirs: &Estimate) -> Result<(), String> {
-    let pairs = ours.mean.pixels.iter().zip(&theirs.mean.pixels);
-    let differs = |(&a, &b): (&Rgb, &Rgb)| {
-        let difference = (a - b).map(f64::abs).max_component();
-        difference.is_nan() || difference > DIFFERENT * b.map(f64::abs).max_component().max(1e-3)
-    };
-    let (all, count) = (pairs.len(), pairs.filter(|&pair| differs(pair)).count());
+    let (count, all) = different(&ours.mean, &theirs.mean, DIFFERENT);
     match count as f64 <= MOST_DIFFERENT * all as f64 {
         true => Ok(()),
         false => Err(format!("{count} of {all} samples differ")),
     }
 }
 
-/// An error, in words, if the derivatives by a texture's texels differ.
+/// An error, in words, if the derivatives with respect to a texture's texels differ.
 fn compare_texels(ours: &Gradient, theirs: &Gradient) -> Result<(), String> {
     for (number, (a, b)) in ours.textures.iter().zip(&theirs.textures).enumerate() {
         let (Some(a), Some(b)) = (a, b) else {
