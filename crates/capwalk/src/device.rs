@@ -69,7 +69,7 @@ pub enum DeviceFailure {
 }
 
 impl DeviceFailure {
-    /// What it is that the GPU does not have, such as `the material of shape "ball" is a plastic`;
+    /// What it is that the GPU does not have, such as `the material of shape "ball" is a dielectric`;
     /// `None` if the scene could be rendered there.
     pub fn unsupported(&self) -> Option<&str> {
         match self {

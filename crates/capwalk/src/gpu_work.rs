@@ -49,8 +49,9 @@ pub fn backward(
     })
 }
 
-/// What the GPU that is found computes, with derivatives of what is wanted, if any are. The processor, for [`Device::Cpu`], and for
-/// [`Device::Auto`] where there is none, or where it has not all that is needed.
+/// What the GPU that is found computes, with derivatives with respect to what is wanted, if any are.
+/// The processor, for [`Device::Cpu`], and for [`Device::Auto`] where there is none, or where it has
+/// not all that is needed.
 fn found<T>(
     prepared: &PreparedScene,
     device: Device,
@@ -91,9 +92,6 @@ fn found<T>(
     };
     let scene = match DeviceScene::new(&gpu, prepared).map_err(noted) {
         Ok(scene) => scene,
-        Err(DeviceError::Unsupported(missing)) if may_fall_back => {
-            return on_processor(Some(remark(&missing.what)));
-        }
         Err(error) if may_fall_back => return on_processor(Some(remark(&error))),
         Err(error) => return Err(failure(error)),
     };

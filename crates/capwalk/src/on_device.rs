@@ -60,8 +60,8 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<OnDevice<GradientImage>, Error> {
-        let work = self.gradient_work(direction, options)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
+        let work = self.gradient_work(&*tangent, options)?;
         let found = gpu_work::gradient(self.prepared_scene(), device, &tangent, options, watch)?;
         or_else(found, Some(options), || {
             let chosen = work.chosen(watch)?;

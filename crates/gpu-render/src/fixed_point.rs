@@ -27,6 +27,8 @@ pub struct TexelSums {
     textures: Vec<TextureSums>,
     /// How many sums there are.
     pub count: usize,
+    /// A unit is two to minus this.
+    digits: i32,
 }
 
 /// Those of one record of a texture.
@@ -35,8 +37,6 @@ struct TextureSums {
     shown: Shown,
     /// The first sum, if any is asked for.
     first: Option<usize>,
-    /// A unit is two to minus this.
-    digits: i32,
 }
 
 /// What a part of the work adds.
@@ -53,7 +53,7 @@ pub struct PartSums {
 impl TexelSums {
     /// Those that are wanted of these textures, of a loss whose derivatives with respect to pixels
     /// are near one at most. Units are chosen by what derivatives are expected: as large as that,
-    /// times the brightest radiance for what does not only emit.
+    /// times the brightest radiance if that is above one.
     pub fn new(scene: &Scene, shown: &[Shown], wanted: &Wanted) -> Self {
         let brightness: f64 = scene
             .emitters
@@ -68,16 +68,16 @@ impl TexelSums {
             if is_wanted {
                 count += scene.texture(id).data.len();
             }
-            // Units that single precision has, whatever is expected.
-            let exponent = brightness.max(1.0).log2().ceil().clamp(0.0, 120.0);
-            TextureSums {
-                shown,
-                first,
-                digits: DIGITS - exponent as i32,
-            }
+            TextureSums { shown, first }
         });
         let textures = textures.collect();
-        Self { textures, count }
+        // Units that single precision has, whatever is expected.
+        let exponent = brightness.max(1.0).log2().ceil().clamp(0.0, 120.0);
+        Self {
+            textures,
+            count,
+            digits: DIGITS - exponent as i32,
+        }
     }
 
     /// The words of the sums on the device.
@@ -89,16 +89,14 @@ impl TexelSums {
     pub fn changes(&self) -> Vec<u32> {
         let of = |texture: &TextureSums| {
             let first = texture.first.map_or(NONE, |first| first as u32);
-            [first, 2_f32.powi(texture.digits).to_bits()]
+            [first, 2_f32.powi(self.digits).to_bits()]
         };
         self.textures.iter().flat_map(of).collect()
     }
 
     /// Makes room for derivatives that were too large.
     pub fn widen(&mut self) {
-        for texture in &mut self.textures {
-            texture.digits -= FEWER_DIGITS;
-        }
+        self.digits -= FEWER_DIGITS;
     }
 
     /// What the words of a device say.
@@ -127,7 +125,7 @@ impl TexelSums {
             else {
                 continue;
             };
-            let unit = texture.shown.scale * 2_f64.powi(-texture.digits) / times;
+            let unit = texture.shown.scale * 2_f64.powi(-self.digits) / times;
             for (number, &sum) in numbers.iter_mut().zip(&sums[first..]) {
                 *number += sum as f64 * unit;
             }
@@ -164,6 +162,7 @@ mod tests {
         let none = TexelSums {
             textures: Vec::new(),
             count: 2,
+            digits: 0,
         };
         let minus_three = [u32::MAX - 2, u32::MAX, u32::MAX, u32::MAX];
         let large = [5, 0, 7, 0];

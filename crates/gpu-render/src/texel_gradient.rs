@@ -1,6 +1,6 @@
 //! The gradient of a loss with respect to texels from a device, in reverse mode.
 
-use capwalk_boundary::{Sampler, pool};
+use capwalk_boundary::{Sampler, Stream, pool};
 use capwalk_diff::{Backward, BackwardWork, GradientOptions, Wanted};
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{self, SamplePlace};
@@ -29,9 +29,9 @@ const MOST_DERIVATIVES: usize = 1 << 24;
 
 impl DeviceScene<'_> {
     /// The gradient of `Σ adjoint · image` in the texels that are wanted, as
-    /// [`capwalk_diff::backward`] has it: of its samples, with its batches and refusals. An error if
-    /// anything else is wanted, or more texels than there is room for. Derivatives that are not finite are
-    /// left out, each by itself, and counted.
+    /// [`capwalk_diff::backward`] has it: of its samples, with its batches and refusals. An error
+    /// if anything else is wanted, or more texels than there is room for. Derivatives that are not
+    /// finite are left out, each by itself, and counted, at most as many as a part has samples.
     ///
     /// Sums are in fixed point, so their bits do not depend on which thread comes first.
     pub fn backward(
@@ -208,7 +208,7 @@ impl<'a> Job<'a> {
         Ok(Some(Backward::new(batches, statistics)))
     }
 
-    /// From now on, so many vertices of each path are kept, and of as many paths as there is room for.
+    /// From now on, so many vertices of each path are kept, of as many paths as there is room for.
     fn keep(&self, place: &mut Place, levels: usize) {
         let sampling = Plan::new(self.scene.prepared.scene()).sampling;
         let by_texels = 2 + sampling.emitter_samples + sampling.bsdf_samples;
@@ -225,7 +225,7 @@ impl<'a> Job<'a> {
     /// What some samples, each of a pixel, add to the sums.
     fn part(
         &self,
-        samples: &[(usize, capwalk_boundary::Stream)],
+        samples: &[(usize, Stream)],
         place: &mut Place<'a>,
     ) -> Result<Outcome, GpuError> {
         let room = place.size.get();
