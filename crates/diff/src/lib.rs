@@ -38,6 +38,7 @@ pub use adjoint::Wanted;
 pub use auto::{Chosen, Trial};
 pub use finite::{Differences, Stencil, finite_difference};
 pub use forward::{GradientWork, gradient};
+pub use forward_eval::Forward;
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;
 pub use reverse::{Backward, BackwardWork, BatchSums, backward};
